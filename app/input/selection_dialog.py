@@ -56,6 +56,10 @@ def choose_for(session: Session, parent: QWidget) -> str:
     return ""
 
 
+REASONS = 3
+"""Reasons for which files were left out that are shown, the most frequent first; all are in the tool tip."""
+
+
 class SelectionDialog(QDialog):
     """Searches a folder off this thread and lists the sets, the best first.
 
@@ -176,8 +180,11 @@ class SelectionDialog(QDialog):
     def _arrived(self, found: Selection) -> None:
         self.found = found
         language = current_language()
-        lines = lines_of(found, lambda text, **values: localized("report", text, language, **values), language)
-        self.words.setText("\n".join(lines))
+        for most, show in ((REASONS, self.words.setText), (None, self.words.setToolTip)):
+            lines = lines_of(
+                found, lambda text, **values: localized("report", text, language, **values), language, most
+            )
+            show("\n".join(lines))
         rows, colors = [], []
         for one in found.sets:
             named = ", ".join(f"{Path(r.file).name} {r.channel} × {number(r.scale, 'g')}" for r in one.records)

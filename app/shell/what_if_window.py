@@ -219,10 +219,10 @@ class WhatIfWindow(QDialog):
         lines, names = [], captions()
         for one in reached:
             factor, form = SHOWN[one.key]
-            ends = [
-                f"{number(None if value is None else factor * value, form)} ({self._check(label)})"
-                for label, value in one.by_check.items()
-            ]
+            ends = []
+            for label, value in one.by_check.items():
+                said = number(None if value is None else factor * value, form)
+                ends.append(f"{tr('any') if label in one.throughout else said} ({self._check(label)})")
             lines.append(f"{names[one.key]}: {'; '.join(ends)}")
         target = number(self.setting.demand.zeta_target, ".2f")
         self.word.setText("\n".join([tr("For ζ {zeta}:", zeta=target), *lines]))

@@ -44,7 +44,7 @@ class SureTab(QWidget):
         split = QSplitter(Qt.Orientation.Horizontal)
         split.addWidget(self.chart)
         split.addWidget(tables)
-        split.setSizes([440, 560])
+        split.setSizes([400, 600])
         head = QHBoxLayout()
         head.addWidget(self.words, 1)
         head.addWidget(self.button, 0, Qt.AlignmentFlag.AlignTop)
@@ -120,16 +120,4 @@ class SureTab(QWidget):
         heads = [tr("For the ζ required"), tr("now"), *sure_words.check_names(result, labels, self.language)]
         self.reach.setColumnCount(len(heads))
         self.reach.setHorizontalHeaderLabels(heads)
-        names = sure_words.reach_names(self._say)
-        self.reach.show_rows(
-            [
-                [
-                    names[one.key],
-                    *(
-                        sure_words.reach_written(one, value, self.language)
-                        for value in (one.given, *map(one.by_check.get, labels))
-                    ),
-                ]
-                for one in found.reach
-            ]
-        )
+        self.reach.show_rows([sure_words.reach_row(self._say, one, labels, self.language) for one in found.reach])

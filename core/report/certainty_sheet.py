@@ -87,12 +87,10 @@ def _moved(book: Book, sheet, result: StudyResult, found: Sensitivity, n: int, r
     if labels := sure_words.reach_labels(found):
         heads = [say("For the ζ required"), say("now"), *sure_words.check_names(result, labels, language)]
         header(sheet, row, heads, 1, 30)
-        names = sure_words.reach_names(say)
         for one in found.reach:
             row += 1
-            text(sheet, row, 1, names[one.key])
-            for column, value in enumerate((one.given, *map(one.by_check.get, labels)), start=2):
-                text(sheet, row, column, sure_words.reach_written(one, value, language), align="right")
+            for column, cell in enumerate(sure_words.reach_row(say, one, labels, language), start=1):
+                text(sheet, row, column, cell, align="left" if column == 1 else "right")
             rule(sheet, row, 1, 2 + len(labels))
         row += 1
     return row + 1

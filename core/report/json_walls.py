@@ -222,7 +222,15 @@ def _sensitivity(found: Sensitivity) -> dict:
         ],
         "without_effect": list(found.still),
         "turning": list(found.turning),
-        "at_target": [{"input": one.key, "given": one.given, "by_check": one.by_check} for one in found.reach],
+        "at_target": [
+            {
+                "input": one.key,
+                "given": one.given,
+                "by_check": one.by_check,
+                "satisfied_throughout": list(one.throughout),
+            }
+            for one in found.reach
+        ],
     }
 
 

@@ -9,8 +9,8 @@ Say = Callable[..., str]
 """A text of the group "report" in the language of the report."""
 
 
-def lines_of(selection: Selection, say: Say, language: str) -> list[str]:
-    """How the records were chosen, how near they are, what was left out."""
+def lines_of(selection: Selection, say: Say, language: str, most: int | None = None) -> list[str]:
+    """How the records were chosen, how near they are, what was left out. most : reasons of it, all where None"""
     best = selection.chosen
     low, high = selection.period_range
     lines = [
@@ -46,7 +46,8 @@ def lines_of(selection: Selection, say: Say, language: str) -> list[str]:
             )
         )
     if selection.reasons:
-        left = "; ".join(f"{reason.text(language)} ({n})" for reason, n in selection.reasons)
+        left = "; ".join(f"{reason.text(language)} ({n})" for reason, n in selection.reasons[:most])
+        left += "; …" if selection.reasons[most or len(selection.reasons) :] else ""
         lines.append(say("Left out: {left}.", left=left))
     return lines
 

@@ -92,10 +92,15 @@ def reach_names(say: Say) -> dict[str, str]:
     return {"thickness_m": say("thickness [cm]"), "tie_kn_m": say("ties together [kN/m]"), "ag_g": "a_g [g]"}
 
 
-def reach_written(reach: Reach, value: float | None, language: str) -> str:
-    """A value of what is turned round."""
+def reach_row(say: Say, reach: Reach, labels: list[str], language: str) -> list[str]:
+    """What is turned round: its value now, and by each check."""
     factor, form = REACH[reach.key]
-    return numeral(None if value is None else factor * value, form, language)
+
+    def written(value: float | None) -> str:
+        return numeral(None if value is None else factor * value, form, language)
+
+    by_check = [say("any") if label in reach.throughout else written(reach.by_check.get(label)) for label in labels]
+    return [reach_names(say)[reach.key], written(reach.given), *by_check]
 
 
 def rate_heads(say: Say, life: float | None) -> list[str]:
@@ -105,7 +110,7 @@ def rate_heads(say: Say, life: float | None) -> list[str]:
         say("exceeded"),
         say("median a_g [g]"),
         "β",
-        say("nine of ten cases"),
+        say("9 of 10 within"),
         say("a year"),
         say("once in [years]"),
         years,

@@ -62,11 +62,13 @@ class Reach:
 
     key : thickness_m, tie_kn_m or ag_g; given : its value now
     by_check : label -> the value at which zeta of the check reaches what is required, None where none does
+    throughout : labels of the checks that are satisfied at every value that is searched and accepted
     """
 
     key: str
     given: float
     by_check: dict[str, float | None]
+    throughout: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

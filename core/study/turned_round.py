@@ -120,6 +120,7 @@ def reach_of(
 
     now = at(given, True)
     found: dict[str, float | None] = {}
+    throughout = []
     for label in now.by_check:
         dynamic = label == "dynamic"
         if dynamic and key == "ag_g":  # histories go with the ground, in proportion
@@ -127,12 +128,14 @@ def reach_of(
             found[label] = None if zeta is None else _ag_at(setting, zeta / target)
             continue
 
-        def holds(value: float, label: str = label, dynamic: bool = dynamic) -> bool:
-            zeta = at(value, dynamic).by_check.get(label)
-            return zeta is not None and zeta >= target - ROUNDING
+        def holds(value: float, label: str = label, dynamic: bool = dynamic) -> bool | None:
+            there = at(value, dynamic)
+            zeta = there.by_check.get(label)
+            return None if there is NONE else zeta is not None and zeta >= target - ROUNDING
 
-        found[label] = _search(holds, given, WIDEST[key], falls=key == "ag_g", again=dynamic)
-    return Reach(key, given, found)
+        found[label], everywhere = _search(holds, given, WIDEST[key], falls=key == "ag_g", again=dynamic)
+        throughout += [label] if everywhere else []
+    return Reach(key, given, found, tuple(throughout))
 
 
 def _ag_at(setting: Setting, share: float) -> float | None:
@@ -144,30 +147,42 @@ def _ag_at(setting: Setting, share: float) -> float | None:
         there = with_ag(setting.demand, asked, setting.base_dir, ag_g / asked.ag_g)
         return there.pga <= share * setting.demand.pga * (1.0 + 1e-12)
 
-    return _search(below, asked.ag_g, 4.0 * WIDEST["ag_g"], falls=True, again=False)
+    return _search(below, asked.ag_g, 4.0 * WIDEST["ag_g"], falls=True, again=False)[0]
 
 
-def _search(holds: Callable[[float], bool], given: float, widest: float, falls: bool, again: bool) -> float | None:
-    """The value at which something begins to hold, of what falls with it the last at which it holds; None where it does
-    so nowhere within given times or over widest. again : it must hold a little beyond as well"""
+def _search(
+    holds: Callable[[float], bool | None], given: float, widest: float, falls: bool, again: bool
+) -> tuple[float | None, bool]:
+    """(value at which something begins to hold, of what falls with it the last at which it holds, whether it holds at
+    all that are accepted); the value is None where it begins nowhere within given times or over widest.
+
+    holds : None for a value that is refused
+    again : it must hold a little beyond as well
+    """
     step, up = 1.25, not falls
 
-    def fine(value: float) -> bool:
-        beyond = value * RAISED if up else value / RAISED
-        return holds(value) and (not again or holds(beyond))
+    def fine(value: float) -> bool | None:
+        found = holds(value)
+        return found and (holds(value * RAISED if up else value / RAISED) if again else True)
 
-    good = bad = None
-    value, inside = given, fine(given)
+    good: float | None = None
+    bad: float | None = None
+    value, inside, refused = given, bool(fine(given)), True
     while good is None or bad is None:
         if not given / widest <= value <= given * widest:
-            return None if good is None else good
-        if fine(value):
+            return None, good is not None
+        found = fine(value)
+        if found:
             good = value
         else:
-            bad = value
+            bad, refused = value, found is None
         if good is None or bad is None:
             value = value / step if inside == up else value * step
     while max(good, bad) / min(good, bad) > 1.0 + CLOSE:
         middle = math.sqrt(good * bad)
-        good, bad = (middle, bad) if fine(middle) else (good, middle)
-    return good
+        found = fine(middle)
+        if found:
+            good = middle
+        else:
+            bad, refused = middle, found is None
+    return (None, True) if refused else (good, False)

@@ -55,16 +55,9 @@ def _moved(result: StudyResult, found: Sensitivity, words: Words) -> list[Part]:
     if line := sure_words.still_line(say, found, language):
         parts.append(Item(line, "quiet"))
     if labels := sure_words.reach_labels(found):
-        names = sure_words.reach_names(say)
         heads = [say("For ζ {zeta}", zeta=words.number(target, ".2f")), say("now")]
         heads += sure_words.check_names(result, labels, language)
-        cells = [
-            [
-                names[one.key],
-                *(sure_words.reach_written(one, v, language) for v in (one.given, *map(one.by_check.get, labels))),
-            ]
-            for one in found.reach
-        ]
+        cells = [sure_words.reach_row(say, one, labels, language) for one in found.reach]
         parts.append(Table(heads, cells, (1.6, 0.9, *[1.8] * len(labels))))
     return parts
 

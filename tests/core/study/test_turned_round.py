@@ -81,3 +81,19 @@ def test_that_what_no_value_reaches_is_none():
     table = case_of(bare | {"thickness_m": 0.12, "height_m": 12.0, "unloaded_confirmed": True}, demand={"ag_g": 1.9})
     found = reach_of(setting(table), "thickness_m", 0.12).by_check
     assert found["linear_q_code"] is None
+
+
+def test_that_a_check_satisfied_throughout_has_no_value_and_a_refused_one_is_no_limit():
+    """A facade whose wedges hold it at any thickness; a setback that is refused before zeta falls to the target."""
+    from core.case.reader import read_case
+
+    case = read_case(CASES / "facade.toml")
+    wedges = setting_of(case, 1, CASES, read_inputs(case, CASES))
+    found = reach_of(wedges, "thickness_m", 0.9)
+    assert found.by_check["nonlinear"] is None and found.by_check["dynamic"] is None
+    assert set(found.throughout) == {"nonlinear", "dynamic"} and found.by_check["linear_q_code"] > 0.9
+    bare = {key: value for key, value in LOADED.items() if key not in ("load", "free_element")}
+    back = bare | {"unloaded_confirmed": True, "hinge_setback_m": 0.15}
+    low = reach_of(setting(case_of(back, demand={"ag_g": 0.01})), "thickness_m", 0.5)
+    assert low.by_check == {"nonlinear": None, "linear_q_code": None}
+    assert low.throughout == ("nonlinear", "linear_q_code")
