@@ -21,6 +21,7 @@
     python3 run.py bench --compile                          # what a cold start compiles, kernel by kernel
     python3 run.py bench --note                             # seconds of the calculation note after a run
     python3 run.py bench --selection                        # seven records of a thousand, and of few
+    python3 run.py bench --sure                             # moves of the inputs, sliders of What if
     python3 run.py bench --ties [LIST.toml]                 # what q = 2 is worth for a tie, see tie_study.py
 
 With --small it does little of it, as in the tests: what it prints then says nothing. Every benchmark asserts that
@@ -54,6 +55,7 @@ BENCHMARKS = {
     "compile": "compile_times",
     "note": "note_speed",
     "selection": "selection_speed",
+    "sure": "sure_speed",
 }
 """Word of the command -> module of this folder, whose `main(options)` measures and prints."""
 

@@ -1,0 +1,72 @@
+"""Seconds of what stands beside a verdict: the moves of the inputs of a design wall, and of the sliders of What if.
+
+python3 run.py bench --sure
+"""
+
+import argparse
+import os
+import statistics
+import time
+from dataclasses import replace
+from pathlib import Path
+
+from core.case.reader import read_case
+from core.case.schema import Case
+from core.case.sensitivity import Ranges
+from core.study.journal import Memory
+from core.study.plan import read_inputs
+from core.study.run import EVERYTHING, run
+from core.study.what_if import setting_of, zetas
+
+CASES = Path(__file__).resolve().parents[2] / "resources" / "cases"
+SLIDERS = 8
+"""Every how many points of the grid the histories of the sliders are searched (app/shell/what_if_window.py)."""
+
+
+def beside(case: Case, repeats: int) -> float:
+    """Seconds that [sensitivity] adds to a run whose searches and checks are known, on all cores: the median."""
+    book = Memory(EVERYTHING)
+    options = {"base_dir": CASES, "jobs": os.cpu_count() or 1}
+    plain = replace(case, sensitivity=None)
+    run(plain, journal=lambda _: book, **options)
+    found = []
+    for _ in range(repeats):
+        start = time.perf_counter()
+        run(plain, journal=lambda _: book, **options)
+        middle = time.perf_counter()
+        known = Memory(EVERYTHING)
+        known.found |= book.found
+        run(replace(plain, sensitivity=Ranges()), journal=lambda _, known=known: known, **options)
+        found.append(time.perf_counter() - middle - (middle - start))
+    return statistics.median(found)
+
+
+def under_the_hand(case: Case, repeats: int) -> tuple[float, float]:
+    """(seconds of the checks of the clauses, of these and the histories) of one place of a slider: medians."""
+    setting = setting_of(case, 0, CASES, read_inputs(case, CASES))
+    times: dict[int, list[float]] = {0: [], SLIDERS: []}
+    for _ in range(repeats + 1):
+        for every, taken in times.items():
+            start = time.perf_counter()
+            zetas(setting, every=every)
+            taken.append(time.perf_counter() - start)
+    return statistics.median(times[0][1:]), statistics.median(times[SLIDERS][1:])
+
+
+def main(options: argparse.Namespace) -> None:
+    """Print the table."""
+    repeats = 1 if options.small else 5
+    print(f"{'one wall, seven records':44} {'moves [s]':>10} {'clauses [ms]':>13} {'histories [ms]':>15}", flush=True)
+    for name, k, label in (
+        ("facade.toml", 0, "facade with openings, on the ground"),
+        ("building.toml", 3, "parapet on a floor, two-sided"),
+        ("building.toml", 0, "three storeys, three hinges, loads"),
+        ("building.toml", 1, "the same with a tie"),
+    ):
+        if options.small and k == 1:
+            continue
+        case = read_case(CASES / name)
+        nothing = dict.fromkeys(("tie_height_m", "tie_bar_length_m", "tie_elongation_m", "tie_spacing_m"))
+        case = replace(case, wall=(replace(case.wall[k], **nothing),))
+        moves, (clauses, histories) = beside(case, repeats), under_the_hand(case, repeats)
+        print(f"{label:44} {moves:10.2f} {1e3 * clauses:13.1f} {1e3 * histories:15.0f}", flush=True)
