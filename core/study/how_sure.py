@@ -58,7 +58,7 @@ def _with_intervals(
     plan: Plan, demand: DemandResult, results: Sequence[WallResult], verdicts: Sequence[WallVerdict], book, threads
 ) -> list[WallVerdict]:
     """The verdicts with the interval of their records, one a worst hinge; kept in the book."""
-    if len(verdicts) > MOST_INTERVALS and plan.case.sensitivity is None:
+    if len(plan.case.wall) > MOST_INTERVALS and plan.case.sensitivity is None:
         return list(verdicts)
 
     def task(k: int):

@@ -31,7 +31,7 @@ from core.study.kept_checks import KeptChecks
 from core.study.limit_states import StateHistories, demands_of, unsaid, zetas
 from core.study.plan import Entry, Inputs, Plan, costs_of, plan_of, read_inputs, refuse_large, with_chosen
 from core.study.progress import OnProgress, Progress
-from core.study.results import Assessment, StudyResult, WallResult
+from core.study.results import Assessment, StudyResult, WallResult, WallVerdict
 from core.study.threads import Threads
 from core.study.tie_design import Hinge, tie_design
 from core.study.wall_result import run_result, wall_result, with_variants_alone
@@ -103,9 +103,7 @@ def result_of(
     """
     try:
         demand, rules, results = _worked(plan, base_dir, threads, book, progress, on_wall)
-        verdicts = wall_verdicts(plan.case, tuple(results)) if whole else ()
-        if plan.longest is None:  # of a group of walls no more than its rows is kept
-            verdicts = with_certainty(plan, base_dir, demand, results, verdicts, book, threads, progress)
+        verdicts = _verdicts(plan, base_dir, demand, results, threads, book, progress)
     finally:
         cache.record(cache.folder())
         if book:
@@ -122,8 +120,16 @@ def result_of(
         tuple(results),
         rules,
         elapsed,
-        verdicts,
+        verdicts if whole else (),
     )
+
+
+def _verdicts(plan: Plan, base_dir: Path, demand, results, threads, book, progress) -> tuple[WallVerdict, ...]:
+    """Of the walls of a plan, with what is beside them; of a group of walls, whose rows alone are kept, without."""
+    found = wall_verdicts(plan.case, tuple(results))
+    if plan.longest is not None:
+        return found
+    return with_certainty(plan, base_dir, demand, results, found, book, threads, progress)
 
 
 def journal_key() -> str:
@@ -176,7 +182,9 @@ def wall_alone(case: Case, base_dir: Path, k: int) -> dict[str, dict]:
     plan, book = plan_of(case, base_dir, _kept[place], (k, len(case.wall))), Memory(EVERYTHING)
     begin_compiling(plan)
     progress = Progress(costs_of(plan), lambda done, planned, left: None)
-    _worked(plan, base_dir, Threads(1, lambda: False), book, progress, lambda wall: None)
+    threads = Threads(1, lambda: False)
+    demand, _, results = _worked(plan, base_dir, threads, book, progress, lambda wall: None)
+    _verdicts(plan, base_dir, demand, results, threads, book, progress)
     return book.found
 
 

@@ -16,6 +16,8 @@ from core.case import wall_table
 from core.case.keys import NESTED, number_key
 from core.case.place import Site
 from core.case.schema import Generate, Record, Wall, sections
+from core.case.select import Select
+from core.case.sensitivity import Ranges
 from core.case.site import BuildingMode, Demand, HazardRow, Spectrum
 from core.case.solids import Drawing
 from core.case.values import field_of, section_of
@@ -35,6 +37,14 @@ ELSEWHERE = {
     },
     **{(Drawing, entry.name): "the dialog of the button From a drawing…" for entry in fields(Drawing)},
     **{(Generate, key): "the button Generate…, which makes seven" for key in ("count", "seed")},
+    **{
+        (Ranges, entry.name): "written in the case file; the button Move each input takes the usual"
+        for entry in fields(Ranges)
+    },
+    **{
+        (Select, entry.name): "the dialog of the button Choose…, the rest written in the case file"
+        for entry in fields(Select)
+    },
     **{(Record, entry.name): "the panel of records and its dialog" for entry in fields(Record)},
     **{
         (section, entry.name): "a table of numbers pasted as text"

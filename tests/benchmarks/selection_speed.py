@@ -7,6 +7,7 @@ import argparse
 import tempfile
 import time
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 
@@ -32,27 +33,29 @@ def seconds(count: int, bounds: Bounds) -> tuple[float, selection.Found]:
 
 def above_best(folders: int, count: int, starts: int) -> list[float]:
     """Deviation of the set the search finds over that of the best of all, less 1, of so many small folders."""
-    more, most = [], (selection.MOST_SETS, selection.MOST_STARTS)
+    more = []
     for seed in range(folders):
         ratios, number = ratios_of(count, seed, PERIODS), np.arange(count)
         best, found = (_best(ratios, number, *bounds) for bounds in ((10**12, 0), (0, starts)))
-        selection.MOST_SETS, selection.MOST_STARTS = most
         assert (found.miss, found.deviation) >= (best.miss, best.deviation)
         more.append(found.deviation / best.deviation - 1.0)
     return more
 
 
 def _best(ratios: np.ndarray, number: np.ndarray, sets: int, starts: int) -> selection.Found:
-    selection.MOST_SETS, selection.MOST_STARTS = sets, starts
-    return nearest_sets(ratios, SIZE, number // 2, number // 8, (1, 2), FREE)[0][0]
+    with mock.patch.multiple(selection, MOST_SETS=sets, MOST_STARTS=starts):
+        return nearest_sets(ratios, SIZE, number // 2, number // 8, (1, 2), FREE)[0][0]
 
 
 def main(options: argparse.Namespace) -> None:
     """Print the table."""
+    with mock.patch.object(selection, "MOST_WORK", 10**7 if options.small else selection.MOST_WORK):
+        _table(options)
+
+
+def _table(options: argparse.Namespace) -> None:
     count, few, folders, files = (60, 28, 2, 3) if options.small else (RECORDS, 44, 20, 200)
     most = (50,) if options.small else (1000, selection.MOST_STARTS)
-    if options.small:
-        selection.MOST_WORK = 10**7
     seconds(60, NTC)  # compiled
     for name, bounds in (("NTC, unscaled", NTC), ("NTC, one factor", FREE), ("EN, one factor", EN), ("unmet", UNMET)):
         took, best = seconds(count, bounds)
