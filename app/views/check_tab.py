@@ -29,6 +29,7 @@ from app.views.table import Table
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.eq9 import LABEL
 from core.codes.kinematic import Check
+from core.report.sure_words import verdict_of
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import lines_of, sentence_of, tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
@@ -351,7 +352,7 @@ class CheckTab(QWidget):
         return Rung(name, check.clause, check.zeta, values, tone, check.name == verdict.governing)
 
     def _facts(self, result: StudyResult, wall: WallResult) -> str:
-        """Four facts by which a reader judges how far the verdict goes."""
+        """Five facts by which a reader judges how far the verdict goes."""
         found = wall.assessment
         dynamic, facts = found.dynamic, []
         if dynamic and dynamic.zeta is not None:
@@ -360,6 +361,10 @@ class CheckTab(QWidget):
         rules = result.compliance
         kind = "" if rules is None else ", " + (tr("compatible") if rules.compatible else tr("not compatible"))
         facts.append((tr("Set of records"), f"{len(result.motions)}{kind}"))
+        verdict = verdict_of(result, wall)
+        if verdict and (interval := verdict.interval):
+            ends = digits(interval.low), "…" if interval.open_end else digits(interval.high)
+            facts.append((tr("Other stations, nine of ten"), f"ζ {ends[0]} – {ends[1]}"))
         if found.lower_bound is not None:
             facts.append((tr("If the restraint behind fails"), f"ζ {digits(found.lower_bound.zeta)}"))
         elif found.verdict.lower_bound is not None:
