@@ -8,7 +8,7 @@ from dataclasses import asdict, replace
 from pathlib import Path
 
 from core.capacity.ida import multiplier_of
-from core.codes.collapse_rate import STATES, StateRate, state_rate
+from core.codes.collapse_rate import LEAST_STATIONS, STATES, StateRate, state_rate, typical_rate
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
 from core.codes.record_sample import RecordPeaks, SampleInterval, record_peaks, sample_interval
@@ -187,27 +187,20 @@ def capacities(wall: WallResult, motions: list, demand: DemandResult, end: float
     return found
 
 
-def rates_of(
-    wall: WallResult, motions: list, demand: DemandResult, end: float, life: float | None
-) -> tuple[StateRate, ...]:
-    """How often each limit state of a wall about one hinge is exceeded; empty without hazard, records or a number.
-    end, life : q_limit of the search, nominal life [years]"""
-    if not demand.hazard or not wall.runs:
-        return ()
-    found = capacities(wall, motions, demand, end)
-    if found is None:
-        return ()
-    stations = [station_of(motion, k) for k, motion in enumerate(motions)]
-    rates = [
-        state_rate(state, values, stations, demand.hazard, demand.confidence_factor, life)
-        for state, values in found.items()
-    ]
-    return tuple(rate for rate in rates if rate is not None)
-
-
 def _worst_rates(plan: Plan, demand: DemandResult, hinges: list[WallResult]) -> tuple[StateRate, ...]:
-    """Of the hinge that collapses most often; empty where one has none."""
+    """How often each limit state is exceeded, of the hinge that collapses most often; empty without hazard and records,
+    and where a hinge has no number."""
+    if not demand.hazard or not all(one.runs for one in hinges):
+        return ()
+    found = [capacities(one, _felt(plan, one), demand, plan.search.q_limit) for one in hinges]
+    known = [one for one in found if one is not None]
+    if len(known) < len(found):
+        return ()
+    names = [station_of(motion, k) for k, motion in enumerate(_felt(plan, hinges[0]))]
+    if len(set(names)) < LEAST_STATIONS:
+        return ()
+    worst = max(known, key=lambda one: typical_rate(one["collapse"], demand.hazard))
     asked = plan.case.demand
-    life, end = asked.nominal_life_years if asked else None, plan.search.q_limit
-    found = [rates_of(one, _felt(plan, one), demand, end, life) for one in hinges]
-    return max(found, key=lambda rates: rates[-1].rate) if found and all(found) else ()
+    life = asked.nominal_life_years if asked else None
+    rates = (state_rate(state, worst[state], names, demand.hazard, demand.confidence_factor, life) for state in STATES)
+    return tuple(rate for rate in rates if rate is not None)
