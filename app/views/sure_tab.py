@@ -31,7 +31,7 @@ class SureTab(QWidget):
         self.words.setWordWrap(True)
         self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.button = QPushButton(tr("Move each input"))
-        self.button.setToolTip(tr("Adds [sensitivity] to the case and runs it: some tenths of a second a wall"))
+        self.button.setToolTip(tr("Adds [sensitivity] to the case and runs it: a second a wall, with ties some ten"))
         self.button.clicked.connect(lambda: self.asked.emit("sensitivity"))
         self.chart = Chart("ζ_E", "", tr("ζ_E with each input moved on its own"))
         heads = [tr("Input value"), tr("moved to"), "ζ_E", tr("moved to"), "ζ_E"]
@@ -66,8 +66,8 @@ class SureTab(QWidget):
         lines = []
         if verdict:
             lines.append(sure_words.interval_line(self._say, verdict, self.language))
-            lines += [sure_words.still_line(self._say, found, self.language)] if found else []
-            lines += sure_words.rate_lines(self._say, verdict.rates, self.language)
+            lines += sure_words.still_lines(self._say, found, self.language) if found else []
+            lines += sure_words.rate_lines(self._say, result, verdict.rates, self.language)
             if not verdict.rates and result.demand and not result.demand.hazard:
                 lines.append(tr("The rates need the hazard of the site: give the place, or the rows of the hazard."))
         self.words.setText("\n".join(line for line in lines if line) or tr("No demand: nothing to be sure of."))

@@ -20,14 +20,14 @@ LEAST_STATIONS = 3
 DRAWS, SEED, SHARE = 400, 1, 0.90
 """Sets of stations drawn for the interval, the seed, and the share of them within it."""
 
-LEAST_DEVIATION = 1e-6
-"""Of records that all give the same, so that a step is a lognormal as well."""
+LEAST_DEVIATION, MOST_DEVIATION = 1e-6, 2.0
+"""Of records that all give the same, so that a step is a lognormal as well; of records that tell nothing."""
 
-FAR_BELOW = 1e-3
-"""Of the lowest a_g of the hazard: no wall fails there."""
+STEEP = 15.0
+"""Slope of a line of the hazard above which it is a step: rows of nearly one a_g."""
 
 BEYOND = 0.05
-"""Share of a rate from beyond the hazard by more than one step above which it is said."""
+"""Share of a rate, and of walls that fail below the hazard, above which it is said."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,8 @@ class StateRate:
     rate : exceedances a year [1/year]; low, high : for SHARE of the drawn sets of stations
     in_life : probability in the nominal life, None without it
     without_factor : rate without FC
-    beyond : share of the rate that is not of the hazard's rows, nor of one step beyond the last
+    beyond : share of the rate from motions stronger than the hazard tells by more than one step, F = 1
+    weaker : F at a_g one step below the first row, where no motion is counted
     """
 
     state: str
@@ -58,6 +59,7 @@ class StateRate:
     in_life: float | None
     without_factor: float
     beyond: float
+    weaker: float
 
 
 def _normal(x: np.ndarray) -> np.ndarray:
@@ -79,26 +81,31 @@ def _between(low: float, high: float, anchor: tuple[float, float], slope: float,
     return middle * (last_moved - first_moved) + first - last
 
 
-def mean_rate(median, deviation, hazard: Sequence[tuple[float, float]]) -> tuple[np.ndarray, np.ndarray]:
-    """(mean annual frequency [1/year], share of it from beyond the hazard's rows by more than one step).
+def mean_rate(median, deviation, hazard: Sequence[tuple[float, float]]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(mean annual frequency [1/year], share of it from stronger motions than the hazard tells by more than one step, F
+    at the weakest motion that is counted).
 
     median, deviation : of lognormals of a_g on rock [m/s2], shape (n,)
     hazard : (T_R [years], a_g [m/s2]), both rising, two rows or more
-    The first and the last line go on by one step, as far as the two rows are apart. Before, the first goes on; after,
-    the wall is taken to fail at once, F = 1.
+    The first and the last line go on by one step, as far as the two rows are apart. Weaker motions are not counted;
+    under stronger ones the wall is taken to fail, F = 1.
     """
     years, ags = np.array(hazard).T
+    median, deviation = np.asarray(median), np.minimum(deviation, MOST_DEVIATION)
     slopes = -np.diff(np.log(1.0 / years)) / np.diff(np.log(ags))
     edges = [ags[0] * ags[0] / ags[1], *ags[1:-1], ags[-1] * ags[-1] / ags[-2]]
-    inside = sum(
-        _between(edges[k], edges[k + 1], (ags[k], 1.0 / years[k]), slope, median, deviation)
-        for k, slope in enumerate(slopes)
-    )
-    first = ags[0], 1.0 / years[0]
-    below = _between(FAR_BELOW * edges[0], edges[0], first, slopes[0], median, deviation)
-    above = (edges[-1] / ags[-1]) ** -slopes[-1] / years[-1]
-    total = inside + below + above
-    return total, (below + above) / total
+    total = np.zeros(median.size)
+    for k, slope in enumerate(slopes):
+        low, high, anchor = edges[k], edges[k + 1], (ags[k], 1.0 / years[k])
+        if slope > STEEP:
+            steps = [anchor[1] * math.exp(-slope * math.log(edge / anchor[0])) for edge in (low, high)]
+            middle = np.log(math.sqrt(low * high) / median) / deviation
+            total += _normal(middle) * (steps[0] - steps[1])
+        else:
+            total += _between(low, high, anchor, slope, median, deviation)
+    above = math.exp(-slopes[-1] * math.log(edges[-1] / ags[-1])) / years[-1]
+    weaker = _normal(np.log(edges[0] / median) / deviation)
+    return total + above, above / (total + above), weaker
 
 
 def typical_rate(capacities: Sequence[float], hazard: Sequence[tuple[float, float]]) -> float:
@@ -140,9 +147,11 @@ def state_rate(
     spread = np.sqrt((times * (logs - means[:, None]) ** 2).sum(axis=1) / np.maximum(n - 1, 1))
     medians = np.array([np.exp(logs.mean()), confidence * np.exp(logs.mean()), *np.exp(means)])
     own = logs.std(ddof=1)
-    rates, beyond = mean_rate(medians, np.maximum([own, own, *spread], LEAST_DEVIATION), hazard)
+    rates, beyond, weaker = mean_rate(medians, np.maximum([own, own, *spread], LEAST_DEVIATION), hazard)
     low, high = np.quantile(rates[2:], (0.5 - SHARE / 2, 0.5 + SHARE / 2))
     rate = float(rates[0])
     in_life = None if life is None else in_years(rate, life)
     fragility = Lognormal(float(medians[0]), float(own), logs.size)
-    return StateRate(state, fragility, rate, float(low), float(high), in_life, float(rates[1]), float(beyond[0]))
+    return StateRate(
+        state, fragility, rate, float(low), float(high), in_life, float(rates[1]), float(beyond[0]), float(weaker[0])
+    )

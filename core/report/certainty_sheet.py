@@ -52,7 +52,7 @@ def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, 
                 text(sheet, row, column, cell, align="left" if column == 1 else "right")
             rule(sheet, row, 1, LAST)
         row += 1
-        for line in sure_words.rate_lines(say, verdict.rates, language):
+        for line in sure_words.rate_lines(say, result, verdict.rates, language):
             row = paragraph(sheet, row, line, LAST, LINE, color=QUIET)
     return row
 
@@ -81,7 +81,7 @@ def _moved(book: Book, sheet, result: StudyResult, found: Sensitivity, n: int, r
         chart = _chart(sheet, say("Δζ_E of each input moved on its own"), data, first, row)
         sheet.add_chart(chart, f"A{row + 2}")
         row += 2 + rows_below(chart.height)
-    if line := sure_words.still_line(say, found, language):
+    for line in sure_words.still_lines(say, found, language):
         row = paragraph(sheet, row + 1, line, LAST, LINE, color=QUIET) - 1
     row += 1
     if labels := sure_words.reach_labels(found):

@@ -221,6 +221,9 @@ def _sensitivity(found: Sensitivity) -> dict:
             for one in found.swings
         ],
         "without_effect": list(found.still),
+        "refused": [
+            {"input": key, "text_it": error.text("it"), "text_en": error.text("en")} for key, error in found.refused
+        ],
         "turning": list(found.turning),
         "at_target": [
             {

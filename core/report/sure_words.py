@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from core.codes.collapse_rate import BEYOND, StateRate
+from core.report.verdict_words import names_in
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.swings import Reach, Sensitivity, Swing, move_words
 from core.text.sentence import Number, numeral, sentence, word
@@ -66,10 +67,17 @@ def swing_name(swing: Swing, language: str) -> str:
     return word(f"key_{swing.key}", language)
 
 
-def still_line(say: Say, found: Sensitivity, language: str) -> str:
-    """The inputs that were moved and do not move zeta."""
-    names = ", ".join(word(f"key_{key}", language) for key in found.still)
-    return say("Without effect on ζ: {names}.", names=names) if names else ""
+def still_lines(say: Say, found: Sensitivity, language: str) -> list[str]:
+    """The inputs that were moved and do not move zeta, and those that cannot be moved so."""
+    lines = []
+    if found.still:
+        lines.append(
+            say("Without effect on ζ: {names}.", names=", ".join(word(f"key_{k}", language) for k in found.still))
+        )
+    for key, error in found.refused:
+        why = error.text(language, names_in(language))
+        lines.append(say("Not moved, {name}: {why}", name=word(f"key_{key}", language), why=why))
+    return lines
 
 
 REACH = {"thickness_m": (100.0, ".3g"), "tie_kn_m": (1.0, ".3g"), "ag_g": (1.0, ".3f")}
@@ -141,7 +149,7 @@ def rate_row(say: Say, rate: StateRate, language: str) -> list[str]:
     ]
 
 
-def rate_lines(say: Say, rates: tuple[StateRate, ...], language: str) -> list[str]:
+def rate_lines(say: Say, result: StudyResult, rates: tuple[StateRate, ...], language: str) -> list[str]:
     """What the rates are to be read with."""
     if not rates:
         return []
@@ -151,13 +159,25 @@ def rate_lines(say: Say, rates: tuple[StateRate, ...], language: str) -> list[st
             "the capacity. Beyond the code, not part of the verdict."
         )
     ]
-    if rates[-1].beyond > BEYOND:
-        share = numeral(100.0 * rates[-1].beyond, ".0f", language)
+    if result.compliance is None or not result.compliance.compatible:
+        lines.append(
+            say("The records are not compatible with the spectrum: the fragility is of other motions than the hazard.")
+        )
+    if "artificial" in result.kinds:
+        lines.append(say("Generated motions scatter less than natural ones: the frequencies may be too low."))
+    if states := _states(say, [rate for rate in rates if rate.beyond > BEYOND]):
         lines.append(
             say(
-                "{share} % of the rate of collapse lies beyond the hazard's rows by more than one step, where the wall "
-                "is taken to fail.",
-                share=share,
+                "Beyond the hazard's rows by more than one step the wall is taken to fail: a part of {states}.",
+                states=states,
             )
         )
+    if states := _states(say, [rate for rate in rates if rate.weaker > BEYOND]):
+        lines.append(
+            say("Also under motions weaker than the hazard tells, which are not counted: {states}.", states=states)
+        )
     return lines
+
+
+def _states(say: Say, rates: list[StateRate]) -> str:
+    return ", ".join(say("collapse") if rate.state == "collapse" else rate.state for rate in rates)

@@ -2,17 +2,22 @@
 each input does to zeta. Beside the verdict, never part of it."""
 
 import functools
+import math
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
 
+import numpy as np
+
 from core.capacity.ida import multiplier_of
+from core.case.site import Demand
 from core.codes.collapse_rate import LEAST_STATIONS, STATES, StateRate, state_rate, typical_rate
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
 from core.codes.record_sample import RecordPeaks, SampleInterval, record_peaks, sample_interval
 from core.ground.provenance import station_of
+from core.study.demand_input import with_ag
 from core.study.journal import rebuilt
 from core.study.kept_checks import KeptChecks, check_key
 from core.study.plan import Plan
@@ -24,6 +29,9 @@ from core.study.threads import Threads
 from core.study.turned_round import keys_of, reach_of
 from core.study.what_if import setting_of
 from core.text.sentence import sentence
+
+SHARES = 0.01, 100.0
+"""Of a_g, between which S follows it."""
 
 MOST_INTERVALS = 50
 """Walls of a case up to which the interval is made without being asked for: a tenth of the time of a wall."""
@@ -48,7 +56,8 @@ def with_certainty(
     if demand is None or not verdicts:
         return tuple(verdicts)
     found = _with_intervals(plan, demand, results, verdicts, book, threads)
-    found = [replace(one, rates=_worst_rates(plan, demand, [results[k] for k in one.results])) for one in found]
+    ag = ag_of(demand, plan.case.demand, base_dir) if demand.hazard else lambda multiplier: multiplier * demand.ag
+    found = [replace(one, rates=_worst_rates(plan, demand, [results[k] for k in one.results], ag)) for one in found]
     if plan.case.sensitivity is None:
         return tuple(found)
     return tuple(_with_sensitivities(plan, base_dir, demand, results, found, book, threads, progress))
@@ -160,11 +169,29 @@ def _peaks_of(plan: Plan, wall: WallResult, demand: DemandResult, zeta: float, s
     return record_peaks(wall.model, _felt(plan, wall), _signs(wall), demand, plan.method, zeta, stop)
 
 
-def capacities(wall: WallResult, motions: list, demand: DemandResult, end: float) -> dict[str, list[float]] | None:
+def ag_of(demand: DemandResult, asked: Demand | None, base_dir: Path) -> Callable[[float], float]:
+    """a_g on rock [m/s2] of a multiplier of the demand: that whose a_g S is as many times as large, for S of NTC 2018
+    follows a_g. asked : of the case"""
+    if asked is None or demand.target is None:
+        return lambda multiplier: multiplier * demand.ag
+    factors = np.geomspace(*SHARES, 400)
+    shares = [with_ag(demand, asked, base_dir, float(factor)).pga / demand.pga for factor in factors]
+
+    def found(multiplier: float) -> float:
+        inside = float(np.clip(multiplier, shares[0], shares[-1]))
+        factor = math.exp(np.interp(math.log(inside), np.log(shares), np.log(factors)))
+        return factor * multiplier / inside * demand.ag
+
+    return found
+
+
+def capacities(
+    wall: WallResult, motions: list, demand: DemandResult, end: float, ag: Callable[[float], float]
+) -> dict[str, list[float]] | None:
     """a_g on rock [m/s2] at which each record first brings a wall to each limit state, of both signs the lower; a
     search in vain stands for its end. None where a run has no number.
 
-    motions : that move it; end : q_limit of the search
+    motions : that move it; end : q_limit of the search; ag : of `ag_of`
     """
     found: dict[str, list[float]] = {state: [] for state in STATES}
     for k, motion in enumerate(motions):
@@ -183,24 +210,26 @@ def capacities(wall: WallResult, motions: list, demand: DemandResult, end: float
             if None in values:
                 return None
             multiplier = multiplier_of(min(values), motion.pga, wall.threshold) / demand.scaling(motion)
-            found[state].append(float(multiplier) * demand.ag)
+            found[state].append(ag(float(multiplier)))
     return found
 
 
-def _worst_rates(plan: Plan, demand: DemandResult, hinges: list[WallResult]) -> tuple[StateRate, ...]:
-    """How often each limit state is exceeded, of the hinge that collapses most often; empty without hazard and records,
-    and where a hinge has no number."""
+def _worst_rates(
+    plan: Plan, demand: DemandResult, hinges: list[WallResult], ag: Callable[[float], float]
+) -> tuple[StateRate, ...]:
+    """How often each limit state is exceeded, of the hinge where that is most often; empty without hazard and records,
+    and where a hinge has no number. ag : of `ag_of`"""
     if not demand.hazard or not all(one.runs for one in hinges):
         return ()
-    found = [capacities(one, _felt(plan, one), demand, plan.search.q_limit) for one in hinges]
+    found = [capacities(one, _felt(plan, one), demand, plan.search.q_limit, ag) for one in hinges]
     known = [one for one in found if one is not None]
-    if len(known) < len(found):
-        return ()
     names = [station_of(motion, k) for k, motion in enumerate(_felt(plan, hinges[0]))]
-    if len(set(names)) < LEAST_STATIONS:
+    if len(known) < len(found) or len(set(names)) < LEAST_STATIONS:
         return ()
-    worst = max(known, key=lambda one: typical_rate(one["collapse"], demand.hazard))
     asked = plan.case.demand
     life = asked.nominal_life_years if asked else None
-    rates = (state_rate(state, worst[state], names, demand.hazard, demand.confidence_factor, life) for state in STATES)
+    rates = []
+    for state in STATES:
+        worst = max((one[state] for one in known), key=lambda values: typical_rate(values, demand.hazard))
+        rates.append(state_rate(state, worst, names, demand.hazard, demand.confidence_factor, life))
     return tuple(rate for rate in rates if rate is not None)

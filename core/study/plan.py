@@ -205,7 +205,7 @@ def costs_of(plan: Plan) -> dict[Any, float]:
             if entry.part.wall.tie_height_m is not None:
                 costs["tie", k] = TIE * costs["check", k]
             if plan.case.sensitivity:
-                cost = SENSITIVITY * costs["check", k]
+                cost = SENSITIVITY * (TIE if entry.model.bars else 1.0) * costs["check", k]
                 costs["sensitivity", entry.part.origin] = costs.get(("sensitivity", entry.part.origin), 0.0) + cost
         if plan.case.analysis.accuracy:
             costs["accuracy", k] = STATEMENT * max((run_cost(m, search) for m in entry.felt), default=1.0)

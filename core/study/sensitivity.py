@@ -8,25 +8,30 @@ from typing import NamedTuple
 
 import numpy as np
 
+from core.case.hinges import parts_of
 from core.case.schema import Wall
 from core.case.sensitivity import Ranges
 from core.case.site import Building
 from core.codes.floor_spectrum import estimated_period
 from core.codes.kinematic import ROUNDING
-from core.codes.record_sample import RecordPeaks, one_left_out
+from core.codes.record_sample import RecordPeaks, one_left_out, zeta_of_sets
+from core.codes.verdict import Verdict
 from core.errors import InputError
 from core.study.demand_input import with_ag
 from core.study.floors import damaged
 from core.study.plan import Floors
 from core.study.results import WallResult
 from core.study.swings import End, Sensitivity, Swing
-from core.study.what_if import NONE, Setting, Zetas, with_demand, with_wall, zetas
+from core.study.what_if import NONE, Setting, Zetas, lowest, with_demand, with_wall, zetas
 
 DAMPINGS = (0.01, 0.30)
 """Dampings of a building that a case accepts."""
 
-Task = Callable[[Callable[[], bool]], Zetas]
-"""Of a move: its zeta. Takes what tells it to stop."""
+FALLS = "unstable_under_loads"
+"""Error of a wall that falls without an earthquake: it has no zeta. What is refused for another reason is not moved."""
+
+Task = Callable[[Callable[[], bool]], Zetas | InputError]
+"""Of a move: its zeta, or why there is none. Takes what tells it to stop."""
 
 
 class Move(NamedTuple):
@@ -43,13 +48,13 @@ def moves(setting: Setting, ranges: Ranges) -> list[Move]:
     known = Floors()
 
     def task(change: Callable[[Setting], Setting], of_theory: float | None = None) -> Task:
-        def found(stop: Callable[[], bool]) -> Zetas:
+        def found(stop: Callable[[], bool]) -> Zetas | InputError:
             try:
                 moved = change(setting)
                 same = moved.case.building == setting.case.building and moved.inputs is setting.inputs
                 return zetas(moved, of_theory=of_theory, floors=known if same else None, cancelled=stop)
-            except InputError:  # it does not stand, or its spectrum ends before its period
-                return NONE
+            except InputError as error:
+                return NONE if error.code == FALLS else error
 
         return found
 
@@ -103,11 +108,14 @@ def _others(factors: tuple[float, float]) -> list[float]:
 
 
 def thinner(wall: Wall, thickness: float) -> Wall:
-    """A wall of another thickness [m]; its loads keep their share of it."""
+    """A wall of another thickness [m]; its loads keep their share of it, and so do its steps."""
     assert wall.thickness is not None
     share = thickness / wall.thickness
+    steps = tuple(replace(step, thickness_m=share * step.thickness_m) for step in wall.steps)
     loads = tuple(load if load.d_m is None else replace(load, d_m=share * load.d_m) for load in wall.load)
-    return replace(wall, thickness_m=thickness, slenderness_deg=None, height_over_thickness=None, load=loads)
+    return replace(
+        wall, thickness_m=thickness, slenderness_deg=None, height_over_thickness=None, load=loads, steps=steps
+    )
 
 
 def loaded(wall: Wall, factor: float) -> Wall:
@@ -117,14 +125,17 @@ def loaded(wall: Wall, factor: float) -> Wall:
 
 
 def set_back(wall: Wall, setback: float) -> Wall:
-    """A wall with another hinge setback [m], whatever gave it."""
-    return replace(wall, hinge_setback_m=setback, compressive_strength_mpa=None)
+    """A wall with another hinge setback [m]; where a strength gives it, with the strength that gives this one, so that
+    it follows the weight above each hinge."""
+    if wall.compressive_strength_mpa is None:
+        return replace(wall, hinge_setback_m=setback)
+    return replace(wall, compressive_strength_mpa=wall.compressive_strength_mpa * wall.setback / setback)
 
 
 def _of_building(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | None, Ends]]:
     """The same of the building under a wall: its period and its damping."""
-    building = setting.case.building
-    if building is None or not setting.case.wall[0].above_ground:
+    building, wall = setting.case.building, setting.case.wall[0]
+    if building is None or not any(part.wall.above_ground for part in parts_of(0, wall, building)):
         return
     first = building.modes[0].period_s if building.modes else building.period_s or estimated_period(building.height_m)
     damping = building.modes[0].damping if building.modes else damaged(building, setting.demand.limit_state)[1]
@@ -153,53 +164,74 @@ def sensitivity_of(
     setting: Setting,
     ranges: Ranges,
     made: Sequence[Move],
-    found: Mapping[int, Zetas],
+    found: Mapping[int, Zetas | InputError],
     hinges: Sequence[WallResult],
     peaks: Sequence[RecordPeaks],
 ) -> Sensitivity:
-    """The sensitivity of one wall.
+    """The sensitivity of one wall. Its base is zeta of the run; the ends, found on a coarser grid, are in proportion.
 
     made : of `moves`; found : what the task of each, by its place, gave
     hinges : results of all its hinges and mechanisms
     peaks : of those with histories, for the records left out
     """
-    target, base = setting.demand.zeta_target, found[0]
+    target, coarse = setting.demand.zeta_target, found[0]
+    assert isinstance(coarse, Zetas)
+    base = lowest([_verdict(one).zeta_e for one in hinges])
+    if base is None or coarse.zeta is None:
+        return Sensitivity(None, (), (), ())
+    share = base / coarse.zeta
+
+    def end(value: float | None, there: Zetas, name: str = "") -> End:
+        zeta = None if there.zeta is None else share * there.zeta
+        return End(value, zeta, there.sure and zeta is not None and zeta >= target - ROUNDING, name)
+
     swings: dict[str, Swing] = {}
+    refused: dict[str, InputError] = {}
     for k, (key, given, value, _) in enumerate(made):
-        if key:
+        there = found[k]
+        if isinstance(there, InputError):
+            refused.setdefault(key, there)
+        elif key:
             known = swings.setdefault(key, Swing(key, given, ()))
-            swings[key] = replace(known, ends=(*known.ends, End(value, found[k].zeta, found[k].sure)))
-    swings["ag_factor"] = _of_ag(setting, ranges, base)
+            swings[key] = replace(known, ends=(*known.ends, end(value, there)))
+    swings["ag_factor"] = _of_ag(setting, ranges, base, coarse, end)
     if ranges.restraint_lost and (lost := _restraint_lost(hinges, target)) is not None:
         swings["restraint_lost"] = Swing("restraint_lost", None, (lost,))
-    if ranges.record_left_out and peaks:
-        names = [motion.name for motion in setting.inputs[1]]
-        swings["record_left_out"] = Swing("record_left_out", None, _left_out(peaks, names, target))
-    moving = [one for one in swings.values() if any(_differs(end.zeta, base.zeta) for end in one.ends)]
+    names = [motion.name for motion in setting.inputs[1]]
+    if ranges.record_left_out and len(peaks) == len(hinges) and len(names) > 1:
+        swings["record_left_out"] = Swing("record_left_out", None, _left_out(peaks, names, base, target))
+    moving = [one for one in swings.values() if any(_differs(e.zeta, base) for e in one.ends)]
     satisfied = all(_satisfied(one) for one in hinges)
     return Sensitivity(
-        base.zeta,
-        tuple(sorted(moving, key=lambda one: -one.width(base.zeta))),
+        base,
+        tuple(sorted(moving, key=lambda one: -one.width(base))),
         tuple(key for key, one in swings.items() if one not in moving),
-        tuple(one.key for one in moving if satisfied and not all(end.sure for end in one.ends)),
+        tuple(one.key for one in moving if satisfied and not all(e.sure for e in one.ends)),
+        refused=tuple(refused.items()),
     )
 
 
-def _of_ag(setting: Setting, ranges: Ranges, base: Zetas) -> Swing:
-    """a_g moves the histories in proportion; the checks of the clauses follow the spectrum."""
+def _verdict(hinge: WallResult) -> Verdict:
+    assert hinge.assessment is not None
+    return hinge.assessment.verdict
+
+
+def _of_ag(
+    setting: Setting, ranges: Ranges, base: float, coarse: Zetas, end: Callable[[float | None, Zetas], End]
+) -> Swing:
+    """a_g moves the histories in proportion; the checks of the clauses follow the spectrum. end : of what is found"""
     asked, demand = setting.case.demand, setting.demand
     assert asked is not None
     ends = []
     for factor in _others(ranges.ag_factor):
         there = with_ag(demand, asked, setting.base_dir, factor)
-        share = there.pga / demand.pga
+        share = demand.pga / there.pga
         if setting.has_histories:
-            zeta = None if base.zeta is None else base.zeta / share
-            sure = base.low is not None and base.low / share >= demand.zeta_target - ROUNDING
+            low = None if coarse.low is None else share * coarse.low
+            sure = low is not None and low >= demand.zeta_target - ROUNDING
+            ends.append(End(factor * asked.ag_g, share * base, sure and share * base >= demand.zeta_target - ROUNDING))
         else:
-            moved = zetas(with_demand(setting, there))
-            zeta, sure = moved.zeta, moved.sure
-        ends.append(End(factor * asked.ag_g, zeta, sure))
+            ends.append(end(factor * asked.ag_g, zetas(with_demand(setting, there))))
     return Swing("ag_factor", asked.ag_g, tuple(ends))
 
 
@@ -234,11 +266,15 @@ def _restraint_lost(hinges: Sequence[WallResult], target: float) -> End | None:
     return End(None, zeta, sure and zeta is not None and zeta >= target - ROUNDING)
 
 
-def _left_out(peaks: Sequence[RecordPeaks], names: Sequence[str], target: float) -> tuple[End, ...]:
-    """Without the record that lowers zeta most, and without the one that raises it most."""
-    without = np.min([one_left_out(one) for one in peaks], axis=0)
+def _left_out(peaks: Sequence[RecordPeaks], names: Sequence[str], base: float, target: float) -> tuple[End, ...]:
+    """Without the record that lowers zeta most, and without the one that raises it most; in proportion to the base, of
+    the whole set. Where the rule holds at every multiplier known it is the last of them."""
+    every = np.array([zeta_of_sets(one, np.ones((1, len(names)), np.int64))[0] for one in peaks])
+    top = np.array([one.multipliers[-1] for one in peaks])
+    without = np.array([np.minimum(one_left_out(one), last) for one, last in zip(peaks, top, strict=True)]).min(axis=0)
+    whole = float(np.minimum(every, top).min())
     ends = []
     for k in dict.fromkeys((int(without.argmin()), int(without.argmax()))):
-        zeta = float(without[k]) if math.isfinite(without[k]) else None
-        ends.append(End(None, zeta, zeta is not None and zeta >= target - ROUNDING, names[k]))
+        zeta = base * float(without[k]) / whole
+        ends.append(End(None, zeta, zeta >= target - ROUNDING, names[k]))
     return tuple(ends)

@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass
 
+from core.errors import InputError
 from core.text.sentence import Number, Sentence, sentence
 
 SHOWN = {
@@ -27,7 +28,7 @@ class End:
 
     value : of the input there, in the unit of its key, a factor of loads; None of what is lost or left out
     name : of the record that is left out
-    zeta : of the wall, None where the wall then has none, or does not stand
+    zeta : of the wall, None where it then falls without an earthquake
     sure : surely satisfied, its spread included
     """
 
@@ -75,11 +76,12 @@ class Reach:
 class Sensitivity:
     """Of a wall with all its hinges.
 
-    base : zeta of the wall as it is, on the coarser grid the ends are searched on
+    base : zeta_E of the wall as it is, None where it has none: nothing is moved
     swings : of what moves zeta, the widest first
     still : keys of what was moved and does not
     turning : keys of the swings an end of which turns a satisfied verdict
     reach : the answer turned round
+    refused : (key, why) of what cannot be moved so
     """
 
     base: float | None
@@ -87,6 +89,7 @@ class Sensitivity:
     still: tuple[str, ...]
     turning: tuple[str, ...]
     reach: tuple[Reach, ...] = ()
+    refused: tuple[tuple[str, InputError], ...] = ()
 
 
 def _worth(end: End) -> float:

@@ -11,13 +11,16 @@ from core.errors import InputError
 from core.study.demand_input import with_ag
 from core.study.sensitivity import loaded, thinner
 from core.study.swings import Reach
-from core.study.what_if import NONE, Setting, Zetas, with_demand, with_wall, zetas
+from core.study.what_if import EVERY, NONE, Setting, Zetas, with_demand, with_wall, zetas
 
 CLOSE = 0.002
 """Ratio of the ends of a search at which it stops."""
 
 RAISED = 1.02
 """More of the value at which histories must hold as well: their rule is not monotone."""
+
+BEYOND, TRIES = 0.01, 30
+"""Step and count by which a value of the histories is moved on until the run itself is satisfied."""
 
 WIDEST = {"thickness_m": 4.0, "tie_kn_m": 64.0, "ag_g": 16.0}
 """Factor of the value given up to which, and share of it down to which, it is searched."""
@@ -99,7 +102,7 @@ def with_values(setting: Setting, values: dict[str, float]) -> Setting:
 
 
 def reach_of(
-    setting: Setting, key: str, given: float, cancelled: Callable[[], bool] = lambda: False, every: int = 4
+    setting: Setting, key: str, given: float, cancelled: Callable[[], bool] = lambda: False, every: int = EVERY
 ) -> Reach:
     """The value of a key at which zeta of each check reaches what is required: of a_g the largest, else the smallest.
 
@@ -123,19 +126,36 @@ def reach_of(
     throughout = []
     for label in now.by_check:
         dynamic = label == "dynamic"
-        if dynamic and key == "ag_g":  # histories go with the ground, in proportion
-            zeta = now.by_check[label]
-            found[label] = None if zeta is None else _ag_at(setting, zeta / target)
-            continue
 
         def holds(value: float, label: str = label, dynamic: bool = dynamic) -> bool | None:
             there = at(value, dynamic)
             zeta = there.by_check.get(label)
             return None if there is NONE else zeta is not None and zeta >= target - ROUNDING
 
-        found[label], everywhere = _search(holds, given, WIDEST[key], falls=key == "ag_g", again=dynamic)
+        if dynamic and key == "ag_g":  # histories go with the ground, in proportion
+            zeta = now.by_check[label]
+            found[label], everywhere = None if zeta is None else _ag_at(setting, zeta / target), False
+        else:
+            found[label], everywhere = _search(holds, given, WIDEST[key], falls=key == "ag_g", again=dynamic)
+        if dynamic and found[label] is not None:
+            found[label] = _confirmed(setting, key, found[label], cancelled)
         throughout += [label] if everywhere else []
     return Reach(key, given, found, tuple(throughout))
+
+
+def _confirmed(setting: Setting, key: str, value: float | None, cancelled: Callable[[], bool]) -> float | None:
+    """The value found on the coarse grid, moved on until the run itself is satisfied there, its spread included; None
+    where it is not within TRIES steps."""
+    assert value is not None
+    step = 1.0 / (1.0 + BEYOND) if key == "ag_g" else 1.0 + BEYOND
+    for k in range(TRIES):
+        tried = value * step**k
+        try:
+            if zetas(CHANGES[key](setting, tried), every=1, cancelled=cancelled).sure:
+                return tried
+        except InputError:
+            return None
+    return None
 
 
 def _ag_at(setting: Setting, share: float) -> float | None:
@@ -168,16 +188,17 @@ def _search(
     good: float | None = None
     bad: float | None = None
     value, inside, refused = given, bool(fine(given)), True
+    last = given / widest if inside == up else given * widest
     while good is None or bad is None:
-        if not given / widest <= value <= given * widest:
-            return None, good is not None
         found = fine(value)
         if found:
             good = value
         else:
             bad, refused = value, found is None
         if good is None or bad is None:
-            value = value / step if inside == up else value * step
+            if value == last:
+                return None, good is not None
+            value = max(value / step, last) if inside == up else min(value * step, last)
     while max(good, bad) / min(good, bad) > 1.0 + CLOSE:
         middle = math.sqrt(good * bad)
         found = fine(middle)

@@ -7,6 +7,7 @@ from pathlib import Path
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.rules import with_walls
 from core.case.schema import Case, Wall
+from core.case.site import FULL_FACTOR
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
 from core.codes.kinematic import ROUNDING, checks_of
@@ -68,7 +69,10 @@ class Setting:
 def setting_of(case: Case, k: int, base_dir: Path, inputs: Inputs, book: Callable = demand_check) -> Setting:
     """For the k-th wall of a case with a demand; no tie is sought."""
     wall = replace(case.wall[k], tie_height_m=None, tie_bar_length_m=None, tie_elongation_m=None, tie_spacing_m=None)
-    alone = replace(case, wall=(wall,), sensitivity=None, analysis=replace(case.analysis, accuracy=False))
+    # whether an FC below 1.35 is founded was judged; a strength that is moved is no tested one
+    demand = replace(case.demand, confidence_factor=FULL_FACTOR) if case.demand else None
+    analysis = replace(case.analysis, accuracy=False)
+    alone = replace(case, wall=(wall,), demand=demand, sensitivity=None, analysis=analysis)
     return Setting(alone, base_dir, inputs, book)
 
 

@@ -32,7 +32,7 @@ def certainty(result: StudyResult, words: Words) -> list[Part]:
             life = result.case.demand.nominal_life_years
             rows = [sure_words.rate_row(say, rate, language) for rate in verdict.rates]
             parts.append(Table(sure_words.rate_heads(say, life), rows, (1.1, 1.4, 0.7, 2.0, 1.0, 1.2, 1.1, 1.6)))
-        parts += [Item(line, "quiet") for line in sure_words.rate_lines(say, verdict.rates, language)]
+        parts += [Item(line, "quiet") for line in sure_words.rate_lines(say, result, verdict.rates, language)]
     return [Heading(say("How sure"), new_page=True), *parts] if parts else []
 
 
@@ -52,8 +52,7 @@ def _moved(result: StudyResult, found: Sensitivity, words: Words) -> list[Part]:
         }
         heads = [say("Input"), say("moved to"), "ζ_E", say("moved to"), "ζ_E"]
         parts += [Figures([_tornado(found, target, words)]), Table(heads, cells, (1.6, 3.0, 0.6, 3.0, 0.6), tones)]
-    if line := sure_words.still_line(say, found, language):
-        parts.append(Item(line, "quiet"))
+    parts += [Item(line, "quiet") for line in sure_words.still_lines(say, found, language)]
     if labels := sure_words.reach_labels(found):
         heads = [say("For ζ {zeta}", zeta=words.number(target, ".2f")), say("now")]
         heads += sure_words.check_names(result, labels, language)

@@ -11,7 +11,8 @@ from core.case.writer import table_of
 from core.codes.collapse_rate import state_rate
 from core.errors import Cancelled
 from core.study import how_sure
-from core.study.how_sure import capacities
+from core.study.demand_input import with_ag
+from core.study.how_sure import ag_of, capacities
 from core.study.run import run
 from core.units import G
 from tests.conftest import ROOT
@@ -45,13 +46,16 @@ def test_that_the_rates_are_of_the_capacities_of_the_searches(result):
     """Collapse at the multiplier of the search: of both signs the lower, a_g in proportion; uplift first."""
     (verdict,), wall = result.verdicts, result.walls[0]
     motions = list(wall.floor.motions)
-    found = capacities(wall, motions, result.demand, result.search.q_limit)
+    ag = result.demand.ag
+    found = capacities(wall, motions, result.demand, result.search.q_limit, lambda multiplier: multiplier * ag)
     by_hand = [min(run.scale for run in wall.runs if run.motion == k) * 0.2 * G for k in range(7)]
     assert found["collapse"] == pytest.approx(by_hand, rel=1e-12)
     assert np.all(np.array(found["SLV"]) <= found["SLC"]) and np.all(np.array(found["SLC"]) <= found["collapse"])
     assert np.all(np.array(found["SLD"]) < found["SLV"])
     hazard = [(t, ag * G) for t, ag in ROWS]
-    expected = state_rate("collapse", by_hand, [f"file {k}" for k in range(7)], hazard, 1.35, 50.0)
+    follows = ag_of(result.demand, result.case.demand, CASES)
+    true = [follows(one / (0.2 * G)) for one in by_hand]
+    expected = state_rate("collapse", true, [f"file {k}" for k in range(7)], hazard, 1.35, 50.0)
     assert verdict.rates[-1].rate == pytest.approx(expected.rate, rel=1e-12)
     assert [one.state for one in verdict.rates] == ["SLD", "SLV", "SLC", "collapse"]
     rates = [one.rate for one in verdict.rates]
@@ -71,10 +75,10 @@ def test_that_a_search_in_vain_stands_for_its_end_and_a_run_without_a_number_for
     wall, motions = result.walls[0], list(result.walls[0].floor.motions)
     idas = [replace(run.ida, status="no_collapse_found", q=None, q_slv=None, q_slc=None) for run in wall.runs]
     lost = replace(wall, runs=tuple(replace(run, ida=ida) for run, ida in zip(wall.runs, idas, strict=True)))
-    found = capacities(lost, motions, result.demand, 10.0)
+    found = capacities(lost, motions, result.demand, 10.0, lambda one: one)
     assert found["collapse"] == found["SLV"] == pytest.approx([10.0 * one for one in found["SLD"]])
     broken = replace(wall, runs=(replace(wall.runs[0], ida=replace(idas[0], status="impact_limit")), *wall.runs[1:]))
-    assert capacities(broken, motions, result.demand, 10.0) is None
+    assert capacities(broken, motions, result.demand, 10.0, lambda one: one) is None
 
 
 def test_that_a_cancel_during_the_moves_ends_the_run(case):
@@ -89,3 +93,14 @@ def test_that_a_cancel_during_the_moves_ends_the_run(case):
     calls = iter(range(10**9))
     with pytest.raises(Cancelled):
         run(asked, base_dir=CASES, cancelled=lambda: bool(seen) and next(calls) > 400)
+
+
+def test_that_s_follows_a_g_where_the_code_says_so(result):
+    """a S(a) of the a_g found is the multiplier times a_g S of the demand."""
+    demand, asked = result.demand, result.case.demand
+    for multiplier in (0.2, 0.9, 1.7, 4.0):
+        ag = ag_of(demand, asked, CASES)(multiplier)
+        there = with_ag(demand, asked, CASES, ag / demand.ag)
+        assert there.pga == pytest.approx(multiplier * demand.pga, rel=1e-4)
+    assert ag_of(demand, asked, CASES)(1.7) > 1.7 * demand.ag * 1.005  # soil B: S falls
+    assert ag_of(replace(demand, target=None), asked, CASES)(1.7) == 1.7 * demand.ag

@@ -1,6 +1,7 @@
 """Each move of an input is the run of the case with that input changed by hand."""
 
 import copy
+from dataclasses import replace
 
 import pytest
 
@@ -158,3 +159,77 @@ def test_that_moves_are_asked_for_and_are_accepted_only_with_a_demand():
             parse_case({**case_of(LOADED), "sensitivity": {"thickness_factor": wrong}})
     swing = found.sensitivity.swings[0]
     assert move_words(swing, swing.ends[0]).text("en")
+
+
+def test_that_the_building_is_moved_where_a_hinge_alone_is_above_the_ground():
+    """The wall stands on the ground; the hinge at its second floor decides."""
+    wall = {**LOADED, "height_m": 9.0, "load": [{**LOADED["load"][0], "h_m": 8.8}], "hinge_heights": [6.0]}
+    table = case_of(wall, building={"height_m": 9.0, "storeys": 3, "period_s": 0.3}, demand={"ag_g": 0.05})
+    found, _ = sensitivity(table)
+    periods = ends(found, "building_period_factor")
+    for period, zeta in periods.items():
+        assert zeta == pytest.approx(zeta_of(moved(table, ("building", "period_s"), period)), rel=1e-12)
+    assert len(set(periods.values())) == 2
+
+
+def test_that_a_tested_strength_is_moved_with_its_fc_and_its_steps_with_the_wall():
+    demand = {"confidence_factor": 1.2, "knowledge_level": "LC2", "investigations": "flat jacks on two walls"}
+    wall = {**LOADED, "compressive_strength_mpa": 2.0}
+    table = case_of(wall, demand={"ag_g": 0.05, **demand})
+    found, result = sensitivity(table)
+    (zeta,) = ends(found, "setback_shares").values()
+    setback = result.walls[0].wall.setback
+    stronger = moved(table, ("wall", 0, "compressive_strength_mpa"), 2.0 * setback / (setback + 0.015))
+    assert zeta == pytest.approx(zeta_of(stronger), rel=1e-12) and "setback_shares" not in dict(
+        found.sensitivity.refused
+    )
+    bare = {key: value for key, value in LOADED.items() if key not in ("load", "free_element")}
+    stepped = bare | {"unloaded_confirmed": True, "steps": [{"from_z_m": 3.0, "thickness_m": 0.35}]}
+    table = case_of(stepped)
+    found, _ = sensitivity(table)
+    (zeta,) = ends(found, "thickness_factor").values()
+    thinner = moved(moved(table, ("wall", 0, "thickness_m"), 0.475), ("wall", 0, "steps", 0, "thickness_m"), 0.3325)
+    assert zeta == pytest.approx(zeta_of(thinner), rel=1e-12)
+
+
+def test_that_what_is_refused_is_named_and_turns_nothing():
+    """A wall held at its top may not be thicker than a third of its height."""
+    wall = {
+        "name": "w",
+        "mechanism": "vertical_bending",
+        "height_m": 3.0,
+        "thickness_m": 0.98,
+        "unit_weight_kn_m3": 18.0,
+        "length_m": 4.0,
+        "base_z_m": 0.0,
+        "back_restraint": "floor slab",
+        "unloaded_confirmed": True,
+    }
+    found, _ = sensitivity(case_of(wall, demand={"ag_g": 0.02}), thickness_factor=[1.0, 1.05])
+    assert "thickness_factor" in dict(found.sensitivity.refused)
+    assert "thickness_factor" not in {one.key for one in found.sensitivity.swings}
+    assert not found.extra or "thickness" not in found.extra[0].text("en")
+
+
+def test_that_a_severe_record_left_out_raises_zeta_and_turns_nothing():
+    """Of eight stations one is as strong as three: without it zeta is beyond what is looked at, and is no failure."""
+    table = case_of(PARAPET | {"base_z_m": 0.0}, demand={"ag_g": 0.1}, generate={"count": 8})
+    case = parse_case({**table, "sensitivity": {}, "analysis": {"q_step": 0.05}})
+    from core.study import plan
+
+    read = plan.read_inputs(case, CASES)
+    strong = [replace(m, acceleration=(9.0 if k == 0 else 0.5) * m.acceleration) for k, m in enumerate(read[1])]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("core.study.run.read_inputs", lambda *_: (read[0], strong, read[2]))
+        result = run(case, base_dir=CASES)
+    (verdict,) = result.verdicts
+    (swing,) = [one for one in verdict.sensitivity.swings if one.key == "record_left_out"]
+    best = max(swing.ends, key=lambda end: end.zeta)
+    assert best.name == strong[0].name and best.zeta > 1.3 * verdict.sensitivity.base
+    assert best.sure == (best.zeta >= 1.0) and "record_left_out" not in verdict.sensitivity.turning
+
+
+def test_that_a_wall_without_zeta_has_no_moves():
+    wall = {key: value for key, value in PARAPET.items() if key not in ("elastic_modulus_mpa",)} | {"base_z_m": 4.0}
+    found, _ = sensitivity(case_of(wall))  # no building
+    assert found.sensitivity.base is None and found.sensitivity.swings == () == found.sensitivity.still

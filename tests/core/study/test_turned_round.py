@@ -56,23 +56,20 @@ def test_that_the_value_found_gives_what_is_required(wall, keys):
     assert found >= 2 * len(keys) - 1
 
 
-def test_that_histories_hold_at_what_is_found_and_a_little_beyond():
+def test_that_histories_hold_in_the_run_at_what_is_found():
     wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa", "free_element")}
     table = case_of(wall | {"unloaded_confirmed": True}, demand={"ag_g": 0.35}, generate={"count": 7})
+    table["demand"]["spectrum"] = {**table["demand"]["spectrum"], "soil": "A"}
+    table["analysis"] = {"q_step": 0.05}
     here = setting(table)
     thickness = reach_of(here, "thickness_m", 0.5).by_check["dynamic"]
-    for value in (thickness, 1.02 * thickness):
-        assert zetas(setting(moved(table, PLACES["thickness_m"], value))).by_check["dynamic"] >= 1.0
-    now = zetas(here).by_check["dynamic"]
+    found = run(parse_case(moved(table, PLACES["thickness_m"], thickness)), base_dir=CASES).walls[0].assessment.dynamic
+    assert found.passed and not found.within_spread(1.0)
+    thinner = run(parse_case(moved(table, PLACES["thickness_m"], 0.85 * thickness)), base_dir=CASES)
+    assert not thinner.walls[0].assessment.dynamic.passed
     ag = reach_of(here, "ag_g", 0.35).by_check["dynamic"]
-    pga = [parse_demand(moved(table, PLACES["ag_g"], value)) for value in (ag, 0.35)]
-    assert pga[0] / pga[1] == pytest.approx(now, rel=0.003)
-
-
-def parse_demand(table):
-    """a_g S [m/s2]."""
-    case = parse_case(table)
-    return read_inputs(case, CASES)[0].pga
+    now = zetas(here).by_check["dynamic"]
+    assert 0.75 * now < ag / 0.35 < 1.03 * now
 
 
 def test_that_what_no_value_reaches_is_none():
