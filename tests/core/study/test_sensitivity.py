@@ -205,7 +205,8 @@ def test_that_what_is_refused_is_named_and_turns_nothing():
         "back_restraint": "floor slab",
         "unloaded_confirmed": True,
     }
-    found, _ = sensitivity(case_of(wall, demand={"ag_g": 0.02}), thickness_factor=[1.0, 1.05])
+    building = {"height_m": 6.0, "storeys": 2, "period_s": 0.2}
+    found, _ = sensitivity(case_of(wall, demand={"ag_g": 0.02}, building=building), thickness_factor=[1.0, 1.05])
     assert "thickness_factor" in dict(found.sensitivity.refused)
     assert "thickness_factor" not in {one.key for one in found.sensitivity.swings}
     assert not found.extra or "thickness" not in found.extra[0].text("en")
