@@ -11,14 +11,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from core.ground.provenance import LEAST_STATIONS, SHARE, draws
+
 STATES = ("SLD", "SLV", "SLC", "collapse")
 """SLD is the first uplift; SLV and SLC the rotations of C8.7.1.2.1.6; collapse that of the first multiplier."""
 
-LEAST_STATIONS = 3
-"""Stations below which there is no lognormal."""
-
-DRAWS, SEED, SHARE = 400, 1, 0.90
-"""Sets of stations drawn for the interval, the seed, and the share of them within it."""
+DRAWS = 400
+"""Sets of stations drawn for the interval."""
 
 LEAST_DEVIATION, MOST_DEVIATION = 1e-6, 2.0
 """Of records that all give the same, so that a step is a lognormal as well; of records that tell nothing."""
@@ -135,13 +134,10 @@ def state_rate(
     hazard : as `mean_rate` takes it
     confidence : FC; life : nominal, None where not given [years]
     """
-    known = sorted(set(stations))
-    if len(known) < LEAST_STATIONS or not hazard:
+    if len(set(stations)) < LEAST_STATIONS or not hazard:
         return None
     logs = np.log(np.asarray(capacities) / confidence)
-    named = np.array([known.index(name) for name in stations])
-    drawn = np.random.default_rng(SEED).integers(len(known), size=(DRAWS, len(known)))
-    times = np.array([np.bincount(row, minlength=len(known))[named] for row in drawn])
+    times = draws(list(stations), DRAWS)
     n = times.sum(axis=1)
     means = times @ logs / n
     spread = np.sqrt((times * (logs - means[:, None]) ** 2).sum(axis=1) / np.maximum(n - 1, 1))

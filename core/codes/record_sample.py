@@ -15,7 +15,7 @@ from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandRuns
 from core.codes.multiplier_search import HALF_FAIL, MAX_MULTIPLIER, ROCKS, STEP, WINDOW
 from core.ground.ground_motion import GroundMotion
-from core.ground.provenance import station_of
+from core.ground.provenance import LEAST_STATIONS, SHARE, draws, station_of
 from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import Method
 from core.rocking.outcome import STABLE
@@ -29,14 +29,8 @@ SPAN = (0.5, 1.5)
 """Multipliers over zeta_E from which on, unless a record alone breaks the rule there, and up to which peaks are found;
 a set that fails nowhere below is said to reach the last."""
 
-DRAWS, SEED = 1000, 1
-"""Sets that are drawn, and the seed that makes them the same in every run."""
-
-SHARE = 0.90
-"""Share of the drawn sets within the interval."""
-
-LEAST_STATIONS = 3
-"""Stations below which nothing is drawn."""
+DRAWS = 1000
+"""Sets that are drawn."""
 
 
 @dataclass(frozen=True)
@@ -140,18 +134,14 @@ def sample_interval(found: RecordPeaks, motions: list[GroundMotion], zeta: float
     zeta : zeta_E on its own, finer grid, in proportion to which the interval is given
     """
     names = [station_of(motion, k) for k, motion in enumerate(motions)]
-    known = sorted(set(names))
-    if len(known) < LEAST_STATIONS:
+    if len(set(names)) < LEAST_STATIONS:
         return None
-    drawn = np.random.default_rng(SEED).integers(len(known), size=(DRAWS, len(known)))
-    times = np.array([np.bincount(row, minlength=len(known)) for row in drawn])
-    times[0] = 1  # the set itself
-    zetas = zeta_of_sets(found, times[:, [known.index(name) for name in names]])
-    low, high = np.quantile(zetas, (0.5 - SHARE / 2, 0.5 + SHARE / 2), method="inverted_cdf")
+    zetas = zeta_of_sets(found, np.vstack([np.ones(len(names), np.int64), draws(names, DRAWS)]))
+    low, high = np.quantile(zetas[1:], (0.5 - SHARE / 2, 0.5 + SHARE / 2), method="inverted_cdf")
     top, whole = float(found.multipliers[-1]), float(zetas[0])
     share = zeta / whole if math.isfinite(whole) else 1.0
     low, high, open_end = share * min(float(low), top), share * min(float(high), top), not math.isfinite(high)
-    return SampleInterval(low, high, len(known), open_end)
+    return SampleInterval(low, high, len(set(names)), open_end)
 
 
 def one_left_out(found: RecordPeaks) -> np.ndarray:

@@ -2,7 +2,18 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from core.ground.ground_motion import GroundMotion
+
+SEED = 1
+"""Of the sets of stations that are drawn, the same in every run."""
+
+SHARE = 0.90
+"""Share of the drawn sets within an interval."""
+
+LEAST_STATIONS = 3
+"""Stations below which nothing is drawn."""
 
 
 @dataclass(frozen=True)
@@ -92,6 +103,16 @@ def station_of(motion: GroundMotion, k: int) -> str:
     """Event and station of the k-th motion of a set."""
     where = provenance(motion)
     return f"{where.event} {where.station}".lower() if where.station else f"file {k}"
+
+
+def draws(names: list[str], count: int) -> np.ndarray:
+    """How often each motion is in each of so many sets of as many stations, drawn from them with replacement and a fixed
+    seed (bootstrap, Efron 1979), shape (count, motions): the components of a station go together. names : of
+    `station_of`, of each motion"""
+    known = sorted(set(names))
+    drawn = np.random.default_rng(SEED).integers(len(known), size=(count, len(known)))
+    times = np.array([np.bincount(row, minlength=len(known)) for row in drawn])
+    return times[:, [known.index(name) for name in names]]
 
 
 def unnamed(motions: list[GroundMotion]) -> int:

@@ -12,11 +12,11 @@ import numpy as np
 
 from core.capacity.ida import multiplier_of
 from core.case.site import Demand
-from core.codes.collapse_rate import LEAST_STATIONS, STATES, StateRate, state_rate, typical_rate
+from core.codes.collapse_rate import STATES, StateRate, state_rate, typical_rate
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
 from core.codes.record_sample import RecordPeaks, SampleInterval, record_peaks, sample_interval
-from core.ground.provenance import station_of
+from core.ground.provenance import LEAST_STATIONS, station_of
 from core.study.demand_input import with_ag
 from core.study.journal import rebuilt
 from core.study.kept_checks import KeptChecks, check_key
