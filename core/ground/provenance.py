@@ -106,9 +106,11 @@ def station_of(motion: GroundMotion, k: int) -> str:
 
 
 def draws(names: list[str], count: int) -> np.ndarray:
-    """How often each motion is in each of so many sets of as many stations, drawn from them with replacement and a fixed
-    seed (bootstrap, Efron 1979), shape (count, motions): the components of a station go together. names : of
-    `station_of`, of each motion"""
+    """How often each motion is in each of so many sets of as many stations, drawn from them with replacement and a
+    fixed seed (bootstrap, Efron 1979), shape (count, motions): the components of a station go together.
+
+    names : of `station_of`, of each motion
+    """
     known = sorted(set(names))
     drawn = np.random.default_rng(SEED).integers(len(known), size=(count, len(known)))
     times = np.array([np.bincount(row, minlength=len(known)) for row in drawn])
