@@ -169,6 +169,8 @@ class WhatIfWindow(QDialog):
 
     def _is_as_shown(self) -> bool:
         session = self.owner.session
+        if self.case is None:  # another rule may be broken now
+            return False
         return (session.checked(), session.base_dir, self.owner.walls.current) == (self.case, self.base_dir, self.row)
 
     def _take_again(self) -> None:
@@ -178,7 +180,9 @@ class WhatIfWindow(QDialog):
     def _fill(self) -> None:
         """A slider for each value that can be moved."""
         while self.grid.count():
-            self.grid.takeAt(0).widget().deleteLater()
+            old = self.grid.takeAt(0).widget()
+            old.hide()  # it goes only when the event at hand is over
+            old.deleteLater()
         self.sliders.clear()
         self.values_shown.clear()
         self.given = self._moved_keys() if self.setting else {}
@@ -351,6 +355,8 @@ class WhatIfWindow(QDialog):
         where these are not all"""
         target, rungs = self.setting.demand.zeta_target, []
         labels = list(self.known) or list(found.by_check)
+        if every == 0 and self.setting.has_histories and "dynamic" not in labels:
+            labels.insert(0, "dynamic")  # which decides, also while it is searched
         for k, label in enumerate(labels):
             zeta, given = found.by_check.get(label), self.known.get(label)
             said = "…" if every != 1 and label == "dynamic" else ""

@@ -181,6 +181,8 @@ def test_that_the_records_are_read_off_the_thread_of_the_window(application, pla
     held.let_go()
     settle(application, lambda: bool(sliders.sliders))
     assert not sliders.word.text() and sliders.take.isEnabled()
+    first = sliders.ladder.rungs[0]
+    assert first.name == sliders._check("dynamic") and first.decides
     sliders.reject()
 
 
@@ -235,9 +237,13 @@ def test_that_a_wall_that_does_not_stand_is_said_and_the_search_finds(applicatio
     sliders.reject()
 
 
-def test_that_without_a_demand_there_is_nothing_to_move(opened):
+def test_that_without_a_demand_there_is_nothing_to_move(application, opened):
     opened.session.edit(replace(opened.session.case, demand=None))
     menus.what_if(opened)
     sliders = opened.findChild(WhatIfWindow)
     assert not sliders.take.isEnabled() and not sliders.sliders and sliders.heading.text()
+    said = sliders.heading.text()
+    opened.session.edit_wall(0, thickness_m=-1.0)
+    settle(application, lambda: sliders.heading.text() != said)
+    assert not sliders.take.isEnabled()
     sliders.reject()
