@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QSettings
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
-from PySide6.QtWidgets import QMenu, QMessageBox
+from PySide6.QtWidgets import QDialog, QMenu, QMessageBox
 
 from app.look import theme
 from app.look.language import tr
@@ -28,6 +28,7 @@ class Actions(NamedTuple):
 
 def build(window) -> Actions:
     """The menus behind the first button, with all actions and their keys."""
+    close_what_if(window)
     window.actions_with_keys = []
     key, bar = QKeySequence.StandardKey, window.header.menu
     file = bar.addMenu(tr("&File"))
@@ -133,12 +134,16 @@ def what_if(window) -> None:
     """The sliders of the wall of the form."""
     from app.shell.what_if_window import WhatIfWindow
 
-    old = window.findChild(WhatIfWindow)
+    close_what_if(window)
+    WhatIfWindow(window).show()
+
+
+def close_what_if(window) -> None:
+    """Also where the window is built again: its words and colours are of the language and theme before."""
+    old = window.findChild(QDialog, "what_if")
     if old is not None:
         old.reject()
         old.setParent(None)
-        old.deleteLater()
-    WhatIfWindow(window).show()
 
 
 def show_recent(window, menu: QMenu) -> None:

@@ -10,11 +10,10 @@ from app.views.ladder import Ladder, Rung
 from app.work.worker import Job
 from core.case.schema import Case
 from core.errors import InputError
-from core.report.sure_words import REACH
-from core.study.plan import read_inputs
+from core.study.plan import Inputs, read_inputs
 from core.study.swings import Reach
 from core.study.turned_round import keys_of, moved_keys, reach_of, with_values
-from core.study.what_if import NONE, Setting, Zetas, lowest, setting_of, zetas
+from core.study.what_if import NONE, Setting, Zetas, lowest, setting_of, with_wall, zetas
 from core.text.sentence import Number, sentence
 
 STEPS, RANGE = 200, 2.0
@@ -23,14 +22,27 @@ STEPS, RANGE = 200, 2.0
 SETTLED_MS = 120
 """Pause after which the histories follow the hand."""
 
-EVERY = 8
-"""Every how many points of the grid zeta of histories is searched meanwhile: by 2 %."""
+EVERY, CLOSE = 8, 0.05
+"""Every how many points of the grid zeta of histories is searched first, by 2 %, and how close to the zeta required
+that search decides nothing; all points follow."""
 
 OWN_Q = "linear_q_slv"
 """The check that asks for a search of q, which is not made here."""
 
-SHOWN = {**REACH, "height_m": (1.0, ".2f"), "load_factor": (100.0, ".0f")}
-"""Key -> what its value is multiplied with for the unit of its words, and its format."""
+SHOWN = {
+    "thickness_m": (100.0, ".1f", 3),
+    "height_m": (1.0, ".2f", 2),
+    "tie_kn_m": (1.0, ".2f", 2),
+    "load_factor": (100.0, ".0f", 2),
+    "ag_g": (1.0, ".3f", 3),
+}
+"""Key -> what its value is multiplied with for the unit of its words, its format, and the decimals it is taken with."""
+
+FORCE, PLACE = 2, 3
+"""Decimals of a load [kN/m] and of its place in the wall [m] that follow a slider."""
+
+TRIED = (0.98, 1.02)
+"""Of a value: where the wall is refused at both, as under a load that has to be at its top, there is no slider."""
 
 
 def captions() -> dict[str, str]:
@@ -44,14 +56,30 @@ def captions() -> dict[str, str]:
     }
 
 
+def why_ag_stays(case: Case) -> str:
+    """Why a_g has no slider: with another one the case would contradict itself, or its records would not follow as
+    they do here. Empty where it has one."""
+    demand = case.demand
+    if case.site or demand.hazard or demand.hazard_file:
+        return tr("a_g is not moved: it is that of the hazard of the site.")
+    if demand.spectrum_file:
+        return tr("a_g is not moved: it belongs to the spectrum of the file.")
+    if case.select:
+        return tr("a_g is not moved: the records are chosen for it.")
+    if case.record and demand.demand_scaling == "as_given":
+        return tr("a_g is not moved: the records are taken as given and do not follow it.")
+    return ""
+
+
 class WhatIfWindow(QDialog):
     """The wall of the form; nothing of the case changes until it is taken."""
 
     def __init__(self, window):
         super().__init__(window)
+        self.setObjectName("what_if")
         self.setWindowTitle(tr("What if"))
         self.resize(760, 560)
-        self.owner, self.row = window, 0
+        self.owner, self.row, self.base_dir = window, 0, window.session.base_dir
         self.case: Case | None = None
         self.setting: Setting | None = None
         self.jobs: dict[str, Job] = {}
@@ -59,12 +87,12 @@ class WhatIfWindow(QDialog):
         self.sliders: dict[str, QSlider] = {}
         self.values_shown: dict[str, QLabel] = {}
         self.given: dict[str, float] = {}
-        self.heading, self.word, self.ladder = QLabel(), QLabel(), Ladder()
-        self.word.setWordWrap(True)
-        self.timer = QTimer(self)
-        self.timer.setSingleShot(True)
-        self.timer.setInterval(SETTLED_MS)
-        self.timer.timeout.connect(self.follow)
+        self.heading, self.still, self.word, self.ladder = QLabel(), QLabel(), QLabel(), Ladder()
+        self.timer, self.told = QTimer(self), QTimer(self)
+        for timer, slot in ((self.timer, self.follow), (self.told, self._take_again)):
+            timer.setSingleShot(True)
+            timer.setInterval(SETTLED_MS)
+            timer.timeout.connect(slot)
         self.board, self.grid = QWidget(), QGridLayout()
         self.board.setLayout(self.grid)
         self.take, self.back = QPushButton(tr("Take it")), QPushButton(tr("Back to the case"))
@@ -79,45 +107,87 @@ class WhatIfWindow(QDialog):
             buttons.addWidget(button)
         layout = QVBoxLayout(self)
         told = QLabel(tr("ζ of the checks as the sliders move; the verdict is that of a run (F5)."))
-        told.setWordWrap(True)
-        for part in (self.heading, self.board, self.ladder, told, self.word):
+        for label in (self.still, told, self.word):
+            label.setWordWrap(True)
+        for part in (self.heading, self.board, self.still, self.ladder, told, self.word):
             layout.addWidget(part)
         layout.addStretch(1)
         layout.addLayout(buttons)
+        window.session.listeners.append(self.case_changed)
+        window.walls.selected.connect(self.case_changed)
         self.show_case()
 
     # the wall
 
-    def show_case(self) -> None:
-        """Take the wall of the form as it is now."""
+    def show_case(self, notice: str = "") -> None:
+        """Take the wall of the form as it is now. notice : what is said beside it"""
         self.stop()
+        self.told.stop()
+        self.base_dir = self.owner.session.base_dir
         self.case, self.row = self.owner.session.checked(), self.owner.walls.current
         self.setting, self.known = None, {}
-        problem = self.owner.session.problem()
-        if self.case is not None and self.case.demand is not None:
-            try:
-                base = self.owner.session.base_dir
-                self.setting = setting_of(self.case, self.row, base, read_inputs(self.case, base))
-            except InputError as error:
-                problem = error
+        self._show_setting()
+        if self.case is None or self.case.demand is None:
+            problem = self.owner.session.problem()
+            self.heading.setText(tr("No demand: no check.") if problem is None else described(problem))
+            self.word.setText(notice)
+            return
+        self.heading.setText(f"<b>{self.case.wall[self.row].title}</b>")
+        case, base, session = self.case, self.base_dir, self.owner.session
+
+        def arrived(inputs: Inputs) -> None:
+            self.setting = setting_of(case, self.row, base, inputs)
+            self.known = self._of_the_run()
+            self._show_setting()
+            self._moved()
+            self.word.setText(notice)
+            self.follow()
+
+        result = session.result
+        if result is not None and result.demand is not None and not session.stale:
+            arrived((result.demand, list(result.motions), list(result.kinds)))
+            return
+        self.word.setText("\n".join([*([notice] if notice else []), tr("Reading the records…")]))
+        self._start("read", lambda _: read_inputs(case, base), arrived)
+
+    def _show_setting(self) -> None:
+        """The sliders, where there is something to move."""
         for part in (self.board, self.ladder, self.take, self.back, self.find):
             part.setEnabled(self.setting is not None)
         self._fill()
         if self.setting is None:
-            self.heading.setText(tr("No demand: no check.") if problem is None else described(problem))
+            self.ladder.show_rungs([], 1.0)
+
+    def case_changed(self) -> None:
+        """Of the session or of the form: the wall shown is taken again when the changes rest."""
+        if self._is_as_shown():
             return
-        self.heading.setText(f"<b>{self.case.wall[self.row].title}</b>")
-        self.follow()
+        self.stop()
+        self.setting = None
+        self._show_setting()
+        self.told.start()
+
+    def _is_as_shown(self) -> bool:
+        session = self.owner.session
+        if self.case is None:  # another rule may be broken now
+            return False
+        return (session.checked(), session.base_dir, self.owner.walls.current) == (self.case, self.base_dir, self.row)
+
+    def _take_again(self) -> None:
+        same = self.owner.session.checked() == self.case
+        self.show_case("" if same else tr("The case has changed: choose again."))
 
     def _fill(self) -> None:
         """A slider for each value that can be moved."""
         while self.grid.count():
-            self.grid.takeAt(0).widget().deleteLater()
+            old = self.grid.takeAt(0).widget()
+            old.hide()  # it goes only when the event at hand is over
+            old.deleteLater()
         self.sliders.clear()
         self.values_shown.clear()
-        self.given = moved_keys(self.setting) if self.setting else {}
-        if self.case and self.case.site:  # which gives a_g
-            self.given.pop("ag_g", None)
+        self.given = self._moved_keys() if self.setting else {}
+        self.still.setText(why_ag_stays(self.case) if self.setting else "")
+        self.still.setVisible(bool(self.still.text()))
         names = captions()
         for row, key in enumerate(self.given):
             slider, value = QSlider(Qt.Orientation.Horizontal), QLabel()
@@ -132,11 +202,26 @@ class WhatIfWindow(QDialog):
                 self.grid.addWidget(part, row, column)
         self._say_values()
 
+    def _moved_keys(self) -> dict[str, float]:
+        """Key -> value of what has a slider."""
+
+        def stands(key: str, value: float) -> bool:
+            try:
+                with_values(self.setting, {key: value})
+            except InputError:
+                return False
+            return True
+
+        found = moved_keys(self.setting)
+        if why_ag_stays(self.case):
+            found.pop("ag_g", None)
+        return {key: now for key, now in found.items() if any(stands(key, share * now) for share in TRIED)}
+
     @property
     def values(self) -> dict[str, float]:
-        """By key, of the sliders that are moved."""
+        """By key, of the sliders that are moved, as they are shown."""
         return {
-            key: self.given[key] * RANGE ** (slider.value() / STEPS)
+            key: round(self.given[key] * RANGE ** (slider.value() / STEPS), SHOWN[key][2])
             for key, slider in self.sliders.items()
             if slider.value()
         }
@@ -144,7 +229,7 @@ class WhatIfWindow(QDialog):
     def _say_values(self) -> None:
         values = self.values
         for key, label in self.values_shown.items():
-            factor, form = SHOWN[key]
+            factor, form, _ = SHOWN[key]
             given = number(factor * self.given[key], form)
             label.setText(given if key not in values else f"{number(factor * values[key], form)} ({given})")
 
@@ -152,9 +237,9 @@ class WhatIfWindow(QDialog):
 
     def _moved(self) -> None:
         """The checks of the clauses at once, the histories when the hand rests."""
+        self.stop()  # what is on its way is of another place of the slider
         self._say_values()
-        if self.setting is None:
-            return
+        self.word.setText("")
         moved = self._setting()
         if moved is None:
             return
@@ -163,35 +248,55 @@ class WhatIfWindow(QDialog):
         except InputError as error:
             self.word.setText(described(error))
             found = NONE
-        self._show(found, waiting=True)
+        self._show(found, every=0)
         self.timer.start()
 
     def _setting(self) -> Setting | None:
         """With the values of the sliders; None, and why, where the wall does not stand with them."""
+        if self.setting is None:
+            return None
         try:
-            moved = with_values(self.setting, self.values)
+            return self._rounded(with_values(self.setting, self.values))
         except InputError as error:
             self.stop()
             self.word.setText(described(error))
             self._show(NONE)
             return None
-        self.word.setText("")
-        return moved
+
+    def _rounded(self, moved: Setting) -> Setting:
+        """With the loads that follow a slider in the digits they are written with."""
+        wall, loads = moved.case.wall[0], []
+        for was, load in zip(self.setting.case.wall[0].load, wall.load, strict=True):
+            decimals = {"kn_m": FORCE, "d_m": PLACE}
+            other = {key: getattr(load, key) for key in decimals if getattr(load, key) != getattr(was, key)}
+            loads.append(replace(load, **{key: round(value, decimals[key]) for key, value in other.items()}))
+        return with_wall(moved, replace(wall, load=tuple(loads)))
 
     def follow(self) -> None:
-        """The histories of the values now, off the thread of the window; an earlier one is left."""
-        moved = self._setting() if self.setting else None
-        if moved is None:
-            return
+        """The histories of the values now, off the thread of the window: on a coarse grid, then on all of it. Earlier
+        ones are left."""
+        if (moved := self._setting()) is not None:
+            self._search_zeta(moved, EVERY)
+
+    def _search_zeta(self, moved: Setting, every: int) -> None:
         self.stop("zeta")
-        first = not self.values
+        first, base = not self.values, self.base_dir
+        asked = self.case.generate and "ag_g" in self.values and every == 1
+        taken = self._taken(moved) if asked else None
+
+        def work(job: Job) -> Zetas:
+            at = replace(moved, inputs=read_inputs(taken, base)) if taken else moved  # motions made for that spectrum
+            return zetas(at, every=every, cancelled=job.cancelled)
 
         def arrived(found: Zetas) -> None:
             if first:
                 self.known = dict(found.by_check) | self._of_the_run()
-            self._show(found)
+            again = every > 1 and "dynamic" in found.by_check
+            self._show(found, every if again else 1)
+            if again:
+                self._search_zeta(moved, 1)
 
-        self._start("zeta", lambda job: zetas(moved, every=EVERY, cancelled=job.cancelled), arrived)
+        self._start("zeta", work, arrived)
 
     def _of_the_run(self) -> dict[str, float | None]:
         """zeta of each check by the run, where its input is still the one shown."""
@@ -204,21 +309,22 @@ class WhatIfWindow(QDialog):
 
     def search(self) -> None:
         """The answer turned round, of each slider alone."""
-        moved = self._setting() if self.setting else None
+        moved = self._setting()
         if moved is None:
             return
         self.stop("search")
         self.word.setText(tr("Searching…"))
+        keys = {key: now for key, now in keys_of(moved).items() if key in self.given}
 
         def work(job: Job) -> list[Reach]:
-            return [reach_of(moved, key, now, job.cancelled) for key, now in keys_of(moved).items()]
+            return [reach_of(moved, key, now, job.cancelled) for key, now in keys.items()]
 
         self._start("search", work, self._found)
 
     def _found(self, reached: list[Reach]) -> None:
         lines, names = [], captions()
         for one in reached:
-            factor, form = SHOWN[one.key]
+            factor, form, _ = SHOWN[one.key]
             ends = []
             for label, value in one.by_check.items():
                 said = number(None if value is None else factor * value, form)
@@ -244,17 +350,27 @@ class WhatIfWindow(QDialog):
         q = Number(self.case.demand.q_code, "g")
         return sentence("short", label, q=q).text(current_language())
 
-    def _show(self, found: Zetas, waiting: bool = False) -> None:
-        """The ladder; zeta as it is beside each. waiting : the histories are still to come"""
+    def _show(self, found: Zetas, every: int = 1) -> None:
+        """The ladder; zeta as it is beside each. every : points of the grid the histories were searched at; more follow
+        where these are not all"""
         target, rungs = self.setting.demand.zeta_target, []
         labels = list(self.known) or list(found.by_check)
+        if every == 0 and self.setting.has_histories and "dynamic" not in labels:
+            labels.insert(0, "dynamic")  # which decides, also while it is searched
         for k, label in enumerate(labels):
             zeta, given = found.by_check.get(label), self.known.get(label)
-            tone = "amber" if zeta is None else "good" if zeta >= target else "bad"
-            said = "…" if waiting and label == "dynamic" else ""
+            said = "…" if every != 1 and label == "dynamic" else ""
             values = tr("as it is {zeta}", zeta=number(given, ".2f")) if given is not None and self.values else said
-            rungs.append(Rung(self._check(label), said, zeta, values, tone, k == 0))
+            rungs.append(Rung(self._check(label), said, zeta, values, self._tone(found, label, every), k == 0))
         self.ladder.show_rungs(rungs, target)
+
+    def _tone(self, found: Zetas, label: str, every: int) -> str:
+        """Green where a check is surely satisfied."""
+        zeta, target = found.by_check.get(label), self.setting.demand.zeta_target
+        open_yet = label == "dynamic" and every > 1 and zeta is not None and abs(zeta / target - 1.0) <= CLOSE
+        if zeta is None or open_yet:
+            return "amber"
+        return {True: "good", False: "bad", None: "amber"}[found.satisfied.get(label)]
 
     # what becomes of it
 
@@ -264,30 +380,38 @@ class WhatIfWindow(QDialog):
             slider.blockSignals(True)
             slider.setValue(0)
             slider.blockSignals(False)
-        self._say_values()
+        self._moved()
         self.follow()
 
-    def take_it(self) -> None:
-        """The values into the case, a step of undo."""
-        values = self.values
-        moved = self._setting() if values else None
-        now = self.owner.session.checked()
-        if moved is None:
-            return
-        if now != self.case:
-            self.word.setText(tr("The case has changed: choose again."))
-            self.show_case()
-            return
+    def _taken(self, moved: Setting) -> Case:
+        """The case with the values of the sliders."""
         wall, new = self.case.wall[self.row], moved.case.wall[0]
         sizes = ("thickness_m", "slenderness_deg", "height_over_thickness", "height_m", "load")
         walls = list(self.case.wall)
         walls[self.row] = replace(wall, **{key: getattr(new, key) for key in sizes})
         case = replace(self.case, wall=tuple(walls))
-        if "ag_g" in values and case.demand is not None:
-            case = replace(case, demand=replace(case.demand, ag_g=values["ag_g"]))
+        if "ag_g" in self.values:
+            case = replace(case, demand=replace(case.demand, ag_g=self.values["ag_g"]))
+        return case
+
+    def take_it(self) -> None:
+        """The values into the case, a step of undo."""
+        moved = self._setting() if self.values else None
+        if moved is None:
+            return
+        if not self._is_as_shown():
+            self._take_again()
+            return
+        case = self._taken(moved)
         self.owner.session.edit(case)
         self.show_case()
 
     def reject(self) -> None:
+        """Nothing of a closed window listens any more."""
         self.stop()
+        self.told.stop()
+        listeners = self.owner.session.listeners
+        if self.case_changed in listeners:
+            listeners.remove(self.case_changed)
         super().reject()
+        self.deleteLater()

@@ -1,7 +1,7 @@
 """zeta of a wall, were one of its inputs another: every check about every hinge, without the search of q."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from core.capacity.limit_states import LIMIT_FRACTION
@@ -29,12 +29,15 @@ class Zetas:
     zeta : of the check that decides, of the worst hinge; None without a number
     low : the lowest end of its spread
     sure : every hinge's check that decides is satisfied, its spread included
+    satisfied : label -> whether the check is satisfied about every hinge; None where its spread contains what is
+        required
     """
 
     by_check: dict[str, float | None]
     zeta: float | None
     low: float | None
     sure: bool
+    satisfied: dict[str, bool | None] = field(default_factory=dict)
 
 
 NONE = Zetas({}, None, None, False)
@@ -109,6 +112,7 @@ def zetas(
     demand, target = setting.demand, setting.demand.zeta_target
     method = METHODS.get(setting.case.analysis.method, AUTO)
     by_check: dict[str, float | None] = {}
+    satisfied: dict[str, bool | None] = {}
     found: list[float | None] = []
     lows: list[float | None] = []
     sure = True
@@ -122,12 +126,19 @@ def zetas(
         )
         for check in checks:
             by_check[check.label] = lowest([check.zeta, by_check.get(check.label, check.zeta)])
+            spread = dynamic is not None and check.label == "dynamic" and dynamic.within_spread(target)
+            satisfied[check.label] = _both(satisfied.get(check.label, True), None if spread else check.passed)
         zeta = checks[0].zeta if checks else None
         found.append(zeta)
         lows.append(dynamic.zeta_spread[0] if dynamic and dynamic.zeta_spread else zeta)
         reached = zeta is not None and zeta >= target - ROUNDING
         sure &= dynamic.passed and not dynamic.within_spread(target) if dynamic else reached
-    return Zetas(by_check, lowest(found), lowest(lows), sure)
+    return Zetas(by_check, lowest(found), lowest(lows), sure, satisfied)
+
+
+def _both(one: bool | None, other: bool | None) -> bool | None:
+    """Whether both hold: not where one does not, None where one is not known."""
+    return False if False in (one, other) else None if None in (one, other) else True
 
 
 def lowest(found: list[float | None]) -> float | None:

@@ -8,30 +8,56 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
-from app.shell import menus
-from app.shell.what_if_window import WhatIfWindow
+from app.shell import menus, what_if_window
+from app.shell.what_if_window import CLOSE, EVERY, WhatIfWindow, why_ag_stays
 from core.case.rules import parse_case
-from core.case.writer import dumps
+from core.case.schema import Record
+from core.case.writer import dumps, table_of
 from core.study.plan import read_inputs
-from core.study.what_if import setting_of, zetas
-from tests.app.driving import settle
+from core.study.what_if import Zetas, setting_of, zetas
+from tests.app.driving import Held, settle
 from tests.core.study.test_how_sure import ROWS
 from tests.core.study.test_sensitivity import LOADED, SPECTRUM
 
 
-@pytest.fixture
-def asked(application, opened, tmp_path):
-    """The window with a loaded wall at a site with a hazard, run."""
-    hazard = [{"return_period_years": t, "ag_g": ag, "f0": 2.4, "tc_star_s": 0.33} for t, ag in ROWS]
-    demand = {"ag_g": 0.2, "spectrum": SPECTRUM, "nominal_life_years": 50.0, "use_class_factor": 1.0, "hazard": hazard}
-    table = {"wall": [LOADED], "demand": demand, "generate": {"count": 7}, "analysis": {"q_step": 0.05}}
-    path = tmp_path / "case.toml"
+def run_of(application, opened, path, **sections):
+    """The window with a loaded wall and generated records, run."""
+    demand = {"ag_g": 0.2, "spectrum": SPECTRUM} | sections.pop("demand", {})
+    table = {"wall": [LOADED], "demand": demand, "generate": {"count": 7}, "analysis": {"q_step": 0.05}} | sections
     path.write_text(dumps(parse_case(table)), encoding="utf-8")
     opened.session.open(path)
     settle(application, lambda: not opened.records.pending and bool(opened.records.motions))
     opened.run()
     settle(application, lambda: opened.session.result is not None and opened.job is None)
     return opened
+
+
+@pytest.fixture
+def asked(application, opened, tmp_path):
+    """At a site with a hazard."""
+    hazard = [{"return_period_years": t, "ag_g": ag, "f0": 2.4, "tc_star_s": 0.33} for t, ag in ROWS]
+    demand = {"nominal_life_years": 50.0, "use_class_factor": 1.0, "hazard": hazard}
+    return run_of(application, opened, tmp_path / "case.toml", demand=demand)
+
+
+@pytest.fixture
+def plain(application, opened, tmp_path):
+    """Without a hazard."""
+    return run_of(application, opened, tmp_path / "case.toml")
+
+
+def sliders_of(window) -> WhatIfWindow:
+    menus.what_if(window)
+    return window.findChild(WhatIfWindow)
+
+
+def settle_bars(application, sliders) -> None:
+    """Until every point of the histories is searched."""
+    settle(application, lambda: sliders.ladder.rungs[0].zeta is not None and not sliders.ladder.rungs[0].clause)
+
+
+def tones(sliders) -> dict[str, str]:
+    return {rung.name: rung.tone for rung in sliders.ladder.rungs}
 
 
 def test_that_the_tab_asks_for_the_moves_and_shows_them(application, asked):
@@ -52,36 +78,155 @@ def test_that_the_tab_asks_for_the_moves_and_shows_them(application, asked):
     assert asked.session.case.sensitivity is None
 
 
-def test_that_the_sliders_give_the_zeta_of_the_changed_wall_and_change_nothing_until_taken(application, asked):
-    before = asked.session.case
-    menus.what_if(asked)
-    sliders = asked.findChild(WhatIfWindow)
+def test_that_the_sliders_give_the_zeta_of_the_changed_wall_and_change_nothing_until_taken(application, plain):
+    before = plain.session.case
+    sliders = sliders_of(plain)
     assert sorted(sliders.sliders) == ["ag_g", "height_m", "load_factor", "thickness_m"]
-    settle(application, lambda: bool(sliders.known))
-    run = {check.label: check.zeta for check in asked.session.result.walls[0].assessment.checks}
+    run = {check.label: check.zeta for check in plain.session.result.walls[0].assessment.checks}
     assert sliders.known == {label: zeta for label, zeta in run.items() if label != "linear_q_slv"}
     sliders.sliders["thickness_m"].setValue(40)
-    value = sliders.values["thickness_m"]
-    assert value == pytest.approx(0.5 * 2.0**0.2)
+    sliders.sliders["load_factor"].setValue(31)
+    sliders.sliders["ag_g"].setValue(-13)
+    assert sliders.values == {"thickness_m": 0.574, "load_factor": 1.11, "ag_g": 0.191}  # 0.57435, 1.1134, 0.19119
     shown = {rung.name: rung.zeta for rung in sliders.ladder.rungs}
     kinematic = zetas(sliders._setting(), every=0).by_check
     assert shown[sliders._check("nonlinear")] == kinematic["nonlinear"] and sliders.ladder.rungs[0].zeta is None
-    settle(application, lambda: sliders.ladder.rungs[0].zeta is not None)
-    assert asked.session.case == before
+    settle_bars(application, sliders)
+    fine = sliders.ladder.rungs[0].zeta
+    assert plain.session.case == before
     sliders.take_it()
-    wall = asked.session.case.wall[0]
-    assert wall.thickness_m == value and wall.load[0].d_m == pytest.approx(0.35 * 2.0**0.2)
-    case = asked.session.checked()
-    inputs = read_inputs(case, asked.session.base_dir)
-    assert zetas(setting_of(case, 0, asked.session.base_dir, inputs), every=0).by_check == kinematic
-    asked.session.undo()
-    assert asked.session.case == before
+    wall = plain.session.case.wall[0]
+    assert (wall.thickness_m, wall.load[0].d_m, wall.load[0].kn_m) == (0.574, 0.402, 13.32)
+    assert plain.session.case.demand.ag_g == 0.191
+    case = plain.session.checked()
+    inputs = read_inputs(case, plain.session.base_dir)
+    taken = zetas(setting_of(case, 0, plain.session.base_dir, inputs), every=1).by_check
+    assert taken == pytest.approx({"dynamic": fine} | kinematic, rel=1e-9)
+    plain.session.undo()
+    assert plain.session.case == before
     sliders.reject()
 
 
-def test_that_a_wall_that_does_not_stand_is_said_and_the_search_finds(application, asked):
-    menus.what_if(asked)
-    sliders = asked.findChild(WhatIfWindow)
+def test_that_a_bar_is_green_only_where_the_check_is_surely_satisfied(application, plain, monkeypatch):
+    """Coarse first, amber close to what is required; then every point, and the spread."""
+    asked, satisfied = [], {}
+
+    def found(_, *, every, **__):
+        asked.append(every)
+        by_check = {"dynamic": 1.0 + 0.6 * CLOSE, "nonlinear": 1.2} if every else {"nonlinear": 1.2}
+        return Zetas(by_check, 1.03, 1.0, False, {"nonlinear": True} | ({"dynamic": satisfied["now"]} if every else {}))
+
+    monkeypatch.setattr(what_if_window, "zetas", found)
+    for now, tone in ((True, "good"), (None, "amber"), (False, "bad")):
+        satisfied["now"] = now
+        asked.clear()
+        sliders = sliders_of(plain)
+        settle_bars(application, sliders)
+        assert asked[-2:] == [EVERY, 1]
+        named = {label: sliders._check(label) for label in ("dynamic", "nonlinear")}
+        assert tones(sliders)[named["dynamic"]] == tone and tones(sliders)[named["nonlinear"]] == "good"
+        moved = sliders.setting
+        sliders._show(found(moved, every=EVERY), EVERY)
+        assert tones(sliders)[named["dynamic"]] == "amber"
+        sliders._show(Zetas({"dynamic": 1.2}, 1.2, 1.1, False, {"dynamic": now}), EVERY)
+        assert tones(sliders)[named["dynamic"]] == tone
+        sliders.reject()
+
+
+def test_that_satisfied_is_what_the_run_says(plain):
+    result = plain.session.result
+    inputs = (result.demand, list(result.motions), list(result.kinds))
+    found = zetas(setting_of(result.case, 0, plain.session.base_dir, inputs), every=1)
+    assessment, target = result.walls[0].assessment, result.demand.zeta_target
+    run = {check.label: check.passed for check in assessment.checks}
+    run["dynamic"] = None if assessment.dynamic.within_spread(target) else run["dynamic"]
+    assert found.satisfied == {label: run[label] for label in found.by_check}
+    on_it = replace(result.demand, zeta_target=assessment.dynamic.zeta_spread[0])
+    close = zetas(setting_of(result.case, 0, plain.session.base_dir, (on_it, *inputs[1:])), every=1)
+    assert not close.satisfied["dynamic"]  # not surely
+
+
+def test_that_a_move_leaves_what_is_on_its_way(application, plain):
+    sliders = sliders_of(plain)
+    settle_bars(application, sliders)
+    sliders.follow()
+    job = sliders.jobs["zeta"]
+    sliders.sliders["thickness_m"].setValue(10)
+    assert job.cancelled() and "zeta" not in sliders.jobs and sliders.timer.isActive()
+    sliders.reject()
+
+
+def test_that_no_ag_is_taken_that_contradicts_the_case(application, plain, asked):
+    sliders = sliders_of(asked)
+    assert "ag_g" not in sliders.sliders and "hazard" in sliders.still.text() and not sliders.still.isHidden()
+    sliders.reject()
+    case = asked.session.checked()
+    free = replace(case, demand=replace(case.demand, hazard=()))
+    assert not why_ag_stays(free)
+    assert why_ag_stays(replace(free, demand=replace(free.demand, spectrum_file="a.csv", spectrum=None)))
+    recorded = replace(free, record=(Record(file="a.at2"),))
+    assert why_ag_stays(recorded)
+    assert not why_ag_stays(replace(recorded, demand=replace(free.demand, demand_scaling="pga")))
+
+
+def test_that_the_records_are_read_off_the_thread_of_the_window(application, plain, monkeypatch):
+    """Of a run that is still of the case its own are taken."""
+    held = Held(monkeypatch, what_if_window, "read_inputs")
+    sliders = sliders_of(plain)
+    assert sliders.sliders and not held.reached.is_set()
+    sliders.sliders["thickness_m"].setValue(40)
+    sliders.take_it()
+    held.await_call()
+    assert sliders.word.text() == "Reading the records…" and not sliders.sliders and not sliders.take.isEnabled()
+    held.let_go()
+    settle(application, lambda: bool(sliders.sliders))
+    assert not sliders.word.text() and sliders.take.isEnabled()
+    first = sliders.ladder.rungs[0]
+    assert first.name == sliders._check("dynamic") and first.decides
+    sliders.reject()
+
+
+def test_that_the_window_follows_the_case_and_closes_without_a_trace(application, plain):
+    listeners = list(plain.session.listeners)
+    sliders = sliders_of(plain)
+    sliders.sliders["thickness_m"].setValue(40)
+    plain.session.edit_wall(0, thickness_m=0.45)
+    assert not sliders.take.isEnabled() and not sliders.sliders
+    settle(application, lambda: bool(sliders.sliders))
+    assert sliders.given["thickness_m"] == 0.45
+    settle(application, lambda: bool(sliders.known))
+    assert sliders.word.text() == "The case has changed: choose again."
+    sliders.sliders["thickness_m"].setValue(40)
+    assert not sliders.word.text()
+    plain.session.add_walls([replace(plain.session.case.wall[0], name="other", thickness_m=0.7)])
+    plain.walls.select(1)
+    settle(application, lambda: sliders.given.get("thickness_m") == 0.7)
+    assert "other" in sliders.heading.text()
+    plain.walls.select(0)
+    settle(application, lambda: sliders.given.get("thickness_m") == 0.45)
+    plain.set_choice("language", "it")
+    assert sliders.isHidden() and plain.session.listeners == listeners
+    sliders = sliders_of(plain)
+    assert sliders.windowTitle() == "E se" and len(plain.session.listeners) == len(listeners) + 1
+    plain.set_choice("language", "en")
+    assert plain.session.listeners == listeners
+
+
+def test_that_a_height_which_the_loads_refuse_has_no_slider(application, plain):
+    table = table_of(plain.session.case)
+    (wall,) = table["wall"]
+    held = {key: value for key, value in wall.items() if key not in ("back_restraint", "free_element")}
+    load = {"kind": "vertical", "kn_m": 12.0, "d_m": 0.25, "h_m": 6.0, "mass": "horizontal"}
+    held |= {"mechanism": "vertical_bending", "load": [load]}
+    plain.session.edit(parse_case(table | {"wall": [held]}))
+    sliders = sliders_of(plain)
+    settle(application, lambda: bool(sliders.sliders))
+    assert "height_m" not in sliders.sliders and "thickness_m" in sliders.sliders
+    sliders.reject()
+
+
+def test_that_a_wall_that_does_not_stand_is_said_and_the_search_finds(application, plain):
+    sliders = sliders_of(plain)
     sliders.sliders["height_m"].setValue(-200)  # its load stands above it
     assert sliders.word.text() and all(rung.zeta is None for rung in sliders.ladder.rungs)
     sliders.reset()
@@ -92,9 +237,13 @@ def test_that_a_wall_that_does_not_stand_is_said_and_the_search_finds(applicatio
     sliders.reject()
 
 
-def test_that_without_a_demand_there_is_nothing_to_move(opened):
+def test_that_without_a_demand_there_is_nothing_to_move(application, opened):
     opened.session.edit(replace(opened.session.case, demand=None))
     menus.what_if(opened)
     sliders = opened.findChild(WhatIfWindow)
     assert not sliders.take.isEnabled() and not sliders.sliders and sliders.heading.text()
+    said = sliders.heading.text()
+    opened.session.edit_wall(0, thickness_m=-1.0)
+    settle(application, lambda: sliders.heading.text() != said)
+    assert not sliders.take.isEnabled()
     sliders.reject()
