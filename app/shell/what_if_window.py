@@ -10,6 +10,7 @@ from app.views.ladder import Ladder, Rung
 from app.work.worker import Job
 from core.case.schema import Case
 from core.errors import InputError
+from core.report.sure_words import reach_written
 from core.study.plan import Inputs, read_inputs
 from core.study.swings import Reach
 from core.study.turned_round import keys_of, moved_keys, reach_of, with_values
@@ -324,10 +325,9 @@ class WhatIfWindow(QDialog):
     def _found(self, reached: list[Reach]) -> None:
         lines, names = [], captions()
         for one in reached:
-            factor, form, _ = SHOWN[one.key]
             ends = []
             for label, value in one.by_check.items():
-                said = number(None if value is None else factor * value, form)
+                said = reach_written(one.key, value, current_language())
                 ends.append(f"{tr('any') if label in one.throughout else said} ({self._check(label)})")
             lines.append(f"{names[one.key]}: {'; '.join(ends)}")
         target = number(self.setting.demand.zeta_target, ".2f")

@@ -1,5 +1,6 @@
 """How sure a verdict is, in words and rows: for note, workbook and window alike."""
 
+import math
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -80,8 +81,18 @@ def still_lines(say: Say, found: Sensitivity, language: str) -> list[str]:
     return lines
 
 
-REACH = {"thickness_m": (100.0, ".3g"), "tie_kn_m": (1.0, ".3g"), "ag_g": (1.0, ".3f")}
-"""Key -> what its value is multiplied with for the unit of its words, and its format."""
+REACH = {"thickness_m": (100.0, 1), "tie_kn_m": (1.0, 2), "ag_g": (1.0, 3)}
+"""Key -> what its value is multiplied with for the unit of its words, and its decimals."""
+
+
+def reach_written(key: str, value: float | None, language: str) -> str:
+    """A value of what is turned round in its unit, rounded to the safe side: of a_g down, else up."""
+    factor, decimals = REACH[key]
+    if value is None:
+        return numeral(None, "", language)
+    whole = factor * value * 10.0**decimals
+    whole = math.floor(whole + 1e-9) if key == "ag_g" else math.ceil(whole - 1e-9)
+    return numeral(whole / 10.0**decimals, f".{decimals}f", language)
 
 
 def reach_labels(found: Sensitivity) -> list[str]:
@@ -102,13 +113,10 @@ def reach_names(say: Say) -> dict[str, str]:
 
 def reach_row(say: Say, reach: Reach, labels: list[str], language: str) -> list[str]:
     """What is turned round: its value now, and by each check."""
-    factor, form = REACH[reach.key]
-
-    def written(value: float | None) -> str:
-        return numeral(None if value is None else factor * value, form, language)
-
-    by_check = [say("any") if label in reach.throughout else written(reach.by_check.get(label)) for label in labels]
-    return [reach_names(say)[reach.key], written(reach.given), *by_check]
+    found = [reach_written(reach.key, reach.by_check.get(label), language) for label in labels]
+    by_check = [say("any") if label in reach.throughout else value for label, value in zip(labels, found, strict=True)]
+    factor, decimals = REACH[reach.key]
+    return [reach_names(say)[reach.key], numeral(factor * reach.given, f".{decimals}f", language), *by_check]
 
 
 def rate_heads(say: Say, life: float | None) -> list[str]:

@@ -4,6 +4,7 @@ python3 run.py bench --sure
 """
 
 import argparse
+import functools
 import os
 import statistics
 import time
@@ -26,17 +27,17 @@ SLIDERS = 8
 def beside(case: Case, repeats: int) -> float:
     """Seconds that [sensitivity] adds to a run whose searches and checks are known, on all cores: the median."""
     book = Memory(EVERYTHING)
-    options = {"base_dir": CASES, "jobs": os.cpu_count() or 1}
+    run_with = functools.partial(run, base_dir=CASES, jobs=os.cpu_count() or 1)
     plain = replace(case, sensitivity=None)
-    run(plain, journal=lambda _: book, **options)
+    run_with(plain, journal=lambda _: book)
     found = []
     for _ in range(repeats):
         start = time.perf_counter()
-        run(plain, journal=lambda _: book, **options)
+        run_with(plain, journal=lambda _: book)
         middle = time.perf_counter()
         known = Memory(EVERYTHING)
         known.found |= book.found
-        run(replace(plain, sensitivity=Ranges()), journal=lambda _, known=known: known, **options)
+        run_with(replace(plain, sensitivity=Ranges()), journal=lambda _, known=known: known)
         found.append(time.perf_counter() - middle - (middle - start))
     return statistics.median(found)
 
