@@ -13,13 +13,13 @@ from core.case.select import Select
 from core.codes.demand import DemandResult
 from core.codes.limits import MINIMUM_FROM
 from core.codes.record_compatibility import compared_periods, natural_bounds, period_range, within
-from core.errors import Cancelled, InputError, section
+from core.errors import Cancelled, InputError, RecordError, section
 from core.file_names import key_of, name_of
 from core.ground.record_folder import Candidate, LeftOut, Limits, files_in, one_of_each, read_file
 from core.ground.selection import OWN_FIT, Bounds, Found, nearest_sets, own_factors
 from core.study.record_input import relative
 from core.study.threads import Threads
-from core.text.sentence import Sentence, sentence
+from core.text.sentence import Sentence
 
 MOST_CANDIDATES = 3000
 """Records that a search takes: it keeps the product of each two of them."""
@@ -198,15 +198,11 @@ def _far(found: list[Candidate], target: np.ndarray, asked: Select) -> list[Left
     factors, common = _factors(ratios, asked)
     means = factors * ratios.mean(axis=1)
     least, most = own_factors(means, common).T
-    low, high = OWN_FIT
-    return [
-        LeftOut(
-            found[k].file,
-            found[k].channel,
-            sentence("error", "selected_far", ratio=float(means[k]), low=low, high=high),
-        )
-        for k in np.flatnonzero(least > most)
-    ]
+    far = []
+    for k in np.flatnonzero(least > most):
+        error = RecordError("selected_far", ratio=float(means[k]), low=OWN_FIT[0], high=OWN_FIT[1])
+        far.append(LeftOut(found[k].file, found[k].channel, error.without_place))
+    return far
 
 
 def _numbered(names: list[str]) -> np.ndarray:
