@@ -29,6 +29,11 @@ OWN_FIT = (0.2, 5.0)
 far below the others would add to the number of stations and to nothing else, and leave the mean to the others."""
 
 
+OWN_PGA = 0.3
+"""Least PGA of one record, with its factor, over that of the target [-]: below a fifth of the mean PGA of the set,
+which is up to about 1.4 of the target, it would not count for the rule of the set (core/codes/limits.py)."""
+
+
 class Bounds(NamedTuple):
     """What is asked of the mean spectrum over the target.
 
@@ -315,10 +320,12 @@ def judge(ratios, sets, spans, bounds, total, values):
         values[row, 0], values[row, 1], values[row, 2] = judged(total, sets.shape[1], low, high, start, least, most)
 
 
-def own_factors(means: np.ndarray, factors: tuple[float, float]) -> np.ndarray:
-    """Least and most factor with which each record keeps `OWN_FIT`, shape (records, 2); least above most where it has
-    none. means : of the ratios of each record over the periods; factors : allowed"""
-    return np.column_stack([np.maximum(factors[0], OWN_FIT[0] / means), np.minimum(factors[1], OWN_FIT[1] / means)])
+def own_factors(means: np.ndarray, pga: np.ndarray, factors: tuple[float, float]) -> np.ndarray:
+    """Least and most factor with which each record keeps `OWN_FIT` and `OWN_PGA`, shape (records, 2); least above most
+    where it has none. means : of the ratios of each record over the periods; pga : over that of the target; factors :
+    allowed"""
+    least = np.maximum(OWN_FIT[0] / means, OWN_PGA / pga)
+    return np.column_stack([np.maximum(factors[0], least), np.minimum(factors[1], OWN_FIT[1] / means)])
 
 
 def nearest_sets(
@@ -336,7 +343,7 @@ def nearest_sets(
     size : records of a set
     stations, events : number of the station and of the event of each record
     limits : most records of a station and of an event
-    bounds : what is asked of the mean, and the factors, with which each record of a set also keeps `OWN_FIT`
+    bounds : what is asked of the mean, and the factors, with which each record of a set keeps `OWN_FIT` and `OWN_PGA`
     told : called with the share done; true ends the search with what was found
 
     The same ratios in the same order give the same sets. Up to `MOST_SETS` combinations every one is looked at. Beyond,
@@ -348,7 +355,7 @@ def nearest_sets(
     ratios = np.ascontiguousarray(ratios, dtype=np.float64)
     inner = ratios[:, : width - 1]
     products, means = inner @ inner.T / (width - 1), inner.mean(axis=1)
-    spans = own_factors(means, bounds.factors)
+    spans = own_factors(means, ratios[:, -1], bounds.factors)
     asked = (bounds.low, bounds.high, bounds.start, *bounds.factors)
     if n < size:
         return [], True

@@ -16,7 +16,7 @@ from core.codes.record_compatibility import compared_periods, natural_bounds, pe
 from core.errors import Cancelled, InputError, RecordError, section
 from core.file_names import key_of, name_of
 from core.ground.record_folder import Candidate, LeftOut, Limits, files_in, one_of_each, read_file
-from core.ground.selection import OWN_FIT, Bounds, Found, nearest_sets, own_factors
+from core.ground.selection import OWN_FIT, OWN_PGA, Bounds, Found, nearest_sets, own_factors
 from core.study.record_input import relative
 from core.study.threads import Threads
 from core.text.sentence import Sentence
@@ -118,7 +118,7 @@ def select_records(
     files = files_in(base_dir / name_of(asked.folder))
     found, left = _candidates(files, asked, periods, told, cancelled)
     target = demand.target.acceleration(periods)
-    far = _far(found, target, asked)
+    far = _far(found, target, demand.pga, asked)
     left += far
     gone = {(one.file, one.channel) for one in far}
     found = [one for one in found if (one.file, one.channel) not in gone]
@@ -192,15 +192,18 @@ def _factors(ratios: np.ndarray, asked: Select) -> tuple[np.ndarray, tuple[float
     return np.ones(len(ratios)), asked.scale_limits if asked.scaling == "common" else (1.0, 1.0)
 
 
-def _far(found: list[Candidate], target: np.ndarray, asked: Select) -> list[LeftOut]:
-    """The candidates that no allowed factor brings within `OWN_FIT` of the target [m/s2]."""
+def _far(found: list[Candidate], target: np.ndarray, pga: float, asked: Select) -> list[LeftOut]:
+    """The candidates that no allowed factor brings within `OWN_FIT` of the target and to `OWN_PGA` of its PGA.
+    target, pga : [m/s2]"""
     ratios = np.array([one.spectrum for one in found]).reshape(-1, target.size) / target
     factors, common = _factors(ratios, asked)
     means = factors * ratios.mean(axis=1)
-    least, most = own_factors(means, common).T
+    peaks = factors * np.array([one.pga for one in found]) / pga
+    least, most = own_factors(means, peaks, common).T
+    limits = {"low": OWN_FIT[0], "high": OWN_FIT[1], "least": OWN_PGA}
     far = []
     for k in np.flatnonzero(least > most):
-        error = RecordError("selected_far", ratio=float(means[k]), low=OWN_FIT[0], high=OWN_FIT[1])
+        error = RecordError("selected_far", ratio=float(means[k]), pga=float(peaks[k]), **limits)
         far.append(LeftOut(found[k].file, found[k].channel, error.without_place))
     return far
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from core.ground import selection
-from core.ground.selection import OWN_FIT, Bounds, nearest_sets
+from core.ground.selection import OWN_FIT, OWN_PGA, Bounds, nearest_sets
 
 NTC = Bounds(0.9, 1.3, 0.0, (1.0, 1.0))
 FREE = Bounds(0.9, 1.3, 0.0, (0.5, 2.0))
@@ -30,11 +30,12 @@ def alone(count: int) -> np.ndarray:
 
 def by_hand(ratios, members, bounds: Bounds) -> tuple[float, float]:
     """(miss, deviation) of a set, its factor by a fine grid where it has one; infinite where no factor keeps each
-    record within OWN_FIT."""
+    record within OWN_FIT and its PGA at OWN_PGA."""
     own = ratios[list(members), :-1].mean(axis=1)
     mean = ratios[list(members)].mean(axis=0)
     inner, pga = mean[:-1], mean[-1]
-    low, high = max(bounds.factors[0], OWN_FIT[0] / own.min()), min(bounds.factors[1], OWN_FIT[1] / own.max())
+    low = max(bounds.factors[0], OWN_FIT[0] / own.min(), OWN_PGA / ratios[list(members), -1].min())
+    high = min(bounds.factors[1], OWN_FIT[1] / own.max())
     if low > high:
         return math.inf, math.inf
     edges = [low, high, bounds.low / inner.min(), bounds.high / inner.max(), inner.sum() / (inner**2).sum()]
@@ -77,7 +78,7 @@ def test_that_the_search_finds_the_best_set_where_every_one_can_be_compared(seed
     ratios *= np.exp(np.random.default_rng(seed).normal(0.0, strong, (22, 1)))
     every = nearest_sets(ratios, 6, stations, events, (1, 2), bounds)[0]
     monkeypatch.setattr(selection, "MOST_SETS", 0)
-    monkeypatch.setattr(selection, "MOST_STARTS", 300)
+    monkeypatch.setattr(selection, "MOST_STARTS", 1000)
     found, all_compared = nearest_sets(ratios, 6, stations, events, (1, 2), bounds)
     assert not all_compared and found[0] == every[0]
 
@@ -128,9 +129,15 @@ def test_that_silent_records_do_not_fill_a_set(bounds, most_sets, monkeypatch):
     assert nearest_sets(ratios[:7], 7, alone(7), alone(7), (1, 1), bounds)[0] == []
 
 
+def test_that_a_record_whose_peak_would_not_count_is_in_no_set():
+    ratios = np.ones((4, 11))
+    ratios[2, -1] = 0.9 * OWN_PGA
+    assert [one.members for one in nearest_sets(ratios, 3, alone(4), alone(4), (1, 1), NTC)[0]] == [(0, 1, 3)]
+
+
 def test_that_records_of_one_factor_fit_with_that_factor():
     """0.12 and 6.0 times the target fit with the factors 2 and 0.5, and with no factor of both."""
-    ratios = np.array([[0.12] * 11, [6.0] * 11, [1.0] * 11])
+    ratios = np.array([[0.12] * 10 + [1.0], [6.0] * 11, [1.0] * 11])
     pairs = nearest_sets(ratios, 2, alone(3), alone(3), (1, 1), FREE)[0]
     assert {one.members for one in pairs} == {(0, 2), (1, 2)}
     for one in pairs:

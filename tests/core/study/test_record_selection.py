@@ -13,6 +13,7 @@ from core.case.reader import read_case
 from core.case.rules import parse_case
 from core.case.schema import Wall
 from core.case.writer import table_of
+from core.codes.limits import are_counted
 from core.codes.record_compatibility import compliance
 from core.errors import Cancelled, InputError
 from core.report.json_report import results
@@ -66,6 +67,7 @@ def test_that_what_is_chosen_is_what_the_rules_of_the_code_then_judge(folder, sc
         assert by_name["mean_pga"] * G == pytest.approx(found.chosen.pga_ratio * demand.pga, rel=1e-9)
     factors = [record.scale for record in found.chosen.records]
     assert all(0.5 <= factor <= 2.0 for factor in factors)
+    assert all(are_counted(motions, demand))
     assert len(set(factors)) == 1 or scaling == "individual"
     assert [motion.scale for motion in motions] == factors
 
@@ -258,6 +260,7 @@ q_step = 0.05
     result = study.run(read_case(tmp_path / "case.toml"), base_dir=tmp_path)
     found = result.selection
     assert found.chosen.fits and result.compliance.compatible and result.compliance.stations == 7
+    assert result.walls[0].assessment.dynamic.not_counted == ()
     assert not any(warning.code in ("vertical", "borehole") for one in result.motions for warning in one.warnings)
     reasons = {reason.code: n for reason, n in found.reasons}
     assert found.candidates + reasons["doubted_record"] + reasons["selected_far"] > 30
