@@ -15,8 +15,8 @@ MINIMUM_FROM = 3
 
 LEAST_SHARE = 0.2
 """PGA of a record at the demand over the mean PGA of its set from which its station counts: a record far below the
-others hardly moves a wall, yet as a seventh station it would put the mean in the place of the most unfavourable, and lower
-that mean. Records of sets that follow a spectrum keep above it."""
+others hardly moves a wall, yet as a seventh station it would put the mean in the place of the most unfavourable, and
+lower that mean. Records of sets that follow a spectrum keep above it."""
 
 EXCEEDANCE = {"SLO": 0.81, "SLD": 0.63, "SLV": 0.10, "SLC": 0.05}
 """P_VR, probability that a limit state's motion is exceeded in V_R (NTC 2018 Tab. 3.2.I)."""
