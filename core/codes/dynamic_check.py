@@ -2,7 +2,7 @@
 
 The rule: d_0 is exceeded in no run, and the mean of the largest rotations stays below 0.40 (SLV) or 0.60 (SLC)
 of it. With fewer than seven stations the largest rotation takes the place of the mean (EN 1998-1
-4.3.3.4.3(3)); the components of one station count once.
+4.3.3.4.3(3)); the components of one station count once, and a record far weaker than its set does not count.
 
 The confidence factor FC acts on the strength of the capacity curve, as clause .3 has it ("si applica
 direttamente alla capacità in termini di resistenza"): strength over FC is, exactly, p^2 / FC under the ground
@@ -21,11 +21,10 @@ from core.capacity.ida import CHUNK, TRILINEAR_FLOOR, multiplier_of, threshold_o
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.demand import DemandResult
 from core.codes.kinematic import ROUNDING, Check
-from core.codes.limits import set_rule
+from core.codes.limits import are_counted, counted_stations, set_rule
 from core.codes.multiplier_search import ROCKS, search_zeta
 from core.errors import Cancelled
 from core.ground.ground_motion import GroundMotion
-from core.ground.provenance import stations
 from core.rocking.history import scan_records
 from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import Method
@@ -96,6 +95,7 @@ class DemandCheck:
     holds, holds_at_target : the rule at the demand itself, and at zeta_target of it
     passed : it holds at zeta_target, and zeta reaches zeta_target
     zeta_other : the check with FC on the other side; None where FC is 1
+    not_counted : records too weak beside the others to count for the rule of the set
     """
 
     limit_state: str
@@ -115,6 +115,7 @@ class DemandCheck:
     zeta_first: float | None = None
     share_failing_at_demand: float = 0.0
     zeta_other: OtherConfidence | None = None
+    not_counted: tuple[str, ...] = ()
 
     @property
     def peak_ratio(self) -> float | None:
@@ -163,7 +164,7 @@ class DemandRuns:
         on_demand = demand.confidence_factor if confidence_on == "demand" else 1.0
         self.factors = [on_demand * demand.scaling(motion) for motion in motions]
         self.limit = LIMIT_FRACTION[demand.limit_state]
-        self.mean = set_rule(stations(motions)) == "mean"
+        self.mean = set_rule(counted_stations(motions, demand)) == "mean"
         self.in_order(range(len(motions)))
 
     def in_order(self, order) -> None:
@@ -319,4 +320,7 @@ def demand_check(
         zeta_first=zeta_found.first,
         share_failing_at_demand=zeta_found.share_at_target,
         zeta_other=second,
+        not_counted=tuple(
+            motion.name for motion, counts in zip(motions, are_counted(motions, demand), strict=True) if not counts
+        ),
     )

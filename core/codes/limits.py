@@ -4,11 +4,19 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from statistics import fmean
 
+from core.codes.demand import DemandResult
 from core.errors import InputError, section
+from core.ground.ground_motion import GroundMotion
+from core.ground.provenance import station_of
 
 MEAN_FROM = 7
 MINIMUM_FROM = 3
 """Stations from which a set takes the mean, and from which the most unfavourable (EN 1998-1 4.3.3.4.3(3))."""
+
+LEAST_SHARE = 0.2
+"""PGA of a record at the demand over the mean PGA of its set from which its station counts: a record far below the
+others hardly moves a wall, yet as a seventh station it would put the mean in the place of the most unfavourable, and
+lower that mean. Records of sets that follow a spectrum keep above it."""
 
 EXCEEDANCE = {"SLO": 0.81, "SLD": 0.63, "SLV": 0.10, "SLC": 0.05}
 """P_VR, probability that a limit state's motion is exceeded in V_R (NTC 2018 Tab. 3.2.I)."""
@@ -29,6 +37,18 @@ def set_rule(stations: set[str]) -> str:
     if len(stations) >= MEAN_FROM:
         return "mean"
     return "minimum" if len(stations) >= MINIMUM_FROM else "too_few"
+
+
+def are_counted(motions: Sequence[GroundMotion], demand: DemandResult) -> list[bool]:
+    """Which records count for the rule of their set, by their PGA on the ground at the demand."""
+    peaks = [demand.scaling(motion) * (motion.ground_pga or motion.pga) for motion in motions]
+    least = LEAST_SHARE * fmean(peaks) if peaks else 0.0
+    return [peak >= least for peak in peaks]
+
+
+def counted_stations(motions: Sequence[GroundMotion], demand: DemandResult) -> set[str]:
+    """Stations with a record that counts for the rule of the set."""
+    return {station_of(motions[k], k) for k, counts in enumerate(are_counted(motions, demand)) if counts}
 
 
 def set_value(

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.codes.demand import DemandResult
-from core.codes.limits import MINIMUM_FROM
+from core.codes.limits import MINIMUM_FROM, counted_stations
 from core.codes.target_spectrum import GivenSpectrum
 from core.errors import InputError, section
 from core.ground.ground_motion import GroundMotion
-from core.ground.provenance import stations, unnamed
+from core.ground.provenance import unnamed
 from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
 from core.units import G
 
@@ -51,7 +51,7 @@ class Compliance:
     periods : [s], shape (periods,)
     spectra : S_a of each record at the demand [m/s2], FC apart, shape (records, periods)
     mean, target : [m/s2], shape (periods,)
-    stations : counted once each
+    stations : counted once each, by a record that counts
     compatible : by the code of the spectrum
     period_range : of the rules [s]
     unnamed : files that name no station
@@ -163,7 +163,7 @@ def compliance(
         return float(inside.min()), float(inside.max())
 
     low, high = extremes(asked_range)
-    count = float(len(stations(motions)))
+    count = float(len(counted_stations(motions, demand)))
     pga = float(np.mean([f * m.pga for m, f in zip(motions, factors, strict=True)]))
     lower = max(LOWER[kind] for kind in kinds)
     upper = UPPER["natural"] if "natural" in kinds else None

@@ -8,7 +8,7 @@ from core.capacity.ida import BRACKET
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import ROUNDING, Check, Kinematic
-from core.codes.limits import MEAN_FROM, MINIMUM_FROM
+from core.codes.limits import LEAST_SHARE, MEAN_FROM, MINIMUM_FROM
 from core.codes.record_compatibility import Compliance
 from core.codes.target_spectrum import displacement_fall
 from core.codes.verdict_sentence import CODE_Q, measured, outcome
@@ -18,7 +18,6 @@ from core.wall.wall_body import leans_inward
 
 STOCKY_DEG = 20.0
 
-
 TO_MEND = {
     "no_restraint": Sentence("reason", "to_no_restraint", (("key", Key("back_restraint")),)),
     "no_top_restraint": Sentence(
@@ -27,6 +26,7 @@ TO_MEND = {
     "no_spectrum": Sentence("reason", "to_no_spectrum"),
     "not_compatible": Sentence("reason", "to_not_compatible"),
     "few_records": Sentence("reason", "to_few_records"),
+    "too_weak": Sentence("reason", "to_too_weak"),
     "bundled": Sentence("reason", "to_bundled"),
     "one_sign": Sentence("reason", "to_one_sign", (("key", Key("polarity")),)),
     "no_soil_factor": Sentence("reason", "to_no_soil_factor"),
@@ -398,6 +398,8 @@ def _limits(seen: Evidence) -> list[Sentence]:
         stations = compliance.stations if compliance else circumstances.stations
         if stations < MINIMUM_FROM:
             reasons.append(_reason("few_records", n=stations))
+        if weak := seen.dynamic.not_counted:
+            reasons.append(_reason("too_weak", n=len(weak), names=weak[:3], share=LEAST_SHARE))
         if circumstances.bundled:
             reasons.append(_reason("bundled"))
         if not circumstances.both_signs:

@@ -17,6 +17,9 @@ from core.text.sentence import Key, Sentence
 SAME_MOTION = 1e-3
 """Two records whose spectra over their PGA differ nowhere by more are one motion, scaled or printed otherwise."""
 
+DOUBTED = {"small_pga", "large_pga", "offset", "jump", "peak_differs", "partial_last_line", "ends_moving"}
+"""Notices that doubt the samples of a record: a person may know better of one record, a search does not."""
+
 _NUMBER = re.compile(r"\d+(?:\.\d+)?")
 _MATCHED = re.compile(r"\bmatched\b", re.IGNORECASE)
 
@@ -105,13 +108,16 @@ def _read(path: Path, channel: str | None, periods: np.ndarray, limits: Limits) 
     if names_vertical(channel or path.name):
         raise RecordError("vertical_component")
     motion = records.read(path, replace(Options(), channel=channel))
-    notices = {warning.code for warning in motion.warnings}
+    notices = {warning.code: warning for warning in motion.warnings}
     if "vertical" in notices:
         raise RecordError("vertical_component")
     if "borehole" in notices:
         raise RecordError("borehole_component")
     if any(_MATCHED.search(value) for _, value in motion.details):
         raise RecordError("matched_record")
+    for code, why in notices.items():
+        if code in DOUBTED:
+            raise RecordError("doubted_record", why=why)
     said = provenance(motion)
     _refuse_outside(said, limits)
     spectrum = pseudo_acceleration_spectrum(motion.acceleration, motion.time_step, periods)

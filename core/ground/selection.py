@@ -24,6 +24,16 @@ mean spectrum as so many. A count, not a time, decides when it ends, so that the
 every computer."""
 
 
+OWN_FIT = (0.2, 5.0)
+"""Mean over the periods of the spectrum of one record, with its factor, over the target, least and most [-]: a record
+far below the others would add to the number of stations and to nothing else, and leave the mean to the others."""
+
+
+OWN_PGA = 0.3
+"""Least PGA of one record, with its factor, over that of the target [-]: below a fifth of the mean PGA of the set,
+which is up to about 1.4 of the target, it would not count for the rule of the set (core/codes/limits.py)."""
+
+
 class Bounds(NamedTuple):
     """What is asked of the mean spectrum over the target.
 
@@ -109,23 +119,37 @@ def better(miss, deviation, other_miss, other_deviation):
 
 
 @subkernel
-def allowed_beside(members, count, one, stations, events, per_station, per_event):
-    """Whether one more record keeps to the limits of a set.
+def allowed_beside(members, count, one, stations, events, spans, per_station, per_event):
+    """Whether one more record keeps to the limits of a set, and has a factor in common with each of it: intervals of
+    which each two meet have a common point.
 
     members, count : the set, and how many of its places count
     one : the record
     stations, events : number of the station and of the event of each record
+    spans : least and most factor of each record, shape (records, 2)
     per_station, per_event : most records of one
     """
+    if spans[one, 0] > spans[one, 1]:
+        return False
     same_station = 0
     same_event = 0
     for k in range(count):
         other = members[k]
-        if other == one:
+        if other == one or spans[one, 0] > spans[other, 1] or spans[other, 0] > spans[one, 1]:
             return False
         same_station += stations[other] == stations[one]
         same_event += events[other] == events[one]
     return same_station < per_station and same_event < per_event
+
+
+@subkernel
+def common_span(members, count, spans):
+    """Least and most factor that all of the first `count` members have. spans : as of `allowed_beside`"""
+    least, most = spans[members[0], 0], spans[members[0], 1]
+    for k in range(1, count):
+        least = max(least, spans[members[k], 0])
+        most = min(most, spans[members[k], 1])
+    return least, most
 
 
 @subkernel
@@ -139,13 +163,14 @@ def add_up(members, rows, total):
 
 
 @kernel
-def every_set(ratios, products, means, stations, events, limits, bounds, members, totals, best, values):
+def every_set(ratios, products, means, stations, events, spans, limits, bounds, members, totals, best, values):
     """Look at every set, in lexicographic order; returns how many keep to the limits of station and event.
 
     ratios : spectrum over target of each record, its PGA over that of the target last, shape (records, periods + 1)
     products : mean over the periods of the product of the ratios of two records, shape (records, records)
     means : mean over the periods of the ratios of each record
     stations, events : number of the station and of the event of each record
+    spans : least and most factor of each record, shape (records, 2)
     limits : most records of a station and of an event
     bounds : low, high, start, least and most factor
     members : room of a set, -1 at first, shape (size,)
@@ -164,7 +189,7 @@ def every_set(ratios, products, means, stations, events, limits, bounds, members
         if one > n - size + depth:
             depth -= 1
             continue
-        if not allowed_beside(members, depth, one, stations, events, limits[0], limits[1]):
+        if not allowed_beside(members, depth, one, stations, events, spans, limits[0], limits[1]):
             continue
         cross = 0.0
         for k in range(depth):
@@ -183,7 +208,8 @@ def every_set(ratios, products, means, stations, events, limits, bounds, members
             continue
         for k in range(width):
             totals[size, k] = totals[depth, k] + ratios[one, k]
-        miss, deviation, _ = judged(totals[size, :width], size, low, high, start, least, most)
+        lowest, highest = common_span(members, size, spans)
+        miss, deviation, _ = judged(totals[size, :width], size, low, high, start, lowest, highest)
         place = values.shape[0]
         while place > 0 and better(miss, deviation, values[place - 1, 0], values[place - 1, 1]):
             place -= 1
@@ -201,14 +227,14 @@ def every_set(ratios, products, means, stations, events, limits, bounds, members
 
 
 @kernel
-def descend(ratios, products, means, members, known, stations, events, limits, bounds, total, trial):
+def descend(ratios, products, means, members, known, stations, events, spans, limits, bounds, total, trial):
     """Complete a set record by record, then exchange one record while that makes it better; returns the work
     done, 0 where no record completes it. The best exchange of each sweep is made.
 
     ratios, products, means : as of `every_set`
     members : the set, its first `known` places given; the rest is filled
     known : places given
-    stations, events, limits, bounds : as of `every_set`
+    stations, events, spans, limits, bounds : as of `every_set`
     total, trial : room, shape (columns of the ratios,)
     """
     n, width = ratios.shape
@@ -224,7 +250,7 @@ def descend(ratios, products, means, members, known, stations, events, limits, b
         chosen = -1
         lowest = math.inf
         for one in range(n):
-            if allowed_beside(members, count, one, stations, events, limits[0], limits[1]):
+            if allowed_beside(members, count, one, stations, events, spans, limits[0], limits[1]):
                 cross = products[one, one]
                 for k in range(count):
                     cross += 2.0 * products[members[k], one]
@@ -239,15 +265,19 @@ def descend(ratios, products, means, members, known, stations, events, limits, b
             second += 2.0 * products[members[k], chosen]
         members[count] = chosen
     add_up(members, ratios, total)
-    miss, deviation, _ = judged(total, size, low, high, start, least, most)
+    lowest, highest = common_span(members, size, spans)
+    miss, deviation, _ = judged(total, size, low, high, start, lowest, highest)
     looked = 0
     while True:
         out, into = -1, -1
         for place in range(size):
             gone = members[place]
             members[place] = members[size - 1]
+            lowest, highest = common_span(members, size - 1, spans)
             for one in range(n):
-                if one == gone or not allowed_beside(members, size - 1, one, stations, events, limits[0], limits[1]):
+                if one == gone:
+                    continue
+                if not allowed_beside(members, size - 1, one, stations, events, spans, limits[0], limits[1]):
                     continue
                 looked += EXCHANGE * size
                 if miss == 0.0:
@@ -260,7 +290,8 @@ def descend(ratios, products, means, members, known, stations, events, limits, b
                 looked += SPECTRUM
                 for k in range(width):
                     trial[k] = total[k] - ratios[gone, k] + ratios[one, k]
-                new_miss, new_deviation, _ = judged(trial, size, low, high, start, least, most)
+                bottom, top = max(lowest, spans[one, 0]), min(highest, spans[one, 1])
+                new_miss, new_deviation, _ = judged(trial, size, low, high, start, bottom, top)
                 if better(new_miss, new_deviation, miss, deviation - 1e-12 * (new_miss == miss)):
                     miss, deviation, out, into = new_miss, new_deviation, place, one
             members[size - 1] = members[place]
@@ -279,13 +310,22 @@ def descend(ratios, products, means, members, known, stations, events, limits, b
 
 
 @kernel
-def judge(ratios, sets, bounds, total, values):
+def judge(ratios, sets, spans, bounds, total, values):
     """Miss, deviation and factor of each of many sets, shape (sets, 3); sets : records of each, rising, shape
-    (sets, size); total : room, shape (columns of the ratios,)"""
-    low, high, start, least, most = bounds
+    (sets, size); spans : as of `every_set`; total : room, shape (columns of the ratios,)"""
+    low, high, start, _, _ = bounds
     for row in range(sets.shape[0]):
         add_up(sets[row], ratios, total)
+        least, most = common_span(sets[row], sets.shape[1], spans)
         values[row, 0], values[row, 1], values[row, 2] = judged(total, sets.shape[1], low, high, start, least, most)
+
+
+def own_factors(means: np.ndarray, pga: np.ndarray, factors: tuple[float, float]) -> np.ndarray:
+    """Least and most factor with which each record keeps `OWN_FIT` and `OWN_PGA`, shape (records, 2); least above most
+    where it has none. means : of the ratios of each record over the periods; pga : over that of the target; factors :
+    allowed"""
+    least = np.maximum(OWN_FIT[0] / means, OWN_PGA / pga)
+    return np.column_stack([np.maximum(factors[0], least), np.minimum(factors[1], OWN_FIT[1] / means)])
 
 
 def nearest_sets(
@@ -303,7 +343,7 @@ def nearest_sets(
     size : records of a set
     stations, events : number of the station and of the event of each record
     limits : most records of a station and of an event
-    bounds : what is asked of the mean
+    bounds : what is asked of the mean, and the factors, with which each record of a set keeps `OWN_FIT` and `OWN_PGA`
     told : called with the share done; true ends the search with what was found
 
     The same ratios in the same order give the same sets. Up to `MOST_SETS` combinations every one is looked at. Beyond,
@@ -315,14 +355,15 @@ def nearest_sets(
     ratios = np.ascontiguousarray(ratios, dtype=np.float64)
     inner = ratios[:, : width - 1]
     products, means = inner @ inner.T / (width - 1), inner.mean(axis=1)
+    spans = own_factors(means, ratios[:, -1], bounds.factors)
     asked = (bounds.low, bounds.high, bounds.start, *bounds.factors)
     if n < size:
         return [], True
     if math.comb(n, size) <= MOST_SETS:
         best, values = np.zeros((LISTED, size), np.int64), np.full((LISTED, 2), np.inf)
         members, totals = np.full(size, -1), np.zeros((size + 1, width + 2))
-        every_set(ratios, products, means, stations, events, limits, asked, members, totals, best, values)
-        return _ordered(ratios, best[np.isfinite(values[:, 0])], asked), True
+        every_set(ratios, products, means, stations, events, spans, limits, asked, members, totals, best, values)
+        return _ordered(ratios, best[np.isfinite(values[:, 0])], spans, asked), True
     random, found, work = np.random.Generator(np.random.PCG64(1)), set(), 0
     total, trial, values = np.empty(width), np.empty(width), np.empty((1, 3))
     best, last, unimproved = (), (math.inf, math.inf), 0
@@ -332,41 +373,42 @@ def nearest_sets(
         kept = random.choice(best, size - CHANGED, replace=False) if best and size > CHANGED else ()
         members, known = np.full(size, -1), 0
         for one in (*kept, *random.choice(n, 1 if best else min(2, size - 1), replace=False)):
-            if allowed_beside(members, known, one, stations, events, *limits):
+            if allowed_beside(members, known, one, stations, events, spans, *limits):
                 members[known], known = one, known + 1
-        done = descend(ratios, products, means, members, known, stations, events, limits, asked, total, trial)
+        done = descend(ratios, products, means, members, known, stations, events, spans, limits, asked, total, trial)
         work += done
         if done:
             members.sort()
             found.add(tuple(members.tolist()))
-            judge(ratios, members[None, :], asked, total, values)
+            judge(ratios, members[None, :], spans, asked, total, values)
             reached, unimproved = (float(values[0, 0]), float(values[0, 1])), unimproved + 1
             if reached < last:
                 best, last, unimproved = tuple(members.tolist()), reached, 0
         if unimproved == UNIMPROVED:
             best, last, unimproved = (), (math.inf, math.inf), 0
-    ends = _ordered(ratios, np.array(sorted(found), np.int64).reshape(-1, size), asked)
+    ends = _ordered(ratios, np.array(sorted(found), np.int64).reshape(-1, size), spans, asked)
     for one in ends:
-        found |= set(_beside(one.members, n, stations, events, limits))
-    return _ordered(ratios, np.array(sorted(found), np.int64).reshape(-1, size), asked), False
+        found |= set(_beside(one.members, n, stations, events, spans, limits))
+    return _ordered(ratios, np.array(sorted(found), np.int64).reshape(-1, size), spans, asked), False
 
 
-def _beside(members, n: int, stations, events, limits):
+def _beside(members, n: int, stations, events, spans, limits):
     """The sets that differ in one record from a set, within the limits."""
     for place in range(len(members)):
         rest = np.array([one for k, one in enumerate(members) if k != place], np.int64)
         per_station = np.count_nonzero(stations[rest][:, None] == stations[None, :], axis=0)
         per_event = np.count_nonzero(events[rest][:, None] == events[None, :], axis=0)
         fits = (per_station < limits[0]) & (per_event < limits[1])
+        fits &= np.maximum(spans[:, 0], spans[rest, 0].max()) <= np.minimum(spans[:, 1], spans[rest, 1].min())
         fits[rest] = False
         for one in np.flatnonzero(fits):
             yield tuple(sorted([*rest.tolist(), int(one)]))
 
 
-def _ordered(ratios: np.ndarray, sets: np.ndarray, asked) -> list[Found]:
+def _ordered(ratios: np.ndarray, sets: np.ndarray, spans: np.ndarray, asked) -> list[Found]:
     """The best of some sets, the best first; of two alike that of the lower indices."""
     values = np.empty((len(sets), 3))
-    judge(ratios, sets, asked, np.empty(ratios.shape[1]), values)
+    judge(ratios, sets, spans, asked, np.empty(ratios.shape[1]), values)
     order = np.lexsort((*sets.T[::-1], values[:, 1], values[:, 0]))[:LISTED]
     return [
         Found(tuple(sets[k].tolist()), float(values[k, 2]), float(values[k, 0]), float(values[k, 1])) for k in order

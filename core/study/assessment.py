@@ -7,11 +7,11 @@ from core.codes.demand import DemandResult
 from core.codes.dynamic_check import BOUND_EVERY, DemandCheck, demand_check
 from core.codes.kinematic import Check, Kinematic, checks_of, linear
 from core.codes.kinematic_chain import chain
+from core.codes.limits import counted_stations
 from core.codes.record_compatibility import Compliance
 from core.codes.risk import Risk, risk
 from core.codes.verdict import Circumstances, Verdict, governing_check, verdict
 from core.ground.ground_motion import GroundMotion
-from core.ground.provenance import stations
 from core.rocking.methods import Method
 from core.study.floors import LOW_CODE, building_notes
 from core.study.held_top import limits_of_bending, overturning_zeta
@@ -134,7 +134,7 @@ def _of_ties_not_counted(
 def _circumstances(wall: WallResult, motions, polarities, demand: DemandResult, method: Method) -> Circumstances:
     """What the verdict must know beside the checks. motions, polarities : as `assess` takes them"""
     return Circumstances(
-        stations=len(stations(motions)),
+        stations=len(counted_stations(motions, demand)),
         bundled=any(is_bundled(motion) for motion in motions),
         strongest=max((demand.scaling(m) * m.pga for m in motions), default=0.0),
         both_signs=wall.model.both_signs_alike or len(polarities) == 2,

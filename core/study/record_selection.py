@@ -13,10 +13,10 @@ from core.case.select import Select
 from core.codes.demand import DemandResult
 from core.codes.limits import MINIMUM_FROM
 from core.codes.record_compatibility import compared_periods, natural_bounds, period_range, within
-from core.errors import Cancelled, InputError, section
+from core.errors import Cancelled, InputError, RecordError, section
 from core.file_names import key_of, name_of
 from core.ground.record_folder import Candidate, LeftOut, Limits, files_in, one_of_each, read_file
-from core.ground.selection import Bounds, Found, nearest_sets
+from core.ground.selection import OWN_FIT, OWN_PGA, Bounds, Found, nearest_sets, own_factors
 from core.study.record_input import relative
 from core.study.threads import Threads
 from core.text.sentence import Sentence
@@ -117,25 +117,25 @@ def select_records(
     periods = periods[within(periods, asked_range)]
     files = files_in(base_dir / name_of(asked.folder))
     found, left = _candidates(files, asked, periods, told, cancelled)
+    target = demand.target.acceleration(periods)
+    far = _far(found, target, demand.pga, asked)
+    left += far
+    gone = {(one.file, one.channel) for one in far}
+    found = [one for one in found if (one.file, one.channel) not in gone]
     if len(found) < asked.count:
         why = tuple({one.reason.code: one.reason for one in left}.values())[:3]
-        stated = {"found": len(found), "count": asked.count, "files": len(files), "why": why}
-        raise InputError("select_too_few", place=(here,), **stated)
+        stated = {"found": len(found), "count": asked.count, "files": len(files)}
+        if not why:
+            raise InputError("select_few_files", place=(here,), **stated)
+        raise InputError("select_too_few", place=(here,), why=why, **stated)
     if len(found) > MOST_CANDIDATES:
         raise InputError("select_too_many", place=(here,), found=len(found), most=MOST_CANDIDATES)
-    target = demand.target.acceleration(periods)
     pga = np.array([one.pga for one in found]) / demand.pga
     ratios = np.column_stack([np.array([one.spectrum for one in found]) / target, pga])
-    least, most = asked.scale_limits
-    factors = np.ones(len(found))
-    if asked.scaling == "individual":
-        fitted = np.exp(-np.log(ratios[:, :-1]).mean(axis=1))
-        factors = np.round(np.clip(fitted, least, most), DIGITS)
+    factors, common = _factors(ratios[:, :-1], asked)
     bounds = natural_bounds(demand)
     low, high, start = bounds
-    asked_bounds = Bounds(
-        low * (1.0 + MARGIN), high * (1.0 - MARGIN), start, (least, most) if asked.scaling == "common" else (1.0, 1.0)
-    )
+    asked_bounds = Bounds(low * (1.0 + MARGIN), high * (1.0 - MARGIN), start, common)
 
     def searched(share: float) -> bool:
         told(50 + int(50 * share), 100)
@@ -182,6 +182,30 @@ def _candidates(
     parts = [part for k in range(len(files)) for part in read[k]]
     kept, copies = one_of_each([part for part in parts if isinstance(part, Candidate)])
     return kept, [part for part in parts if isinstance(part, LeftOut)] + copies
+
+
+def _factors(ratios: np.ndarray, asked: Select) -> tuple[np.ndarray, tuple[float, float]]:
+    """(factor of each record, least and most of the one factor of all). ratios : spectra over the target"""
+    if asked.scaling == "individual":
+        fitted = np.exp(-np.log(ratios).mean(axis=1))
+        return np.round(np.clip(fitted, *asked.scale_limits), DIGITS), (1.0, 1.0)
+    return np.ones(len(ratios)), asked.scale_limits if asked.scaling == "common" else (1.0, 1.0)
+
+
+def _far(found: list[Candidate], target: np.ndarray, pga: float, asked: Select) -> list[LeftOut]:
+    """The candidates that no allowed factor brings within `OWN_FIT` of the target and to `OWN_PGA` of its PGA.
+    target, pga : [m/s2]"""
+    ratios = np.array([one.spectrum for one in found]).reshape(-1, target.size) / target
+    factors, common = _factors(ratios, asked)
+    means = factors * ratios.mean(axis=1)
+    peaks = factors * np.array([one.pga for one in found]) / pga
+    least, most = own_factors(means, peaks, common).T
+    limits = {"low": OWN_FIT[0], "high": OWN_FIT[1], "least": OWN_PGA}
+    far = []
+    for k in np.flatnonzero(least > most):
+        error = RecordError("selected_far", ratio=float(means[k]), pga=float(peaks[k]), **limits)
+        far.append(LeftOut(found[k].file, found[k].channel, error.without_place))
+    return far
 
 
 def _numbered(names: list[str]) -> np.ndarray:

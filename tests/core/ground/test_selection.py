@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from core.ground import selection
-from core.ground.selection import Bounds, nearest_sets
+from core.ground.selection import OWN_FIT, OWN_PGA, Bounds, nearest_sets
 
 NTC = Bounds(0.9, 1.3, 0.0, (1.0, 1.0))
 FREE = Bounds(0.9, 1.3, 0.0, (0.5, 2.0))
@@ -29,10 +29,15 @@ def alone(count: int) -> np.ndarray:
 
 
 def by_hand(ratios, members, bounds: Bounds) -> tuple[float, float]:
-    """(miss, deviation) of a set, its factor by a fine grid where it has one."""
+    """(miss, deviation) of a set, its factor by a fine grid where it has one; infinite where no factor keeps each
+    record within OWN_FIT and its PGA at OWN_PGA."""
+    own = ratios[list(members), :-1].mean(axis=1)
     mean = ratios[list(members)].mean(axis=0)
     inner, pga = mean[:-1], mean[-1]
-    low, high = bounds.factors
+    low = max(bounds.factors[0], OWN_FIT[0] / own.min(), OWN_PGA / ratios[list(members), -1].min())
+    high = min(bounds.factors[1], OWN_FIT[1] / own.max())
+    if low > high:
+        return math.inf, math.inf
     edges = [low, high, bounds.low / inner.min(), bounds.high / inner.max(), inner.sum() / (inner**2).sum()]
     needed, allowed = max(bounds.low / inner.min(), bounds.start / pga), bounds.high / inner.max()
     edges += [needed, math.sqrt(needed * allowed) if allowed < math.inf else needed]
@@ -45,10 +50,13 @@ def by_hand(ratios, members, bounds: Bounds) -> tuple[float, float]:
 
 
 @pytest.mark.parametrize("bounds", [NTC, FREE, EN])
+@pytest.mark.parametrize("strong", [0.0, 1.5])
 @pytest.mark.parametrize("seed", range(4))
-def test_that_every_set_of_a_small_folder_is_compared(seed, bounds):
-    """The ten best of all subsets that itertools makes, with the limits of station and event."""
+def test_that_every_set_of_a_small_folder_is_compared(seed, strong, bounds):
+    """The ten best of all subsets that itertools makes, with the limits of station and event; also of records from a
+    hundredth to many times the target."""
     ratios, stations, events = ratios_of(14, seed), np.arange(14) // 2, np.arange(14) // 5
+    ratios *= np.exp(np.random.default_rng(seed).normal(0.0, strong, (14, 1)))
     found, every = nearest_sets(ratios, 5, stations, events, (1, 2), bounds)
     allowed = [
         members
@@ -56,6 +64,7 @@ def test_that_every_set_of_a_small_folder_is_compared(seed, bounds):
         if np.bincount(stations[list(members)]).max() <= 1 and np.bincount(events[list(members)]).max() <= 2
     ]
     ranked = sorted((by_hand(ratios, members, bounds), members) for members in allowed)
+    ranked = [one for one in ranked if one[0][0] < math.inf]
     assert every and len(found) == min(selection.LISTED, len(ranked))
     for one, ((miss, deviation), members) in zip(found, ranked, strict=False):
         assert one.members == members
@@ -63,12 +72,13 @@ def test_that_every_set_of_a_small_folder_is_compared(seed, bounds):
 
 
 @pytest.mark.parametrize("bounds", [NTC, FREE, EN])
-@pytest.mark.parametrize("seed", range(8))
-def test_that_the_search_finds_the_best_set_where_every_one_can_be_compared(seed, bounds, monkeypatch):
+@pytest.mark.parametrize(("seed", "strong"), [*((seed, 0.0) for seed in range(8)), (0, 1.2), (1, 1.2), (2, 1.2)])
+def test_that_the_search_finds_the_best_set_where_every_one_can_be_compared(seed, strong, bounds, monkeypatch):
     ratios, stations, events = ratios_of(22, seed), np.arange(22) // 2, np.arange(22) // 6
+    ratios *= np.exp(np.random.default_rng(seed).normal(0.0, strong, (22, 1)))
     every = nearest_sets(ratios, 6, stations, events, (1, 2), bounds)[0]
     monkeypatch.setattr(selection, "MOST_SETS", 0)
-    monkeypatch.setattr(selection, "MOST_STARTS", 300)
+    monkeypatch.setattr(selection, "MOST_STARTS", 1000)
     found, all_compared = nearest_sets(ratios, 6, stations, events, (1, 2), bounds)
     assert not all_compared and found[0] == every[0]
 
@@ -103,6 +113,35 @@ def test_that_a_set_that_cannot_be_met_is_the_nearest_with_what_it_misses():
     found, every = nearest_sets(ratios, 3, alone(6), alone(6), (1, 1), bounds)
     assert every and len(found) == selection.LISTED
     assert found[0].factor == 1.5 and found[0].miss == pytest.approx(0.9 / 0.75 - 1.0)
+
+
+@pytest.mark.parametrize("bounds", [NTC, FREE])
+@pytest.mark.parametrize("most_sets", [0, selection.MOST_SETS])
+def test_that_silent_records_do_not_fill_a_set(bounds, most_sets, monkeypatch):
+    """Four records of 7/4 of the target have with three silent ones the target as their mean."""
+    monkeypatch.setattr(selection, "MOST_SETS", most_sets)
+    monkeypatch.setattr(selection, "MOST_STARTS", 30)
+    ratios = ratios_of(12, 1)
+    ratios[:4] = 1.75
+    ratios[4:7] = 1e-3
+    found = nearest_sets(ratios, 7, alone(12), alone(12), (1, 1), bounds)[0]
+    assert found and not any({4, 5, 6} & set(one.members) for one in found)
+    assert nearest_sets(ratios[:7], 7, alone(7), alone(7), (1, 1), bounds)[0] == []
+
+
+def test_that_a_record_whose_peak_would_not_count_is_in_no_set():
+    ratios = np.ones((4, 11))
+    ratios[2, -1] = 0.9 * OWN_PGA
+    assert [one.members for one in nearest_sets(ratios, 3, alone(4), alone(4), (1, 1), NTC)[0]] == [(0, 1, 3)]
+
+
+def test_that_records_of_one_factor_fit_with_that_factor():
+    """0.12 and 6.0 times the target fit with the factors 2 and 0.5, and with no factor of both."""
+    ratios = np.array([[0.12] * 10 + [1.0], [6.0] * 11, [1.0] * 11])
+    pairs = nearest_sets(ratios, 2, alone(3), alone(3), (1, 1), FREE)[0]
+    assert {one.members for one in pairs} == {(0, 2), (1, 2)}
+    for one in pairs:
+        assert all(OWN_FIT[0] <= one.factor * ratios[k, 0] <= OWN_FIT[1] for k in one.members)
 
 
 def test_that_the_mean_peak_counts_where_the_code_asks_for_it():

@@ -17,9 +17,9 @@ def case(folder="recs", demand=None, **keys):
     return parse_case({"wall": [WALL], "select": select, "demand": demand or {"ag_g": 0.2, "spectrum": NTC}})
 
 
-def write_esm(path: Path, seed: int, station: str, event: str, stream: str = "HNE", magnitude: str = "6.1") -> None:
-    """An ESM file of a seeded motion in cm/s2."""
-    samples = 100.0 * filtered_noise(seed, (0.15 + 0.02 * (seed % 7)) * G, 20.0)
+def write_esm(path: Path, seed: int, station: str, event: str, stream="HNE", magnitude="6.1", times=1.0) -> None:
+    """An ESM file of a seeded motion in cm/s2. times : what its samples are multiplied by"""
+    samples = times * 100.0 * filtered_noise(seed, (0.15 + 0.02 * (seed % 7)) * G, 20.0)
     head = {
         "EVENT_ID": event,
         "EVENT_NAME": "",

@@ -13,6 +13,7 @@ from core.case.reader import read_case
 from core.case.rules import parse_case
 from core.case.schema import Wall
 from core.case.writer import table_of
+from core.codes.limits import are_counted
 from core.codes.record_compatibility import compliance
 from core.errors import Cancelled, InputError
 from core.report.json_report import results
@@ -66,6 +67,7 @@ def test_that_what_is_chosen_is_what_the_rules_of_the_code_then_judge(folder, sc
         assert by_name["mean_pga"] * G == pytest.approx(found.chosen.pga_ratio * demand.pga, rel=1e-9)
     factors = [record.scale for record in found.chosen.records]
     assert all(0.5 <= factor <= 2.0 for factor in factors)
+    assert all(are_counted(motions, demand))
     assert len(set(factors)) == 1 or scaling == "individual"
     assert [motion.scale for motion in motions] == factors
 
@@ -189,6 +191,53 @@ def test_that_a_scaled_copy_of_a_record_is_no_second_record(folder, tmp_path):
     assert [(one.file.name, one.reason.code) for one in found.left_out] == [("5.txt", "same_motion")]
 
 
+def silent_folder(base, amplitudes, strong=4.0):
+    """Four stations of strong records, and one of each amplitude."""
+    (base / "recs").mkdir()
+    for k, times in enumerate([*[strong] * 4, *amplitudes]):
+        write_esm(base / "recs" / f"{k}.ASC", k + 1, f"S{k}", f"EV-{k}", times=times)
+
+
+@pytest.mark.parametrize("scaling", ["none", "common", "individual"])
+def test_that_silent_records_do_not_fill_up_the_seven_stations(scaling, tmp_path):
+    """Of PGA below 0.001 g, and of a hundredth of what is asked."""
+    silent_folder(tmp_path, [0.002, 0.003, 0.02], strong=1.0)
+    found = found_in(tmp_path, case(count=4, scaling=scaling))
+    assert {one.file.name: one.reason.code for one in found.left_out} == {
+        "4.ASC": "doubted_record",
+        "5.ASC": "doubted_record",
+        "6.ASC": "selected_far",
+    }
+    assert "below 0.001 g" in found.left_out[0].reason.text("en")
+    with pytest.raises(InputError, match=r"4 records of 7 files can be chosen, and 7.*Left out for example: its"):
+        found_in(tmp_path, case(count=7, scaling=scaling))
+
+
+def test_that_silent_records_written_by_hand_verify_nothing(tmp_path):
+    """Four records alone take the most unfavourable; with four that move no wall the mean of eight was taken."""
+    silent_folder(tmp_path, [0.04, 0.04, 0.04, 0.04], strong=2.0)
+    entries = [{"file": f"recs/{k}.ASC"} for k in range(8)]
+    demand = {"ag_g": 0.2, "spectrum": NTC}
+    four, eight = (
+        study.run(parse_case({"wall": [WALL], "record": entries[:n], "demand": demand}), base_dir=tmp_path)
+        for n in (4, 8)
+    )
+    found, alone = (result.walls[0].assessment for result in (eight, four))
+    assert (found.dynamic.set_rule, found.dynamic.zeta) == ("maximum", alone.dynamic.zeta)
+    assert len(found.dynamic.not_counted) == 4 and alone.dynamic.not_counted == ()
+    assert eight.compliance.stations == four.compliance.stations == 4
+    said = [reason.code for reason in found.verdict.limits[: found.verdict.blocking]]
+    assert "too_weak" in said and "too_weak" not in [one.code for one in alone.verdict.limits]
+    assert found.verdict.code in ("indicative", "at_limit")
+
+
+def test_that_an_empty_folder_is_said_without_an_example(tmp_path):
+    (tmp_path / "recs").mkdir()
+    with pytest.raises(InputError, match="0 records of 0 files can be chosen, and 3 are asked for") as caught:
+        found_in(tmp_path, case())
+    assert str(caught.value).endswith("add files or ask for fewer")
+
+
 def test_that_a_folder_of_real_records_gives_a_compatible_set(shelf, tmp_path):
     """The shelf itself, from its case file to the keys of the results, with every file accounted for."""
     text = f"""
@@ -211,8 +260,10 @@ q_step = 0.05
     result = study.run(read_case(tmp_path / "case.toml"), base_dir=tmp_path)
     found = result.selection
     assert found.chosen.fits and result.compliance.compatible and result.compliance.stations == 7
+    assert result.walls[0].assessment.dynamic.not_counted == ()
     assert not any(warning.code in ("vertical", "borehole") for one in result.motions for warning in one.warnings)
-    assert found.candidates > 30
+    reasons = {reason.code: n for reason, n in found.reasons}
+    assert found.candidates + reasons["doubted_record"] + reasons["selected_far"] > 30
     places = {str(one.file) for one in found.left_out}
     whole = sum(1 for path in shelf.rglob("*") if path.is_file())
     assert found.files == whole and len(places) >= whole - found.candidates

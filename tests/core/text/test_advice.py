@@ -77,6 +77,7 @@ LOWERS = {
     "record_twice",
     "select_alone",
     "select_and_pga_scaling",
+    "select_few_files",
     "select_too_few",
     "select_too_many",
     "skip_lines_of_plain_text",
