@@ -119,23 +119,19 @@ def better(miss, deviation, other_miss, other_deviation):
 
 
 @subkernel
-def allowed_beside(members, count, one, stations, events, spans, per_station, per_event):
-    """Whether one more record keeps to the limits of a set, and has a factor in common with each of it: intervals of
-    which each two meet have a common point.
+def within_limits(members, count, one, stations, events, per_station, per_event):
+    """Whether one more record keeps to the limits of a set.
 
     members, count : the set, and how many of its places count
     one : the record
     stations, events : number of the station and of the event of each record
-    spans : least and most factor of each record, shape (records, 2)
     per_station, per_event : most records of one
     """
-    if spans[one, 0] > spans[one, 1]:
-        return False
     same_station = 0
     same_event = 0
     for k in range(count):
         other = members[k]
-        if other == one or spans[one, 0] > spans[other, 1] or spans[other, 0] > spans[one, 1]:
+        if other == one:
             return False
         same_station += stations[other] == stations[one]
         same_event += events[other] == events[one]
@@ -144,12 +140,21 @@ def allowed_beside(members, count, one, stations, events, spans, per_station, pe
 
 @subkernel
 def common_span(members, count, spans):
-    """Least and most factor that all of the first `count` members have. spans : as of `allowed_beside`"""
-    least, most = spans[members[0], 0], spans[members[0], 1]
-    for k in range(1, count):
+    """Least and most factor that all of the first `count` members have. spans : of each record, shape (records, 2)"""
+    least, most = 0.0, math.inf
+    for k in range(count):
         least = max(least, spans[members[k], 0])
         most = min(most, spans[members[k], 1])
     return least, most
+
+
+@subkernel
+def allowed_beside(members, count, one, stations, events, spans, per_station, per_event):
+    """`within_limits`, and whether one more record has a factor in common with the set.
+    members, count, one, stations, events, spans, per_station, per_event : as of the two functions above"""
+    least, most = common_span(members, count, spans)
+    meets = max(least, spans[one, 0]) <= min(most, spans[one, 1])
+    return meets and within_limits(members, count, one, stations, events, per_station, per_event)
 
 
 @subkernel
@@ -275,9 +280,10 @@ def descend(ratios, products, means, members, known, stations, events, spans, li
             members[place] = members[size - 1]
             lowest, highest = common_span(members, size - 1, spans)
             for one in range(n):
-                if one == gone:
+                bottom, top = max(lowest, spans[one, 0]), min(highest, spans[one, 1])
+                if one == gone or bottom > top:
                     continue
-                if not allowed_beside(members, size - 1, one, stations, events, spans, limits[0], limits[1]):
+                if not within_limits(members, size - 1, one, stations, events, limits[0], limits[1]):
                     continue
                 looked += EXCHANGE * size
                 if miss == 0.0:
@@ -290,7 +296,6 @@ def descend(ratios, products, means, members, known, stations, events, spans, li
                 looked += SPECTRUM
                 for k in range(width):
                     trial[k] = total[k] - ratios[gone, k] + ratios[one, k]
-                bottom, top = max(lowest, spans[one, 0]), min(highest, spans[one, 1])
                 new_miss, new_deviation, _ = judged(trial, size, low, high, start, bottom, top)
                 if better(new_miss, new_deviation, miss, deviation - 1e-12 * (new_miss == miss)):
                     miss, deviation, out, into = new_miss, new_deviation, place, one
