@@ -102,7 +102,10 @@ class SureTab(QWidget):
         target = result.demand.zeta_target
         self.chart.level(target, tr("required {zeta}", zeta=number(target, ".2f")), "amber", vertical=True, place=0.03)
         self.chart.names_beside(lines[::-1])
+        drawn = [base, target, *(x for x, _ in below + above if not np.isnan(x))]
+        room = 0.05 * (max(drawn) - min(drawn)) or 0.1
         self.chart.reset()
+        self.chart.set_range(x=(min(drawn) - room, max(drawn) + room))  # ζ required in sight
         rows, colors = [], []
         for row in sure_words.moved_rows(found, self.language):
             ends = [part for said, zeta, _ in row.ends for part in (said, number(zeta, ".2f"))]

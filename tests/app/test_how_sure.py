@@ -74,6 +74,8 @@ def test_that_the_tab_asks_for_the_moves_and_shows_them(application, asked):
     assert tab.moves.rowCount() == len(found.swings) and tab.reach.rowCount() == len(found.reach)
     assert tab.moves.item(0, 2).text() == f"{found.swings[0].ends[0].zeta:.2f}"
     assert not tab.button.isVisibleTo(tab) and tab.chart.data
+    low, high = tab.chart.plot.getViewBox().viewRange()[0]
+    assert low < 1.0 < high and low < found.base < high  # zeta required and zeta as it is
     asked.session.undo()
     assert asked.session.case.sensitivity is None
 
