@@ -66,7 +66,7 @@ class SureTab(QWidget):
         lines = []
         if verdict:
             lines.append(sure_words.interval_line(self._say, verdict, self.language))
-            lines += sure_words.still_lines(self._say, found, self.language) if found else []
+            lines += sure_words.still_lines(self._say, result, verdict, self.language) if found else []
             lines += sure_words.rate_lines(self._say, result, verdict.rates, self.language)
             if not verdict.rates and result.demand and not result.demand.hazard:
                 lines.append(tr("The rates need the hazard of the site: give the place, or the rows of the hazard."))

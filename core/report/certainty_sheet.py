@@ -8,7 +8,6 @@ from core.report.cells import ACCENT, BAD, QUIET, RATIO, Book, header, heighten,
 from core.report.plots import DATA, rows_below
 from core.report.xml_text import for_xml
 from core.study.results import StudyResult, WallVerdict
-from core.study.swings import Sensitivity
 
 LAST, LINE = 8, 150
 """Columns of a sentence, and the letters they hold."""
@@ -43,7 +42,7 @@ def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, 
     if line := sure_words.interval_line(say, verdict, language):
         row = paragraph(sheet, row, line, LAST, LINE)
     if verdict.sensitivity and verdict.sensitivity.swings:
-        row = _moved(book, sheet, result, verdict.sensitivity, n, row)
+        row = _moved(book, sheet, result, verdict, n, row)
     if verdict.rates:
         header(sheet, row, sure_words.rate_heads(say, result.case.demand.nominal_life_years), 1, 30)
         for rate in verdict.rates:
@@ -57,9 +56,9 @@ def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, 
     return row
 
 
-def _moved(book: Book, sheet, result: StudyResult, found: Sensitivity, n: int, row: int) -> int:
+def _moved(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, row: int) -> int:
     """The moves, the largest first, with their chart; what zeta required asks for."""
-    say, language = book.say, book.language
+    say, language, found = book.say, book.language, verdict.sensitivity
     header(sheet, row, [say("Input"), say("moved to"), "ζ_E", say("moved to"), "ζ_E"], 1, 18)
     first, rows = row + 1, sure_words.moved_rows(found, language)
     data = DATA + 4 * n
@@ -81,7 +80,7 @@ def _moved(book: Book, sheet, result: StudyResult, found: Sensitivity, n: int, r
         chart = _chart(sheet, say("Δζ_E of each input moved on its own"), data, first, row)
         sheet.add_chart(chart, f"A{row + 2}")
         row += 2 + rows_below(chart.height)
-    for line in sure_words.still_lines(say, found, language):
+    for line in sure_words.still_lines(say, result, verdict, language):
         row = paragraph(sheet, row + 1, line, LAST, LINE, color=QUIET) - 1
     row += 1
     if labels := sure_words.reach_labels(found):

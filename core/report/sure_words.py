@@ -68,9 +68,13 @@ def swing_name(swing: Swing, language: str) -> str:
     return word(f"key_{swing.key}", language)
 
 
-def still_lines(say: Say, found: Sensitivity, language: str) -> list[str]:
-    """The inputs that were moved and do not move zeta, and those that cannot be moved so."""
-    lines = []
+def still_lines(say: Say, result: StudyResult, verdict: WallVerdict, language: str) -> list[str]:
+    """What the moves are to be read with: whether the verdict is one, the inputs that do not move zeta, those that
+    cannot be moved so."""
+    found, lines = verdict.sensitivity, []
+    code = result.walls[verdict.governing].assessment.verdict.code
+    if code in ("indicative", "undetermined"):
+        lines.append(say("The verdict is indicative, and so are these values: none of them verifies the wall."))
     if found.still:
         lines.append(
             say("Without effect on ζ: {names}.", names=", ".join(word(f"key_{k}", language) for k in found.still))

@@ -3,7 +3,7 @@
 from core.report import sure_words
 from core.report.note.parts import Curve, Figure, Figures, Heading, Item, Part, Table, path
 from core.report.note.words import Words
-from core.study.results import StudyResult, WallResult
+from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.swings import Sensitivity
 from core.study.wall_verdict import by_severity
 
@@ -27,7 +27,7 @@ def certainty(result: StudyResult, words: Words) -> list[Part]:
             continue
         parts.append(Heading(verdict.title, 3))
         if verdict.sensitivity:
-            parts += _moved(result, verdict.sensitivity, words)
+            parts += _moved(result, verdict, words)
         if verdict.rates:
             life = result.case.demand.nominal_life_years
             rows = [sure_words.rate_row(say, rate, language) for rate in verdict.rates]
@@ -36,11 +36,11 @@ def certainty(result: StudyResult, words: Words) -> list[Part]:
     return [Heading(say("How sure"), new_page=True), *parts] if parts else []
 
 
-def _moved(result: StudyResult, found: Sensitivity, words: Words) -> list[Part]:
+def _moved(result: StudyResult, verdict: WallVerdict, words: Words) -> list[Part]:
     """The inputs that move zeta: figure and table; what zeta required asks of thickness, ties and a_g."""
     say, language = words.say, words.language
     parts: list[Part] = []
-    target = result.demand.zeta_target
+    found, target = verdict.sensitivity, result.demand.zeta_target
     rows = sure_words.moved_rows(found, language)
     if rows:
         cells = []
@@ -52,7 +52,7 @@ def _moved(result: StudyResult, found: Sensitivity, words: Words) -> list[Part]:
         }
         heads = [say("Input"), say("moved to"), "ζ_E", say("moved to"), "ζ_E"]
         parts += [Figures([_tornado(found, target, words)]), Table(heads, cells, (1.6, 3.0, 0.6, 3.0, 0.6), tones)]
-    parts += [Item(line, "quiet") for line in sure_words.still_lines(say, found, language)]
+    parts += [Item(line, "quiet") for line in sure_words.still_lines(say, result, verdict, language)]
     if labels := sure_words.reach_labels(found):
         heads = [say("For ζ {zeta}", zeta=words.number(target, ".2f")), say("now")]
         heads += sure_words.check_names(result, labels, language)
