@@ -230,7 +230,9 @@ def main(options: argparse.Namespace) -> None:
         print(f"{count} figures of 300 dpi exported in {seconds:.1f} s: {longest()}")
         each = drag(application, window, 5 if options.small else 120)
         print(f"dragged multiplier: {1.0 / each:.0f} histories integrated and drawn per second")
-        for _ in range(9):  # a small study may be over before it is cancelled
+        if options.small:  # else it may be over before it is cancelled
+            window.session.edit_section("analysis", q_step=1e-4)
+        for _ in range(9):
             run()
             job = window.job
             settle(application, lambda: window.bar.maximum() > 0 or window.job is None)
