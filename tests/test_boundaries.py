@@ -54,6 +54,7 @@ REFUSALS = "tests/core/ground/test_record_refusals.py"
 BODIES = "tests/validation/test_bodies.py"
 
 SHOWN_BY = {
+    "capacity/bisection": "tests/core/capacity/test_ida.py",
     "case/select": SELECTION,
     "ground/record_folder": SELECTION,
     "report/selection_words": "tests/core/report/test_selection_rows.py",

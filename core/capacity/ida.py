@@ -6,11 +6,13 @@ grid q_k = q_start (1 + q_step)^k, shared by all runs of a study.
 
 import functools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
+from core.capacity.bisection import all_narrowed, halvings
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.errors import Cancelled
 from core.rocking.history import scan_records
@@ -18,9 +20,6 @@ from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import Method
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, MAX_GROUND, STABLE
 from core.wall.rocking_model import RockingModel
-
-BRACKET = 1e-4
-"""Bisection ends when the bracket of q is narrower than this fraction."""
 
 ROBUST_SHARE = 0.16
 """Share of collapsing grid points around q_robust [-]."""
@@ -35,8 +34,8 @@ CHUNK = 128
 """Analyses between two checks of whether the search is cancelled."""
 
 LOWER_SLV = LOWER_SHARE * LIMIT_FRACTION["SLV"]
-HALVINGS = 3
-"""Bisections made at once: all midpoints they may ask for run side by side."""
+Steps = Generator[Any, Any, Any]
+"""What needs analyses: it yields what is to be analysed, is sent what came of it, and returns its result."""
 
 
 @dataclass(frozen=True)
@@ -52,6 +51,20 @@ class Search:
     def half_window(self) -> int:
         """Grid points on either side of the robust window."""
         return round(self.robust_window / math.log1p(self.q_step))
+
+
+@dataclass(frozen=True)
+class Run:
+    """A record and the sign it is taken with.
+
+    ground : [m/s2], shape (n,); dt : its time step [s]; pga : of the unscaled record [m/s2]
+    sign : 1 as recorded, -1 reversed
+    """
+
+    ground: np.ndarray
+    dt: float
+    pga: float
+    sign: int
 
 
 @dataclass(frozen=True)
@@ -97,18 +110,13 @@ def grid_point(q_start: float, q_step: float, index: int) -> float:
 class _Map:
     """Outcomes and peaks on the grid, grown at both ends, and single analyses between its points."""
 
-    def __init__(self, ground, dt, pga, sign, model, method, search, cancelled):
-        """ground : [m/s2], shape (n,)
-        dt : its time step [s]
-        pga : of the unscaled record [m/s2]
+    def __init__(self, pga, sign, model, search):
+        """pga : of the unscaled record [m/s2]
         sign : 1 as recorded, -1 reversed
         model : RockingModel
-        method : Method
         search : Search
-        cancelled : asked between two chunks of analyses
         """
-        self.grounds, self.model, self.method = Grounds.of([ground], dt), model, method
-        self.search, self.cancelled = search, cancelled
+        self.model, self.search = model, search
         self.rigid = model.plateau_end == 0.0
         self.q_start = 1.0 if self.rigid else TRILINEAR_START
         self.sign, self.pga = sign, pga
@@ -132,32 +140,28 @@ class _Map:
     def last(self) -> int:
         return self.first + self.outcomes.size - 1
 
-    def analyse(self, q_values) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Outcomes, peaks and clamped ratios at these q; below q = 1 a rigid wall rests, exactly."""
-        if self.cancelled():
-            raise Cancelled
+    def analyse(self, q_values) -> Steps:
+        """Outcomes, peaks and clamped ratios at these q, from those at the multipliers yielded; below q = 1 a rigid
+        wall rests, exactly."""
         q_values = np.asarray(q_values)
         outcomes = np.full(q_values.size, STABLE)
         peaks, clamped = np.zeros(q_values.size), np.zeros(q_values.size, np.int64)
         moves = q_values > 1.0 if self.rigid else np.full(q_values.size, True)
-        codes, reached = np.empty(int(moves.sum()), np.int64), np.empty(int(moves.sum()))
         scales = self.sign * multiplier_of(q_values[moves], self.pga, threshold_of(self.model))
-        which = np.zeros(scales.size, np.int64)
-        clamped[moves] = scan_records(self.method, self.grounds, which, scales, self.model, codes, reached)
+        outcomes[moves], peaks[moves], clamped[moves] = yield scales
         self.analyses += scales.size
-        outcomes[moves], peaks[moves] = codes, reached
         return outcomes, peaks, clamped
 
-    def grow(self, first: int, last: int) -> None:
+    def grow(self, first: int, last: int) -> Steps:
         """Extend the map to grid points first..last, in chunks between which a cancel is seen."""
         while self.last < last:
             start = self.last + 1
             stop = min(last, start + CHUNK - 1)
-            parts = self.analyse([self.q_of(k) for k in range(start, stop + 1)])
+            parts = yield from self.analyse([self.q_of(k) for k in range(start, stop + 1)])
             self._join((self.outcomes, self.peaks, self.clamped), parts)
         while self.first > first:
             start = max(first, self.first - CHUNK)
-            parts = self.analyse([self.q_of(k) for k in range(start, self.first)])
+            parts = yield from self.analyse([self.q_of(k) for k in range(start, self.first)])
             self._join(parts, (self.outcomes, self.peaks, self.clamped))
             self.first = start
 
@@ -178,69 +182,23 @@ class _Map:
         reached = peaks >= fraction * self.model.collapse_rotation
         return (outcomes == COLLAPSED) | ((outcomes == STABLE) & reached)
 
-    def brackets(self, fractions: tuple[float, ...]) -> list[tuple[float, float] | None]:
+    def brackets(self, fractions: tuple[float, ...]) -> Steps:
         """Brackets of the first events of these fractions of theta_c; None without one or where a midpoint
         is of unknown outcome; from 0 where the map cannot go lower."""
         firsts = [self.first_reaching(fraction) for fraction in fractions]
         wanted = [k for k, first in enumerate(firsts) if first not in (None, self.first)]
-
-        def failures(middles):
-            outcomes, peaks, _ = self.analyse(np.concatenate(middles))
-            cuts = np.cumsum([part.size for part in middles])[:-1]
-            return [
-                (self.reaches(outcome, peak, fractions[wanted[k]]), outcome == IMPACT_LIMIT)
-                for k, (outcome, peak) in enumerate(zip(np.split(outcomes, cuts), np.split(peaks, cuts), strict=True))
-            ]
-
-        edges = [(self.q_of(firsts[k] - 1), self.q_of(firsts[k])) for k in wanted]
+        edges: list = [(self.q_of(firsts[k] - 1), self.q_of(firsts[k])) for k in wanted]
         pairs = [None if first is None else (0.0, self.q_of(first)) for first in firsts]
-        for k, bracket in zip(wanted, bisections(edges, failures), strict=True):
+        while points := halvings(edges):
+            middles = [part[1:-1] for part in points]
+            outcomes, peaks, _ = yield from self.analyse(np.concatenate(middles))
+            cuts = np.cumsum([part.size for part in middles])[:-1]
+            found = zip(wanted, np.split(outcomes, cuts), np.split(peaks, cuts), strict=True)
+            flags = [(self.reaches(codes, most, fractions[k]), codes == IMPACT_LIMIT) for k, codes, most in found]
+            edges = all_narrowed(edges, points, flags)
+        for k, bracket in zip(wanted, edges, strict=True):
             pairs[k] = bracket
         return pairs
-
-
-def bisections(brackets: list[tuple[float, float]], failures) -> list[tuple[float, float] | None]:
-    """Brackets of failures between low, which holds, and high, which fails, narrowed side by side until none
-    is wider than BRACKET: those of arithmetic midpoints, one after the other.
-
-    failures(points) : [(fails, unknown)], flags of each of the arrays of points. None where a midpoint a
-    bisection needs is unknown.
-    """
-    narrowed = list(brackets)
-    while any(wide := [bracket is not None and not _narrow(*bracket) for bracket in narrowed]):
-        edges = [_halved(*bracket) if k else np.zeros(2) for k, bracket in zip(wide, narrowed, strict=True)]
-        for k, (fails, unknown) in enumerate(failures([points[1:-1] for points in edges])):
-            if wide[k]:
-                narrowed[k] = _narrowed(edges[k], fails, unknown)
-    return narrowed
-
-
-def _narrow(low: float, high: float) -> bool:
-    return high / low - 1.0 <= BRACKET
-
-
-def _halved(low: float, high: float) -> np.ndarray:
-    """All midpoints that HALVINGS bisections may ask for, and the ends."""
-    edges = np.array([low, high])
-    for _ in range(HALVINGS):
-        halved = np.empty(2 * edges.size - 1)
-        halved[::2], halved[1::2] = edges, 0.5 * (edges[:-1] + edges[1:])
-        edges = halved
-    return edges
-
-
-def _narrowed(edges, fails, unknown) -> tuple[float, float] | None:
-    """Where bisecting between the first edge and the last leads, its midpoints known."""
-    first, last = 0, edges.size - 1
-    while last - first > 1 and not _narrow(edges[first], edges[last]):
-        middle = (first + last) // 2
-        if unknown[middle - 1]:
-            return None
-        if fails[middle - 1]:
-            last = middle
-        else:
-            first = middle
-    return float(edges[first]), float(edges[last])
 
 
 def multiplier_of(q, pga: float, threshold: float):
@@ -280,47 +238,93 @@ def incremental_dynamic_analysis(
     cancelled : asked between two chunks of analyses
     Raises Cancelled where it is true.
     """
-    grid = _Map(ground, dt, pga, sign, model, method, search, cancelled)
-    half = search.half_window
+    return incremental_dynamic_analyses([Run(ground, dt, pga, sign)], model, method, search, cancelled)[0]
+
+
+def incremental_dynamic_analyses(
+    runs: list[Run], model: RockingModel, method: Method, search: Search, cancelled: Callable[[], bool]
+) -> list[Ida]:
+    """`incremental_dynamic_analysis` of several runs of a wall side by side: their analyses fill the lanes better.
+    Each is what it is alone, bit for bit."""
+    records: dict[float, list[np.ndarray]] = {}
+    for run in runs:
+        if not any(run.ground is known for known in records.setdefault(run.dt, [])):
+            records[run.dt].append(run.ground)
+    grounds = {dt: Grounds.of(of_step, dt) for dt, of_step in records.items()}
+    searches = [_search(run, model, search) for run in runs]
+    found: list[Any] = [None] * len(runs)
+    asked: dict[int, np.ndarray] = {}
+
+    def go_on(k: int, answer) -> None:
+        try:
+            asked[k] = searches[k].send(answer)
+        except StopIteration as end:
+            asked.pop(k, None)
+            found[k] = end.value
+
+    for k in range(len(runs)):
+        go_on(k, None)
+    while asked:
+        answers = {}
+        for dt in dict.fromkeys(runs[k].dt for k in asked):
+            if cancelled():
+                raise Cancelled
+            here = [k for k in asked if runs[k].dt == dt]
+            place = [next(n for n, one in enumerate(records[dt]) if one is runs[k].ground) for k in here]
+            which, scales = np.repeat(place, [asked[k].size for k in here]), np.concatenate([asked[k] for k in here])
+            codes, peaks = np.empty(scales.size, np.int64), np.empty(scales.size)
+            clamped = scan_records(method, grounds[dt], which, scales, model, codes, peaks)
+            cuts = np.cumsum([asked[k].size for k in here])[:-1]
+            parts = zip(*(np.split(part, cuts) for part in (codes, peaks, clamped)), strict=True)
+            answers |= zip(here, parts, strict=True)
+        for k, answer in answers.items():
+            go_on(k, answer)
+    return found
+
+
+def _search(run: Run, model: RockingModel, search: Search) -> Steps:
+    """The search of one run, an Ida."""
+    grid = _Map(run.pga, run.sign, model, search)
+    pga, half = run.pga, search.half_window
     limit = grid.index_below(search.q_limit)
-    strongest = multiplier_of(search.q_limit, pga, threshold_of(model)) * np.abs(ground).max()
+    strongest = multiplier_of(search.q_limit, pga, threshold_of(model)) * np.abs(run.ground).max()
     if not (pga > 0.0 and strongest <= MAX_GROUND):
         return _result(grid, "bad_input", [None] * 3, None)
-    grid.grow(0, 0)
+    yield from grid.grow(0, 0)
     if not grid.rigid:
-        _descend(grid, half)
+        yield from _descend(grid, half)
     collapse = None
     while collapse is None and grid.last < limit:
-        grid.grow(grid.first, min(limit, grid.last + CHUNK))
+        yield from grid.grow(grid.first, min(limit, grid.last + CHUNK))
         collapse = grid.first_reaching(math.inf)
     before = grid.outcomes[: collapse - grid.first] if collapse is not None else grid.outcomes
     unknown = bool((before == IMPACT_LIMIT).any())
     fractions = (math.inf, LIMIT_FRACTION["SLV"], LIMIT_FRACTION["SLC"])
-    brackets = [None] * len(fractions) if unknown else grid.brackets(fractions)
+    brackets = [None] * len(fractions) if unknown else (yield from grid.brackets(fractions))
     if collapse is None:
         return _result(grid, "impact_limit" if unknown else "no_collapse_found", brackets, None)
     if brackets[0] is None:
         grid.cut(collapse)
         return _result(grid, "impact_limit", [None] * len(fractions), None)
     end = min(limit, max(collapse, grid.index_below(search.map_span * brackets[0][1])))
-    grid.grow(grid.first, end)
+    yield from grid.grow(grid.first, end)
     while (robust := _robust_index(grid, half)) is None and grid.last < limit:
-        grid.grow(grid.first, min(limit, grid.last + max(half, 1)))
+        yield from grid.grow(grid.first, min(limit, grid.last + max(half, 1)))
     grid.cut(grid.last if robust is None else max(end, robust + half))
     return _result(grid, "collapse_found", brackets, robust)
 
 
-def _descend(grid: _Map, half: int) -> None:
+def _descend(grid: _Map, half: int) -> Steps:
     """Extend a trilinear map downwards until a whole robust window survives below it."""
     floor = grid.index_below(TRILINEAR_FLOOR) + 1
-    grid.grow(max(floor, -half), 0)
+    yield from grid.grow(max(floor, -half), 0)
     width = half + 1
     while grid.first > floor:
         low = slice(0, width)
         if not grid.reaches(grid.outcomes[low], grid.peaks[low], LOWER_SLV).any():
             break
         width = 2 * half + 1
-        grid.grow(max(floor, grid.first - half - 1), grid.last)
+        yield from grid.grow(max(floor, grid.first - half - 1), grid.last)
 
 
 def collapse_count(collapsed: np.ndarray, half: int) -> np.ndarray:

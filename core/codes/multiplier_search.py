@@ -13,7 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.capacity.ida import ROBUST_SHARE, bisections, first_with_share
+from core.capacity.bisection import bisections
+from core.capacity.ida import ROBUST_SHARE, first_with_share
 
 STEP = 0.0025
 """Step of the grid of multipliers, which holds the target itself [-]."""

@@ -82,15 +82,15 @@ def record_peaks(
     step = EVERY * math.log1p(STEP)
     low, high = runs.rest, min(SPAN[1] * zeta, MAX_MULTIPLIER)
     if SPAN[0] * zeta > low:
-        fails = [runs.analyse(batch, grounds, np.array([SPAN[0] * zeta])) for batch, grounds in runs.batches]
+        fails = [runs.analyse(batch, grounds, np.array([SPAN[0] * zeta])) for batch, grounds in runs.together]
         if all((outcomes == STABLE).all() and (peaks < runs.limit).all() for outcomes, peaks in fails):
             low = SPAN[0] * zeta
     first, last = (math.floor(math.log(end / demand.zeta_target) / step) for end in (low, high))
     count = SPARSE * max(1, -(-(last - first) // SPARSE)) + 1
     multipliers = demand.zeta_target * np.exp(step * (first + np.arange(count)))
     peaks = np.empty((len(motions), count))
-    for record, motion in enumerate(motions):
-        grounds = Grounds.of([motion.acceleration], motion.time_step)
+    for record in range(len(motions)):
+        grounds = runs.grounds[record]
 
         def found(places: np.ndarray, record: int = record, grounds: Grounds = grounds) -> np.ndarray:
             outcomes, reached = runs.analyse([record], grounds, multipliers[places])

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from core.capacity.ida import BRACKET
+from core.capacity.bisection import BRACKET
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import ROUNDING, Check, Kinematic

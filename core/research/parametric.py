@@ -19,9 +19,9 @@ from core.ground.ground_motion import GroundMotion
 from core.jit import cache
 from core.rocking.methods import METHODS
 from core.study.journal import Journal
+from core.study.kept_checks import run_key
 from core.study.progress import OnProgress, Progress, run_cost
 from core.study.record_input import read_records
-from core.study.run import run_key
 from core.study.threads import Threads
 from core.units import G
 from core.version import VERSION

@@ -1,4 +1,4 @@
-"""The dynamic check of a wall, kept in the journal of its study: a resume makes none twice."""
+"""Searches and dynamic checks by their keys in the journal of a study: a resume makes none twice."""
 
 import hashlib
 from collections.abc import Callable
@@ -52,4 +52,10 @@ def check_key(model, motions, polarities, demand, method, *numbers) -> str:
     records = [(repr(motion), motion.samples_sha256) for motion in motions]
     # 2: checks kept before weak records were not counted may have another rule
     parts = ("check_2", tuple(model), records, polarities, demand, method, numbers)
+    return hashlib.sha256(repr(parts).encode()).hexdigest()
+
+
+def run_key(model: RockingModel, motion: GroundMotion, polarity: int, method, search) -> str:
+    """Key of a run in the journal: all that decides its result, and nothing else."""
+    parts = (tuple(model), motion.samples_sha256, polarity, method, search)
     return hashlib.sha256(repr(parts).encode()).hexdigest()

@@ -2,7 +2,6 @@
 
 import contextlib
 import datetime
-import hashlib
 import sys
 from collections.abc import Callable, Iterable
 from concurrent.futures import BrokenExecutor, Executor, Future, wait
@@ -12,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from core.capacity.accuracy import Accuracy, accuracy
-from core.capacity.ida import Ida, incremental_dynamic_analysis, multiplier_of, threshold_of
+from core.capacity.ida import Ida, Run, incremental_dynamic_analyses, multiplier_of, threshold_of
 from core.case.place import notices
 from core.case.schema import Case
 from core.codes.demand import DemandResult, with_records
@@ -27,7 +26,7 @@ from core.study.assessment import assess
 from core.study.governing import lowest_run
 from core.study.how_sure import with_certainty
 from core.study.journal import Journal, Memory, rebuilt
-from core.study.kept_checks import KeptChecks
+from core.study.kept_checks import KeptChecks, run_key
 from core.study.limit_states import StateHistories, demands_of, unsaid, zetas
 from core.study.plan import Entry, Inputs, Plan, costs_of, plan_of, read_inputs, refuse_large, with_chosen
 from core.study.progress import OnProgress, Progress
@@ -39,7 +38,6 @@ from core.study.wall_verdict import wall_verdicts
 from core.study.zeta_with import Scene, model_of
 from core.text.sentence import notice
 from core.version import VERSION
-from core.wall.rocking_model import RockingModel
 
 
 def run(
@@ -380,20 +378,20 @@ def _begin_compiling(method, models, motions) -> None:
     precompile.start({resolve_auto(method, model, dt).name for model in models for dt in steps})
 
 
-def run_key(model: RockingModel, motion: GroundMotion, polarity: int, method, search) -> str:
-    """Key of a run in the journal: all that decides its result, and nothing else."""
-    parts = (tuple(model), motion.samples_sha256, polarity, method, search)
-    return hashlib.sha256(repr(parts).encode()).hexdigest()
+TASKS = 8
+"""Least tasks for a thread where runs of a wall are searched side by side: so its threads end together."""
 
 
 def _run_all(plan: Plan, threads: Threads, book, progress: Progress) -> dict[tuple[int, int, int], Ida]:
     """Idas by (wall, record, sign)."""
-    searches, todo, keys = {}, {}, {}
+    searches, keys = {}, {}
+    todo: dict[int, list[tuple[int, int, int]]] = {}
 
-    def search_of(model: RockingModel, motion: GroundMotion, sign: int):
-        return lambda stop: incremental_dynamic_analysis(
-            motion.acceleration, motion.time_step, motion.pga, sign, model, plan.method, plan.search, stop
-        )
+    def search_of(group: tuple[tuple[int, int, int], ...]):
+        entry = plan.entries[group[0][0]]
+        motions = [(entry.felt[record], sign) for _, record, sign in group]
+        runs = [Run(motion.acceleration, motion.time_step, motion.pga, sign) for motion, sign in motions]
+        return lambda stop: incremental_dynamic_analyses(runs, entry.model, plan.method, plan.search, stop)
 
     for one in plan.runs:
         k, record, sign = one
@@ -403,13 +401,17 @@ def _run_all(plan: Plan, threads: Threads, book, progress: Progress) -> dict[tup
         if known:
             searches[one] = known
         else:
-            todo[one] = search_of(model, motion, sign)
+            todo.setdefault(k, []).append(one)
 
-    def keep(one, ida: Ida) -> None:
-        if book:
-            book.add(keys[one], asdict(ida))
-        progress.done(one)
+    def keep(group, found: list[Ida]) -> None:
+        for one, ida in zip(group, found, strict=True):
+            searches[one] = ida
+            if book:
+                book.add(keys[one], asdict(ida))
+            progress.done(one)
 
     progress.known(searches)
-    searches.update(threads.run(todo, keep))
+    together = max(1, sum(len(runs) for runs in todo.values()) // (TASKS * threads.jobs))
+    groups = [tuple(runs[n : n + together]) for runs in todo.values() for n in range(0, len(runs), together)]
+    threads.run({group: search_of(group) for group in groups}, keep)
     return searches

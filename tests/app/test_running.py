@@ -31,7 +31,7 @@ def test_that_finished_runs_are_used_again(opened, application, monkeypatch):
     run(application, opened)
     first = opened.session.result
     opened.session.edit(replace(opened.session.case, title="another"))
-    monkeypatch.setattr(study, "incremental_dynamic_analysis", lambda *_: pytest.fail("again"))
+    monkeypatch.setattr(study, "incremental_dynamic_analyses", lambda *_: pytest.fail("again"))
     run(application, opened)
     assert opened.session.result is not first
     assert opened.session.result.walls == first.walls

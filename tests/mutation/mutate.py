@@ -52,6 +52,7 @@ TESTS = {
         "tests/core/study/test_run.py",
     ],
     "core/capacity/ida.py": ["tests/core/capacity/test_ida.py"],
+    "core/capacity/bisection.py": ["tests/core/capacity/test_ida.py"],
     "core/codes/verdict.py": ["tests/core/codes/test_verdict.py", HAND],
     "core/codes/limits.py": [
         "tests/core/codes/test_limits.py",

@@ -6,14 +6,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from core.capacity import ida
+from core.capacity import bisection, ida
+from core.capacity.bisection import BRACKET, bisections
 from core.capacity.fragility import fragility
 from core.capacity.ida import (
     TRILINEAR_FLOOR,
+    Run,
     Search,
-    bisections,
     collapse_count,
     first_with_share,
+    incremental_dynamic_analyses,
     incremental_dynamic_analysis,
 )
 from core.errors import Cancelled
@@ -87,6 +89,24 @@ def test_that_the_map_does_not_depend_on_how_many_points_run_at_once(ground, mak
         assert replace(parts, analyses=0) == replace(whole, analyses=0)
 
 
+def test_that_searches_side_by_side_are_those_of_each_run_alone(ground, make_model):
+    """Records of two lengths and time steps, both signs, one too strong to be taken, under three laws."""
+    weak, short = 0.5 * ground, ground[: ground.size // 2]
+    runs = [
+        Run(motion, dt, float(np.abs(motion).max()), sign)
+        for motion, dt in ((ground, 0.01), (short, 0.02), (weak, 0.01), (1e9 * ground, 0.01))
+        for sign in (1, -1)
+    ]
+    runs[-2:] = [replace(run, pga=1e-3) for run in runs[-2:]]
+    for model in (make_model(), make_model(one_sided=True, ratio=0.5), make_model(law="doherty")):
+        found = incremental_dynamic_analyses(runs, model, TAYLOR, Search(), lambda: False)
+        alone = [
+            incremental_dynamic_analysis(run.ground, run.dt, run.pga, run.sign, model, TAYLOR, Search()) for run in runs
+        ]
+        assert found == alone
+        assert [one.status for one in found] == 6 * ["collapse_found"] + 2 * ["bad_input"]
+
+
 def test_that_midpoints_at_once_give_the_bracket_of_one_after_the_other():
     rng = np.random.default_rng(4)
     brackets, functions, expected = [], [], []
@@ -99,7 +119,7 @@ def test_that_midpoints_at_once_give_the_bracket_of_one_after_the_other():
             return np.searchsorted(edges, q) % 2 == 1 or q == high
 
         a, b = low, high
-        while b / a - 1.0 > ida.BRACKET:
+        while b / a - 1.0 > BRACKET:
             middle = 0.5 * (a + b)
             a, b = (a, middle) if fails(middle) else (middle, b)
         brackets.append((low, high))
@@ -111,7 +131,7 @@ def test_that_midpoints_at_once_give_the_bracket_of_one_after_the_other():
             (np.array([f(x) for x in q], bool), np.zeros(q.size, bool)) for f, q in zip(functions, points, strict=True)
         ]
 
-    assert ida.bisections(brackets, flags) == expected
+    assert bisections(brackets, flags) == expected
 
 
 def test_that_an_unknown_midpoint_ends_its_own_bisection_only():
@@ -121,8 +141,8 @@ def test_that_an_unknown_midpoint_ends_its_own_bisection_only():
     def any_of(q):
         return q > 0.0
 
-    first, second = ida.bisections([(1.0, 1.1), (1.0, 1.1)], flags)
-    assert first[0] <= 1.02 <= first[1] <= first[0] * (1.0 + ida.BRACKET)
+    first, second = bisections([(1.0, 1.1), (1.0, 1.1)], flags)
+    assert first[0] <= 1.02 <= first[1] <= first[0] * (1.0 + BRACKET)
     assert second is None
 
 
@@ -276,7 +296,7 @@ def test_that_only_a_midpoint_a_bisection_needs_must_be_known():
     ],
 )
 def test_that_a_bisection_stops_only_at_a_midpoint_it_asks_for(fails, unknown, found):
-    assert ida._narrowed(np.arange(1.0, 6.0), np.array(fails), np.array(unknown)) == found
+    assert bisection._narrowed(np.arange(1.0, 6.0), np.array(fails), np.array(unknown)) == found
 
 
 def test_that_a_failure_below_the_lowest_q_of_a_trilinear_search_is_said(make_model, monkeypatch):

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from core.capacity import independent_solver
-from core.capacity.ida import BRACKET, Search, incremental_dynamic_analysis
+from core.capacity.bisection import BRACKET
+from core.capacity.ida import Search, incremental_dynamic_analysis
 from core.case.study_file import parse_study, read_study
 from core.codes.target_spectrum import ntc2018
 from core.errors import Cancelled, InputError

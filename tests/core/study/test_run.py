@@ -1,12 +1,11 @@
 """study.run: set rules, polarity, threads, journal, demand."""
 
 import json
-from dataclasses import asdict
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from core.capacity.ida import Ida
 from core.case.rules import parse_case
 from core.codes import dynamic_check
 from core.errors import Cancelled, InputError
@@ -50,17 +49,17 @@ def test_that_q_is_c_pga_over_a_rm(result):
 
 
 def test_that_an_impact_limit_makes_the_set_incomplete(folder, monkeypatch):
-    real = study.incremental_dynamic_analysis
+    real = study.incremental_dynamic_analyses
     calls = []
 
     def limited(*arguments, **keywords):
         found = real(*arguments, **keywords)
         calls.append(1)
         if len(calls) == 2:
-            return Ida(**{**asdict(found), "status": "impact_limit", "q": None, "bracket": None})
+            return [replace(found[0], status="impact_limit", q=None, bracket=None), *found[1:]]
         return found
 
-    monkeypatch.setattr(study, "incremental_dynamic_analysis", limited)
+    monkeypatch.setattr(study, "incremental_dynamic_analyses", limited)
     wall = study.run(case(), base_dir=folder).walls[0]
     assert wall.set_rule == "incomplete"
     assert wall.q_set is None and wall.q_robust_set is None
@@ -116,7 +115,7 @@ def test_that_a_resume_with_every_run_done_makes_no_analysis(folder, tmp_path, r
     first = study.run(asked, base_dir=folder, journal=lambda key: Journal(path, key, False))
     assert first.walls[0].assessment.tie and first.walls[1].assessment.sensitivity
     monkeypatch.setattr(dynamic_check, "scan_records", lambda *_: pytest.fail("checked again"))
-    monkeypatch.setattr(study, "incremental_dynamic_analysis", lambda *_: pytest.fail("run again"))
+    monkeypatch.setattr(study, "incremental_dynamic_analyses", lambda *_: pytest.fail("run again"))
     told = []
     again = study.run(
         asked,
