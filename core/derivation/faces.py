@@ -4,6 +4,7 @@ A face holds notations; brackets come from precedence, never from a text.
 """
 
 import ast
+import functools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -55,6 +56,21 @@ class Shown:
         """As it is written; a negative one in brackets."""
         written = numeral(self.value, f".{self.digits}f", language)
         return f"({written})" if self.value < 0.0 else written
+
+
+@dataclass(frozen=True)
+class Place:
+    """A name within a live formula. constant : of the module, None where it has none of this name"""
+
+    name: str
+    constant: float | None
+
+    def text(self, cells: Mapping[str, str]) -> str:
+        """Its cell, its range of the table of loads or modes, or a number."""
+        if self.name in cells:
+            cell = cells[self.name]
+            return f"({cell})" if cell.startswith("-") else cell
+        return f"{self.constant:.15g}"
 
 
 class Face:
@@ -129,13 +145,9 @@ class Face:
 
 
 class Formula(Face):
-    """A live formula of a spreadsheet. cells : name -> cell, range of the table of loads or modes, or a number."""
+    """A live formula of a spreadsheet, a Place for each name."""
 
     minus = "-"
-
-    def __init__(self, function: Callable, cells: Mapping[str, str]):
-        super().__init__(function)
-        self.cells = cells
 
     def operation(self, left, operator, right):
         sign, own = OPERATORS[operator]
@@ -150,8 +162,9 @@ class Formula(Face):
         body = self.inlined(name, arguments)
         if body is not None:
             return self.of(body)
-        written = ",".join("".join(self.of(argument)[0]) for argument in arguments)
-        return [EXCEL[name].format(written)], ATOM
+        head, end = EXCEL[name].split("{}")
+        pieces = [piece for argument in arguments for piece in (",", *self.of(argument)[0])]
+        return [head, *pieces[1:], end], ATOM
 
     def choice(self, test, body, orelse):
         left, right = (self.of(side)[0] for side in (test.left, test.comparators[0]))
@@ -160,10 +173,7 @@ class Formula(Face):
     def name(self, name):
         if name == "pi":
             return ["PI()"], ATOM
-        if name in self.cells:
-            cell = self.cells[name]
-            return [f"({cell})" if cell.startswith("-") else cell], ATOM
-        return self.constant(self.known(name))
+        return [Place(name, self.known(name))], ATOM
 
     def constant(self, value):
         return [f"{value:.15g}"], ATOM
@@ -229,12 +239,24 @@ class Branches(ValueError):
 
 
 def formula(quantity: Quantity, cells: Mapping[str, str]) -> str:
-    """The quantity as a formula of a spreadsheet, "=..."."""
-    return "=" + "".join(Formula(quantity.function, cells).of(quantity.tree)[0])
+    """The quantity as a formula of a spreadsheet, "=...". cells : name -> cell, range or number"""
+    return "=" + "".join(piece if isinstance(piece, str) else piece.text(cells) for piece in _live(quantity))
+
+
+@functools.cache
+def _live(quantity: Quantity) -> list:
+    """Pieces of the formula, which are the same for every wall."""
+    return Formula(quantity.function).of(quantity.tree)[0]
 
 
 def in_symbols(quantity: Quantity, symbols: Mapping[str, str], language: str) -> str:
     """The right side in symbols, as "(t − 2 u)/H". symbols : of the names it needs, and of what a sum runs over"""
+    return _in_symbols(quantity, tuple(symbols.items()), language)
+
+
+@functools.lru_cache(1 << 10)
+def _in_symbols(quantity: Quantity, known: tuple[tuple[str, str], ...], language: str) -> str:
+    symbols = dict(known)
 
     def leaf(name: str):
         if name not in symbols:

@@ -16,8 +16,8 @@ from openpyxl.styles import Alignment, Border, Font, PatternFill, Side
 from openpyxl.utils import get_column_letter
 from openpyxl.workbook.defined_name import DefinedName
 from openpyxl.worksheet._writer import WorksheetWriter
+from openpyxl.worksheet.cell_range import CellRange
 from openpyxl.worksheet.dimensions import SheetDimension
-from openpyxl.worksheet.merge import MergedCellRange
 from openpyxl.worksheet.worksheet import Worksheet
 from openpyxl.writer.excel import ExcelWriter
 
@@ -282,12 +282,9 @@ def heighten(sheet: Worksheet, row: int, *texts: tuple[str, float]) -> None:
 
 
 def merge(sheet: Worksheet, row: int, column: int, last_row: int, last_column: int) -> None:
-    """One cell of several. `Worksheet.merge_cells` compares with every range before, 6000 of them in a large report;
-    the ranges of these sheets do not overlap."""
-    area = f"{get_column_letter(column)}{row}:{get_column_letter(last_column)}{last_row}"
-    merged = MergedCellRange(sheet, area)
-    sheet.merged_cells.ranges.add(merged)
-    sheet._clean_merge_range(merged)
+    """One cell of several, the first of which alone is written. `Worksheet.merge_cells` compares with every range
+    before, 6000 of them in a large report, and makes a cell of each; the ranges of these sheets do not overlap."""
+    sheet.merged_cells.ranges.add(CellRange(None, column, row, last_column, last_row))
 
 
 def paragraph(sheet: Worksheet, row: int, content: str, last: int, characters: int, **look) -> int:
