@@ -378,8 +378,8 @@ def _begin_compiling(method, models, motions) -> None:
     precompile.start({resolve_auto(method, model, dt).name for model in models for dt in steps})
 
 
-TASKS = 8
-"""Least tasks for a thread where runs of a wall are searched side by side: so its threads end together."""
+TASKS, SAMPLES = 8, 40_000
+"""Least tasks for a thread where runs of a wall are searched side by side; most samples of them, for a quick cancel."""
 
 
 def _run_all(plan: Plan, threads: Threads, book, progress: Progress) -> dict[tuple[int, int, int], Ida]:
@@ -411,7 +411,10 @@ def _run_all(plan: Plan, threads: Threads, book, progress: Progress) -> dict[tup
             progress.done(one)
 
     progress.known(searches)
-    together = max(1, sum(len(runs) for runs in todo.values()) // (TASKS * threads.jobs))
-    groups = [tuple(runs[n : n + together]) for runs in todo.values() for n in range(0, len(runs), together)]
+    share, groups = sum(len(runs) for runs in todo.values()) // (TASKS * threads.jobs), []
+    for k, runs in todo.items():
+        longest = max(motion.acceleration.size for motion in plan.entries[k].felt)
+        together = max(1, min(share, SAMPLES // longest))
+        groups += [tuple(runs[n : n + together]) for n in range(0, len(runs), together)]
     threads.run({group: search_of(group) for group in groups}, keep)
     return searches
