@@ -92,6 +92,27 @@ def branch_of(k, slopes, state):
     return state[FACTOR + k], slope, constant, state[HELD + k]
 
 
+@inner_kernel
+def lower_end(k, slopes, state):
+    """Where the branch of lane k begins [rad]: that of the rigid law at 0. slopes : of `branch_of`"""
+    if slopes is None:
+        return 0.0
+    return state[LOW + k]
+
+
+@inner_kernel
+def nears_upper_end(k, slopes, upper, fastest, reach, margin, state):
+    """Whether lane k may come to the end of its branch within the step; the rigid law has one.
+
+    slopes : of `branch_of`
+    upper : larger rotation of the ends of the step [rad]; fastest : larger speed of them [rad per step]
+    reach, margin : how far the step strays from its chord, and its speed from that of its ends
+    """
+    if slopes is None:
+        return False
+    return (state[HIGH + k] - upper <= reach) & (fastest >= -margin)
+
+
 @subkernel
 def lane_initial_terms(lanes, dt, model, constants, slopes, state):
     """`InitialTerms` of the step of each lane to the end of its sample. slopes : of `branch_of`"""
@@ -244,9 +265,9 @@ def vector_step(lanes, dt, constants, order, slopes, state):
         v = series_of(k, order, state)
         p2, rise = state[STEP_P2 + k], state[RISE + k]
         forcing, growth = state[FORCING + k], state[GROWTH + k]
-        x, low, peak = state[PHI + k], state[LOW + k], state[PEAK + k]
+        x, low, peak = state[PHI + k], lower_end(k, slopes, state), state[PEAK + k]
         speed, per_step = state[SPEED + k], state[PER_STEP + k]
-        high, moving, left = state[HIGH + k], state[MOVING + k], state[LEFT + k] - 1.0
+        moving, left = state[MOVING + k], state[LEFT + k] - 1.0
         t, first, impacts = state[TIME + k], state[FIRST + k], state[IMPACTS + k]
         second = state[SCALE + k] * state[SECOND + k]
         branch = branch_of(k, slopes, state)
@@ -265,7 +286,7 @@ def vector_step(lanes, dt, constants, order, slopes, state):
         falls = near & (not stays)
         tops = (v[0] > -2.0 * margin) & (after < 2.0 * margin) & (not bulges)
         scalar = (
-            ((high - upper <= reach) & (max(v[0], after) >= -margin))
+            nears_upper_end(k, slopes, upper, max(v[0], after), reach, margin, state)
             | (upper > SHORT_SERIES)
             | long
             | (falls & (low != 0.0))
