@@ -16,7 +16,7 @@ from core.units import G
 from core.wall.rocking_model import OtherSide, seen_from
 
 SHORT_SERIES = 0.8
-"""Rotation up to which the short series of sin and cos holds to full precision [rad]."""
+"""Rotation up to which the polynomials of sin and cos hold to full precision [rad]."""
 
 PER_G = 1.0 / G
 
@@ -253,19 +253,18 @@ def taylor_coefficients(x, start, factor, slope, strength, order):
 
 @inner_kernel
 def sine_and_cosine_short(x):
-    """sin and cos of a rotation up to SHORT_SERIES by a short series, to full precision."""
+    """sin and cos of a rotation up to SHORT_SERIES to full precision: of the polynomials in x^2 of degree 5 those with
+    the least largest error of (sin x / x - 1) / x^2 and (cos x - 1 + x^2 / 2) / x^4, 4e-18 and 7e-20."""
     y = x * x
     z = y * y
-    tail = fma(-y, 1.0 / 1307674368000.0, 1.0 / 6227020800.0)
-    tail = fma(z, 1.0 / 355687428096000.0, tail)
-    tail = fma(z, tail, fma(-y, 1.0 / 39916800.0, 1.0 / 362880.0))
-    tail = fma(z, tail, fma(-y, 1.0 / 5040.0, 1.0 / 120.0))
-    s = x * fma(z, tail, fma(-y, 1.0 / 6.0, 1.0))
-    last = fma(-y, 1.0 / 6402373705728000.0, 1.0 / 20922789888000.0)
-    tail = fma(z, last, fma(-y, 1.0 / 87178291200.0, 1.0 / 479001600.0))
-    tail = fma(z, tail, fma(-y, 1.0 / 3628800.0, 1.0 / 40320.0))
-    tail = fma(z, tail, fma(-y, 1.0 / 720.0, 1.0 / 24.0))
-    return s, fma(z, tail, fma(-y, 0.5, 1.0))
+    low = fma(y, 8.333333333320385e-3, -1.6666666666666624e-1)
+    middle = fma(y, 2.755731307987325e-6, -1.984126982810434e-4)
+    high = fma(y, 1.5890963716440038e-10, -2.5050659650507583e-8)
+    s = fma(x * y, fma(z, fma(z, high, middle), low), x)
+    low = fma(y, -1.3888888888873108e-3, 4.1666666666666595e-2)
+    middle = fma(y, -2.7557314041481213e-7, 2.4801587288597082e-5)
+    high = fma(y, -1.1356904546063648e-11, 2.087567509607677e-9)
+    return s, fma(z, fma(z, fma(z, high, middle), low), fma(-0.5, y, 1.0))
 
 
 @subkernel
