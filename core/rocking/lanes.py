@@ -104,9 +104,12 @@ def lower_end(k, slopes, state):
 def nears_upper_end(k, slopes, upper, fastest, reach, margin, state):
     """Whether lane k may come to the end of its branch within the step; the rigid law has one.
 
+    k : lane
     slopes : of `branch_of`
-    upper : larger rotation of the ends of the step [rad]; fastest : larger speed of them [rad per step]
-    reach, margin : how far the step strays from its chord, and its speed from that of its ends
+    upper : larger rotation of the ends of the step [rad]
+    fastest : larger speed of them [rad per step]
+    reach, margin : how far the step strays from its chord [rad], and its speed [rad per step]
+    state : of lane_state.py, shape (ROWS * ROW,)
     """
     if slopes is None:
         return False
