@@ -15,7 +15,10 @@ def application():
     pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
     from PySide6.QtWidgets import QApplication
 
+    from app.look import theme
+
     made = QApplication.instance() or QApplication([])
+    theme.set_theme("light")
     yield made
     # widgets must go before the application does, or Qt crashes when Python ends
     import gc
@@ -66,7 +69,8 @@ def window_in(application, tmp_path, monkeypatch, faults):
     monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Discard)
     monkeypatch.setattr(QMessageBox, "information", lambda *_: None)
     monkeypatch.setattr(QMessageBox, "warning", lambda *a: pytest.fail(f"unexpected: {a[-1]}"))
-    theme.set_theme("light")
+    if theme.current is not theme.THEMES["light"]:
+        theme.set_theme("light")
     settings = QSettings(str(tmp_path / "window.ini"), QSettings.Format.IniFormat)
     settings.setValue("language", "en")
     language.set_language("en")
