@@ -1,6 +1,7 @@
 """Shared fixtures: the shelf of real records, the reference histories, a wall of the paper."""
 
 import csv
+import gc
 import math
 import os
 import random
@@ -22,6 +23,13 @@ STANDING = {"name": "w", "height_m": 30.0, "slenderness_deg": 11.0, "base_z_m": 
 
 def pytest_addoption(parser):
     parser.addoption("--shuffle", type=int, help="seed of a random order of the tests")
+
+
+gc.disable()  # all that is collected stays: to look through it again and again is a third of the collection
+
+
+def pytest_collection_finish():
+    gc.enable()
 
 
 def pytest_collection_modifyitems(config, items):

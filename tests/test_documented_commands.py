@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from app import __main__ as program
 from app.terminal import batch
 from tests.benchmarks import bench
 from tests.benchmarks.small import small_case
@@ -160,6 +161,10 @@ def tried(command: tuple[str, ...], folder: Path) -> None:
     if Path(script).name == "bench.py" and not any(f"--{name}" in words for name in WINDOWED):
         with contextlib.redirect_stdout(None):
             bench.main(list(words))
+        return
+    if command[1:4] == ("-P", "-m", "app"):
+        with contextlib.chdir(folder):
+            assert program.main(list(command[4:])) == 0, shlex.join(command)
         return
     variables = dict(os.environ, PYTHONPATH=str(ROOT), QT_QPA_PLATFORM="offscreen")
     found = subprocess.run(command, cwd=folder, env=variables, capture_output=True, text=True)

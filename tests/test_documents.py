@@ -61,14 +61,25 @@ def test_that_the_limits_of_modules_and_functions_are_those_that_are_tested():
     assert f"limited to {limit} lines (a test enforces it), functions to {lines} lines and {branches} branches" in page
 
 
-@pytest.fixture(scope="module")
-def first_trial():
-    """The result of the case the first trial of the guide is about."""
+def result_of(name: str):
+    """The result of a shipped case."""
     from core.case.reader import read_case
     from core.study import run
 
-    path = ROOT / "resources" / "cases" / "verdict.toml"
+    path = ROOT / "resources" / "cases" / name
     return run.run(read_case(path), base_dir=path.parent, jobs=2)
+
+
+@pytest.fixture(scope="module")
+def first_trial():
+    """The result of the case the first trial of the guide is about."""
+    return result_of("verdict.toml")
+
+
+@pytest.fixture(scope="module")
+def facade():
+    """The result of the case of a facade as a body."""
+    return result_of("facade.toml")
 
 
 @pytest.mark.parametrize("name", ["guide/2_facade.md", "guida/2_facciata.md"])
@@ -93,17 +104,12 @@ def test_that_the_numbers_of_the_first_trial_come_out(first_trial, name):
 
 
 @pytest.mark.parametrize("name", ["guide/7_bodies.md", "guida/7_corpi.md"])
-def test_that_the_numbers_of_the_facade_come_out(name):
-    from core.case.reader import read_case
-    from core.study import run
-
-    path = ROOT / "resources" / "cases" / "facade.toml"
-    text, result = text_of(f"resources/docs/{name}"), run.run(read_case(path), base_dir=path.parent, jobs=2)
-    rows = []
+def test_that_the_numbers_of_the_facade_come_out(facade, name):
+    text, rows = text_of(f"resources/docs/{name}"), []
     for check in ("dynamic", "nonlinear", "linear_q_code"):
-        zetas = [next(one.zeta for one in wall.assessment.checks if one.name == check) for wall in result.walls]
+        zetas = [next(one.zeta for one in wall.assessment.checks if one.name == check) for wall in facade.walls]
         rows.append(" | ".join(f"{zeta:.2f}" for zeta in zetas))
-    alpha = f"{math.degrees(result.walls[0].wall.block().slenderness):.2f}°"
+    alpha = f"{math.degrees(facade.walls[0].wall.block().slenderness):.2f}°"
     for said in (*rows, alpha):
         assert (said.replace(".", ",") if "guida" in name else said) in text, said
 

@@ -13,23 +13,33 @@ def application():
     """The Qt application; tests that need it are skipped where Qt cannot start."""
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
-    from PySide6.QtCore import QEvent
     from PySide6.QtWidgets import QApplication
 
+    from app.look import theme
+
     made = QApplication.instance() or QApplication([])
+    theme.set_theme("light")
     yield made
     # widgets must go before the application does, or Qt crashes when Python ends
     import gc
 
-    from app.work.worker import end_jobs
-
-    end_jobs()
     for widget in made.topLevelWidgets():
         widget.close()
         widget.deleteLater()
-    made.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    delete_now(made)
     gc.collect()
     made.processEvents()
+
+
+def delete_now(application) -> None:
+    """What deleteLater asked for, which processEvents leaves undone: each window that stays makes a change of style,
+    palette or font slower, and so the next window."""
+    from PySide6.QtCore import QEvent
+
+    from app.work.worker import end_jobs
+
+    end_jobs()
+    application.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 @pytest.fixture
@@ -59,7 +69,8 @@ def window_in(application, tmp_path, monkeypatch, faults):
     monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Discard)
     monkeypatch.setattr(QMessageBox, "information", lambda *_: None)
     monkeypatch.setattr(QMessageBox, "warning", lambda *a: pytest.fail(f"unexpected: {a[-1]}"))
-    theme.set_theme("light")
+    if theme.current is not theme.THEMES["light"]:
+        theme.set_theme("light")
     settings = QSettings(str(tmp_path / "window.ini"), QSettings.Format.IniFormat)
     settings.setValue("language", "en")
     language.set_language("en")
@@ -79,6 +90,7 @@ def window_in(application, tmp_path, monkeypatch, faults):
     made.session.saved = made.session.case
     made.close()
     made.deleteLater()
+    delete_now(application)
     application.processEvents()
     ChartOutput.stale = Table.stale = False  # of the window in front, and there is none
     assert faults == []

@@ -3,15 +3,18 @@
 import threading
 import time
 
-from PySide6.QtCore import QEventLoop
+from PySide6.QtCore import QEventLoop, QTimer
 from PySide6.QtTest import QTest
 
 
 def settle(application, ready, seconds=120.0) -> None:
-    end = time.monotonic() + seconds
+    """Handle events until it is so. What is awaited of a thread may come without an event: it is asked every 5 ms."""
+    end, beat = time.monotonic() + seconds, QTimer()
+    beat.start(5)
     while not ready():
         assert time.monotonic() < end, "nothing came within the time"
-        application.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents, 5)
+        # with a time limit Qt does not wait: a loop of it takes the processor from the thread it waits for
+        application.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
     application.processEvents()
 
 

@@ -169,18 +169,21 @@ DRAFTS = (
 """Shapes in the making."""
 
 
-@pytest.mark.parametrize("shape", DRAFTS, ids=lambda shape: ", ".join(shape))
 @pytest.mark.parametrize("mechanism", ["one_sided", "both", "vertical_bending"])
-def test_that_a_shape_in_the_making_is_shown_and_read_back_equal(opened, body, faults, tmp_path, shape, mechanism):
-    opened.session.edit_wall(0, mechanism=mechanism, hinge_heights=(2.0,), **shape)
-    opened.walls.drawing.grab()
-    assert faults == []
-    wanted = opened.session.case.wall[0]
-    opened.session.save(tmp_path / "draft.toml")
-    other = Session(tmp_path / "recovery_folder")
-    other.open(tmp_path / "draft.toml")
-    assert other.case.wall[0] == wanted
-    other.close()
+def test_that_a_shape_in_the_making_is_shown_and_read_back_equal(opened, body, faults, tmp_path, mechanism):
+    before = opened.session.case.wall[0]
+    for k, shape in enumerate(DRAFTS):
+        opened.session.edit_wall(0, mechanism=mechanism, hinge_heights=(2.0,), **shape)
+        opened.walls.drawing.grab()
+        assert faults == [], shape
+        wanted = opened.session.case.wall[0]
+        opened.session.save(tmp_path / f"draft_{k}.toml")
+        other = Session(tmp_path / "recovery_folder")
+        other.open(tmp_path / f"draft_{k}.toml")
+        assert other.case.wall[0] == wanted, shape
+        other.close()
+        opened.session.undo()
+        assert opened.session.case.wall[0] == before and faults == [], shape
 
 
 def test_that_a_rectangle_is_drawn_as_before_and_a_body_by_its_own_outline(application):

@@ -13,11 +13,15 @@ from app.shell.what_if_window import CLOSE, EVERY, WhatIfWindow, why_ag_stays
 from core.case.rules import parse_case
 from core.case.schema import Record
 from core.case.writer import dumps, table_of
+from core.study.journal import Memory
 from core.study.plan import read_inputs
 from core.study.what_if import Zetas, setting_of, zetas
 from tests.app.driving import Held, settle
 from tests.core.study.test_how_sure import ROWS
 from tests.core.study.test_sensitivity import LOADED, SPECTRUM
+
+KNOWN = Memory()
+"""Searches and checks of these windows, each made once: the case is the same."""
 
 
 def run_of(application, opened, path, **sections):
@@ -27,6 +31,7 @@ def run_of(application, opened, path, **sections):
     path.write_text(dumps(parse_case(table)), encoding="utf-8")
     opened.session.open(path)
     settle(application, lambda: not opened.records.pending and bool(opened.records.motions))
+    opened.finished_runs = KNOWN
     opened.run()
     settle(application, lambda: opened.session.result is not None and opened.job is None)
     return opened

@@ -25,8 +25,10 @@ window.session.open(start.EXAMPLE)
 late = QTimer(singleShot=True, interval=100_000)
 late.start()
 def until(ready):
+    beat = QTimer()
+    beat.start(20)
     while not ready() and late.isActive():
-        application.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents, 20)
+        application.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
     application.processEvents()
 until(lambda: window.records.motions and window.run_button.isEnabled())
 QTest.mouseClick(window.run_button, Qt.MouseButton.LeftButton)

@@ -40,7 +40,14 @@ def test_that_sums_products_quotients_sines_and_cosines_have_thirty_digits(seed)
             assert abs(exact(found) - expected) < mp.mpf(10) ** -30 * (1 + abs(expected))
 
 
-@pytest.mark.parametrize("seed", [kind + len(KINDS) * turn for turn in range(4) for kind in range(TIES)])
+@pytest.mark.parametrize(
+    "seed",
+    [
+        pytest.param(kind + len(KINDS) * turn, marks=[pytest.mark.long] if turn > 1 else [])
+        for turn in range(4)
+        for kind in range(TIES)
+    ],
+)
 def test_that_a_history_is_that_of_thirty_digits(seed):
     """Without ties, the samples cut into eighths where an elastic branch is stiff: the other's steps are whole."""
     model, dt, ground = case_of(seed)

@@ -341,32 +341,49 @@ def test_that_walls_above_the_ground_have_a_sheet_of_their_floors(height, book):
     assert "PFA [g]" in shown and any("wall at 6 m" in str(value) for value in shown)
 
 
-@pytest.mark.parametrize("which", ["book", "ntc", "height", "held", "loads", "bodies"])
-def test_that_libreoffice_recalculates_every_formula_to_the_programs_value(which, request, tmp_path):
-    book = request.getfixturevalue(which)
-    book = book[1] if which == "loads" else book
+BOOKS = ("book", "ntc", "height", "held", "loads", "bodies")
+
+
+@pytest.fixture(scope="module")
+def books(request):
+    """The workbooks above by their names."""
+    found = {name: request.getfixturevalue(name) for name in BOOKS}
+    return found | {"loads": found["loads"][1]}
+
+
+@pytest.fixture(scope="module")
+def recalculated(books, tmp_path_factory):
+    """Folder of these workbooks as one start of LibreOffice computes them."""
     office = shutil.which("soffice") or shutil.which("libreoffice")
     if not office:
         pytest.skip("LibreOffice is not installed: formulas were not recalculated")
-    bare = tmp_path / "bare.xlsx"
-    book.workbook.save(bare)  # without the values: LibreOffice would trust them
-    assert b"<v>" not in _formula_cells(bare)
+    place, bare = tmp_path_factory.mktemp("office"), []
+    for name, book in books.items():
+        bare.append(place / f"{name}.xlsx")
+        book.workbook.save(bare[-1])  # without the values: LibreOffice would trust them
+        assert b"<v>" not in _formula_cells(bare[-1])
     subprocess.run(
         [
             office,
             "--headless",
-            f"-env:UserInstallation=file://{tmp_path}/profile",
+            f"-env:UserInstallation=file://{place}/profile",
             "--convert-to",
             "xlsx:Calc MS Excel 2007 XML",
             "--outdir",
-            tmp_path / "out",
-            bare,
+            place / "out",
+            *bare,
         ],
         check=True,
         capture_output=True,
         timeout=180,
     )
-    shown = openpyxl.load_workbook(tmp_path / "out" / "bare.xlsx", data_only=True)
+    return place / "out"
+
+
+@pytest.mark.parametrize("which", BOOKS)
+def test_that_libreoffice_recalculates_every_formula_to_the_programs_value(which, books, recalculated):
+    book, shown = books[which], openpyxl.load_workbook(recalculated / f"{which}.xlsx", data_only=True)
+    assert book.cached
     for (sheet, cell), value in book.cached.items():
         found = shown[sheet][cell].value
         if isinstance(value, str):
