@@ -46,10 +46,14 @@ def made(case_path: Path, *folders: Path):
 
 J = TypeVar("J", Journal, GroupJournal)
 
+SYNC_SECONDS = 1.0
+"""Least time between two calls that bring the journal to the disk: they hold up the threads, an eighth of the time of
+many walls. A kill loses nothing, a power cut what was found in that second."""
 
-def open_journal(path: Path, key: str, resume: bool, sync_seconds: float = 0.0) -> Journal:
+
+def open_journal(path: Path, key: str, resume: bool) -> Journal:
     """The journal of a batch or a study; what became of an earlier one is said on stderr."""
-    return announced(Journal(path, key, resume, sync_seconds))
+    return announced(Journal(path, key, resume, SYNC_SECONDS))
 
 
 def announced(book: J) -> J:

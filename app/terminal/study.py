@@ -103,7 +103,7 @@ def results(
     books: list[Journal] = []
 
     def journal(key: str) -> Journal:
-        books.append(open_journal(folder / f"{stem}.journal", key, resume, sync_seconds=1.0))
+        books.append(open_journal(folder / f"{stem}.journal", key, resume))
         return books[0]
 
     try:
