@@ -268,15 +268,16 @@ def vector_step(lanes, dt, constants, order, slopes, state):
         v = series_of(k, order, state)
         p2, rise = state[STEP_P2 + k], state[RISE + k]
         forcing, growth = state[FORCING + k], state[GROWTH + k]
-        x, low, peak = state[PHI + k], lower_end(k, slopes, state), state[PEAK + k]
-        speed, per_step = state[SPEED + k], state[PER_STEP + k]
-        moving, left = state[MOVING + k], state[LEFT + k] - 1.0
-        t, first, impacts = state[TIME + k], state[FIRST + k], state[IMPACTS + k]
-        second = state[SCALE + k] * state[SECOND + k]
+        x = state[PHI + k]
         branch = branch_of(k, slopes, state)
         relative = relative_tolerance(x, v[0], forcing, p2, branch, constants)
         omitted = neglected(v, growth, forcing, rise, p2, constants.strength, order)
         long = (omitted > min(tolerance, relative)) | (growth >= MAX_GROWTH)
+        low, peak = lower_end(k, slopes, state), state[PEAK + k]
+        speed, per_step = state[SPEED + k], state[PER_STEP + k]
+        moving, left = state[MOVING + k], state[LEFT + k] - 1.0
+        t, first, impacts = state[TIME + k], state[FIRST + k], state[IMPACTS + k]
+        second = state[SCALE + k] * state[SECOND + k]
         dphi, dv = whole_step(v)
         y = x + dphi
         upper = max(x, y)
