@@ -20,7 +20,7 @@ from core.errors import Cancelled, InputError
 from core.ground.ground_motion import GroundMotion
 from core.jit import cache
 from core.rocking.history import history, scan
-from core.rocking.methods import AUTO, METHODS, resolve_auto
+from core.rocking.methods import AUTO, METHODS, TAYLOR, resolve_auto
 from core.study import precompile
 from core.study.assessment import assess
 from core.study.governing import lowest_run
@@ -358,8 +358,7 @@ def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accurac
 def warm(case: Case, motion: GroundMotion) -> None:
     """Make the kernels of a case ready: a few analyses of its first wall."""
     cache.proven()
-    wall = case.wall[0]
-    model = model_of(wall, wall.mechanisms()[0])
+    model = model_of(case.wall[0], case.wall[0].mechanisms()[0])
     method = METHODS.get(case.analysis.method, AUTO)
     _begin_compiling(method, [model], [motion])
     ground, dt = motion.acceleration, motion.time_step
@@ -414,7 +413,8 @@ def _run_all(plan: Plan, threads: Threads, book, progress: Progress) -> dict[tup
     share, groups = sum(len(runs) for runs in todo.values()) // (TASKS * threads.jobs), []
     for k, runs in todo.items():
         longest = max(motion.acceleration.size for motion in plan.entries[k].felt)
-        together = max(1, min(share, SAMPLES // longest))
+        in_lanes = plan.method.code == TAYLOR and not plan.entries[k].model.bars
+        together = max(1, min(share, SAMPLES // longest)) if in_lanes else 1
         groups += [tuple(runs[n : n + together]) for n in range(0, len(runs), together)]
     threads.run({group: search_of(group) for group in groups}, keep)
     return searches
