@@ -37,8 +37,14 @@ OWN = (
     "core/codes/kinematic_chain.py",
     "core/codes/multiplier_search.py",
     "core/codes/record_compatibility.py",
+    "core/codes/collapse_rate.py",
+    "core/codes/record_sample.py",
     "core/codes/risk.py",
     "core/codes/target_spectrum.py",
+    "core/ground/selection.py",
+    "core/study/how_sure.py",
+    "core/study/sensitivity.py",
+    "core/study/turned_round.py",
 )
 """Modules whose own tests, in the file of their name, hold their facts."""
 
@@ -60,6 +66,12 @@ TESTS = {
         "tests/core/case/test_schema.py",
         HAND,
     ],
+    "core/study/what_if.py": [
+        "tests/core/study/test_what_if.py",
+        "tests/core/study/test_sensitivity.py",
+        "tests/core/study/test_turned_round.py",
+    ],
+    "core/study/swings.py": ["tests/core/study/test_sensitivity.py", "tests/core/report/test_certainty.py"],
     "core/ground/records/grammar.py": READERS,
     "core/ground/records/plain.py": READERS,
     "core/ground/records/cut.py": READERS,
