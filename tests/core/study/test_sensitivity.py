@@ -2,14 +2,20 @@
 
 import copy
 from dataclasses import replace
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from core.case.rules import parse_case
 from core.case.writer import table_of
+from core.codes.record_sample import RecordPeaks
 from core.errors import InputError
+from core.study.plan import read_inputs
 from core.study.run import run
-from core.study.swings import move_words
+from core.study.sensitivity import Move, sensitivity_of
+from core.study.swings import Sensitivity, move_words
+from core.study.what_if import NONE, Zetas, setting_of
 from tests.conftest import ROOT
 
 CASES = ROOT / "resources" / "cases"
@@ -234,3 +240,102 @@ def test_that_a_wall_without_zeta_has_no_moves():
     wall = {key: value for key, value in PARAPET.items() if key not in ("elastic_modulus_mpa",)} | {"base_z_m": 4.0}
     found, _ = sensitivity(case_of(wall))  # no building
     assert found.sensitivity.base is None and found.sensitivity.swings == () == found.sensitivity.still
+
+
+def test_that_each_move_of_a_building_with_modes_is_the_run_of_the_changed_case():
+    """All periods and all dampings by the same factor, dampings within 1 to 30 %."""
+    modes = [
+        {"period_s": 0.35, "damping": 0.08, "participation": 1.1},
+        {"period_s": 0.12, "damping": 0.016, "participation": -0.2},
+    ]
+    table = case_of(PARAPET, building={"height_m": 10.0, "storeys": 3, "modes": modes})
+    found, _ = sensitivity(table, building_damping_factor=[0.5, 5.0])
+    periods, dampings = ends(found, "building_period_factor"), ends(found, "building_damping_factor")
+    assert list(periods) == pytest.approx([0.28, 0.42]) and list(dampings) == pytest.approx([0.04, 0.30])
+
+    def changed(key, values):
+        return zeta_of(moved(table, ("building", "modes"), [m | {key: v} for m, v in zip(modes, values, strict=True)]))
+
+    assert list(periods.values()) == pytest.approx(
+        [changed("period_s", (0.28, 0.096)), changed("period_s", (0.42, 0.144))], rel=1e-9
+    )
+    assert list(dampings.values()) == pytest.approx(
+        [changed("damping", (0.04, 0.01)), changed("damping", (0.30, 0.06))], rel=1e-9
+    )
+
+
+def test_that_what_does_not_act_is_not_moved_or_is_still():
+    found, _ = sensitivity(case_of(LOADED))
+    keys = {one.key for one in found.sensitivity.swings} | set(found.sensitivity.still)
+    assert "velocity_ratio_factor" not in keys  # no records
+    assert "modulus_factor" in found.sensitivity.still  # on the ground nothing asks for T_0
+    (loads,) = [one for one in found.sensitivity.swings if one.key == "load_factor"]
+    assert loads.given == 1.0 and [end.value for end in loads.ends] == [0.8, 1.2]
+    table = case_of(LOADED, demand={"ag_g": 0.3})
+    assert zeta_of(table) < 1.0
+    found, _ = sensitivity(table, thickness_factor=[0.9, 3.0])
+    assert found.sensitivity.turning == ()  # was not satisfied before
+
+
+@pytest.fixture(scope="module")
+def shaken():
+    """(setting, ranges) of a wall with seven records."""
+    wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa", "free_element")}
+    demand = {"ag_g": 0.2, "spectrum": SPECTRUM | {"soil": "A"}}  # S does not follow a_g
+    table = case_of(wall | {"unloaded_confirmed": True}, demand=demand, generate={"count": 7})
+    case = parse_case({**table, "sensitivity": {"ag_factor": [0.9, 1.1], "restraint_lost": False}})
+    return setting_of(case, 0, CASES, read_inputs(case, CASES)), case.sensitivity
+
+
+def hinge(zeta, passed=True, spread=False):
+    verdict = SimpleNamespace(zeta_e=zeta, zeta_target=1.0, lower_bound=None)
+    dynamic = SimpleNamespace(passed=passed, within_spread=lambda target: spread)
+    return SimpleNamespace(assessment=SimpleNamespace(verdict=verdict, dynamic=dynamic, lower_bound=None))
+
+
+def of_moves(shaken, now, one, moved_to=None, peaks=()):
+    """Of one hinge, with one move beside the wall as it is."""
+    made = [Move("", None, 0.0, None), *([Move("thickness_factor", 0.5, 0.475, None)] if moved_to else [])]
+    return sensitivity_of(*shaken, made, {0: now, 1: moved_to}, [one], peaks)
+
+
+def test_that_a_g_is_surely_satisfied_only_with_the_lower_end_of_the_spread(shaken):
+    """zeta of histories goes with 1 / a_g, and so does its spread."""
+    for low, sure in ((1.2, (True, True)), (1.0, (True, False)), (0.85, (False, False)), (None, (False, False))):
+        found = of_moves(shaken, Zetas({}, 1.3, low, True), hinge(1.3))
+        (swing,) = [one for one in found.swings if one.key == "ag_factor"]
+        assert [end.zeta for end in swing.ends] == pytest.approx([1.3 / 0.9, 1.3 / 1.1], rel=1e-9)
+        assert tuple(end.sure for end in swing.ends) == sure
+
+
+def test_that_only_a_surely_satisfied_verdict_is_turned(shaken):
+    now, thinner = Zetas({}, 1.3, 1.25, True), Zetas({}, 0.9, 0.8, False)
+    assert "thickness_factor" in of_moves(shaken, now, hinge(1.3), thinner).turning
+    for one in (hinge(1.3, spread=True), hinge(1.3, passed=False)):
+        assert of_moves(shaken, now, one, thinner).turning == ()
+    assert of_moves(shaken, now, hinge(1.3), Zetas({}, 1.3, 1.25, True)).still == ("thickness_factor",)
+    # in proportion to zeta of the run
+    (end,) = of_moves(shaken, now, hinge(1.17), thinner).swings[0].ends
+    assert end.zeta == pytest.approx(0.81)
+
+
+def test_that_without_zeta_in_the_run_or_in_the_search_nothing_is_moved(shaken):
+    none = Sensitivity(None, (), (), ())
+    assert of_moves(shaken, NONE, hinge(1.3)) == none == of_moves(shaken, Zetas({}, 1.3, 1.25, True), hinge(None))
+
+
+def test_that_a_record_left_out_is_judged_by_the_others_up_to_the_last_multiplier(shaken):
+    """Record 3 overturns from 0.8 on, 4 from 1.2, no other: without 3 the wall bears half as much again; without any
+    other what it bears with it."""
+    multipliers = 0.4 * 1.01 ** np.arange(160)
+    peaks = np.full((7, 160), 0.1)
+    peaks[3, multipliers >= 0.8], peaks[4, multipliers >= 1.2] = np.inf, np.inf
+    now, names = Zetas({}, 0.8, 0.8, True), [motion.name for motion in shaken[0].inputs[1]]
+    for severe, share in ((True, 1.5), (False, multipliers[-1] / 0.8)):
+        if not severe:
+            peaks[4] = 0.1
+        found = of_moves(shaken, now, hinge(0.8), peaks=[RecordPeaks(multipliers, peaks.copy(), 0.4, True)])
+        (swing,) = [one for one in found.swings if one.key == "record_left_out"]
+        least, most = swing.ends
+        assert least.zeta == pytest.approx(0.8) and most.name == names[3] and most.sure == (0.8 * share >= 1.0)
+        assert most.zeta == pytest.approx(0.8 * share, rel=0.01)
