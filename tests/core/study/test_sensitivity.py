@@ -1,6 +1,7 @@
 """Each move of an input is the run of the case with that input changed by hand."""
 
 import copy
+import math
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -14,7 +15,7 @@ from core.errors import InputError
 from core.study.plan import read_inputs
 from core.study.run import run
 from core.study.sensitivity import Move, sensitivity_of
-from core.study.swings import Sensitivity, move_words
+from core.study.swings import End, Sensitivity, Swing, move_words
 from core.study.what_if import NONE, Zetas, setting_of
 from tests.conftest import ROOT
 
@@ -339,3 +340,32 @@ def test_that_a_record_left_out_is_judged_by_the_others_up_to_the_last_multiplie
         least, most = swing.ends
         assert least.zeta == pytest.approx(0.8) and most.name == names[3] and most.sure == (0.8 * share >= 1.0)
         assert most.zeta == pytest.approx(0.8 * share, rel=0.01)
+
+
+@pytest.mark.parametrize(
+    "key, given, value, words",
+    [
+        ("thickness_factor", 0.83, 0.788, "thickness 78.8 cm instead of 83"),
+        ("unit_weight_factor", 18.0, 16.2, "unit weight 16.2 kN/m³ instead of 18"),
+        ("load_factor", 1.0, 0.8, "loads at 80 %"),
+        ("setback_shares", 0.02, 0.035, "hinge setback 3.5 cm instead of 2"),
+        ("velocity_ratio_factor", None, 0.9, "velocity ratio 0.90 of the theoretical"),
+        ("modulus_factor", 1500.0, 750.0, "elastic modulus 750 MPa instead of 1500"),
+        ("building_period_factor", 0.3, 0.24, "period of the building 0.24 s instead of 0.30"),
+        ("building_damping_factor", 0.1, 0.05, "damping of the building 5 % instead of 10"),
+        ("ag_factor", 0.12, 0.108, "a_g 0.108 g instead of 0.120"),
+    ],
+)
+def test_that_a_move_is_said_in_the_unit_of_its_words(key, given, value, words):
+    end = End(value, 0.9, False)
+    assert move_words(Swing(key, given, (end,)), end).text("en") == words
+
+
+def test_that_a_swing_reaches_from_the_lowest_zeta_to_the_highest():
+    ends = End(0.9, 0.8, False), End(1.1, 1.3, True)
+    swing = Swing("ag_factor", 1.0, ends)
+    assert swing.width(1.0) == pytest.approx(0.5) and swing.width(1.5) == pytest.approx(0.7)
+    assert swing.lowest is ends[0] and Swing("ag_factor", 1.0, ends[::-1]).lowest is ends[0]
+    fallen = End(0.5, None, False)
+    assert Swing("ag_factor", 1.0, (ends[0], fallen)).lowest is fallen
+    assert Swing("ag_factor", 1.0, (ends[0], fallen)).width(1.0) == swing.width(None) == math.inf
