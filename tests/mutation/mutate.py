@@ -42,7 +42,6 @@ OWN = (
     "core/codes/risk.py",
     "core/codes/target_spectrum.py",
     "core/ground/selection.py",
-    "core/study/how_sure.py",
     "core/study/sensitivity.py",
     "core/study/turned_round.py",
 )
@@ -65,6 +64,10 @@ TESTS = {
         "tests/core/case/test_rules.py",
         "tests/core/case/test_schema.py",
         HAND,
+    ],
+    "core/study/how_sure.py": [
+        "tests/core/study/test_how_sure.py",
+        "tests/core/study/test_sensitivity.py::test_that_what_turns_a_satisfied_verdict_is_said_and_the_verdict_stays",
     ],
     "core/study/what_if.py": [
         "tests/core/study/test_what_if.py",

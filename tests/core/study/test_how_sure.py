@@ -53,9 +53,10 @@ def test_that_the_rates_are_of_the_capacities_of_the_searches(result):
     assert found["collapse"] == pytest.approx(by_hand, rel=1e-12)
     assert np.all(np.array(found["SLV"]) <= found["SLC"]) and np.all(np.array(found["SLC"]) <= found["collapse"])
     assert np.all(np.array(found["SLD"]) < found["SLV"])
-    to_pga = replace(result.demand, record_scaling="pga")  # each record is scaled to a_g S first
+    # each record is scaled to a_g S first
+    to_pga = replace(result.demand, record_scaling="pga", pga=2.0 * result.demand.pga)
     found = capacities(wall, motions, to_pga, result.search.q_limit, lambda multiplier: multiplier * ag)
-    scalings = [result.demand.pga / (motion.ground_pga or motion.pga) for motion in motions]
+    scalings = [to_pga.pga / (motion.ground_pga or motion.pga) for motion in motions]
     assert found["collapse"] == pytest.approx(np.divide(by_hand, scalings), rel=1e-12)
     hazard = [(t, ag * G) for t, ag in ROWS]
     follows = ag_of(result.demand, result.case.demand, CASES)
