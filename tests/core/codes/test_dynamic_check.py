@@ -274,3 +274,11 @@ def test_that_the_search_starts_where_the_first_record_begins_to_move_the_wall(d
         return max(history(m.acceleration, m.time_step, 1.35 * multiplier, wall, AUTO).peak for m in motions)
 
     assert peak(0.999 * work.rest) == 0.0 < peak(1.001 * work.rest)
+
+
+def test_that_fc_on_the_other_side_is_looked_at_where_it_is_asked_for_and_more_than_one(scripted):
+    model, motions, signs, demand = scripted(lambda at, which: (STABLE, 0.1) if at < 1.2 else (COLLAPSED, 1.0))
+    assert demand_check(model, motions, signs, demand, AUTO).zeta_other is not None
+    assert demand_check(model, motions, signs, demand, AUTO, other=False).zeta_other is None
+    full = replace(demand, confidence_factor=1.0)
+    assert demand_check(model, motions, signs, full, AUTO).zeta_other is None
