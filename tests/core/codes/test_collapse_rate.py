@@ -48,6 +48,14 @@ def test_that_the_closed_form_is_the_integral(median, deviation):
     assert rate(median, deviation) == pytest.approx(by_quadrature(median, deviation), rel=1e-9)
 
 
+@pytest.mark.parametrize("deviation", [0.4, 0.6, 1.0, 2.0])
+@pytest.mark.parametrize("median", [0.2, 0.24, 0.3, 0.6])
+def test_that_rows_close_in_a_g_and_records_that_scatter_leave_its_digits(median, deviation):
+    """Rounded rows of a weak site, slopes of 7 and 14: exp((slope deviation)^2 / 2) is up to 1e170."""
+    rows = [(30, 0.20), (50, 0.22), (72, 0.23), (101, 0.24), (140, 0.2457), (201, 0.26), (475, 0.32)]
+    assert rate(median, deviation, rows) == pytest.approx(by_quadrature(median, deviation, rows), rel=1e-8)
+
+
 def test_that_on_one_straight_hazard_it_is_cornell_s():
     """lambda = H(median) exp(k^2 beta^2 / 2), Cornell 1996; the tail above the last row adds its upper bound."""
     k, at = 2.5, 1.0
@@ -106,6 +114,7 @@ def test_that_the_interval_is_nine_tenths_of_the_drawn_sets():
 def test_that_two_stations_and_a_site_without_hazard_have_no_rate():
     assert state_rate("SLV", [2.0, 3.0, 4.0], ["a", "a", "b"], HAZARD, 1.0, 50.0) is None
     assert state_rate("SLV", [2.0, 3.0, 4.0], ["a", "b", "c"], (), 1.0, 50.0) is None
+    assert state_rate("SLV", [2.0, 3.0, 4.0], ["a", "b", "c"], HAZARD, 1.0, 50.0).rate > 0.0
 
 
 def test_that_rows_of_nearly_one_a_g_are_a_step():
