@@ -37,7 +37,6 @@ OWN = (
     "core/codes/kinematic_chain.py",
     "core/codes/multiplier_search.py",
     "core/codes/record_compatibility.py",
-    "core/codes/collapse_rate.py",
     "core/codes/record_sample.py",
     "core/codes/risk.py",
     "core/codes/target_spectrum.py",
@@ -64,6 +63,10 @@ TESTS = {
         "tests/core/case/test_rules.py",
         "tests/core/case/test_schema.py",
         HAND,
+    ],
+    "core/codes/collapse_rate.py": [
+        "tests/core/codes/test_collapse_rate.py",
+        "tests/core/report/test_certainty.py::test_that_what_the_hazard_does_not_hold_is_said_from_a_twentieth_on",
     ],
     "core/study/how_sure.py": [
         "tests/core/study/test_how_sure.py",
