@@ -86,6 +86,8 @@ def test_the_rate_of_a_state_with_fc_its_interval_and_its_life():
     assert found.fragility.median == pytest.approx(math.exp(logs.mean()) / 1.35)
     assert found.fragility.deviation == pytest.approx(logs.std(ddof=1))
     assert found.rate == pytest.approx(rate(math.exp(logs.mean()) / 1.35, logs.std(ddof=1))[0])
+    with_factor = rate(math.exp(logs.mean()) / 1.35, logs.std(ddof=1))
+    assert (found.beyond, found.weaker) == pytest.approx(with_factor[1:])
     assert found.without_factor == pytest.approx(rate(math.exp(logs.mean()), logs.std(ddof=1))[0])
     assert found.low < found.rate < found.high and found.without_factor < found.rate
     assert found.in_life == pytest.approx(1.0 - math.exp(-50.0 * found.rate))
