@@ -75,7 +75,9 @@ def _between(low: float, high: float, anchor: tuple[float, float], slope: float,
     ends = np.log(np.array([low, high])[:, None] / median) / deviation
     hazard = [frequency * (a / at) ** -slope for a in (low, high)]
     first, last = _normal(ends) * np.array(hazard)[:, None]
-    first_moved, last_moved = _normal(ends + slope * deviation)
+    moved = ends + slope * deviation
+    side = np.where(moved[0] > 0.0, -1.0, 1.0)  # of the smaller tail: near 1 the difference would lose its digits
+    first_moved, last_moved = side * _normal(side * moved)
     middle = frequency * (median / at) ** -slope * np.exp(0.5 * (slope * deviation) ** 2)
     return middle * (last_moved - first_moved) + first - last
 

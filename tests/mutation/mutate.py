@@ -37,8 +37,12 @@ OWN = (
     "core/codes/kinematic_chain.py",
     "core/codes/multiplier_search.py",
     "core/codes/record_compatibility.py",
+    "core/codes/record_sample.py",
     "core/codes/risk.py",
     "core/codes/target_spectrum.py",
+    "core/ground/selection.py",
+    "core/study/sensitivity.py",
+    "core/study/turned_round.py",
 )
 """Modules whose own tests, in the file of their name, hold their facts."""
 
@@ -60,6 +64,20 @@ TESTS = {
         "tests/core/case/test_schema.py",
         HAND,
     ],
+    "core/codes/collapse_rate.py": [
+        "tests/core/codes/test_collapse_rate.py",
+        "tests/core/report/test_certainty.py::test_that_what_the_hazard_does_not_hold_is_said_from_a_twentieth_on",
+    ],
+    "core/study/how_sure.py": [
+        "tests/core/study/test_how_sure.py",
+        "tests/core/study/test_sensitivity.py::test_that_what_turns_a_satisfied_verdict_is_said_and_the_verdict_stays",
+    ],
+    "core/study/what_if.py": [
+        "tests/core/study/test_what_if.py",
+        "tests/core/study/test_sensitivity.py",
+        "tests/core/study/test_turned_round.py",
+    ],
+    "core/study/swings.py": ["tests/core/study/test_sensitivity.py", "tests/core/report/test_certainty.py"],
     "core/ground/records/grammar.py": READERS,
     "core/ground/records/plain.py": READERS,
     "core/ground/records/cut.py": READERS,

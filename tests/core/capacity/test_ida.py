@@ -220,6 +220,29 @@ def test_that_an_unknown_midpoint_of_the_bisection_leaves_no_number(make_model, 
     assert search_of(np.ones(5), make_model()).status == "impact_limit"
 
 
+@pytest.mark.parametrize("at", ["collapse", "SLV"])
+def test_that_an_unknown_midpoint_takes_the_number_it_belongs_to(make_model, monkeypatch, at):
+    """Without q nothing is known; without the first peak of SLV q still is."""
+    slv, collapse = 1.005**100, 1.005**160
+    edge = collapse if at == "collapse" else slv
+
+    def scan(method, grounds, which, scales, model, outcomes, peaks):
+        q = np.abs(scales) / (G * math.tan(model.slenderness))
+        outcomes[:] = np.where(q > 1.0001 * collapse, COLLAPSED, STABLE)
+        outcomes[(q > 1.001 * edge) & (q < 1.004 * edge)] = IMPACT_LIMIT
+        peaks[:] = np.where(q > 1.0001 * slv, 0.5, 0.1) * model.slenderness
+        return np.zeros(scales.size, np.int64)
+
+    monkeypatch.setattr(ida, "scan_records", scan)
+    found = search_of(np.ones(5), make_model())
+    assert found.q_slv is None
+    if at == "collapse":
+        assert (found.status, found.q, found.q_slc) == ("impact_limit", None, None)
+    else:
+        assert found.status == "collapse_found" and found.q == pytest.approx(1.0001 * collapse, rel=1e-4)
+        assert found.q_slc == found.q and found.q_robust is not None
+
+
 def test_that_unknown_points_above_collapse_are_counted_and_left_out(make_model, monkeypatch):
     def outcome(q):
         if 2.0 < q < 2.2:
@@ -261,6 +284,7 @@ def test_that_a_share_met_exactly_is_met():
     flags[40:44] = True
     assert first_with_share(flags, 12, 0.16) == 31  # 31 + 12 = 43: the fourth point comes into the window
     assert first_with_share(flags[:43], 12, 0.16) is None  # only whole windows count
+    assert first_with_share(np.ones(5, bool), 12, 0.16) is None
 
 
 def test_that_a_wall_may_fall_just_above_its_threshold():

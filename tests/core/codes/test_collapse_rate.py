@@ -10,7 +10,8 @@ import pytest
 from scipy.integrate import quad
 from scipy.stats import norm
 
-from core.codes.collapse_rate import in_years, mean_rate, state_rate
+from core.codes.collapse_rate import DRAWS, in_years, mean_rate, state_rate, typical_rate
+from core.ground.provenance import draws
 from tests.conftest import ROOT
 
 HAZARD = [(30, 0.6), (50, 0.8), (72, 0.95), (101, 1.1), (140, 1.25), (201, 1.45), (475, 2.1), (975, 2.7), (2475, 3.7)]
@@ -22,9 +23,9 @@ def rate(median, deviation, hazard=HAZARD):
     return float(total[0]), float(beyond[0]), float(weaker[0])
 
 
-def by_quadrature(median, deviation):
+def by_quadrature(median, deviation, hazard=HAZARD):
     """Of F |dH/da| da, row by row, one step on at both ends, then as the docstring says."""
-    years, ags = np.array(HAZARD, float).T
+    years, ags = np.array(hazard, float).T
     slopes = np.diff(np.log(years)) / np.diff(np.log(ags))
     first, last = ags[0] ** 2 / ags[1], ags[-1] ** 2 / ags[-2]
 
@@ -35,7 +36,7 @@ def by_quadrature(median, deviation):
 
     edges = [first, *ags[1:-1], last]
     parts = [
-        quad(slice_of, math.log(low), math.log(high), args=(k,), epsabs=0.0, epsrel=1e-12, limit=500)[0]
+        quad(slice_of, math.log(low), math.log(high), args=(k,), epsabs=0.0, epsrel=1e-10, limit=500)[0]
         for k, (low, high) in enumerate(itertools.pairwise(edges))
     ]
     above = (last / ags[-1]) ** -slopes[-1] / years[-1]
@@ -45,6 +46,14 @@ def by_quadrature(median, deviation):
 @pytest.mark.parametrize("median, deviation", [(3.0, 0.4), (1.0, 0.3), (6.0, 0.5), (2.0, 0.05), (0.7, 0.8)])
 def test_that_the_closed_form_is_the_integral(median, deviation):
     assert rate(median, deviation) == pytest.approx(by_quadrature(median, deviation), rel=1e-9)
+
+
+@pytest.mark.parametrize("deviation", [0.4, 0.6, 1.0, 2.0])
+@pytest.mark.parametrize("median", [0.2, 0.24, 0.3, 0.6])
+def test_that_rows_close_in_a_g_and_records_that_scatter_leave_its_digits(median, deviation):
+    """Rounded rows of a weak site, slopes of 7 and 14: exp((slope deviation)^2 / 2) is up to 1e170."""
+    rows = [(30, 0.20), (50, 0.22), (72, 0.23), (101, 0.24), (140, 0.2457), (201, 0.26), (475, 0.32)]
+    assert rate(median, deviation, rows) == pytest.approx(by_quadrature(median, deviation, rows), rel=1e-8)
 
 
 def test_that_on_one_straight_hazard_it_is_cornell_s():
@@ -77,6 +86,8 @@ def test_the_rate_of_a_state_with_fc_its_interval_and_its_life():
     assert found.fragility.median == pytest.approx(math.exp(logs.mean()) / 1.35)
     assert found.fragility.deviation == pytest.approx(logs.std(ddof=1))
     assert found.rate == pytest.approx(rate(math.exp(logs.mean()) / 1.35, logs.std(ddof=1))[0])
+    with_factor = rate(math.exp(logs.mean()) / 1.35, logs.std(ddof=1))
+    assert (found.beyond, found.weaker) == pytest.approx(with_factor[1:])
     assert found.without_factor == pytest.approx(rate(math.exp(logs.mean()), logs.std(ddof=1))[0])
     assert found.low < found.rate < found.high and found.without_factor < found.rate
     assert found.in_life == pytest.approx(1.0 - math.exp(-50.0 * found.rate))
@@ -93,21 +104,33 @@ def test_that_the_components_of_one_station_are_drawn_together():
     assert paired.in_life is None
 
 
+def test_that_the_interval_is_nine_tenths_of_the_drawn_sets():
+    """The rate of each set by itself: a record drawn twice is there twice."""
+    capacities, names = np.array([2.0, 3.0, 2.5, 4.0, 3.3, 2.2, 2.8]), list("aabcdef")
+    found = state_rate("SLV", capacities, names, HAZARD, 1.35, None)
+    rates = [typical_rate(np.repeat(capacities, row) / 1.35, HAZARD) for row in draws(names, DRAWS)]
+    assert (found.low, found.high) == pytest.approx(np.quantile(rates, (0.05, 0.95)), rel=1e-12)
+    assert found.rate == pytest.approx(typical_rate(capacities / 1.35, HAZARD), rel=1e-12)
+
+
 def test_that_two_stations_and_a_site_without_hazard_have_no_rate():
     assert state_rate("SLV", [2.0, 3.0, 4.0], ["a", "a", "b"], HAZARD, 1.0, 50.0) is None
     assert state_rate("SLV", [2.0, 3.0, 4.0], ["a", "b", "c"], (), 1.0, 50.0) is None
+    assert state_rate("SLV", [2.0, 3.0, 4.0], ["a", "b", "c"], HAZARD, 1.0, 50.0).rate > 0.0
 
 
 def test_that_rows_of_nearly_one_a_g_are_a_step():
     """The limit of the slope: a row that is as good as vertical, where the closed form would overflow."""
-    near = [(30, 0.6), (475, 2.1), (975, 2.1000001), (2475, 3.7)]
+    near = [(30, 0.6), (475, 2.1), (975, 2.10001), (2475, 3.7)]
+    first, last = [(30, 0.6), (475, 0.60001), (975, 2.7)], [(30, 0.6), (975, 2.7), (2475, 2.70001)]
     for median, deviation in ((2.0, 0.3), (1.0, 1.5)):
-        total, beyond, _ = rate(median, deviation, near)
-        assert 0.0 < total < 2.0 and 0.0 < beyond < 1.0
+        for rows in (near, first, last):  # F hardly changes along a step
+            expected = by_quadrature(median, deviation, rows)
+            assert rate(median, deviation, rows) == pytest.approx(expected, rel=1e-4)
     gap = [(30, 0.6), (475, 2.1), (2475, 3.7)]
     jump = rate(2.0, 0.3, [(30, 0.6), (475, 2.1), (476, 2.1 * (1 + 1e-9)), (2475, 3.7)])[0]
     assert jump == pytest.approx(rate(2.0, 0.3, gap)[0], rel=2e-2)
-    assert math.isfinite(rate(1.0, 30.0)[0])
+    assert rate(1.0, 30.0) == rate(1.0, 2.0)  # of records that tell nothing
 
 
 def test_that_nothing_of_scipy_is_needed():

@@ -7,11 +7,12 @@ import numpy as np
 import pytest
 
 from core.capacity import independent_solver
-from core.codes.dynamic_check import DemandRuns, demand_check
+from core.codes import dynamic_check
+from core.codes.dynamic_check import DemandCheck, DemandRuns, demand_check
 from core.ground.ground_motion import GroundMotion
 from core.rocking.history import history
 from core.rocking.methods import AUTO, METHODS
-from core.rocking.outcome import COLLAPSED
+from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.study import run as study
 from core.study.demand_input import demand_of
 from core.units import G
@@ -219,3 +220,65 @@ def test_that_a_search_that_ends_early_does_not_raise_zeta(tmp_path):
     table["analysis"] = {"q_step": 0.01, "q_limit": 2.0}
     short = study.run(case(**table), base_dir=tmp_path).walls[0].assessment.dynamic
     assert short.zeta == pytest.approx(full.zeta, rel=0.05)
+
+
+@pytest.fixture
+def scripted(designed, monkeypatch):
+    """The seven records of a wall whose runs are written down: at each multiplier (outcome, peak over theta_c)."""
+
+    def given(script):
+        def scan(method, grounds, which, scales, model, codes, reached):
+            at = np.abs(scales) / 1.35
+            for k, one in enumerate(at):
+                codes[k], peak = script(one, which[k])
+                reached[k] = peak * model.collapse_rotation
+
+        monkeypatch.setattr(dynamic_check, "scan_records", scan)
+        return designed.walls[0].model, list(designed.motions), (1,), designed.demand
+
+    return given
+
+
+@pytest.mark.parametrize("count", [5, 40])
+def test_that_a_run_that_rocks_is_told_also_where_the_rule_holds(scripted, count):
+    """From a fifth of theta_c on a wall may overturn close by, so that no point beside it is left out."""
+    script = {1: (STABLE, 0.19), 2: (STABLE, 0.21), 3: (STABLE, 0.41), 4: (COLLAPSED, 1.0), 5: (IMPACT_LIMIT, 0.1)}
+    model, motions, signs, demand = scripted(lambda at, which: script[round(at)])
+    work = DemandRuns(model, motions, signs, demand, "capacity", AUTO, lambda: False)
+    multipliers = np.resize(np.arange(1.0, 6.0), count)
+    fails, unknown, rocks = work.failures(multipliers)
+    assert fails.tolist() == (multipliers >= 3.0).tolist()
+    assert unknown.tolist() == (multipliers == 5.0).tolist()
+    assert rocks.tolist() == (multipliers >= 2.0).tolist()
+
+
+def test_that_runs_without_a_number_give_no_zeta_and_satisfy_nothing(scripted):
+    found = demand_check(*scripted(lambda at, which: (STABLE, 0.1) if at < 1.2 else (IMPACT_LIMIT, 0.1)), AUTO)
+    assert found.zeta is None and found.zeta_spread is None and not found.passed
+    assert found.as_check().passed is None and not found.within_spread(1.0)
+    assert found.zeta_other.zeta is None and not found.zeta_other.passed
+
+
+def test_that_the_row_of_the_check_shows_what_its_rule_compares():
+    found = DemandCheck("SLV", (), 0, 0.2, 0.3, "mean", 0.4, 1.5, True, True)
+    assert found.as_check().demand == 0.2 and replace(found, set_rule="maximum").as_check().demand == 0.3
+
+
+@pytest.mark.parametrize("confidence_on", ["capacity", "demand"])
+def test_that_the_search_starts_where_the_first_record_begins_to_move_the_wall(designed, confidence_on):
+    model, motions = designed.walls[0].model, list(designed.motions)
+    work = DemandRuns(model, motions, (1,), designed.demand, confidence_on, AUTO, lambda: False)
+
+    def peak(multiplier):
+        wall = reduced(model) if confidence_on == "capacity" else model
+        return max(history(m.acceleration, m.time_step, 1.35 * multiplier, wall, AUTO).peak for m in motions)
+
+    assert peak(0.999 * work.rest) == 0.0 < peak(1.001 * work.rest)
+
+
+def test_that_fc_on_the_other_side_is_looked_at_where_it_is_asked_for_and_more_than_one(scripted):
+    model, motions, signs, demand = scripted(lambda at, which: (STABLE, 0.1) if at < 1.2 else (COLLAPSED, 1.0))
+    assert demand_check(model, motions, signs, demand, AUTO).zeta_other is not None
+    assert demand_check(model, motions, signs, demand, AUTO, other=False).zeta_other is None
+    full = replace(demand, confidence_factor=1.0)
+    assert demand_check(model, motions, signs, full, AUTO).zeta_other is None

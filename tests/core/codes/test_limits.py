@@ -1,11 +1,24 @@
 """Numbers of the limit states and of sets, each against its clause."""
 
+from types import SimpleNamespace
+
+import numpy as np
 import pytest
 
 from core.capacity.ida import multiplier_of
 from core.capacity.limit_states import LIMIT_FRACTION
-from core.codes.limits import MEAN_FROM, MINIMUM_FROM, check_return_period, return_period, set_rule, set_value
+from core.codes.limits import (
+    MEAN_FROM,
+    MINIMUM_FROM,
+    are_counted,
+    check_return_period,
+    counted_stations,
+    return_period,
+    set_rule,
+    set_value,
+)
 from core.errors import InputError
+from core.ground.ground_motion import GroundMotion
 
 
 @pytest.mark.parametrize(("state", "years"), [("SLO", 30.11), ("SLD", 50.29), ("SLV", 474.56), ("SLC", 974.79)])
@@ -43,6 +56,25 @@ def test_that_a_set_is_the_mean_or_the_most_unfavourable_of_its_numbers(values, 
     assert set_value(values, rule) == value
     opposite = [None if one is None else -one for one in values]
     assert set_value(opposite, rule, max) == (None if value is None else -value)
+
+
+def test_that_a_record_below_a_fifth_of_the_mean_pga_does_not_count():
+    """Six of 1 m/s2 and one of x: x = 0.2 (6 + x) / 7 is 3/17. By the PGA on the ground, at the demand."""
+
+    pulse = np.eye(1, 12, 5)[0]
+
+    def counted(last, ground=None, scale=1.0):
+        motions = [GroundMotion(f"m{k}", pulse, 0.01) for k in range(6)]
+        motions.append(GroundMotion("m6", last * pulse, 0.01, ground_pga=ground))
+        demand = SimpleNamespace(scaling=lambda motion: scale if motion.name == "m6" else 1.0)
+        assert are_counted(motions, demand)[:6] == [True] * 6
+        assert len(counted_stations(motions, demand)) == 6 + are_counted(motions, demand)[6]
+        return are_counted(motions, demand)[6]
+
+    assert counted(3.0 / 17.0 + 1e-6) and not counted(3.0 / 17.0 - 1e-6)
+    assert not counted(1.0, ground=0.17) and counted(0.1, ground=0.18)
+    assert counted(0.1, scale=1.8) and not counted(0.34, scale=0.5)
+    assert are_counted([], SimpleNamespace()) == []
 
 
 def test_that_q_is_c_pga_over_a_rm():

@@ -7,9 +7,9 @@ import pytest
 
 from core.case.rules import parse_case
 from core.codes import record_sample
-from core.codes.dynamic_check import demand_check
+from core.codes.dynamic_check import DemandRuns, demand_check
 from core.codes.multiplier_search import STEP
-from core.codes.record_sample import one_left_out, record_peaks, sample_interval, zeta_of_sets
+from core.codes.record_sample import RecordPeaks, one_left_out, record_peaks, sample_interval, zeta_of_sets
 from core.ground.artificial import filtered_noise
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import AUTO
@@ -83,6 +83,48 @@ def test_that_records_of_one_kind_have_no_interval_and_two_stations_none_at_all(
     found = sample_interval(record_peaks(model, same, (1,), demand, AUTO, zeta), same, zeta)
     assert found.low == found.high == pytest.approx(zeta, rel=1e-12)
     assert sample_interval(record_peaks(model, same[:2], (1,), demand, AUTO, zeta), same[:2], zeta) is None
+
+
+def by_hand(found, counts):
+    """zeta_E of one set: the first multiplier with half of those within +-10 % failing, one after the other."""
+    fails = []
+    for at in found.peaks.T:
+        peaks = np.repeat(at, counts)
+        fails.append(peaks.max() > 1.0 or (peaks.mean() if found.mean else peaks.max()) > found.limit)
+    last = len(fails) - 1
+    for k, multiplier in enumerate(found.multipliers):
+        around = [place >= 0 and fails[min(place, last)] for place in range(k - 10, k + 11)]
+        if sum(around) >= 0.5 * len(around):
+            return multiplier / 1.01**0.5
+    return np.inf
+
+
+@pytest.mark.parametrize("mean", [True, False])
+def test_that_zeta_of_a_set_is_where_half_of_its_neighbours_fail(mean):
+    """Also of walls that survive stronger motions than those that overturned them."""
+    rng = np.random.default_rng(3)
+    for rise in (0.2, 0.4, 0.8):
+        peaks = rise * rng.uniform(0.0, 2.0, (4, 60)) * np.linspace(0.2, 1.6, 60)
+        found = RecordPeaks(0.5 * 1.01 ** np.arange(60), peaks, 0.4, mean)
+        counts = rng.multinomial(4, [0.25] * 4, 30)
+        assert zeta_of_sets(found, counts) == pytest.approx([by_hand(found, row) for row in counts], rel=1e-12)
+
+
+@pytest.mark.parametrize("target", [1.0, 0.6])
+def test_that_the_peaks_begin_at_half_of_zeta_unless_a_record_alone_breaks_the_rule_there(scene, target):
+    """A tall wall that rocks long before it overturns; half of three times zeta_E is beyond what it bears."""
+    _, motions, demand = scene
+    wall = {"name": "w", "height_m": 12.0, "thickness_m": 0.8, "mechanism": "two_sided", "base_z_m": 0.0}
+    model = model_of(parse_case({"wall": [wall]}).wall[0], "two_sided")
+    demand, step = replace(demand, zeta_target=target), (1.0 + STEP) ** record_sample.EVERY
+    zeta = demand_check(model, motions, (1,), demand, AUTO, other=False).zeta
+    found = record_peaks(model, motions, (1,), demand, AUTO, zeta)
+    assert 0.5 / step <= found.multipliers[0] / zeta <= 0.5
+    assert 1.5 / step <= found.multipliers[-1] / zeta < 1.5 * step**record_sample.SPARSE
+    (whole,) = zeta_of_sets(found, np.ones((1, 8), int))
+    assert zeta / WITHIN < whole < zeta * WITHIN
+    rest = DemandRuns(model, motions, (1,), demand, demand.confidence_on, AUTO, lambda: False).rest
+    assert rest / step <= record_peaks(model, motions, (1,), demand, AUTO, 3.0 * zeta).multipliers[0] <= rest
 
 
 def test_that_a_set_that_fails_nowhere_has_an_open_end(peaks):

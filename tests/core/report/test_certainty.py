@@ -11,6 +11,7 @@ from core.case.rules import parse_case
 from core.report import workbook
 from core.report.note.content import note
 from core.report.note.parts import Figures, Heading, Item, Table
+from core.report.sure_words import rate_lines
 from core.study.run import run
 from tests.core.study.test_how_sure import ROWS
 from tests.core.study.test_sensitivity import LOADED, SPECTRUM
@@ -73,3 +74,20 @@ def test_that_a_result_without_hazard_and_moves_has_neither_section_nor_sheet(re
     plain = replace(result, verdicts=tuple(replace(v, rates=(), sensitivity=None) for v in result.verdicts))
     assert not [part for part in note(plain, "en") if isinstance(part, Heading) and part.text == "How sure"]
     assert "How sure" not in workbook.build(plain, []).workbook.sheetnames
+
+
+@pytest.mark.parametrize("share, is_said", [(0.051, True), (0.049, False)])
+def test_that_what_the_hazard_does_not_hold_is_said_from_a_twentieth_on(result, share, is_said):
+    """What is counted as failure beyond its rows; what is not counted below them, where the rate is too low."""
+    rates = [replace(one, beyond=0.0, weaker=0.0) for one in result.verdicts[0].rates]
+
+    def lines(*changed):
+        return rate_lines(lambda text, **values: text.format(**values), result, changed, "en")
+
+    plain = lines(*rates)
+    beyond = [line for line in lines(rates[0], *rates[1:3], replace(rates[3], beyond=share)) if line not in plain]
+    weaker = [line for line in lines(replace(rates[0], weaker=share), *rates[1:]) if line not in plain]
+    assert (len(beyond), len(weaker)) == ((1, 1) if is_said else (0, 0))
+    if is_said:
+        assert beyond[0].endswith("taken to fail: a part of collapse.")
+        assert weaker[0].endswith("which are not counted: SLD.")

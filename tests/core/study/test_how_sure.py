@@ -16,6 +16,7 @@ from core.study.how_sure import ag_of, capacities
 from core.study.run import run
 from core.units import G
 from tests.conftest import ROOT
+from tests.core.study.test_sensitivity import LOADED
 
 CASES = ROOT / "resources" / "cases"
 ROWS = [(30, 0.06), (50, 0.08), (101, 0.11), (201, 0.145), (475, 0.2), (975, 0.26), (2475, 0.35)]
@@ -52,6 +53,11 @@ def test_that_the_rates_are_of_the_capacities_of_the_searches(result):
     assert found["collapse"] == pytest.approx(by_hand, rel=1e-12)
     assert np.all(np.array(found["SLV"]) <= found["SLC"]) and np.all(np.array(found["SLC"]) <= found["collapse"])
     assert np.all(np.array(found["SLD"]) < found["SLV"])
+    # each record is scaled to a_g S first
+    to_pga = replace(result.demand, record_scaling="pga", pga=2.0 * result.demand.pga)
+    found = capacities(wall, motions, to_pga, result.search.q_limit, lambda multiplier: multiplier * ag)
+    scalings = [to_pga.pga / (motion.ground_pga or motion.pga) for motion in motions]
+    assert found["collapse"] == pytest.approx(np.divide(by_hand, scalings), rel=1e-12)
     hazard = [(t, ag * G) for t, ag in ROWS]
     follows = ag_of(result.demand, result.case.demand, CASES)
     true = [follows(one / (0.2 * G)) for one in by_hand]
@@ -88,7 +94,8 @@ def test_that_a_cancel_during_the_moves_ends_the_run(case):
     def on_progress(done, planned, left):
         seen.append((done, planned))
 
-    run(asked, base_dir=CASES, on_progress=on_progress)
+    (verdict,) = run(asked, base_dir=CASES, on_progress=on_progress).verdicts
+    assert "record_left_out" in [one.key for one in verdict.sensitivity.swings]
     assert seen[-1][0] == seen[-1][1]
     calls = iter(range(10**9))
     with pytest.raises(Cancelled):
@@ -104,3 +111,23 @@ def test_that_s_follows_a_g_where_the_code_says_so(result):
         assert there.pga == pytest.approx(multiplier * demand.pga, rel=1e-4)
     assert ag_of(demand, asked, CASES)(1.7) > 1.7 * demand.ag * 1.005  # soil B: S falls
     assert ag_of(replace(demand, target=None), asked, CASES)(1.7) == 1.7 * demand.ag
+
+
+def test_that_of_several_hinges_each_state_has_the_rate_of_the_worst(case):
+    """Each hinge by itself, with FC and in the nominal life of the case."""
+    table = table_of(case)
+    wall = {key: value for key, value in LOADED.items() if key not in ("load", "free_element", "back_restraint")}
+    wall |= {"mechanism": "two_sided", "unloaded_confirmed": True}
+    table |= {"wall": [wall], "building": {"height_m": 6.0, "storeys": 2, "period_s": 0.3}, "generate": {"count": 3}}
+    table["analysis"] = {"q_step": 0.05, "q_limit": 20.0}
+    result = run(parse_case({key: value for key, value in table.items() if key != "records"}), base_dir=CASES)
+    (verdict,) = result.verdicts
+    assert len(verdict.results) == 2
+    ag, names = ag_of(result.demand, result.case.demand, CASES), [f"file {k}" for k in range(3)]
+    of_hinges = []
+    for hinge in result.walls:
+        motions = list(hinge.floor.motions) if hinge.floor else result.motions
+        found = capacities(hinge, motions, result.demand, result.search.q_limit, ag)
+        of_hinges.append([state_rate(state, found[state], names, result.demand.hazard, 1.35, 50.0) for state in found])
+    for here, *each in zip(verdict.rates, *of_hinges, strict=True):
+        assert here == max(each, key=lambda one: one.rate) and each[0].rate != each[1].rate

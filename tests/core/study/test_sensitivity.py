@@ -1,15 +1,22 @@
 """Each move of an input is the run of the case with that input changed by hand."""
 
 import copy
+import math
 from dataclasses import replace
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from core.case.rules import parse_case
 from core.case.writer import table_of
+from core.codes.record_sample import RecordPeaks
 from core.errors import InputError
+from core.study.plan import read_inputs
 from core.study.run import run
-from core.study.swings import move_words
+from core.study.sensitivity import Move, sensitivity_of
+from core.study.swings import End, Sensitivity, Swing, move_words
+from core.study.what_if import NONE, Zetas, setting_of
 from tests.conftest import ROOT
 
 CASES = ROOT / "resources" / "cases"
@@ -234,3 +241,129 @@ def test_that_a_wall_without_zeta_has_no_moves():
     wall = {key: value for key, value in PARAPET.items() if key not in ("elastic_modulus_mpa",)} | {"base_z_m": 4.0}
     found, _ = sensitivity(case_of(wall))  # no building
     assert found.sensitivity.base is None and found.sensitivity.swings == () == found.sensitivity.still
+
+
+def test_that_each_move_of_a_building_with_modes_is_the_run_of_the_changed_case():
+    """All periods and all dampings by the same factor, dampings within 1 to 30 %."""
+    modes = [
+        {"period_s": 0.35, "damping": 0.08, "participation": 1.1},
+        {"period_s": 0.12, "damping": 0.016, "participation": -0.2},
+    ]
+    table = case_of(PARAPET, building={"height_m": 10.0, "storeys": 3, "modes": modes})
+    found, _ = sensitivity(table, building_damping_factor=[0.5, 5.0])
+    periods, dampings = ends(found, "building_period_factor"), ends(found, "building_damping_factor")
+    assert list(periods) == pytest.approx([0.28, 0.42]) and list(dampings) == pytest.approx([0.04, 0.30])
+
+    def changed(key, values):
+        return zeta_of(moved(table, ("building", "modes"), [m | {key: v} for m, v in zip(modes, values, strict=True)]))
+
+    assert list(periods.values()) == pytest.approx(
+        [changed("period_s", (0.28, 0.096)), changed("period_s", (0.42, 0.144))], rel=1e-9
+    )
+    assert list(dampings.values()) == pytest.approx(
+        [changed("damping", (0.04, 0.01)), changed("damping", (0.30, 0.06))], rel=1e-9
+    )
+
+
+def test_that_what_does_not_act_is_not_moved_or_is_still():
+    found, _ = sensitivity(case_of(LOADED))
+    keys = {one.key for one in found.sensitivity.swings} | set(found.sensitivity.still)
+    assert "velocity_ratio_factor" not in keys  # no records
+    assert "modulus_factor" in found.sensitivity.still  # on the ground nothing asks for T_0
+    (loads,) = [one for one in found.sensitivity.swings if one.key == "load_factor"]
+    assert loads.given == 1.0 and [end.value for end in loads.ends] == [0.8, 1.2]
+    table = case_of(LOADED, demand={"ag_g": 0.3})
+    assert zeta_of(table) < 1.0
+    found, _ = sensitivity(table, thickness_factor=[0.9, 3.0])
+    assert found.sensitivity.turning == ()  # was not satisfied before
+
+
+@pytest.fixture(scope="module")
+def shaken():
+    """(setting, ranges) of a wall with seven records."""
+    wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa", "free_element")}
+    demand = {"ag_g": 0.2, "spectrum": SPECTRUM | {"soil": "A"}}  # S does not follow a_g
+    table = case_of(wall | {"unloaded_confirmed": True}, demand=demand, generate={"count": 7})
+    case = parse_case({**table, "sensitivity": {"ag_factor": [0.9, 1.1], "restraint_lost": False}})
+    return setting_of(case, 0, CASES, read_inputs(case, CASES)), case.sensitivity
+
+
+def hinge(zeta, passed=True, spread=False):
+    verdict = SimpleNamespace(zeta_e=zeta, zeta_target=1.0, lower_bound=None)
+    dynamic = SimpleNamespace(passed=passed, within_spread=lambda target: spread)
+    return SimpleNamespace(assessment=SimpleNamespace(verdict=verdict, dynamic=dynamic, lower_bound=None))
+
+
+def of_moves(shaken, now, one, moved_to=None, peaks=()):
+    """Of one hinge, with one move beside the wall as it is."""
+    made = [Move("", None, 0.0, None), *([Move("thickness_factor", 0.5, 0.475, None)] if moved_to else [])]
+    return sensitivity_of(*shaken, made, {0: now, 1: moved_to}, [one], peaks)
+
+
+def test_that_a_g_is_surely_satisfied_only_with_the_lower_end_of_the_spread(shaken):
+    """zeta of histories goes with 1 / a_g, and so does its spread."""
+    for low, sure in ((1.2, (True, True)), (1.0, (True, False)), (0.85, (False, False)), (None, (False, False))):
+        found = of_moves(shaken, Zetas({}, 1.3, low, True), hinge(1.3))
+        (swing,) = [one for one in found.swings if one.key == "ag_factor"]
+        assert [end.zeta for end in swing.ends] == pytest.approx([1.3 / 0.9, 1.3 / 1.1], rel=1e-9)
+        assert tuple(end.sure for end in swing.ends) == sure
+
+
+def test_that_only_a_surely_satisfied_verdict_is_turned(shaken):
+    now, thinner = Zetas({}, 1.3, 1.25, True), Zetas({}, 0.9, 0.8, False)
+    assert "thickness_factor" in of_moves(shaken, now, hinge(1.3), thinner).turning
+    for one in (hinge(1.3, spread=True), hinge(1.3, passed=False)):
+        assert of_moves(shaken, now, one, thinner).turning == ()
+    assert of_moves(shaken, now, hinge(1.3), Zetas({}, 1.3, 1.25, True)).still == ("thickness_factor",)
+    # in proportion to zeta of the run
+    (end,) = of_moves(shaken, now, hinge(1.17), thinner).swings[0].ends
+    assert end.zeta == pytest.approx(0.81)
+
+
+def test_that_without_zeta_in_the_run_or_in_the_search_nothing_is_moved(shaken):
+    none = Sensitivity(None, (), (), ())
+    assert of_moves(shaken, NONE, hinge(1.3)) == none == of_moves(shaken, Zetas({}, 1.3, 1.25, True), hinge(None))
+
+
+def test_that_a_record_left_out_is_judged_by_the_others_up_to_the_last_multiplier(shaken):
+    """Record 3 overturns from the multiplier 70 on, 4 from 110: without 3 the wall bears as many steps more, or, where
+    4 never overturns, up to the last. Without any other it bears what it does with it."""
+    multipliers, peaks = 0.4 * 1.01 ** np.arange(160), np.full((7, 160), 0.1)
+    peaks[3, 70:], peaks[4, 110:] = np.inf, np.inf
+    now, names = Zetas({}, 0.8, 0.8, True), [motion.name for motion in shaken[0].inputs[1]]
+    for share in (1.01**40, 1.01 ** (159 - 70 + 0.5)):  # half a step: the last stands for itself
+        found = of_moves(shaken, now, hinge(0.8), peaks=[RecordPeaks(multipliers, peaks.copy(), 0.4, True)])
+        (swing,) = [one for one in found.swings if one.key == "record_left_out"]
+        least, most = swing.ends
+        assert least.zeta == pytest.approx(0.8, rel=1e-9) and most.zeta == pytest.approx(0.8 * share, rel=1e-9)
+        assert most.name == names[3] and most.sure == (0.8 * share >= 1.0)
+        peaks[4] = 0.1
+
+
+@pytest.mark.parametrize(
+    "key, given, value, words",
+    [
+        ("thickness_factor", 0.83, 0.788, "thickness 78.8 cm instead of 83"),
+        ("unit_weight_factor", 18.0, 16.2, "unit weight 16.2 kN/m³ instead of 18"),
+        ("load_factor", 1.0, 0.8, "loads at 80 %"),
+        ("setback_shares", 0.02, 0.035, "hinge setback 3.5 cm instead of 2"),
+        ("velocity_ratio_factor", None, 0.9, "velocity ratio 0.90 of the theoretical"),
+        ("modulus_factor", 1500.0, 750.0, "elastic modulus 750 MPa instead of 1500"),
+        ("building_period_factor", 0.3, 0.24, "period of the building 0.24 s instead of 0.30"),
+        ("building_damping_factor", 0.1, 0.05, "damping of the building 5 % instead of 10"),
+        ("ag_factor", 0.12, 0.108, "a_g 0.108 g instead of 0.120"),
+    ],
+)
+def test_that_a_move_is_said_in_the_unit_of_its_words(key, given, value, words):
+    end = End(value, 0.9, False)
+    assert move_words(Swing(key, given, (end,)), end).text("en") == words
+
+
+def test_that_a_swing_reaches_from_the_lowest_zeta_to_the_highest():
+    ends = End(0.9, 0.8, False), End(1.1, 1.3, True)
+    swing = Swing("ag_factor", 1.0, ends)
+    assert swing.width(1.0) == pytest.approx(0.5) and swing.width(1.5) == pytest.approx(0.7)
+    assert swing.lowest is ends[0] and Swing("ag_factor", 1.0, ends[::-1]).lowest is ends[0]
+    fallen = End(0.5, None, False)
+    assert Swing("ag_factor", 1.0, (ends[0], fallen)).lowest is fallen
+    assert Swing("ag_factor", 1.0, (ends[0], fallen)).width(1.0) == swing.width(None) == math.inf

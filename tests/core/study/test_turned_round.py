@@ -1,12 +1,16 @@
 """What is found by search gives the zeta required when the case is run with it, and a little less of it does not."""
 
+from types import SimpleNamespace
+
 import pytest
 
 from core.case.rules import parse_case
+from core.errors import InputError
+from core.study import turned_round
 from core.study.plan import read_inputs
 from core.study.run import run
-from core.study.turned_round import keys_of, reach_of
-from core.study.what_if import setting_of, zetas
+from core.study.turned_round import keys_of, moved_keys, reach_of
+from core.study.what_if import Zetas, setting_of, zetas
 from tests.core.study.test_sensitivity import CASES, LOADED, case_of, moved
 
 TIED = {
@@ -67,7 +71,9 @@ def test_that_histories_hold_in_the_run_at_what_is_found():
     assert found.passed and not found.within_spread(1.0)
     thinner = run(parse_case(moved(table, PLACES["thickness_m"], 0.85 * thickness)), base_dir=CASES)
     assert not thinner.walls[0].assessment.dynamic.passed
-    ag = reach_of(here, "ag_g", 0.35).by_check["dynamic"]
+    of_ag = reach_of(here, "ag_g", 0.35)
+    ag = of_ag.by_check["dynamic"]
+    assert of_ag.throughout == ()
     now = zetas(here).by_check["dynamic"]
     assert 0.75 * now < ag / 0.35 < 1.03 * now
 
@@ -94,3 +100,74 @@ def test_that_a_check_satisfied_throughout_has_no_value_and_a_refused_one_is_no_
     low = reach_of(setting(case_of(back, demand={"ag_g": 0.01})), "thickness_m", 0.5)
     assert low.by_check == {"nonlinear": None, "linear_q_code": None}
     assert low.throughout == ("nonlinear", "linear_q_code")
+
+
+@pytest.fixture
+def found_where(monkeypatch):
+    """What is found of one check that holds at some values; sure : at which the run is surely satisfied; accepted : at
+    which the wall stands."""
+
+    def found(key, given, holds, sure=None, accepted=lambda value: True, label="nonlinear"):
+        def change(_, value):
+            if not accepted(value):
+                raise InputError("unstable_under_loads")
+            return value
+
+        def known(value, *, every, cancelled):
+            zeta = 1.0 if holds(value) else 0.9
+            return Zetas({label: zeta}, zeta, zeta, (sure or holds)(value))
+
+        monkeypatch.setattr(turned_round, "CHANGES", {key: change})
+        monkeypatch.setattr(turned_round, "zetas", known)
+        reach = reach_of(SimpleNamespace(demand=SimpleNamespace(zeta_target=1.0)), key, given)
+        assert (reach.key, reach.given) == (key, given) and set(reach.throughout) <= {label}
+        return reach.by_check[label], bool(reach.throughout)
+
+    return found
+
+
+@pytest.mark.parametrize("key, widest", [("thickness_m", 4.0), ("tie_kn_m", 64.0), ("ag_g", 16.0)])
+def test_that_a_value_is_sought_within_the_range_stated_and_found_to_two_thousandths(found_where, key, widest):
+    """So many times the value given and its inverse; of a_g the largest value at which the check holds."""
+    for share in (1.5, 1.0 / 1.5, 0.999 * widest, 1.0 / (0.999 * widest)):
+        limit = 0.3 * share
+        value, everywhere = found_where(key, 0.3, lambda v: v <= limit if key == "ag_g" else v >= limit)  # noqa: B023
+        assert not everywhere
+        assert 1.0 <= (limit / value if key == "ag_g" else value / limit) <= 1.002
+    for share in (1.001 * widest, 1.0 / (1.001 * widest)):
+        limit = 0.3 * share
+        value, everywhere = found_where(key, 0.3, lambda v: v <= limit if key == "ag_g" else v >= limit)  # noqa: B023
+        assert value is None and everywhere == ((share > 1.0) == (key == "ag_g"))
+
+
+def test_that_of_several_limits_the_one_next_to_the_value_given_is_found(found_where):
+    def holds(value):
+        return 0.3 <= value <= 0.5 or value >= 0.8
+
+    for given, limit in ((1.0, 0.8), (0.6, 0.8), (0.4, 0.3), (0.2, 0.3)):
+        assert 1.0 <= found_where("thickness_m", given, holds)[0] / limit <= 1.002
+
+
+def test_that_a_value_whose_neighbours_are_refused_holds_throughout(found_where):
+    """The last that is accepted is no limit of the check; a limit among accepted ones is."""
+    assert found_where("thickness_m", 1.0, lambda v: True, accepted=lambda v: v > 0.6) == (None, True)
+    value, everywhere = found_where("thickness_m", 1.0, lambda v: v >= 0.8, accepted=lambda v: v > 0.6)
+    assert 1.0 <= value / 0.8 <= 1.002 and not everywhere
+
+
+def test_that_histories_hold_a_little_beyond_and_surely_in_the_run(found_where):
+    """A value at which they hold by chance, less than two hundredths wide, is passed over; a wider one is not."""
+    for end, limit in ((0.71, 0.9), (0.76, 0.7)):
+        value, _ = found_where("thickness_m", 0.705, lambda v: 0.7 <= v <= end or v >= 0.9, label="dynamic")  # noqa: B023
+        assert 1.0 <= value / limit <= 1.002
+    value, _ = found_where("thickness_m", 1.0, lambda v: v >= 0.8, lambda v: v >= 1.0, label="dynamic")
+    assert 1.0 <= value < 1.01
+    # thirty steps of one hundredth
+    assert found_where("thickness_m", 1.0, lambda v: v >= 0.8, lambda v: v >= 0.8 * 1.36, label="dynamic")[0] is None
+
+
+def test_that_loads_are_moved_where_something_but_a_tie_acts():
+    assert moved_keys(setting(case_of(LOADED)))["load_factor"] == 1.0
+    tie = {**LOADED, "load": TIED["load"][1:]}
+    keys = moved_keys(setting(case_of(tie)))
+    assert "load_factor" not in keys and keys["tie_kn_m"] == 4.0 and keys["height_m"] == 6.0
