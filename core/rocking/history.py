@@ -59,8 +59,8 @@ def scan_records(method: Method, grounds: Grounds, which, scales, model, outcome
     if method.code == TAYLOR:
         return lane_scheduler.scan(method.order, grounds, which, scales, model, outcomes, peaks)
     clamped = np.zeros(scales.size, np.int64)
-    for k, (first, last) in enumerate(zip(grounds.first, grounds.last, strict=True)):
-        here = np.nonzero(which == k)[0]
+    for k in np.unique(which):
+        first, last, here = grounds.first[k], grounds.last[k], np.nonzero(which == k)[0]
         codes, reached, clamps = outcomes[here], peaks[here], clamped[here]
         scan_comparison(
             method.code,
