@@ -413,7 +413,8 @@ def _run_all(plan: Plan, threads: Threads, book, progress: Progress) -> dict[tup
     share, groups = sum(len(runs) for runs in todo.values()) // (TASKS * threads.jobs), []
     for k, runs in todo.items():
         longest = max(motion.acceleration.size for motion in plan.entries[k].felt)
-        in_lanes = plan.method.code == TAYLOR and not plan.entries[k].model.bars
+        model = plan.entries[k].model
+        in_lanes = plan.method.code == TAYLOR and not model.bars and model.other is None
         together = max(1, min(share, SAMPLES // longest)) if in_lanes else 1
         groups += [tuple(runs[n : n + together]) for n in range(0, len(runs), together)]
     threads.run({group: search_of(group) for group in groups}, keep)
