@@ -13,7 +13,7 @@ from app.terminal.terminal_progress import tell
 from core import atomic_write
 from core.errors import Cancelled, InputError
 from core.study.group_journal import GroupJournal
-from core.study.journal import Journal
+from core.study.journal import SYNC_SECONDS, Journal
 from core.text.sentence import numeral, word
 
 DONE, WITHOUT_NUMBER, CANCELLED = 0, 3, 130
@@ -45,10 +45,6 @@ def made(case_path: Path, *folders: Path):
 
 
 J = TypeVar("J", Journal, GroupJournal)
-
-SYNC_SECONDS = 1.0
-"""Least time between two calls that bring the journal to the disk: they hold up the threads, an eighth of the time of
-many walls. A kill loses nothing, a power cut what was found in that second."""
 
 
 def open_journal(path: Path, key: str, resume: bool) -> Journal:

@@ -147,9 +147,16 @@ def at_demand(
     return model, confidence * demand.scaling(motion)
 
 
-def grounds_of(motions: list[GroundMotion]) -> list[Grounds]:
-    """The ground of each record, as `DemandRuns` takes them."""
-    return [Grounds.of([motion.acceleration], motion.time_step) for motion in motions]
+def grounds_of(motions: list[GroundMotion]) -> list[tuple[Grounds, int]]:
+    """Of each record the grounds of its time step and its place in them, as `DemandRuns` takes them: no copy of a
+    record for each of its batches."""
+    steps: dict[float, list[np.ndarray]] = {}
+    places = []
+    for motion in motions:
+        places.append(len(steps.setdefault(motion.time_step, [])))
+        steps[motion.time_step].append(motion.acceleration)
+    grounds = {dt: Grounds.of(records, dt) for dt, records in steps.items()}
+    return [(grounds[motion.time_step], place) for motion, place in zip(motions, places, strict=True)]
 
 
 class DemandRuns:
@@ -182,21 +189,17 @@ class DemandRuns:
         order = list(order)
         rest = order[ONE_BY_ONE:]
         steps = dict.fromkeys(self.motions[k].time_step for k in rest)
-        batches = [[k] for k in order[:ONE_BY_ONE]]
-        batches += [[k for k in rest if self.motions[k].time_step == dt] for dt in steps]
-        self.batches = self._joined(batches)
+        self.batches = [[k] for k in order[:ONE_BY_ONE]]
+        self.batches += [[k for k in rest if self.motions[k].time_step == dt] for dt in steps]
         steps = dict.fromkeys(self.motions[k].time_step for k in order)
-        self.together = self._joined([[k for k in order if self.motions[k].time_step == dt] for dt in steps])
+        self.together = [[k for k in order if self.motions[k].time_step == dt] for dt in steps]
 
-    def _joined(self, batches: list[list[int]]) -> list[tuple[list[int], Grounds]]:
-        """Batches of records with their grounds."""
-        return [(batch, Grounds.joined([self.grounds[k] for k in batch])) for batch in batches]
-
-    def analyse(self, batch: list[int], grounds: Grounds, multipliers: np.ndarray):
-        """Outcomes and peaks over theta_c, shape (records of the batch, signs, multipliers)."""
+    def analyse(self, batch: list[int], multipliers: np.ndarray):
+        """Outcomes and peaks over theta_c, shape (records, signs, multipliers). batch : records of one time step"""
+        grounds = self.grounds[batch[0]][0]
         signed = np.outer([self.ground_factors[k] for k in batch], np.array(self.polarities, float))
         scales = np.multiply.outer(signed, multipliers).ravel()
-        which = np.repeat(np.arange(len(batch)), scales.size // len(batch))
+        which = np.repeat([self.grounds[k][1] for k in batch], scales.size // len(batch))
         codes, reached = np.empty(scales.size, np.int64), np.empty(scales.size)
         for start in range(0, scales.size, CHUNK):
             if self.cancelled():
@@ -209,8 +212,8 @@ class DemandRuns:
     def runs(self) -> tuple[DemandRun, ...]:
         """Every record and sign at the demand itself."""
         runs = {}
-        for batch, grounds in self.together:
-            outcomes, peaks = self.analyse(batch, grounds, np.ones(1))
+        for batch in self.together:
+            outcomes, peaks = self.analyse(batch, np.ones(1))
             for k, record in enumerate(batch):
                 runs[record] = [
                     DemandRun(
@@ -231,11 +234,11 @@ class DemandRuns:
         theta_c or more. A multiplier at which one record makes it fail needs no other."""
         fails, unknown, rocks = np.zeros((3, multipliers.size), bool)
         total = np.zeros(multipliers.size)
-        for batch, grounds in self.batches if multipliers.size >= FEW else self.together:
+        for batch in self.batches if multipliers.size >= FEW else self.together:
             here = np.nonzero(~fails | unknown)[0]
             if here.size == 0:
                 break
-            outcomes, peaks = self.analyse(batch, grounds, multipliers[here])
+            outcomes, peaks = self.analyse(batch, multipliers[here])
             worse = peaks.max(axis=1)
             total[here] += worse.sum(axis=0)
             value = total[here] / len(self.motions) if self.mean else worse.max(axis=0)

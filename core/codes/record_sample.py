@@ -16,7 +16,6 @@ from core.codes.dynamic_check import DemandRuns
 from core.codes.multiplier_search import HALF_FAIL, MAX_MULTIPLIER, ROCKS, STEP, WINDOW
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import LEAST_STATIONS, SHARE, draws, station_of
-from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import Method
 from core.rocking.outcome import STABLE
 from core.wall.rocking_model import RockingModel
@@ -82,7 +81,7 @@ def record_peaks(
     step = EVERY * math.log1p(STEP)
     low, high = runs.rest, min(SPAN[1] * zeta, MAX_MULTIPLIER)
     if SPAN[0] * zeta > low:
-        fails = [runs.analyse(batch, grounds, np.array([SPAN[0] * zeta])) for batch, grounds in runs.together]
+        fails = [runs.analyse(batch, np.array([SPAN[0] * zeta])) for batch in runs.together]
         if all((outcomes == STABLE).all() and (peaks < runs.limit).all() for outcomes, peaks in fails):
             low = SPAN[0] * zeta
     first, last = (math.floor(math.log(end / demand.zeta_target) / step) for end in (low, high))
@@ -90,10 +89,9 @@ def record_peaks(
     multipliers = demand.zeta_target * np.exp(step * (first + np.arange(count)))
     peaks = np.empty((len(motions), count))
     for record in range(len(motions)):
-        grounds = runs.grounds[record]
 
-        def found(places: np.ndarray, record: int = record, grounds: Grounds = grounds) -> np.ndarray:
-            outcomes, reached = runs.analyse([record], grounds, multipliers[places])
+        def found(places: np.ndarray, record: int = record) -> np.ndarray:
+            outcomes, reached = runs.analyse([record], multipliers[places])
             return np.where(outcomes == STABLE, reached, math.inf)[0].max(axis=0)
 
         ends = np.arange(0, count, SPARSE)

@@ -28,6 +28,12 @@ def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarr
     return scan_records(method, Grounds.of([ground], dt), which, scales, model, outcomes, peaks)
 
 
+def in_lanes(method: Method, model: RockingModel) -> bool:
+    """Whether `scan_records` takes analyses side by side; others go one after another, and many at once only make a
+    cancel wait."""
+    return method.code == TAYLOR and not model.bars and model.other is None
+
+
 def scan_records(method: Method, grounds: Grounds, which, scales, model, outcomes, peaks) -> np.ndarray:
     """`scan` of several records of one time step. A wall with bars, and a two-sided body that
     is not symmetric, is always taken by the Taylor series of order 8.
@@ -59,8 +65,8 @@ def scan_records(method: Method, grounds: Grounds, which, scales, model, outcome
     if method.code == TAYLOR:
         return lane_scheduler.scan(method.order, grounds, which, scales, model, outcomes, peaks)
     clamped = np.zeros(scales.size, np.int64)
-    for k, (first, last) in enumerate(zip(grounds.first, grounds.last, strict=True)):
-        here = np.nonzero(which == k)[0]
+    for k in np.unique(which):
+        first, last, here = grounds.first[k], grounds.last[k], np.nonzero(which == k)[0]
         codes, reached, clamps = outcomes[here], peaks[here], clamped[here]
         scan_comparison(
             method.code,

@@ -87,24 +87,14 @@ class Grounds:
     @classmethod
     def of(cls, records, dt: float) -> "Grounds":
         """records : ground accelerations [m/s2], each of shape (n,)."""
-        parts = []
-        for record in records:
-            ground, strongest = np.append(record, 0.0), np.abs(record).max(keepdims=True)
-            first, last = np.zeros(1, np.int64), np.array([record.size - 1])
-            parts.append(cls(ground, dt, first, last, strongest, lookahead_bounds(ground, dt)))
-        return cls.joined(parts)
-
-    @classmethod
-    def joined(cls, parts: "list[Grounds]") -> "Grounds":
-        """The records of all, one after the other. parts : of one time step"""
-        start = np.cumsum([0, *(part.ground.size for part in parts[:-1])])
+        end = np.cumsum([record.size + 1 for record in records])
         return cls(
-            ground=np.concatenate([part.ground for part in parts]),
-            dt=parts[0].dt,
-            first=np.concatenate([part.first + k for part, k in zip(parts, start, strict=True)]),
-            last=np.concatenate([part.last + k for part, k in zip(parts, start, strict=True)]),
-            strongest=np.concatenate([part.strongest for part in parts]),
-            ahead=np.hstack([part.ahead for part in parts]),
+            ground=np.concatenate([np.append(record, 0.0) for record in records]),
+            dt=dt,
+            first=end - np.array([record.size + 1 for record in records]),
+            last=end - 2,
+            strongest=np.array([np.abs(record).max() for record in records]),
+            ahead=np.hstack([lookahead_bounds(np.append(record, 0.0), dt) for record in records]),
         )
 
 

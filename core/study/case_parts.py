@@ -7,7 +7,7 @@ from pathlib import Path
 
 from core.case.schema import Case
 from core.errors import InputError
-from core.study.journal import HEAD, Journal, Memory, entries_of
+from core.study.journal import HEAD, SYNC_SECONDS, Journal, Memory, entries_of
 from core.study.run import EVERYTHING
 
 FINISHED = "finished"
@@ -26,7 +26,7 @@ def part_key(key: str, case: Case, k: int, n: int) -> str:
 
 def part_journal(folder: Path, stem: str, case: Case, key: str, k: int, n: int) -> Journal:
     """The journal a part goes on with, a new one where there is none. Raises OutputError."""
-    return Journal(part_path(folder, stem, k, n), part_key(key, case, k, n), resume=True)
+    return Journal(part_path(folder, stem, k, n), part_key(key, case, k, n), True, SYNC_SECONDS)
 
 
 def parts_in(folder: Path, stem: str) -> Iterator[tuple[int, int, Path]]:

@@ -1,4 +1,5 @@
-"""Journal of finished runs and checks: one line each, on disk before the next, so that a killed batch resumes."""
+"""Journal of finished runs and checks: one line each, handed to the system before the next, so that a killed batch
+resumes."""
 
 import contextlib
 import errno
@@ -15,6 +16,10 @@ from types import NoneType, UnionType
 from typing import Any, get_args, get_origin, get_type_hints
 
 from core.errors import InputError, OutputError
+
+SYNC_SECONDS = 1.0
+"""Least time between two calls that bring the journal to the disk: they hold up the threads, an eighth of the time of
+many walls. A kill loses nothing, a power cut what was found in that second."""
 
 
 class Journal:
@@ -97,7 +102,8 @@ class Journal:
         damaged.close()
 
     def _put(self, content: bytes) -> None:
-        """Append, on disk when this returns; raises OSError where not all of it could be written."""
+        """Append, safe from a kill when this returns, from a power cut where the last sync is sync_seconds ago; raises
+        OSError where not all of it could be written."""
         while content:
             content = content[self._stream.write(content) :]
         if time.monotonic() - self._synced >= self._sync_seconds:

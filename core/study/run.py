@@ -19,8 +19,8 @@ from core.codes.record_compatibility import Compliance, compliance
 from core.errors import Cancelled, InputError
 from core.ground.ground_motion import GroundMotion
 from core.jit import cache
-from core.rocking.history import history, scan
-from core.rocking.methods import AUTO, METHODS, TAYLOR, resolve_auto
+from core.rocking.history import history, in_lanes, scan
+from core.rocking.methods import AUTO, METHODS, resolve_auto
 from core.study import precompile
 from core.study.assessment import assess
 from core.study.governing import lowest_run
@@ -413,8 +413,8 @@ def _run_all(plan: Plan, threads: Threads, book, progress: Progress) -> dict[tup
     share, groups = sum(len(runs) for runs in todo.values()) // (TASKS * threads.jobs), []
     for k, runs in todo.items():
         longest = max(motion.acceleration.size for motion in plan.entries[k].felt)
-        in_lanes = plan.method.code == TAYLOR and not plan.entries[k].model.bars
-        together = max(1, min(share, SAMPLES // longest)) if in_lanes else 1
+        lanes = in_lanes(plan.method, plan.entries[k].model)
+        together = max(1, min(share, SAMPLES // longest)) if lanes else 1
         groups += [tuple(runs[n : n + together]) for n in range(0, len(runs), together)]
     threads.run({group: search_of(group) for group in groups}, keep)
     return searches
