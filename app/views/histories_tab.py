@@ -230,8 +230,9 @@ class HistoriesTab(QWidget):
             line.setMovable(True)
             line.sigDragged.connect(lambda line: self.set_time(line.value()))
         self.rotation.set_range((0.0, float(self.times[-1])), (-1.4 if both_ways else -0.2, 1.4))
-        self.ground.set_range((0.0, float(self.times[-1])))
         self.energy.set_range((0.0, float(self.times[-1])), (0.0, 1.3))
+        # last: linked charts move each other by what their axes take of the width
+        self.ground.set_range((0.0, float(self.times[-1])))
         self._set_q(self.middle)
 
     @property
