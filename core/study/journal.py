@@ -18,7 +18,7 @@ from typing import Any, get_args, get_origin, get_type_hints
 from core.errors import InputError, OutputError
 
 SYNC_SECONDS = 1.0
-"""Least time between two calls that bring the journal to the disk: they hold up the threads, an eighth of the time of
+"""Least time between two calls that bring the journal to the disk: they hold up the threads, a tenth of the time of
 many walls. A kill loses nothing, a power cut what was found in that second."""
 
 
