@@ -147,7 +147,7 @@ def rate_row(say: Say, rate: StateRate, language: str) -> list[str]:
 
     ends = f"{said(rate.low, '.1e')} – {said(rate.high, '.1e')}"
     share = None if rate.in_life is None else 100.0 * rate.in_life
-    in_life = "–" if share is None else f"{said(share, '.2g')} %"
+    in_life = "–" if share is None else f"{said(share, '.2g' if share < 99.5 else '.0f')} %"
     fragility = rate.fragility
     return [
         state,

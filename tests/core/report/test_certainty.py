@@ -8,10 +8,11 @@ import openpyxl
 import pytest
 
 from core.case.rules import parse_case
+from core.codes.collapse_rate import Lognormal, StateRate
 from core.report import workbook
 from core.report.note.content import note
 from core.report.note.parts import Figures, Heading, Item, Table
-from core.report.sure_words import rate_lines
+from core.report.sure_words import rate_lines, rate_row
 from core.study.run import run
 from tests.core.study.test_how_sure import ROWS
 from tests.core.study.test_sensitivity import LOADED, SPECTRUM
@@ -91,3 +92,9 @@ def test_that_what_the_hazard_does_not_hold_is_said_from_a_twentieth_on(result, 
     if is_said:
         assert beyond[0].endswith("taken to fail: a part of collapse.")
         assert weaker[0].endswith("which are not counted: SLD.")
+
+
+@pytest.mark.parametrize("share, written", [(0.9963, "100 %"), (0.9949, "99 %"), (0.123, "12 %"), (0.00123, "0.12 %")])
+def test_that_a_probability_in_the_nominal_life_is_read_at_a_glance(share, written):
+    rate = StateRate("SLD", Lognormal(1.0, 0.3, 7), 0.1, 0.05, 0.2, share, 0.1, 0.0, 0.0)
+    assert rate_row(lambda words, **_: words, rate, "en")[6] == written
