@@ -83,7 +83,7 @@ class ValidationTab(QWidget):
         self.chart.reset()
 
         def share(value: float | None) -> str:
-            return "–" if value is None else f"{number(100 * value, '.2g')} %"
+            return "–" if value is None else f"{number(100 * value, '.2g' if value < 0.995 else '.0f')} %"
 
         def power(value: float | None) -> str:
             return "–" if value is None else f"{value:.0e}"
