@@ -18,8 +18,8 @@ from tests.core.report.ink import words_of, words_without_ink
 def printed(path, folder):
     """A workbook or document as LibreOffice prints it."""
     office = shutil.which("soffice") or shutil.which("libreoffice")
-    if not office or not shutil.which("pdftotext") or not shutil.which("pdftoppm"):
-        pytest.skip("LibreOffice or poppler is not installed: nothing is printed")
+    if not office:
+        pytest.skip("LibreOffice is not installed: nothing is printed")
     subprocess.run(
         [
             office,
