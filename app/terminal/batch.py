@@ -28,6 +28,7 @@ from core.case.schema import Case
 from core.errors import Cancelled
 from core.jit import cache
 from core.packages import require
+from core.report.steps import Steps
 from core.report.verdict_words import in_order
 from core.study.case_parts import FINISHED, merged, part_journal, part_path
 from core.study.journal import Journal, Memory
@@ -73,6 +74,7 @@ def run(
     folders = (folder, report.parent) if report else (folder,)
     with made(case_path, *folders), interrupts(cancel), progress(quiet) as show:
         export.refuse_overwriting(case, case_path, folder, stem)
+        made_so_far = export.Report(case, raise_if(cancel))
         try:
             result = run_study(
                 case,
@@ -81,8 +83,10 @@ def run(
                 journal=journal,
                 on_progress=show.runs,
                 cancelled=cancel.is_set,
+                on_finished=made_so_far.add,
             )
-            export.write(result, folder, stem, raise_if(cancel), note=report, case_path=case_path, tell=show.writing)
+            steps = Steps(raise_if(cancel), show.writing, 100 - export.WALLS + (export.NOTE if report else 0))
+            made_so_far.write(result, folder, stem, note=report, case_path=case_path, steps=steps)
         except Cancelled:
             place = folder / f"{stem}.journal"
             tell("cancelled: finished runs are in {path}; go on with --resume", path=place)

@@ -1,11 +1,11 @@
 """Workbook and JSON of a result, for the batch and the window alike."""
 
 import contextlib
+import functools
 import gc
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from app.terminal.command_line import refuse_other_note
 from core import atomic_write
@@ -14,15 +14,15 @@ from core.errors import InputError, OutputError, place
 from core.file_names import name_of
 from core.ground import records
 from core.packages import require
+from core.report.steps import Steps
 from core.study.governing import collapse_histories
-from core.study.results import StudyResult
+from core.study.results import CollapseHistories, StudyResult
 
-if TYPE_CHECKING:
-    from core.report.steps import Steps
+HISTORY_WALLS = 20
+"""Walls whose histories and charts are drawn; the rest are listed."""
 
-
-HISTORIES, JSON, NOTE = 2, 6, 90
-"""Hundredths of the writing that come before and after the workbook; the note as a document is beyond the hundred."""
+WALLS, NOTE = 27, 90
+"""Hundredths of the writing of what is made a wall at a time; the note as a document is beyond the hundred."""
 
 
 def refuse_overwriting(case: Case, case_path: Path, folder: Path, stem: str) -> None:
@@ -58,49 +58,89 @@ def check_note(path: Path | None, case_path: Path, case: Case | None = None) -> 
             check_font(case.report.font)
 
 
+class Report:
+    """Workbook and JSON of a study, made while its walls finish.
+
+    case : of the study
+    check : called at every row, to cancel
+    """
+
+    def __init__(self, case: Case, check: Callable[[], None] = lambda: None):
+        self.case, self.check = case, check
+        self._histories: list[CollapseHistories] = []
+
+    @functools.cached_property
+    def _files(self):
+        """(JsonReport, WorkbookReport), whose packages are not needed before the first wall."""
+        from core.report.json_report import JsonReport
+        from core.report.workbook import WorkbookReport
+
+        return JsonReport(), WorkbookReport(self.case.report.language, self.check)
+
+    def add(self, result: StudyResult) -> None:
+        """The next wall, see `StudyResult.by_wall`."""
+        text, book = self._files
+        text.add(result)
+        book.add(result)
+        for wall in result.walls:
+            self.check()
+            if len(self._histories) < HISTORY_WALLS and (found := collapse_histories(result, wall)):
+                self._histories.append(found)
+
+    def write(
+        self,
+        result: StudyResult,
+        folder: Path,
+        stem: str,
+        ready: Callable[[], None] = lambda: None,
+        note: Path | None = None,
+        case_path: Path | None = None,
+        steps: Steps | None = None,
+    ) -> None:
+        """The files of a study all of whose walls are there, and the calculation note where a file is named for it: all
+        or none.
+
+        case_path : of the case, beside which its logo is
+        ready : called when all is made and nothing written yet
+        steps : how far it is
+        Raises OutputError and what check and ready raise.
+        """
+        steps, (text, workbook) = steps or Steps(self.check), self._files
+        try:
+            with _no_collector():
+                book = workbook.content(result, self._histories, steps)
+        except OSError as error:  # openpyxl makes the sheets in the folder of temporary files
+            raise OutputError("workbook_not_made", reason=error.strerror, folder=tempfile.gettempdir()) from None
+        files = {folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text.content(result)}
+        if note is not None:
+            steps.take(NOTE)
+            files[note] = note_content(result, note, case_path, steps)
+        ready()
+        atomic_write.write(files)
+
+
 def write(
     result: StudyResult,
     folder: Path,
     stem: str,
     check: Callable[[], None] = lambda: None,
     ready: Callable[[], None] = lambda: None,
-    note: Path | None = None,
-    case_path: Path | None = None,
     tell: Callable[[int, int], None] = lambda done, planned: None,
 ) -> None:
-    """Workbook and JSON of a result, and the calculation note where a file is named for it: all or none.
+    """Workbook and JSON of a result.
 
-    case_path : of the case, beside which its logo is
-    check : called at every row, to cancel; ready : when all is made and nothing written yet
+    check : called at every row, to cancel; ready : as `Report.write` takes it
     tell(done, planned) : how far it is
-    Raises OutputError and what check and ready raise.
+    Raises as `Report.write`.
     """
-    from core.report import json_report, workbook
-    from core.report.steps import Steps
-
-    steps = Steps(check, tell, 100 if note is None else 100 + NOTE)
-    steps.take(HISTORIES)
-    histories = []
-    for wall in steps.each(result.walls):
-        if len(histories) < workbook.HISTORY_WALLS and (entry := collapse_histories(result, wall)):
-            histories.append(entry)
-    # first the JSON: the cells of the workbook take the most memory
-    steps.take(JSON)
-    text = json_report.encoded(result, steps)
-    try:
-        with _no_collector():
-            book = workbook.content(result, histories, steps)
-    except OSError as error:  # openpyxl makes the sheets in the folder of temporary files
-        raise OutputError("workbook_not_made", reason=error.strerror, folder=tempfile.gettempdir()) from None
-    files = {folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text}
-    if note is not None:
-        steps.take(NOTE)
-        files[note] = note_content(result, note, case_path, steps)
-    ready()
-    atomic_write.write(files)
+    report, steps = Report(result.case, check), Steps(check, tell)
+    steps.take(WALLS)
+    for wall in steps.each(list(result.by_wall())):
+        report.add(wall)
+    report.write(result, folder, stem, ready, steps=steps)
 
 
-def note_content(result: StudyResult, path: Path, case_path: Path | None, steps: "Steps | None" = None) -> bytes:
+def note_content(result: StudyResult, path: Path, case_path: Path | None, steps: Steps | None = None) -> bytes:
     """The calculation note as the ending of its path asks. case_path : of the case, also where nothing lies there yet.
     Raises InputError, OutputError."""
     if path.suffix.lower() == ".pdf":

@@ -185,7 +185,7 @@ class RunningWindow(QMainWindow):
         result, k = self.session.result, self.shown
         if self.wall is None or self.job is not None or self.session.stale:
             return
-        from core.study.run import accuracy_of
+        from core.study.wall_work import accuracy_of
 
         def arrived(accuracy) -> None:
             self.show_word("", "")

@@ -151,6 +151,12 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
     )
 
 
+def shared(part: Part, mechanism: str) -> tuple[str, float, str]:
+    """What a wall about a hinge shares with its other variant alone: the name given, the hinge [m], the mechanism, of a
+    wall held at its top the overturning that no longer happens."""
+    return part.asked.name, part.hinge, "one_sided" if part.wall.bends else mechanism
+
+
 def parts_of(k: int, asked: Wall, building: Building | None) -> list[Part]:
     """The k-th wall of a case from every hinge of its up."""
     return [Part(k, asked, hinge, above_hinge(asked, hinge)) for hinge in (0.0, *hinges_of(asked, building))]

@@ -2,6 +2,8 @@
 
 import math
 
+from openpyxl.worksheet.worksheet import Worksheet
+
 from core.codes.eq9 import TITLE
 from core.derivation import closed_forms as eq
 from core.derivation import wall as of_wall
@@ -36,31 +38,44 @@ from core.text.sentence import word
 from core.units import CM, G
 
 
-def check(book: Book, result: StudyResult) -> None:
-    """One block a wall: geometry, records, set, power law, closed forms, Eq. 9."""
-    say = book.say
-    widths = [34, 13, 13, 13, 12, 11, 12, 16, 11, 11, 11, 11, 12]
-    sheet = book.sheet("Check", widths)
-    title(sheet, 1, say("Check of the equations"))
-    paragraph(
-        sheet,
-        2,
-        say(
-            "Column C is a live formula of this sheet, column D the value of the program: they must "
-            "agree. In the tables of records each pair stands side by side. Yellow cells may be changed."
-        ),
-        len(widths),
-        150,
-        color=QUIET,
-    )
-    changed_cell(book, sheet, 3, 1)
-    demand, row = _demand(book, sheet, result, 4)
-    first = row
-    for wall in book.steps.each(result.walls):
-        row = _wall(book, sheet, result, wall, demand, row + 1)
-        book.rows_of(sheet).pack(first, row)
-    sheet.freeze_panes = "A4"
-    close_inputs(book, sheet)
+class CheckSheet:
+    """The sheet, made while the walls of a study finish: one block a wall, with its geometry, records, set, power law,
+    closed forms, Eq. 9.
+
+    result : of the study, whose walls need not be there
+    """
+
+    def __init__(self, book: Book, result: StudyResult):
+        say, widths = book.say, [34, 13, 13, 13, 12, 11, 12, 16, 11, 11, 11, 11, 12]
+        self.book, self.sheet = book, book.sheet("Check", widths)
+        title(self.sheet, 1, say("Check of the equations"))
+        paragraph(
+            self.sheet,
+            2,
+            say(
+                "Column C is a live formula of this sheet, column D the value of the program: they must "
+                "agree. In the tables of records each pair stands side by side. Yellow cells may be changed."
+            ),
+            len(widths),
+            150,
+            color=QUIET,
+        )
+        changed_cell(book, self.sheet, 3, 1)
+        self._demand, self._row = _demand(book, self.sheet, result, 4)
+        self._first = self._row
+
+    def add(self, result: StudyResult) -> None:
+        """The next wall, see `StudyResult.by_wall`."""
+        for wall in result.walls:
+            self.book.steps.check()
+            self._row = _wall(self.book, self.sheet, result, wall, self._demand, self._row + 1)
+            self.book.rows_of(self.sheet).pack(self._first, self._row)
+
+    def close(self) -> Worksheet:
+        """The sheet, once all walls are there."""
+        self.sheet.freeze_panes = "A4"
+        close_inputs(self.book, self.sheet)
+        return self.sheet
 
 
 def _demand(book: Book, sheet, result: StudyResult, row: int) -> tuple[Rows, int]:

@@ -1,9 +1,8 @@
 """StudyResult -> the results JSON: exact values, the contract of the program."""
 
-import io
-import json
+import itertools
 import math
-from dataclasses import asdict, replace
+from dataclasses import asdict
 
 from core.capacity.accuracy import ROUNDING, Accuracy
 from core.codes.dynamic_check import DemandCheck
@@ -15,19 +14,21 @@ from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import provenance
 from core.report import place_lines
 from core.report.json_walls import bending, body, limit_states, loads, tie_design, ties, variants, verdicts
+from core.report.readable_json import readable
 from core.report.selection_words import selection_keys
-from core.report.steps import Steps
 from core.study.results import Q_SOURCES, Assessment, Run, StudyResult, WallResult
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
 
-PIECES = 10_000
-"""Of a JSON text between two looks whether it is still wanted."""
 
-
-def results(result: StudyResult, steps: Steps | None = None) -> dict:
+def results(result: StudyResult) -> dict:
     """The results as a mapping of the contract's keys; numbers are exact or None."""
-    steps = steps or Steps()
+    walls = [_wall(wall, result) for wall in result.walls]
+    return {**_head(result), **verdicts(result), "walls": walls, **variants(result)}
+
+
+def _head(result: StudyResult) -> dict:
+    """What stands before the verdicts."""
     return {
         "program": {"name": NAME, "version": VERSION, "commit": commit()},
         "started_utc": result.started_utc,
@@ -37,45 +38,49 @@ def results(result: StudyResult, steps: Steps | None = None) -> dict:
         "demand": demand_keys(result) if result.demand else None,
         "records": record_keys(result),
         **({"selection": selection_keys(result.selection)} if result.selection else {}),
-        **verdicts(result),
-        "walls": [_wall(wall, result) for wall in steps.each(result.walls)],
-        **variants(result),
     }
 
 
-def dumps(result: StudyResult, steps: Steps | None = None) -> str:
+def dumps(result: StudyResult) -> str:
     """The results as JSON text; raises ValueError should a number not be finite."""
-    return encoded(result, steps).decode()
+    text = JsonReport()
+    for wall in result.by_wall():
+        text.add(wall)
+    return text.content(result).decode()
 
 
-def encoded(result: StudyResult, steps: Steps | None = None) -> bytes:
-    """The bytes of `dumps`: the keys of one wall at a time are held."""
-    steps = steps or Steps()
-    encoder = json.JSONEncoder(indent=1, allow_nan=False, ensure_ascii=False)
-    content = results(replace(result, walls=(), verdicts=()))
-    content |= verdicts(result)
-    content["walls"] = _OneByOne(result, steps)
-    content |= variants(result)
-    stream = io.BytesIO()  # a list of the pieces takes ten times the text, a stream of text four times
-    text = io.TextIOWrapper(stream, "utf-8", newline="\n", write_through=False)
-    for k, piece in enumerate(encoder.iterencode(content)):
-        if k % PIECES == 0:
-            steps.check()
-        text.write(piece)
-    text.write("\n")
-    text.flush()
-    return stream.getvalue()
+class JsonReport:
+    """The results as JSON text, made while the walls of a study finish."""
+
+    def __init__(self):
+        self._verdicts: list[bytes] = []
+        self._walls: list[bytes] = []
+
+    def add(self, result: StudyResult) -> None:
+        """The next wall, see `StudyResult.by_wall`. Raises ValueError should a number not be finite."""
+        self._verdicts += [readable(one, 2).encode() for one in verdicts(result)["verdicts"]]
+        self._walls += [readable(_wall(wall, result), 2).encode() for wall in result.walls]
+
+    def content(self, result: StudyResult) -> bytes:
+        """The file, once all walls are there. Raises ValueError should a number not be finite."""
+        parts = {
+            **{key: [readable(value, 1).encode()] for key, value in _head(result).items()},
+            "verdicts": _listed(self._verdicts),
+            "walls": _listed(self._walls),
+            **{key: [readable(value, 1).encode()] for key, value in variants(result).items()},
+        }
+        pieces = [b"{"]
+        for key, value in parts.items():
+            pieces += [b"\n " if len(pieces) == 1 else b",\n ", readable(key, 1).encode(), b": ", *value]
+        return b"".join([*pieces, b"\n}\n"])
 
 
-class _OneByOne(list):
-    """The keys of each wall, made when the encoder asks for them."""
-
-    def __init__(self, result: StudyResult, steps: Steps):
-        super().__init__(result.walls)
-        self.result, self.steps = result, steps
-
-    def __iter__(self):
-        return (_wall(wall, self.result) for wall in self.steps.each(self.result.walls))
+def _listed(items: list[bytes]) -> list[bytes]:
+    """Pieces of a list of the first level."""
+    if not items:
+        return [b"[]"]
+    between = (piece for item in items for piece in (b",\n  ", item))
+    return [b"[\n  ", *itertools.islice(between, 1, None), b"\n ]"]
 
 
 def record_keys(result: StudyResult) -> list[dict]:

@@ -1,5 +1,7 @@
 """StudyResult -> workbook: the sheets in order."""
 
+from collections.abc import Callable
+
 from openpyxl.worksheet.worksheet import Worksheet
 
 from core.report import (
@@ -23,70 +25,101 @@ from core.study.results import CollapseHistories, StudyResult
 FIRST_PACKED = 5
 """Row from which on the rows of a sheet are packed: those before are changed to the last."""
 
-HISTORY_WALLS = 20
-"""Walls whose histories and charts are drawn; the rest are listed."""
-
-SHARES = (19, 0, 0, 1, 1, 1, 2, 0, 9, 5, 0, 0, 0, 4, 1, 0)
-SAVING = 58
-"""Hundredths of the writing that each sheet in its order, and the file, take with 400 walls."""
+CHECK, SAVING = 19, 58
+SHARES = (0, 0, 1, 1, 1, 2, 0, 9, 5, 0, 0, 0, 4, 1, 0)
+"""Hundredths of the writing that the sheet Check, the file, and each other sheet in its order take with 400 walls."""
 
 
 def content(result: StudyResult, histories: list[CollapseHistories], steps: Steps | None = None) -> bytes:
-    """The xlsx file of a study.
-
-    histories : of the first HISTORY_WALLS walls with a collapse
-    steps : how far it is
-    """
-    book = build(result, histories, steps or Steps())
-    book.steps.take(SAVING)
-    return book.content()
+    """The xlsx file of a study; the parameters are those of `WorkbookReport.content`."""
+    return _whole(result).content(result, histories, steps or Steps())
 
 
-def build(result: StudyResult, histories: list[CollapseHistories], steps: Steps | None = None) -> Book:
+def build(result: StudyResult, histories: list[CollapseHistories]) -> Book:
     """The workbook before it is saved, and the values of its formulas."""
-    book = Book(result.case.report.language, steps or Steps())
-    book.steps.take(sum(SHARES))
-    book.workbook.remove(book.workbook.active)
-    sheets_in_order = (
-        check_sheet.check,
-        body_sheet.bodies,
-        summary_sheet.summary,
-        summary_sheet.overview,
-        risk_sheet.risk,
-        certainty_sheet.certainty,
-        input_sheet.inputs,
-        sheets.records,
-        sheets.results,
-        demand_sheets.dynamic_check,
-        demand_sheets.spectral_compatibility,
-        floor_sheet.floors,
-        plots.q_against_si,
-        lambda book, result: plots.histories(book, result, histories),
-        plots.survival_map,
-        sheets.method,
-    )
-    for sheet in book.steps.each(sheets_in_order, SHARES):
-        if sheet is summary_sheet.overview and summary_sheet.lists_all(result):
-            continue
-        if sheet is body_sheet.bodies and not body_sheet.has_bodies(result):
-            continue
-        if sheet is risk_sheet.risk and not risk_sheet.has_risk(result):
-            continue
-        if sheet is certainty_sheet.certainty and not sure_words.has_certainty(result):
-            continue
-        if sheet is floor_sheet.floors and not floor_sheet.floors_of(result):
-            continue
-        before = len(book.workbook.worksheets)
-        sheet(book, result)
-        for made in book.workbook.worksheets[before:]:
-            _finish(book, made)
-    # made first, for the others show its cells: it stands behind the results, its bodies behind it
-    if body_sheet.has_bodies(result):
+    return _whole(result).build(result, histories, Steps())
+
+
+def _whole(result: StudyResult) -> "WorkbookReport":
+    made = WorkbookReport(result.case.report.language)
+    for wall in result.by_wall():
+        made.add(wall)
+    return made
+
+
+class WorkbookReport:
+    """The workbook of a study, whose sheet Check is made while the walls finish.
+
+    language : of its words
+    check : called at every row, may raise to end the work
+    """
+
+    def __init__(self, language: str, check: Callable[[], None] = lambda: None):
+        self.book = Book(language, Steps(check))
+        self.book.workbook.remove(self.book.workbook.active)
+        self._check: check_sheet.CheckSheet | None = None
+
+    def add(self, result: StudyResult) -> None:
+        """The next wall, see `StudyResult.by_wall`."""
+        if self._check is None:
+            self._check = check_sheet.CheckSheet(self.book, result)
+        self._check.add(result)
+
+    def content(self, result: StudyResult, histories: list[CollapseHistories], steps: Steps) -> bytes:
+        """The xlsx file, once all walls are there.
+
+        histories : of the walls whose histories are drawn; the rest are listed
+        steps : how far it is
+        """
+        book = self.build(result, histories, steps)
+        steps.take(SAVING)
+        return book.content()
+
+    def build(self, result: StudyResult, histories: list[CollapseHistories], steps: Steps) -> Book:
+        """The workbook before it is saved; the parameters are those of `content`."""
+        book, check = self.book, self._check or check_sheet.CheckSheet(self.book, result)
+        book.steps = steps
+        steps.take(sum(SHARES))
+        _finish(book, check.close())
+        sheets_in_order = (
+            body_sheet.bodies,
+            summary_sheet.summary,
+            summary_sheet.overview,
+            risk_sheet.risk,
+            certainty_sheet.certainty,
+            input_sheet.inputs,
+            sheets.records,
+            sheets.results,
+            demand_sheets.dynamic_check,
+            demand_sheets.spectral_compatibility,
+            floor_sheet.floors,
+            plots.q_against_si,
+            lambda book, result: plots.histories(book, result, histories),
+            plots.survival_map,
+            sheets.method,
+        )
+        for sheet in steps.each(sheets_in_order, SHARES):
+            if sheet is summary_sheet.overview and summary_sheet.lists_all(result):
+                continue
+            if sheet is body_sheet.bodies and not body_sheet.has_bodies(result):
+                continue
+            if sheet is risk_sheet.risk and not risk_sheet.has_risk(result):
+                continue
+            if sheet is certainty_sheet.certainty and not sure_words.has_certainty(result):
+                continue
+            if sheet is floor_sheet.floors and not floor_sheet.floors_of(result):
+                continue
+            before = len(book.workbook.worksheets)
+            sheet(book, result)
+            for made in book.workbook.worksheets[before:]:
+                _finish(book, made)
+        # made first, for the others show its cells: it stands behind the results, its bodies behind it
+        if body_sheet.has_bodies(result):
+            place = book.workbook.sheetnames.index(book.say("Results"))
+            book.workbook.move_sheet(book.say("Bodies"), place - 1)
         place = book.workbook.sheetnames.index(book.say("Results"))
-        book.workbook.move_sheet(book.say("Bodies"), place - 1)
-    place = book.workbook.sheetnames.index(book.say("Results"))
-    book.workbook.move_sheet(book.say("Check"), place)
-    return book
+        book.workbook.move_sheet(book.say("Check"), place)
+        return book
 
 
 def _finish(book: Book, sheet: Worksheet) -> None:

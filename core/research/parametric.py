@@ -195,7 +195,7 @@ def run(
     spectra = spectra_of(study)
     natural, refused = natural_motions(study, base_dir, records_from)
     motions = _generated(study, spectra, threads) + natural
-    threads.run({k: entry.motion.measure for k, entry in enumerate(motions)}, lambda k, _: None)
+    threads.run({k: entry.motion.measure for k, entry in enumerate(motions)})
     book = journal(f"{VERSION} {cache.source_stamp()}") if journal else None
     try:
         rows, restored = _rows(study, motions, threads, book, on_progress)
@@ -225,7 +225,7 @@ def _generated(study: Study, spectra, threads: Threads) -> list[StudyMotion]:
         k: lambda stop, target=spectrum.target, seed=seed: compatible_motion(target, seed)
         for k, (spectrum, seed) in enumerate(wanted)
     }
-    made = threads.run(tasks, lambda k, _: None)
+    made = threads.run(tasks)
     return [
         StudyMotion(
             GroundMotion(

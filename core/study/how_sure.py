@@ -3,7 +3,6 @@ each input does to zeta. Beside the verdict, never part of it."""
 
 import functools
 import math
-from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -25,7 +24,7 @@ from core.study.progress import Progress
 from core.study.results import WallResult, WallVerdict
 from core.study.sensitivity import moves, sensitivity_of
 from core.study.swings import move_words
-from core.study.threads import Threads
+from core.study.threads import Batch, Work
 from core.study.turned_round import keys_of, reach_of
 from core.study.what_if import setting_of
 from core.text.sentence import sentence
@@ -40,42 +39,33 @@ MOST_INTERVALS = 50
 def with_certainty(
     plan: Plan,
     base_dir: Path,
-    demand: DemandResult | None,
+    demand: DemandResult,
     results: Sequence[WallResult],
-    verdicts: Sequence[WallVerdict],
+    verdict: WallVerdict,
     book,
-    threads: Threads,
     progress: Progress,
-) -> tuple[WallVerdict, ...]:
-    """The verdicts with what is beside them.
+) -> Work:
+    """The work whose result is the verdict of a wall with what is beside it.
 
-    base_dir, book, threads, progress : as `core.study.run.result_of` takes them
+    base_dir, book, progress : as `core.study.run.result_of` takes them
     demand : with what the records add
-    Raises Cancelled.
+    results : of the wall, to which the verdict points
     """
-    if demand is None or not verdicts:
-        return tuple(verdicts)
-    found = _with_intervals(plan, demand, results, verdicts, book, threads)
+    verdict = yield from _with_interval(plan, demand, results, verdict, book)
     ag = ag_of(demand, plan.case.demand, base_dir) if demand.hazard else lambda multiplier: multiplier * demand.ag
-    found = [replace(one, rates=_worst_rates(plan, demand, [results[k] for k in one.results], ag)) for one in found]
-    if plan.case.sensitivity is None:
-        return tuple(found)
-    return tuple(_with_sensitivities(plan, base_dir, demand, results, found, book, threads, progress))
+    verdict = replace(verdict, rates=_worst_rates(plan, demand, [results[k] for k in verdict.results], ag))
+    if plan.case.sensitivity is not None:
+        verdict = yield from _with_sensitivity(plan, base_dir, demand, results, verdict, book, progress)
+    return verdict
 
 
-def _with_intervals(
-    plan: Plan, demand: DemandResult, results: Sequence[WallResult], verdicts: Sequence[WallVerdict], book, threads
-) -> list[WallVerdict]:
-    """The verdicts with the interval of their records, one a worst hinge; kept in the book."""
-    if len(plan.case.wall) > MOST_INTERVALS and plan.case.sensitivity is None:
-        return list(verdicts)
-
-    def task(k: int):
-        return lambda stop: _interval(plan, results[k], demand, book, stop)
-
-    worst = [one.governing for one in verdicts if _zeta(results[one.governing]) is not None]
-    intervals = threads.run({k: task(k) for k in worst}, lambda k, found: None)
-    return [replace(one, interval=intervals.get(one.governing)) for one in verdicts]
+def _with_interval(plan: Plan, demand: DemandResult, results: Sequence[WallResult], verdict: WallVerdict, book) -> Work:
+    """The verdict with the interval of its records, of the worst hinge; kept in the book."""
+    worst = results[verdict.governing]
+    if _zeta(worst) is None or (len(plan.case.wall) > MOST_INTERVALS and plan.case.sensitivity is None):
+        return verdict
+    found = yield Batch({"interval": lambda stop: _interval(plan, worst, demand, book, stop)})
+    return replace(verdict, interval=found["interval"])
 
 
 def _interval(plan: Plan, wall: WallResult, demand: DemandResult, book, stop) -> SampleInterval | None:
@@ -92,59 +82,36 @@ def _interval(plan: Plan, wall: WallResult, demand: DemandResult, book, stop) ->
     return found
 
 
-def _with_sensitivities(
+def _with_sensitivity(
     plan: Plan,
     base_dir: Path,
     demand: DemandResult,
     results: Sequence[WallResult],
-    verdicts: Sequence[WallVerdict],
+    verdict: WallVerdict,
     book,
-    threads: Threads,
     progress: Progress,
-) -> list[WallVerdict]:
-    """The verdicts with the moves of their inputs; the parameters are those of `with_certainty`."""
-    ranges = plan.case.sensitivity
+) -> Work:
+    """The verdict with the moves of the inputs; the parameters are those of `with_certainty`."""
+    ranges, origin = plan.case.sensitivity, results[0].part.origin
     assert ranges is not None
-    settings = [
-        setting_of(
-            plan.case,
-            results[one.governing].part.origin,
-            base_dir,
-            (demand, plan.motions, plan.kinds),
-            KeptChecks(book) if book else demand_check,
-        )
-        for one in verdicts
-    ]
-    made = [moves(setting, ranges) for setting in settings]
-    work: dict[tuple[int, str, int | str], Callable] = {}
-    for n, (setting, verdict) in enumerate(zip(settings, verdicts, strict=True)):
-        work |= {(n, "move", m): move.task for m, move in enumerate(made[n])}
-        turned = keys_of(setting).items()
-        work |= {(n, "reach", key): functools.partial(reach_of, setting, key, given) for key, given in turned}
-        for k in verdict.results if ranges.record_left_out else ():
-            if (zeta := _zeta(results[k])) is not None:
-                work[n, "peaks", k] = functools.partial(_peaks_of, plan, results[k], demand, zeta)
-    left = Counter(place[0] for place in work)
-
-    def told(place: tuple[int, str, int | str], _) -> None:
-        left[place[0]] -= 1
-        if not left[place[0]]:
-            progress.done(("sensitivity", results[verdicts[place[0]].governing].part.origin))
-
-    done = threads.run(work, told)
-    found = []
-    for n, verdict in enumerate(verdicts):
-        by_kind: dict[str, dict] = {kind: {} for kind in ("move", "reach", "peaks")}
-        for (owner, kind, key), value in done.items():
-            if owner == n:
-                by_kind[kind][key] = value
-        hinges = [results[k] for k in verdict.results]
-        moved = sensitivity_of(settings[n], ranges, made[n], by_kind["move"], hinges, list(by_kind["peaks"].values()))
-        moved = replace(moved, reach=tuple(by_kind["reach"][key] for key in keys_of(settings[n])))
-        turning = tuple(move_words(one, one.lowest) for one in moved.swings if one.key in moved.turning)
-        extra = (sentence("reason", "turned", moves=turning),) if turning else ()
-        found.append(replace(verdict, sensitivity=moved, extra=(*verdict.extra, *extra)))
-    return found
+    kept = KeptChecks(book) if book else demand_check
+    setting = setting_of(plan.case, origin, base_dir, (demand, plan.motions, plan.kinds), kept)
+    made, turned, hinges = moves(setting, ranges), keys_of(setting), [results[k] for k in verdict.results]
+    work: dict[tuple[str, int | str], Callable] = {("move", m): move.task for m, move in enumerate(made)}
+    work |= {("reach", key): functools.partial(reach_of, setting, key, given) for key, given in turned.items()}
+    for k, hinge in enumerate(hinges if ranges.record_left_out else []):
+        if (zeta := _zeta(hinge)) is not None:
+            work["peaks", k] = functools.partial(_peaks_of, plan, hinge, demand, zeta)
+    done = yield Batch(work)
+    progress.done(("sensitivity", origin))
+    by_kind: dict[str, dict] = {kind: {} for kind in ("move", "reach", "peaks")}
+    for (kind, key), value in done.items():
+        by_kind[kind][key] = value
+    moved = sensitivity_of(setting, ranges, made, by_kind["move"], hinges, list(by_kind["peaks"].values()))
+    moved = replace(moved, reach=tuple(by_kind["reach"][key] for key in turned))
+    turning = tuple(move_words(one, one.lowest) for one in moved.swings if one.key in moved.turning)
+    extra = (sentence("reason", "turned", moves=turning),) if turning else ()
+    return replace(verdict, sensitivity=moved, extra=(*verdict.extra, *extra))
 
 
 def _felt(plan: Plan, wall: WallResult) -> list:

@@ -80,7 +80,7 @@ def in_order(case: Case, base_dir: Path, cancelled: Callable[[], bool] = lambda:
             raise Cancelled
         plan = _plan(case, base_dir, inputs, group, 0.0, floors)
         tasks.append(len(costs_of(plan)))
-        longest = max(longest, plan._replace(longest=None).longest_period)
+        longest = max(longest, replace(plan, longest=None).longest_period)
     if demand and demand.target and motions:
         period_range(kinds, longest, demand)
     return LargeCase(case, base_dir, inputs, groups, tasks, longest, selection)

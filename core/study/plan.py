@@ -1,12 +1,14 @@
 """What a study does, known before its first analysis: its demand, its motions, and its walls about every hinge."""
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from core.capacity.ida import Search
-from core.case.hinges import Part, hinges_of, parts_of
+from core.case.hinges import Part, hinges_of, parts_of, shared
 from core.case.schema import Case, Wall
 from core.case.site import Building
 from core.codes.demand import DemandResult
@@ -43,7 +45,8 @@ class Entry(NamedTuple):
     kinematic: Kinematic | None
 
 
-class Plan(NamedTuple):
+@dataclass(frozen=True)
+class Plan:
     """What a study does, known before its first analysis.
 
     demand : without what the records add, None where no check is asked for
@@ -63,9 +66,25 @@ class Plan(NamedTuple):
 
     @property
     def runs(self) -> list[tuple[int, int, int]]:
-        """(wall, record, sign) of each search."""
-        walls = enumerate(self.entries)
-        return [(k, record, sign) for k, one in walls for record in range(len(one.felt)) for sign in one.signs]
+        """(entry, record, sign) of each search."""
+        return [one for k in range(len(self.entries)) for one in self.runs_of(k)]
+
+    def runs_of(self, k: int) -> list[tuple[int, int, int]]:
+        """`runs` of one entry."""
+        entry = self.entries[k]
+        return [(k, record, sign) for record in range(len(entry.felt)) for sign in entry.signs]
+
+    @cached_property
+    def spans(self) -> list[range]:
+        """The entries of each wall of the case, which stand side by side."""
+        origins = [one.part.origin for one in self.entries]
+        starts = [k for k, origin in enumerate(origins) if origins[k - 1 : k] != [origin]]
+        return [range(*ends) for ends in pairwise([*starts, len(origins)])]
+
+    @cached_property
+    def variants(self) -> set[tuple[tuple[str, float, str], str | None]]:
+        """(what it shares with its other variant, which of both it is) of each entry."""
+        return {(shared(one.part, one.mechanism), one.part.wall.variant) for one in self.entries}
 
     @property
     def longest_period(self) -> float:

@@ -1,14 +1,16 @@
 """What a study results in: frozen, in SI units, nothing computed later."""
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import groupby
 
 from core.capacity.accuracy import Accuracy
 from core.capacity.closed_forms import PowerLaw
 from core.capacity.fragility import Fragility
 from core.capacity.ida import Ida, Search
 from core.capacity.scale_free_law import Estimate
-from core.case.hinges import Part
+from core.case.hinges import Part, shared
 from core.case.schema import Case, Wall
 from core.codes.collapse_rate import StateRate
 from core.codes.demand import DemandResult
@@ -181,9 +183,8 @@ class WallResult:
 
     @property
     def pair(self) -> tuple[str, float, str]:
-        """What it shares with its other variant alone: the name given, the hinge [m], the mechanism, of a wall held at
-        its top the overturning that no longer happens."""
-        return self.part.asked.name, self.part.hinge, "one_sided" if self.wall.bends else self.mechanism
+        """What it shares with its other variant alone."""
+        return shared(self.part, self.mechanism)
 
     @property
     def threshold(self) -> float:
@@ -236,6 +237,10 @@ class WallVerdict:
     def title(self) -> str:
         return self.wall.title
 
+    def moved(self, by: int) -> "WallVerdict":
+        """Among results whose places are so many further."""
+        return replace(self, governing=self.governing + by, results=tuple(k + by for k in self.results))
+
 
 @dataclass(frozen=True)
 class StudyResult:
@@ -243,6 +248,7 @@ class StudyResult:
 
     motions : the records, SI units
     walls : one entry for each hinge and mechanism of each wall of the case
+    first : place of the first of them in the whole study, from 0, where these are the results of one wall of it
     verdicts : one for each wall of the case, in its order; empty without a demand
     selection : of [select]
     """
@@ -259,6 +265,23 @@ class StudyResult:
     elapsed: float = field(compare=False, default=0.0)
     verdicts: tuple[WallVerdict, ...] = ()
     selection: Selection | None = None
+    first: int = 0
+
+    def of_wall(self, walls: Sequence[WallResult], verdicts: tuple[WallVerdict, ...], first: int) -> "StudyResult":
+        """The results of one wall alone.
+
+        walls : its results; first : place of the first of them
+        verdicts : its verdict, none without a demand, in places from 0
+        """
+        return replace(self, walls=tuple(walls), verdicts=verdicts, first=first)
+
+    def by_wall(self) -> Iterator["StudyResult"]:
+        """The results of each wall of the case alone, in its order."""
+        verdicts = {one.governing: one for one in self.verdicts}
+        for _, group in groupby(enumerate(self.walls), lambda entry: entry[1].part.origin):
+            places, walls = zip(*group, strict=True)
+            found = tuple(verdicts[k].moved(-places[0]) for k in places if k in verdicts)
+            yield self.of_wall(walls, found, self.first + places[0])
 
     def motion_of(self, wall: WallResult, k: int) -> GroundMotion:
         """The motion under a wall: the k-th of the study, or of a wall above the ground that of its floor."""
@@ -287,7 +310,7 @@ class StudyResult:
     @cached_property
     def numbers(self) -> dict[int, int]:
         """Place of each wall, from 1, by its id: a search for each wall would go through all others."""
-        return {id(wall): number for number, wall in enumerate(self.walls, start=1)}
+        return {id(wall): number for number, wall in enumerate(self.walls, start=self.first + 1)}
 
     @property
     def without_number(self) -> list[tuple[str, str, int, str]]:

@@ -1,13 +1,37 @@
 """Independent work on threads: the kernels hold no lock, results do not depend on the number of threads."""
 
 import contextlib
+import heapq
+import itertools
 import queue
 import threading
-from collections.abc import Callable, Mapping
-from concurrent.futures import ThreadPoolExecutor
-from typing import Any
+from collections.abc import Callable, Generator, Iterable, Mapping
+from concurrent.futures import Future, ThreadPoolExecutor
+from typing import Any, NamedTuple
 
 from core.errors import Cancelled
+
+AHEAD = 2
+"""Tasks of a thread that it is handed: the one it does, and the next."""
+
+
+def nothing(key: Any, result: Any) -> None:
+    """What most need not be told."""
+
+
+class Batch(NamedTuple):
+    """Tasks that do not wait for each other.
+
+    tasks : `task(stop)` by key
+    on_result : called from the calling thread with the key and the result of each
+    """
+
+    tasks: Mapping[Any, Callable]
+    on_result: Callable[[Any, Any], None] = nothing
+
+
+Work = Generator[Batch, dict, Any]
+"""What needs tasks done: it yields a Batch, is sent their results by key, and returns its own."""
 
 
 class Threads:
@@ -18,35 +42,89 @@ class Threads:
     def __init__(self, jobs: int, cancelled: Callable[[], bool]):
         self.jobs, self.cancelled = max(1, jobs), cancelled
 
-    def run(self, tasks: Mapping[Any, Callable], on_result: Callable[[Any, Any], None]) -> dict:
-        """Results by key of `task(stop)`; on_result(key, result) from the calling thread.
+    def run(self, tasks: Mapping[Any, Callable], on_result: Callable[[Any, Any], None] = nothing) -> dict:
+        """Results by key of `task(stop)`; the parameters are those of a Batch. Raises as `run_works` does."""
 
-        Raises Cancelled within 0.1 s of a cancel and a task's stop, and whatever a task raises.
+        def work() -> Work:
+            return (yield Batch(tasks, on_result))
+
+        found: list[dict] = []
+        self.run_works([work()], found.append)
+        return found[0]
+
+    def run_works(self, works: Iterable[Work], on_end: Callable[[Any], None]) -> None:
+        """Carry works out side by side, the tasks of the first ones first, each begun when threads would be idle.
+        on_end : called from the calling thread with what each returns, in their order
+
+        Raises Cancelled within 0.1 s of a cancel and a task's stop, and whatever a task or a work raises.
         """
-        results, ended = {}, threading.Event()
-        # not `wait`, which looks at each of thousands of futures every time
-        done = queue.SimpleQueue()
-
-        def stop() -> bool:
-            return ended.is_set() or self.cancelled()
-
+        ended, done = threading.Event(), queue.SimpleQueue()
         with ThreadPoolExecutor(self.jobs) as pool:
-            waiting = {pool.submit(task, stop): key for key, task in tasks.items()}
+            under_way = _UnderWay(works, on_end)
+            flying: dict[Future, tuple[int, Any]] = {}
             try:
-                for future in list(waiting):
-                    future.add_done_callback(done.put)
-                while len(results) < len(tasks):
-                    future = None
+                while True:
+                    while len(flying) < AHEAD * self.jobs and (found := under_way.next_task()) is not None:
+                        number, key, task = found
+                        future = pool.submit(task, lambda: ended.is_set() or self.cancelled())
+                        flying[future] = number, key
+                        future.add_done_callback(done.put)
+                    if not flying:
+                        return
                     with contextlib.suppress(queue.Empty):
                         future = done.get(timeout=0.1)
-                    if future is not None:
-                        key = waiting.pop(future)
-                        results[key] = future.result()
-                        on_result(key, results[key])
+                        under_way.take(*flying.pop(future), future.result())
                     if self.cancelled():
                         raise Cancelled
             finally:
                 ended.set()
-                for future in waiting:
+                for future in flying:
                     future.cancel()
-        return results
+
+
+class _UnderWay:
+    """Works that are begun and not ended. The parameters are those of `run_works`."""
+
+    def __init__(self, works: Iterable[Work], on_end: Callable[[Any], None]):
+        self._works, self._on_end = enumerate(works), on_end
+        self._waiting: list[tuple[int, int, Any, Callable]] = []
+        self._counted = itertools.count()
+        self._open: dict[int, tuple[Work, Batch, dict]] = {}
+        self._ended: dict[int, Any] = {}
+        self._told = 0
+
+    def next_task(self) -> tuple[int, Any, Callable] | None:
+        """(number of its work, key, task) of the next task, of a work begun for it if need be; None where none is left
+        that waits for no other."""
+        while not self._waiting:
+            number, work = next(self._works, (None, None))
+            if number is None or work is None:
+                return None
+            self._send(number, work, None)
+        number, _, key, task = heapq.heappop(self._waiting)
+        return number, key, task
+
+    def take(self, number: int, key: Any, result: Any) -> None:
+        """The result of a task."""
+        work, batch, results = self._open[number]
+        results[key] = result
+        batch.on_result(key, result)
+        if len(results) == len(batch.tasks):
+            self._send(number, work, results)
+
+    def _send(self, number: int, work: Work, results: dict | None) -> None:
+        """Go on with a work to its next tasks, or its end."""
+        self._open.pop(number, None)
+        try:
+            batch = work.send(results)  # type: ignore[arg-type]  (None begins a generator)
+            while not batch.tasks:
+                batch = work.send({})
+        except StopIteration as end:
+            self._ended[number] = end.value
+            while self._told in self._ended:
+                self._told += 1
+                self._on_end(self._ended.pop(self._told - 1))
+            return
+        self._open[number] = work, batch, {}
+        for key, task in batch.tasks.items():
+            heapq.heappush(self._waiting, (number, next(self._counted), key, task))

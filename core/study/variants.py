@@ -1,9 +1,11 @@
 """Walls as they are beside walls as they are designed, compared line by line."""
 
-from dataclasses import dataclass, fields
+from collections.abc import Container
+from dataclasses import dataclass, fields, replace
 
 from core.case.schema import AS_IS, DESIGNED, Wall
 from core.study.results import WallResult
+from core.text.sentence import notice
 
 
 @dataclass(frozen=True)
@@ -39,3 +41,14 @@ def comparisons(walls: tuple[WallResult, ...]) -> tuple[Comparison, ...]:
             changed = changed_keys(wall.wall, other.wall)
             found.append(Comparison(wall.part.own_name, wall, other, changed))
     return tuple(found)
+
+
+OTHER = {AS_IS: DESIGNED, DESIGNED: AS_IS}
+
+
+def with_variant_alone(wall: WallResult, known: Container) -> WallResult:
+    """A result; with a notice where it is a variant whose counterpart is missing. known : of `Plan.variants`"""
+    other = OTHER.get(wall.wall.variant)
+    if other is None or (wall.pair, other) in known:
+        return wall
+    return replace(wall, warnings=(notice("variant_alone"), *wall.warnings))

@@ -1,7 +1,5 @@
 """From the runs of a wall to its result: governing sign, set, power law, checks, warnings."""
 
-from dataclasses import replace
-
 import numpy as np
 
 from core.capacity import closed_forms
@@ -9,7 +7,7 @@ from core.capacity.fragility import fragility
 from core.capacity.ida import TRILINEAR_FLOOR, Ida, multiplier_of, threshold_of
 from core.capacity.scale_free_law import estimates
 from core.case.hinges import Part
-from core.case.schema import AS_IS, DESIGNED, Wall
+from core.case.schema import Wall
 from core.codes.eq9 import inequality
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM, set_rule, set_value
 from core.ground.ground_motion import GroundMotion
@@ -272,16 +270,3 @@ def _form_notices(wall, block, mechanism, restitution, law, per_record, demand, 
         if robust and robust.passed and not (histories and histories.passed):
             notices.append(notice("only_robust"))
     return notices
-
-
-def with_variants_alone(results: list[WallResult]) -> list[WallResult]:
-    """The results, a variant whose counterpart is missing with a notice."""
-    known = {(w.pair, w.wall.variant) for w in results}
-    other = {AS_IS: DESIGNED, DESIGNED: AS_IS}
-    said = []
-    for wall in results:
-        variant = wall.wall.variant
-        if variant is not None and (wall.pair, other[variant]) not in known:
-            wall = replace(wall, warnings=(notice("variant_alone"), *wall.warnings))
-        said.append(wall)
-    return said

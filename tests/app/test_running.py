@@ -26,12 +26,12 @@ def test_that_a_job_that_cannot_stop_is_left_at_once_and_nothing_of_it_arrives(o
 
 
 def test_that_finished_runs_are_used_again(opened, application, monkeypatch):
-    from core.study import run as study
+    from core.study import wall_work
 
     run(application, opened)
     first = opened.session.result
     opened.session.edit(replace(opened.session.case, title="another"))
-    monkeypatch.setattr(study, "incremental_dynamic_analyses", lambda *_: pytest.fail("again"))
+    monkeypatch.setattr(wall_work, "incremental_dynamic_analyses", lambda *_: pytest.fail("again"))
     run(application, opened)
     assert opened.session.result is not first
     assert opened.session.result.walls == first.walls
@@ -146,10 +146,10 @@ def test_that_a_finished_job_is_kept_by_nobody(opened, application):
 
 
 def test_that_the_accuracy_statement_survives_a_save(opened, application, monkeypatch):
-    from core.study import run as study
+    from core.study import wall_work
 
     run(application, opened)
-    held = Held(monkeypatch, study, "accuracy_of")
+    held = Held(monkeypatch, wall_work, "accuracy_of")
     opened.state_accuracy()
     held.await_call()
     opened.files.save()

@@ -1,0 +1,250 @@
+"""One wall of a study, from its searches to its verdict: what it needs done, and what comes of it."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import asdict, replace
+from pathlib import Path
+from typing import NamedTuple
+
+from core.capacity.accuracy import Accuracy, accuracy
+from core.capacity.ida import Ida, Run, incremental_dynamic_analyses
+from core.codes.demand import DemandResult
+from core.codes.record_compatibility import Compliance
+from core.rocking.history import in_lanes
+from core.study.assessment import assess
+from core.study.governing import lowest_run
+from core.study.how_sure import with_certainty
+from core.study.journal import Journal, Memory, rebuilt
+from core.study.kept_checks import KeptChecks, run_key
+from core.study.limit_states import StateHistories, zetas
+from core.study.plan import Entry, Plan
+from core.study.progress import Progress
+from core.study.results import Assessment, WallResult, WallVerdict
+from core.study.threads import Batch, Work
+from core.study.tie_design import Hinge, tie_design
+from core.study.variants import with_variant_alone
+from core.study.wall_result import run_result, wall_result
+from core.study.wall_verdict import wall_verdicts
+from core.study.zeta_with import Scene
+from core.text.sentence import notice
+
+TASKS, SAMPLES = 8, 40_000
+"""Least tasks for a thread where runs of a wall are searched side by side; most samples of them, for a quick cancel."""
+
+
+class Given(NamedTuple):
+    """What the walls of a study have in common.
+
+    plan, base_dir : of the study
+    demand : with what the records add; rules : whether they comply with it, None without a spectrum
+    by_state : demands of the limit states, of `demands_of`
+    book : of finished searches and checks
+    progress : told of each task
+    on_wall : told of each WallResult that has its checks
+    """
+
+    plan: Plan
+    base_dir: Path
+    demand: DemandResult | None
+    rules: Compliance | None
+    by_state: dict[str, DemandResult]
+    book: Journal | Memory | None
+    progress: Progress
+    on_wall: Callable[[WallResult], None]
+
+
+Finished = tuple[list[WallResult], tuple[WallVerdict, ...]]
+"""Of one wall of the case: its results, and its verdict in their numbers from 0, none without a demand."""
+
+
+def works(given: Given, jobs: int) -> Iterator[Work]:
+    """The work of each wall of a case, which returns Finished."""
+    plan, known = given.plan, {}
+    for one in plan.runs:
+        found = rebuilt(Ida, given.book.get(_key(plan, one))) if given.book else None
+        if found is not None:
+            known[one] = found
+    given.progress.known(known)
+    together = (len(plan.runs) - len(known)) // (TASKS * jobs)
+    return (_Wall(given, known, together, span).work() for span in plan.spans)
+
+
+def _key(plan: Plan, one: tuple[int, int, int]) -> str:
+    """Key of a search in the journal. one : (wall, record, sign)"""
+    k, record, sign = one
+    entry = plan.entries[k]
+    return run_key(entry.model, entry.felt[record], sign, plan.method, plan.search)
+
+
+class _Wall:
+    """One wall of a case.
+
+    known : Idas of earlier starts by (entry, record, sign)
+    together : runs that are searched side by side, where they are lanes
+    span : its entries in the plan
+    """
+
+    def __init__(self, given: Given, known: dict[tuple[int, int, int], Ida], together: int, span: range):
+        self.given, self.known, self.together = given, known, together
+        self.entries = {k: given.plan.entries[k] for k in span}
+        self.kept = {k: KeptChecks(given.book) for k in span}
+        self.results: dict[int, WallResult] = {}
+
+    def work(self) -> Work:
+        """Returns Finished. Raises InputError, and Cancelled as `Threads.run_works`."""
+        given, plan = self.given, self.given.plan
+        yield from self._searched()
+        if given.demand:
+            yield from self._assessed(given.demand)
+            yield from self._at_limit_states(given.demand)
+            yield from self._with_tie(given.demand)
+            self.results = {k: with_variant_alone(one, plan.variants) for k, one in self.results.items()}
+        if plan.case.analysis.accuracy:
+            yield from self._with_accuracy()
+        results = list(self.results.values())
+        verdicts = wall_verdicts(plan.case, tuple(results))
+        if given.demand and verdicts and plan.longest is None:  # of a group of walls the rows alone are kept
+            parts = plan, given.base_dir, given.demand, results, verdicts[0], given.book, given.progress
+            verdicts = ((yield from with_certainty(*parts)),)
+        return results, verdicts
+
+    def _searched(self) -> Work:
+        """q under each record, without a check."""
+        given, plan = self.given, self.given.plan
+        idas = {one: ida for one, ida in self.known.items() if one[0] in self.entries}
+
+        def search_of(group: tuple[tuple[int, int, int], ...]):
+            entry = self.entries[group[0][0]]
+            motions = [(entry.felt[record], sign) for _, record, sign in group]
+            runs = [Run(motion.acceleration, motion.time_step, motion.pga, sign) for motion, sign in motions]
+            return lambda stop: incremental_dynamic_analyses(runs, entry.model, plan.method, plan.search, stop)
+
+        def keep(group, found: list[Ida]) -> None:
+            for one, ida in zip(group, found, strict=True):
+                idas[one] = ida
+                if given.book:
+                    given.book.add(_key(plan, one), asdict(ida))
+                given.progress.done(one)
+
+        groups = []
+        for k, entry in self.entries.items():
+            runs = [one for one in plan.runs_of(k) if one not in idas]
+            longest = max((motion.acceleration.size for motion in entry.felt), default=1)
+            lanes = in_lanes(plan.method, entry.model)
+            together = max(1, min(self.together, SAMPLES // longest)) if lanes else 1
+            groups += [tuple(runs[n : n + together]) for n in range(0, len(runs), together)]
+        yield Batch({group: search_of(group) for group in groups}, keep)
+        for k, (part, mechanism, model, signs, floor, felt, _) in self.entries.items():
+            found = [run_result(model, motion, n, s, idas[k, n, s]) for n, motion in enumerate(felt) for s in signs]
+            motions = [] if part.wall.bends else plan.motions
+            self.results[k] = wall_result(part, mechanism, model, found, motions, plan.search, given.demand, floor)
+
+    def _assessed(self, demand: DemandResult) -> Work:
+        """The checks at the demand."""
+        given, plan = self.given, self.given.plan
+
+        def task(k: int, entry: Entry):
+            return lambda stop: assess(
+                self.results[k],
+                entry.kinematic,
+                entry.felt,
+                entry.signs,
+                demand,
+                given.rules,
+                plan.method,
+                stop,
+                plan.case.demand,
+                plan.case.building,
+                plan.motions,
+                self.kept[k],
+            )
+
+        def checked(k: int, found: Assessment) -> None:
+            self.results[k] = replace(self.results[k], assessment=found)
+            given.on_wall(self.results[k])
+            given.progress.done(("check", k), self.kept[k].made > 0)
+
+        yield Batch({k: task(k, entry) for k, entry in self.entries.items()}, checked)
+
+    def _at_limit_states(self, demand: DemandResult) -> Work:
+        """zeta at each limit state of the site."""
+        given, plan = self.given, self.given.plan
+
+        def task(k: int, wall: WallResult):
+            felt, signs = self.entries[k].felt, self.entries[k].signs
+            return lambda stop: zetas(
+                wall.wall,
+                wall.mechanism,
+                given.by_state,
+                plan.case.building,
+                StateHistories(wall.model, felt, signs, demand, plan.method, self.kept[k], stop),
+                plan.case.demand.limit_states,
+            )
+
+        states = yield Batch({k: task(k, wall) for k, wall in self.results.items()} if given.by_state else {})
+        for k, found in states.items():
+            self._add(k, states=found)
+
+    def _with_tie(self, demand: DemandResult) -> Work:
+        """The design of its tie, where one is asked for; a wall one of whose hinges has no check has none."""
+        given, plan = self.given, self.given.plan
+        counted = [k for k, entry in self.entries.items() if entry.part.wall.tie_height_m is not None]
+        first, *_ = self.results.values()
+        asked = plan.case.wall[first.part.origin]
+        group = {k: wall for k, wall in self.results.items() if wall.mechanism == "one_sided"}
+        whole = asked.tie_height_m is not None and all(wall.assessment.kinematic for wall in group.values())
+        if not group or not whole:
+            for k in counted:
+                given.progress.done(("tie", k), False)
+            return
+        hinges = []
+        for k, wall in group.items():
+            scene = Scene(
+                wall.wall,
+                wall.mechanism,
+                demand,
+                plan.case.building,
+                tuple(plan.motions),
+                self.entries[k].signs,
+                plan.method,
+                None,
+                wall.floor,
+                self.kept[k],
+            )
+            hinges.append(Hinge(wall.part.hinge, scene, wall.assessment.dynamic))
+
+        def told(_, __) -> None:
+            for k in counted:
+                given.progress.done(("tie", k), k in group)
+
+        found = yield Batch({"tie": lambda stop: tie_design(hinges, asked, stop)}, told)
+        self._add(next(iter(group)), tie=found["tie"])
+
+    def _with_accuracy(self) -> Work:
+        """The statement on the governing run."""
+        given, plan = self.given, self.given.plan
+
+        def task(wall: WallResult):
+            return lambda stop: accuracy_of(wall, plan.motions, plan.method, plan.search, stop)
+
+        found = yield Batch(
+            {k: task(wall) for k, wall in self.results.items()},
+            lambda k, one: given.progress.done(("accuracy", k), one is not None),
+        )
+        for k, wall in self.results.items():
+            bends = (notice("bending_no_accuracy"),) if wall.wall.bends else ()
+            self.results[k] = replace(wall, accuracy=found[k], warnings=(*wall.warnings, *bends))
+
+    def _add(self, k: int, **parts) -> None:
+        """To the checks of an entry."""
+        wall = self.results[k]
+        self.results[k] = replace(wall, assessment=replace(wall.assessment, **parts))
+
+
+def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accuracy | None:
+    """The statement on the governing run of a wall; None without a q. motions : of the ground."""
+    lowest = lowest_run(wall)
+    if lowest is None:
+        return None
+    motion = (wall.floor.motions if wall.floor else motions)[lowest.motion]
+    other = next((r.ida.q for r in wall.runs if r.motion == lowest.motion and r.polarity != lowest.polarity), None)
+    return accuracy(motion, lowest.polarity, lowest.ida, other, wall.model, method, search, cancelled)
