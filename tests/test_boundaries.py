@@ -143,7 +143,6 @@ SHOWN_BY = {
     "study/governing": RUN,
     "study/plan": RUN,
     "study/results": RUN,
-    "study/threads": RUN,
     **{
         f"rocking/compared/{name}": ORDER
         for name in (

@@ -21,7 +21,7 @@ from core.study.results import CollapseHistories, StudyResult
 HISTORY_WALLS = 20
 """Walls whose histories and charts are drawn; the rest are listed."""
 
-WALLS, NOTE = 27, 90
+WALLS, NOTE = 53, 90
 """Hundredths of the writing of what is made a wall at a time; the note as a document is beyond the hundred."""
 
 
@@ -80,8 +80,9 @@ class Report:
     def add(self, result: StudyResult) -> None:
         """The next wall, see `StudyResult.by_wall`."""
         text, book = self._files
-        text.add(result)
-        book.add(result)
+        with _no_collector():
+            text.add(result)
+            book.add(result)
         for wall in result.walls:
             self.check()
             if len(self._histories) < HISTORY_WALLS and (found := collapse_histories(result, wall)):

@@ -1,8 +1,10 @@
 """StudyResult -> the results JSON: exact values, the contract of the program."""
 
 import itertools
+import json
 import math
 from dataclasses import asdict
+from typing import Any
 
 from core.capacity.accuracy import ROUNDING, Accuracy
 from core.codes.dynamic_check import DemandCheck
@@ -14,11 +16,17 @@ from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import provenance
 from core.report import place_lines
 from core.report.json_walls import bending, body, limit_states, loads, tie_design, ties, variants, verdicts
-from core.report.readable_json import readable
 from core.report.selection_words import selection_keys
 from core.study.results import Q_SOURCES, Assessment, Run, StudyResult, WallResult
 from core.units import CM, G
 from core.version import NAME, VERSION, commit
+
+_ENCODER = json.JSONEncoder(indent=1, allow_nan=False, ensure_ascii=False)
+
+
+def _text(value: Any, depth: int) -> bytes:
+    """JSON text of a value that lies so deep; raises ValueError should a number not be finite."""
+    return _ENCODER.encode(value).replace("\n", "\n" + " " * depth).encode()
 
 
 def results(result: StudyResult) -> dict:
@@ -58,20 +66,20 @@ class JsonReport:
 
     def add(self, result: StudyResult) -> None:
         """The next wall, see `StudyResult.by_wall`. Raises ValueError should a number not be finite."""
-        self._verdicts += [readable(one, 2).encode() for one in verdicts(result)["verdicts"]]
-        self._walls += [readable(_wall(wall, result), 2).encode() for wall in result.walls]
+        self._verdicts += [_text(one, 2) for one in verdicts(result)["verdicts"]]
+        self._walls += [_text(_wall(wall, result), 2) for wall in result.walls]
 
     def content(self, result: StudyResult) -> bytes:
         """The file, once all walls are there. Raises ValueError should a number not be finite."""
         parts = {
-            **{key: [readable(value, 1).encode()] for key, value in _head(result).items()},
+            **{key: [_text(value, 1)] for key, value in _head(result).items()},
             "verdicts": _listed(self._verdicts),
             "walls": _listed(self._walls),
-            **{key: [readable(value, 1).encode()] for key, value in variants(result).items()},
+            **{key: [_text(value, 1)] for key, value in variants(result).items()},
         }
         pieces = [b"{"]
         for key, value in parts.items():
-            pieces += [b"\n " if len(pieces) == 1 else b",\n ", readable(key, 1).encode(), b": ", *value]
+            pieces += [b"\n " if len(pieces) == 1 else b",\n ", _text(key, 1), b": ", *value]
         return b"".join([*pieces, b"\n}\n"])
 
 

@@ -25,9 +25,8 @@ from core.study.results import CollapseHistories, StudyResult
 FIRST_PACKED = 5
 """Row from which on the rows of a sheet are packed: those before are changed to the last."""
 
-CHECK, SAVING = 19, 58
-SHARES = (0, 0, 1, 1, 1, 2, 0, 9, 5, 0, 0, 0, 4, 1, 0)
-"""Hundredths of the writing that the sheet Check, the file, and each other sheet in its order take with 400 walls."""
+SHARES, SAVING = (0, 0, 1, 0, 0, 0, 1, 10, 5, 0, 0, 1, 12, 3, 1), 13
+"""Hundredths of the writing that each sheet after Check in its order, and the file, take with 300 walls."""
 
 
 def content(result: StudyResult, histories: list[CollapseHistories], steps: Steps | None = None) -> bytes:

@@ -90,8 +90,11 @@ def result_of(
 ) -> StudyResult:
     """What a plan results in.
 
+    plan : of the case
     base_dir, on_wall, on_finished : as `run` takes them
+    threads : that do the tasks
     started : when
+    progress : told of each task
     book : of finished searches and checks, closed at the end
     selection : of [select]
     whole : all walls of the case are in it, so that they have verdicts
