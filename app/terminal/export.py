@@ -62,7 +62,7 @@ class Report:
     """Workbook and JSON of a study, made while its walls finish.
 
     case : of the study
-    check : called at every row, to cancel
+    check : called at every part, to cancel
     """
 
     def __init__(self, case: Case, check: Callable[[], None] = lambda: None):
@@ -130,7 +130,7 @@ def write(
 ) -> None:
     """Workbook and JSON of a result.
 
-    check : called at every row, to cancel; ready : as `Report.write` takes it
+    check : called at every part, to cancel; ready : as `Report.write` takes it
     tell(done, planned) : how far it is
     Raises as `Report.write`.
     """

@@ -176,7 +176,7 @@ def write(
     ready: Callable[[], None] = lambda: None,
     tell: Callable[[int, int], None] = lambda done, planned: None,
 ) -> None:
-    """All files of a study. check : called at every row, to cancel; ready : when all is made and nothing written yet;
+    """All files of a study. check : called at every part, to cancel; ready : when all is made and nothing written yet;
     tell(done, planned) : how far it is. Raises OutputError; what a figure raises, when the other files are written."""
     from core.report.steps import Steps
     from core.research import study_files, study_workbook

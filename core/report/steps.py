@@ -1,4 +1,4 @@
-"""How far the making of a file is, and whether it is still wanted: asked at every row, told in hundredths."""
+"""How far the making of a file is, and whether it is still wanted: asked at every part, told in hundredths."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TypeVar

@@ -50,7 +50,7 @@ class WorkbookReport:
     """The workbook of a study, whose sheet Check is made while the walls finish.
 
     language : of its words
-    check : called at every row, may raise to end the work
+    check : called at every part, may raise to end the work
     """
 
     def __init__(self, language: str, check: Callable[[], None] = lambda: None):

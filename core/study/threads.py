@@ -112,11 +112,11 @@ class _UnderWay:
         if len(results) == len(batch.tasks):
             self._send(number, work, results)
 
-    def _send(self, number: int, work: Work, results: dict | None) -> None:
-        """Go on with a work to its next tasks, or its end."""
+    def _send(self, number: int, work: Work, results: Any) -> None:
+        """Go on with a work to its next tasks, or its end. results : None to begin with"""
         self._open.pop(number, None)
         try:
-            batch = work.send(results)  # type: ignore[arg-type]  (None begins a generator)
+            batch = work.send(results)
             while not batch.tasks:
                 batch = work.send({})
         except StopIteration as end:
