@@ -132,7 +132,7 @@ def landing(v, gap, h):
     this is sure); gap not negative.
 
     From the root of the parabola, or where phi'' is outward at first and then inward that of the cubic without the gap,
-    or from the end, two Newton steps on the cubic and three third-order steps. The time found is the first one where
+    or from the end, two Newton steps on the cubic and two third-order steps. The time found is the first one where
     phi'' is negative until then, or where phi''' keeps its sign and phi' thus turns from outward to inward once.
     (1.001 and 1.998, for 1 and 2, are margins for rounding on the side of a larger bound.)
     """
@@ -148,7 +148,6 @@ def landing(v, gap, h):
         slope = fma(time, fma(time, v[2], v[1]), v[0])
         time -= off / slope if slope < 0.0 else 0.0
     time, _, _, _ = third_order_step(v, gap, min(time, h))
-    time, _, _, _ = third_order_step(v, gap, time)
     time, step, more, slope = third_order_step(v, gap, time)
     near = (abs(step) <= 1e-6 * time) & (abs(more) <= 1e-6) & (time > 0.0) & (time <= h) & (slope < 0.0)
     strays = third_derivative_variation(v, time)
