@@ -29,23 +29,6 @@ SHARES, SAVING = (0, 0, 1, 0, 0, 0, 1, 10, 5, 0, 0, 1, 12, 3, 1), 13
 """Hundredths of the writing that each sheet after Check in its order, and the file, take with 300 walls."""
 
 
-def content(result: StudyResult, histories: list[CollapseHistories], steps: Steps | None = None) -> bytes:
-    """The xlsx file of a study; the parameters are those of `WorkbookReport.content`."""
-    return _whole(result).content(result, histories, steps or Steps())
-
-
-def build(result: StudyResult, histories: list[CollapseHistories]) -> Book:
-    """The workbook before it is saved, and the values of its formulas."""
-    return _whole(result).build(result, histories, Steps())
-
-
-def _whole(result: StudyResult) -> "WorkbookReport":
-    made = WorkbookReport(result.case.report.language)
-    for wall in result.by_wall():
-        made.add(wall)
-    return made
-
-
 class WorkbookReport:
     """The workbook of a study, whose sheet Check is made while the walls finish.
 

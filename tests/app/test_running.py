@@ -39,10 +39,10 @@ def test_that_finished_runs_are_used_again(opened, application, monkeypatch):
 
 def test_that_an_export_cancelled_before_it_writes_leaves_no_file(opened, application, tmp_path, monkeypatch):
     from app.work.worker import RUNNING
-    from core.report import workbook
+    from core.report.workbook import WorkbookReport
 
     run(application, opened)
-    held = Held(monkeypatch, workbook, "content")
+    held = Held(monkeypatch, WorkbookReport, "content")
     (tmp_path / "out").mkdir()
     opened.files.export(tmp_path / "out" / "small.xlsx")
     held.await_call()

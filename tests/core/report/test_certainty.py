@@ -9,11 +9,11 @@ import pytest
 
 from core.case.rules import parse_case
 from core.codes.collapse_rate import Lognormal, StateRate
-from core.report import workbook
 from core.report.note.content import note
 from core.report.note.parts import Figures, Heading, Item, Table
 from core.report.sure_words import rate_lines, rate_row
 from core.study.run import run
+from tests.core.report import whole_workbook
 from tests.core.study.test_how_sure import ROWS
 from tests.core.study.test_sensitivity import LOADED, SPECTRUM
 
@@ -61,7 +61,7 @@ def test_that_the_interval_stands_with_the_wall_and_a_short_note_has_no_section(
 
 def test_the_sheet_of_the_workbook(result, tmp_path):
     path = tmp_path / "r.xlsx"
-    path.write_bytes(workbook.content(result, []))
+    path.write_bytes(whole_workbook.content(result, []))
     sheet = openpyxl.load_workbook(path)["How sure"]
     cells = [cell.value for row in sheet.iter_rows() for cell in row]
     numbers = np.array([cell for cell in cells if isinstance(cell, float)])
@@ -74,7 +74,7 @@ def test_the_sheet_of_the_workbook(result, tmp_path):
 def test_that_a_result_without_hazard_and_moves_has_neither_section_nor_sheet(result):
     plain = replace(result, verdicts=tuple(replace(v, rates=(), sensitivity=None) for v in result.verdicts))
     assert not [part for part in note(plain, "en") if isinstance(part, Heading) and part.text == "How sure"]
-    assert "How sure" not in workbook.build(plain, []).workbook.sheetnames
+    assert "How sure" not in whole_workbook.build(plain, []).workbook.sheetnames
 
 
 @pytest.mark.parametrize("share, is_said", [(0.051, True), (0.049, False)])

@@ -7,11 +7,11 @@ from dataclasses import replace
 import pytest
 
 from app.terminal import export
-from core.report import workbook
 from core.report.verdict_words import in_order, lines_of, sentence_of
 from core.study.governing import collapse_histories
 from core.study.run import run
 from tests.conftest import ROOT
+from tests.core.report import whole_workbook
 from tests.core.report.ink import words_of, words_without_ink
 
 
@@ -60,7 +60,7 @@ def test_that_no_word_of_the_workbook_is_hidden(which, request, tmp_path):
     result = request.getfixturevalue(which)
     drawn = [found for wall in result.walls if (found := collapse_histories(result, wall))]
     path = tmp_path / "book.xlsx"
-    path.write_bytes(workbook.content(result, drawn))
+    path.write_bytes(whole_workbook.content(result, drawn))
     assert_seen(printed(path, tmp_path), result)
 
 

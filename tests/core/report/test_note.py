@@ -20,7 +20,6 @@ from core.codes.capacity_curve import capacity_curve
 from core.codes.kinematic import CHECKS
 from core.codes.target_spectrum import displacement
 from core.errors import InputError, OutputError
-from core.report import workbook
 from core.report.derived import cell_prefix
 from core.report.note.content import note
 from core.report.note.equation import LONGEST, equations, width
@@ -30,6 +29,7 @@ from core.study.demand_histories import deciding_runs, demand_histories
 from core.study.run import run
 from core.units import G
 from tests.conftest import ROOT
+from tests.core.report import whole_workbook
 
 
 def steps_of(parts):
@@ -72,7 +72,7 @@ def test_that_each_line_of_a_derivation_gives_its_result(building, verdict):
 
 def test_that_every_check_has_its_zeta_in_the_note_and_on_the_check_sheet(verdict):
     steps = {step.cell for step in steps_of(note(verdict, "en"))}
-    names = set(workbook.build(verdict, []).workbook.defined_names)
+    names = set(whole_workbook.build(verdict, []).workbook.defined_names)
     for wall in verdict.walls:
         assert {check.name for check in wall.assessment.checks} == set(CHECKS)
         for check in wall.assessment.checks:
@@ -278,7 +278,7 @@ def cell_of(book, name):
 
 
 def test_that_a_changed_input_is_stated_and_moves_what_follows_from_it(building, tmp_path):
-    made = workbook.build(building, []).workbook
+    made = whole_workbook.build(building, []).workbook
     sheet, place = cell_of(made, "demand_ag")
     made[sheet][place].value *= 1.1
     shown = recalculated(made, tmp_path)
@@ -304,7 +304,7 @@ def test_that_a_changed_input_is_stated_and_moves_what_follows_from_it(building,
 
 def test_that_a_changed_sheet_agrees_with_a_new_run_or_stays_that_of_the_run(verdict, tmp_path):
     """The thickness of the first wall and a_g changed in the workbook, against the case run with both."""
-    made = workbook.build(verdict, []).workbook
+    made = whole_workbook.build(verdict, []).workbook
     for name, value in (("demand_ag", 0.3), ("wall1_thickness", 0.6)):
         sheet, place = cell_of(made, name)
         made[sheet][place].value = value

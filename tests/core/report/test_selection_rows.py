@@ -2,12 +2,12 @@
 
 import pytest
 
-from core.report import workbook
 from core.report.note.content import note
 from core.report.note.parts import Figures, Paragraph, Table
 from core.report.selection_words import lines_of
 from core.study import run as study
 from core.text.sentence import localized
+from tests.core.report import whole_workbook
 from tests.core.study.folder_of_records import case, write_folder
 
 
@@ -43,7 +43,7 @@ def test_that_the_note_lists_and_draws_the_chosen(chosen):
 
 
 def test_that_the_sheet_of_the_records_lists_the_sets_and_what_is_left_out(chosen):
-    sheet = workbook.build(chosen, []).workbook[localized("report", "Records", "en")]
+    sheet = whole_workbook.build(chosen, []).workbook[localized("report", "Records", "en")]
     cells = [str(cell.value) for row in sheet.iter_rows() for cell in row if cell.value is not None]
     assert sum(" × " in cell for cell in cells) == len(chosen.selection.sets)
     for one in chosen.selection.left_out:

@@ -19,13 +19,13 @@ from core.case.reader import read_case
 from core.case.rules import parse_case
 from core.case.values import field_of
 from core.errors import Cancelled
-from core.report import workbook
 from core.report.cells import Book
 from core.report.input_sheet import inputs
 from core.report.load_arrows import arrows
 from core.study import run as study
 from core.study.governing import collapse_histories
 from tests.conftest import ROOT, STANDING
+from tests.core.report import whole_workbook
 
 HOSTILE = '=HYPERLINK("http://x","y")'
 
@@ -77,7 +77,7 @@ def made(folder, language="en", **more):
     }
     result = study.run(parse_case({**table, **more}), base_dir=folder)
     drawn = [entry for wall in result.walls if (entry := collapse_histories(result, wall))]
-    return result, workbook.build(result, drawn)
+    return result, whole_workbook.build(result, drawn)
 
 
 @pytest.fixture(scope="module")

@@ -9,12 +9,13 @@ import pytest
 from core.case.rules import parse_case
 from core.codes import dynamic_check
 from core.errors import Cancelled, InputError
-from core.report import json_report, workbook
+from core.report import json_report
 from core.study import run as study
 from core.study import wall_work
 from core.study.governing import collapse_histories
 from core.study.journal import Journal
 from core.units import CM, G
+from tests.core.report import whole_workbook
 from tests.core.study.cases import case
 
 
@@ -277,7 +278,7 @@ def test_that_names_of_files_and_walls_change_no_number_of_the_workbook(renamed)
     """Numbers and formulas of every sheet, the note among them, one after the other."""
     found = []
     for result in renamed[:2]:
-        book = workbook.build(result, [collapse_histories(result, result.walls[0])])
+        book = whole_workbook.build(result, [collapse_histories(result, result.walls[0])])
         cells = [cell.value for sheet in book.workbook for row in sheet for cell in row]
         found.append([one for one in cells if not isinstance(one, str) or one.startswith("=")])
     assert len(found[0]) > 1000 and found.count(found[0]) == len(found)

@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 
 from core.case.rules import parse_case
-from core.report import json_report, workbook
+from core.report import json_report
 from core.study import run as study
 from core.study.demand_input import demand_of
 from core.units import G
 from tests.conftest import STANDING
+from tests.core.report import whole_workbook
 from tests.core.study.cases import case
 
 
@@ -187,7 +188,7 @@ def test_that_records_alike_in_their_measure_end_no_study(tmp_path, alike):
     given = wall.power_law is not None
     assert alike == "pga" or not given
     assert ("no_power_law" in {one.code for one in wall.warnings}) == (not given)
-    assert json_report.dumps(result) and workbook.build(result, [])
+    assert json_report.dumps(result) and whole_workbook.build(result, [])
 
 
 WALL_OF_LAW = {"name": "w", "height_m": 5.0, "thickness_m": 0.5, "base_z_m": 0.0, "mechanism": "two_sided"}
