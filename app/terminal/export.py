@@ -136,7 +136,7 @@ def write(
     """
     report, steps = Report(result.case, check), Steps(check, tell)
     steps.take(WALLS)
-    for wall in steps.each(list(result.by_wall())):
+    for wall in steps.each(result.by_wall()):
         report.add(wall)
     report.write(result, folder, stem, ready, steps=steps)
 

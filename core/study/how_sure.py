@@ -40,6 +40,7 @@ def with_certainty(
     plan: Plan,
     base_dir: Path,
     demand: DemandResult,
+    ag: Callable[[float], float] | None,
     results: Sequence[WallResult],
     verdict: WallVerdict,
     book,
@@ -49,11 +50,12 @@ def with_certainty(
 
     base_dir, book, progress : as `core.study.run.result_of` takes them
     demand : with what the records add
+    ag : of `ag_of`, made once for all walls; None without a hazard
     results : of the wall, to which the verdict points
     """
     verdict = yield from _with_interval(plan, demand, results, verdict, book)
-    ag = ag_of(demand, plan.case.demand, base_dir) if demand.hazard else lambda multiplier: multiplier * demand.ag
-    verdict = replace(verdict, rates=_worst_rates(plan, demand, [results[k] for k in verdict.results], ag))
+    if ag is not None:
+        verdict = replace(verdict, rates=_worst_rates(plan, demand, [results[k] for k in verdict.results], ag))
     if plan.case.sensitivity is not None:
         verdict = yield from _with_sensitivity(plan, base_dir, demand, results, verdict, book, progress)
     return verdict

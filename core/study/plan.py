@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import pairwise
+from itertools import groupby
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -75,11 +75,10 @@ class Plan:
         return [(k, record, sign) for record in range(len(entry.felt)) for sign in entry.signs]
 
     @cached_property
-    def spans(self) -> list[range]:
+    def spans(self) -> list[list[int]]:
         """The entries of each wall of the case, which stand side by side."""
-        origins = [one.part.origin for one in self.entries]
-        starts = [k for k, origin in enumerate(origins) if origins[k - 1 : k] != [origin]]
-        return [range(*ends) for ends in pairwise([*starts, len(origins)])]
+        groups = groupby(range(len(self.entries)), lambda k: self.entries[k].part.origin)
+        return [list(group) for _, group in groups]
 
     @cached_property
     def variants(self) -> set[tuple[tuple[str, float, str], str | None]]:

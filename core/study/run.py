@@ -21,6 +21,7 @@ from core.jit import cache
 from core.rocking.history import history, scan
 from core.rocking.methods import AUTO, METHODS, resolve_auto
 from core.study import precompile
+from core.study.how_sure import ag_of
 from core.study.journal import Journal, Memory
 from core.study.limit_states import demands_of, unsaid
 from core.study.plan import Inputs, Plan, costs_of, plan_of, read_inputs, refuse_large, with_chosen
@@ -126,7 +127,10 @@ def result_of(
             verdicts.extend(one.moved(first) for one in found)
             on_finished(head.of_wall(walls, found, first))
 
-        given = Given(plan, base_dir, demand, rules, by_state, book, progress, on_wall)
+        # of a group of walls the rows alone are kept, without what is beside the verdict
+        rated = demand is not None and demand.hazard and plan.longest is None
+        ag = ag_of(demand, plan.case.demand, base_dir) if demand and rated else None
+        given = Given(plan, base_dir, demand, rules, by_state, ag, book, progress, on_wall)
         threads.run_works(works(given, threads.jobs), ended)
     finally:
         cache.record(cache.folder())

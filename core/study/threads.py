@@ -56,11 +56,12 @@ class Threads:
         """Carry works out side by side, the tasks of the first ones first, each begun when threads would be idle.
         on_end : called from the calling thread with what each returns, in their order
 
-        Raises Cancelled within 0.1 s of a cancel and a task's stop, and whatever a task or a work raises.
+        Raises Cancelled within 0.1 s of a cancel, a task's stop and what runs in this thread, and whatever a task or a
+        work raises.
         """
         ended, done = threading.Event(), queue.SimpleQueue()
         with ThreadPoolExecutor(self.jobs) as pool:
-            under_way = _UnderWay(works, on_end)
+            under_way = _UnderWay(works, on_end, self.cancelled)
             flying: dict[Future, tuple[int, Any]] = {}
             try:
                 while True:
@@ -71,9 +72,11 @@ class Threads:
                         future.add_done_callback(done.put)
                     if not flying:
                         return
+                    ready = None
                     with contextlib.suppress(queue.Empty):
-                        future = done.get(timeout=0.1)
-                        under_way.take(*flying.pop(future), future.result())
+                        ready = done.get(timeout=0.1)
+                    if ready is not None:
+                        under_way.take(*flying.pop(ready), ready.result())
                     if self.cancelled():
                         raise Cancelled
             finally:
@@ -83,10 +86,10 @@ class Threads:
 
 
 class _UnderWay:
-    """Works that are begun and not ended. The parameters are those of `run_works`."""
+    """Works that are begun and not ended. works, on_end : of `run_works`; cancelled : of Threads"""
 
-    def __init__(self, works: Iterable[Work], on_end: Callable[[Any], None]):
-        self._works, self._on_end = enumerate(works), on_end
+    def __init__(self, works: Iterable[Work], on_end: Callable[[Any], None], cancelled: Callable[[], bool]):
+        self._works, self._on_end, self._cancelled = enumerate(works), on_end, cancelled
         self._waiting: list[tuple[int, int, Any, Callable]] = []
         self._counted = itertools.count()
         self._open: dict[int, tuple[Work, Batch, dict]] = {}
@@ -97,10 +100,12 @@ class _UnderWay:
         """(number of its work, key, task) of the next task, of a work begun for it if need be; None where none is left
         that waits for no other."""
         while not self._waiting:
-            number, work = next(self._works, (None, None))
-            if number is None or work is None:
+            begun = next(self._works, None)
+            if begun is None:
                 return None
-            self._send(number, work, None)
+            if self._cancelled():
+                raise Cancelled
+            self._send(*begun, None)
         number, _, key, task = heapq.heappop(self._waiting)
         return number, key, task
 
@@ -121,10 +126,11 @@ class _UnderWay:
                 batch = work.send({})
         except StopIteration as end:
             self._ended[number] = end.value
-            while self._told in self._ended:
-                self._told += 1
-                self._on_end(self._ended.pop(self._told - 1))
-            return
-        self._open[number] = work, batch, {}
-        for key, task in batch.tasks.items():
-            heapq.heappush(self._waiting, (number, next(self._counted), key, task))
+        else:
+            self._open[number] = work, batch, {}
+            for key, task in batch.tasks.items():
+                heapq.heappush(self._waiting, (number, next(self._counted), key, task))
+        # outside of the except, so that an error does not carry the results of the work
+        while self._told in self._ended:
+            self._told += 1
+            self._on_end(self._ended.pop(self._told - 1))

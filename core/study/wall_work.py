@@ -37,6 +37,7 @@ class Given(NamedTuple):
     plan, base_dir : of the study
     demand : with what the records add; rules : whether they comply with it, None without a spectrum
     by_state : demands of the limit states, of `demands_of`
+    ag : of `core.study.how_sure.ag_of`, None without a hazard
     book : of finished searches and checks
     progress : told of each task
     on_wall : told of each WallResult that has its checks
@@ -47,6 +48,7 @@ class Given(NamedTuple):
     demand: DemandResult | None
     rules: Compliance | None
     by_state: dict[str, DemandResult]
+    ag: Callable[[float], float] | None
     book: Journal | Memory | None
     progress: Progress
     on_wall: Callable[[WallResult], None]
@@ -64,12 +66,12 @@ def works(given: Given, jobs: int) -> Iterator[Work]:
         if found is not None:
             known[one] = found
     given.progress.known(known)
-    together = (len(plan.runs) - len(known)) // (TASKS * jobs)
-    return (_Wall(given, known, together, span).work() for span in plan.spans)
+    most = (len(plan.runs) - len(known)) // (TASKS * jobs)
+    return (_Wall(given, known, most, span).work() for span in plan.spans)
 
 
 def _key(plan: Plan, one: tuple[int, int, int]) -> str:
-    """Key of a search in the journal. one : (wall, record, sign)"""
+    """Key of a search in the journal. one : (entry, record, sign)"""
     k, record, sign = one
     entry = plan.entries[k]
     return run_key(entry.model, entry.felt[record], sign, plan.method, plan.search)
@@ -79,12 +81,12 @@ class _Wall:
     """One wall of a case.
 
     known : Idas of earlier starts by (entry, record, sign)
-    together : runs that are searched side by side, where they are lanes
+    most : runs that are searched side by side, where they are lanes
     span : its entries in the plan
     """
 
-    def __init__(self, given: Given, known: dict[tuple[int, int, int], Ida], together: int, span: range):
-        self.given, self.known, self.together = given, known, together
+    def __init__(self, given: Given, known: dict[tuple[int, int, int], Ida], most: int, span: list[int]):
+        self.given, self.known, self.most = given, known, most
         self.entries = {k: given.plan.entries[k] for k in span}
         self.kept = {k: KeptChecks(given.book) for k in span}
         self.results: dict[int, WallResult] = {}
@@ -103,14 +105,14 @@ class _Wall:
         results = list(self.results.values())
         verdicts = wall_verdicts(plan.case, tuple(results))
         if given.demand and verdicts and plan.longest is None:  # of a group of walls the rows alone are kept
-            parts = plan, given.base_dir, given.demand, results, verdicts[0], given.book, given.progress
-            verdicts = ((yield from with_certainty(*parts)),)
+            beside = plan, given.base_dir, given.demand, given.ag, results, verdicts[0], given.book, given.progress
+            verdicts = ((yield from with_certainty(*beside)),)
         return results, verdicts
 
     def _searched(self) -> Work:
         """q under each record, without a check."""
         given, plan = self.given, self.given.plan
-        idas = {one: ida for one, ida in self.known.items() if one[0] in self.entries}
+        idas = {one: self.known[one] for k in self.entries for one in plan.runs_of(k) if one in self.known}
 
         def search_of(group: tuple[tuple[int, int, int], ...]):
             entry = self.entries[group[0][0]]
@@ -130,7 +132,7 @@ class _Wall:
             runs = [one for one in plan.runs_of(k) if one not in idas]
             longest = max((motion.acceleration.size for motion in entry.felt), default=1)
             lanes = in_lanes(plan.method, entry.model)
-            together = max(1, min(self.together, SAMPLES // longest)) if lanes else 1
+            together = max(1, min(self.most, SAMPLES // longest)) if lanes else 1
             groups += [tuple(runs[n : n + together]) for n in range(0, len(runs), together)]
         yield Batch({group: search_of(group) for group in groups}, keep)
         for k, (part, mechanism, model, signs, floor, felt, _) in self.entries.items():
@@ -188,11 +190,10 @@ class _Wall:
         """The design of its tie, where one is asked for; a wall one of whose hinges has no check has none."""
         given, plan = self.given, self.given.plan
         counted = [k for k, entry in self.entries.items() if entry.part.wall.tie_height_m is not None]
-        first, *_ = self.results.values()
-        asked = plan.case.wall[first.part.origin]
+        asked = next(iter(self.entries.values())).part.asked
         group = {k: wall for k, wall in self.results.items() if wall.mechanism == "one_sided"}
         whole = asked.tie_height_m is not None and all(wall.assessment.kinematic for wall in group.values())
-        if not group or not whole:
+        if not whole:
             for k in counted:
                 given.progress.done(("tie", k), False)
             return

@@ -1,5 +1,6 @@
 """Threads: works side by side, in their order, and what ends them."""
 
+import queue
 import threading
 from itertools import count
 
@@ -92,3 +93,33 @@ def test_that_a_cancel_is_seen_by_the_tasks_that_run():
 
     with pytest.raises(Cancelled):
         Threads(2, cancelled).run(dict.fromkeys(range(4), endless))
+
+
+def test_that_an_error_where_a_work_ends_carries_nothing_of_its_results():
+    """It is written to a file the user sends."""
+
+    def fails(result):
+        raise ValueError
+
+    with pytest.raises(ValueError, match="^$") as found:
+        Threads(1, lambda: False).run_works([squares(0, [])], fails)
+    assert found.value.__context__ is None
+
+
+def test_that_a_task_that_finds_a_queue_empty_is_not_lost():
+    def empty(stop):
+        raise queue.Empty
+
+    with pytest.raises(queue.Empty):
+        Threads(2, lambda: False).run({1: empty})
+
+
+def test_that_works_without_tasks_can_be_cancelled():
+    def idle():
+        return None
+        yield
+
+    ended = []
+    with pytest.raises(Cancelled):
+        Threads(2, lambda: len(ended) > 2).run_works((idle() for _ in range(1000)), ended.append)
+    assert len(ended) == 3

@@ -80,3 +80,18 @@ def test_that_the_text_of_the_json_is_its_mapping(folder):
     result = study.run(case(), base_dir=folder)
     assert json.loads(json_report.dumps(result)) == json.loads(json.dumps(json_report.results(result)))
     assert json_report.dumps(result) == json.dumps(json_report.results(result), indent=1, ensure_ascii=False) + "\n"
+
+
+def test_that_a_block_of_the_sheet_check_needs_its_own_wall_alone(folder):
+    """Variants, hinges and the sentence of a verdict among them: made of the whole result it is the same."""
+    from core.report.cells import Book
+    from core.report.check_sheet import CheckSheet
+
+    result = study.run(many(3), base_dir=folder)
+    sheets = []
+    for parts in ([result], list(result.by_wall())):
+        check = CheckSheet(Book("en"), result)
+        for part in parts:
+            check.add(part)
+        sheets.append([[cell.value for cell in row] for row in check.close().iter_rows()])
+    assert sheets[0] == sheets[1]
