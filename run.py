@@ -476,10 +476,22 @@ def plan(arguments):
     return groups, [[interpreter(), "-P", "-m", "app", *arguments]], True
 
 
+def prepare(groups, older_serves):
+    """Make the environment ready. A case that may be large is run without the packages of a large one where they cannot
+    be had: the program refuses one that is. Raises Failure."""
+    try:
+        ensure(groups, older_serves=older_serves)
+    except Failure as failure:
+        if "parquet" not in groups:
+            raise
+        say(str(failure))
+        ensure([group for group in groups if group != "parquet"], older_serves=older_serves)
+
+
 def main():
     refuse_without_wheels([])
     groups, commands, older_serves = plan(sys.argv[1:])
-    ensure(groups, older_serves=older_serves)
+    prepare(groups, older_serves)
     for command in commands[:-1]:
         code = subprocess.call(command, cwd=ROOT, env=environment())
         if code:

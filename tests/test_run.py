@@ -151,6 +151,19 @@ def test_that_without_a_network_after_an_update_the_packages_there_are_start_the
     assert set(run.installed_groups()) == {"base", "gui"}
 
 
+def test_that_a_case_that_may_be_large_runs_without_a_network(run, capsys):
+    """The rows of its table are counted, its hinges are guessed: the program itself refuses one that is large."""
+    run.ensure(["base"])
+    run.offline = True
+    run.prepare(["base", "parquet"], True)
+    assert "the installation failed" in capsys.readouterr().err and set(run.installed_groups()) == {"base"}
+    with pytest.raises(run.Failure, match="the installation failed"):
+        run.prepare(["base", "study"], True)
+    run.offline = False
+    run.prepare(["base", "parquet"], True)
+    assert set(run.installed_groups()) == {"base", "parquet"}
+
+
 def test_that_only_the_program_starts_with_packages_of_another_lock(run):
     for words in ([], ["--batch", EXAMPLE], ["--study", "paper"]):
         assert run.plan(words)[2]
@@ -169,6 +182,15 @@ def test_that_each_word_installs_what_it_needs_and_no_more(run, tmp_path):
     high.write_text('walls = "high.csv"\n[building]\nstoreys = 30\n')
     (tmp_path / "long.csv").write_text("name\n" + "w\n" * 10_001)
     (tmp_path / "high.csv").write_text("name\n" + "w\n" * 200)
+    from openpyxl import Workbook
+
+    for rows in (150, 900):
+        book = Workbook()
+        for k in range(rows):
+            book.active.append([f"wall {k}", 3.0 + 0.01 * k, 0.4, "two_sided", "restrained by the transverse walls"])
+        book.save(tmp_path / f"of_{rows}.xlsx")
+        (tmp_path / f"of_{rows}.toml").write_text(f'walls = "of_{rows}.xlsx"\n')
+    assert (tmp_path / "of_150.xlsx").stat().st_size > 8000  # more bytes than 10 000 results were once taken for
     for words, extras in (
         (["--batch", EXAMPLE], []),
         (["--inspect", "a.txt"], []),
@@ -187,6 +209,8 @@ def test_that_each_word_installs_what_it_needs_and_no_more(run, tmp_path):
         (["--batch", str(long), "--merge"], ["parquet"]),
         (["--batch", str(long), "--part", "1/2"], []),
         (["--batch", str(high)], ["parquet"]),
+        (["--batch", str(tmp_path / "of_150.toml")], []),
+        (["--batch", str(tmp_path / "of_900.toml")], ["parquet"]),
     ):
         assert run.plan(words)[0] == ["base", *extras], words
 

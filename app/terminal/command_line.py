@@ -5,11 +5,13 @@ import contextlib
 import difflib
 import re
 import tomllib
+import zipfile
 from collections.abc import Callable
 from pathlib import Path
 
 from app.look.language import terminal
 from core.errors import InputError
+from core.ooxml.package import DAMAGED
 from core.packages import MOST_WALLS
 
 STUDIES = Path(__file__).resolve().parents[2] / "resources" / "studies"
@@ -183,30 +185,48 @@ def _states(case: Path, asked: Callable[[dict], bool]) -> bool:
         return False
 
 
-HINGES, MECHANISMS, ROW = 6, 2, 30
-"""A row of a table has hinges at its base, its loads and its tie, beside those of the storeys; mechanisms of each;
-least bytes of a row of a workbook."""
+HINGES, LISTED, MECHANISMS = 6, 14, 2
+"""A row of a table has hinges at its base, its loads and its tie, beside those of the storeys; most that are listed;
+mechanisms of each."""
 
 
 def _may_be_large(case: Path) -> bool:
-    """Whether a case can have more results than a workbook holds, by the rows and bytes of its files alone; False also
-    for one that cannot be read."""
+    """Whether a case can have more results than a workbook holds, by the rows of its files alone; False also for one
+    that cannot be read."""
     try:
         text = case.read_text("utf-8-sig")
         content = tomllib.loads(text)
-        walls, size, head = text.count("[[wall]]"), len(text), text
+        walls, head = text.count("[[wall]]"), text
         if "walls" in content:
             table = case.parent / content["walls"].replace("\\", "/")
-            size += table.stat().st_size
-            if table.suffix.lower() == ".xlsx":
-                walls, head = walls + size // ROW, "hinge"
-            else:
-                with open(table, "rb") as stream:
-                    first = stream.readline()
-                    walls += sum(piece.count(b"\n") for piece in iter(lambda: stream.read(1 << 20), b"")) + 1
-                head += first.decode("utf-8", "replace").lower()
+            rows, first = _rows_of_workbook(table) if table.suffix.lower() == ".xlsx" else _rows_of_text(table)
+            walls, head = walls + rows, head + first
         hinges = HINGES + content.get("building", {}).get("storeys", 0)
-        listed = size // 2 if "hinge" in head or "cernier" in head else 0
-        return MECHANISMS * (walls * hinges + listed) > MOST_WALLS
-    except (OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError):
+        hinges += LISTED if "hinge" in head or "cernier" in head else 0
+        return MECHANISMS * walls * hinges > MOST_WALLS
+    except (*DAMAGED, AttributeError, RecursionError):
         return False
+
+
+def _rows_of_text(table: Path) -> tuple[int, str]:
+    """(rows, the first in small letters) of a table of walls as text. Raises OSError."""
+    with open(table, "rb") as stream:
+        first = stream.readline()
+        rows = sum(piece.count(b"\n") for piece in iter(lambda: stream.read(1 << 20), b"")) + 1
+    return rows, first.decode("utf-8", "replace").lower()
+
+
+def _rows_of_workbook(table: Path) -> tuple[int, str]:
+    """(rows of all sheets, up to those that tell, what stands for the heads: hinges may be listed) of a workbook, of
+    which no package is needed. Raises what a damaged one does."""
+    rows = 0
+    with zipfile.ZipFile(table) as package:
+        for name in package.namelist():
+            if "sheet" not in name.lower() or not name.lower().endswith(".xml"):
+                continue
+            with package.open(name) as part:
+                end = b""
+                while rows <= MOST_WALLS and (piece := part.read(1 << 16)):
+                    rows += len(re.findall(rb"<(?:\w+:)?row[\s>]", end + piece))
+                    end = piece[-8:]  # of a tag cut in two; one that is whole there counts twice, on the safe side
+    return rows, "hinge"
