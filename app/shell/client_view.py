@@ -13,15 +13,16 @@ from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QMessageBox, QPushBu
 from app.look import theme
 from app.look.drawing import WallDrawing
 from app.look.file_dialogs import path_to_write, plain_name
-from app.look.language import described, tr
+from app.look.language import described, named, tr
 from app.views.runs import before_motion
 from core import atomic_write
 from core.case.schema import AS_IS
+from core.codes.outcomes import OUTCOMES
 from core.errors import InputError, OutputError
 from core.report.verdict_words import tone_of
 from core.study.demand_histories import history_at_demand
-from core.study.results import StudyResult, WallResult
-from core.study.variants import comparisons
+from core.study.results import StudyResult, WallResult, WallVerdict
+from core.study.variants import OTHER
 
 FRAME_MS, FILM_FPS, MOST_SECONDS = 33, 20, 20.0
 """Of the animation on the screen [ms] and of a film [1/s], and the length of both [s]."""
@@ -47,26 +48,36 @@ class Side:
 
 
 def sides_of(result: StudyResult, wall: WallResult) -> list[Side]:
-    """Before and after, or the wall alone; under the record at the demand that turns the first one most."""
-    pair = next((one for one in comparisons(result.walls) if wall in (one.before, one.after)), None)
-    walls = [pair.before, pair.after] if pair else [wall]
+    """Before and after, or the wall alone, each with the outcome of the wall and the lowest share of its hinges, and as
+    the hinge that decides moves; under the record at the demand that turns the first one most."""
+    verdicts = walls_beside(result, wall)
     found = []
     run = None
-    for one in walls:
+    for of_wall in verdicts:
+        one = result.walls[of_wall.governing]
         dynamic = one.assessment.dynamic if one.assessment else None
         if dynamic is None:
             return []
         if run is None:
             run = max(dynamic.runs, key=lambda run: np.inf if run.peak_ratio is None else run.peak_ratio)
-        here = next(r for r in dynamic.runs if (r.motion, r.polarity) == (run.motion, run.polarity))
-        motion, moved = history_at_demand(result, one, here)
-        verdict = one.assessment.verdict
-        share = None if verdict.zeta_e is None else verdict.zeta_e / verdict.zeta_target
-        title = (
-            tr("The wall") if len(walls) == 1 else tr("As it is") if one.wall.variant == AS_IS else tr("As designed")
-        )
+        # a mechanism that takes each record with one sign alone has the other one by it
+        same = [r for r in dynamic.runs if r.motion == run.motion]
+        motion, moved = history_at_demand(result, one, next((r for r in same if r.polarity == run.polarity), same[0]))
+        share = None if of_wall.zeta_least is None else of_wall.zeta_least / one.assessment.verdict.zeta_target
+        alone, before = len(verdicts) == 1, of_wall.wall.variant == AS_IS
+        title = tr("The wall") if alone else tr("As it is") if before else tr("As designed")
         found.append(Side(title, one, share, tone_of(result, one), moved.rotation, motion.time_step))
     return found
+
+
+def walls_beside(result: StudyResult, wall: WallResult) -> list[WallVerdict]:
+    """The verdict of the wall a result is of, or both of the wall before and after."""
+    shown = next((one for one in result.verdicts if result.walls[one.governing].part.origin == wall.part.origin), None)
+    if shown is None:
+        return []
+    other = OTHER.get(shown.wall.variant)
+    pair = [one for one in result.verdicts if one.wall.name == shown.wall.name and one.wall.variant == other]
+    return sorted([shown, *pair[: other is not None]], key=lambda one: one.wall.variant != AS_IS)
 
 
 class Bars(QWidget):
@@ -113,17 +124,9 @@ def words_of(side: Side) -> str:
 
 def outcome_of(side: Side) -> str:
     """A verdict in words of every day: only one that nothing limits is called safe."""
-    match side.wall.assessment.verdict.code:
-        case "verified" | "not_activated":
-            return tr("sufficient") if side.tone == "good" else tr("sufficient, with reservations")
-        case "verified_refined":
-            return tr("sufficient by the more detailed calculation alone")
-        case "at_limit":
-            return tr("at the limit: not sufficient")
-        case "indicative" | "undetermined":
-            return tr("provisional, not yet a verification")
-        case _:
-            return tr("not sufficient")
+    code = side.wall.assessment.verdict.code
+    limited = OUTCOMES[code].tone == "good" and side.tone != "good"
+    return named("client_with_reservations" if limited else f"client_{code}")
 
 
 class ClientView(QDialog):

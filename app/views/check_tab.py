@@ -29,6 +29,7 @@ from app.views.table import Table
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.eq9 import LABEL
 from core.codes.kinematic import Check
+from core.codes.outcomes import least
 from core.report.sure_words import verdict_of
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import lines_of, sentence_of, tone_of
@@ -372,9 +373,8 @@ class CheckTab(QWidget):
         elif dynamic and dynamic.zeta_other:
             side = word(f"confidence_{dynamic.zeta_other.confidence_on}", self.language)
             facts.append((side, f"ζ {digits(dynamic.zeta_other.zeta)}"))
-        known = [zeta for zeta in found.sensitivity.values() if zeta is not None]
-        if known:
-            facts.append((tr("Other building or height"), f"ζ {digits(min(known))}"))
+        if found.sensitivity:
+            facts.append((tr("Other building or height"), f"ζ {digits(least(found.sensitivity.values()))}"))
         elif found.risk and found.risk.pga:
             facts.append(("PGA_C", f"{number(found.risk.pga / G, '.3f')} g"))
         quiet = theme.current.quiet

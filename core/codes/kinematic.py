@@ -9,8 +9,9 @@ Above the ground the spectra are those of the floor, C7.2.3. Since they go to ze
 floor is taken below that of the ground, a_g S, S_e(T_0) and S_De: a rule of ours.
 """
 
+import contextlib
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from core.capacity.limit_states import LIMIT_FRACTION
@@ -68,6 +69,25 @@ class Check:
 
 
 @dataclass(frozen=True)
+class Displacement:
+    """One reading of the displacement check (C8.7.1.2.1.8).
+
+    limit, capacity : d_SLV or d_SLC [m], and the capacity there [m/s2]
+    period : T_SLV or T_SLC [s]; demand : largest S_De on [T_0, T_SLV] [m]
+    """
+
+    limit: float
+    capacity: float
+    period: float
+    demand: float
+
+    @property
+    def ratio(self) -> float:
+        """zeta, but for a_g,SLD [-]."""
+        return self.limit / self.demand
+
+
+@dataclass(frozen=True)
 class Kinematic:
     """Quantities of the mechanism.
 
@@ -93,6 +113,8 @@ class Kinematic:
     s_de : largest S_De on [T_0, T_SLV] (clause .8), above the ground not below S_DeZ(T_SLV) [m]; these four are None
         without a spectrum, at SLD
     floor : spectrum of the floor, None on the ground
+    without_ties : the displacement check of the wall without the ties that these count; None without ties, and where a
+        spectrum of a file ends before its period
     """
 
     alpha0: float
@@ -113,6 +135,17 @@ class Kinematic:
     period: float | None = None
     s_de: float | None = None
     floor: FloorSpectrum | None = None
+    without_ties: Displacement | None = None
+
+    @property
+    def displacement(self) -> Displacement | None:
+        """What the displacement check compares; of a wall with ties that counted or left out whose zeta is larger: a
+        tie that breaks ends d_SLV (C8.7.1.2.1.6), and no wall is weaker for a tie that it does not need."""
+        if self.d_limit is None or self.a_limit is None or self.period is None or self.s_de is None:
+            return None
+        own = Displacement(self.d_limit, self.a_limit, self.period, self.s_de)
+        bare = self.without_ties
+        return bare if bare is not None and bare.ratio > own.ratio else own
 
 
 def elastic_period(wall) -> float | None:
@@ -183,16 +216,30 @@ def kinematic(wall, mechanism: str, demand: DemandResult, floor: FloorSpectrum |
     quantities = (alpha0, e_star, mass, a0, wall, sums, d0, free, period_0, acceleration, zeta_sld, zeta_floor, missing)
     if demand.target is None or demand.limit_state not in LIMIT_FRACTION:
         return Kinematic(*quantities, floor=floor)
-    d_limit = sums.limit_of_ties(LIMIT_FRACTION[demand.limit_state] * d0)
+    start = 0.0 if missing or period_0 is None else period_0
+    own = _displacement(sums, demand, floor, start, wall)
+    bare = None
+    if sums.ties:
+        with contextlib.suppress(InputError):
+            bare = _displacement(replace(sums, ties=()), demand, floor, start, wall)
+    return Kinematic(*quantities, own.limit, own.capacity, own.period, own.demand, floor, bare)
+
+
+def _displacement(
+    sums: Chain, demand: DemandResult, floor: FloorSpectrum | None, period_0: float, wall
+) -> Displacement:
+    """The displacement check by these sums. period_0 : T_0 [s]. Raises InputError where the spectrum of a file ends
+    before the period."""
+    state = demand.limit_state
+    d_limit = sums.limit_of_ties(LIMIT_FRACTION[state] * sums.d0)
     a_limit = capacity_at(sums, d_limit, demand.confidence_factor)
-    period = PERIOD_FACTOR[demand.limit_state] * math.sqrt(d_limit / a_limit)
-    _covers(demand.target, period, f"T_{demand.limit_state}", wall)
-    start = 0.0 if missing or period_0 is None else min(period_0, period)
-    damping = DAMPING[demand.limit_state]
-    s_de = target_spectrum.largest_displacement(demand.target, start, period, damping)
+    period = PERIOD_FACTOR[state] * math.sqrt(d_limit / a_limit)
+    _covers(demand.target, period, f"T_{state}", wall)
+    damping = DAMPING[state]
+    s_de = target_spectrum.largest_displacement(demand.target, min(period_0, period), period, damping)
     if floor is not None:
         s_de = max(s_de, floor.displacement(period, damping))
-    return Kinematic(*quantities, d_limit, a_limit, period, s_de, floor)
+    return Displacement(d_limit, a_limit, period, s_de)
 
 
 def capacity_at(sums: Chain, d: float, confidence: float) -> float:
@@ -235,12 +282,27 @@ def nonlinear(mechanism: Kinematic, demand: DemandResult) -> Check | None:
     """C8.7.1.2.1.8: d_SLV against the largest S_De on [T_0, T_SLV] (T_0 = 0 for restrained walls; for the
     spectrum of a code that is S_De(T_SLV)). Where the a_g,SLV of this check is below a_g,SLD, a_g,SLD counts
     for SLV too. None without a spectrum."""
-    if mechanism.d_limit is None:
+    compared = mechanism.displacement
+    if compared is None:
         return None
-    zeta = mechanism.d_limit / mechanism.s_de
-    if demand.limit_state == "SLV" and mechanism.zeta_floor is not None:
-        zeta = max(zeta, mechanism.zeta_floor)
-    return Check("nonlinear", DISPLACEMENT_CLAUSE, "m", mechanism.d_limit, mechanism.s_de, zeta, _passed(zeta, demand))
+    zeta = _not_below_sld(compared.ratio, mechanism, demand)
+    return Check("nonlinear", DISPLACEMENT_CLAUSE, "m", compared.limit, compared.demand, zeta, _passed(zeta, demand))
+
+
+def _not_below_sld(zeta: float, mechanism: Kinematic, demand: DemandResult) -> float:
+    """zeta of a displacement check, at SLV not below a_g,SLD over a_g (C8.7.1.2.1.8)."""
+    floor = mechanism.zeta_floor if demand.limit_state == "SLV" else None
+    return zeta if floor is None else max(zeta, floor)
+
+
+def with_and_without_ties(mechanism: Kinematic, demand: DemandResult) -> tuple[float, float] | None:
+    """zeta of the displacement check of a wall with its ties and of the same wall without them; None of a wall whose
+    ties this check does not count."""
+    bare = mechanism.without_ties
+    if bare is None or mechanism.d_limit is None or mechanism.s_de is None:
+        return None
+    own = mechanism.d_limit / mechanism.s_de
+    return _not_below_sld(own, mechanism, demand), _not_below_sld(bare.ratio, mechanism, demand)
 
 
 CHECKS = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code")

@@ -5,7 +5,8 @@ mechanism": the class of a building asks for a global analysis (D.M. 65/2017, An
 """
 
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -55,6 +56,18 @@ class Risk:
         if self.return_period < low:
             return f"< {low:.0f}"
         return f"> {high:.0f}" if self.return_period > high else f"{self.return_period:.0f}"
+
+
+def least_risk(found: Sequence[Risk | None]) -> Risk | None:
+    """The capacity of a wall: the smallest of all its mechanisms, with the worst letter; None where one is unknown."""
+    known = [one for one in found if one is not None]
+    if not known or len(known) < len(found):
+        return None
+    letters = [letter for _, letter in CLASSES]
+    weakest = min(known, key=lambda one: one.pga)
+    if weakest.letter is None:
+        return weakest
+    return replace(weakest, letter=max((one.letter or "" for one in known), key=letters.index))
 
 
 def exponent_by_ag(ag: float) -> float:

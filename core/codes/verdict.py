@@ -242,10 +242,10 @@ def _code(seen: Evidence, blocked: bool, agrees: bool) -> str:
     """
     if seen.dynamic and seen.dynamic.within_spread(seen.demand.zeta_target):
         return "at_limit"
+    if not seen.governing.passed:  # whatever is missing: it would pass no better with it
+        return "q2_unsafe" if agrees else "not_verified"
     if blocked:
         return "indicative"
-    if not seen.governing.passed:
-        return "q2_unsafe" if agrees else "not_verified"
     return "verified_refined" if seen.demand.limit_state == "SLV" and not agrees else "verified"
 
 

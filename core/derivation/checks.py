@@ -21,6 +21,7 @@ Q_SLV_LOW = Given("q_slv_low", "q_SLV,min", "–", 3, label="lower end of the sp
 D_BREAK = Given("d_limit", "d_{state}", "m", 4, label="d_{state}, where a tie breaks", clause="C8.7.1.2.1.6")
 D0_WITH_TIES = Given("d0_with_ties", "d_0,T", "m", 4, label="d_0 were the ties at yield up to collapse, not taken")
 D0_GIVEN = Given("d0", "d_0", "m", 4, clause="C8.7.1.4")
+S_DE_BARE_GIVEN = Given("s_de_bare", "S_De,b max, [T_0, T_{state}], {damping} %", "m", 4, clause="C8.7.1.12")
 S_DE_GIVEN = Given("s_de", "S_De max, [T_0, T_{state}], {damping} %", "m", 4, clause="C8.7.1.12")
 S_DEZ_GIVEN = Given("s_de", "S_DeZ(T_{state}, {damping} %)", "m", 4, clause="C8.7.1.12")
 
@@ -285,6 +286,49 @@ def nonlinear_zeta(d_limit, s_de):
 @quantity("d_{state}/S_De", "–", "C8.7.1.12")
 def displacement_ratio(d_limit, s_de):
     return d_limit / s_de
+
+
+# the same without the ties
+
+
+@quantity("d_{state},b", "m", "C8.7.1.2.1.6", 4, label="d_{state} without its ties")
+def d_limit_bare(share, d0):
+    return share * d0
+
+
+@quantity("a(d_{state},b)", "m/s²", "C8.7.1.3", label="a(d_{state}) without its ties")
+def a_limit_bare(share, alpha0_bare, gravity, e_star, demand_fc):
+    return (1 - share) * alpha0_bare * gravity / (e_star * demand_fc)
+
+
+@quantity("T_{state},b", "s", "{period_clause}", label="T_{state} without its ties")
+def period_bare(factor, d_limit_bare, a_limit_bare):
+    return factor * pi * sqrt(d_limit_bare / a_limit_bare)
+
+
+@quantity("S_De,b({damping} %)", "m", "C8.7.1.12", 4, label="S_De({damping} %) without its ties")
+def s_de_bare(demand_pga, gravity, period_bare, damping, spectrum_f0, spectrum_tb, spectrum_tc, spectrum_td):
+    return (
+        demand_pga
+        * gravity
+        * shape(period_bare, damping, spectrum_f0, spectrum_tb, spectrum_tc, spectrum_td)
+        * (period_bare / (2 * pi)) ** 2
+    )
+
+
+@quantity("d_{state},b/S_De,b", "–", "C8.7.1.12", label="d_{state}/S_De without its ties")
+def displacement_ratio_bare(d_limit_bare, s_de_bare):
+    return d_limit_bare / s_de_bare
+
+
+@quantity("ζ", "–", "C8.7.1.2.1.8", name="nonlinear_zeta")
+def nonlinear_zeta_of_ties(displacement_ratio, displacement_ratio_bare):
+    return max(displacement_ratio, displacement_ratio_bare)
+
+
+@quantity("ζ", "–", "C8.7.1.2.1.8", name="nonlinear_zeta")
+def nonlinear_zeta_of_ties_at_slv(displacement_ratio, displacement_ratio_bare, zeta_floor):
+    return max(displacement_ratio, displacement_ratio_bare, zeta_floor)
 
 
 @quantity("a_g,SLD/a_g", "–", "C8.7.1.2.1.8", name="zeta_floor", label="not below a_g,SLD / a_g")

@@ -7,7 +7,7 @@ way to the same values (tests/core/derivation).
 import math
 
 from core.capacity.limit_states import LIMIT_FRACTION
-from core.codes.kinematic import DAMPING, PERIOD_FACTOR
+from core.codes.kinematic import DAMPING, PERIOD_FACTOR, Displacement
 from core.codes.kinematic_chain import of_side
 from core.codes.risk import EXPONENT, exponent_by_ag
 from core.codes.target_spectrum import CodeSpectrum
@@ -197,18 +197,36 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
         Line(checks.period, kinematic.period, note=FULL),
         s_de,
     ]
-    zeta = checks.nonlinear_zeta
-    if state == "SLV" and kinematic.zeta_floor is not None:
-        friction = kinematic.chain.alpha0_friction is not None
+    zeta, at_slv, bare = checks.nonlinear_zeta, checks.nonlinear_zeta_at_slv, kinematic.without_ties
+    floored = state == "SLV" and kinematic.zeta_floor is not None
+    if floored or bare is not None:
         lines.append(Line(checks.displacement_ratio, kinematic.d_limit / kinematic.s_de, note=FULL))
+    if bare is not None:
+        zeta, at_slv = checks.nonlinear_zeta_of_ties, checks.nonlinear_zeta_of_ties_at_slv
+        lines += _without_ties(bare, s_de)
+    if floored:
+        friction = kinematic.chain.alpha0_friction is not None
         tied = any(load.is_tie for load in wall.wall.load)
         floor = checks.zeta_floor_with_friction if friction else checks.zeta_floor
         if tied:
             floor = checks.zeta_floor_with_ties_and_friction if friction else checks.zeta_floor_with_ties
         note = VALUE if friction or tied else NOT
         lines.append(Line(floor, kinematic.zeta_floor, LIVE, note, "not below a_g,SLD"))
-        zeta = checks.nonlinear_zeta_at_slv
+        zeta = at_slv
     return Section(title, [*lines, _zeta(zeta, check)], constants)
+
+
+def _without_ties(bare: Displacement, s_de: Line) -> list[Line]:
+    """The displacement check of the wall without its ties. s_de : the line of the demand with them"""
+    note, live = "without its ties", s_de.of is checks.s_de
+    demand = checks.s_de_bare if live else checks.S_DE_BARE_GIVEN
+    return [
+        Line(checks.d_limit_bare, bare.limit, LIVE, FULL, note),
+        Line(checks.a_limit_bare, bare.capacity, LIVE, FULL, note),
+        Line(checks.period_bare, bare.period, LIVE, FULL, note),
+        Line(demand, bare.demand, LIVE if live else RUN, VALUE, note),
+        Line(checks.displacement_ratio_bare, bare.ratio, LIVE, FULL, note),
+    ]
 
 
 def dynamic(wall: WallResult) -> Section:

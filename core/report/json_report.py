@@ -9,7 +9,7 @@ from typing import Any
 from core.capacity.accuracy import ROUNDING, Accuracy
 from core.codes.dynamic_check import DemandCheck
 from core.codes.eq9 import LABEL
-from core.codes.kinematic import Kinematic
+from core.codes.kinematic import Displacement, Kinematic
 from core.codes.record_compatibility import Compliance
 from core.file_names import shown
 from core.ground.ground_motion import GroundMotion
@@ -151,6 +151,12 @@ def _without_friction(mechanism: Kinematic, confidence: float) -> dict | None:
     }
 
 
+def _displacement(found: Displacement) -> dict:
+    """The displacement check of a wall without its ties."""
+    values = {"d_limit_m": found.limit, "a_limit_m_s2": found.capacity, "period_s": found.period}
+    return {**values, "s_de_m": found.demand, "zeta": found.ratio}
+
+
 def _assessment(assessment: Assessment | None, confidence: float) -> dict:
     """The keys demand_check, lower_bound_check, kinematic_check and verdict of a wall. confidence : FC."""
     if assessment is None:
@@ -174,6 +180,7 @@ def _assessment(assessment: Assessment | None, confidence: float) -> dict:
             **bending(mechanism),
             "period_s": mechanism.period,
             "s_de_m": mechanism.s_de,
+            "without_ties": None if mechanism.without_ties is None else _displacement(mechanism.without_ties),
             "free_element": mechanism.free_element,
             "period_0_s": mechanism.period_0,
             "acceleration_demand_g": mechanism.acceleration_demand / G

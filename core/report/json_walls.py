@@ -64,6 +64,7 @@ def tie_design(wall: WallResult) -> dict:
             "histories_missing": tie.missing,
             "force_kn_m": kilo(tie.force),
             "asked_kn_m": kilo(tie.asked),
+            "at_least_kn_m": kilo(tie.at_least),
             "check": tie.check,
             "largest_kn_m": kilo(tie.largest),
             "elongation_m": tie.elongation,
@@ -112,6 +113,7 @@ def limit_states(wall: WallResult) -> dict:
                 "ag_g": one.ag / G,
                 "check": one.check,
                 "zeta": one.zeta,
+                "code": one.code,
             }
             for one in wall.assessment.states
         ]
@@ -167,7 +169,12 @@ def _verdict(one: WallVerdict, result: StudyResult) -> dict:
         "variant": one.wall.variant,
         "code": found.code,
         "zeta_e": found.zeta_e,
+        "zeta_least": one.zeta_least,
         "zeta_target": found.zeta_target,
+        "pga_c_g": one.risk.pga / G if one.risk else None,
+        "return_period_c_years": one.risk.return_period if one.risk else None,
+        "is_v": one.risk.index if one.risk else None,
+        "is_v_letter": one.risk.letter if one.risk else None,
         "hinge_m": wall.part.hinge,
         "mechanism": wall.mechanism,
         "check": found.governing,

@@ -1,5 +1,6 @@
 """The sheet Risk: every wall with what it withstands, the lowest first; limit states, ties, variants."""
 
+from core.codes.outcomes import least
 from core.report.cells import ACCELERATION, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text, title
 from core.report.tie_words import tie_words
 from core.report.verdict_words import in_order
@@ -31,7 +32,7 @@ def risk(book: Book, result: StudyResult) -> None:
         say(
             "PGA_C = ζ S a_g; the shape of the spectrum is taken as fixed. IS-V is of this mechanism: the class of the "
             "building asks for a global analysis (D.M. 65/2017, Annex A). Limit states by the hazard of the site and "
-            "the kinematic check."
+            "the kinematic check, or by time histories where they are asked for."
         ),
         LAST,
         150,
@@ -57,7 +58,7 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
             "PGA_C [g]",
             "T_R,C",
             "IS-V",
-            *(f"ζ {state}, {say('kin.')}" for state in STATES),
+            *(f"ζ {state}" for state in STATES),
         ],
         1,
         30,
@@ -65,19 +66,13 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
     for wall, _ in book.steps.each(in_order(result)):
         row += 1
         _wall(book, sheet, wall, row)
-    known = [w.assessment.verdict.zeta_e for w in result.walls if w.assessment and w.assessment.risk]
     row += 1
     text(sheet, row, 1, say("smallest"), bold=True)
-    number(sheet, row, 3, min(known), RATIO)
+    number(sheet, row, 3, least(w.assessment.verdict.zeta_e for w in result.walls if w.assessment), RATIO)
     for column, state in enumerate(STATES, start=9):
-        values = [
-            one.zeta
-            for wall in result.walls
-            for one in (wall.assessment.states if wall.assessment else ())
-            if one.state == state and one.zeta is not None
-        ]
-        if values:
-            number(sheet, row, column, min(values), RATIO)
+        states = [one for wall in result.walls for one in (wall.assessment.states if wall.assessment else ())]
+        if there := [one.zeta for one in states if one.state == state]:
+            number(sheet, row, column, least(there), RATIO)
     rule(sheet, row, 1, LAST)
     return row + 1
 

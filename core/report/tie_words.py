@@ -22,7 +22,15 @@ def tie_words(say: Callable[..., str], wall: WallResult, language: str) -> str:
     known = [name for name in NAMES if tie.forces[name] is not None]
     forces = "; ".join(f"{word(f'tie_{name}', language)} {force_words(tie, name, language)}" for name in known)
     values = {"h": tie.height, "forces": forces, "largest": 1e-3 * tie.largest}
-    if tie.asked is None:
+    if tie.at_least is not None:
+        words = [
+            say(
+                "The force of a tie {h:.2f} m above the base is not known: the time histories decide, and need the "
+                "length of its bar. [kN/m] {forces}.",
+                **values,
+            )
+        ]
+    elif tie.asked is None:
         words = [
             say(
                 "No tie {h:.2f} m above the base brings every hinge of the one-sided mechanism to the ζ required. "
@@ -56,13 +64,10 @@ def tie_words(say: Callable[..., str], wall: WallResult, language: str) -> str:
                 **values,
             )
         words = [first]
+    if tie.at_least:
+        words.append(say("It is not below {at_least:.2f} kN/m.", at_least=1e-3 * tie.at_least))
     if tie.missing == "bar":
-        words.append(
-            say(
-                "The time histories give none: the length of its bar is not given; the displacement check is for a bar "
-                "that does not break, and the force is at least this."
-            )
-        )
+        words.append(say("The displacement check is for a bar that does not break."))
     elif tie.missing == "histories":
         words.append(say("The time histories give none: there are no records."))
     elif tie.missing == "none":

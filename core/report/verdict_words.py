@@ -5,21 +5,11 @@ from dataclasses import fields
 
 from core.case.schema import WallJustification
 from core.case.site import DemandJustification
+from core.codes.outcomes import OUTCOMES
 from core.study.results import StudyResult, WallResult
 from core.study.wall_verdict import by_severity, where
 from core.text.catalogue import CATALOGUE
 from core.text.sentence import FormNames, word
-
-TONES = {
-    "verified": "good",
-    "not_activated": "good",
-    "verified_refined": "amber",
-    "indicative": "amber",
-    "undetermined": "amber",
-    "at_limit": "bad",
-    "q2_unsafe": "bad",
-    "not_verified": "bad",
-}
 
 
 @functools.cache
@@ -84,5 +74,5 @@ def tone_of(result: StudyResult, wall: WallResult) -> str:
     """good, amber or bad; good only where nothing is left to read; "" without a verdict."""
     if wall.assessment is None:
         return ""
-    tone = TONES[wall.assessment.verdict.code]
+    tone = OUTCOMES[wall.assessment.verdict.code].tone
     return "amber" if tone == "good" and result.left_to_read(wall) else tone

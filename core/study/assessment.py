@@ -5,7 +5,7 @@ from collections.abc import Callable
 from core.case.site import Building, Demand
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import BOUND_EVERY, DemandCheck, demand_check
-from core.codes.kinematic import Check, Kinematic, checks_of, linear
+from core.codes.kinematic import Check, Kinematic, checks_of, linear, with_and_without_ties
 from core.codes.kinematic_chain import chain
 from core.codes.limits import counted_stations
 from core.codes.record_compatibility import Compliance
@@ -17,11 +17,11 @@ from core.study.floors import LOW_CODE, building_notes
 from core.study.held_top import limits_of_bending, overturning_zeta
 from core.study.lifts import lifts
 from core.study.results import Assessment, WallResult
-from core.study.zeta_with import Scene
+from core.study.zeta_with import Scene, model_of
 from core.text.sentence import Number, Sentence, sentence
 from core.wall.restitution import restitution
 from core.wall.rocking_model import RockingModel, rocking_model
-from core.wall.wall_loads import contact_of, rocks_both_ways
+from core.wall.wall_loads import contact_of, rocks_both_ways, without_ties
 
 EXACT_METHODS = ("auto", "taylor", "taylor_6", "dormand_prince")
 """Methods whose result a verdict may rest on; the others are for comparison."""
@@ -98,6 +98,10 @@ def assess(
         limits.append(sentence("reason", "generated_motions"))
     limits += limits_of_bending(kinematic)
     limits += _of_ties_not_counted(own, wall.mechanism == "two_sided", kinematic, demand, checks)
+    if any(load.is_tie for load in own.load):
+        bare = model_of(without_ties(own), wall.mechanism)
+        free = dynamic and dynamic_check(bare, motions, polarities, demand, method, 1, False, cancelled)
+        limits += _of_ties_that_lower(kinematic, demand, dynamic, free)
     result = verdict(
         own,
         wall.mechanism,
@@ -129,6 +133,19 @@ def _of_ties_not_counted(
     if any(load.slack_mm for load in wall.load) and any(check.name != "dynamic" for check in checks):
         return [sentence("reason", "slack_not_counted")]
     return []
+
+
+def _of_ties_that_lower(
+    kinematic: Kinematic, demand: DemandResult, dynamic: DemandCheck | None, free: DemandCheck | None
+) -> list[Sentence]:
+    """zeta with the ties of a wall and without them. free : the dynamic check without them"""
+    said = []
+    if pair := with_and_without_ties(kinematic, demand):
+        said.append(sentence("reason", "ties_displacement", tied=Number(pair[0]), bare=Number(pair[1])))
+    tied, bare = dynamic and dynamic.zeta, free and free.zeta
+    if tied is not None and bare is not None and round(bare, 2) > round(tied, 2):
+        said.append(sentence("reason", "ties_histories", tied=Number(tied), bare=Number(bare)))
+    return said
 
 
 def _circumstances(wall: WallResult, motions, polarities, demand: DemandResult, method: Method) -> Circumstances:

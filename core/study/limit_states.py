@@ -7,7 +7,8 @@ from pathlib import Path
 from core.case.schema import Case, Wall
 from core.case.site import Building
 from core.codes.demand import DemandResult
-from core.codes.kinematic import ROUNDING, Check, checks_of, kinematic
+from core.codes.dynamic_check import DemandCheck
+from core.codes.kinematic import Check, checks_of, kinematic
 from core.codes.limits import return_period
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
@@ -27,7 +28,7 @@ class StateZeta:
     return_period : T_R [years]; ag : on rock [m/s2]
     checks : those that could be made, the most refined first
     check : label of the one that decides, or would; zeta : of it, None where none could be made
-    zeta_target : required
+    zeta_target : required; within_spread : the rule of histories holds there, and their spread contains it
     """
 
     state: str
@@ -37,13 +38,16 @@ class StateZeta:
     zeta: float | None
     zeta_target: float = 1.0
     checks: tuple[Check, ...] = ()
+    within_spread: bool = False
 
     @property
     def code(self) -> str:
-        """verified, not_verified, or undetermined."""
+        """Of the table of outcomes: what the check that decides says."""
         if self.zeta is None:
             return "undetermined"
-        return "verified" if self.zeta >= self.zeta_target - ROUNDING else "not_verified"
+        if self.within_spread:
+            return "at_limit"
+        return "verified" if self.checks[0].passed else "not_verified"
 
 
 def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:
@@ -98,18 +102,13 @@ class StateHistories:
     check: Callable
     cancelled: Callable[[], bool] = lambda: False
 
-    def __call__(self, demand: DemandResult) -> Check | None:
+    def __call__(self, demand: DemandResult) -> DemandCheck | None:
         """None where the demand is that of the case, at SLD, and without records. Raises Cancelled."""
         if demand.limit_state == self.demand.limit_state or not self.motions:
             return None
         factor = demand.pga / self.demand.pga if demand.record_scaling == "as_given" else 1.0
         scaled = [replace(motion, acceleration=factor * motion.acceleration) for motion in self.motions]
-        found = self.check(self.model, scaled, self.polarities, demand, self.method, EVERY, False, self.cancelled)
-        return found.as_check() if found else None
-
-
-EVERY = 2
-"""Every how many points of the grid zeta of another limit state is searched: by 0.5 %."""
+        return self.check(self.model, scaled, self.polarities, demand, self.method, 1, False, self.cancelled)
 
 
 def zetas(
@@ -117,7 +116,7 @@ def zetas(
     mechanism: str,
     demands: dict[str, DemandResult],
     building: Building | None,
-    histories: Callable[[DemandResult], Check | None] = lambda demand: None,
+    histories: Callable[[DemandResult], DemandCheck | None] = lambda demand: None,
     asked: tuple[str, ...] = (),
 ) -> tuple[StateZeta, ...]:
     """The wall at each limit state. histories : the dynamic check at a demand, made at the states asked. Raises
@@ -126,12 +125,14 @@ def zetas(
     for state, demand in demands.items():
         floor = floor_of(wall, building, demand, []) if wall.above_ground else None
         checks: tuple[Check, ...] = ()
+        dynamic = None
         if floor is not None or not wall.above_ground:
             moved = kinematic(wall, mechanism, demand, floor.spectrum if floor else None)
             dynamic = histories(demand) if state in asked else None
-            checks = ((dynamic,) if dynamic else ()) + checks_of(moved, demand)
+            checks = ((dynamic.as_check(),) if dynamic else ()) + checks_of(moved, demand)
         label = checks[0].label if checks else "linear_sld" if state == "SLD" else "nonlinear"
         zeta = checks[0].zeta if checks else None
         years = demand.return_period or 0.0
-        found.append(StateZeta(state, years, demand.ag, label, zeta, demand.zeta_target, checks))
+        limit = dynamic is not None and dynamic.within_spread(demand.zeta_target)
+        found.append(StateZeta(state, years, demand.ag, label, zeta, demand.zeta_target, checks, limit))
     return tuple(found)

@@ -219,6 +219,8 @@ class WallVerdict:
     results : indices of the results of all its hinges and mechanisms, the worst first
     states : limit state -> outcome, of the worst hinge there
     extra : what limits it beyond the hinge that decides
+    zeta_least : the lowest of all hinges and mechanisms, None where one is not known
+    risk : what it withstands, of the same; None where one is not known
     interval : of zeta_E for other samples of records, None where none can be said
     rates : how often limit states of the hinge that collapses most often are exceeded, empty without the hazard
     sensitivity : None where it is not asked for
@@ -229,6 +231,8 @@ class WallVerdict:
     results: tuple[int, ...]
     states: dict[str, StateOutcome]
     extra: tuple[Sentence, ...] = ()
+    zeta_least: float | None = None
+    risk: Risk | None = None
     interval: SampleInterval | None = None
     rates: tuple[StateRate, ...] = ()
     sensitivity: Sensitivity | None = None

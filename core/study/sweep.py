@@ -164,7 +164,8 @@ def point_of(value: float, result: StudyResult) -> SweepPoint:
         for check in wall.assessment.checks if wall.assessment else ():
             known = zeta.get(check.label, check.zeta)
             zeta[check.label] = None if check.zeta is None or known is None else min(known, check.zeta)
-    found = [wall.q_set for wall in result.walls if wall.q_set is not None]
+    unknown = any(wall.set_rule == "incomplete" for wall in result.walls)
+    found = [] if unknown else [wall.q_set for wall in result.walls if wall.q_set is not None]
     verdict = result.walls[result.verdicts[0].governing].assessment.verdict if result.verdicts else None
     return SweepPoint(
         value,

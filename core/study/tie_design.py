@@ -1,9 +1,9 @@
 """The force a tie must hold, by every check, for all hinges of a wall together.
 
 The tie is a bar at `tie_height_m`: it yields, is slack when the wall comes back, and is gone beyond what it stands. The
-force named is the largest of the histories, of the displacement check and of the thrust at rest; that of the linear
-check with q = 2 leaves most walls beyond the limit state and lets many overturn (resources/docs/ties.md): it stands
-beside it.
+force named is the largest of the histories, of the displacement check and of the thrust at rest, and is not known
+where one of them is not; that of the linear check with q = 2 leaves most walls beyond the limit state and lets many
+overturn (resources/docs/ties.md): it stands beside it, but where neither of the others is made, so that it decides.
 """
 
 import math
@@ -22,9 +22,6 @@ from core.wall import ties, wall_loads
 
 NAMES = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code", "linear_q_1", "thrust")
 """Of the forces: of the checks, with q = 1 in place of that of the code, and of the thrust at rest."""
-
-NAMED = ("dynamic", "nonlinear", "thrust")
-"""Those of which the largest is the force named; at SLD the check of that state in place of the displacement check."""
 
 COARSE_EVERY = 8
 """Every how many points of the grid zeta of the histories is searched while the force is looked for: by 2 %."""
@@ -55,10 +52,12 @@ class TieDesign:
     height : above the base of the wall [m]
     forces : by NAMES [N/m]: the largest that a hinge asks; 0 where none is needed, None where none does it, where a
         hinge at or above the tie fails, where the state has no such check, or where `missing` says so
-    missing : why there is none of the histories: "bar" without a length of the bar, "histories" without records, "none"
-        where none does it; "" where there is one
-    force, check : the one named, and which of NAMED it is; None where one of these has none, or beyond `largest`
-    asked : the largest of these, also beyond `largest` [N/m]
+    missing : why there is none of the histories: "histories" without records, "bar" without a length of the bar, which
+        they need, "none" where none does it; "" where there is one
+    force, check : the one named, the largest of the deciding ones, and which it is; None where one of these is not
+        known or none does it, or beyond `largest`
+    asked : the largest of these, also beyond `largest` [N/m]; None where one is not known, or none does it
+    at_least : the largest of those that are known [N/m], where one is not
     largest : up to which the wall turns as one block about each of its hinges [N/m]
     elongation : of the bar with the force named, at the largest peak of the histories at the demand, at d_SLV and at
         d_0 of the base hinge [m]
@@ -76,6 +75,7 @@ class TieDesign:
     force: float | None
     check: str | None
     asked: float | None
+    at_least: float | None
     largest: float
     elongation: dict[str, float | None]
     stands: float | None
@@ -122,21 +122,19 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
     above = [hinge for hinge in hinges if hinge.scene.wall.tie_height_m is None]
     largest = min(_largest(hinge, height) for hinge in below)
     forces = {name: _force(name, below, above, height) for name in NAMES[1:]}
-    missing = "bar" if asked.tie_bar_length_m is None else ""
-    missing = missing or ("histories" if any(hinge.dynamic is None for hinge in hinges) else "")
+    missing = "histories" if any(hinge.dynamic is None for hinge in hinges) else ""
+    missing = missing or ("bar" if asked.tie_bar_length_m is None else "")
     forces["dynamic"] = None
     if not missing:
         forces["dynamic"] = _of_histories(below, above, height, largest, forces, cancelled)
         missing = "none" if forces["dynamic"] is None else ""
-    named = [name for name in NAMED if name != "dynamic" or missing in ("", "none")]
-    if below[0].scene.demand.limit_state == "SLD":
-        named = ["linear_q_code", "thrust"]
-    elif _zeta("nonlinear", below[0].scene, below[0].scene.wall) is None:
-        named.remove("nonlinear")
-    known = [forces[name] for name in named]
-    most = None if None in known else max(known)
+    named = _deciding(below[0].scene, missing != "histories")
+    known = {name: force for name in named if (force := forces[name]) is not None}
+    unknown = missing == "bar" and "dynamic" in named
+    most = max(known.values()) if len(known) == len(named) else None
+    at_least = max(known.values()) if unknown and len(known) == len(named) - 1 else None
     force = most if most is not None and most <= largest else None
-    check = None if force is None else named[known.index(force)]
+    check = None if force is None else next(name for name, value in known.items() if value == force)
     zeta, elongation, bars = {}, dict.fromkeys(("demand", "d_slv", "d_0")), (None, None)
     stands, more = None, False
     if force is not None:
@@ -154,6 +152,7 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
         force,
         check,
         most,
+        at_least,
         largest,
         elongation,
         stands,
@@ -164,6 +163,20 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
         curve,
         more,
     )
+
+
+def _deciding(scene: Scene, histories: bool) -> list[str]:
+    """Names of the forces of which the largest is named: those of the thrust and of the checks that decide about the
+    wall. histories : it has some"""
+    if scene.demand.limit_state == "SLD":
+        return ["linear_q_code", "thrust"]
+    made = [name for name, there in (("dynamic", histories), ("nonlinear", _made("nonlinear", scene))) if there]
+    return [*(made or ["linear_q_code"]), "thrust"]
+
+
+def _made(name: str, scene: Scene) -> bool:
+    """Whether a check of the clauses can be made of the wall."""
+    return _zeta(name, scene, scene.wall) is not None
 
 
 def _largest(hinge: Hinge, height: float) -> float:

@@ -145,7 +145,7 @@ def wall_result(part: Part, mechanism, model, runs, motions, search, demand, flo
         per_record=tuple(per_record),
         set_rule=rule,
         q_set=sets["q"],
-        q_min=min((entry.q for entry in with_q), default=None),
+        q_min=None if incomplete else min((entry.q for entry in with_q), default=None),
         q_robust_set=sets["q_robust"],
         q_slv_set=sets["q_slv"],
         q_slv_low_set=sets["q_slv_low"],

@@ -1,23 +1,21 @@
 """One verdict for each wall: the worst of its hinges and mechanisms, at every limit state."""
 
-import math
-
 from core.case.hinges import usual_hinges
 from core.case.schema import Case, Wall
 from core.codes.kinematic import Check
+from core.codes.outcomes import FAILS, NO_HAZARD, OUTCOMES, PASSES, least, worst
+from core.codes.outcomes import severity as severity_of
+from core.codes.risk import least_risk
 from core.codes.verdict_sentence import at_hinge
 from core.study.limit_states import STATES
 from core.study.results import StateOutcome, StudyResult, WallResult, WallVerdict
 from core.text.sentence import Key, Number, Sentence, sentence
 
 
-def severity(wall: WallResult) -> tuple[int, float]:
-    """Order of the hinges of a wall: a missing number first, then the lowest zeta over the one required, what is not
-    activated last."""
+def severity(wall: WallResult) -> tuple[int, bool, float]:
+    """Order of the hinges of a wall, and of walls: by the table of outcomes, worst first."""
     verdict = wall.assessment.verdict
-    if verdict.zeta_e is None or verdict.code == "undetermined":
-        return 0, -math.inf
-    return (2 if verdict.code == "not_activated" else 1), verdict.zeta_e / verdict.zeta_target
+    return severity_of(verdict.code, verdict.zeta_e, verdict.zeta_target)
 
 
 def wall_verdicts(case: Case, walls: tuple[WallResult, ...]) -> tuple[WallVerdict, ...]:
@@ -30,10 +28,26 @@ def wall_verdicts(case: Case, walls: tuple[WallResult, ...]) -> tuple[WallVerdic
     found = []
     for origin, indices in by_origin.items():
         ordered = sorted(indices, key=lambda k: severity(walls[k]))
-        asked, states = case.wall[origin], _states(case, [walls[k] for k in ordered])
-        extra = [*_left_out(asked, case, walls, indices), *_other_states(case, states)]
-        found.append(WallVerdict(asked, ordered[0], tuple(ordered), states, tuple(extra)))
+        hinges = [walls[k] for k in ordered]
+        asked, states = case.wall[origin], _states(case, hinges)
+        extra = [*_lower_elsewhere(hinges), *_left_out(asked, case, walls, indices), *_other_states(case, states)]
+        zeta_least = least(wall.assessment.verdict.zeta_e for wall in hinges)
+        withstands = least_risk([wall.assessment.risk for wall in hinges])
+        found.append(WallVerdict(asked, ordered[0], tuple(ordered), states, tuple(extra), zeta_least, withstands))
     return tuple(found)
+
+
+def _lower_elsewhere(hinges: list[WallResult]) -> list[Sentence]:
+    """The hinge with the lowest zeta, where another one has the worse outcome and decides. hinges : worst first"""
+    zetas = {k: hinge.assessment.verdict.zeta_e for k, hinge in enumerate(hinges)}
+    if least(zetas.values()) is None:
+        return []
+    k = min(zetas, key=lambda k: zetas[k])
+    if round(zetas[k], 2) >= round(zetas[0], 2):
+        return []
+    lowest = hinges[k]
+    height, mechanism = Number(lowest.part.hinge, ".4g"), sentence("word", lowest.mechanism)
+    return [sentence("reason", "lower_elsewhere", zeta=Number(zetas[k]), hinge=height, mechanism=mechanism)]
 
 
 def _states(case: Case, ordered: list[WallResult]) -> dict[str, StateOutcome]:
@@ -41,15 +55,15 @@ def _states(case: Case, ordered: list[WallResult]) -> dict[str, StateOutcome]:
     found = {}
     for state in STATES:
         if state == case.demand.limit_state:
-            worst = ordered[0].assessment.verdict
-            found[state] = StateOutcome(worst.code, worst.zeta_e, worst.governing)
+            verdict = ordered[0].assessment.verdict
+            found[state] = StateOutcome(verdict.code, verdict.zeta_e, verdict.governing)
             continue
         there = [one for wall in ordered for one in wall.assessment.states if one.state == state]
         if not there:
-            found[state] = StateOutcome("no_hazard")
+            found[state] = StateOutcome(NO_HAZARD)
             continue
-        worst = min(there, key=lambda one: -math.inf if one.zeta is None else one.zeta)
-        found[state] = StateOutcome(worst.code, worst.zeta, worst.check)
+        least_of = worst(there, lambda one: (one.code, one.zeta, one.zeta_target))
+        found[state] = StateOutcome(least_of.code, least_of.zeta, least_of.check)
     return found
 
 
@@ -61,12 +75,19 @@ def _other_states(case: Case, states: dict[str, StateOutcome]) -> list[Sentence]
             "other_state",
             state=state,
             outcome=sentence("word", one.code),
-            zeta=Number(one.zeta),
+            zeta=_zeta_of(one, case.demand.zeta_target),
             check=sentence("short", one.check, q=Number(case.demand.q_code, "g")),
         )
         for state, one in states.items()
-        if state != case.demand.limit_state and one.code == "not_verified"
+        if state != case.demand.limit_state and one.code != NO_HAZARD and OUTCOMES[one.code].judgement != PASSES
     ]
+
+
+def _zeta_of(state: StateOutcome, target: float) -> Number | Sentence:
+    """zeta of a state that fails; where it reaches what is required, with the words that the rule fails there."""
+    if state.zeta is None or OUTCOMES[state.code].judgement != FAILS or state.zeta < target:
+        return Number(state.zeta)
+    return sentence("added", "fails_at_demand", zeta=Number(state.zeta))
 
 
 def by_severity(verdicts: tuple[WallVerdict, ...], walls) -> list[WallVerdict]:
@@ -97,10 +118,10 @@ def where(wall: WallResult) -> Sentence | str:
 
 
 def zetas_of(result: StudyResult, wall: WallResult) -> list[tuple[float, float | None]]:
-    """Every hinge of the wall a result is of, with the smallest zeta found there; none where it has one alone."""
-    found: dict[float, list[float]] = {}
+    """Every hinge of the wall a result is of, with the smallest zeta there, None where one is not known; none where it
+    has one alone."""
+    found: dict[float, list[float | None]] = {}
     for one in result.walls:
         if one.part.origin == wall.part.origin and one.assessment:
             found.setdefault(one.part.hinge, []).append(one.assessment.verdict.zeta_e)
-    zetas = {hinge: [zeta for zeta in known if zeta is not None] for hinge, known in found.items()}
-    return [(hinge, min(known, default=None)) for hinge, known in sorted(zetas.items())] if len(zetas) > 1 else []
+    return [(hinge, least(zetas)) for hinge, zetas in sorted(found.items())] if len(found) > 1 else []

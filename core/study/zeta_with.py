@@ -14,8 +14,8 @@ from core.rocking.methods import Method
 from core.study.floors import Floor, floor_of
 from core.wall.rocking_model import RockingModel, rocking_model
 
-EVERY = 8
-"""Every how many points of the grid zeta is searched with another input: by 2 %, the digits given are two."""
+EVERY = 1
+"""Every how many points of the grid zeta is searched with another input: as the run of that wall searches it."""
 
 
 @dataclass(frozen=True)

@@ -18,8 +18,8 @@ from core.case.loads import Bars, Load
 from core.case.schema import DESIGNED, Generate
 from core.case.site import Spectrum
 from core.codes.national_hazard import municipality
+from core.codes.outcomes import OUTCOMES
 from core.errors import InputError
-from core.report import verdict_words
 from tests.app.driving import run, settle, type_into
 from tests.conftest import ROOT
 
@@ -180,13 +180,13 @@ def test_that_the_client_reads_no_word_of_the_code(opened, application, tongue):
     run(application, opened)
     side = client_view.sides_of(opened.session.result, opened.wall)[0]
     language.set_language(tongue)
-    for code in verdict_words.TONES:
+    for code in OUTCOMES:
         verdict = replace(side.wall.assessment.verdict, code=code)
         wall = replace(side.wall, assessment=replace(side.wall.assessment, verdict=verdict))
         for tone in ("good", "amber", "bad"):
             words = client_view.words_of(replace(side, wall=wall, tone=tone))
             assert not {"refined", "raffinato", "q", "indicative", "indicativa"} & set(re.findall(r"\w+", words))
-            if verdict_words.TONES[code] == "bad":
+            if OUTCOMES[code].tone == "bad":
                 assert "not sufficient" in words or "non sufficiente" in words
     language.set_language("en")
 

@@ -100,7 +100,11 @@ def codes(sentences) -> list[str]:
         ("verified", {"q2": 1.2}),
         ("not_verified", {"q2": 0.7}),
         ("indicative", {"dynamic": 1.2, "q2": 1.1, "compatible": False}),
-        ("indicative", {"dynamic": 0.7, "q2": 0.6, "compatible": None}),
+        # what fails with what was given fails, whatever is missing
+        ("not_verified", {"dynamic": 0.7, "q2": 0.6, "compatible": None}),
+        ("q2_unsafe", {"dynamic": 0.7, "q2": 1.1, "bundled": True}),
+        ("not_verified", {"nonlinear": 0.66, "q2": 0.6, "mechanism": "one_sided"}),
+        ("at_limit", {"dynamic": 1.02, "q2": 0.9, "bundled": True, "check": {"zeta_spread": (0.99, 1.05)}}),
         ("indicative", {"dynamic": 1.2, "q2": 1.1, "records": 2}),
         ("indicative", {"dynamic": 1.2, "q2": 1.1, "bundled": True}),
         ("indicative", {"dynamic": 1.2, "q2": 1.1, "demand_scaling": "pga"}),

@@ -150,7 +150,7 @@ def test_that_two_reasons_of_the_loads_change_the_wall_together():
 
 def test_that_every_reason_reads_in_both_languages():
     by_bar = {"kind": "tie", "h_m": 2.9, "bar_length_m": 6.0, "elongation": 0.05, "bar": BAR}
-    slack, drawn = {**LONG, "kn_m": 0.1, "slack_mm": 2.0}, {**TIE, "kn_m": 0.1, "prestress": 0.2}
+    slack, drawn = {**LONG, "kn_m": 0.1, "slack_mm": 2.0}, {**TIE, "kn_m": 0.1, "prestress": 0.5}
     loads = by_bar, slack, drawn, {"kind": "thrust", "h_m": 2.0, "kn_m": -0.1}
     said = set()
     for records, state in ((False, "SLV"), (True, "SLV"), (False, "SLD")):

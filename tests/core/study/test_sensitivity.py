@@ -52,8 +52,7 @@ def case_of(wall, **sections):
 
 
 def zeta_of(table):
-    result = run(parse_case(table), base_dir=CASES)
-    return result.walls[result.verdicts[0].governing].assessment.verdict.zeta_e
+    return run(parse_case(table), base_dir=CASES).verdicts[0].zeta_least
 
 
 def moved(table, path, value):

@@ -46,16 +46,21 @@ def fake(zeta, code="not_verified", target=1.0):
     return SimpleNamespace(assessment=SimpleNamespace(verdict=verdict))
 
 
-def test_that_a_missing_number_is_worst_and_what_is_not_activated_last():
+def test_that_hinges_are_ordered_by_the_table_of_outcomes_and_then_by_zeta():
     order = [
-        fake(0.9, "not_activated"),
-        fake(None, "undetermined"),
         fake(0.5),
         fake(0.7, target=1.0),
         fake(0.6, target=0.8),
-        fake(1.2, "verified"),
+        fake(0.4, "q2_unsafe"),
+        fake(1.02, "at_limit"),
+        fake(None, "undetermined"),
+        fake(1.8, "indicative"),
+        fake(1.3, "verified_refined"),
+        fake(1.1, "verified"),
+        fake(0.9, "not_activated"),
     ]
-    assert sorted(order, key=severity) == [*order[1:], order[0]]
+    for turned in (order[::-1], order[3:] + order[:3]):
+        assert sorted(turned, key=severity) == order
 
 
 def test_that_the_worst_hinge_and_mechanism_is_the_wall_s():
@@ -113,7 +118,9 @@ def test_that_another_state_that_fails_is_in_limits_and_never_in_code():
     result = made({"thickness_m": 1.5, "height_m": 6.0}, building=None, **SITE)
     wall = result.walls[0]
     failing = [
-        replace(one, zeta=0.6) if one.state == "SLD" else replace(one, zeta=1.5) for one in wall.assessment.states
+        replace(one, zeta=zeta, checks=(replace(one.checks[0], zeta=zeta, passed=zeta > 1.0), *one.checks[1:]))
+        for one in wall.assessment.states
+        for zeta in [0.6 if one.state == "SLD" else 1.5]
     ]
     changed = replace(wall, assessment=replace(wall.assessment, states=tuple(failing)))
     (found,) = wall_verdicts(result.case, (changed,))

@@ -95,6 +95,8 @@ LOWERS = {
     "tie_at_outer_face",
     "tie_bar_says",
     "tie_elongation_below_yield",
+    "ties_displacement",
+    "ties_histories",
 }
 """What they advise lowers zeta or leaves it: less is counted, the file decides, the spectrum does."""
 

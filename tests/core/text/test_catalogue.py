@@ -13,6 +13,7 @@ from core.case.loads import Load
 from core.case.rules import parse_case
 from core.case.schema import Case, sections
 from core.codes.kinematic import CHECKS
+from core.codes.outcomes import OUTCOMES
 from core.errors import InputError, place, section
 from core.packages import PACKAGES
 from core.study.tie_design import NAMES as FORCES
@@ -169,6 +170,7 @@ def test_that_every_text_of_the_catalogue_is_used():
     sides |= {f"work_{extra}" for extra in PACKAGES}
     sides |= {f"load_{kind}" for kind in LOAD_KINDS} | {key for keys in ENTRIES.values() for key in keys}
     sides |= {f"by_{label}" for label in (*CHECKS, "linear_sld")} | {f"tie_{name}" for name in FORCES}
+    sides |= {f"client_{code}" for code in OUTCOMES}
     sides |= {f"part_{part}" for part in ("steel", "thread", "anchorage")}
     for group in set(CATALOGUE) - {"error", "key"}:
         unused = {code for code in CATALOGUE[group] if code not in literals | sides}

@@ -1,0 +1,58 @@
+"""The outcomes of a hinge, a wall, a limit state, a variant: one table, one order."""
+
+from collections.abc import Callable, Iterable
+from typing import Any, NamedTuple
+
+FAILS, OPEN, PASSES = "fails", "open", "passes"
+"""What an outcome allows: a wall that fails, one of which nothing may be said yet, one that may be called satisfied."""
+
+
+class Outcome(NamedTuple):
+    """A row of the table.
+
+    code : of its words: its sentence in the group "verdict", its name and client_<code> in "word"
+    tone : its colour, good, amber or bad
+    judgement : FAILS, OPEN or PASSES: what the check that decides says
+    """
+
+    code: str
+    tone: str
+    judgement: str
+
+
+OUTCOMES = {
+    row.code: row
+    for row in (
+        Outcome("not_verified", "bad", FAILS),
+        Outcome("q2_unsafe", "bad", FAILS),
+        Outcome("at_limit", "bad", FAILS),
+        Outcome("undetermined", "amber", OPEN),
+        Outcome("indicative", "amber", PASSES),
+        Outcome("verified_refined", "amber", PASSES),
+        Outcome("verified", "good", PASSES),
+        Outcome("not_activated", "good", PASSES),
+    )
+}
+"""The outcomes, worst first."""
+
+NO_HAZARD = "no_hazard"
+"""Of a limit state that is not asked for: outside the order."""
+
+_RANK = {code: rank for rank, code in enumerate(OUTCOMES)}
+
+
+def severity(code: str, zeta: float | None, target: float) -> tuple[int, bool, float]:
+    """Key that sorts outcomes, worst first: by the table, among equal ones a missing zeta first, then the lowest zeta
+    over the one required."""
+    return _RANK[code], zeta is not None, 0.0 if zeta is None else zeta / target
+
+
+def worst(rows: Iterable[Any], of: Callable[[Any], tuple[str, float | None, float]]) -> Any:
+    """The row with the worst outcome. of : its code, zeta and the zeta required"""
+    return min(rows, key=lambda row: severity(*of(row)))
+
+
+def least(values: Iterable[float | None]) -> float | None:
+    """The lowest of several numbers that all count; None where one of them is not known, or there is none."""
+    known = list(values)
+    return None if not known or None in known else min(value for value in known if value is not None)
