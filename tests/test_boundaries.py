@@ -47,7 +47,7 @@ ONE_STEP, ORDER = "tests/validation/test_one_step.py", "tests/validation/test_me
 WORKBOOK, RUN = "tests/core/report/test_workbook.py", "tests/core/study/test_run.py"
 LAW, LARGE = "tests/core/research/test_law_study.py", "tests/core/study/test_large_case.py"
 STUDY = "tests/app/test_study.py"
-SELECTION = "tests/core/study/test_record_selection.py"
+SELECTION = "tests/core/setting/test_record_selection.py"
 SENTENCES = "tests/core/text/test_catalogue.py"
 DIALECTS = "tests/core/ground/test_dialects.py"
 REFUSALS = "tests/core/ground/test_record_refusals.py"
@@ -64,12 +64,12 @@ SHOWN_BY = {
     "report/columns": LARGE,
     "report/parquet_file": LARGE,
     "report/large_report": LARGE,
-    "case/sensitivity": "tests/core/study/test_sensitivity.py",
-    "study/swings": "tests/core/study/test_sensitivity.py",
+    "case/sensitivity": "tests/core/variation/test_sensitivity.py",
+    "variation/swings": "tests/core/variation/test_sensitivity.py",
     "report/sure_words": "tests/core/report/test_certainty.py",
     "report/certainty_sheet": "tests/core/report/test_certainty.py",
     "report/note/certainty": "tests/core/report/test_certainty.py",
-    "study/zeta_with": "tests/core/study/test_lifts.py",
+    "variation/zeta_with": "tests/core/variation/test_lifts.py",
     "codes/verdict_sentence": "tests/core/codes/test_verdict.py",
     "atomic_write": "tests/core/test_atomic_write.py",
     "errors": SENTENCES,
@@ -139,10 +139,10 @@ SHOWN_BY = {
         )
     },
     "study/demand_histories": "tests/core/report/test_note.py",
-    "study/assessment": "tests/core/codes/test_verdict.py",
-    "study/demand_input": "tests/core/codes/test_target_spectrum.py",
+    "variation/assessment": "tests/core/codes/test_verdict.py",
+    "setting/demand_input": "tests/core/codes/test_target_spectrum.py",
     "study/governing": RUN,
-    "study/plan": RUN,
+    "setting/plan": RUN,
     "study/results": RUN,
     **{
         f"rocking/compared/{name}": ORDER

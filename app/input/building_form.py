@@ -10,7 +10,7 @@ from app.look.language import tr
 from app.work.session import Session
 from core.case.site import Building
 from core.codes.floor_spectrum import estimated_period
-from core.study.floors import modes_at
+from core.setting.floors import modes_at
 
 
 class BuildingForm(QWidget):

@@ -25,7 +25,7 @@ from core.case.site import Demand, Spectrum, least_factor
 from core.codes.demand import unusual
 from core.codes.limits import EXCEEDANCE
 from core.errors import InputError
-from core.study.demand_input import target_of
+from core.setting.demand_input import target_of
 from core.units import G
 
 FROM_PLACE = ("ag_g", "site", "coordinates", "nominal_life_years", "use_class_factor", "return_period_years")

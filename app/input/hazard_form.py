@@ -10,7 +10,7 @@ from app.work.session import Session
 from core.case.hazard_table import parse_hazard
 from core.case.site import HazardRow
 from core.errors import InputError
-from core.study.demand_input import hazard_of
+from core.setting.demand_input import hazard_of
 
 
 class HazardForm(QGroupBox):

@@ -18,7 +18,7 @@ Reasons = WallJustification | DemandJustification
 
 
 def raised_by_wall(case: Case, wall: Wall) -> set[str]:
-    """Keys of a wall that raise its zeta as they are, see `core.study.lifts`."""
+    """Keys of a wall that raise its zeta as they are, see `core.variation.lifts`."""
     at_height = wall.above_ground and case.building is not None and not case.building.modes
     lifting = {
         "velocity_ratio": wall.velocity_ratio is not None,

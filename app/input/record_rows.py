@@ -8,9 +8,9 @@ from app.look.language import described, named, number, tr
 from core.case.schema import Case, Record
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
-from core.study.demand_input import demand_of, generated
-from core.study.plan import with_chosen
-from core.study.record_input import read_records
+from core.setting.demand_input import demand_of, generated
+from core.setting.plan import with_chosen
+from core.setting.record_input import read_records
 from core.units import CM, G
 
 Row = tuple[int | None, GroundMotion | str]

@@ -33,7 +33,7 @@ from core.case.schema import Generate, Record
 from core.codes.record_compatibility import common_factor
 from core.errors import InputError
 from core.file_names import name_of
-from core.study.demand_input import demand_of
+from core.setting.demand_input import demand_of
 
 
 class RecordsPanel(QWidget):

@@ -34,8 +34,8 @@ from core.case.writer import table_of
 from core.errors import InputError
 from core.file_names import key_of, name_of
 from core.report.selection_words import lines_of
-from core.study.plan import with_chosen
-from core.study.record_selection import Selection
+from core.setting.plan import with_chosen
+from core.setting.record_selection import Selection
 from core.text.sentence import localized
 from core.units import G
 

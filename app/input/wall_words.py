@@ -13,7 +13,7 @@ from core.case.loads import Load
 from core.case.schema import AS_IS, DESIGNED, Case, Wall
 from core.case.values import field_of
 from core.errors import InputError
-from core.study.demand_input import demand_of
+from core.setting.demand_input import demand_of
 from core.study.variants import changed_keys
 from core.text.sentence import choice
 from core.wall.block import Block

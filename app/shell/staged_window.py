@@ -16,7 +16,7 @@ from app.work.running import RunningWindow
 from core.case.schema import Wall
 from core.case.sensitivity import Ranges
 from core.errors import InputError
-from core.study.demand_input import target_of
+from core.setting.demand_input import target_of
 from core.study.results import StudyResult, WallResult
 
 OF_A_RESULT = ("check", "histories", "sure", "capacity", "intensity", "validation")

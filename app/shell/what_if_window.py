@@ -9,23 +9,21 @@ from app.look.language import current_language, described, number, tr
 from app.views.ladder import Ladder, Rung
 from app.work.worker import Job
 from core.case.schema import Case
+from core.codes.outcomes import least
 from core.errors import InputError
 from core.report.sure_words import reach_written
-from core.study.plan import Inputs, read_inputs
-from core.study.swings import Reach
-from core.study.turned_round import keys_of, moved_keys, reach_of, with_values
-from core.study.what_if import NONE, Setting, Zetas, lowest, setting_of, with_wall, zetas
+from core.setting.plan import Inputs, read_inputs
 from core.text.sentence import Number, sentence
+from core.variation.evaluate import GLANCE, RUN, Precision
+from core.variation.swings import Reach
+from core.variation.turned_round import keys_of, moved_keys, reach_of, with_values
+from core.variation.whole_wall import NONE, Setting, WholeWall, evaluate_wall, setting_of, with_wall
 
 STEPS, RANGE = 200, 2.0
 """Places of a slider, and the factor of the value at hand at its upper end; its inverse is at the lower."""
 
 SETTLED_MS = 120
 """Pause after which the histories follow the hand."""
-
-EVERY, CLOSE = 8, 0.05
-"""Every how many points of the grid zeta of histories is searched first, by 2 %, and how close to the zeta required
-that search decides nothing; all points follow."""
 
 OWN_Q = "linear_q_slv"
 """The check that asks for a search of q, which is not made here."""
@@ -245,11 +243,11 @@ class WhatIfWindow(QDialog):
         if moved is None:
             return
         try:
-            found = zetas(moved, every=0)
+            found = evaluate_wall(moved, None)
         except InputError as error:
             self.word.setText(described(error))
             found = NONE
-        self._show(found, every=0)
+        self._show(found, None)
         self.timer.start()
 
     def _setting(self) -> Setting | None:
@@ -274,28 +272,28 @@ class WhatIfWindow(QDialog):
         return with_wall(moved, replace(wall, load=tuple(loads)))
 
     def follow(self) -> None:
-        """The histories of the values now, off the thread of the window: on a coarse grid, then on all of it. Earlier
+        """The histories of the values now, off the thread of the window: at a glance, then as a run finds them. Earlier
         ones are left."""
         if (moved := self._setting()) is not None:
-            self._search_zeta(moved, EVERY)
+            self._search_zeta(moved, GLANCE)
 
-    def _search_zeta(self, moved: Setting, every: int) -> None:
+    def _search_zeta(self, moved: Setting, precision: Precision) -> None:
         self.stop("zeta")
         first, base = not self.values, self.base_dir
-        asked = self.case.generate and "ag_g" in self.values and every == 1
+        asked = self.case.generate and "ag_g" in self.values and precision is RUN
         taken = self._taken(moved) if asked else None
 
-        def work(job: Job) -> Zetas:
+        def work(job: Job) -> WholeWall:
             at = replace(moved, inputs=read_inputs(taken, base)) if taken else moved  # motions made for that spectrum
-            return zetas(at, every=every, cancelled=job.cancelled)
+            return evaluate_wall(at, precision, cancelled=job.cancelled)
 
-        def arrived(found: Zetas) -> None:
+        def arrived(found: WholeWall) -> None:
             if first:
                 self.known = dict(found.by_check) | self._of_the_run()
-            again = every > 1 and "dynamic" in found.by_check
-            self._show(found, every if again else 1)
+            again = precision is GLANCE and "dynamic" in found.by_check
+            self._show(found, GLANCE if again else RUN)
             if again:
-                self._search_zeta(moved, 1)
+                self._search_zeta(moved, RUN)
 
         self._start("zeta", work, arrived)
 
@@ -306,7 +304,7 @@ class WhatIfWindow(QDialog):
             return {}
         walls = [wall for wall in result.walls if wall.part.origin == self.row and wall.assessment]
         found = [(check.label, check.zeta) for wall in walls for check in wall.assessment.checks]
-        return {label: lowest([zeta for name, zeta in found if name == label]) for label, _ in found if label != OWN_Q}
+        return {label: least(zeta for name, zeta in found if name == label) for label, _ in found if label != OWN_Q}
 
     def search(self) -> None:
         """The answer turned round, of each slider alone."""
@@ -350,25 +348,24 @@ class WhatIfWindow(QDialog):
         q = Number(self.case.demand.q_code, "g")
         return sentence("short", label, q=q).text(current_language())
 
-    def _show(self, found: Zetas, every: int = 1) -> None:
-        """The ladder; zeta as it is beside each. every : points of the grid the histories were searched at; more follow
-        where these are not all"""
+    def _show(self, found: WholeWall, precision: Precision | None = RUN) -> None:
+        """The ladder; zeta as it is beside each. precision : of the histories, None while none are made; those of a
+        run follow"""
         target, rungs = self.setting.demand.zeta_target, []
         labels = list(self.known) or list(found.by_check)
-        if every == 0 and self.setting.has_histories and "dynamic" not in labels:
+        if precision is None and self.setting.has_histories and "dynamic" not in labels:
             labels.insert(0, "dynamic")  # which decides, also while it is searched
         for k, label in enumerate(labels):
             zeta, given = found.by_check.get(label), self.known.get(label)
-            said = "…" if every != 1 and label == "dynamic" else ""
+            said = "" if precision is RUN or label != "dynamic" else "…" if precision is None else tr("about")
             values = tr("as it is {zeta}", zeta=number(given, ".2f")) if given is not None and self.values else said
-            rungs.append(Rung(self._check(label), said, zeta, values, self._tone(found, label, every), k == 0))
+            rungs.append(Rung(self._check(label), said, zeta, values, self._tone(found, label, precision), k == 0))
         self.ladder.show_rungs(rungs, target)
 
-    def _tone(self, found: Zetas, label: str, every: int) -> str:
-        """Green where a check is surely satisfied."""
-        zeta, target = found.by_check.get(label), self.setting.demand.zeta_target
-        open_yet = label == "dynamic" and every > 1 and zeta is not None and abs(zeta / target - 1.0) <= CLOSE
-        if zeta is None or open_yet:
+    @staticmethod
+    def _tone(found: WholeWall, label: str, precision: Precision | None) -> str:
+        """Green where a check is surely satisfied; a glance of the histories says no outcome."""
+        if found.by_check.get(label) is None or (label == "dynamic" and precision is not RUN):
             return "amber"
         return {True: "good", False: "bad", None: "amber"}[found.satisfied.get(label)]
 

@@ -30,9 +30,9 @@ from core.jit import cache
 from core.packages import require
 from core.report.steps import Steps
 from core.report.verdict_words import in_order
+from core.setting.plan import is_large
 from core.study.case_parts import FINISHED, merged, part_journal, part_path
 from core.study.journal import Journal, Memory
-from core.study.plan import is_large
 from core.study.results import StudyResult
 from core.study.run import journal_key
 from core.study.run import run as run_study

@@ -30,10 +30,10 @@ from core.packages import require
 from core.report import large_report, parquet_file
 from core.report.columns import columns_of
 from core.report.large_report import Tally
+from core.setting.plan import results_in
 from core.study.case_parts import FINISHED, part_key, part_path
 from core.study.group_journal import GroupJournal, MergedGroups
 from core.study.large_case import LargeCase, group_results, in_order, without_walls
-from core.study.plan import results_in
 from core.study.run import journal_key
 from core.version import NAME, VERSION
 

@@ -13,7 +13,7 @@ from app.views.table import Table
 from core.capacity.closed_forms import closed_form_q_eff
 from core.capacity.scale_free_law import dimensionless_intensity, law_of, loss_ratio
 from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
-from core.study.floors import CHART_PERIODS
+from core.setting.floors import CHART_PERIODS
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
 from core.units import CM, G

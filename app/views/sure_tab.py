@@ -12,8 +12,8 @@ from app.views.chart import Chart
 from app.views.table import Table
 from core.report import sure_words
 from core.study.results import StudyResult, WallResult
-from core.study.swings import Sensitivity
 from core.text.sentence import localized
+from core.variation.swings import Sensitivity
 
 
 class SureTab(QWidget):

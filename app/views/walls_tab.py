@@ -6,11 +6,11 @@ from PySide6.QtWidgets import QLabel, QSplitter, QVBoxLayout, QWidget
 from app.look.language import called, number, tr
 from app.views.check_tab import digits, verdict_color
 from app.views.table import Table
-from core.study.limit_states import STATES
 from core.study.results import StudyResult, WallResult
 from core.study.variants import Comparison, comparisons
 from core.text.sentence import word
 from core.units import G
+from core.variation.limit_states import STATES
 
 ZETA, RISK = 2, 6
 """Column of zeta, and first one of what a mechanism withstands."""

@@ -23,7 +23,7 @@ from core.case.schema import Case, Record, Report, Wall
 from core.case.writer import dumps, table_of
 from core.errors import InputError, OutputError
 from core.file_names import key_of, name_of
-from core.study.demand_input import target_of
+from core.setting.demand_input import target_of
 from core.study.journal import lock
 from core.study.results import StudyResult
 from core.text.sentence import Sentence

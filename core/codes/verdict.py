@@ -1,6 +1,7 @@
 """The verdict of a wall: one code, its reasons, one sentence in each language."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -133,7 +134,16 @@ def passes_with_q2(check: Check | None, target: float) -> bool:
 
 
 class Evidence(NamedTuple):
-    """What a verdict is judged by; each as `verdict` takes it."""
+    """What a verdict is judged by.
+
+    wall : of the case; mechanism : two_sided, one_sided or vertical_bending
+    demand : what is required
+    checks : those that were made, the most refined first
+    dynamic : the check by histories, None where there is none
+    kinematic : None above the ground where the building is not known
+    compliance : of the records with the spectrum, None without a spectrum
+    circumstances : what else it must know
+    """
 
     wall: Any
     mechanism: str
@@ -159,50 +169,42 @@ class Evidence(NamedTuple):
         return next((check for check in self.checks if check.name == name), None)
 
 
+def outcome_of(seen: Evidence, unfounded: Sequence[Sentence] = (), q_unfounded: bool = False) -> str:
+    """Code of the table of outcomes.
+
+    unfounded : inputs without a reason that raise zeta and turn the outcome; q_unfounded : one turns the check with q
+        of the code alone
+    """
+    if _missing(seen) is not None:
+        return "undetermined"
+    if not unfounded and not _activated(seen, _threshold(seen)):
+        return "not_activated"
+    agrees = not q_unfounded and passes_with_q2(seen.made("linear_q_code"), seen.demand.zeta_target)
+    return _code(seen, bool(unfounded or _limits(seen) or _unconfirmed(seen)), agrees)
+
+
+def _threshold(seen: Evidence) -> float:
+    """a_RM [m/s2]."""
+    return G * seen.wall.uplift_multiplier(seen.mechanism)
+
+
 def verdict(
-    wall,
-    mechanism: str,
-    demand: DemandResult,
-    checks: tuple[Check, ...],
-    dynamic: DemandCheck | None,
-    kinematic: Kinematic | None,
-    compliance: Compliance | None,
-    circumstances: Circumstances,
-    lower_bound: float | None,
-    own_limits: tuple[Sentence, ...] = (),
-    lifts: tuple[Lift, ...] = (),
+    seen: Evidence, lower_bound: float | None, own_limits: tuple[Sentence, ...] = (), lifts: tuple[Lift, ...] = ()
 ) -> Verdict:
     """The verdict from the checks of a wall, the most refined first.
 
-    wall : of the case
-    mechanism : two_sided or one_sided
-    demand : what is required
-    checks : those that were made
-    dynamic : the check by histories, None where there is none
-    kinematic : None above the ground where the building is not known
-    compliance : of the records with the spectrum, None without a spectrum
-    circumstances : what else it must know
     lower_bound : zeta of the two-sided motion where the restraint behind a one-sided wall fails, of the overturning
         of a wall no longer held at its top [-], or None
     own_limits : Sentences on the checks and on the floor of a wall above the ground
     lifts : inputs that raise zeta
     """
-    seen = Evidence(wall, mechanism, demand, checks, dynamic, kinematic, compliance, circumstances)
-    threshold = G * wall.uplift_multiplier(mechanism)
-    missing = _missing(seen)
+    wall, demand, dynamic = seen.wall, seen.demand, seen.dynamic
+    missing, threshold = _missing(seen), _threshold(seen)
     unfounded = [lift.words for lift in lifts if lift.turns and not lift.justified]
-    blocking = [*_limits(seen), *unfounded]
-    if dynamic and dynamic.passed and _alone(seen):
-        blocking.append(_reason("alone"))
+    blocking = [*_limits(seen), *unfounded, *_unconfirmed(seen)]
     agrees = passes_with_q2(seen.made("linear_q_code"), demand.zeta_target)
     rests_on = [Key(lift.key) for lift in lifts if lift.turns_q and not lift.justified] if agrees else []
-    agrees = agrees and not rests_on
-    if missing is not None:
-        code = "undetermined"
-    elif not unfounded and not _activated(seen, threshold):
-        code = "not_activated"
-    else:
-        code = _code(seen, bool(blocking), agrees)
+    code = outcome_of(seen, unfounded, bool(rests_on))
     limits = [*blocking, *own_limits]
     limits += [lift.words for lift in lifts if lift.words not in limits]
     if rests_on:
@@ -214,7 +216,7 @@ def verdict(
     largest = demand.pga
     if wall.above_ground and code == "not_activated":
         largest = _strongest(seen)
-    way, values = outcome(code, missing, threshold, demand, governing, checks, dynamic, by, largest, wall)
+    way, values = outcome(code, missing, threshold, demand, governing, seen.checks, dynamic, by, largest, wall)
     decides = missing
     if missing is None and governing:
         decides = sentence("added", "decides", by=by, clause=governing.clause)
@@ -297,11 +299,13 @@ def _missing(seen: Evidence) -> Sentence | None:
     return _reason("no_number") if seen.zeta is None else None
 
 
-def _alone(seen: Evidence) -> bool:
-    """Whether neither the displacement check nor FC on the other side confirms what the histories say."""
+def _unconfirmed(seen: Evidence) -> list[Sentence]:
+    """That neither the displacement check nor FC on the other side confirms what the histories say."""
+    if seen.dynamic is None or not seen.dynamic.passed:
+        return []
     displacement, other = seen.made("nonlinear"), seen.dynamic.zeta_other
     refuted = displacement is not None and displacement.passed is False
-    return refuted and other is not None and not other.passed
+    return [_reason("alone")] if refuted and other is not None and not other.passed else []
 
 
 def _weaker(seen: Evidence, code: str) -> Sentence | None:

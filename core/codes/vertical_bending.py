@@ -13,6 +13,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
+from core.boundary import narrowed
 from core.errors import InputError, place
 from core.units import G
 from core.wall import wall_loads
@@ -93,10 +94,8 @@ def lowest_hinge(strip: Strip) -> float:
     found = [low + (high - low) * n / HEIGHTS for n in range(HEIGHTS + 1)]
     best = min(range(len(found)), key=lambda n: start_multiplier(strip, found[n]))
     low, high = found[max(best - 1, 0)], found[min(best + 1, HEIGHTS)]
-    for _ in range(BISECTIONS):
-        middle = 0.5 * (low + high)
-        low, high = (low, middle) if rises(strip, middle) else (middle, high)
-    return min((low, high, found[best]), key=lambda h1: start_multiplier(strip, h1))
+    above, below, _ = narrowed(lambda h1: rises(strip, h1), high, low, steps=BISECTIONS)
+    return min((below, above, found[best]), key=lambda h1: start_multiplier(strip, h1))
 
 
 def turned(strip: Strip, h1: float, theta: float) -> Turned:
@@ -196,10 +195,8 @@ def _collapse(strip: Strip, h1: float) -> float:
         if turned(strip, h1, high).risen <= 0.0:
             break
         low = high
-    for _ in range(BISECTIONS):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if turned(strip, h1, middle).risen > 0.0 else (low, middle)
-    return 0.5 * (low + high)
+    held, lost, _ = narrowed(lambda theta: turned(strip, h1, theta).risen > 0.0, low, high, steps=BISECTIONS)
+    return 0.5 * (held + lost)
 
 
 def strip_of(wall) -> Strip:

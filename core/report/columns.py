@@ -5,10 +5,10 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple
 
 from core.codes.kinematic import CHECKS
-from core.study.limit_states import STATES
 from core.study.results import Q_SOURCES, StudyResult, WallResult, WallVerdict
 from core.text.sentence import Sentence
 from core.units import G
+from core.variation.limit_states import STATES
 
 
 class Row(NamedTuple):

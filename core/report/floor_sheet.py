@@ -2,7 +2,7 @@
 
 from core.report.cells import ACCELERATION, ACCENT, BAD, QUIET, RATIO, Book, header, number, paragraph, text, title
 from core.report.plots import DATA, add_series, new_chart, rows_below
-from core.study.floors import CHART_PERIODS, Floor
+from core.setting.floors import CHART_PERIODS, Floor
 from core.study.results import StudyResult
 from core.units import G
 

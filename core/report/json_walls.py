@@ -5,13 +5,13 @@ from dataclasses import asdict
 
 from core.codes.kinematic import Kinematic
 from core.report.tie_words import elongations
-from core.study.limit_states import STATES
 from core.study.results import StudyResult, WallResult, WallVerdict
-from core.study.swings import Sensitivity, move_words
 from core.study.variants import Comparison, comparisons
 from core.study.wall_verdict import deciding, where
 from core.text.sentence import Sentence
 from core.units import G
+from core.variation.limit_states import STATES
+from core.variation.swings import Sensitivity, move_words
 from core.wall.ties import ties_of
 from core.wall.wall_body import body_of, parts_of
 

@@ -4,12 +4,12 @@ from core.codes.outcomes import least
 from core.report.cells import ACCELERATION, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text, title
 from core.report.tie_words import tie_words
 from core.report.verdict_words import in_order
-from core.study.limit_states import STATES
 from core.study.results import StudyResult, WallResult
-from core.study.tie_design import NAMES
 from core.study.variants import comparisons
 from core.text.sentence import word
 from core.units import G
+from core.variation.limit_states import STATES
+from core.variation.tie_design import NAMES
 
 LAST = 11
 

@@ -3,7 +3,7 @@
 from core.file_names import shown
 from core.report.cells import BAD, GOOD, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text
 from core.report.selection_words import lines_of
-from core.study.record_selection import Selection
+from core.setting.record_selection import Selection
 
 
 def selection_rows(book: Book, sheet, selection: Selection, row: int) -> int:

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from core.file_names import shown
-from core.study.record_selection import ChosenSet, Selection
+from core.setting.record_selection import ChosenSet, Selection
 
 Say = Callable[..., str]
 """A text of the group "report" in the language of the report."""

@@ -7,9 +7,9 @@ from typing import NamedTuple
 from core.codes.collapse_rate import BEYOND, StateRate
 from core.report.verdict_words import names_in
 from core.study.results import StudyResult, WallResult, WallVerdict
-from core.study.swings import Reach, Sensitivity, Swing, move_words
 from core.text.sentence import Number, numeral, sentence, word
 from core.units import G
+from core.variation.swings import Reach, Sensitivity, Swing, move_words
 
 Say = Callable[..., str]
 """Says a text of the group "report"."""

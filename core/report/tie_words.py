@@ -4,8 +4,8 @@ import math
 from collections.abc import Callable
 
 from core.study.results import WallResult
-from core.study.tie_design import NAMES, TieDesign
 from core.text.sentence import localized, numeral, word
+from core.variation.tie_design import NAMES, TieDesign
 from core.wall.bars import TieBar
 from core.wall.ties import ties_of
 

@@ -18,11 +18,11 @@ from core.ground.artificial import compatible_motion
 from core.ground.ground_motion import GroundMotion
 from core.jit import cache
 from core.rocking.methods import METHODS
+from core.setting.record_input import read_records
 from core.study.journal import Journal
 from core.study.kept_checks import run_key
 from core.study.progress import OnProgress, Progress, run_cost
-from core.study.record_input import read_records
-from core.study.threads import Threads
+from core.threads import Threads
 from core.units import G
 from core.version import VERSION
 from core.wall.rocking_model import RockingModel, rocking_model

@@ -14,20 +14,21 @@ from core.case.site import Demand
 from core.codes.collapse_rate import STATES, StateRate, state_rate, typical_rate
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
+from core.codes.outcomes import least
 from core.codes.record_sample import RecordPeaks, SampleInterval, record_peaks, sample_interval
 from core.ground.provenance import LEAST_STATIONS, station_of
-from core.study.demand_input import with_ag
+from core.setting.demand_input import with_ag
+from core.setting.plan import Plan
 from core.study.journal import rebuilt
 from core.study.kept_checks import KeptChecks, check_key
-from core.study.plan import Plan
 from core.study.progress import Progress
 from core.study.results import WallResult, WallVerdict
-from core.study.sensitivity import moves, sensitivity_of
-from core.study.swings import move_words
-from core.study.threads import Batch, Work
-from core.study.turned_round import keys_of, reach_of
-from core.study.what_if import setting_of
 from core.text.sentence import sentence
+from core.threads import Batch, Work
+from core.variation.sensitivity import moves, records_left_out, sensitivity_of
+from core.variation.swings import Sensitivity, move_words
+from core.variation.turned_round import keys_of, reach_of
+from core.variation.whole_wall import setting_of
 
 SHARES = 0.01, 100.0
 """Of a_g, between which S follows it."""
@@ -98,19 +99,23 @@ def _with_sensitivity(
     assert ranges is not None
     kept = KeptChecks(book) if book else demand_check
     setting = setting_of(plan.case, origin, base_dir, (demand, plan.motions, plan.kinds), kept)
-    made, turned, hinges = moves(setting, ranges), keys_of(setting), [results[k] for k in verdict.results]
+    hinges = [results[k] for k in verdict.results]
+    known = [one.assessment for one in hinges if one.assessment is not None]
+    if least(one.verdict.zeta_e for one in known) is None:
+        progress.done(("sensitivity", origin))
+        return replace(verdict, sensitivity=Sensitivity(None, (), (), ()))
+    made, turned = moves(setting, ranges), keys_of(setting)
+    zetas = [_zeta(hinge) for hinge in hinges]
+    if ranges.record_left_out and None not in zetas and len(plan.motions) > 1:
+        tasks = enumerate(zip(hinges, zetas, strict=True))
+        peaks = yield Batch({k: functools.partial(_peaks_of, plan, one, demand, zeta) for k, (one, zeta) in tasks})
+        made += records_left_out(setting, [peaks[k] for k in range(len(hinges))])
     work: dict[tuple[str, int | str], Callable] = {("move", m): move.task for m, move in enumerate(made)}
     work |= {("reach", key): functools.partial(reach_of, setting, key, given) for key, given in turned.items()}
-    for k, hinge in enumerate(hinges if ranges.record_left_out else []):
-        if (zeta := _zeta(hinge)) is not None:
-            work["peaks", k] = functools.partial(_peaks_of, plan, hinge, demand, zeta)
     done = yield Batch(work)
     progress.done(("sensitivity", origin))
-    by_kind: dict[str, dict] = {kind: {} for kind in ("move", "reach", "peaks")}
-    for (kind, key), value in done.items():
-        by_kind[kind][key] = value
-    moved = sensitivity_of(setting, ranges, made, by_kind["move"], hinges, list(by_kind["peaks"].values()))
-    moved = replace(moved, reach=tuple(by_kind["reach"][key] for key in turned))
+    moved = sensitivity_of(setting, ranges, made, [done["move", m] for m in range(len(made))], known)
+    moved = replace(moved, reach=tuple(done["reach", key] for key in turned))
     turning = tuple(move_words(one, one.lowest) for one in moved.swings if one.key in moved.turning)
     extra = (sentence("reason", "turned", moves=turning),) if turning else ()
     return replace(verdict, sensitivity=moved, extra=(*verdict.extra, *extra))

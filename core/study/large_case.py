@@ -16,13 +16,13 @@ from core.codes.record_compatibility import compliance, period_range
 from core.errors import Cancelled
 from core.file_names import name_of
 from core.jit import cache
-from core.study.limit_states import demands_of, unsaid
-from core.study.plan import Floors, Inputs, costs_of, plan_of, read_inputs, with_chosen
-from core.study.progress import OnProgress, Progress
-from core.study.record_selection import Selection
+from core.setting.plan import Floors, Inputs, plan_of, read_inputs, with_chosen
+from core.setting.record_selection import Selection
+from core.study.progress import OnProgress, Progress, costs_of
 from core.study.results import StudyResult
 from core.study.run import begin_compiling, result_of
-from core.study.threads import Threads
+from core.threads import Threads
+from core.variation.limit_states import demands_of, unsaid
 
 MOST_GROUP, MOST_SEARCHES = 128, 4096
 """Walls of a group, and searches of one: what is lost when a run is killed, and what stands in memory at a time."""

@@ -7,6 +7,7 @@ from typing import Any
 
 from core.capacity.ida import Search
 from core.ground.ground_motion import GroundMotion
+from core.setting.plan import Plan
 
 OnProgress = Callable[[int, int, float | None], None]
 """Called with what is done, what is planned, and the time left [s], None while nothing tells it."""
@@ -31,6 +32,25 @@ def check_cost(motions: Iterable[GroundMotion], signs: int, floor: bool) -> floa
     """Of the check of a wall at the demand; 1 without records, where there are only closed forms."""
     samples = sum(motion.acceleration.size for motion in motions)
     return 1.0 + CHECK * signs * samples * (FLOOR if floor else 1.0)
+
+
+def costs_of(plan: Plan) -> dict[Any, float]:
+    """Cost of each task, in samples that the bisections of a search go through."""
+    search = plan.search
+    costs: dict[Any, float] = {
+        (k, record, sign): run_cost(plan.entries[k].felt[record], search) for k, record, sign in plan.runs
+    }
+    for k, entry in enumerate(plan.entries):
+        if plan.demand:
+            costs["check", k] = check_cost(entry.felt, len(entry.signs), entry.floor is not None)
+            if entry.part.wall.tie_height_m is not None:
+                costs["tie", k] = TIE * costs["check", k]
+            if plan.case.sensitivity:
+                cost = SENSITIVITY * (TIE if entry.model.bars else 1.0) * costs["check", k]
+                costs["sensitivity", entry.part.origin] = costs.get(("sensitivity", entry.part.origin), 0.0) + cost
+        if plan.case.analysis.accuracy:
+            costs["accuracy", k] = STATEMENT * max((run_cost(m, search) for m in entry.felt), default=1.0)
+    return costs
 
 
 class Progress:

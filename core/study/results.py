@@ -14,90 +14,23 @@ from core.case.hinges import Part, shared
 from core.case.schema import Case, Wall
 from core.codes.collapse_rate import StateRate
 from core.codes.demand import DemandResult
-from core.codes.dynamic_check import DemandCheck
 from core.codes.eq9 import Inequality
-from core.codes.kinematic import SLD_CLAUSE, Check, Kinematic
 from core.codes.record_compatibility import Compliance
 from core.codes.record_sample import SampleInterval
 from core.codes.risk import Risk
-from core.codes.verdict import Verdict
 from core.ground.ground_motion import GroundMotion
 from core.rocking.history import History
 from core.rocking.methods import AUTO, Method, resolve_auto
-from core.study.floors import Floor
-from core.study.limit_states import StateZeta
-from core.study.record_selection import Selection
-from core.study.swings import Sensitivity
-from core.study.tie_design import TieDesign
+from core.setting.floors import Floor
+from core.setting.record_selection import Selection
 from core.text.sentence import Sentence
 from core.units import G
+from core.variation.assessment import Assessment
+from core.variation.swings import Sensitivity
 from core.wall.block import Block
 from core.wall.moment_rotation import MomentLaw
 from core.wall.restitution import Restitution
 from core.wall.rocking_model import RockingModel
-
-
-@dataclass(frozen=True)
-class Assessment:
-    """Checks of one wall at the demand.
-
-    kinematic : quantities of the mechanism, None above the ground
-    checks : the table of methods, the most refined first
-    dynamic : None without records
-    lower_bound : the dynamic check of the two-sided wall, should the restraint behind a one-sided one fail
-    sensitivity : above the ground, zeta of the check that decides for another building and another height
-    code_over_records : of `Floor.code_over_records`
-    risk : of the check that decides, None where it has no zeta
-    tie : the force that brings zeta to what is required, where one is asked for
-    states : zeta at SLD, SLV and SLC by the hazard of the site, empty without it
-    """
-
-    kinematic: Kinematic | None
-    checks: tuple[Check, ...]
-    dynamic: DemandCheck | None
-    lower_bound: DemandCheck | None
-    verdict: Verdict
-    sensitivity: dict[str, float | None] = field(default_factory=dict)
-    code_over_records: float | None = None
-    risk: Risk | None = None
-    tie: TieDesign | None = None
-    states: tuple[StateZeta, ...] = ()
-
-    @property
-    def shown(self) -> tuple[tuple[Check, bool], ...]:
-        """Rows of the table of methods and whether each is a check of the verdict: beside these the dynamic
-        check with FC on the other side, and a_g,SLD, below which a_g,SLV of the displacement check is not."""
-        rows = []
-        for check in self.checks:
-            rows.append((check, True))
-            other = self.dynamic.zeta_other if self.dynamic else None
-            if check.name == "dynamic" and other:
-                passed = other.passed if other.zeta is not None else None
-                rows.append(
-                    (
-                        replace(
-                            check, name=f"dynamic_{other.confidence_on}", demand=None, zeta=other.zeta, passed=passed
-                        ),
-                        False,
-                    )
-                )
-            if check.name == "nonlinear" and self.kinematic.zeta_sld is not None:
-                kinematic = self.kinematic
-                rows.append(
-                    (
-                        Check(
-                            "floor_sld",
-                            SLD_CLAUSE,
-                            "g",
-                            kinematic.a0 / G,
-                            kinematic.acceleration_demand / G,
-                            kinematic.zeta_sld,
-                            None,
-                        ),
-                        False,
-                    )
-                )
-        return tuple(rows)
 
 
 @dataclass(frozen=True)

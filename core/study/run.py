@@ -20,17 +20,17 @@ from core.ground.ground_motion import GroundMotion
 from core.jit import cache
 from core.rocking.history import history, scan
 from core.rocking.methods import AUTO, METHODS, resolve_auto
+from core.setting.plan import Inputs, Plan, plan_of, read_inputs, refuse_large, with_chosen
+from core.setting.record_selection import Selection
+from core.setting.scene import model_of
 from core.study import precompile
 from core.study.how_sure import ag_of
 from core.study.journal import Journal, Memory
-from core.study.limit_states import demands_of, unsaid
-from core.study.plan import Inputs, Plan, costs_of, plan_of, read_inputs, refuse_large, with_chosen
-from core.study.progress import OnProgress, Progress
-from core.study.record_selection import Selection
+from core.study.progress import OnProgress, Progress, costs_of
 from core.study.results import StudyResult, WallResult, WallVerdict
-from core.study.threads import Threads
 from core.study.wall_work import Finished, Given, works
-from core.study.zeta_with import model_of
+from core.threads import Threads
+from core.variation.limit_states import demands_of, rules_of, unsaid
 from core.version import VERSION
 
 
@@ -130,7 +130,8 @@ def result_of(
         # of a group of walls the rows alone are kept, without what is beside the verdict
         rated = demand is not None and demand.hazard and plan.longest is None
         ag = ag_of(demand, plan.case.demand, base_dir) if demand and rated else None
-        given = Given(plan, base_dir, demand, rules, by_state, ag, book, progress, on_wall)
+        state_rules = rules_of(plan, demand, by_state) if demand else {}
+        given = Given(plan, base_dir, demand, rules, by_state, state_rules, ag, book, progress, on_wall)
         threads.run_works(works(given, threads.jobs), ended)
     finally:
         cache.record(cache.folder())

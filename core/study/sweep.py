@@ -12,8 +12,8 @@ from core.case.site import Building, Demand, Spectrum
 from core.case.variant_of import ALTERNATIVES
 from core.case.writer import table_of
 from core.errors import InputError
+from core.setting.plan import with_chosen
 from core.study.journal import Memory
-from core.study.plan import with_chosen
 from core.study.results import StudyResult
 from core.study.run import run
 

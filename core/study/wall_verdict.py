@@ -7,9 +7,9 @@ from core.codes.outcomes import FAILS, NO_HAZARD, OUTCOMES, PASSES, least, worst
 from core.codes.outcomes import severity as severity_of
 from core.codes.risk import least_risk
 from core.codes.verdict_sentence import at_hinge
-from core.study.limit_states import STATES
 from core.study.results import StateOutcome, StudyResult, WallResult, WallVerdict
 from core.text.sentence import Key, Number, Sentence, sentence
+from core.variation.limit_states import STATES
 
 
 def severity(wall: WallResult) -> tuple[int, bool, float]:

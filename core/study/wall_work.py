@@ -10,22 +10,22 @@ from core.capacity.ida import Ida, Run, incremental_dynamic_analyses
 from core.codes.demand import DemandResult
 from core.codes.record_compatibility import Compliance
 from core.rocking.history import in_lanes
-from core.study.assessment import assess
+from core.setting.plan import Plan
+from core.setting.scene import Scene
 from core.study.governing import lowest_run
 from core.study.how_sure import with_certainty
 from core.study.journal import Journal, Memory, rebuilt
 from core.study.kept_checks import KeptChecks, run_key
-from core.study.limit_states import StateHistories, zetas
-from core.study.plan import Entry, Plan
 from core.study.progress import Progress
 from core.study.results import Assessment, WallResult, WallVerdict
-from core.study.threads import Batch, Work
-from core.study.tie_design import Hinge, tie_design
 from core.study.variants import with_variant_alone
 from core.study.wall_result import run_result, wall_result
 from core.study.wall_verdict import wall_verdicts
-from core.study.zeta_with import Scene
 from core.text.sentence import notice
+from core.threads import Batch, Work
+from core.variation.assessment import assess
+from core.variation.limit_states import at_states
+from core.variation.tie_design import Hinge, tie_design
 
 TASKS, SAMPLES = 8, 40_000
 """Least tasks for a thread where runs of a wall are searched side by side; most samples of them, for a quick cancel."""
@@ -36,7 +36,7 @@ class Given(NamedTuple):
 
     plan, base_dir : of the study
     demand : with what the records add; rules : whether they comply with it, None without a spectrum
-    by_state : demands of the limit states, of `demands_of`
+    by_state : demands of the limit states, of `demands_of`; state_rules : of `rules_of`
     ag : of `core.study.how_sure.ag_of`, None without a hazard
     book : of finished searches and checks
     progress : told of each task
@@ -48,6 +48,7 @@ class Given(NamedTuple):
     demand: DemandResult | None
     rules: Compliance | None
     by_state: dict[str, DemandResult]
+    state_rules: dict[str, Compliance | None]
     ag: Callable[[float], float] | None
     book: Journal | Memory | None
     progress: Progress
@@ -140,47 +141,32 @@ class _Wall:
             motions = [] if part.wall.bends else plan.motions
             self.results[k] = wall_result(part, mechanism, model, found, motions, plan.search, given.demand, floor)
 
+    def _scene(self, k: int, demand: DemandResult) -> Scene:
+        """What the checks of an entry follow from, with q of its searches."""
+        wall, scene = self.results[k], self.given.plan.scene(k, demand, self.given.rules, self.kept[k])
+        return replace(scene, q_slv=(wall.q_slv_low_set, wall.q_slv_set))
+
     def _assessed(self, demand: DemandResult) -> Work:
         """The checks at the demand."""
-        given, plan = self.given, self.given.plan
+        given = self.given
 
-        def task(k: int, entry: Entry):
-            return lambda stop: assess(
-                self.results[k],
-                entry.kinematic,
-                entry.felt,
-                entry.signs,
-                demand,
-                given.rules,
-                plan.method,
-                stop,
-                plan.case.demand,
-                plan.case.building,
-                plan.motions,
-                self.kept[k],
-            )
+        def task(k: int):
+            return lambda stop: assess(self._scene(k, demand), stop)
 
         def checked(k: int, found: Assessment) -> None:
             self.results[k] = replace(self.results[k], assessment=found)
             given.on_wall(self.results[k])
             given.progress.done(("check", k), self.kept[k].made > 0)
 
-        yield Batch({k: task(k, entry) for k, entry in self.entries.items()}, checked)
+        yield Batch({k: task(k) for k in self.entries}, checked)
 
     def _at_limit_states(self, demand: DemandResult) -> Work:
-        """zeta at each limit state of the site."""
-        given, plan = self.given, self.given.plan
+        """The wall at each limit state of the site."""
+        given = self.given
 
         def task(k: int, wall: WallResult):
-            felt, signs = self.entries[k].felt, self.entries[k].signs
-            return lambda stop: zetas(
-                wall.wall,
-                wall.mechanism,
-                given.by_state,
-                plan.case.building,
-                StateHistories(wall.model, felt, signs, demand, plan.method, self.kept[k], stop),
-                plan.case.demand.limit_states,
-            )
+            scene = self._scene(k, demand)
+            return lambda stop: at_states(scene, wall.assessment, given.by_state, given.state_rules, stop)
 
         states = yield Batch({k: task(k, wall) for k, wall in self.results.items()} if given.by_state else {})
         for k, found in states.items():
@@ -188,7 +174,7 @@ class _Wall:
 
     def _with_tie(self, demand: DemandResult) -> Work:
         """The design of its tie, where one is asked for; a wall one of whose hinges has no check has none."""
-        given, plan = self.given, self.given.plan
+        given = self.given
         counted = [k for k, entry in self.entries.items() if entry.part.wall.tie_height_m is not None]
         asked = next(iter(self.entries.values())).part.asked
         group = {k: wall for k, wall in self.results.items() if wall.mechanism == "one_sided"}
@@ -199,19 +185,7 @@ class _Wall:
             return
         hinges = []
         for k, wall in group.items():
-            scene = Scene(
-                wall.wall,
-                wall.mechanism,
-                demand,
-                plan.case.building,
-                tuple(plan.motions),
-                self.entries[k].signs,
-                plan.method,
-                None,
-                wall.floor,
-                self.kept[k],
-            )
-            hinges.append(Hinge(wall.part.hinge, scene, wall.assessment.dynamic))
+            hinges.append(Hinge(wall.part.hinge, self._scene(k, demand), wall.assessment.dynamic))
 
         def told(_, __) -> None:
             for k in counted:

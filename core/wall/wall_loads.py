@@ -6,6 +6,7 @@ A tie is no part of a, c and theta_c; what alpha_0 counts of it (C8.7.1.1) says 
 import math
 from dataclasses import replace
 
+from core.boundary import narrowed
 from core.errors import InputError, place
 from core.text.sentence import Key
 from core.units import G
@@ -389,11 +390,7 @@ def hinge_inside(wall, share: float = 1.0) -> float | None:
 
 def largest_tie_share(wall) -> float:
     """Share of the force of its ties up to which a wall turns about its base, see `hinge_inside`."""
-    low, high = 0.0, 1.0
-    for _ in range(40):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if hinge_inside(wall, middle) is None else (low, middle)
-    return low
+    return narrowed(lambda share: hinge_inside(wall, share) is None, 0.0, 1.0, steps=40).good
 
 
 def _check_inward(wall, here, numbers: tuple[int, ...]) -> None:

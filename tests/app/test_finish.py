@@ -20,7 +20,7 @@ from app.views.table import Table
 from core.codes.record_compatibility import common_factor
 from core.errors import InputError, place
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
-from core.study.demand_input import demand_of
+from core.setting.demand_input import demand_of
 from tests.app.conftest import window_in
 from tests.app.driving import Held, run, settle, type_into
 from tests.conftest import ROOT

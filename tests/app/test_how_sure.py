@@ -2,6 +2,7 @@
 
 import os
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 
@@ -9,16 +10,17 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
 from app.shell import menus, what_if_window
-from app.shell.what_if_window import CLOSE, EVERY, WhatIfWindow, why_ag_stays
+from app.shell.what_if_window import WhatIfWindow, why_ag_stays
 from core.case.rules import parse_case
 from core.case.schema import Record
 from core.case.writer import dumps, table_of
+from core.setting.plan import read_inputs
 from core.study.journal import Memory
-from core.study.plan import read_inputs
-from core.study.what_if import Zetas, setting_of, zetas
+from core.variation.evaluate import GLANCE, RUN
+from core.variation.whole_wall import evaluate_wall, setting_of
 from tests.app.driving import Held, settle
 from tests.core.study.test_how_sure import ROWS
-from tests.core.study.test_sensitivity import LOADED, SPECTRUM
+from tests.core.variation.test_sensitivity import LOADED, SPECTRUM
 
 KNOWN = Memory()
 """Searches and checks of these windows, each made once: the case is the same."""
@@ -96,7 +98,7 @@ def test_that_the_sliders_give_the_zeta_of_the_changed_wall_and_change_nothing_u
     sliders.sliders["ag_g"].setValue(-13)
     assert sliders.values == {"thickness_m": 0.574, "load_factor": 1.11, "ag_g": 0.191}  # 0.57435, 1.1134, 0.19119
     shown = {rung.name: rung.zeta for rung in sliders.ladder.rungs}
-    kinematic = zetas(sliders._setting(), every=0).by_check
+    kinematic = evaluate_wall(sliders._setting(), None).by_check
     assert shown[sliders._check("nonlinear")] == kinematic["nonlinear"] and sliders.ladder.rungs[0].zeta is None
     settle_bars(application, sliders)
     fine = sliders.ladder.rungs[0].zeta
@@ -107,7 +109,7 @@ def test_that_the_sliders_give_the_zeta_of_the_changed_wall_and_change_nothing_u
     assert plain.session.case.demand.ag_g == 0.191
     case = plain.session.checked()
     inputs = read_inputs(case, plain.session.base_dir)
-    taken = zetas(setting_of(case, 0, plain.session.base_dir, inputs), every=1).by_check
+    taken = evaluate_wall(setting_of(case, 0, plain.session.base_dir, inputs)).by_check
     assert taken == pytest.approx({"dynamic": fine} | kinematic, rel=1e-9)
     plain.session.undo()
     assert plain.session.case == before
@@ -115,41 +117,39 @@ def test_that_the_sliders_give_the_zeta_of_the_changed_wall_and_change_nothing_u
 
 
 def test_that_a_bar_is_green_only_where_the_check_is_surely_satisfied(application, plain, monkeypatch):
-    """Coarse first, amber close to what is required; then every point, and the spread."""
+    """At a glance first, which says no outcome; then as a run finds it."""
     asked, satisfied = [], {}
 
-    def found(_, *, every, **__):
-        asked.append(every)
-        by_check = {"dynamic": 1.0 + 0.6 * CLOSE, "nonlinear": 1.2} if every else {"nonlinear": 1.2}
-        return Zetas(by_check, 1.03, 1.0, False, {"nonlinear": True} | ({"dynamic": satisfied["now"]} if every else {}))
+    def found(_, precision, **__):
+        asked.append(precision)
+        by_check = {"dynamic": 1.3, "nonlinear": 1.2} if precision else {"nonlinear": 1.2}
+        known = {"nonlinear": True} | ({"dynamic": satisfied["now"]} if precision else {})
+        return SimpleNamespace(by_check=by_check, satisfied=known)
 
-    monkeypatch.setattr(what_if_window, "zetas", found)
+    monkeypatch.setattr(what_if_window, "evaluate_wall", found)
     for now, tone in ((True, "good"), (None, "amber"), (False, "bad")):
         satisfied["now"] = now
         asked.clear()
         sliders = sliders_of(plain)
         settle_bars(application, sliders)
-        assert asked[-2:] == [EVERY, 1]
+        assert asked[-2:] == [GLANCE, RUN]
         named = {label: sliders._check(label) for label in ("dynamic", "nonlinear")}
         assert tones(sliders)[named["dynamic"]] == tone and tones(sliders)[named["nonlinear"]] == "good"
-        moved = sliders.setting
-        sliders._show(found(moved, every=EVERY), EVERY)
+        sliders._show(found(None, GLANCE), GLANCE)
         assert tones(sliders)[named["dynamic"]] == "amber"
-        sliders._show(Zetas({"dynamic": 1.2}, 1.2, 1.1, False, {"dynamic": now}), EVERY)
-        assert tones(sliders)[named["dynamic"]] == tone
         sliders.reject()
 
 
 def test_that_satisfied_is_what_the_run_says(plain):
     result = plain.session.result
     inputs = (result.demand, list(result.motions), list(result.kinds))
-    found = zetas(setting_of(result.case, 0, plain.session.base_dir, inputs), every=1)
+    found = evaluate_wall(setting_of(result.case, 0, plain.session.base_dir, inputs))
     assessment, target = result.walls[0].assessment, result.demand.zeta_target
     run = {check.label: check.passed for check in assessment.checks}
     run["dynamic"] = None if assessment.dynamic.within_spread(target) else run["dynamic"]
     assert found.satisfied == {label: run[label] for label in found.by_check}
     on_it = replace(result.demand, zeta_target=assessment.dynamic.zeta_spread[0])
-    close = zetas(setting_of(result.case, 0, plain.session.base_dir, (on_it, *inputs[1:])), every=1)
+    close = evaluate_wall(setting_of(result.case, 0, plain.session.base_dir, (on_it, *inputs[1:])))
     assert not close.satisfied["dynamic"]  # not surely
 
 

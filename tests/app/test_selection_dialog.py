@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QDialog
 
 from app.input.selection_dialog import SelectionDialog, choose_for
 from core.case.select import Select
-from core.study.plan import with_chosen
+from core.setting.plan import with_chosen
 from tests.app.driving import settle
 from tests.core.study.folder_of_records import case, write_folder
 

@@ -221,7 +221,7 @@ def test_that_excluded_records_are_kept_in_the_file_and_not_run(session, tmp_pat
     assert session.problem() is None
     session.save(tmp_path / "c.toml")
     assert read_case(tmp_path / "c.toml").record[-1].include is False
-    from core.study.record_input import read_records
+    from core.setting.record_input import read_records
 
     motions, _ = read_records(session.checked(), session.base_dir)
     assert len(motions) == 7

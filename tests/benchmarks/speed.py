@@ -25,7 +25,7 @@ from core.jit.shipped import LEVELS, has_wide_vectors
 from core.rocking.history import history, scan_records
 from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import AUTO, METHODS
-from core.study.threads import Threads
+from core.threads import Threads
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import restitution
@@ -87,8 +87,8 @@ FIRST = """
 import sys
 from pathlib import Path
 from core.case.reader import read_case
-from core.study.record_input import read_records
-from core.study.zeta_with import model_of
+from core.setting.record_input import read_records
+from core.setting.scene import model_of
 from core.rocking.history import history
 path = Path(sys.argv[1])
 case = read_case(path)

@@ -14,10 +14,10 @@ from pathlib import Path
 from core.case.reader import read_case
 from core.case.schema import Case
 from core.case.sensitivity import Ranges
+from core.setting.plan import read_inputs
 from core.study.journal import Memory
-from core.study.plan import read_inputs
 from core.study.run import EVERYTHING, run
-from core.study.what_if import setting_of, zetas
+from core.variation.whole_wall import setting_of, zetas
 
 CASES = Path(__file__).resolve().parents[2] / "resources" / "cases"
 SLIDERS = 8

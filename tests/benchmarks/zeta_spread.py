@@ -26,8 +26,8 @@ from core.ground.artificial import compatible_motion
 from core.ground.ground_motion import GroundMotion
 from core.ground.records.grammar import Options
 from core.rocking.methods import AUTO
-from core.study.demand_input import demand_of
-from core.study.zeta_with import model_of
+from core.setting.demand_input import demand_of
+from core.setting.scene import model_of
 from core.units import G
 from tests.conftest import ROOT, shelf_folder
 

@@ -34,7 +34,7 @@ from core.codes.kinematic_chain import chain
 from core.errors import InputError
 from core.ground import records
 from core.ground.records.grammar import Options
-from core.study.demand_input import target_of
+from core.setting.demand_input import target_of
 from core.study.journal import Journal
 from tests.conftest import shelf_folder
 from tests.core.ground.dialects import DIALECTS, usc

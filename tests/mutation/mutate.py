@@ -41,8 +41,8 @@ OWN = (
     "core/codes/risk.py",
     "core/codes/target_spectrum.py",
     "core/ground/selection.py",
-    "core/study/sensitivity.py",
-    "core/study/turned_round.py",
+    "core/variation/sensitivity.py",
+    "core/variation/turned_round.py",
 )
 """Modules whose own tests, in the file of their name, hold their facts."""
 
@@ -70,14 +70,14 @@ TESTS = {
     ],
     "core/study/how_sure.py": [
         "tests/core/study/test_how_sure.py",
-        "tests/core/study/test_sensitivity.py::test_that_what_turns_a_satisfied_verdict_is_said_and_the_verdict_stays",
+        "tests/core/variation/test_sensitivity.py::test_that_what_turns_a_satisfied_verdict_is_said_and_the_verdict_stays",
     ],
-    "core/study/what_if.py": [
-        "tests/core/study/test_what_if.py",
-        "tests/core/study/test_sensitivity.py",
-        "tests/core/study/test_turned_round.py",
+    "core/variation/whole_wall.py": [
+        "tests/core/variation/test_whole_wall.py",
+        "tests/core/variation/test_sensitivity.py",
+        "tests/core/variation/test_turned_round.py",
     ],
-    "core/study/swings.py": ["tests/core/study/test_sensitivity.py", "tests/core/report/test_certainty.py"],
+    "core/variation/swings.py": ["tests/core/variation/test_sensitivity.py", "tests/core/report/test_certainty.py"],
     "core/ground/records/grammar.py": READERS,
     "core/ground/records/plain.py": READERS,
     "core/ground/records/cut.py": READERS,

@@ -13,8 +13,8 @@ from core.report.outlines import in_elevation, in_section
 from core.rocking.history import history, scan
 from core.rocking.methods import METHODS
 from core.rocking.outcome import STABLE
+from core.setting.scene import model_of
 from core.study.run import run
-from core.study.zeta_with import model_of
 from core.wall.body import extruded, together
 from core.wall.rocking_model import OtherSide, RockingModel
 from core.wall.wall_body import base_length, body_of, clipped, parts_of

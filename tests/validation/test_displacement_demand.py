@@ -9,7 +9,7 @@ from core.case.rules import parse_case
 from core.codes.kinematic import kinematic, linear, nonlinear
 from core.codes.target_spectrum import given, largest_displacement
 from core.errors import InputError
-from core.study.demand_input import demand_of
+from core.setting.demand_input import demand_of
 from core.units import G
 from tests.validation.circolare import FREE, case, mechanism_of
 

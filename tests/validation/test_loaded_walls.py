@@ -15,9 +15,9 @@ from core.codes.kinematic import kinematic, linear, nonlinear
 from core.rocking.history import history
 from core.rocking.methods import METHODS
 from core.rocking.outcome import COLLAPSED, STABLE
+from core.setting.demand_input import demand_of
+from core.setting.scene import model_of
 from core.study import run as study
-from core.study.demand_input import demand_of
-from core.study.zeta_with import model_of
 from core.units import G
 from core.wall.block import Block
 from core.wall.loads import Force, PointMass, composite, restoring_moment

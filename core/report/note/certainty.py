@@ -4,8 +4,8 @@ from core.report import sure_words
 from core.report.note.parts import Curve, Figure, Figures, Heading, Item, Part, Table, path
 from core.report.note.words import Words
 from core.study.results import StudyResult, WallResult, WallVerdict
-from core.study.swings import Sensitivity
 from core.study.wall_verdict import by_severity
+from core.variation.swings import Sensitivity
 
 MOST_WALLS = 24
 """Walls, the worst first, that are told of."""

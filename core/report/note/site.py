@@ -4,7 +4,7 @@ from core.codes.floor_spectrum import estimated_period
 from core.report.note.parts import Derivation, Heading, Part, Step, Table
 from core.report.note.words import Words
 from core.report.place_lines import place_of, states_of
-from core.study.floors import damaged
+from core.setting.floors import damaged
 from core.study.results import StudyResult, WallResult
 from core.study.variants import comparisons
 from core.units import G

@@ -10,7 +10,7 @@ from core.codes.capacity_curve import PERIODS, capacity_curve
 from core.codes.floor_spectrum import FloorSpectrum, first_mode
 from core.codes.kinematic import kinematic
 from core.codes.target_spectrum import en1998
-from core.study.demand_input import demand_of
+from core.setting.demand_input import demand_of
 from core.units import G
 
 WALL = {"name": "w", "height_m": 1.0, "thickness_m": 0.1, "mechanism": "two_sided", "base_z_m": 0.0}

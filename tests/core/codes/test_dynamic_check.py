@@ -13,8 +13,8 @@ from core.ground.ground_motion import GroundMotion
 from core.rocking.history import history
 from core.rocking.methods import AUTO, METHODS
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
+from core.setting.demand_input import demand_of
 from core.study import run as study
-from core.study.demand_input import demand_of
 from core.units import G
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS

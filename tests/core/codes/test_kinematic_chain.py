@@ -11,8 +11,8 @@ from core.case.rules import parse_case
 from core.codes.kinematic import elastic_period, kinematic, nonlinear
 from core.codes.kinematic_chain import chain, friction, multipliers_with_friction
 from core.report.json_report import results
+from core.setting.demand_input import demand_of
 from core.study import run as study
-from core.study.demand_input import demand_of
 from core.units import G
 from tests.core.wall.test_wall_loads import ACROSS
 from tests.validation.test_loaded_walls import DEMAND, PUSHING, ROOF, THRUST, TIE, WALL, case_of

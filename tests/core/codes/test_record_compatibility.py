@@ -11,8 +11,8 @@ from core.codes.record_compatibility import compliance
 from core.errors import InputError, RecordError
 from core.ground import records
 from core.ground.provenance import stations
+from core.setting.demand_input import demand_of, generated
 from core.study import run as study
-from core.study.demand_input import demand_of, generated
 from tests.conftest import ROOT
 
 

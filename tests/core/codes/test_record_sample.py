@@ -13,8 +13,8 @@ from core.codes.record_sample import RecordPeaks, one_left_out, record_peaks, sa
 from core.ground.artificial import filtered_noise
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import AUTO
-from core.study.demand_input import demand_of
-from core.study.zeta_with import model_of
+from core.setting.demand_input import demand_of
+from core.setting.scene import model_of
 
 WITHIN = (1.0 + STEP) ** (2 * record_sample.EVERY)
 """Two points of the coarse grid."""

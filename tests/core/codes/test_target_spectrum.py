@@ -13,7 +13,7 @@ from core.codes import target_spectrum as ts
 from core.codes.demand import with_records
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
-from core.study.demand_input import demand_of, target_of
+from core.setting.demand_input import demand_of, target_of
 from core.units import G
 
 A_G = 0.25 * G

@@ -9,7 +9,7 @@ import pytest
 
 from core.codes.capacity_curve import capacity_curve
 from core.codes.kinematic import kinematic, linear, nonlinear
-from core.study.demand_input import demand_of
+from core.setting.demand_input import demand_of
 from core.units import G
 from tests.validation.test_loaded_walls import INWARD, ROOF, TIE, case_of
 

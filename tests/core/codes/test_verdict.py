@@ -12,8 +12,8 @@ from core.codes.record_compatibility import Compliance
 from core.codes.verdict import TO_MEND, Circumstances, Lift, verdict
 from core.codes.verdict_sentence import at_hinge
 from core.ground.artificial import compatible_motion
+from core.setting.demand_input import demand_of
 from core.study import run as study
-from core.study.demand_input import demand_of
 from core.text.sentence import Number, apart, numeral, sentence
 
 SPECTRUM = {"code": "EN1998", "soil": "B", "type": 1}

@@ -9,7 +9,7 @@ from core.report.note.content import note
 from core.report.note.parts import Derivation, Figures, Item, Paragraph
 from core.report.note.pdf import Note
 from core.study.run import run
-from tests.core.study.test_held_top import BUILDING, DEMAND, TOP, WALL
+from tests.core.variation.test_held_top import BUILDING, DEMAND, TOP, WALL
 
 
 @pytest.fixture(scope="module", params=["en", "it"])

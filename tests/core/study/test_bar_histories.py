@@ -7,8 +7,8 @@ from core.case.loads import Load
 from core.case.schema import Wall
 from core.rocking.bar_state import BROKEN, SLACK, TAUT, YIELDING
 from core.rocking.history import history
+from core.setting.scene import model_of
 from core.study.bar_histories import bar_histories, work_of_impacts
-from core.study.zeta_with import model_of
 from core.units import G
 
 

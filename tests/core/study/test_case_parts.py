@@ -17,8 +17,9 @@ from app.terminal import batch, case_run
 from core.case.reader import read_case
 from core.errors import InputError
 from core.report import json_report
+from core.setting.plan import plan_of, read_inputs
 from core.study.case_parts import merged, part_path
-from core.study.plan import costs_of, plan_of, read_inputs
+from core.study.progress import costs_of
 from core.study.run import journal_key, run
 from tests.conftest import ROOT
 

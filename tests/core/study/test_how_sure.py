@@ -10,13 +10,13 @@ from core.case.rules import parse_case
 from core.case.writer import table_of
 from core.codes.collapse_rate import state_rate
 from core.errors import Cancelled
+from core.setting.demand_input import with_ag
 from core.study import how_sure
-from core.study.demand_input import with_ag
 from core.study.how_sure import ag_of, capacities
 from core.study.run import run
 from core.units import G
 from tests.conftest import ROOT
-from tests.core.study.test_sensitivity import LOADED
+from tests.core.variation.test_sensitivity import LOADED
 
 CASES = ROOT / "resources" / "cases"
 ROWS = [(30, 0.06), (50, 0.08), (101, 0.11), (201, 0.145), (475, 0.2), (975, 0.26), (2475, 0.35)]

@@ -7,8 +7,8 @@ import pytest
 
 from core.case.rules import parse_case
 from core.report import json_report
+from core.setting.demand_input import demand_of
 from core.study import run as study
-from core.study.demand_input import demand_of
 from core.units import G
 from tests.conftest import STANDING
 from tests.core.report import whole_workbook

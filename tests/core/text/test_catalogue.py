@@ -16,9 +16,9 @@ from core.codes.kinematic import CHECKS
 from core.codes.outcomes import OUTCOMES
 from core.errors import InputError, place, section
 from core.packages import PACKAGES
-from core.study.tie_design import NAMES as FORCES
 from core.text.catalogue import CATALOGUE, FOLDER, GROUPS, Catalogue
 from core.text.sentence import FormNames, Key, Quantity, capital, localized, sentence
+from core.variation.tie_design import NAMES as FORCES
 from tests.conftest import ROOT
 
 SOURCES = [
@@ -50,7 +50,7 @@ OF_NO_SENTENCE = {
     "core/ground/records/california.py": "patterns of heads of files",
     "core/ground/records/geonet.py": "patterns of heads of files",
     "core/ground/records/wordings.py": "words of heads of files",
-    "core/study/assessment.py": "the first line of a bundled motion",
+    "core/variation/assessment.py": "the first line of a bundled motion",
     "core/wall/restitution.py": "sources of the models",
     "packaging/platforms.py": "names of systems, for the documents",
     "run.py": "what a file of the environment holds",

@@ -8,23 +8,25 @@ from functools import reduce
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.loads import Load
 from core.case.schema import Wall
-from core.case.site import FULL_FACTOR, Building, Demand
+from core.case.site import FULL_FACTOR, Building
 from core.codes.floor_spectrum import first_mode
 from core.codes.kinematic import Check
 from core.codes.kinematic_chain import chain
+from core.codes.outcomes import PASSES
 from core.codes.verdict import Lift
 from core.codes.verdict_sentence import CODE_Q
 from core.codes.vertical_bending import bent_inward
 from core.errors import InputError
-from core.study.floors import damaged, other_ends
-from core.study.zeta_with import EVERY, Scene, zeta_with
+from core.setting.floors import damaged, other_ends
+from core.setting.scene import Scene
 from core.text.sentence import Key, Number, Sentence, sentence
+from core.variation.evaluate import Evaluation, evaluate
 from core.wall import ties, wall_body
 from core.wall.restitution import MODELS
 from core.wall.wall_loads import COUNTED
 
-Zeta = tuple[float | None, bool]
-"""zeta of a check, and whether it is surely satisfied."""
+Ends = list[Evaluation | None]
+"""The wall at the other ends of the range of an input; None where it does not stand there."""
 
 Change = Callable[[Scene], Scene]
 
@@ -63,105 +65,107 @@ def _worth(zeta: float | None) -> float:
     return -math.inf if zeta is None else zeta
 
 
-def lifts(
-    scene: Scene, asked: Demand, checks: tuple[Check, ...], cancelled: Callable[[], bool] = lambda: False
-) -> tuple[Lift, ...]:
+def _zeta(end: Evaluation | None, check: Check) -> float | None:
+    """zeta of a check at another end."""
+    found = end.made(check.name) if end else None
+    return found.zeta if found else None
+
+
+def _turns(end: Evaluation | None, check: Check) -> bool:
+    """Whether a check fails, is at its limit or has no number at another end."""
+    return end is None or end.judgement(end.made(check.name)) != PASSES
+
+
+def lifts(found: Evaluation, cancelled: Callable[[], bool] = lambda: False) -> tuple[Lift, ...]:
     """The inputs of a wall that raise zeta, each with zeta at the other end of its range; where no one of them turns
-    the outcome, all together without a reason may. asked : of the case."""
-    q_check = next((check for check in checks if check.name == "linear_q_code"), None)
-    decides = scene.decides
+    the outcome, all together without a reason may. found : the wall as it is, some check of which has a zeta. Raises
+    Cancelled."""
+    decides, q_check = found.decides, found.made("linear_q_code")
+    assert decides is not None
 
-    def at(change: Change, check: Check) -> Zeta:
-        there = change(scene)
-        # the floor of a kinematic check needs no motions
-        ground = there.ground if check.name == "dynamic" else ()
-        changes = {"wall": there.wall, "demand": there.demand, "building": there.building, "ground": ground}
+    def at(change: Change, by_histories: bool) -> Evaluation | None:
+        there = found.scene if by_histories else found.scene.without_records()
         try:
-            return zeta_with(scene, EVERY, cancelled, decides=check, **changes)
+            return evaluate(change(there), other=False, cancelled=cancelled)
         except InputError:  # without what lifts it the wall does not stand
-            return None, False
+            return None
 
-    found: list[Lift] = []
+    raised: list[Lift] = []
     worst: list[tuple[str, Change]] = []
-    for one in _raised(scene, asked, q_check):
+    for one in _raised(found):
         touched = decides.name != "dynamic" or one.histories
-        by = {}
-        if touched:
-            by[decides] = [at(end, decides) for end in one.ends]
-        if q_check is not None and q_check is not decides:
-            by[q_check] = [at(end, q_check) for end in one.ends]
-        if not by:
+        judged = [check for check in (decides if touched else None, q_check) if check is not None]
+        if not judged:
             continue
-        told = _told(one, by, scene, q_check)
+        ends = [at(end, touched) for end in one.ends]
+        told = _told(one, judged, ends, found)
         if told is None:
             continue
-        zetas = [zeta for zeta, _ in by[told]]
+        zetas = [_zeta(end, told) for end in ends]
         lowest = min(range(len(zetas)), key=lambda k: _worth(zetas[k]))
-        fails = {check: one.given and not all(fine for _, fine in ends) for check, ends in by.items()}
-        found.append(
+        turns = {check.name for check in judged if one.given and any(_turns(end, check) for end in ends)}
+        raised.append(
             Lift(
                 one.key,
                 one.words(zetas, told),
-                turns=bool(decides.passed) and fails.get(decides, False),
+                turns=bool(decides.passed) and touched and decides.name in turns,
                 justified=one.justified,
                 zeta=zetas[lowest],
-                turns_q=bool(q_check and q_check.passed) and fails.get(q_check, False),
+                turns_q=bool(q_check and q_check.passed) and "linear_q_code" in turns,
             )
         )
         if one.given and not one.justified:
             worst.append((one.key, one.ends[lowest]))
-    return _together(found, worst, decides, q_check, at)
+    return _together(raised, worst, decides, q_check, at)
 
 
-def _told(one: Raised, by: dict[Check, list[Zeta]], scene: Scene, q_check: Check | None) -> Check | None:
+def _told(one: Raised, judged: list[Check], ends: Ends, found: Evaluation) -> Check | None:
     """The check whose zeta the words of a raised input give, None where it raises none: of what concerns the linear
     check alone that one, of a wall declared free or not the one that fares worst, of loads the first that they raise.
-    by : check -> zeta of each end"""
+    judged : the checks the input moves; ends : at its other ends"""
     if one.key in OF_LOADS:
-        lowest = {check: min(_worth(zeta) for zeta, _ in ends) for check, ends in by.items()}
-        return next((check for check, zeta in lowest.items() if zeta < _worth(check.zeta)), None)
+        lowest = ((check, min(_worth(_zeta(end, check)) for end in ends)) for check in judged)
+        return next((check for check, zeta in lowest if zeta < _worth(check.zeta)), None)
     if one.key != "free_element":
-        return scene.decides if one.histories else q_check
-    told = min(by, key=lambda check: _worth(by[check][0][0]))
-    raises_none = scene.wall.free_element and _worth(by[told][0][0]) >= _worth(told.zeta)
+        return found.decides if one.histories else found.made("linear_q_code")
+    told = min(judged, key=lambda check: _worth(_zeta(ends[0], check)))
+    raises_none = found.scene.wall.free_element and _worth(_zeta(ends[0], told)) >= _worth(told.zeta)
     return None if raises_none else told
 
 
-def _together(found: list[Lift], worst: list[tuple[str, Change]], decides: Check, q_check: Check | None, at) -> tuple:
+def _together(
+    found: list[Lift], worst: list[tuple[str, Change]], decides: Check, q_check: Check | None, at
+) -> tuple[Lift, ...]:
     """The lifts; where none turns a check alone, and all without a reason do together, each of them does.
 
-    worst : (key, change to the end with the lowest zeta) of these; at(change, check) : zeta there
+    worst : (key, change to the end with the lowest zeta) of these; at(change, by_histories) : the wall there
     """
     open_keys = tuple(dict.fromkeys(key for key, _ in worst))
-
-    def turning(check: Check | None, alone: bool) -> Zeta | None:
-        if check is None or not check.passed or alone or len(worst) < 2:
-            return None
-        there = at(lambda scene: reduce(lambda changed, one: one[1](changed), worst, scene), check)
-        return None if there[1] else there
-
     open_ones = [lift for lift in found if lift.key in open_keys]
-    joint = turning(decides, any(lift.turns for lift in open_ones))
-    joint_q = turning(q_check, any(lift.turns_q for lift in open_ones))
-    if joint is not None or joint_q is not None:
+    asked = bool(decides.passed) and not any(lift.turns for lift in open_ones)
+    asked_q = bool(q_check and q_check.passed) and not any(lift.turns_q for lift in open_ones)
+    if len(worst) < 2 or not (asked or asked_q):
+        return tuple(found)
+    there = at(lambda scene: reduce(lambda changed, one: one[1](changed), worst, scene), asked)
+    joint = asked and _turns(there, decides)
+    joint_q = asked_q and q_check is not None and _turns(there, q_check)
+    if joint or joint_q:
         found = [
-            replace(lift, turns=lift.turns or joint is not None, turns_q=lift.turns_q or joint_q is not None)
-            if lift.key in open_keys
-            else lift
+            replace(lift, turns=lift.turns or joint, turns_q=lift.turns_q or joint_q) if lift.key in open_keys else lift
             for lift in found
         ]
-    if joint is not None:
-        keys = tuple(map(Key, open_keys))
-        found.append(Lift("", sentence("reason", "lifts_together", keys=keys, zeta=Number(joint[0])), zeta=joint[0]))
+    if joint:
+        zeta, keys = _zeta(there, decides), tuple(map(Key, open_keys))
+        found.append(Lift("", sentence("reason", "lifts_together", keys=keys, zeta=Number(zeta)), zeta=zeta))
     return tuple(found)
 
 
 def _of_wall(**values) -> Change:
-    return lambda scene: replace(scene, wall=replace(scene.wall, **values))
+    return lambda scene: scene.but(wall=replace(scene.wall, **values))
 
 
 def _with_loads(change: Callable[[Wall], tuple[Load, ...]]) -> Change:
-    return lambda scene: replace(scene, wall=replace(scene.wall, load=change(scene.wall)))
+    return lambda scene: scene.but(wall=replace(scene.wall, load=change(scene.wall)))
 
 
 def _of_ties(**values) -> Change:
@@ -175,14 +179,14 @@ def _without(goes: Callable[[Wall, Load], bool]) -> Change:
 
 
 def _of_demand(**values) -> Change:
-    return lambda scene: replace(scene, demand=replace(scene.demand, **values))
+    return lambda scene: scene.but(demand=replace(scene.demand, **values))
 
 
-def _raised(scene: Scene, asked: Demand, q_check: Check | None) -> Iterator[Raised]:
+def _raised(found: Evaluation) -> Iterator[Raised]:
     """What the case gives that raises zeta."""
-    wall, demand = scene.wall, scene.demand
-    model = wall.restitution_model(scene.mechanism)
-    dynamic = scene.decides.name == "dynamic"
+    scene, q_check = found.scene, found.made("linear_q_code")
+    wall, demand, asked = scene.wall, scene.demand, scene.asked
+    model, dynamic = wall.restitution_model(scene.mechanism), found.dynamic is not None
     if dynamic and not MODELS[model].by_theory:
         given = wall.restitution_of(scene.mechanism).ratio_at_rest
         more = min(given + MORE_RATIO, 1.0)
@@ -223,7 +227,7 @@ def _raised(scene: Scene, asked: Demand, q_check: Check | None) -> Iterator[Rais
     if wall.return_walls is not None and q_check is not None:
         end = _of_wall(return_walls=None)
         yield _one("return_walls", "lift_return_walls", wall.justification, end, histories=False)
-    yield from _of_the_loads(scene)
+    yield from _of_the_loads(scene, not dynamic)
     if wall.free_element is not None and wall.free_element != replace(wall, free_element=None).is_free(scene.mechanism):
         code = "lift_one_sided_free" if wall.free_element else "lift_free_element"
         end = _of_wall(free_element=None)
@@ -236,7 +240,7 @@ def _raised(scene: Scene, asked: Demand, q_check: Check | None) -> Iterator[Rais
         )
     yield from _of_the_shape(wall, scene.mechanism)
     if wall.above_ground and scene.building is not None:
-        yield from _of_the_building(scene, asked, scene.building)
+        yield from _of_the_building(scene, scene.building)
 
 
 def _by_theory(wall: Wall, mechanism: str) -> float | None:
@@ -290,7 +294,7 @@ def _building_at(factor: float, damping: float) -> Change:
         building = scene.building
         modes = tuple(replace(mode, damping=damping) for mode in building.modes)
         damped = {"modes": modes} if modes else {"damping": damping}
-        return replace(scene, building=replace(building, period_factor=factor, **damped))
+        return scene.but(building=replace(building, period_factor=factor, **damped))
 
     return change
 
@@ -299,9 +303,9 @@ OF_LOADS = ("elongation_m", "slack_mm", "prestress", "anchorage_kn", "load")
 """Keys of what loads raise, told only where the other end is the lower one."""
 
 
-def _of_the_loads(scene: Scene) -> Iterator[Raised]:
-    """What of the ties, and of forces that always pull inward, raises zeta."""
-    wall, reasons, clauses = scene.wall, scene.wall.justification, scene.decides.name != "dynamic"
+def _of_the_loads(scene: Scene, clauses: bool) -> Iterator[Raised]:
+    """What of the ties, and of forces that always pull inward, raises zeta. clauses : no histories are made"""
+    wall, reasons = scene.wall, scene.wall.justification
     given = [load for load in wall.load if load.is_tie]
     if any(tie.stands_more for tie in (ties.ties_of(wall) if given else ())):
         yield _one("elongation_m", "lift_elongation", reasons, _of_ties(elongation_m=None, elongation=None))
@@ -351,14 +355,14 @@ def _participating(share: float) -> Change:
 
     def change(scene: Scene) -> Scene:
         first, *others = scene.building.modes
-        return replace(scene, building=replace(scene.building, modes=(replace(first, participation=share), *others)))
+        return scene.but(building=replace(scene.building, modes=(replace(first, participation=share), *others)))
 
     return change
 
 
-def _of_the_building(scene: Scene, asked: Demand, building: Building) -> Iterator[Raised]:
+def _of_the_building(scene: Scene, building: Building) -> Iterator[Raised]:
     """What of the building, and of the height at which its motion is taken, raises zeta."""
-    wall, limit_state = scene.wall, scene.demand.limit_state
+    wall, asked, limit_state = scene.wall, scene.asked, scene.demand.limit_state
     if ends := other_ends(building, limit_state):
 
         def words(zetas, _):

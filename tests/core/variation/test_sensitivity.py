@@ -9,14 +9,17 @@ import numpy as np
 import pytest
 
 from core.case.rules import parse_case
+from core.case.sensitivity import Ranges
 from core.case.writer import table_of
+from core.codes.dynamic_check import demand_check
 from core.codes.record_sample import RecordPeaks
 from core.errors import InputError
-from core.study.plan import read_inputs
+from core.rocking.methods import AUTO
+from core.setting.plan import plan_of, read_inputs
 from core.study.run import run
-from core.study.sensitivity import Move, sensitivity_of
-from core.study.swings import End, Sensitivity, Swing, move_words
-from core.study.what_if import NONE, Zetas, setting_of
+from core.variation.sensitivity import Move, records_left_out, sensitivity_of
+from core.variation.swings import End, Sensitivity, Swing, move_words
+from core.variation.whole_wall import setting_of
 from tests.conftest import ROOT
 
 CASES = ROOT / "resources" / "cases"
@@ -107,23 +110,38 @@ def test_that_each_move_of_the_building_is_the_run_of_the_changed_case():
         assert zeta == pytest.approx(zeta_of(moved(table, ("building", "damping"), damping)), rel=1e-12)
 
 
-def test_that_each_move_with_records_is_the_check_of_the_changed_case():
-    """Within the grid the moves are searched on; of a_g exactly in proportion."""
+def test_that_each_move_with_records_is_the_run_of_the_changed_case(tmp_path):
+    """The motions as files, so that they follow a_g by the factor of their entries."""
     wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa", "free_element")}
-    table = case_of(wall | {"unloaded_confirmed": True}, demand={"ag_g": 0.25}, generate={"count": 7})
-    table["demand"]["spectrum"] = SPECTRUM | {"soil": "A"}  # S does not follow a_g
+    table = case_of(wall | {"unloaded_confirmed": True}, demand={"ag_g": 0.25}, generate={"count": 4})
     table["analysis"] = {"q_step": 0.05}
+    motions = read_inputs(parse_case(table), CASES)[1]
+    del table["generate"]
+    table["record"] = []
+    for k, motion in enumerate(motions):
+        lines = [repr(float(value)) for value in motion.acceleration]
+        (tmp_path / f"{k}.txt").write_text("\n".join([*lines, ""]))
+        entry = {"file": str(tmp_path / f"{k}.txt"), "unit": "m/s2", "time_step_s": motion.time_step, "scale": 1.0}
+        table["record"].append(entry)
     found, result = sensitivity(table)
-    base = found.sensitivity.base
-    assert base == pytest.approx(zeta_of(table), rel=0.03)
-    assert ends(found, "ag_factor") == pytest.approx({0.225: base / 0.9, 0.275: base / 1.1}, rel=0.01)
+    assert found.sensitivity.base == zeta_of(table)
     (thinner,) = ends(found, "thickness_factor").values()
-    assert thinner == pytest.approx(zeta_of(moved(table, ("wall", 0, "thickness_m"), 0.475)), rel=0.05)
+    assert thinner == zeta_of(moved(table, ("wall", 0, "thickness_m"), 0.475))
     ratio = 0.9 * result.walls[0].restitution.ratio_at_rest
-    damped = ends(found, "velocity_ratio_factor")[0.9]
-    assert damped == pytest.approx(zeta_of(moved(table, ("wall", 0, "velocity_ratio"), ratio)), rel=0.05)
+    assert ends(found, "velocity_ratio_factor")[0.9] == zeta_of(moved(table, ("wall", 0, "velocity_ratio"), ratio))
+    weaker = moved(table, ("demand", "ag_g"), 0.225)
+    share = run(parse_case(weaker), base_dir=CASES).demand.pga / result.demand.pga
+    weaker["record"] = [{**entry, "scale": share} for entry in table["record"]]
+    assert ends(found, "ag_factor")[0.225] == pytest.approx(zeta_of(weaker), rel=1e-9)
     (lost,) = ends(found, "restraint_lost").values()
     assert lost == result.walls[0].assessment.verdict.lower_bound
+    free = moved(table, ("wall", 0, "mechanism"), "two_sided")
+    assert lost == zeta_of(free)
+    names = [motion.name for motion in result.motions]
+    (swing,) = [one for one in found.sensitivity.swings if one.key == "record_left_out"]
+    for end in swing.ends:
+        fewer = {**table, "record": [e for k, e in enumerate(table["record"]) if names[k] != end.name]}
+        assert end.zeta == zeta_of(fewer)
 
 
 def test_that_what_turns_a_satisfied_verdict_is_said_and_the_verdict_stays():
@@ -222,7 +240,7 @@ def test_that_a_severe_record_left_out_raises_zeta_and_turns_nothing():
     """Of eight stations one is as strong as three: without it zeta is beyond what is looked at, and is no failure."""
     table = case_of(PARAPET | {"base_z_m": 0.0}, demand={"ag_g": 0.1}, generate={"count": 8})
     case = parse_case({**table, "sensitivity": {}, "analysis": {"q_step": 0.05}})
-    from core.study import plan
+    from core.setting import plan
 
     read = plan.read_inputs(case, CASES)
     strong = [replace(m, acceleration=(9.0 if k == 0 else 0.5) * m.acceleration) for k, m in enumerate(read[1])]
@@ -277,66 +295,40 @@ def test_that_what_does_not_act_is_not_moved_or_is_still():
     assert found.sensitivity.turning == ()  # was not satisfied before
 
 
-@pytest.fixture(scope="module")
-def shaken():
-    """(setting, ranges) of a wall with seven records."""
-    wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa", "free_element")}
-    demand = {"ag_g": 0.2, "spectrum": SPECTRUM | {"soil": "A"}}  # S does not follow a_g
-    table = case_of(wall | {"unloaded_confirmed": True}, demand=demand, generate={"count": 7})
-    case = parse_case({**table, "sensitivity": {"ag_factor": [0.9, 1.1], "restraint_lost": False}})
-    return setting_of(case, 0, CASES, read_inputs(case, CASES)), case.sensitivity
+def test_that_what_was_not_surely_satisfied_is_turned_by_nothing_and_without_zeta_nothing_moves():
+    setting = SimpleNamespace(inputs=(None, [], []), demand=SimpleNamespace(zeta_target=1.0))
+    ranges = Ranges()
+
+    def hinge(code, zeta):
+        verdict = SimpleNamespace(code=code, zeta_e=zeta, lower_bound=None)
+        return SimpleNamespace(verdict=verdict, lower_bound=None)
+
+    made = [Move("thickness_factor", 0.5, 0.475, lambda stop: None)]
+    thinner = SimpleNamespace(zeta=0.9, sure=False)
+    for code, turning in (("verified", ("thickness_factor",)), ("at_limit", ()), ("not_verified", ())):
+        assert sensitivity_of(setting, ranges, made, [thinner], [hinge(code, 1.3)]).turning == turning
+    same = SimpleNamespace(zeta=1.3, sure=True)
+    assert sensitivity_of(setting, ranges, made, [same], [hinge("verified", 1.3)]).still == ("thickness_factor",)
+    both = [hinge("verified", 1.3), hinge("undetermined", None)]
+    assert sensitivity_of(setting, ranges, made, [same], both) == Sensitivity(None, (), (), ())
 
 
-def hinge(zeta, passed=True, spread=False):
-    verdict = SimpleNamespace(zeta_e=zeta, zeta_target=1.0, lower_bound=None)
-    dynamic = SimpleNamespace(passed=passed, within_spread=lambda target: spread)
-    return SimpleNamespace(assessment=SimpleNamespace(verdict=verdict, dynamic=dynamic, lower_bound=None))
-
-
-def of_moves(shaken, now, one, moved_to=None, peaks=()):
-    """Of one hinge, with one move beside the wall as it is."""
-    made = [Move("", None, 0.0, None), *([Move("thickness_factor", 0.5, 0.475, None)] if moved_to else [])]
-    return sensitivity_of(*shaken, made, {0: now, 1: moved_to}, [one], peaks)
-
-
-def test_that_a_g_is_surely_satisfied_only_with_the_lower_end_of_the_spread(shaken):
-    """zeta of histories goes with 1 / a_g, and so does its spread."""
-    for low, sure in ((1.2, (True, True)), (1.0, (True, False)), (0.85, (False, False)), (None, (False, False))):
-        found = of_moves(shaken, Zetas({}, 1.3, low, True), hinge(1.3))
-        (swing,) = [one for one in found.swings if one.key == "ag_factor"]
-        assert [end.zeta for end in swing.ends] == pytest.approx([1.3 / 0.9, 1.3 / 1.1], rel=1e-9)
-        assert tuple(end.sure for end in swing.ends) == sure
-
-
-def test_that_only_a_surely_satisfied_verdict_is_turned(shaken):
-    now, thinner = Zetas({}, 1.3, 1.25, True), Zetas({}, 0.9, 0.8, False)
-    assert "thickness_factor" in of_moves(shaken, now, hinge(1.3), thinner).turning
-    for one in (hinge(1.3, spread=True), hinge(1.3, passed=False)):
-        assert of_moves(shaken, now, one, thinner).turning == ()
-    assert of_moves(shaken, now, hinge(1.3), Zetas({}, 1.3, 1.25, True)).still == ("thickness_factor",)
-    # in proportion to zeta of the run
-    (end,) = of_moves(shaken, now, hinge(1.17), thinner).swings[0].ends
-    assert end.zeta == pytest.approx(0.81)
-
-
-def test_that_without_zeta_in_the_run_or_in_the_search_nothing_is_moved(shaken):
-    none = Sensitivity(None, (), (), ())
-    assert of_moves(shaken, NONE, hinge(1.3)) == none == of_moves(shaken, Zetas({}, 1.3, 1.25, True), hinge(None))
-
-
-def test_that_a_record_left_out_is_judged_by_the_others_up_to_the_last_multiplier(shaken):
-    """Record 3 overturns from the multiplier 70 on, 4 from 110: without 3 the wall bears as many steps more, or, where
-    4 never overturns, up to the last. Without any other it bears what it does with it."""
+def test_that_the_record_left_out_is_the_one_whose_loss_moves_zeta_most_and_its_zeta_that_of_the_others():
+    """Record 3 overturns from the multiplier 70 on, 4 from 110: without 3 zeta is highest, without 0 as low as any."""
     multipliers, peaks = 0.4 * 1.01 ** np.arange(160), np.full((7, 160), 0.1)
     peaks[3, 70:], peaks[4, 110:] = np.inf, np.inf
-    now, names = Zetas({}, 0.8, 0.8, True), [motion.name for motion in shaken[0].inputs[1]]
-    for share in (1.01**40, 1.01 ** (159 - 70 + 0.5)):  # half a step: the last stands for itself
-        found = of_moves(shaken, now, hinge(0.8), peaks=[RecordPeaks(multipliers, peaks.copy(), 0.4, True)])
-        (swing,) = [one for one in found.swings if one.key == "record_left_out"]
-        least, most = swing.ends
-        assert least.zeta == pytest.approx(0.8, rel=1e-9) and most.zeta == pytest.approx(0.8 * share, rel=1e-9)
-        assert most.name == names[3] and most.sure == (0.8 * share >= 1.0)
-        peaks[4] = 0.1
+    wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa", "free_element")}
+    table = case_of(wall | {"unloaded_confirmed": True}, demand={"ag_g": 0.2}, generate={"count": 7})
+    case = parse_case(table)
+    setting = setting_of(case, 0, CASES, read_inputs(case, CASES))
+    made = records_left_out(setting, [RecordPeaks(multipliers, peaks, 0.4, True)])
+    assert {move.value for move in made} >= {3.0} and len(made) == 2
+    demand, motions, _ = setting.inputs
+    (entry,) = plan_of(setting.case, CASES, setting.inputs).entries
+    for move in made:
+        others = [motion for k, motion in enumerate(motions) if k != int(move.value)]
+        there = demand_check(entry.model, others, entry.signs, demand, AUTO, 1, False)
+        assert move.task(lambda: False).zeta == there.zeta
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from core.codes.floor_spectrum import FloorSpectrum
 from core.codes.vertical_bending import bending
 from core.errors import InputError
 from core.report.json_report import dumps
-from core.study.floors import modes_at
+from core.setting.floors import modes_at
 from core.study.run import run
 from core.study.variants import comparisons
 from core.units import G

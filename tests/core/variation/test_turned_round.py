@@ -6,12 +6,13 @@ import pytest
 
 from core.case.rules import parse_case
 from core.errors import InputError
-from core.study import turned_round
-from core.study.plan import read_inputs
+from core.setting.plan import read_inputs
 from core.study.run import run
-from core.study.turned_round import keys_of, moved_keys, reach_of
-from core.study.what_if import Zetas, setting_of, zetas
-from tests.core.study.test_sensitivity import CASES, LOADED, case_of, moved
+from core.variation import turned_round
+from core.variation.evaluate import GLANCE, RUN
+from core.variation.turned_round import keys_of, moved_keys, reach_of
+from core.variation.whole_wall import evaluate_wall, setting_of
+from tests.core.variation.test_sensitivity import CASES, LOADED, case_of, moved
 
 TIED = {
     **LOADED,
@@ -54,7 +55,7 @@ def test_that_the_value_found_gives_what_is_required(wall, keys):
                 continue
             zeta = checks_of(with_thickness(table, key, value))[label]
             beyond = value * 1.01 if key == "ag_g" else value / 1.01
-            assert 1.0 - 1e-6 <= zeta < 1.02, (key, label)
+            assert 1.0 - 1e-12 <= zeta < 1.02, (key, label)
             assert checks_of(with_thickness(table, key, beyond))[label] < 1.0, (key, label)
             found += 1
     assert found >= 2 * len(keys) - 1
@@ -74,7 +75,7 @@ def test_that_histories_hold_in_the_run_at_what_is_found():
     of_ag = reach_of(here, "ag_g", 0.35)
     ag = of_ag.by_check["dynamic"]
     assert of_ag.throughout == ()
-    now = zetas(here).by_check["dynamic"]
+    now = evaluate_wall(here, GLANCE).by_check["dynamic"]
     assert 0.75 * now < ag / 0.35 < 1.03 * now
 
 
@@ -113,13 +114,13 @@ def found_where(monkeypatch):
                 raise InputError("unstable_under_loads")
             return value
 
-        def known(value, *, every, cancelled):
-            zeta = 1.0 if holds(value) else 0.9
-            return Zetas({label: zeta}, zeta, zeta, (sure or holds)(value))
+        def known(value, precision, *, cancelled):
+            there = (sure or holds) if precision is RUN else holds
+            return SimpleNamespace(hinges=(1,), by_check={label: 1.0}, satisfied={label: there(value)})
 
         monkeypatch.setattr(turned_round, "CHANGES", {key: change})
-        monkeypatch.setattr(turned_round, "zetas", known)
-        reach = reach_of(SimpleNamespace(demand=SimpleNamespace(zeta_target=1.0)), key, given)
+        monkeypatch.setattr(turned_round, "evaluate_wall", known)
+        reach = reach_of(SimpleNamespace(), key, given)
         assert (reach.key, reach.given) == (key, given) and set(reach.throughout) <= {label}
         return reach.by_check[label], bool(reach.throughout)
 
@@ -133,7 +134,8 @@ def test_that_a_value_is_sought_within_the_range_stated_and_found_to_two_thousan
         limit = 0.3 * share
         value, everywhere = found_where(key, 0.3, lambda v: v <= limit if key == "ag_g" else v >= limit)  # noqa: B023
         assert not everywhere
-        assert 1.0 <= (limit / value if key == "ag_g" else value / limit) <= 1.002
+        unit = turned_round.WRITTEN[key]
+        assert 1.0 <= (limit / value if key == "ag_g" else value / limit) <= 1.003 + unit / limit
     for share in (1.001 * widest, 1.0 / (1.001 * widest)):
         limit = 0.3 * share
         value, everywhere = found_where(key, 0.3, lambda v: v <= limit if key == "ag_g" else v >= limit)  # noqa: B023
@@ -145,23 +147,23 @@ def test_that_of_several_limits_the_one_next_to_the_value_given_is_found(found_w
         return 0.3 <= value <= 0.5 or value >= 0.8
 
     for given, limit in ((1.0, 0.8), (0.6, 0.8), (0.4, 0.3), (0.2, 0.3)):
-        assert 1.0 <= found_where("thickness_m", given, holds)[0] / limit <= 1.002
+        assert 1.0 <= found_where("thickness_m", given, holds)[0] / limit <= 1.005
 
 
 def test_that_a_value_whose_neighbours_are_refused_holds_throughout(found_where):
     """The last that is accepted is no limit of the check; a limit among accepted ones is."""
     assert found_where("thickness_m", 1.0, lambda v: True, accepted=lambda v: v > 0.6) == (None, True)
     value, everywhere = found_where("thickness_m", 1.0, lambda v: v >= 0.8, accepted=lambda v: v > 0.6)
-    assert 1.0 <= value / 0.8 <= 1.002 and not everywhere
+    assert 1.0 <= value / 0.8 <= 1.003 and not everywhere
 
 
 def test_that_histories_hold_a_little_beyond_and_surely_in_the_run(found_where):
     """A value at which they hold by chance, less than two hundredths wide, is passed over; a wider one is not."""
     for end, limit in ((0.71, 0.9), (0.76, 0.7)):
         value, _ = found_where("thickness_m", 0.705, lambda v: 0.7 <= v <= end or v >= 0.9, label="dynamic")  # noqa: B023
-        assert 1.0 <= value / limit <= 1.002
+        assert 1.0 <= value / limit <= 1.004
     value, _ = found_where("thickness_m", 1.0, lambda v: v >= 0.8, lambda v: v >= 1.0, label="dynamic")
-    assert 1.0 <= value < 1.01
+    assert 1.0 <= value < 1.012
     # thirty steps of one hundredth
     assert found_where("thickness_m", 1.0, lambda v: v >= 0.8, lambda v: v >= 0.8 * 1.36, label="dynamic")[0] is None
 

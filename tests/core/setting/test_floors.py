@@ -12,7 +12,7 @@ from core.ground.ground_motion import GroundMotion
 from core.report.verdict_words import names_in
 from core.rocking.history import history
 from core.rocking.methods import METHODS
-from core.study import floors
+from core.setting import floors
 from core.study.run import run
 from tests.conftest import ROOT
 

@@ -2,7 +2,7 @@
 
 import functools
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -14,15 +14,15 @@ from core.case.sensitivity import Ranges
 from core.case.site import Building
 from core.codes.floor_spectrum import estimated_period
 from core.codes.kinematic import ROUNDING
-from core.codes.record_sample import RecordPeaks, one_left_out, zeta_of_sets
-from core.codes.verdict import Verdict
+from core.codes.outcomes import OUTCOMES, PASSES, least
+from core.codes.record_sample import RecordPeaks, one_left_out
 from core.errors import InputError
-from core.study.demand_input import with_ag
-from core.study.floors import damaged
-from core.study.plan import Floors
-from core.study.results import WallResult
-from core.study.swings import End, Sensitivity, Swing
-from core.study.what_if import NONE, Setting, Zetas, lowest, with_demand, with_wall, zetas
+from core.setting.demand_input import with_ag
+from core.setting.floors import damaged
+from core.setting.plan import Floors
+from core.variation.assessment import Assessment
+from core.variation.swings import End, Sensitivity, Swing
+from core.variation.whole_wall import NONE, Setting, WholeWall, evaluate_wall, with_demand, with_wall, without_record
 
 DAMPINGS = (0.01, 0.30)
 """Dampings of a building that a case accepts."""
@@ -30,12 +30,12 @@ DAMPINGS = (0.01, 0.30)
 FALLS = "unstable_under_loads"
 """Error of a wall that falls without an earthquake: it has no zeta. What is refused for another reason is not moved."""
 
-Task = Callable[[Callable[[], bool]], Zetas | InputError]
-"""Of a move: its zeta, or why there is none. Takes what tells it to stop."""
+Task = Callable[[Callable[[], bool]], WholeWall | InputError]
+"""Of a move: the wall there, or why there is none. Takes what tells it to stop."""
 
 
 class Move(NamedTuple):
-    """An input at one end. key : of the ranges; given, value : of the input, in its unit; task : zeta there"""
+    """An input at one end. key : of the ranges; given, value : of the input, in its unit; task : evaluates it there"""
 
     key: str
     given: float | None
@@ -44,27 +44,38 @@ class Move(NamedTuple):
 
 
 def moves(setting: Setting, ranges: Ranges) -> list[Move]:
-    """What is moved of a wall; the first is the wall as it is. setting : of `setting_of`"""
+    """What is moved of a wall, each as the run of the moved case says. setting : of `setting_of`"""
     known = Floors()
 
-    def task(change: Callable[[Setting], Setting], of_theory: float | None = None) -> Task:
-        def found(stop: Callable[[], bool]) -> Zetas | InputError:
+    def task(change: Callable[[Setting], Setting]) -> Task:
+        def found(stop: Callable[[], bool]) -> WholeWall | InputError:
             try:
                 moved = change(setting)
                 same = moved.case.building == setting.case.building and moved.inputs is setting.inputs
-                return zetas(moved, of_theory=of_theory, floors=known if same else None, cancelled=stop)
+                return evaluate_wall(moved, floors=known if same else None, cancelled=stop)
             except InputError as error:
                 return NONE if error.code == FALLS else error
 
         return found
 
-    found = [Move("", None, 0.0, task(lambda now: now))]
-    for key, given, ends in (*_of_wall(setting, ranges), *_of_building(setting, ranges)):
+    found = []
+    moved = (*_of_wall(setting, ranges), *_of_building(setting, ranges), *_of_demand(setting, ranges))
+    for key, given, ends in moved:
         found += [Move(key, given, value, task(change)) for value, change in ends]
-    if setting.inputs[1] and not setting.case.wall[0].bends:
-        key = "velocity_ratio_factor"
-        found += [Move(key, None, factor, task(lambda now: now, factor)) for factor in ranges.velocity_ratio_factor]
     return found
+
+
+def records_left_out(setting: Setting, peaks: Sequence[RecordPeaks]) -> list[Move]:
+    """The wall without the record that lowers zeta most, and without the one that raises it most: their places are the
+    values. peaks : of all its hinges"""
+    top = [one.multipliers[-1] for one in peaks]
+    without = np.array([np.minimum(one_left_out(one), last) for one, last in zip(peaks, top, strict=True)]).min(axis=0)
+
+    def task(k: int) -> Task:
+        return lambda stop: evaluate_wall(without_record(setting, k), cancelled=stop)
+
+    places = dict.fromkeys((int(without.argmin()), int(without.argmax())))
+    return [Move("record_left_out", None, float(k), task(k)) for k in places]
 
 
 Ends = list[tuple[float, Callable[[Setting], Setting]]]
@@ -92,6 +103,9 @@ def _of_wall(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | No
     if (given := wall.elastic_modulus_mpa) is not None:
         values = [factor * given for factor in _others(ranges.modulus_factor)]
         yield "modulus_factor", given, ends(values, lambda value: replace(wall, elastic_modulus_mpa=value))
+    if setting.has_histories:
+        factors = list(ranges.velocity_ratio_factor)
+        yield "velocity_ratio_factor", None, ends(factors, lambda factor: of_theory(wall, factor))
 
 
 def _with(wall: Wall, setting: Setting) -> Setting:
@@ -122,6 +136,17 @@ def loaded(wall: Wall, factor: float) -> Wall:
     """A wall whose loads but ties are so many times as large."""
     loads = (load if load.is_tie or load.kn_m is None else replace(load, kn_m=factor * load.kn_m) for load in wall.load)
     return replace(wall, load=tuple(loads))
+
+
+def of_theory(wall: Wall, factor: float) -> Wall:
+    """A wall whose velocity ratio is that of Eq. 4 or 6 times a factor, at most 1; of a wall that is not symmetric, or
+    that rocks by both mechanisms, the larger one."""
+    by_theory = replace(wall, restitution=None, velocity_ratio=None)
+    ratios = []
+    for mechanism in wall.mechanisms():
+        theory = by_theory.restitution_of(mechanism)
+        ratios += [theory.ratio_at_rest, theory.ratio_inward or 0.0]
+    return replace(by_theory, velocity_ratio=min(1.0, factor * max(ratios)))
 
 
 def set_back(wall: Wall, setback: float) -> Wall:
@@ -160,48 +185,48 @@ def _of_building(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float 
     yield "building_damping_factor", damping, ends([value for value in dampings if value != damping], damped)
 
 
+def _of_demand(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | None, Ends]]:
+    """The same of a_g on rock: records that are used as given follow it, and so does S."""
+    asked, demand = setting.case.demand, setting.demand
+    assert asked is not None
+
+    def scaled_by(factor: float) -> Callable[[Setting], Setting]:
+        return lambda now: with_demand(now, with_ag(demand, asked, now.base_dir, factor))
+
+    yield "ag_factor", asked.ag_g, [(factor * asked.ag_g, scaled_by(factor)) for factor in _others(ranges.ag_factor)]
+
+
 def sensitivity_of(
     setting: Setting,
     ranges: Ranges,
     made: Sequence[Move],
-    found: Mapping[int, Zetas | InputError],
-    hinges: Sequence[WallResult],
-    peaks: Sequence[RecordPeaks],
+    found: Sequence[WholeWall | InputError],
+    hinges: Sequence[Assessment],
 ) -> Sensitivity:
-    """The sensitivity of one wall. Its base is zeta of the run; the ends, found on a coarser grid, are in proportion.
+    """The sensitivity of one wall.
 
-    made : of `moves`; found : what the task of each, by its place, gave
-    hinges : results of all its hinges and mechanisms
-    peaks : of those with histories, for the records left out
+    made : of `moves` and `records_left_out`; found : what the task of each gave
+    hinges : of all its hinges and mechanisms
     """
-    target, coarse = setting.demand.zeta_target, found[0]
-    assert isinstance(coarse, Zetas)
-    base = lowest([_verdict(one).zeta_e for one in hinges])
-    if base is None or coarse.zeta is None:
+    base = least(one.verdict.zeta_e for one in hinges)
+    if base is None:
         return Sensitivity(None, (), (), ())
-    share = base / coarse.zeta
-
-    def end(value: float | None, there: Zetas, name: str = "") -> End:
-        zeta = None if there.zeta is None else share * there.zeta
-        return End(value, zeta, there.sure and zeta is not None and zeta >= target - ROUNDING, name)
-
+    names = [motion.name for motion in setting.inputs[1]]
     swings: dict[str, Swing] = {}
     refused: dict[str, InputError] = {}
-    for k, (key, given, value, _) in enumerate(made):
-        there = found[k]
+    for move, there in zip(made, found, strict=True):
         if isinstance(there, InputError):
-            refused.setdefault(key, there)
-        elif key:
-            known = swings.setdefault(key, Swing(key, given, ()))
-            swings[key] = replace(known, ends=(*known.ends, end(value, there)))
-    swings["ag_factor"] = _of_ag(setting, ranges, base, coarse, end)
-    if ranges.restraint_lost and (lost := _restraint_lost(hinges, target)) is not None:
+            refused.setdefault(move.key, there)
+            continue
+        left_out = move.key == "record_left_out"
+        name = names[int(move.value)] if left_out else ""
+        end = End(None if left_out else move.value, there.zeta, there.sure, name)
+        known = swings.setdefault(move.key, Swing(move.key, move.given, ()))
+        swings[move.key] = replace(known, ends=(*known.ends, end))
+    if ranges.restraint_lost and (lost := _restraint_lost(hinges, setting.demand.zeta_target)) is not None:
         swings["restraint_lost"] = Swing("restraint_lost", None, (lost,))
-    names = [motion.name for motion in setting.inputs[1]]
-    if ranges.record_left_out and len(peaks) == len(hinges) and len(names) > 1:
-        swings["record_left_out"] = Swing("record_left_out", None, _left_out(peaks, names, base, target))
     moving = [one for one in swings.values() if any(_differs(e.zeta, base) for e in one.ends)]
-    satisfied = all(_satisfied(one) for one in hinges)
+    satisfied = all(OUTCOMES[one.verdict.code].judgement == PASSES for one in hinges)
     return Sensitivity(
         base,
         tuple(sorted(moving, key=lambda one: -one.width(base))),
@@ -211,70 +236,17 @@ def sensitivity_of(
     )
 
 
-def _verdict(hinge: WallResult) -> Verdict:
-    assert hinge.assessment is not None
-    return hinge.assessment.verdict
-
-
-def _of_ag(
-    setting: Setting, ranges: Ranges, base: float, coarse: Zetas, end: Callable[[float | None, Zetas], End]
-) -> Swing:
-    """a_g moves the histories in proportion; the checks of the clauses follow the spectrum. end : of what is found"""
-    asked, demand = setting.case.demand, setting.demand
-    assert asked is not None
-    ends = []
-    for factor in _others(ranges.ag_factor):
-        there = with_ag(demand, asked, setting.base_dir, factor)
-        share = demand.pga / there.pga
-        if setting.has_histories:
-            low = None if coarse.low is None else share * coarse.low
-            sure = low is not None and low >= demand.zeta_target - ROUNDING
-            ends.append(End(factor * asked.ag_g, share * base, sure and share * base >= demand.zeta_target - ROUNDING))
-        else:
-            ends.append(end(factor * asked.ag_g, zetas(with_demand(setting, there))))
-    return Swing("ag_factor", asked.ag_g, tuple(ends))
-
-
-def _satisfied(hinge: WallResult) -> bool:
-    """Whether the check that decides about a hinge is surely satisfied."""
-    found = hinge.assessment
-    assert found is not None
-    target = found.verdict.zeta_target
-    if found.dynamic is not None:
-        return found.dynamic.passed and not found.dynamic.within_spread(target)
-    return found.verdict.zeta_e is not None and found.verdict.zeta_e >= target - ROUNDING
-
-
 def _differs(zeta: float | None, base: float | None) -> bool:
     if zeta is None or base is None:
         return zeta is not base
     return not math.isclose(zeta, base, rel_tol=1e-9)
 
 
-def _restraint_lost(hinges: Sequence[WallResult], target: float) -> End | None:
+def _restraint_lost(hinges: Sequence[Assessment], target: float) -> End | None:
     """The wall where nothing holds it from behind, or at its top; None where nothing does now."""
-    found, sure = [], True
-    for one in hinges:
-        known = one.assessment
-        assert known is not None
-        bound = known.verdict.lower_bound
-        found.append(known.verdict.zeta_e if bound is None else bound)
-        sure &= known.lower_bound is None or known.lower_bound.passed
-    if all(one.assessment.verdict.lower_bound is None for one in hinges if one.assessment):
+    if all(one.verdict.lower_bound is None for one in hinges):
         return None
-    zeta = None if None in found else min(found)
-    return End(None, zeta, sure and zeta is not None and zeta >= target - ROUNDING)
-
-
-def _left_out(peaks: Sequence[RecordPeaks], names: Sequence[str], base: float, target: float) -> tuple[End, ...]:
-    """Without the record that lowers zeta most, and without the one that raises it most; in proportion to the base, of
-    the whole set. Where the rule holds at every multiplier known it is the last of them."""
-    every = np.array([zeta_of_sets(one, np.ones((1, len(names)), np.int64))[0] for one in peaks])
-    top = np.array([one.multipliers[-1] for one in peaks])
-    without = np.array([np.minimum(one_left_out(one), last) for one, last in zip(peaks, top, strict=True)]).min(axis=0)
-    whole = float(np.minimum(every, top).min())
-    ends = []
-    for k in dict.fromkeys((int(without.argmin()), int(without.argmax()))):
-        zeta = base * float(without[k]) / whole
-        ends.append(End(None, zeta, zeta >= target - ROUNDING, names[k]))
-    return tuple(ends)
+    bounds = [one.verdict.lower_bound for one in hinges]
+    zeta = least(one.verdict.zeta_e if bound is None else bound for one, bound in zip(hinges, bounds, strict=True))
+    held = all(one.lower_bound is None or one.lower_bound.passed for one in hinges)
+    return End(None, zeta, held and zeta is not None and zeta >= target - ROUNDING)

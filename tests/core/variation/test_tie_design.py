@@ -10,10 +10,10 @@ from core.case.reader import read_case
 from core.case.rules import parse_case
 from core.codes.kinematic import kinematic, linear, nonlinear
 from core.report import json_report
+from core.setting.demand_input import demand_of
 from core.study import run as study
-from core.study.demand_input import demand_of
-from core.study.tie_design import NAMES, with_tie
 from core.units import G
+from core.variation.tie_design import NAMES, with_tie
 from tests.conftest import ROOT
 from tests.validation.test_loaded_walls import DEMAND, ROOF, THRUST, WALL, case_of
 
@@ -45,8 +45,10 @@ def test_that_the_force_named_is_the_largest_of_histories_displacement_and_thrus
     _, found = church(tie_bar_length_m=8.0, tie_elongation_m=0.4, tie_spacing_m=1.5)
     forces = found["forces_kn_m"]
     assert found["histories_missing"] == "" and 1.0 < forces["dynamic"] < forces["nonlinear"]
-    assert found["force_kn_m"] == forces["nonlinear"] and found["stands_m"] == 0.4
-    assert found["zeta"]["nonlinear"] == pytest.approx(1.0, abs=1e-3) and found["zeta"]["dynamic"] > 1.0
+    # rounded up to what is written, so that a tie of that force does it
+    assert forces["nonlinear"] <= found["force_kn_m"] < forces["nonlinear"] + 0.01 and found["stands_m"] == 0.4
+    assert round(found["force_kn_m"], 2) == pytest.approx(found["force_kn_m"], abs=1e-9)
+    assert 1.0 <= found["zeta"]["nonlinear"] < 1.001 and found["zeta"]["dynamic"] > 1.0
     assert 0.0 < found["elongation_m"]["demand"] < found["elongation_m"]["d_slv"] < found["elongation_m"]["d_0"]
     # 15.58 x 1.5 m = 23.4 kN: 113 mm2 x 235 / 1.05 = 25.3 kN, its thread 115 mm2 x 0.9 x 360 / 1.25 = 29.9 kN
     assert (found["diameter_mm"], found["thread_mm"]) == (12, 14)

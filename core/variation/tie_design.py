@@ -12,25 +12,28 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from core.boundary import edge, written_up
 from core.case.loads import Load
 from core.case.schema import Wall
 from core.codes.dynamic_check import DemandCheck
-from core.codes.kinematic import ROUNDING, Check, kinematic, linear, nonlinear, sld
+from core.codes.kinematic import ROUNDING
+from core.codes.outcomes import least
 from core.errors import InputError
-from core.study.zeta_with import Scene, model_of
+from core.setting.scene import Scene, model_of
+from core.variation.evaluate import GLANCE, RUN, Evaluation, Precision, evaluate
 from core.wall import ties, wall_loads
 
 NAMES = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code", "linear_q_1", "thrust")
 """Of the forces: of the checks, with q = 1 in place of that of the code, and of the thrust at rest."""
 
-COARSE_EVERY = 8
-"""Every how many points of the grid zeta of the histories is searched while the force is looked for: by 2 %."""
-
-CLOSE = 0.005
+CLOSE, CLOSE_BY_HISTORIES = 1e-4, 0.01
 """Width of the bracket of a force, of the force [-]."""
 
 RAISED = 1.01
-"""What the force is raised by where the fine search finds less than the coarse one."""
+"""More of the force at which histories must hold as well: their rule is not monotone."""
+
+UNIT = 10.0
+"""Last digit a force is written with [N/m]: it is rounded up."""
 
 MOST = 1e7
 """Largest force that is tried [N/m]."""
@@ -100,6 +103,12 @@ class Hinge:
     scene: Scene
     dynamic: DemandCheck | None
 
+    @property
+    def satisfied(self) -> bool:
+        """Whether its histories surely are."""
+        target = self.scene.demand.zeta_target
+        return self.dynamic is not None and self.dynamic.passed and not self.dynamic.within_spread(target)
+
     def raised(self, height: float) -> float:
         """Height of a tie above this hinge [m], of one `height` above the base."""
         return height - self.height
@@ -133,8 +142,9 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
     unknown = missing == "bar" and "dynamic" in named
     most = max(known.values()) if len(known) == len(named) else None
     at_least = max(known.values()) if unknown and len(known) == len(named) - 1 else None
-    force = most if most is not None and most <= largest else None
-    check = None if force is None else next(name for name, value in known.items() if value == force)
+    force = check = None
+    if most is not None and most <= largest:
+        force, check = written_up(most, UNIT), max(known, key=lambda name: known[name])
     zeta, elongation, bars = {}, dict.fromkeys(("demand", "d_slv", "d_0")), (None, None)
     stands, more = None, False
     if force is not None:
@@ -182,32 +192,20 @@ def _made(name: str, scene: Scene) -> bool:
 def _largest(hinge: Hinge, height: float) -> float:
     """Force [N/m] up to which the part above a hinge turns about it as one block."""
     wall, above = hinge.scene.wall, hinge.raised(height)
-    high = wall_loads.weight_per_metre(wall) + wall_loads.vertical_loads(wall)
-    while high < MOST and wall_loads.carries(with_tie(wall, high, above)):
-        high *= 2.0
-    low = 0.0
-    for _ in range(30):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if wall_loads.carries(with_tie(wall, middle, above)) else (low, middle)
-    return low
+    weight = wall_loads.weight_per_metre(wall) + wall_loads.vertical_loads(wall)
+    found = edge(lambda force: wall_loads.carries(with_tie(wall, force, above)), weight, (UNIT, MOST), False, 2.0, 1e-9)
+    return found.good or 0.0
 
 
 def _zeta(name: str, scene: Scene, wall: Wall) -> float | None:
     """zeta of a check of the clauses of a wall; None where it cannot be made."""
-    floor = scene.floor.spectrum if scene.floor else None
+    demand = replace(scene.demand, q_code=1.0) if name == "linear_q_1" else scene.demand
     try:
-        found = kinematic(wall, scene.mechanism, scene.demand, floor)
+        found = evaluate(scene.without_records().but(wall=wall, demand=demand))
     except InputError:
         return None
-    made: Check | None = None
-    state = scene.demand.limit_state
-    if name == "nonlinear":
-        made = nonlinear(found, scene.demand)
-    elif state == "SLD":
-        made = sld(found, scene.demand)
-    elif state == "SLV":
-        made = linear(name, found, scene.demand, 1.0 if name == "linear_q_1" else scene.demand.q_code)
-    return made.zeta if made else None
+    check = found.made("nonlinear" if name == "nonlinear" else "linear_q_code")
+    return check.zeta if check else None
 
 
 def _force(name: str, below: Sequence[Hinge], above: Sequence[Hinge], height: float) -> float | None:
@@ -220,7 +218,8 @@ def _force(name: str, below: Sequence[Hinge], above: Sequence[Hinge], height: fl
     if any(not _reaches(_zeta(name, hinge.scene, hinge.scene.wall), target) for hinge in above):
         return None
     found = [_least(name, hinge, hinge.raised(height), target) for hinge in below]
-    return None if None in found else max(found)
+    known = [force for force in found if force is not None]
+    return max(known) if len(known) == len(found) else None
 
 
 def _reaches(zeta: float | None, target: float) -> bool:
@@ -243,84 +242,64 @@ def _least(name: str, hinge: Hinge, above: float, target: float) -> float | None
 
     if holds(0.0):
         return 0.0
-    low, high = 0.0, 1e3
-    while not holds(high):
-        low, high = high, 2.0 * high
-        if high > MOST:
-            return None
-    while high - low > 1e-4 * high:
-        middle = 0.5 * (low + high)
-        low, high = (low, middle) if holds(middle) else (middle, high)
-    return high
+    return edge(holds, 1e3, (UNIT, MOST), True, 2.0, CLOSE).good
 
 
-def _dynamic(hinge: Hinge, force: float, height: float, every: int, cancelled) -> DemandCheck:
-    """The dynamic check of a hinge with the tie."""
-    scene = hinge.scene
-    motions = list(scene.floor.motions if scene.floor else scene.ground)
-    model = model_of(with_tie(scene.wall, force, hinge.raised(height)), scene.mechanism)
-    return scene.dynamic_check(model, motions, scene.polarities, scene.demand, scene.method, every, False, cancelled)
-
-
-def _satisfied(check: DemandCheck, target: float) -> bool:
-    return check.passed and not check.within_spread(target)
+def _held(hinge: Hinge, force: float, height: float, precision: Precision, cancelled) -> Evaluation:
+    """The checks of a hinge with the tie."""
+    wall = with_tie(hinge.scene.wall, force, hinge.raised(height))
+    return evaluate(hinge.scene.but(wall=wall), precision, other=False, cancelled=cancelled)
 
 
 def _of_histories(
     below: Sequence[Hinge], above: Sequence[Hinge], height: float, largest: float, others: dict, cancelled
 ) -> float | None:
     """Least force found with which the dynamic check of every hinge holds [N/m]; None where none does up to the
-    largest. Whether its rule holds is not monotone: the force is raised until it does, and does a little beyond.
+    largest. Whether its rule holds is not monotone: near what a glance finds the force is raised until a run holds, and
+    does a little beyond.
 
     others : forces of the other checks, from which the search starts
     """
-    target = below[0].scene.demand.zeta_target
-    if not all(_satisfied(hinge.dynamic, target) for hinge in above if hinge.dynamic):
+    if not all(hinge.satisfied for hinge in above):
         return None
-
-    def holds(force: float, every: int) -> bool:
-        return all(_satisfied(_dynamic(hinge, force, height, every, cancelled), target) for hinge in below)
-
-    if all(_satisfied(hinge.dynamic, target) for hinge in below if hinge.dynamic):
+    if all(hinge.satisfied for hinge in below):
         return 0.0
-    low, high = 0.0, min(others["linear_q_code"] or 1e4, largest)
-    while not holds(high, COARSE_EVERY):
-        if high >= largest:
+
+    def holds(force: float, precision: Precision = GLANCE) -> bool:
+        return all(_held(hinge, force, height, precision, cancelled).satisfied for hinge in below)
+
+    start = min(others["linear_q_code"] or 1e4, largest)
+    found = edge(holds, start, (UNIT, largest), True, 2.0, CLOSE_BY_HISTORIES).good
+    while found is not None:
+        found = written_up(found, UNIT)
+        more = written_up(RAISED * found, UNIT)
+        if found > largest:
             return None
-        low, high = high, min(2.0 * high, largest)
-    while high - low > 2.0 * CLOSE * high:
-        middle = 0.5 * (low + high)
-        low, high = (low, middle) if holds(middle, COARSE_EVERY) else (middle, high)
-    while True:
-        more = min(RAISED * high, largest)
-        if holds(high, 1) and (more == high or holds(more, 1)):
-            return high
-        if high >= largest:
-            return None
-        high = more
+        if holds(found, RUN) and (more > largest or holds(more, RUN)):
+            return found
+        found = more
+    return None
 
 
-def _with(below: Sequence[Hinge], height: float, force: float, missing: str, cancelled) -> tuple[dict, dict]:
+def _with(
+    below: Sequence[Hinge], height: float, force: float, missing: str, cancelled
+) -> tuple[dict[str, float | None], dict[str, float | None]]:
     """(zeta of each check with a tie of this force, the least of all hinges; elongations of its bar about the base)."""
-    zeta: dict[str, float | None] = {}
-    held = [(hinge, with_tie(hinge.scene.wall, force, hinge.raised(height))) for hinge in below]
-    for name in ("nonlinear", "linear_q_code", "linear_q_1"):
-        each = [_zeta(name, hinge.scene, wall) for hinge, wall in held]
-        zeta[name] = None if None in each else min(each)
-    base, wall = held[0]
-    demand, elongation = base.scene.demand, dict.fromkeys(("demand", "d_slv", "d_0"))
-    theta_c = model_of(wall, base.scene.mechanism).collapse_rotation
+    names = ("nonlinear", "linear_q_code", "linear_q_1")
+    walls = [(hinge.scene, with_tie(hinge.scene.wall, force, hinge.raised(height))) for hinge in below]
+    zeta = {name: least(_zeta(name, scene, wall) for scene, wall in walls) for name in names}
+    base, wall = walls[0]
+    elongation: dict[str, float | None] = dict.fromkeys(("demand", "d_slv", "d_0"))
+    theta_c = model_of(wall, base.mechanism).collapse_rotation
     elongation["d_0"] = height * math.sin(theta_c)
-    found = kinematic(wall, base.scene.mechanism, demand, base.scene.floor.spectrum if base.scene.floor else None)
-    if found.d_limit is not None:
+    found = base.without_records().but(wall=wall).kinematic
+    if found is not None and found.d_limit is not None:
         elongation["d_slv"] = height * math.sin(found.chain.rotation(found.d_limit))
     if not missing:
-        checks = [_dynamic(hinge, force, height, 1, cancelled) for hinge in below]
-        each = [check.zeta for check in checks]
-        zeta["dynamic"] = None if None in each else min(each)
-        peaks = [run.peak_ratio for run in checks[0].runs]
-        if None not in peaks:
-            elongation["demand"] = height * math.sin(max(peaks) * theta_c)
+        held = [_held(hinge, force, height, RUN, cancelled).dynamic for hinge in below]
+        zeta["dynamic"] = least(check.zeta if check else None for check in held)
+        if held[0] is not None and held[0].max_peak_ratio is not None:
+            elongation["demand"] = height * math.sin(held[0].max_peak_ratio * theta_c)
     return zeta, elongation
 
 

@@ -7,7 +7,7 @@ from itertools import count
 import pytest
 
 from core.errors import Cancelled
-from core.study.threads import AHEAD, Batch, Threads
+from core.threads import AHEAD, Batch, Threads
 
 
 def squares(first: int, told: list):

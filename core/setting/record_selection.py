@@ -17,9 +17,9 @@ from core.errors import Cancelled, InputError, RecordError, section
 from core.file_names import key_of, name_of
 from core.ground.record_folder import Candidate, LeftOut, Limits, files_in, one_of_each, read_file
 from core.ground.selection import OWN_FIT, OWN_PGA, Bounds, Found, nearest_sets, own_factors
-from core.study.record_input import relative
-from core.study.threads import Threads
+from core.setting.record_input import relative
 from core.text.sentence import Sentence
+from core.threads import Threads
 
 MOST_CANDIDATES = 3000
 """Records that a search takes: it keeps the product of each two of them."""

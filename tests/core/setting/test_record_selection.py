@@ -18,11 +18,11 @@ from core.codes.outcomes import OUTCOMES
 from core.codes.record_compatibility import compliance
 from core.errors import Cancelled, InputError
 from core.report.json_report import results
-from core.study import plan
+from core.setting import plan
+from core.setting.demand_input import demand_of
+from core.setting.plan import longest_of, read_inputs, with_chosen
+from core.setting.record_selection import select_records
 from core.study import run as study
-from core.study.demand_input import demand_of
-from core.study.plan import longest_of, read_inputs, with_chosen
-from core.study.record_selection import select_records
 from core.study.sweep import SweepKey, sweep
 from core.units import G
 from tests.core.study.folder_of_records import EN, NTC, WALL, case, write_esm, write_folder

@@ -5,25 +5,25 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import groupby
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from core.capacity.ida import Search
 from core.case.hinges import Part, hinges_of, parts_of, shared
 from core.case.schema import Case, Wall
 from core.case.site import Building
 from core.codes.demand import DemandResult
+from core.codes.dynamic_check import demand_check
 from core.codes.kinematic import Kinematic, kinematic
-from core.codes.record_compatibility import period_range
+from core.codes.record_compatibility import Compliance, period_range
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
 from core.packages import MOST_WALLS
 from core.rocking.methods import AUTO, METHODS, Method
-from core.study.demand_input import demand_of, generated
-from core.study.floors import Floor, floor_of
-from core.study.progress import SENSITIVITY, STATEMENT, TIE, check_cost, run_cost
-from core.study.record_input import joined, read_records
-from core.study.record_selection import Selection, select_records
-from core.study.zeta_with import model_of
+from core.setting.demand_input import demand_of, generated
+from core.setting.floors import Floor, floor_of
+from core.setting.record_input import joined, read_records
+from core.setting.record_selection import Selection, select_records
+from core.setting.scene import Scene, model_of, polarities_of
 from core.wall.rocking_model import RockingModel
 
 
@@ -63,6 +63,26 @@ class Plan:
     search: Search
     entries: list[Entry]
     longest: float | None = None
+
+    def scene(
+        self, k: int, demand: DemandResult, compliance: Compliance | None = None, histories: Callable = demand_check
+    ) -> Scene:
+        """What the checks of an entry follow from. demand : with what the records add; histories : as of a Scene"""
+        entry, asked = self.entries[k], self.case.demand
+        assert asked is not None
+        return Scene(
+            entry.part.wall,
+            entry.mechanism,
+            demand,
+            asked,
+            self.case.building,
+            entry.floor,
+            tuple(self.motions),
+            compliance,
+            self.case.analysis.polarity,
+            self.method,
+            histories=histories,
+        )
 
     @property
     def runs(self) -> list[tuple[int, int, int]]:
@@ -209,29 +229,3 @@ def refuse_large(case: Case) -> None:
     """Raise InputError for a case no workbook holds."""
     if is_large(case):
         raise InputError("too_many_walls", found=results_in(case), most=MOST_WALLS)
-
-
-def costs_of(plan: Plan) -> dict[Any, float]:
-    """Cost of each task, in samples that the bisections of a search go through."""
-    search = plan.search
-    costs: dict[Any, float] = {
-        (k, record, sign): run_cost(plan.entries[k].felt[record], search) for k, record, sign in plan.runs
-    }
-    for k, entry in enumerate(plan.entries):
-        if plan.demand:
-            costs["check", k] = check_cost(entry.felt, len(entry.signs), entry.floor is not None)
-            if entry.part.wall.tie_height_m is not None:
-                costs["tie", k] = TIE * costs["check", k]
-            if plan.case.sensitivity:
-                cost = SENSITIVITY * (TIE if entry.model.bars else 1.0) * costs["check", k]
-                costs["sensitivity", entry.part.origin] = costs.get(("sensitivity", entry.part.origin), 0.0) + cost
-        if plan.case.analysis.accuracy:
-            costs["accuracy", k] = STATEMENT * max((run_cost(m, search) for m in entry.felt), default=1.0)
-    return costs
-
-
-def polarities_of(model: RockingModel, asked: str) -> tuple[int, ...]:
-    """Signs of the records: one where both do the same to the wall."""
-    if model.both_signs_alike or asked == "as_recorded":
-        return (1,)
-    return (-1,) if asked == "reversed" else (1, -1)

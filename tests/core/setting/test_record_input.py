@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from core.errors import InputError
+from core.setting.record_input import read_records
 from core.study import run as study
-from core.study.record_input import read_records
 from tests.core.study.cases import case
 
 

@@ -1,0 +1,67 @@
+"""Where something begins to hold: the one search of a boundary outside the kernels.
+
+`holds` of a value is True, False, or None where the value is refused.
+"""
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+Holds = Callable[[float], bool | None]
+
+MOST_STEPS = 200
+"""Halvings after which a bracket is as narrow as its numbers allow."""
+
+
+class Edge(NamedTuple):
+    """Both sides of a boundary. good : a value at which it holds, None where it holds at none that was tried; bad : one
+    at which it does not, None where it holds at all; refused : the bad one is refused"""
+
+    good: float | None
+    bad: float | None
+    refused: bool = False
+
+
+def narrowed(holds: Holds, good: float, bad: float, close: float = 0.0, steps: int = MOST_STEPS) -> Edge:
+    """The boundary between a value at which something holds and one at which it does not, by bisection.
+
+    close : difference of both sides, over the larger one, at which it stops; steps : halvings at the most
+    """
+    refused = False
+    for _ in range(steps):
+        middle = 0.5 * (good + bad)
+        if abs(good - bad) <= close * max(abs(good), abs(bad)) or middle in (good, bad):
+            break
+        found = holds(middle)
+        if found:
+            good = middle
+        else:
+            bad, refused = middle, found is None
+    return Edge(good, bad, refused)
+
+
+def edge(holds: Holds, start: float, ends: tuple[float, float], rises: bool, step: float, close: float) -> Edge:
+    """The boundary nearest to a value, looked for by growing steps and then narrowed.
+
+    start : where the search begins, above 0; ends : the smallest and the largest value that is tried
+    rises : it holds at large values rather than at small ones
+    step : factor of one step; close : as of `narrowed`
+    """
+    inside = bool(holds(start))
+    upwards = inside != rises
+    value, last, refused = start, ends[1] if upwards else ends[0], False
+    while value != last:
+        before = value
+        value = min(step * value, last) if upwards else max(value / step, last)
+        found = holds(value)
+        if bool(found) != inside:
+            sides = (before, value) if inside else (value, before)
+            refused = inside and found is None
+            narrow = narrowed(holds, *sides, close)
+            return narrow._replace(refused=narrow.refused or (refused and narrow.bad == sides[1]))
+    return Edge(value, None) if inside else Edge(None, value)
+
+
+def written_up(value: float, unit: float) -> float:
+    """A value rounded up to the digits it is written with. unit : of its last digit"""
+    return math.ceil(value / unit - 1e-9) * unit

@@ -1,0 +1,101 @@
+"""A wall about one hinge, by one mechanism, under one demand: all that its checks follow from."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+from core.case.schema import Wall
+from core.case.site import Building, Demand
+from core.codes.demand import DemandResult
+from core.codes.dynamic_check import demand_check
+from core.codes.kinematic import Kinematic, kinematic
+from core.codes.record_compatibility import Compliance
+from core.ground.ground_motion import GroundMotion
+from core.rocking.methods import Method
+from core.setting.floors import Floor, floor_of
+from core.wall.rocking_model import RockingModel, rocking_model
+
+
+def model_of(wall: Wall, mechanism: str) -> RockingModel:
+    """The rocking model of a wall."""
+    one_sided, restitution = mechanism == "one_sided", wall.restitution_of(mechanism)
+    blocks, law = (wall.block(), wall.inner_block()), wall.moment_law()
+    return rocking_model(blocks[0], one_sided, restitution, law, wall.restoring(), wall.bars(), blocks[1])
+
+
+def polarities_of(model: RockingModel, asked: str) -> tuple[int, ...]:
+    """Signs of the records: one where both do the same to the wall."""
+    if model.both_signs_alike or asked == "as_recorded":
+        return (1,)
+    return (-1,) if asked == "reversed" else (1, -1)
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What the checks of a wall follow from.
+
+    wall : of the case, about its hinge
+    demand : with what the records add; asked : of the case
+    building : None without [building]; floor : that the wall stands on, None on the ground
+    ground : the records; compliance : of them with the spectrum, None without a spectrum
+    polarity : of [analysis]
+    q_slv : of the searches of this very wall, the lower end of its spread and itself; None where none was made
+    histories : `demand_check`, or one that keeps its results
+    """
+
+    wall: Wall
+    mechanism: str
+    demand: DemandResult
+    asked: Demand
+    building: Building | None
+    floor: Floor | None
+    ground: tuple[GroundMotion, ...]
+    compliance: Compliance | None
+    polarity: str
+    method: Method
+    q_slv: tuple[float | None, float | None] = (None, None)
+    histories: Callable[..., Any] = demand_check
+
+    @cached_property
+    def model(self) -> RockingModel:
+        return model_of(self.wall, self.mechanism)
+
+    @property
+    def signs(self) -> tuple[int, ...]:
+        """Each record is taken with, 1 as recorded, -1 reversed."""
+        return polarities_of(self.model, self.polarity)
+
+    @property
+    def motions(self) -> list[GroundMotion]:
+        """The records as they move the wall; none of a wall held at its top, of which no histories are made."""
+        if self.wall.bends:
+            return []
+        return list(self.floor.motions if self.floor else self.ground)
+
+    @cached_property
+    def kinematic(self) -> Kinematic | None:
+        """Its mechanism; None above the ground where the building is not known. Raises InputError."""
+        if self.wall.above_ground and self.floor is None:
+            return None
+        return kinematic(self.wall, self.mechanism, self.demand, self.floor.spectrum if self.floor else None)
+
+    def but(self, **changes: Any) -> "Scene":
+        """With some of its parts changed: q of the searches goes, and the floor is that of the changed building, height
+        and demand. Raises InputError."""
+        there = replace(self, **({"q_slv": (None, None)} | changes))
+        if "floor" in changes or there._felt == self._felt:
+            return there
+        motions = () if there.wall.bends else there.ground
+        return replace(there, floor=floor_of(there.wall, there.building, there.demand, motions))
+
+    @property
+    def _felt(self) -> tuple:
+        """What the motion under the wall follows from."""
+        wall, demand = self.wall, self.demand
+        place = (wall.above_ground, wall.felt_z_m, wall.bends, self.building)
+        return *place, demand.limit_state, demand.pga, id(demand.target), tuple(map(id, self.ground))
+
+    def without_records(self) -> "Scene":
+        """For the checks of the clauses alone."""
+        return self.but(ground=()) if self.ground else self

@@ -1,0 +1,1 @@
+"""A wall evaluated, and whatever moves one of its inputs."""

@@ -1,0 +1,191 @@
+"""The checks of one wall at the demand, what raises zeta, and its verdict."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+
+from core.codes.dynamic_check import DemandCheck
+from core.codes.kinematic import SLD_CLAUSE, Check, Kinematic, with_and_without_ties
+from core.codes.kinematic_chain import chain
+from core.codes.risk import Risk, risk
+from core.codes.verdict import Verdict, verdict
+from core.errors import InputError
+from core.setting.floors import LOW_CODE, building_notes
+from core.setting.scene import Scene
+from core.text.sentence import Number, Sentence, sentence
+from core.units import G
+from core.variation.evaluate import Evaluation, evaluate, histories
+from core.variation.lifts import lifts
+from core.variation.tie_design import TieDesign
+from core.wall.wall_loads import carries, rocks_both_ways, without_ties
+
+OF_THE_FLOOR = ("other_building", "at_centroid")
+"""Codes of what lifts zeta above the ground."""
+
+GENERATED = "generated"
+"""Format of the motions of [generate]."""
+
+
+@dataclass(frozen=True)
+class StateZeta:
+    """A wall about one hinge at one limit state, evaluated as at that of the demand: by its kinematic checks, linear at
+    SLD, displacement and linear with q of the code at SLV, displacement at SLC; by time histories where they are asked
+    for.
+
+    return_period : T_R [years]; ag : on rock [m/s2]
+    code : of the table of outcomes
+    check : label of the one that decides, or would; zeta : of it, None where none could be made
+    zeta_target : required
+    checks : those that could be made, the most refined first
+    """
+
+    state: str
+    return_period: float
+    ag: float
+    code: str
+    check: str
+    zeta: float | None
+    zeta_target: float
+    checks: tuple[Check, ...] = ()
+
+
+@dataclass(frozen=True)
+class Assessment:
+    """Checks of one wall at the demand.
+
+    kinematic : quantities of the mechanism, None above the ground
+    checks : the table of methods, the most refined first
+    dynamic : None without records
+    lower_bound : the dynamic check of the two-sided wall, should the restraint behind a one-sided one fail
+    sensitivity : above the ground, zeta of the check that decides for another building and another height
+    code_over_records : of `Floor.code_over_records`
+    risk : of the check that decides, None where it has no zeta
+    tie : the force that brings zeta to what is required, where one is asked for
+    states : zeta at SLD, SLV and SLC by the hazard of the site, empty without it
+    """
+
+    kinematic: Kinematic | None
+    checks: tuple[Check, ...]
+    dynamic: DemandCheck | None
+    lower_bound: DemandCheck | None
+    verdict: Verdict
+    sensitivity: dict[str, float | None] = field(default_factory=dict)
+    code_over_records: float | None = None
+    risk: Risk | None = None
+    tie: TieDesign | None = None
+    states: tuple[StateZeta, ...] = ()
+
+    @property
+    def shown(self) -> tuple[tuple[Check, bool], ...]:
+        """Rows of the table of methods and whether each is a check of the verdict: beside these the dynamic
+        check with FC on the other side, and a_g,SLD, below which a_g,SLV of the displacement check is not."""
+        rows = []
+        for check in self.checks:
+            rows.append((check, True))
+            other = self.dynamic.zeta_other if self.dynamic else None
+            if check.name == "dynamic" and other:
+                passed = other.passed if other.zeta is not None else None
+                name = f"dynamic_{other.confidence_on}"
+                rows.append((replace(check, name=name, demand=None, zeta=other.zeta, passed=passed), False))
+            mechanism = self.kinematic
+            if check.name == "nonlinear" and mechanism is not None and mechanism.zeta_sld is not None:
+                assert mechanism.acceleration_demand is not None
+                values = mechanism.a0 / G, mechanism.acceleration_demand / G, mechanism.zeta_sld, None
+                rows.append((Check("floor_sld", SLD_CLAUSE, "g", *values), False))
+        return tuple(rows)
+
+
+def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Assessment:
+    """Dynamic, kinematic and simplified checks of a wall (Circolare 7/2019 C8.7.1.2.1); above the ground none where
+    the motion of its floor is not known. Raises Cancelled, and InputError where a spectrum ends too early."""
+    found = evaluate(scene, cancelled=cancelled)
+    kinematic, dynamic, demand = found.kinematic, found.dynamic, scene.demand
+    if kinematic is None:
+        return Assessment(None, (), None, None, verdict(found.evidence, None))
+    below = _without_restraint(scene, dynamic, cancelled)
+    raised = lifts(found, cancelled) if found.zeta is not None else ()
+    limits, ratio = [one for one in (found.lower_q,) if one is not None], None
+    if scene.floor is not None and scene.building is not None:
+        limits += building_notes(scene.building, demand.limit_state)
+        ratio = scene.floor.code_over_records(kinematic)
+    if ratio is not None and ratio < LOW_CODE:
+        limits.append(sentence("reason", "code_below_records", ratio=ratio))
+    if dynamic and any(motion.format == GENERATED for motion in scene.ground):
+        limits.append(sentence("reason", "generated_motions"))
+    limits += [*_of_bending(kinematic), *_of_ties_not_counted(found), *_of_ties_that_lower(found, cancelled)]
+    bound = below.zeta if below else _overturning(scene, cancelled)
+    said = verdict(found.evidence, bound, tuple(limits), raised)
+    sensitivity = {lift.words.code: lift.zeta for lift in raised if lift.words.code in OF_THE_FLOOR}
+    return Assessment(kinematic, found.checks, dynamic, below, said, sensitivity, ratio, _capacity(found))
+
+
+def _without_restraint(scene: Scene, dynamic: DemandCheck | None, cancelled: Callable[[], bool]) -> DemandCheck | None:
+    """The histories of a one-sided wall as it rocks both ways where what restrains it fails; None of another wall."""
+    wall = scene.wall
+    if dynamic is None or wall.mechanism != "one_sided" or not rocks_both_ways(wall):
+        return None
+    free = replace(wall, mechanism="two_sided", restitution=None, velocity_ratio=None)
+    return histories(scene.but(wall=free, mechanism="two_sided"), cancelled=cancelled)
+
+
+def _overturning(scene: Scene, cancelled: Callable[[], bool]) -> float | None:
+    """zeta of a wall held at its top, were it not: it overturns about its base. None of another wall, where its loads
+    would overturn it without an earthquake, and where a spectrum ends before its period."""
+    wall = scene.wall
+    if not wall.bends or not carries(wall):
+        return None
+    try:
+        free = scene.but(wall=replace(wall, mechanism="one_sided"), mechanism="one_sided")
+        return evaluate(free, other=False, cancelled=cancelled).zeta
+    except InputError:
+        return None
+
+
+def _of_bending(kinematic: Kinematic) -> list[Sentence]:
+    """What limits the verdict of a wall held at its top: no histories, a hinge as high as one is looked for."""
+    found = kinematic.chain.bending
+    if found is None:
+        return []
+    limits = [sentence("reason", "no_histories", q=2), sentence("reason", "top_force", force=1e-3 * found.top_force)]
+    if found.highest:
+        limits.append(sentence("reason", "hinge_highest", height=found.h1))
+    return limits
+
+
+def _of_ties_not_counted(found: Evaluation) -> list[Sentence]:
+    """What the clauses do not count of ties; the other reading of SLD is shown, not taken."""
+    wall, kinematic = found.scene.wall, found.kinematic
+    if kinematic is None or not any(load.is_tie for load in wall.load):
+        return []
+    if found.scene.demand.limit_state == "SLD" and kinematic.zeta_sld is not None:
+        alpha, share, _ = chain(wall, found.scene.mechanism == "two_sided").start
+        zeta = kinematic.zeta_sld * (alpha / share) / (kinematic.alpha0 / kinematic.e_star)
+        return [sentence("reason", "ties_at_sld", zeta=Number(zeta))]
+    if any(load.slack_mm for load in wall.load) and any(check.name != "dynamic" for check in found.checks):
+        return [sentence("reason", "slack_not_counted")]
+    return []
+
+
+def _of_ties_that_lower(found: Evaluation, cancelled: Callable[[], bool]) -> list[Sentence]:
+    """zeta with the ties of a wall and without them: of the displacement check the larger counts, histories take the
+    ties as they are."""
+    scene, said = found.scene, []
+    if found.kinematic is None or not any(load.is_tie for load in scene.wall.load):
+        return []
+    if pair := with_and_without_ties(found.kinematic, scene.demand):
+        said.append(sentence("reason", "ties_displacement", tied=Number(pair[0]), bare=Number(pair[1])))
+    if found.dynamic is None or found.dynamic.zeta is None:
+        return said
+    bare = histories(scene.but(wall=without_ties(scene.wall)), cancelled=cancelled)
+    if bare is not None and bare.zeta is not None and round(bare.zeta, 2) > round(found.dynamic.zeta, 2):
+        values = {"tied": Number(found.dynamic.zeta), "bare": Number(bare.zeta)}
+        said.append(sentence("reason", "ties_histories", **values))
+    return said
+
+
+def _capacity(found: Evaluation) -> Risk | None:
+    """PGA the wall withstands and its return period, None where zeta_E tells neither."""
+    demand, by_histories = found.scene.demand, found.decides is not None and found.decides.name == "dynamic"
+    # records weaker than the demand tell nothing of a PGA
+    if found.zeta is None or (by_histories and demand.weak_share is not None):
+        return None
+    return risk(found.zeta, demand, found.low if by_histories else None)

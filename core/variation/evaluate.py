@@ -1,0 +1,160 @@
+"""The only way from a wall to its checks: what each says, and the outcome they come to."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum
+from functools import cached_property
+
+from core.codes.dynamic_check import DemandCheck
+from core.codes.kinematic import Check, Kinematic, checks_of, linear
+from core.codes.limits import counted_stations
+from core.codes.outcomes import FAILS, OPEN, PASSES
+from core.codes.verdict import Circumstances, Evidence, governing_check, outcome_of
+from core.setting.scene import Scene
+from core.text.sentence import Sentence, sentence
+
+EXACT_METHODS = ("auto", "taylor", "taylor_6", "dormand_prince")
+"""Methods whose result a verdict may rest on; the others are for comparison."""
+
+BUNDLED = "# Ribalta example motion"
+"""How the header of a bundled motion begins."""
+
+AT_LIMIT = "at_limit"
+"""Of histories whose rule holds at what is required, and whose spread contains it: it counts as failed."""
+
+
+class Precision(Enum):
+    """How finely zeta of histories is searched: every how many points of its grid.
+
+    RUN : all of them, as it is written; GLANCE : under the hand, two digits that are said with "about"
+    """
+
+    RUN = 1
+    GLANCE = 4
+
+
+RUN, GLANCE = Precision.RUN, Precision.GLANCE
+
+
+@dataclass(frozen=True)
+class Evaluation:
+    """The checks of a scene.
+
+    kinematic : None above the ground where the building is not known
+    dynamic : the check by histories, None without records and of a limit state that has none
+    checks : those that could be made, the most refined first
+    precision : of the histories
+    """
+
+    scene: Scene
+    kinematic: Kinematic | None
+    dynamic: DemandCheck | None
+    checks: tuple[Check, ...]
+    precision: Precision = RUN
+
+    @property
+    def decides(self) -> Check | None:
+        """The check that decides."""
+        return governing_check(self.checks)
+
+    @property
+    def zeta(self) -> float | None:
+        """Of the check that decides."""
+        return self.decides.zeta if self.decides else None
+
+    @property
+    def low(self) -> float | None:
+        """The lowest end of what zeta is known to be."""
+        return self.dynamic.zeta_spread[0] if self.dynamic and self.dynamic.zeta_spread else self.zeta
+
+    def made(self, name: str) -> Check | None:
+        """The check of this name, None where it was not made."""
+        return next((check for check in self.checks if check.name == name), None)
+
+    def judgement(self, check: Check | None) -> str:
+        """FAILS, AT_LIMIT, OPEN or PASSES: what one of its checks says; a check that was not made says nothing."""
+        if check is None or check.zeta is None:
+            return OPEN
+        if check.name == "dynamic" and self.dynamic and self.dynamic.within_spread(self.scene.demand.zeta_target):
+            return AT_LIMIT
+        return PASSES if check.passed else FAILS
+
+    @property
+    def evidence(self) -> Evidence:
+        """What the verdict is judged by."""
+        scene = self.scene
+        motions, demand, floor = scene.motions, scene.demand, scene.floor
+        circumstances = Circumstances(
+            stations=len(counted_stations(motions, demand)),
+            bundled=any(value.startswith(BUNDLED) for motion in motions for _, value in motion.details),
+            strongest=max((demand.scaling(motion) * motion.pga for motion in motions), default=0.0),
+            both_signs=scene.model.both_signs_alike or len(scene.signs) == 2,
+            period_estimated=floor is not None and floor.estimated,
+            exact=scene.method.name in EXACT_METHODS,
+        )
+        parts = (self.checks, self.dynamic, self.kinematic, scene.compliance, circumstances)
+        return Evidence(scene.wall, scene.mechanism, demand, *parts)
+
+    @cached_property
+    def outcome(self) -> str:
+        """Code of the table of outcomes, before what raises zeta is looked at; "undetermined" at a glance, which says
+        none."""
+        return outcome_of(self.evidence) if self.precision is RUN else "undetermined"
+
+    @property
+    def satisfied(self) -> bool:
+        """Whether the check that decides surely is, its spread included."""
+        return self.judgement(self.decides) == PASSES
+
+    @property
+    def turned(self) -> bool:
+        """Whether the check that decides fails or is at its limit."""
+        return self.judgement(self.decides) in (FAILS, AT_LIMIT)
+
+    @property
+    def lower_q(self) -> Sentence | None:
+        """That the linear check with q SLV passes with q SLV and not with the lower end of its spread."""
+        low, high = (_counted(self.kinematic, q) if self.kinematic else None for q in self.scene.q_slv)
+        check, demand = self.made("linear_q_slv"), self.scene.demand
+        if check is None or check.passed or high is None or self.kinematic is None:
+            return None
+        beyond = linear("linear_q_slv", self.kinematic, demand, high)
+        if low is None or beyond is None or not beyond.passed:
+            return None
+        return sentence("reason", "lower_q_slv", low=self.scene.q_slv[0], q=self.scene.q_slv[1])
+
+
+def evaluate(
+    scene: Scene, precision: Precision = RUN, other: bool = True, cancelled: Callable[[], bool] = lambda: False
+) -> Evaluation:
+    """The checks of a scene.
+
+    other : with FC on the other side too, which decides whether an outcome that passes is more than indicative
+    cancelled : asked between two chunks of analyses
+    Raises InputError where a check cannot be made of the wall, and Cancelled.
+    """
+    kinematic = scene.kinematic
+    if kinematic is None:
+        return Evaluation(scene, None, None, (), precision)
+    dynamic = histories(scene, precision, other, cancelled)
+    made = checks_of(kinematic, scene.demand, _counted(kinematic, scene.q_slv[0]))
+    return Evaluation(scene, kinematic, dynamic, ((dynamic.as_check(),) if dynamic else ()) + made, precision)
+
+
+def histories(
+    scene: Scene, precision: Precision = RUN, other: bool = False, cancelled: Callable[[], bool] = lambda: False
+) -> DemandCheck | None:
+    """The check of a scene by time histories alone; the parameters are those of `evaluate`."""
+    if not (motions := scene.motions):
+        return None
+    parts = (scene.model, motions, scene.signs, scene.demand, scene.method)
+    return scene.histories(*parts, precision.value, other, cancelled)
+
+
+def _counted(kinematic: Kinematic, q: float | None) -> float | None:
+    """q of the searches counted from a0*, which e* raises and must not count twice; of the wall without its ties, which
+    do not hold it at rest, and without the friction of return walls."""
+    if q is None:
+        return None
+    bare = kinematic.chain.alpha0_bare
+    return q * kinematic.e_star * (bare / kinematic.alpha0 if kinematic.alpha0 > bare else 1.0)

@@ -1,0 +1,108 @@
+"""The demands of SLD, SLV and SLC of a site by its hazard, and a wall at each (NTC 2018, Annex A)."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from core.capacity.limit_states import LIMIT_FRACTION
+from core.case.schema import Case
+from core.codes.demand import DemandResult, with_records
+from core.codes.limits import return_period
+from core.codes.record_compatibility import Compliance, compliance
+from core.ground.ground_motion import GroundMotion
+from core.setting.demand_input import demand_of, hazard_of, interpolated, within
+from core.setting.plan import Plan
+from core.setting.scene import Scene
+from core.text.sentence import Sentence, notice
+from core.variation.assessment import Assessment, StateZeta, assess
+
+STATES = ("SLD", "SLV", "SLC")
+
+
+def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:
+    """The demand of each limit state; empty without the hazard, or V_N and C_U, or where a spectrum of NTC 2018 is
+    asked and the hazard has no F_0 and T_C*; without the states whose return period lies outside its rows. Raises
+    InputError."""
+    asked = case.demand
+    if asked is None or asked.spectrum_file or not (hazard := hazard_of(asked, base_dir)):
+        return {}
+    if None in (asked.nominal_life_years, asked.use_class_factor):
+        return {}
+    found = {}
+    for state in STATES:
+        years = return_period(asked.nominal_life_years * asked.use_class_factor, state)
+        if not within(hazard, years):
+            continue
+        row = interpolated(hazard, years)
+        spectrum = asked.spectrum
+        if spectrum is not None and spectrum.code == "NTC2018":
+            if row.f0 is None or row.tc_star_s is None:
+                return {}
+            spectrum = replace(spectrum, f0=row.f0, tc_star_s=row.tc_star_s)
+        demand = replace(asked, limit_state=state, ag_g=row.ag_g, spectrum=spectrum, return_period_years=years)
+        found[state] = demand_of(replace(case, demand=demand), base_dir)
+    return found
+
+
+def unsaid(demand: DemandResult | None, found: dict[str, DemandResult]) -> list[Sentence]:
+    """Notices on limit states a hazard was given for, and that are not among those found."""
+    if demand is None or not demand.hazard:
+        return []
+    if not found:
+        return [notice("hazard_incomplete")]
+    missing = [state for state in STATES if state not in found]
+    return [notice("hazard_too_short", states=", ".join(missing))] if missing else []
+
+
+def at_states(
+    scene: Scene,
+    known: Assessment,
+    demands: dict[str, DemandResult],
+    rules: dict[str, Compliance | None],
+    cancelled: Callable[[], bool] = lambda: False,
+) -> tuple[StateZeta, ...]:
+    """The wall at each limit state; at that of the demand it is what is known of it there.
+
+    demands : of `demands_of`
+    rules : whether the records comply with the spectrum of a state; of the states by histories alone
+    Raises InputError where a spectrum ends too early, and Cancelled.
+    """
+    found = []
+    for state, demand in demands.items():
+        there = known
+        if state != scene.demand.limit_state:
+            there = assess(_at(scene, demand, rules), cancelled)
+        verdict = there.verdict
+        decides = next((check.label for check in there.checks if check.name == verdict.governing), None)
+        label = decides or ("linear_sld" if state == "SLD" else "nonlinear")
+        years, target = demand.return_period or 0.0, demand.zeta_target
+        found.append(StateZeta(state, years, demand.ag, verdict.code, label, verdict.zeta_e, target, there.checks))
+    return tuple(found)
+
+
+def _at(scene: Scene, demand: DemandResult, rules: dict[str, Compliance | None]) -> Scene:
+    """The scene at the demand of another limit state; its records, where they are used as given, times the ratio of the
+    peak accelerations, and none of a state that is not asked for by histories."""
+    if demand.limit_state not in rules:
+        return scene.but(demand=demand, ground=(), compliance=None)
+    ground = tuple(scaled(scene.ground, scene.demand, demand))
+    return scene.but(demand=with_records(demand, list(ground)), ground=ground, compliance=rules[demand.limit_state])
+
+
+def scaled(ground: Sequence[GroundMotion], demand: DemandResult, there: DemandResult) -> Sequence[GroundMotion]:
+    """The records of a demand as they follow another one: where they are used as given, in proportion to a_g S."""
+    factor = there.pga / demand.pga if there.record_scaling == "as_given" else 1.0
+    if factor == 1.0:
+        return ground
+    return [replace(motion, acceleration=factor * motion.acceleration) for motion in ground]
+
+
+def rules_of(plan: Plan, demand: DemandResult, demands: dict[str, DemandResult]) -> dict[str, Compliance | None]:
+    """Whether the records comply with the spectrum of each limit state that is asked for by histories."""
+    asked = plan.case.demand.limit_states if plan.case.demand and plan.motions else ()
+    found = {}
+    for state in asked:
+        if state in demands and state != demand.limit_state and state in LIMIT_FRACTION:
+            motions = list(scaled(plan.motions, demand, demands[state]))
+            found[state] = compliance(motions, plan.kinds, demands[state], plan.longest_period)
+    return found

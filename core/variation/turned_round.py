@@ -1,0 +1,171 @@
+"""The answer turned round: the thickness, the force of a tie, the a_g at which zeta of each check reaches what is
+required."""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+from core.boundary import Edge, edge
+from core.case.schema import Wall
+from core.errors import InputError
+from core.setting.demand_input import with_ag
+from core.variation.evaluate import GLANCE, RUN, Precision
+from core.variation.sensitivity import loaded, thinner
+from core.variation.swings import Reach
+from core.variation.whole_wall import NONE, Setting, WholeWall, evaluate_wall, with_demand, with_wall
+
+CLOSE = 0.002
+"""Width of the bracket of a value, of the value [-]."""
+
+RAISED = 1.02
+"""More of the value at which histories must hold as well: their rule is not monotone."""
+
+BEYOND, TRIES = 0.01, 30
+"""Step and count by which a value of the histories is moved on until the run itself is satisfied."""
+
+STEP = 1.25
+"""Factor by which a search goes on until its outcome changes."""
+
+WIDEST = {"thickness_m": 4.0, "tie_kn_m": 64.0, "ag_g": 16.0}
+"""Factor of the value given up to which, and share of it down to which, it is searched."""
+
+WRITTEN = {"thickness_m": 1e-3, "tie_kn_m": 1e-2, "ag_g": 1e-3}
+"""Last digit a value is written with; it is rounded to the safe side."""
+
+Change = Callable[[Setting, float], Setting]
+"""The setting with a value of the key."""
+
+
+def _of_thickness(setting: Setting, thickness: float) -> Setting:
+    return with_wall(setting, thinner(setting.case.wall[0], thickness))
+
+
+def _of_ties(setting: Setting, force: float) -> Setting:
+    wall = setting.case.wall[0]
+    share = force / tie_force(wall)
+    loads = (replace(load, kn_m=share * load.kn_m) if load.is_tie else load for load in wall.load)
+    return with_wall(setting, replace(wall, load=tuple(loads)))
+
+
+def _of_ag(setting: Setting, ag_g: float) -> Setting:
+    asked = setting.case.demand
+    assert asked is not None
+    return with_demand(setting, with_ag(setting.demand, asked, setting.base_dir, ag_g / asked.ag_g))
+
+
+def _of_height(setting: Setting, height: float) -> Setting:
+    return with_wall(setting, replace(setting.case.wall[0], height_m=height))
+
+
+def _of_loads(setting: Setting, factor: float) -> Setting:
+    return with_wall(setting, loaded(setting.case.wall[0], factor))
+
+
+def tie_force(wall: Wall) -> float:
+    """Of its ties together, given by their forces at yield [kN/m]; 0 where a bar gives one, or there is none."""
+    ties = [load.kn_m for load in wall.load if load.is_tie]
+    return 0.0 if None in ties else math.fsum(force for force in ties if force is not None)
+
+
+def keys_of(setting: Setting) -> dict[str, float]:
+    """What is searched for of a wall -> its value now."""
+    wall, demand = setting.case.wall[0], setting.case.demand
+    assert demand is not None
+    found = {"ag_g": demand.ag_g}
+    if wall.thickness is not None and not wall.solid:
+        found["thickness_m"] = wall.thickness
+    if tie_force(wall) > 0.0:
+        found["tie_kn_m"] = tie_force(wall)
+    return found
+
+
+CHANGES: dict[str, Change] = {
+    "thickness_m": _of_thickness,
+    "height_m": _of_height,
+    "tie_kn_m": _of_ties,
+    "load_factor": _of_loads,
+    "ag_g": _of_ag,
+}
+"""Key -> the setting with another value of it, in the order they are applied; loads in shares of what they are."""
+
+
+def moved_keys(setting: Setting) -> dict[str, float]:
+    """What can be moved of a wall by hand -> its value now."""
+    wall = setting.case.wall[0]
+    found = keys_of(setting)
+    if wall.height_m is not None and not wall.solid:
+        found["height_m"] = wall.height_m
+    if any(not load.is_tie for load in wall.load):
+        found["load_factor"] = 1.0
+    return {key: found[key] for key in CHANGES if key in found}
+
+
+def with_values(setting: Setting, values: dict[str, float]) -> Setting:
+    """The setting with several values at once. Raises InputError where the wall does not stand with them."""
+    for key, change in CHANGES.items():
+        if key in values:
+            setting = change(setting, values[key])
+    return setting
+
+
+def reach_of(setting: Setting, key: str, given: float, cancelled: Callable[[], bool] = lambda: False) -> Reach:
+    """The value of a key at which zeta of each check reaches what is required: of a_g the largest, else the smallest,
+    in the digits it is written with.
+
+    given : its value now
+    Raises Cancelled.
+    """
+    known: dict[tuple[float, Precision | None], WholeWall] = {}
+
+    def at(value: float, precision: Precision | None) -> WholeWall:
+        if (value, precision) not in known:
+            try:
+                moved = CHANGES[key](setting, value)
+                known[value, precision] = evaluate_wall(moved, precision, cancelled=cancelled)
+            except InputError:
+                known[value, precision] = NONE
+        return known[value, precision]
+
+    found: dict[str, float | None] = {}
+    throughout = []
+    for label in at(given, GLANCE).by_check:
+        dynamic = label == "dynamic"
+        edge_of = _searched(lambda value, on, label=label: _holds(at(value, on), label), key, given, dynamic)
+        found[label] = None if edge_of.bad is None else edge_of.good
+        # what ends at a value that is refused holds at all that are accepted
+        if edge_of.good is not None and (edge_of.bad is None or edge_of.refused):
+            found[label], throughout = None, [*throughout, label]
+    return Reach(key, given, found, tuple(throughout))
+
+
+def _holds(there: WholeWall, label: str) -> bool | None:
+    """Whether a check surely holds about every hinge; None of a wall that is refused."""
+    return bool(there.satisfied.get(label)) if there.hinges else None
+
+
+def _searched(holds: Callable[[float, Precision | None], bool | None], key: str, given: float, dynamic: bool) -> Edge:
+    """The boundary of a check. holds(value, precision) : whether it does; dynamic : it is that of the histories, which
+    must hold a little beyond as well, and near what a glance finds in the run itself"""
+    falls = key == "ag_g"
+    sign = -1.0 if falls else 1.0
+    ends = given / WIDEST[key], given * WIDEST[key]
+
+    def fine(value: float, precision: Precision | None) -> bool | None:
+        found = holds(value, precision)
+        return holds(value * RAISED**sign, precision) if found and dynamic else found
+
+    found = edge(lambda value: fine(value, GLANCE if dynamic else None), given, ends, not falls, STEP, CLOSE)
+    if found.good is None or found.bad is None or found.refused:
+        return found
+    for k in range(TRIES if dynamic else 1):
+        value = _written(key, found.good * (1.0 + BEYOND) ** (sign * k))
+        if holds(value, RUN if dynamic else None):
+            return found._replace(good=value)
+    return Edge(None, found.bad)
+
+
+def _written(key: str, value: float) -> float:
+    """A value rounded to the safe side, of a_g down, else up."""
+    unit = WRITTEN[key]
+    rounded = math.floor(value / unit + 1e-9) if key == "ag_g" else math.ceil(value / unit - 1e-9)
+    return round(rounded * unit, 6)

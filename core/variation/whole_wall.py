@@ -1,0 +1,141 @@
+"""A wall of a case evaluated about all its hinges, without the search of q: as it is, or with another input."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+
+from core.capacity.limit_states import LIMIT_FRACTION
+from core.case.rules import with_walls
+from core.case.schema import Case, Wall
+from core.case.site import FULL_FACTOR
+from core.codes.demand import DemandResult
+from core.codes.dynamic_check import demand_check
+from core.codes.outcomes import FAILS, OPEN, PASSES, least
+from core.setting.plan import Floors, Inputs, plan_of
+from core.variation.evaluate import AT_LIMIT, RUN, Evaluation, Precision, evaluate
+from core.variation.limit_states import scaled
+
+
+@dataclass(frozen=True)
+class WholeWall:
+    """A wall evaluated about each of its hinges, by each of its mechanisms; none of a wall that does not stand.
+
+    The linear check with the wall's own q is not made: it asks for a search.
+    """
+
+    hinges: tuple[Evaluation, ...]
+
+    @cached_property
+    def by_check(self) -> dict[str, float | None]:
+        """Label of a check -> the lowest zeta, None where one is not known; in the order of the first hinge."""
+        return {label: least(check.zeta for _, check in found) for label, found in self._by_label.items()}
+
+    @cached_property
+    def satisfied(self) -> dict[str, bool | None]:
+        """Label -> whether the check is satisfied about every hinge; None where that is open or at its limit."""
+        found = {}
+        for label, hinges in self._by_label.items():
+            said = {hinge.judgement(check) for hinge, check in hinges}
+            found[label] = False if FAILS in said else None if said & {AT_LIMIT, OPEN} else True
+        return found
+
+    @property
+    def _by_label(self) -> dict[str, list]:
+        found: dict[str, list] = {}
+        for hinge in self.hinges:
+            for check in hinge.checks:
+                found.setdefault(check.label, []).append((hinge, check))
+        return found
+
+    @property
+    def zeta(self) -> float | None:
+        """The lowest of the checks that decide."""
+        return least(hinge.zeta for hinge in self.hinges)
+
+    @property
+    def sure(self) -> bool:
+        """Whether the check that decides about each hinge is satisfied, its spread included."""
+        return bool(self.hinges) and all(hinge.satisfied for hinge in self.hinges)
+
+    @property
+    def judgement(self) -> str:
+        """FAILS, where one hinge does or is at its limit, else OPEN or PASSES."""
+        if any(hinge.turned for hinge in self.hinges) or not self.hinges:
+            return FAILS
+        return PASSES if self.sure else OPEN
+
+
+NONE = WholeWall(())
+"""A wall that does not stand."""
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What stays the same while inputs of a wall move.
+
+    case : with that wall alone; inputs : of `read_inputs`; histories : `demand_check`, or one that keeps its results
+    """
+
+    case: Case
+    base_dir: Path
+    inputs: Inputs
+    histories: Callable = demand_check
+
+    @property
+    def demand(self) -> DemandResult:
+        """Of the case, given."""
+        demand = self.inputs[0]
+        assert demand is not None
+        return demand
+
+    @property
+    def has_histories(self) -> bool:
+        """Whether time histories decide."""
+        return bool(self.inputs[1]) and not self.case.wall[0].bends and self.demand.limit_state in LIMIT_FRACTION
+
+
+def setting_of(case: Case, k: int, base_dir: Path, inputs: Inputs, histories: Callable = demand_check) -> Setting:
+    """For the k-th wall of a case with a demand; no tie is sought."""
+    wall = replace(case.wall[k], tie_height_m=None, tie_bar_length_m=None, tie_elongation_m=None, tie_spacing_m=None)
+    # whether an FC below 1.35 is founded was judged; a strength that is moved is no tested one
+    demand = replace(case.demand, confidence_factor=FULL_FACTOR) if case.demand else None
+    analysis = replace(case.analysis, accuracy=False)
+    alone = replace(case, wall=(wall,), demand=demand, sensitivity=None, analysis=analysis)
+    return Setting(alone, base_dir, inputs, histories)
+
+
+def with_wall(setting: Setting, wall: Wall) -> Setting:
+    """With another wall. Raises InputError where it breaks a rule, or does not stand."""
+    return replace(setting, case=with_walls(setting.case, [wall]))
+
+
+def with_demand(setting: Setting, demand: DemandResult) -> Setting:
+    """With another demand; records that are used as given follow its a_g S."""
+    _, motions, kinds = setting.inputs
+    return replace(setting, inputs=(demand, [*scaled(motions, setting.demand, demand)], kinds))
+
+
+def without_record(setting: Setting, k: int) -> Setting:
+    """Without the k-th record."""
+    demand, motions, kinds = setting.inputs
+    return replace(setting, inputs=(demand, motions[:k] + motions[k + 1 :], kinds[:k] + kinds[k + 1 :]))
+
+
+def evaluate_wall(
+    setting: Setting,
+    precision: Precision | None = RUN,
+    floors: Floors | None = None,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> WholeWall:
+    """The wall of a setting about all its hinges.
+
+    precision : of the histories; None makes none
+    floors : of the building, kept for the next call with the same demand and building
+    Raises InputError, Cancelled.
+    """
+    plan = plan_of(setting.case, setting.base_dir, setting.inputs, floors=floors)
+    scenes = [plan.scene(k, setting.demand, histories=setting.histories) for k in range(len(plan.entries))]
+    if precision is None:
+        return WholeWall(tuple(evaluate(scene.without_records()) for scene in scenes))
+    return WholeWall(tuple(evaluate(scene, precision, other=False, cancelled=cancelled) for scene in scenes))
