@@ -54,6 +54,7 @@ REFUSALS = "tests/core/ground/test_record_refusals.py"
 BODIES = "tests/validation/test_bodies.py"
 
 SHOWN_BY = {
+    "variation/changes": "tests/core/variation/test_whole_wall.py",
     "codes/outcomes": "tests/core/variation/test_one_decision.py",
     "capacity/bisection": "tests/core/capacity/test_ida.py",
     "case/select": SELECTION,

@@ -18,14 +18,14 @@ from core.codes.outcomes import least
 from core.codes.record_sample import RecordPeaks, SampleInterval, record_peaks, sample_interval
 from core.ground.provenance import LEAST_STATIONS, station_of
 from core.setting.demand_input import with_ag
-from core.setting.plan import Plan
+from core.setting.plan import Floors, Plan
 from core.study.journal import rebuilt
 from core.study.kept_checks import KeptChecks, check_key
 from core.study.progress import Progress
 from core.study.results import WallResult, WallVerdict
 from core.text.sentence import sentence
 from core.threads import Batch, Work
-from core.variation.sensitivity import moves, records_left_out, sensitivity_of
+from core.variation.sensitivity import moved_wall, moves, records_left_out, sensitivity_of
 from core.variation.swings import Sensitivity, move_words
 from core.variation.turned_round import keys_of, reach_of
 from core.variation.whole_wall import setting_of
@@ -109,8 +109,11 @@ def _with_sensitivity(
     if ranges.record_left_out and None not in zetas and len(plan.motions) > 1:
         tasks = enumerate(zip(hinges, zetas, strict=True))
         peaks = yield Batch({k: functools.partial(_peaks_of, plan, one, demand, zeta) for k, (one, zeta) in tasks})
-        made += records_left_out(setting, [peaks[k] for k in range(len(hinges))])
-    work: dict[tuple[str, int | str], Callable] = {("move", m): move.task for m, move in enumerate(made)}
+        made += records_left_out([peaks[k] for k in range(len(hinges))])
+    floors = Floors()
+    work: dict[tuple[str, int | str], Callable] = {
+        ("move", m): functools.partial(moved_wall, setting, move, floors) for m, move in enumerate(made)
+    }
     work |= {("reach", key): functools.partial(reach_of, setting, key, given) for key, given in turned.items()}
     done = yield Batch(work)
     progress.done(("sensitivity", origin))

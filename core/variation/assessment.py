@@ -13,6 +13,7 @@ from core.setting.floors import LOW_CODE, building_notes
 from core.setting.scene import Scene
 from core.text.sentence import Number, Sentence, sentence
 from core.units import G
+from core.variation.changes import thinner
 from core.variation.evaluate import Evaluation, evaluate, histories
 from core.variation.lifts import lifts
 from core.variation.tie_design import TieDesign
@@ -20,6 +21,9 @@ from core.wall.wall_loads import carries, rocks_both_ways, without_ties
 
 OF_THE_FLOOR = ("other_building", "at_centroid")
 """Codes of what lifts zeta above the ground."""
+
+THICKER = 1.05
+"""Of the thickness, at which zeta is looked at as well: it is not known better."""
 
 GENERATED = "generated"
 """Format of the motions of [generate]."""
@@ -112,6 +116,7 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
     if dynamic and any(motion.format == GENERATED for motion in scene.ground):
         limits.append(sentence("reason", "generated_motions"))
     limits += [*_of_bending(kinematic), *_of_ties_not_counted(found), *_of_ties_that_lower(found, cancelled)]
+    limits += _of_a_thicker_wall(found)
     bound = below.zeta if below else _overturning(scene, cancelled)
     said = verdict(found.evidence, bound, tuple(limits), raised)
     sensitivity = {lift.words.code: lift.zeta for lift in raised if lift.words.code in OF_THE_FLOOR}
@@ -180,6 +185,23 @@ def _of_ties_that_lower(found: Evaluation, cancelled: Callable[[], bool]) -> lis
         values = {"tied": Number(found.dynamic.zeta), "bare": Number(bare.zeta)}
         said.append(sentence("reason", "ties_histories", **values))
     return said
+
+
+def _of_a_thicker_wall(found: Evaluation) -> list[Sentence]:
+    """That a thicker wall has the lower zeta by the check of the clauses that decides: what holds it besides its weight
+    does not grow with it, or it vibrates nearer to the plateau of the spectrum."""
+    scene, check = found.scene, found.decides
+    thickness = scene.wall.thickness
+    if check is None or check.zeta is None or check.name == "dynamic" or thickness is None or scene.wall.solid:
+        return []
+    try:
+        thicker = evaluate(scene.but(wall=thinner(scene.wall, THICKER * thickness))).made(check.name)
+    except InputError:
+        return []
+    if thicker is None or thicker.zeta is None or round(thicker.zeta, 2) >= round(check.zeta, 2):
+        return []
+    values = {"zeta": Number(thicker.zeta), "given": Number(check.zeta)}
+    return [sentence("reason", "thicker_less", cm=Number(100.0 * THICKER * thickness, ".1f"), **values)]
 
 
 def _capacity(found: Evaluation) -> Risk | None:

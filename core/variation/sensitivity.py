@@ -21,6 +21,7 @@ from core.setting.demand_input import with_ag
 from core.setting.floors import damaged
 from core.setting.plan import Floors
 from core.variation.assessment import Assessment
+from core.variation.changes import loaded, of_theory, set_back, thinner
 from core.variation.swings import End, Sensitivity, Swing
 from core.variation.whole_wall import NONE, Setting, WholeWall, evaluate_wall, with_demand, with_wall, without_record
 
@@ -30,55 +31,51 @@ DAMPINGS = (0.01, 0.30)
 FALLS = "unstable_under_loads"
 """Error of a wall that falls without an earthquake: it has no zeta. What is refused for another reason is not moved."""
 
-Task = Callable[[Callable[[], bool]], WholeWall | InputError]
-"""Of a move: the wall there, or why there is none. Takes what tells it to stop."""
+Change = Callable[[Setting], Setting]
 
 
 class Move(NamedTuple):
-    """An input at one end. key : of the ranges; given, value : of the input, in its unit; task : evaluates it there"""
+    """An input at one end. key : of the ranges; given, value : of the input, in its unit; change : to that end"""
 
     key: str
     given: float | None
     value: float
-    task: Task
+    change: Change
+
+
+def moved_wall(setting: Setting, move: Move, floors: Floors, stop: Callable[[], bool]) -> WholeWall | InputError:
+    """The wall at the end of a move, as the run of the moved case says, or why there is none.
+
+    floors : of the setting, kept for the next move; stop : tells it to
+    """
+    try:
+        there = move.change(setting)
+        same = there.case.building == setting.case.building and there.inputs is setting.inputs
+        return evaluate_wall(there, floors=floors if same else None, cancelled=stop)
+    except InputError as error:
+        return NONE if error.code == FALLS else error
 
 
 def moves(setting: Setting, ranges: Ranges) -> list[Move]:
-    """What is moved of a wall, each as the run of the moved case says. setting : of `setting_of`"""
-    known = Floors()
-
-    def task(change: Callable[[Setting], Setting]) -> Task:
-        def found(stop: Callable[[], bool]) -> WholeWall | InputError:
-            try:
-                moved = change(setting)
-                same = moved.case.building == setting.case.building and moved.inputs is setting.inputs
-                return evaluate_wall(moved, floors=known if same else None, cancelled=stop)
-            except InputError as error:
-                return NONE if error.code == FALLS else error
-
-        return found
-
-    found = []
+    """What is moved of a wall. setting : of `setting_of`"""
     moved = (*_of_wall(setting, ranges), *_of_building(setting, ranges), *_of_demand(setting, ranges))
-    for key, given, ends in moved:
-        found += [Move(key, given, value, task(change)) for value, change in ends]
-    return found
+    return [Move(key, given, value, change) for key, given, ends in moved for value, change in ends]
 
 
-def records_left_out(setting: Setting, peaks: Sequence[RecordPeaks]) -> list[Move]:
+def records_left_out(peaks: Sequence[RecordPeaks]) -> list[Move]:
     """The wall without the record that lowers zeta most, and without the one that raises it most: their places are the
     values. peaks : of all its hinges"""
     top = [one.multipliers[-1] for one in peaks]
     without = np.array([np.minimum(one_left_out(one), last) for one, last in zip(peaks, top, strict=True)]).min(axis=0)
 
-    def task(k: int) -> Task:
-        return lambda stop: evaluate_wall(without_record(setting, k), cancelled=stop)
+    def change(k: int) -> Change:
+        return lambda now: without_record(now, k)
 
     places = dict.fromkeys((int(without.argmin()), int(without.argmax())))
-    return [Move("record_left_out", None, float(k), task(k)) for k in places]
+    return [Move("record_left_out", None, float(k), change(k)) for k in places]
 
 
-Ends = list[tuple[float, Callable[[Setting], Setting]]]
+Ends = list[tuple[float, Change]]
 """(value of an input there, what changes the setting) of each end."""
 
 
@@ -121,42 +118,6 @@ def _others(factors: tuple[float, float]) -> list[float]:
     return [factor for factor in factors if factor != 1.0]
 
 
-def thinner(wall: Wall, thickness: float) -> Wall:
-    """A wall of another thickness [m]; its loads keep their share of it, and so do its steps."""
-    assert wall.thickness is not None
-    share = thickness / wall.thickness
-    steps = tuple(replace(step, thickness_m=share * step.thickness_m) for step in wall.steps)
-    loads = tuple(load if load.d_m is None else replace(load, d_m=share * load.d_m) for load in wall.load)
-    return replace(
-        wall, thickness_m=thickness, slenderness_deg=None, height_over_thickness=None, load=loads, steps=steps
-    )
-
-
-def loaded(wall: Wall, factor: float) -> Wall:
-    """A wall whose loads but ties are so many times as large."""
-    loads = (load if load.is_tie or load.kn_m is None else replace(load, kn_m=factor * load.kn_m) for load in wall.load)
-    return replace(wall, load=tuple(loads))
-
-
-def of_theory(wall: Wall, factor: float) -> Wall:
-    """A wall whose velocity ratio is that of Eq. 4 or 6 times a factor, at most 1; of a wall that is not symmetric, or
-    that rocks by both mechanisms, the larger one."""
-    by_theory = replace(wall, restitution=None, velocity_ratio=None)
-    ratios = []
-    for mechanism in wall.mechanisms():
-        theory = by_theory.restitution_of(mechanism)
-        ratios += [theory.ratio_at_rest, theory.ratio_inward or 0.0]
-    return replace(by_theory, velocity_ratio=min(1.0, factor * max(ratios)))
-
-
-def set_back(wall: Wall, setback: float) -> Wall:
-    """A wall with another hinge setback [m]; where a strength gives it, with the strength that gives this one, so that
-    it follows the weight above each hinge."""
-    if wall.compressive_strength_mpa is None:
-        return replace(wall, hinge_setback_m=setback)
-    return replace(wall, compressive_strength_mpa=wall.compressive_strength_mpa * wall.setback / setback)
-
-
 def _of_building(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | None, Ends]]:
     """The same of the building under a wall: its period and its damping."""
     building, wall = setting.case.building, setting.case.wall[0]
@@ -190,7 +151,7 @@ def _of_demand(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | 
     asked, demand = setting.case.demand, setting.demand
     assert asked is not None
 
-    def scaled_by(factor: float) -> Callable[[Setting], Setting]:
+    def scaled_by(factor: float) -> Change:
         return lambda now: with_demand(now, with_ag(demand, asked, now.base_dir, factor))
 
     yield "ag_factor", asked.ag_g, [(factor * asked.ag_g, scaled_by(factor)) for factor in _others(ranges.ag_factor)]

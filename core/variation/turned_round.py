@@ -9,8 +9,8 @@ from core.boundary import Edge, edge
 from core.case.schema import Wall
 from core.errors import InputError
 from core.setting.demand_input import with_ag
+from core.variation.changes import loaded, thinner
 from core.variation.evaluate import GLANCE, RUN, Precision
-from core.variation.sensitivity import loaded, thinner
 from core.variation.swings import Reach
 from core.variation.whole_wall import NONE, Setting, WholeWall, evaluate_wall, with_demand, with_wall
 

@@ -15,9 +15,9 @@ from core.codes.dynamic_check import demand_check
 from core.codes.record_sample import RecordPeaks
 from core.errors import InputError
 from core.rocking.methods import AUTO
-from core.setting.plan import plan_of, read_inputs
+from core.setting.plan import Floors, plan_of, read_inputs
 from core.study.run import run
-from core.variation.sensitivity import Move, records_left_out, sensitivity_of
+from core.variation.sensitivity import Move, moved_wall, records_left_out, sensitivity_of
 from core.variation.swings import End, Sensitivity, Swing, move_words
 from core.variation.whole_wall import setting_of
 from tests.conftest import ROOT
@@ -119,7 +119,7 @@ def test_that_each_move_with_records_is_the_run_of_the_changed_case(tmp_path):
     del table["generate"]
     table["record"] = []
     for k, motion in enumerate(motions):
-        lines = [repr(float(value)) for value in motion.acceleration]
+        lines = [f"{value:.12e}" for value in motion.acceleration]
         (tmp_path / f"{k}.txt").write_text("\n".join([*lines, ""]))
         entry = {"file": str(tmp_path / f"{k}.txt"), "unit": "m/s2", "time_step_s": motion.time_step, "scale": 1.0}
         table["record"].append(entry)
@@ -303,7 +303,7 @@ def test_that_what_was_not_surely_satisfied_is_turned_by_nothing_and_without_zet
         verdict = SimpleNamespace(code=code, zeta_e=zeta, lower_bound=None)
         return SimpleNamespace(verdict=verdict, lower_bound=None)
 
-    made = [Move("thickness_factor", 0.5, 0.475, lambda stop: None)]
+    made = [Move("thickness_factor", 0.5, 0.475, lambda now: now)]
     thinner = SimpleNamespace(zeta=0.9, sure=False)
     for code, turning in (("verified", ("thickness_factor",)), ("at_limit", ()), ("not_verified", ())):
         assert sensitivity_of(setting, ranges, made, [thinner], [hinge(code, 1.3)]).turning == turning
@@ -321,14 +321,14 @@ def test_that_the_record_left_out_is_the_one_whose_loss_moves_zeta_most_and_its_
     table = case_of(wall | {"unloaded_confirmed": True}, demand={"ag_g": 0.2}, generate={"count": 7})
     case = parse_case(table)
     setting = setting_of(case, 0, CASES, read_inputs(case, CASES))
-    made = records_left_out(setting, [RecordPeaks(multipliers, peaks, 0.4, True)])
+    made = records_left_out([RecordPeaks(multipliers, peaks, 0.4, True)])
     assert {move.value for move in made} >= {3.0} and len(made) == 2
     demand, motions, _ = setting.inputs
     (entry,) = plan_of(setting.case, CASES, setting.inputs).entries
     for move in made:
         others = [motion for k, motion in enumerate(motions) if k != int(move.value)]
         there = demand_check(entry.model, others, entry.signs, demand, AUTO, 1, False)
-        assert move.task(lambda: False).zeta == there.zeta
+        assert moved_wall(setting, move, Floors(), lambda: False).zeta == there.zeta
 
 
 @pytest.mark.parametrize(

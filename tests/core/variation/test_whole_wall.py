@@ -11,7 +11,7 @@ from core.codes.outcomes import FAILS, PASSES
 from core.errors import InputError
 from core.setting.plan import read_inputs
 from core.study.run import run
-from core.variation.sensitivity import of_theory
+from core.variation.changes import of_theory
 from core.variation.whole_wall import NONE, evaluate_wall, setting_of, with_demand, with_wall
 from tests.conftest import ROOT
 from tests.core.variation.test_sensitivity import CASES, LOADED, case_of

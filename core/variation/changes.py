@@ -1,0 +1,41 @@
+"""A wall of a case with one of its inputs changed, and what follows that input changed with it."""
+
+from dataclasses import replace
+
+from core.case.schema import Wall
+
+
+def thinner(wall: Wall, thickness: float) -> Wall:
+    """A wall of another thickness [m]; its loads keep their share of it, and so do its steps."""
+    assert wall.thickness is not None
+    share = thickness / wall.thickness
+    steps = tuple(replace(step, thickness_m=share * step.thickness_m) for step in wall.steps)
+    loads = tuple(load if load.d_m is None else replace(load, d_m=share * load.d_m) for load in wall.load)
+    return replace(
+        wall, thickness_m=thickness, slenderness_deg=None, height_over_thickness=None, load=loads, steps=steps
+    )
+
+
+def loaded(wall: Wall, factor: float) -> Wall:
+    """A wall whose loads but ties are so many times as large."""
+    loads = (load if load.is_tie or load.kn_m is None else replace(load, kn_m=factor * load.kn_m) for load in wall.load)
+    return replace(wall, load=tuple(loads))
+
+
+def of_theory(wall: Wall, factor: float) -> Wall:
+    """A wall whose velocity ratio is that of Eq. 4 or 6 times a factor, at most 1; of a wall that is not symmetric, or
+    that rocks by both mechanisms, the larger one."""
+    by_theory = replace(wall, restitution=None, velocity_ratio=None)
+    ratios = []
+    for mechanism in wall.mechanisms():
+        theory = by_theory.restitution_of(mechanism)
+        ratios += [theory.ratio_at_rest, theory.ratio_inward or 0.0]
+    return replace(by_theory, velocity_ratio=min(1.0, factor * max(ratios)))
+
+
+def set_back(wall: Wall, setback: float) -> Wall:
+    """A wall with another hinge setback [m]; where a strength gives it, with the strength that gives this one, so that
+    it follows the weight above each hinge."""
+    if wall.compressive_strength_mpa is None:
+        return replace(wall, hinge_setback_m=setback)
+    return replace(wall, compressive_strength_mpa=wall.compressive_strength_mpa * wall.setback / setback)
