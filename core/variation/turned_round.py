@@ -1,6 +1,7 @@
 """The answer turned round: the thickness, the force of a tie, the a_g at which zeta of each check reaches what is
 required."""
 
+import functools
 import math
 from collections.abc import Callable
 from dataclasses import replace
@@ -129,8 +130,7 @@ def reach_of(setting: Setting, key: str, given: float, cancelled: Callable[[], b
     found: dict[str, float | None] = {}
     throughout = []
     for label in at(given, GLANCE).by_check:
-        dynamic = label == "dynamic"
-        edge_of = _searched(lambda value, on, label=label: _holds(at(value, on), label), key, given, dynamic)
+        edge_of = _searched(functools.partial(_holds_at, at, label), key, given, label == "dynamic")
         found[label] = None if edge_of.bad is None else edge_of.good
         # what ends at a value that is refused holds at all that are accepted
         if edge_of.good is not None and (edge_of.bad is None or edge_of.refused):
@@ -138,8 +138,11 @@ def reach_of(setting: Setting, key: str, given: float, cancelled: Callable[[], b
     return Reach(key, given, found, tuple(throughout))
 
 
-def _holds(there: WholeWall, label: str) -> bool | None:
-    """Whether a check surely holds about every hinge; None of a wall that is refused."""
+def _holds_at(
+    at: Callable[[float, Precision | None], WholeWall], label: str, value: float, precision: Precision | None
+) -> bool | None:
+    """Whether a check surely holds about every hinge at a value; None where the wall is refused."""
+    there = at(value, precision)
     return bool(there.satisfied.get(label)) if there.hinges else None
 
 

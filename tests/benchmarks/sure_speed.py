@@ -17,11 +17,10 @@ from core.case.sensitivity import Ranges
 from core.setting.plan import read_inputs
 from core.study.journal import Memory
 from core.study.run import EVERYTHING, run
-from core.variation.whole_wall import setting_of, zetas
+from core.variation.evaluate import GLANCE, Precision
+from core.variation.whole_wall import evaluate_wall, setting_of
 
 CASES = Path(__file__).resolve().parents[2] / "resources" / "cases"
-SLIDERS = 8
-"""Every how many points of the grid the histories of the sliders are searched (app/shell/what_if_window.py)."""
 
 
 def _book(known: Memory, _: str) -> Memory:
@@ -49,13 +48,13 @@ def beside(case: Case, repeats: int) -> float:
 def under_the_hand(case: Case, repeats: int) -> tuple[float, float]:
     """(seconds of the checks of the clauses, of these and the histories) of one place of a slider: medians."""
     setting = setting_of(case, 0, CASES, read_inputs(case, CASES))
-    times: dict[int, list[float]] = {0: [], SLIDERS: []}
+    times: dict[Precision | None, list[float]] = {None: [], GLANCE: []}
     for _ in range(repeats + 1):
-        for every, taken in times.items():
+        for precision, taken in times.items():
             start = time.perf_counter()
-            zetas(setting, every=every)
+            evaluate_wall(setting, precision)
             taken.append(time.perf_counter() - start)
-    return statistics.median(times[0][1:]), statistics.median(times[SLIDERS][1:])
+    return statistics.median(times[None][1:]), statistics.median(times[GLANCE][1:])
 
 
 def main(options: argparse.Namespace) -> None:
