@@ -95,7 +95,6 @@ LOWERS = {
     "tie_at_outer_face",
     "tie_bar_says",
     "tie_elongation_below_yield",
-    "thicker_less",
     "ties_displacement",
     "ties_histories",
 }
