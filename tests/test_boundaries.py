@@ -66,7 +66,6 @@ SHOWN_BY = {
     "report/certainty_sheet": "tests/core/report/test_certainty.py",
     "report/note/certainty": "tests/core/report/test_certainty.py",
     "variation/evaluate": "tests/core/variation/test_written_is_the_run.py",
-    "variation/assessment": "tests/core/variation/test_one_decision.py",
     "setting/scene": "tests/core/variation/test_written_is_the_run.py",
     "codes/verdict_sentence": "tests/core/codes/test_verdict.py",
     "atomic_write": "tests/core/test_atomic_write.py",

@@ -125,9 +125,11 @@ class DemandCheck:
         """What the rule compares with the limit: mean or maximum of the peaks."""
         return self.mean_peak_ratio if self.set_rule == "mean" else self.max_peak_ratio
 
-    def as_check(self) -> Check:
-        """This check as a row of the table of methods."""
-        passed = self.passed if self.zeta is not None else None
+    def as_check(self, target: float) -> Check:
+        """This check as a row of the table of methods; at the limit it counts as failed. target : the zeta required"""
+        passed = None
+        if self.zeta is not None:
+            passed = self.passed and not self.within_spread(target)
         return Check("dynamic", CLAUSE, "-", self.limit_ratio, self.peak_ratio, self.zeta, passed)
 
     def within_spread(self, target: float) -> bool:

@@ -138,7 +138,9 @@ def evaluate(
         return Evaluation(scene, None, None, (), precision)
     dynamic = histories(scene, precision, other, cancelled)
     made = checks_of(kinematic, scene.demand, _counted(kinematic, scene.q_slv[0]))
-    return Evaluation(scene, kinematic, dynamic, ((dynamic.as_check(),) if dynamic else ()) + made, precision)
+    return Evaluation(
+        scene, kinematic, dynamic, ((dynamic.as_check(scene.demand.zeta_target),) if dynamic else ()) + made, precision
+    )
 
 
 def histories(

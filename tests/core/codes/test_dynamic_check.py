@@ -255,13 +255,14 @@ def test_that_a_run_that_rocks_is_told_also_where_the_rule_holds(scripted, count
 def test_that_runs_without_a_number_give_no_zeta_and_satisfy_nothing(scripted):
     found = demand_check(*scripted(lambda at, which: (STABLE, 0.1) if at < 1.2 else (IMPACT_LIMIT, 0.1)), AUTO)
     assert found.zeta is None and found.zeta_spread is None and not found.passed
-    assert found.as_check().passed is None and not found.within_spread(1.0)
+    assert found.as_check(1.0).passed is None and not found.within_spread(1.0)
     assert found.zeta_other.zeta is None and not found.zeta_other.passed
 
 
 def test_that_the_row_of_the_check_shows_what_its_rule_compares():
     found = DemandCheck("SLV", (), 0, 0.2, 0.3, "mean", 0.4, 1.5, True, True)
-    assert found.as_check().demand == 0.2 and replace(found, set_rule="maximum").as_check().demand == 0.3
+    assert found.as_check(1.0).demand == 0.2
+    assert replace(found, set_rule="maximum").as_check(1.0).demand == 0.3
 
 
 @pytest.mark.parametrize("confidence_on", ["capacity", "demand"])

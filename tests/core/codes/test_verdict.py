@@ -9,7 +9,7 @@ from core.case.rules import parse_case
 from core.codes.dynamic_check import DemandCheck, OtherConfidence
 from core.codes.kinematic import Check
 from core.codes.record_compatibility import Compliance
-from core.codes.verdict import TO_MEND, Circumstances, Lift, verdict
+from core.codes.verdict import TO_MEND, Circumstances, Evidence, Lift, verdict
 from core.codes.verdict_sentence import at_hinge
 from core.ground.artificial import compatible_motion
 from core.setting.demand_input import demand_of
@@ -69,7 +69,7 @@ def said(
         histories = replace(histories, **(check or {}))
         found[0] = replace(found[0], zeta=histories.zeta, passed=histories.passed)
     rules = Compliance(None, None, None, None, (), records, compatible)
-    return verdict(
+    seen = Evidence(
         asked.wall[0],
         mechanism,
         demand_of(asked, None),
@@ -78,10 +78,8 @@ def said(
         None,
         rules if compatible is not None else None,
         Circumstances(records, bundled, **(circumstances or {})),
-        None,
-        (),
-        lifts,
     )
+    return verdict(seen, None, (), lifts)
 
 
 def codes(sentences) -> list[str]:
@@ -256,17 +254,10 @@ def test_that_a_range_that_leaves_out_periods_that_matter_is_indicative():
     rules = Compliance(None, None, None, None, (), 8, True, (0.4, 0.42), 0, (0.15, 2.5))
     assert rules.narrow and not Compliance(None, None, None, None, (), 8, True).narrow
     histories = DemandCheck("SLV", (), 0, 0.1, 0.1, "mean", 0.4, 1.3, True, True, zeta_16=1.2)
-    found = verdict(
-        asked.wall[0],
-        "two_sided",
-        demand_of(asked, None),
-        (histories.as_check(),),
-        histories,
-        None,
-        rules,
-        Circumstances(8),
-        None,
-    )
+    checks = (histories.as_check(1.0),)
+    demand = demand_of(asked, None)
+    seen = Evidence(asked.wall[0], "two_sided", demand, checks, histories, None, rules, Circumstances(8))
+    found = verdict(seen, None)
     assert found.code == "indicative" and "0.15 to 2.50 s" in found.limits[0].text()
 
 
