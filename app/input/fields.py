@@ -4,10 +4,10 @@ unit."""
 import re
 from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import QEvent, Qt, QTimer, Signal
-from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QGridLayout, QLabel, QLineEdit, QSizePolicy, QWidget
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QLineEdit, QSizePolicy, QWidget
 
+from app.input.editors import Choice, Line
 from app.look import theme
 from app.look.language import FORM_NAMES, current_language, number, of_key, tr
 from app.look.whole_text import tell_whole
@@ -181,66 +181,20 @@ class Field(QWidget):
         word. A value that came from elsewhere (undo, another file) replaces it."""
         return bool(self.error) and value == self.value
 
+    @property
+    def text(self) -> str:
+        """What stands in a line or an area of text."""
+        return self.editor.text()
+
+    def type_again(self, text: str) -> None:
+        """A text as if it were typed: what is refused is so again, in the words of the window as it is."""
+        self.editor.setText(text)
+        self.editor.textEdited.emit(text)
+
     def forget(self) -> None:
         """Another case or wall: what was wrong in the last one is no more."""
         self.value = self.value_before = None
         self.show_error("")
-
-
-class Choice(QComboBox):
-    """A list to choose from that the mouse wheel passes by, unless it has the focus."""
-
-    def __init__(self):
-        super().__init__()
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-
-    def wheelEvent(self, event) -> None:
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            event.ignore()
-
-
-class Line(QLineEdit):
-    """A line of text whose Ctrl+Z and Ctrl+Y are those of the case, but in a dialog; a text that is not in the case is
-    taken back first.
-
-    refused() : whether there is one
-    revert() : what to do then
-    """
-
-    entered = Signal()
-
-    def __init__(self, refused: Callable[[], bool], revert: Callable[[], None]):
-        super().__init__()
-        self.refused, self.revert = refused, revert
-
-    def focusInEvent(self, event) -> None:
-        self.entered.emit()
-        super().focusInEvent(event)
-
-    def event(self, event) -> bool:
-        if event.type() in (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress):
-            undo = event.matches(QKeySequence.StandardKey.Undo)
-            of_case = not isinstance(self.window(), QDialog)
-            if of_case and (undo or event.matches(QKeySequence.StandardKey.Redo)):
-                if not (undo and self.refused()):
-                    event.ignore()
-                    return False
-                if event.type() == QEvent.Type.KeyPress:
-                    self.revert()
-                event.accept()
-                return True
-        return super().event(event)
-
-    def contextMenuEvent(self, event) -> None:
-        """The usual menu without an undo that the case knows nothing of."""
-        menu = self.createStandardContextMenu()
-        for action in menu.actions():
-            if action.objectName() in ("edit-undo", "edit-redo"):
-                menu.removeAction(action)
-        menu.exec(event.globalPos())
-        menu.deleteLater()
 
 
 class NumberField(Field):

@@ -8,7 +8,8 @@ from PySide6.QtGui import QFont, QFontMetrics, QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QGridLayout, QLabel, QMessageBox, QToolButton, QVBoxLayout, QWidget
 
 from app.input.body_form import BodyForm
-from app.input.fields import Choice, Field, blank, connect
+from app.input.editors import Choice
+from app.input.fields import Field, blank, connect
 from app.input.impact_form import ImpactForm
 from app.input.loads_form import LoadsForm
 from app.input.made_fields import make_field, make_fields
@@ -29,6 +30,7 @@ from app.look.parts import Parts
 from app.look.section import Section, unfold_to
 from app.work.session import Session
 from core.case.schema import AS_IS, BENDS, DESIGNED, Wall
+from core.case.values import check_value
 from core.case.wall_table import read_table, text_rows, walls_of
 from core.codes.vertical_bending import bending
 from core.errors import InputError
@@ -292,8 +294,26 @@ class WallForm(QWidget):
         except (InputError, TypeError):
             self.show_case()
             return
-        self.session.edit_wall(self.current, **written_as(shape, wall, block))
+        values = written_as(shape, wall, block)
+        for key, value in values.items():
+            if reason := self._refused(key, value):
+                self.show_case()
+                self.told.emit(tr("The shape stays as it is given. {reason}", reason=reason))
+                return
+        self.session.edit_wall(self.current, **values)
         self.former = (wall, self.wall) if shape == "general" else (None, None)
+
+    def _refused(self, key: str, value: float | None) -> str:
+        """Why no case can have a size, "" where it can."""
+        field = self.fields[key]
+        try:
+            if value is not None:
+                check_value(Wall, key, value)
+        except InputError as error:
+            size = f"{field.caption.text()} = {number(value * field.factor, '.5g')} {field.unit}".rstrip()
+            accepted = error.accepted_text(current_language(), FORM_NAMES)
+            return tr("{size} is not accepted: {accepted}", size=size, accepted=accepted)
+        return ""
 
     def _mechanism_chosen(self, name: str) -> None:
         wall = self.wall
