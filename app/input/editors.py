@@ -36,8 +36,11 @@ class Line(QLineEdit):
         self.refused, self.revert = refused, revert
 
     def focusInEvent(self, event) -> None:
+        """Where the program puts the cursor, what is typed takes the place of what stands there, as after Tab."""
         self.entered.emit()
         super().focusInEvent(event)
+        if event.reason() == Qt.FocusReason.OtherFocusReason:
+            self.selectAll()
 
     def event(self, event) -> bool:
         if event.type() in (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress):

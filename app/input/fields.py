@@ -36,6 +36,9 @@ SECTIONS = {
 OF_WALL: dict[type, str] = {Wall: "", Load: "", Bars: ".bar]", ReturnWalls: ".return_walls]"}
 """Sections of a wall, and how the place of an error inside one ends."""
 
+OF_THOUSANDS = ("m", "cm", "mm", "m2", "MPa", "kN", "kN/m", "kN/m3")
+"""Units of keys of which a thousand may be meant, of the key or of a smaller unit."""
+
 OF_A_PART = r"\[\[\w+\]\] \d+|\[wall\.\w+\]"
 """Place of an error that is within a table or a section of a wall."""
 
@@ -57,7 +60,7 @@ class Field(QWidget):
         label, tip = self.text_of(".caption"), self.text_of(".tip")
         FORM_NAMES.add(self.key_in_errors(), label, SECTIONS.get(section, ""))
         self.value = self.value_before = None
-        self.error = self.rule = ""
+        self.error = self.rule = self.doubt = self.reading = ""
         self.inside: Callable[[InputError], bool] | None = None
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
@@ -74,7 +77,6 @@ class Field(QWidget):
         self.caption.setBuddy(self.editor)
         self.message = QLabel()
         self.message.setWordWrap(True)
-        self.message.setStyleSheet(f"color: {theme.current.bad};")
         self.message.hide()
         grid.addWidget(self.caption, 0, 0)
         grid.addWidget(self.editor, 0, 1)
@@ -131,18 +133,26 @@ class Field(QWidget):
 
     def show_rule(self, sentence: str) -> None:
         """Words below the field on a rule that it breaks together with others, none if all hold. A field that is
-        hidden shows itself: its value may be the one to take away."""
-        if sentence and self.isHidden():
+        hidden and holds a value shows itself: that may be the one to take away."""
+        if sentence and self.isHidden() and self.value not in (None, ""):
             self.show()
         if sentence != self.rule:
             self.rule = sentence
             self._show_words()
 
+    def show_doubt(self, sentence: str) -> None:
+        """A question below the field whether a value that is accepted is meant, none where it is usual."""
+        if sentence != self.doubt:
+            self.doubt = sentence
+            self._show_words()
+
     def _show_words(self) -> None:
-        words = self.error or self.rule
+        wrong = self.error or self.rule
+        words = wrong or "\n".join(filter(None, (self.reading, self.doubt)))
         self.message.setText(words)
+        self.message.setStyleSheet(f"color: {theme.current.bad if wrong else theme.current.amber};")
         self.message.setVisible(bool(words))
-        self.editor.setStyleSheet(f"border: 1px solid {theme.current.bad};" if words else "")
+        self.editor.setStyleSheet(f"border: 1px solid {theme.current.bad};" if wrong else "")
 
     @property
     def wrong(self) -> bool:
@@ -194,6 +204,7 @@ class Field(QWidget):
     def forget(self) -> None:
         """Another case or wall: what was wrong in the last one is no more."""
         self.value = self.value_before = None
+        self.reading = self.doubt = ""
         self.show_error("")
 
 
@@ -214,6 +225,7 @@ class NumberField(Field):
         return editor
 
     def _typed(self, text: str) -> None:
+        self.reading = ""
         if not text.strip() and self.optional:
             self.show_error("")
             self.value = None
@@ -223,18 +235,29 @@ class NumberField(Field):
             self.refuse(tr("a number is needed here"))
             return
         try:
-            number = parse_number(text)
+            typed = parse_number(text)
         except InputError:
             self.refuse(tr("{text}: not a number", text=text.strip()))
             return
-        self.offer(int(number) if self.whole and number == int(number) else number / self.factor)
+        self.reading = self._read_as(text.strip(), typed)
+        self.offer(int(typed) if self.whole and typed == int(typed) else typed / self.factor)
+
+    def _read_as(self, text: str, value: float) -> str:
+        """How a number was read that may be one with a separator of thousands, "" for others: both marks are decimal
+        ones. Angles, seconds and ratios are never thousands."""
+        mark = "," if current_language() == "en" else "[.,]"  # in English the point alone is the usual one
+        grouped = re.fullmatch(rf"[1-9]\d{{0,2}}{mark}\d{{3}}", text)
+        if self.entry.metadata.get("unit") not in OF_THOUSANDS or not grouped:
+            return ""
+        shown, meant = f"{number(value, 'g')} {self.unit}", re.sub("[.,]", "", text)
+        return tr("{text} is read as {shown}: was {meant} meant?", text=text, shown=shown, meant=meant)
 
     def show_value(self, value: float | None) -> None:
         """Show a value of the case, unless what stands there already means it."""
         if self.holds_invalid_text(value):
             return
         if value != self.value:
-            self.value_before = value
+            self.value_before, self.reading = value, ""
         self.value = value
         if self.editor.hasFocus() and self._means(value):
             return

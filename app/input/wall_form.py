@@ -17,6 +17,7 @@ from app.input.reasons_form import reasons_of_wall
 from app.input.wall_words import (
     contents_of,
     differences,
+    doubts_of,
     estimate_lines,
     hinge_zetas,
     said_of_histories,
@@ -229,6 +230,9 @@ class WallForm(QWidget):
         self.fields["elastic_modulus_mpa"].setVisible(not wall.bends or wall.elastic_modulus_mpa is not None)
         for name, said in said_of_histories(wall).items():
             self.sections[name].setVisible(not wall.bends or said)
+        doubts = doubts_of(wall)
+        for field in (*self.fields.values(), *self.loads.load_fields):
+            field.show_doubt(doubts.get(field.key, ""))
 
     def _show_contents(self) -> None:
         """What each section holds, in its head."""
@@ -344,7 +348,7 @@ class WallForm(QWidget):
             self.session.edit_wall(self.current, ("wall", self.current, "load", k, "h_m"), load=loads)
 
     def add(self) -> None:
-        self.session.add_walls([Wall(tr("wall"), "", height_m=4.0, thickness_m=0.4)])
+        self.session.add_walls([Wall(tr("wall"), "")])  # mechanism and sizes are to be given
         self.select(len(self.session.case.wall) - 1)
 
     def duplicate(self) -> None:
