@@ -11,7 +11,8 @@ from core.errors import InputError
 
 def readable(case: Case) -> tuple[Case, list[InputError]]:
     """The case without the values that a case file is refused for, each empty or its default, and why each is left out:
-    one such value must not keep all the others from being written."""
+    one such value must not keep all the others from being written. A value that a file gives back as another, as
+    heights that do not rise, is the one it gives back."""
     left_out: list[InputError] = []
     return _readable(case, left_out), left_out
 
@@ -26,7 +27,7 @@ def _readable(section: Any, left_out: list[InputError]) -> Any:
             changed[entry.name] = tuple(_readable(part, left_out) for part in value)
         elif "kind" in entry.metadata and value not in (None, "", entry.default):
             try:
-                _check(entry, value)
+                changed[entry.name] = _read(entry, value)
             except InputError as error:
                 left_out.append(error)
                 empty = "" if is_required(entry) or entry.default is MISSING else entry.default
@@ -34,9 +35,9 @@ def _readable(section: Any, left_out: list[InputError]) -> Any:
     return replace(section, **changed)
 
 
-def _check(entry: Any, value: Any) -> None:
-    """Raise InputError where `draft_case` would: corners and ends of a law may be work in progress."""
+def _read(entry: Any, value: Any) -> Any:
+    """A value as `draft_case` reads it, for which corners and ends of a law may be work in progress. Raises InputError
+    where it is refused."""
     kind = entry.metadata["kind"]
     in_progress = (kind == "polygon" and corners_of(value) is not None) or (kind == "law" and are_ends(value))
-    if not in_progress:
-        value_of(entry, value)
+    return value if in_progress else value_of(entry, value)

@@ -280,17 +280,23 @@ class Session:
         self.changed()
 
     @staticmethod
+    def _reads(text: str, case: Case) -> bool:
+        """Whether the text of a file is read as this case."""
+        try:
+            return table_of(draft_case(tomllib.loads(text))) == table_of(case)
+        except InputError:
+            return False
+
+    @staticmethod
     def _text(case: Case, before: str = "") -> tuple[str, frozenset, list[InputError]]:
         """(the case as the text of a file, what it states, what was left out of it), complete or not. before : as of
         `dumps`. Raises InputError where it could not be opened again: what is there already is not given up for it."""
         left_out: list[InputError] = []
         text = dumps(case, before)
-        try:
-            again = draft_case(tomllib.loads(text))
-        except InputError:
+        if not Session._reads(text, case):
             case, left_out = readable(case)
             text = dumps(case, before)
-            again = draft_case(tomllib.loads(text))
+        again = draft_case(tomllib.loads(text))
         if table_of(again) != table_of(case):
             raise OutputError("case_reads_otherwise")
         return text, again.given, left_out
