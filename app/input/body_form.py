@@ -7,8 +7,9 @@ from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QGridLayout, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.input.drawing_dialog import drawing_button
+from app.input.editors import Line
 from app.input.entries_form import EntriesForm
-from app.input.fields import Field, Line, blank, connect
+from app.input.fields import Field, blank, connect
 from app.input.made_fields import make_fields
 from app.look.language import FORM_NAMES, current_language, number, tr
 from app.work.session import Session

@@ -7,7 +7,8 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFileDialog, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.input.building_form import BuildingForm
-from app.input.fields import Choice, Field, blank, connect
+from app.input.editors import Choice
+from app.input.fields import Field, blank, connect
 from app.input.hazard_form import HazardForm
 from app.input.law_curve import SpectrumCurve
 from app.input.made_fields import make_field, make_fields

@@ -4,10 +4,10 @@ unit."""
 import re
 from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import QEvent, Qt, QTimer, Signal
-from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QGridLayout, QLabel, QLineEdit, QSizePolicy, QWidget
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QLineEdit, QSizePolicy, QWidget
 
+from app.input.editors import Choice, Line
 from app.look import theme
 from app.look.language import FORM_NAMES, current_language, number, of_key, tr
 from app.look.whole_text import tell_whole
@@ -36,6 +36,9 @@ SECTIONS = {
 OF_WALL: dict[type, str] = {Wall: "", Load: "", Bars: ".bar]", ReturnWalls: ".return_walls]"}
 """Sections of a wall, and how the place of an error inside one ends."""
 
+OF_THOUSANDS = ("m", "cm", "mm", "m2", "MPa", "kN", "kN/m", "kN/m3")
+"""Units of keys of which a thousand may be meant, of the key or of a smaller unit."""
+
 OF_A_PART = r"\[\[\w+\]\] \d+|\[wall\.\w+\]"
 """Place of an error that is within a table or a section of a wall."""
 
@@ -57,7 +60,7 @@ class Field(QWidget):
         label, tip = self.text_of(".caption"), self.text_of(".tip")
         FORM_NAMES.add(self.key_in_errors(), label, SECTIONS.get(section, ""))
         self.value = self.value_before = None
-        self.error = self.rule = ""
+        self.error = self.rule = self.doubt = self.reading = ""
         self.inside: Callable[[InputError], bool] | None = None
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
@@ -74,7 +77,6 @@ class Field(QWidget):
         self.caption.setBuddy(self.editor)
         self.message = QLabel()
         self.message.setWordWrap(True)
-        self.message.setStyleSheet(f"color: {theme.current.bad};")
         self.message.hide()
         grid.addWidget(self.caption, 0, 0)
         grid.addWidget(self.editor, 0, 1)
@@ -131,18 +133,26 @@ class Field(QWidget):
 
     def show_rule(self, sentence: str) -> None:
         """Words below the field on a rule that it breaks together with others, none if all hold. A field that is
-        hidden shows itself: its value may be the one to take away."""
-        if sentence and self.isHidden():
+        hidden and holds a value shows itself: that may be the one to take away."""
+        if sentence and self.isHidden() and self.value not in (None, ""):
             self.show()
         if sentence != self.rule:
             self.rule = sentence
             self._show_words()
 
+    def show_doubt(self, sentence: str) -> None:
+        """A question below the field whether a value that is accepted is meant, none where it is usual."""
+        if sentence != self.doubt:
+            self.doubt = sentence
+            self._show_words()
+
     def _show_words(self) -> None:
-        words = self.error or self.rule
+        wrong = self.error or self.rule
+        words = wrong or "\n".join(filter(None, (self.reading, self.doubt)))
         self.message.setText(words)
+        self.message.setStyleSheet(f"color: {theme.current.bad if wrong else theme.current.amber};")
         self.message.setVisible(bool(words))
-        self.editor.setStyleSheet(f"border: 1px solid {theme.current.bad};" if words else "")
+        self.editor.setStyleSheet(f"border: 1px solid {theme.current.bad};" if wrong else "")
 
     @property
     def wrong(self) -> bool:
@@ -181,66 +191,21 @@ class Field(QWidget):
         word. A value that came from elsewhere (undo, another file) replaces it."""
         return bool(self.error) and value == self.value
 
+    @property
+    def text(self) -> str:
+        """What stands in a line or an area of text."""
+        return self.editor.text()
+
+    def type_again(self, text: str) -> None:
+        """A text as if it were typed: what is refused is so again, in the words of the window as it is."""
+        self.editor.setText(text)
+        self.editor.textEdited.emit(text)
+
     def forget(self) -> None:
         """Another case or wall: what was wrong in the last one is no more."""
         self.value = self.value_before = None
+        self.reading = self.doubt = ""
         self.show_error("")
-
-
-class Choice(QComboBox):
-    """A list to choose from that the mouse wheel passes by, unless it has the focus."""
-
-    def __init__(self):
-        super().__init__()
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-
-    def wheelEvent(self, event) -> None:
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            event.ignore()
-
-
-class Line(QLineEdit):
-    """A line of text whose Ctrl+Z and Ctrl+Y are those of the case, but in a dialog; a text that is not in the case is
-    taken back first.
-
-    refused() : whether there is one
-    revert() : what to do then
-    """
-
-    entered = Signal()
-
-    def __init__(self, refused: Callable[[], bool], revert: Callable[[], None]):
-        super().__init__()
-        self.refused, self.revert = refused, revert
-
-    def focusInEvent(self, event) -> None:
-        self.entered.emit()
-        super().focusInEvent(event)
-
-    def event(self, event) -> bool:
-        if event.type() in (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress):
-            undo = event.matches(QKeySequence.StandardKey.Undo)
-            of_case = not isinstance(self.window(), QDialog)
-            if of_case and (undo or event.matches(QKeySequence.StandardKey.Redo)):
-                if not (undo and self.refused()):
-                    event.ignore()
-                    return False
-                if event.type() == QEvent.Type.KeyPress:
-                    self.revert()
-                event.accept()
-                return True
-        return super().event(event)
-
-    def contextMenuEvent(self, event) -> None:
-        """The usual menu without an undo that the case knows nothing of."""
-        menu = self.createStandardContextMenu()
-        for action in menu.actions():
-            if action.objectName() in ("edit-undo", "edit-redo"):
-                menu.removeAction(action)
-        menu.exec(event.globalPos())
-        menu.deleteLater()
 
 
 class NumberField(Field):
@@ -260,6 +225,7 @@ class NumberField(Field):
         return editor
 
     def _typed(self, text: str) -> None:
+        self.reading = ""
         if not text.strip() and self.optional:
             self.show_error("")
             self.value = None
@@ -269,18 +235,29 @@ class NumberField(Field):
             self.refuse(tr("a number is needed here"))
             return
         try:
-            number = parse_number(text)
+            typed = parse_number(text)
         except InputError:
             self.refuse(tr("{text}: not a number", text=text.strip()))
             return
-        self.offer(int(number) if self.whole and number == int(number) else number / self.factor)
+        self.reading = self._read_as(text.strip(), typed)
+        self.offer(int(typed) if self.whole and typed == int(typed) else typed / self.factor)
+
+    def _read_as(self, text: str, value: float) -> str:
+        """How a number was read that may be one with a separator of thousands, "" for others: both marks are decimal
+        ones. Angles, seconds and ratios are never thousands."""
+        mark = "," if current_language() == "en" else "[.,]"  # in English the point alone is the usual one
+        grouped = re.fullmatch(rf"[1-9]\d{{0,2}}{mark}\d{{3}}", text)
+        if self.entry.metadata.get("unit") not in OF_THOUSANDS or not grouped:
+            return ""
+        shown, meant = f"{number(value, 'g')} {self.unit}", re.sub("[.,]", "", text)
+        return tr("{text} is read as {shown}: was {meant} meant?", text=text, shown=shown, meant=meant)
 
     def show_value(self, value: float | None) -> None:
         """Show a value of the case, unless what stands there already means it."""
         if self.holds_invalid_text(value):
             return
         if value != self.value:
-            self.value_before = value
+            self.value_before, self.reading = value, ""
         self.value = value
         if self.editor.hasFocus() and self._means(value):
             return

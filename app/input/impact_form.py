@@ -6,7 +6,8 @@ from collections.abc import Callable
 
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from app.input.fields import Choice, ChoiceField, NumberField, blank
+from app.input.editors import Choice
+from app.input.fields import ChoiceField, NumberField, blank
 from app.input.law_curve import LawCurve
 from app.look.language import current_language, described, named, number, tr
 from app.work.session import Session

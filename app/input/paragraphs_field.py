@@ -25,6 +25,13 @@ class ParagraphsField(Field):
         editor.textChanged.connect(lambda: self.offer(editor.toPlainText()))
         return editor
 
+    @property
+    def text(self) -> str:
+        return self.editor.toPlainText()
+
+    def type_again(self, text: str) -> None:
+        self.editor.setPlainText(text)
+
     def show_value(self, value: str) -> None:
         """Show a value of the case, unless it stands there."""
         if self.holds_invalid_text(value):

@@ -8,7 +8,8 @@ from PySide6.QtGui import QFont, QFontMetrics, QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QGridLayout, QLabel, QMessageBox, QToolButton, QVBoxLayout, QWidget
 
 from app.input.body_form import BodyForm
-from app.input.fields import Choice, Field, blank, connect
+from app.input.editors import Choice
+from app.input.fields import Field, blank, connect
 from app.input.impact_form import ImpactForm
 from app.input.loads_form import LoadsForm
 from app.input.made_fields import make_field, make_fields
@@ -16,6 +17,7 @@ from app.input.reasons_form import reasons_of_wall
 from app.input.wall_words import (
     contents_of,
     differences,
+    doubts_of,
     estimate_lines,
     hinge_zetas,
     said_of_histories,
@@ -29,6 +31,7 @@ from app.look.parts import Parts
 from app.look.section import Section, unfold_to
 from app.work.session import Session
 from core.case.schema import AS_IS, BENDS, DESIGNED, Wall
+from core.case.values import check_value
 from core.case.wall_table import read_table, text_rows, walls_of
 from core.codes.vertical_bending import bending
 from core.errors import InputError
@@ -227,6 +230,9 @@ class WallForm(QWidget):
         self.fields["elastic_modulus_mpa"].setVisible(not wall.bends or wall.elastic_modulus_mpa is not None)
         for name, said in said_of_histories(wall).items():
             self.sections[name].setVisible(not wall.bends or said)
+        doubts = doubts_of(wall)
+        for field in (*self.fields.values(), *self.loads.load_fields):
+            field.show_doubt(doubts.get(field.key, ""))
 
     def _show_contents(self) -> None:
         """What each section holds, in its head."""
@@ -292,8 +298,26 @@ class WallForm(QWidget):
         except (InputError, TypeError):
             self.show_case()
             return
-        self.session.edit_wall(self.current, **written_as(shape, wall, block))
+        values = written_as(shape, wall, block)
+        for key, value in values.items():
+            if reason := self._refused(key, value):
+                self.show_case()
+                self.told.emit(tr("The shape stays as it is given. {reason}", reason=reason))
+                return
+        self.session.edit_wall(self.current, **values)
         self.former = (wall, self.wall) if shape == "general" else (None, None)
+
+    def _refused(self, key: str, value: float | None) -> str:
+        """Why no case can have a size, "" where it can."""
+        field = self.fields[key]
+        try:
+            if value is not None:
+                check_value(Wall, key, value)
+        except InputError as error:
+            size = f"{field.caption.text()} = {number(value * field.factor, '.5g')} {field.unit}".rstrip()
+            accepted = error.accepted_text(current_language(), FORM_NAMES)
+            return tr("{size} is not accepted: {accepted}", size=size, accepted=accepted)
+        return ""
 
     def _mechanism_chosen(self, name: str) -> None:
         wall = self.wall
@@ -324,7 +348,7 @@ class WallForm(QWidget):
             self.session.edit_wall(self.current, ("wall", self.current, "load", k, "h_m"), load=loads)
 
     def add(self) -> None:
-        self.session.add_walls([Wall(tr("wall"), "", height_m=4.0, thickness_m=0.4)])
+        self.session.add_walls([Wall(tr("wall"), "")])  # mechanism and sizes are to be given
         self.select(len(self.session.case.wall) - 1)
 
     def duplicate(self) -> None:

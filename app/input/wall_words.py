@@ -1,5 +1,6 @@
 """What the form says of a wall from its case and from the last result."""
 
+import contextlib
 import math
 
 from app.input.hinges_field import hinge_words
@@ -10,12 +11,14 @@ from core.capacity.scale_free_law import estimates
 from core.case.hinges import hinges_of
 from core.case.keys import unit_in_form
 from core.case.loads import Load
+from core.case.rules import TESTED_STRENGTH
 from core.case.schema import AS_IS, DESIGNED, Case, Wall
 from core.case.values import field_of
 from core.errors import InputError
 from core.setting.demand_input import demand_of
+from core.study import wall_result
 from core.study.variants import changed_keys
-from core.text.sentence import choice
+from core.text.sentence import choice, notice
 from core.wall.block import Block
 
 
@@ -71,6 +74,28 @@ def hinge_zetas(session: Session, k: int) -> list[tuple[float, float | None]]:
 
 SHAPE_KEYS = ("height_m", "thickness_m", "slenderness_deg", "height_over_thickness", "radius_m", "inertia_over_mass_m2")
 """Keys of which some give the shape of a wall."""
+
+
+ASKED_AT = {
+    "thin": "thickness_m",
+    "slender": "height_m",
+    "odd_weight": "unit_weight_kn_m3",
+    "odd_modulus": "elastic_modulus_mpa",
+    "odd_strength": "compressive_strength_mpa",
+    "heavy_load": "kn_m",
+}
+"""Question on an unusual value of a wall -> key at whose field it stands."""
+
+
+def doubts_of(wall: Wall) -> dict[str, str]:
+    """Key -> what is asked of its value, few engineers mean one like it; as with the result, and while it is typed."""
+    asked = []
+    with contextlib.suppress(InputError, TypeError, ZeroDivisionError):  # work in progress
+        asked += wall_result.unusual_input(wall)
+    (low, high), strength = TESTED_STRENGTH, wall.compressive_strength_mpa
+    if strength is not None and not low <= strength <= high:
+        asked.append(notice("odd_strength", f=strength, low=low, high=high))
+    return {ASKED_AT[one.code]: one.text(current_language()) for one in asked}
 
 
 def shape_of(wall: Wall) -> str:

@@ -109,6 +109,10 @@ class Files:
             QMessageBox.warning(self.window, tr("Not saved"), described(error))
             return False
         self.remember(self.session.path)
+        if self.session.left_out:
+            lines = "\n".join(described(error) for error in self.session.left_out)
+            text = tr("Saved without these values, which no case file may hold:\n{lines}", lines=lines)
+            QMessageBox.warning(self.window, tr("Save the case"), text)
         if any(field.wrong for field in self.window.fields):
             self.window.show_word(tr("Saved without the content of the red field."))
         return True

@@ -148,11 +148,20 @@ class Missing(QFrame):
         """Whether an error is about this field as the forms stand: of the wall and the load they show."""
         walls = self.window_of.walls
         load, title = load_of(error), walls.wall.title if walls.wall else ""
+        if error.code == "one_geometry" and self._is_given(field):
+            return False
         if field.section in (Load, Bars) and load not in (None, walls.loads.list.currentRow()):
             return False
         if wall_of(self.window_of.session.case, error) == walls.current:
             title = error.wall or title  # of its part above a hinge, say
         return field.named_in(error, title)
+
+    def _is_given(self, field: Field) -> bool:
+        """Of a wall that lacks a size: whether this is none of those that are missing where its form shows them."""
+        wall = self.window_of.walls.wall
+        shapes = (wall.thickness_m, wall.slenderness_deg, wall.height_over_thickness) if wall else ()
+        lacks = wall is not None and (wall.height_m is None or shapes.count(None) == len(shapes))
+        return lacks and (field.isHidden() or field.value not in (None, ""))
 
     def _lead_to(self, error: InputError) -> None:
         window = self.window_of

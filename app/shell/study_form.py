@@ -4,7 +4,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QCheckBox, QDialog, QDialogButtonBox, QFormLayout, QLabel, QLineEdit, QWidget
 
-from app.input.fields import Choice
+from app.input.editors import Choice
 from app.look.file_dialogs import path_to_write
 from app.look.language import current_language, described, named, number, tr
 from core import atomic_write

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.input.fields import Choice
+from app.input.editors import Choice
 from app.look import theme
 from app.look.language import FORM_NAMES, called, current_language, described, named, number, of_key, tr
 from app.views.chart import Chart

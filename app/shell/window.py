@@ -15,6 +15,7 @@ from app.shell import menus, stages, tabs, tree
 from app.shell.files import Files
 from app.shell.header import Header
 from app.shell.pages import Page
+from app.shell.refused_texts import RefusedTexts
 from app.shell.staged_window import StagedWindow
 from app.shell.tree import ProjectTree
 from app.views.chart_output import ChartOutput
@@ -194,7 +195,7 @@ class MainWindow(StagedWindow):
         else:
             language.set_language(name)
         page, stage, shown, row = self.page, self.stages.front, self.shown, self.walls.row
-        chosen = self.tree.current
+        chosen, refused = self.tree.current, RefusedTexts(self)
         self.build()
         self.walls.row = row
         self.result_arrived(self.session.result)
@@ -202,6 +203,7 @@ class MainWindow(StagedWindow):
             self.tree.select(chosen.key)
         self.shown = shown
         self.refresh()
+        refused.type_into(self)
         if page is not None:
             self.show_page(page)
         else:

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pyqtgraph as pg
+from PySide6.QtCore import QRectF, Qt
 
 from app.look.language import current_language
 
@@ -14,6 +15,9 @@ def numbers(values) -> np.ndarray:
 LEAST_TICK = 26
 """Room [px] below which the labels of neighbouring ticks of a bottom axis touch."""
 
+
+UPRIGHT = 8.0
+"""Between an axis and a name that stands below it [px]."""
 
 LEGEND_LETTERS, TICK_LETTERS = 22, 16
 """Letters of a name in a legend beside the axes or in a narrow chart, and beside an axis; the data have all of it."""
@@ -42,7 +46,33 @@ def ends_of(values: list[np.ndarray], log: bool) -> tuple[float, float] | None:
 
 
 class Axis(pg.AxisItem):
-    """Numbers with the decimal mark of the language, apart from each other."""
+    """Numbers with the decimal mark of the language, apart from each other; names below it upright, where they would
+    touch side by side."""
+
+    upright = 0
+    """Length of the longest name that stands upright [px], 0 where names lie."""
+
+    def stand_upright(self, length: int) -> None:
+        """Let names stand, and lie again for a length of 0."""
+        if length != self.upright:
+            self.upright = length
+            self.setHeight(length + round(UPRIGHT + self.label.boundingRect().height()) if length else None)
+
+    def drawPicture(self, p, axisSpec, tickSpecs, textSpecs):
+        super().drawPicture(p, axisSpec, tickSpecs, [] if self.upright else textSpecs)
+        if not self.upright:
+            return
+        bounds, (low, high) = self.mapRectFromParent(self.geometry()), self.range
+        p.setPen(self.textPen())
+        for place, name in (self._tickLevels or [[]])[0]:
+            across = bounds.left() + (place - low) / (high - low) * bounds.width()
+            if bounds.left() <= across <= bounds.right():
+                p.save()
+                p.translate(across, bounds.top() + UPRIGHT)
+                p.rotate(-90.0)
+                area = QRectF(-self.upright - 2.0, -10.0, self.upright + 2.0, 20.0)
+                p.drawText(area, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, name)
+                p.restore()
 
     def tickSpacing(self, minVal, maxVal, size):
         levels = super().tickSpacing(minVal, maxVal, size)

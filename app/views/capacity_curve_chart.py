@@ -4,8 +4,9 @@ import math
 
 import numpy as np
 
-from app.look.language import called, named, number, tr
+from app.look.language import number, tr
 from app.views.chart import Chart
+from app.views.runs import title_of
 from core.codes.capacity_curve import capacity_curve
 from core.study.results import StudyResult, WallResult
 from core.units import CM, G
@@ -28,7 +29,7 @@ class CapacityCurveChart(Chart):
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
         """Draw the curves; says why where the displacement check is not made."""
         self.clear()
-        self.caption = f"{called(wall.name)}, {named(wall.mechanism)}"
+        self.caption = title_of(wall)
         found = wall.assessment.kinematic if wall.assessment else None
         curve = capacity_curve(found, result.demand) if found else None
         if curve is None:

@@ -9,11 +9,11 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from app.look import theme
-from app.look.language import called, named, number, tr
+from app.look.language import named, number, tr
 from app.look.whole_text import tell_whole
 from app.views.chart import Chart
 from app.views.hatch import Hatch, hatched_square
-from app.views.runs import governing_run, run_name
+from app.views.runs import governing_run, run_name, title_of
 from core.capacity.fragility import fragility_curve
 from core.capacity.ida import grid_point, multiplier_of, threshold_of
 from core.rocking.history import scan
@@ -39,6 +39,7 @@ class CapacityTab(QWidget):
         self.other.activated.connect(lambda _: self._show_fragility())
         self.peaks = Chart("q [-]", "θmax/θc [-]", tr("Peak rotation against q"))
         self.strips = Chart("q [-]", tr("run"), tr("Survival map"))
+        self.strips.column = tr("outcome (0 stands, 1 overturned, 2 and 3 none)")
         self.fragility = Chart("q [-]", tr("share collapsed [-]"), tr("Fragility"))
         choices, top = QHBoxLayout(), QHBoxLayout()
         self.title = QLabel()
@@ -59,7 +60,7 @@ class CapacityTab(QWidget):
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
         """Fill the tab from one wall of a result."""
         self.shown = (result, wall)
-        self.title.setText(_title(wall))
+        self.title.setText(title_of(wall))
         self.record.clear()
         for run in wall.runs:
             self.record.addItem(run_name(run))
@@ -80,11 +81,11 @@ class CapacityTab(QWidget):
         """Of the wall, and dashed of another."""
         result, wall = self.shown
         self.fragility.clear()
-        self.fragility.caption = _title(wall)
+        self.fragility.caption = title_of(wall)
         other = self.other.currentIndex() - 1
         drawn = self._fragility_of(wall, 0, False, "")
         if other >= 0:
-            name = f", {_title(result.walls[other])}"
+            name = f", {title_of(result.walls[other])}"
             drawn = self._fragility_of(result.walls[other], 1, True, name) or drawn
             self.fragility.caption += name
         if not drawn:
@@ -128,7 +129,7 @@ class CapacityTab(QWidget):
             self.peaks.points(named("overturned"), fell, np.full(fell.size, EDGE), 1, 4, values=none)
             if run.ida.q:
                 self.peaks.level(run.ida.q, "q", "bad", vertical=True, place=0.75)
-            self.peaks.caption = f"{_title(wall)}, {run_name(run)}"
+            self.peaks.caption = f"{title_of(wall)}, {run_name(run)}"
         for level in (0.40, 0.60, 1.0):
             label = "θc" if level == 1.0 else number(level, ".2f")
             self.peaks.level(level, label)
@@ -147,7 +148,7 @@ class CapacityTab(QWidget):
             self.peaks.band(grid, np.maximum(mean - scatter, 0.0), mean + scatter, 0)
             name = tr("mean and standard deviation, until a record overturns")
             self.peaks.curve(name, grid, mean, 0, 2.4)
-        self.peaks.caption = f"{_title(wall)}, {tr('all records, with their mean')}"
+        self.peaks.caption = f"{title_of(wall)}, {tr('all records, with their mean')}"
 
     # survival map
 
@@ -156,7 +157,7 @@ class CapacityTab(QWidget):
         if not wall.runs:
             self.strips.say_why(tr("No time histories of this mechanism.") if wall.wall.bends else tr("No records."))
             return
-        self.strips.caption = _title(wall)
+        self.strips.caption = title_of(wall)
         first = min(run.ida.first_index for run in wall.runs)
         last = max(run.ida.first_index + len(run.ida.outcomes) for run in wall.runs)
         image = np.full((len(wall.runs), last - first), np.nan)
@@ -201,10 +202,6 @@ class CapacityTab(QWidget):
         marks = [q for q in MARKS if math.log(q) >= low - 0.1]
         self.strips.ticks("bottom", [(math.log(q), f"{number(q, 'g')}") for q in marks])
         self.strips.reset()
-
-
-def _title(wall: WallResult) -> str:
-    return f"{called(wall.name)}, {named(wall.mechanism)}"
 
 
 def _peaks(result: StudyResult, wall: WallResult, run: Run) -> tuple[np.ndarray, np.ndarray]:

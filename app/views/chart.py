@@ -1,6 +1,5 @@
 """One chart: curves with names and units, values under the cursor, copy, PNG, SVG, PDF, CSV (always light)."""
 
-import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -10,7 +9,8 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QSizePolicy, QToolButt
 
 from app.look import theme
 from app.look.language import current_language, tr
-from app.views.axis import LEGEND_LETTERS, SPARE, TICK_LETTERS, elided, ends_of, number_axes, numbers, plot_widget
+from app.views.axis import LEGEND_LETTERS, SPARE, elided, ends_of, number_axes, numbers, plot_widget
+from app.views.axis_names import show_names
 from app.views.chart_output import ChartOutput
 from core.text.sentence import numeral
 
@@ -62,6 +62,7 @@ class Chart(ChartOutput):
         self.names: list[str] = []
         self.of_pairs: list[str] | None = None
         self.lines: list[tuple[float, str]] = []
+        self.is_figure = False
         self.data: list[tuple[str, np.ndarray, np.ndarray]] = []
         self.read = QLabel()
         self.read.setMinimumWidth(10)
@@ -96,6 +97,7 @@ class Chart(ChartOutput):
         self.found.clear()
         self.items, self.data, self.recolors, self.names, self.ranges = [], [], [], [], {}
         self.lines, self.entries, self.extents = [], [], []
+        self.plot.getAxis("bottom").stand_upright(0)
         self.reason.hide()
         number_axes(self.plot, True)
 
@@ -204,18 +206,12 @@ class Chart(ChartOutput):
         """Names below the places 0, 1, 2 … of the axis, as many of them as its width holds. of_pairs : of each two
         places, shown between them in the place of both"""
         self.names, self.of_pairs = names, of_pairs
-        shown = [elided(name, TICK_LETTERS) for name in of_pairs or names]
-        widest = max((self.fontMetrics().horizontalAdvance(name) for name in shown), default=0)
-        room = 0.85 * self.view.width() / (widest + 12)
-        step = max(1, math.ceil(len(shown) / max(1.0, room)))
-        self.ticks("bottom", [(2 * k + 0.5 if of_pairs else k, shown[k]) for k in range(0, len(shown), step)])
+        show_names(self)
 
     def names_beside(self, lines: list[tuple[float, str]]) -> None:
         """Names at places of the left axis, as many of them as its height holds."""
         self.lines = lines
-        room = 0.6 * self.view.height() / self.fontMetrics().height()
-        step = max(1, math.ceil(len(lines) / max(1.0, room)))
-        self.ticks("left", [(at, elided(name, TICK_LETTERS + 4)) for at, name in lines[::step]])
+        show_names(self)
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
@@ -223,10 +219,7 @@ class Chart(ChartOutput):
 
     def fit(self) -> None:
         """Names, legend and words as the width of the view wants them."""
-        if self.names:
-            self.names_below(self.names, self.of_pairs)
-        if self.lines:
-            self.names_beside(self.lines)
+        show_names(self)
         self._place_legend()
 
     def _place_legend(self) -> None:
@@ -297,10 +290,10 @@ class Chart(ChartOutput):
         shade = self._shade(chosen, color)
         pen = pg.mkPen(shade, width=width * scale, style=Qt.PenStyle.DashLine if dash else Qt.PenStyle.SolidLine)
         if isinstance(item, pg.BarGraphItem):
-            item.setOpts(brush=shade, pen=shade)
+            item.setOpts(brush=shade, pen=pg.mkPen(shade, width=scale))
         elif filled:
             item.setSymbolBrush(shade)
-            item.setSymbolPen(shade)
+            item.setSymbolPen(pg.mkPen(shade, width=scale))
         else:
             item.setPen(pen)
             if isinstance(item, pg.InfiniteLine) and hasattr(item, "label"):

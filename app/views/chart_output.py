@@ -30,13 +30,14 @@ class ChartOutput(QWidget):
 
     live : what it shows is of the input as it stands, not of the last result
     caption : of what is shown, for a figure that leaves the program
+    column : of its data what stands in the place of y, "" where that is what its axis says
     """
 
     stale = False
     """Whether the input has changed since the result shown: what leaves the program says so."""
 
     live = False
-    caption = ""
+    caption = column = ""
 
     @property
     def is_stale(self) -> bool:
@@ -77,7 +78,7 @@ class ChartOutput(QWidget):
         writer = csv.writer(text, delimiter=";" if italian else ",")
         if self.is_stale:
             writer.writerow([tr("The input has changed since these results.")])
-        writer.writerow([tr("curve"), *self.labels])
+        writer.writerow(self.columns)
         for name, xs, ys in self.data:
             label = plain_cell(name)
             for x, y in zip(xs.tolist(), ys.tolist(), strict=True):
@@ -85,6 +86,11 @@ class ChartOutput(QWidget):
                 writer.writerow((label, place, written(y, italian)))
         # a spreadsheet of Italy takes bytes without a mark for those of Windows
         return text.getvalue().encode("utf-8-sig" if italian else "utf-8")
+
+    @property
+    def columns(self) -> list[str]:
+        """Heads of the columns of its data."""
+        return [tr("curve"), self.labels[0], self.column or self.labels[1]]
 
     def write(self, path: Path) -> None:
         """Write a file of `content` by the end of its name, whole or not at all. Raises OutputError."""

@@ -25,6 +25,7 @@ from app.views.answer_lines import limits, link, no_dynamic_check, to_do
 from app.views.capacity_curve_chart import CapacityCurveChart
 from app.views.chart import Chart
 from app.views.ladder import Ladder, Rung
+from app.views.runs import title_of
 from app.views.table import Table
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.eq9 import LABEL
@@ -222,7 +223,7 @@ class CheckTab(QWidget):
         self.split.setMinimumHeight(max(MIN_HEIGHT, self.split.minimumSizeHint().height()))
         self.facts.setText(self._facts(result, wall))
         self.table.show_rows(*self._rows(result, wall))
-        self.peaks.caption = f"{called(wall.name)}, {word(wall.mechanism, self.language)}"
+        self.peaks.caption = title_of(wall)
         if assessment.dynamic:
             self._show_peaks()
             self._bars(assessment.dynamic)

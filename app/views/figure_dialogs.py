@@ -67,7 +67,7 @@ def data_table(chart) -> QDialog:
 
     dialog = QDialog(chart)
     dialog.setWindowTitle(chart.name)
-    table = Table(chart.name, [tr("curve"), *chart.labels])
+    table = Table(chart.name, chart.columns)
     rows = [
         [
             name,

@@ -15,6 +15,8 @@ from shiboken6 import isValid
 
 from app.look import theme
 from app.look.language import tr
+from app.views.axis_names import unnamed_line, with_all_names
+from app.views.page_units import in_page_units
 from core.errors import OutputError
 from core.report.xml_text import for_xml
 
@@ -57,10 +59,11 @@ def figure(chart, end: str, size: FigureSize) -> bytes:
             drawing.setOutputDevice(room)
             drawing.setSize(page)
             drawing.setViewBox(QRect(0, 0, page.width(), page.height()))
-            drawing.setResolution(round(density))
+            drawing.setResolution(SCREEN)  # that of the layout: letters of so many points keep their room
             _paint(chart, drawing, whole, lines)
             # Qt writes whatever a text holds
-            return _in_pixels(for_xml(bytes(room.data())).decode()).encode()
+            text = _of_width(for_xml(bytes(room.data())).decode(), page, density)
+            return in_page_units(text).encode()
         _paint(chart, _pdf(room, page, density), whole, lines)
         return bytes(room.data())
 
@@ -114,15 +117,16 @@ def _laid_out(chart, size: FigureSize) -> Iterator[tuple[QSize, list[str], float
     """The chart in the size of a figure, and back: size of its view, lines below it, pixels an inch of the layout."""
     density = SCREEN * max(1.0, NARROW / size.width)
     wide = round(size.width / MM_PER_INCH * density)
-    whole, lines = QSize(wide, round(SHAPE * wide)), []
+    whole, lines = with_all_names(chart, QSize(wide, round(SHAPE * wide))), []
     if size.caption:
         lines = [f"{chart.name}. {chart.caption}" if chart.caption else chart.name]
-    lines += stale_line(chart)
+    lines += [*unnamed_line(chart, whole), *stale_line(chart)]
     old, around, ranges, box = chart.view.size(), chart.size(), chart.plot.viewRange(), chart.plot.vb
     left, bottom = (chart.plot.getAxis(side) for side in ("left", "bottom"))
     fixed = left.fixedWidth, bottom.fixedHeight
     box.blockLink(True)  # a linked chart of another width would move the axis
     chart.layout().setEnabled(False)  # behind another tab, painting would give the view its old size
+    chart.is_figure = True
     try:
         chart.view.resize(whole)
         chart.fit()
@@ -133,6 +137,8 @@ def _laid_out(chart, size: FigureSize) -> Iterator[tuple[QSize, list[str], float
         yield whole, lines, density
     finally:
         if isValid(chart):  # its page may go between two strips
+            chart.is_figure = False
+            bottom.stand_upright(0)
             left.setWidth(fixed[0])
             bottom.setHeight(fixed[1])
             chart.view.resize(old)
@@ -144,30 +150,10 @@ def _laid_out(chart, size: FigureSize) -> Iterator[tuple[QSize, list[str], float
                 chart.layout().invalidate()
 
 
-_GROUP = re.compile(r'transform="matrix\(([^)]*)\)"([^>]*>)(.*?)</g>', re.DOTALL)
-_PAIR = re.compile(r"(-?[\d.]+(?:e[-+]?\d+)?),(-?[\d.]+(?:e[-+]?\d+)?)")
-_OF_POINTS = ("<polyline", "<polygon", "<path")
-
-
-def _in_pixels(drawing: str) -> str:
-    """An SVG whose lines grow with it. Qt leaves the points of a curve in the units of its axes and asks for a stroke
-    of so many pixels of the screen, whatever the size: a hair line in print."""
-
-    def _moved(group: re.Match) -> str:
-        matrix, rest, shapes = group.groups()
-        others = re.sub("|".join(_OF_POINTS), "", shapes)
-        if "non-scaling-stroke" not in shapes or re.search(r"<\w", others):
-            return group[0]
-        a, b, c, d, e, f = map(float, matrix.split(","))
-
-        def place(pair: re.Match) -> str:
-            x, y = map(float, pair.groups())
-            return f"{a * x + c * y + e:.8g},{b * x + d * y + f:.8g}"
-
-        shapes = _PAIR.sub(place, shapes.replace(' vector-effect="non-scaling-stroke"', ""))
-        return f'transform="matrix(1,0,0,1,0,0)"{rest}{shapes}</g>'
-
-    return _GROUP.sub(_moved, drawing)
+def _of_width(drawing: str, page: QSize, density: float) -> str:
+    """An SVG of the size of its page on paper. density : pixels an inch"""
+    wide, high = (f'"{MM_PER_INCH * side / density:g}mm"' for side in (page.width(), page.height()))
+    return re.sub(r'width="[^"]*mm" height="[^"]*mm"', f"width={wide} height={high}", drawing, count=1)
 
 
 def stale_line(chart) -> list[str]:

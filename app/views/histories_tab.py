@@ -1,7 +1,6 @@
 """The page Histories, which integrates under the hand: the rocking wall beside ground, rotation and energy."""
 
 import math
-from functools import partial
 
 import numpy as np
 from PySide6.QtCore import QElapsedTimer, QSignalBlocker, Qt, QTimer
@@ -19,10 +18,10 @@ from PySide6.QtWidgets import (
 )
 
 from app.look.drawing import WallDrawing
-from app.look.language import called, current_language, named, number, tr
+from app.look.language import current_language, named, number, tr
 from app.look.whole_text import tell_whole
 from app.views.chart import Chart
-from app.views.runs import before_motion, governing_run, index_of, run_name
+from app.views.runs import before_motion, governing_run, index_of, run_name, title_of
 from core.capacity.ida import multiplier_of, threshold_of
 from core.codes.dynamic_check import at_demand
 from core.rocking.energy import energy_ratios
@@ -211,9 +210,10 @@ class HistoriesTab(QWidget):
             rest = np.zeros(round(PAUSE / self.motion.time_step))
             self.acceleration = np.concatenate([self.acceleration, rest, self.acceleration])
         self.times = np.arange(self.acceleration.size) * self.motion.time_step
-        self.ground_curve = self.ground.curve(
-            tr("floor") if wall.floor else tr("ground"), self.times, self.acceleration / G, 6, 1.0
-        )
+        name, self.ground.name = tr("ground"), tr("Ground motion")
+        if wall.floor:
+            name, self.ground.name = tr("floor"), tr("Motion of the floor")
+        self.ground_curve = self.ground.curve(name, self.times, self.acceleration / G, 6, 1.0)
         self.ground.level(0.0)
         self.curve = self.rotation.curve("θ/θc", [0.0, 1.0], [0.0, 0.0], 0, 1.8)
         self.marks = self.rotation.points(tr("impacts"), [], [], 1, 5)
@@ -317,9 +317,8 @@ class HistoriesTab(QWidget):
         else:
             peak = numeral(self.history.peak / wall.model.collapse_rotation, ".2f", current_language())
             outcome = f"{tr('stands')}   θmax/θc {peak}"
-        number = partial(numeral, language=current_language())
         which = self._wall_in_words()
-        wall_and_c = (f"{called(wall.name)}, {named(wall.mechanism)}", f"C {number(abs(scale), '.3f')}")
+        wall_and_c = (title_of(wall), f"C {number(abs(scale), '.3f')}")
         words = (*wall_and_c, f"q {number(self.q, '.3f')}", outcome, *which, *self._show_bars())
         self.words.setText("   ".join(words))
         for chart in (self.ground, self.rotation, self.energy, self.force, self.elongation):

@@ -6,9 +6,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QSplitter, QVBoxLayout, QWidget
 
 from app.look import theme
-from app.look.language import called, named, number, tr
+from app.look.language import number, tr
 from app.views.chart import Chart
 from app.views.check_tab import digits
+from app.views.runs import title_of
 from app.views.table import Table
 from core.capacity.closed_forms import closed_form_q_eff
 from core.capacity.scale_free_law import dimensionless_intensity, law_of, loss_ratio
@@ -57,7 +58,7 @@ class IntensityTab(QWidget):
         elif not wall.wall.has_closed_forms:
             why = tr("Not drawn above the ground and with loads, where Eq. 15 and 16 do not hold.")
         for chart in (self.chart, self.scale_free):
-            chart.caption = f"{called(wall.name)}, {named(wall.mechanism)}"
+            chart.caption = title_of(wall)
             chart.say_why(why)
         self.words.setText("")
         if why:
@@ -138,6 +139,7 @@ class SpectraTab(QWidget):
         self.floor.setVisible(floor is not None)
         if floor is None:
             return
+        self.floor.caption = tr("motion of the floor at {z} m", z=number(floor.z, "g"))
         if floor.spectrum is not None:
             name = tr("code, z {z:g} m, ξ {damping:.0f} %", z=floor.z, damping=100.0 * floor.damping)
             self.floor.curve(name, CHART_PERIODS, floor.code_spectrum / G, 1, 2.4)

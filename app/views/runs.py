@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from app.look.language import called, named, number, tr
 from core.study.results import Run, WallResult
 
 BEFORE = 0.5
@@ -13,6 +14,12 @@ BEFORE = 0.5
 def run_name(run: Run) -> str:
     """Record and sign."""
     return f"{run.record} ({'+' if run.polarity > 0 else '−'})"
+
+
+def title_of(wall: WallResult) -> str:
+    """A wall and its mechanism in the caption of a figure; above the ground what moves it is the floor."""
+    words = f"{called(wall.name)}, {named(wall.mechanism)}"
+    return f"{words}, {tr('motion of the floor at {z} m', z=number(wall.floor.z, 'g'))}" if wall.floor else words
 
 
 def index_of(wall: WallResult, motion: int, polarity: int) -> int | None:

@@ -6,8 +6,9 @@ import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
-from app.look.language import called, named, number, tr
+from app.look.language import named, number, tr
 from app.views.chart import Chart
+from app.views.runs import title_of
 from core.study.results import StudyResult, WallResult
 
 
@@ -58,7 +59,7 @@ class ValidationTab(QWidget):
         self.moment.curve(tr("law"), ratio, law, 0, 2.0)
         self.moment.reset()
         for chart in (self.chart, self.phase, self.moment):
-            chart.caption = f"{called(wall.name)}, {named(wall.mechanism)}"
+            chart.caption = title_of(wall)
         pair = collapse_histories(result, wall)
         if pair is None:
             self.phase.say_why(tr("No record with a q."))

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from app.work import recovery
+from app.work.draft import readable
 from app.work.placed_demand import followed
 from core import atomic_write
 from core.case.drawn_solids import with_drawings
@@ -39,6 +40,7 @@ class Session:
     """A case being edited. Every change is a new frozen Case; old ones are kept for undo.
 
     on_change : called after every change of case, file or result, without arguments.
+    left_out : why the last file that was saved lacks some values
     """
 
     def __init__(self, recovery_folder: Path):
@@ -66,6 +68,7 @@ class Session:
         self.last_edit = 0.0
         self.content: bytes | None = None
         self.from_drawings: tuple[Sentence | InputError, ...] = ()
+        self.left_out: list[InputError] = []
         self.result = None
 
     def changed(self) -> None:
@@ -249,7 +252,8 @@ class Session:
         return self.content is not None and self._on_disk() not in (None, self.content)
 
     def save(self, path: Path | None = None) -> None:
-        """Write the case file, whole or not at all; record paths follow it to another folder. Raises InputError."""
+        """Write the case file, whole or not at all; record paths follow it to another folder. A value that no case file
+        may hold is not written, `left_out` says why, and the case stays unsaved. Raises InputError."""
         target = (path or self.path).resolve()
         old = self.base_dir
 
@@ -258,7 +262,7 @@ class Session:
 
         case = moved(self.case)
         before = (self.content or b"").decode("utf-8-sig", errors="replace")
-        text, given = self._text(case, before)
+        text, given, self.left_out = self._text(case, before)
         content = text.encode()
         atomic_write.write({target: content})
         self.content = content
@@ -266,7 +270,8 @@ class Session:
         self.path, self.base_dir = target, target.parent
         self.case = case
         digest = hashlib.sha256(content).hexdigest()
-        self.saved = replace(case, sha256=digest, given=given, table="")
+        written = readable(case)[0] if self.left_out else case
+        self.saved = replace(written, sha256=digest, given=given, table="")
         self._known = None
         self.past, self.future = [moved(c) for c in self.past], [moved(c) for c in self.future]
         if self.result is not None:
@@ -275,14 +280,26 @@ class Session:
         self.changed()
 
     @staticmethod
-    def _text(case: Case, before: str = "") -> tuple[str, frozenset]:
-        """(the case as the text of a file, what it states), complete or not. before : as of `dumps`. Raises InputError
-        where it could not be opened again: what is there already is not given up for it."""
+    def _reads(text: str, case: Case) -> bool:
+        """Whether the text of a file is read as this case."""
+        try:
+            return table_of(draft_case(tomllib.loads(text))) == table_of(case)
+        except InputError:
+            return False
+
+    @staticmethod
+    def _text(case: Case, before: str = "") -> tuple[str, frozenset, list[InputError]]:
+        """(the case as the text of a file, what it states, what was left out of it), complete or not. before : as of
+        `dumps`. Raises InputError where it could not be opened again: what is there already is not given up for it."""
+        left_out: list[InputError] = []
         text = dumps(case, before)
+        if not Session._reads(text, case):
+            case, left_out = readable(case)
+            text = dumps(case, before)
         again = draft_case(tomllib.loads(text))
         if table_of(again) != table_of(case):
             raise OutputError("case_reads_otherwise")
-        return text, again.given
+        return text, again.given, left_out
 
     def moved_result(self, result: StudyResult, old: Path) -> StudyResult:
         """A result of the folder `old` as one of the case's folder now, and of its file."""

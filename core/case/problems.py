@@ -6,7 +6,7 @@ from typing import Any
 
 from core.case.keys import NESTED
 from core.case.rules import parse_case
-from core.case.schema import Analysis, Case, Report
+from core.case.schema import Analysis, Case, Report, Wall
 from core.case.writer import table_of
 from core.errors import InputError
 
@@ -27,18 +27,18 @@ def problems(case: Case) -> list[InputError]:
             break
         except InputError as error:
             keys = [error.key] if error.key else sorted(error.keys)
-            ours = any((repr(error.place), key) in assumed for key in keys)
-            if not ours:
-                filled = next(((key, one) for key in keys if (one := _filled(case, error, key))), None)
-                row = wall_of(case, error)
-                owner = error.section if row is None else case.wall[row].title
-                if filled is not None or owner not in part_given:
-                    found.append(error)
-                if filled is not None:
-                    assumed.add((repr(error.place), filled[0]))
-                    part_given.add(owner)
-                    case = filled[1]
-                    continue
+            free = [key for key in keys if (repr(error.place), key) not in assumed]
+            filled = next(((key, one) for key in free if (one := _filled(case, error, key))), None)
+            row = wall_of(case, error)
+            owner = error.section if row is None else case.wall[row].title
+            if filled is not None or (free == keys and owner not in part_given):
+                found.append(error)
+            if filled is not None:
+                of_shape = keys if error.code == "one_geometry" else ()
+                assumed.update((repr(error.place), key) for key in (filled[0], *of_shape))
+                part_given.add(owner)
+                case = filled[1]
+                continue
             changed = _without(case, error)
             if changed is None:
                 break
@@ -54,7 +54,9 @@ def _filled(case: Case, error: InputError, key: str) -> Case | None:
             if k != wall_of(case, error):
                 continue
             n = load_of(error)
-            if n is not None and n < len(wall.load):
+            if error.code == "one_geometry":
+                whole = _with_sizes(wall)
+            elif n is not None and n < len(wall.load):
                 load = _given(wall.load[n], key)
                 whole = load and replace(wall, load=(*wall.load[:n], load, *wall.load[n + 1 :]))
             else:
@@ -71,6 +73,19 @@ def _filled(case: Case, error: InputError, key: str) -> Case | None:
                 whole = replace(whole, height_m=max([whole.height_m, *tops]))
             return replace(case, **{name: whole})
     return None
+
+
+TALL, SLENDER = 60.0, 10.0
+"""H [m] and H/t of sizes that are assumed: nothing that is within a wall is above its top."""
+
+
+def _with_sizes(wall: Wall) -> Wall | None:
+    """The wall with the sizes it lacks; None where it has too many."""
+    given = [one for one in (wall.thickness_m, wall.slenderness_deg, wall.height_over_thickness) if one is not None]
+    if len(given) > 1 or (given and wall.height_m is not None):
+        return None
+    height = wall.height_m or (TALL if wall.thickness_m is None else min(TALL, SLENDER * wall.thickness_m))
+    return replace(wall, height_m=height) if given else replace(wall, height_m=height, thickness_m=height / SLENDER)
 
 
 def wall_of(case: Case, error: InputError) -> int | None:

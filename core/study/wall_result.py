@@ -157,7 +157,7 @@ def wall_result(part: Part, mechanism, model, runs, motions, search, demand, flo
         estimates=estimated,
         floor=floor,
         warnings=tuple(
-            _unusual(wall)
+            unusual_input(wall)
             + ([] if wall.bends else _model_notices(wall, block, mechanism, model, restitution, law))
             + _set_notices(runs, len(with_q), len(counted), incomplete, fragile, search)
             + _power_law_notices(wall, with_q, law_of_si)
@@ -166,7 +166,7 @@ def wall_result(part: Part, mechanism, model, runs, motions, search, demand, flo
     )
 
 
-def _unusual(wall: Wall) -> list[Sentence]:
+def unusual_input(wall: Wall) -> list[Sentence]:
     """Input few engineers mean: accepted, and questioned with the likely slip of unit."""
     notices, t = [], wall.thickness
     if t is not None and t < THIN:

@@ -181,7 +181,7 @@ def test_that_the_wheel_over_a_list_without_the_focus_changes_nothing(opened, ap
     from PySide6.QtCore import QPoint, QPointF
     from PySide6.QtGui import QWheelEvent
 
-    from app.input.fields import Choice
+    from app.input.editors import Choice
 
     opened.walls.fields["height_m"].editor.setFocus()
     before = opened.session.case

@@ -7,16 +7,18 @@ import signal
 import subprocess
 import sys
 import textwrap
+import tomllib
 from dataclasses import replace
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from app.work import recovery
 from app.work.session import Session
 from core.case.loads import Load, ReturnWalls
 from core.case.reader import read_case
-from core.case.rules import parse_case
+from core.case.rules import draft_case, parse_case
 from core.case.schema import Record, Wall
 from core.case.site import Building, BuildingMode, Demand, HazardRow, Spectrum
 from core.case.writer import table_of
@@ -159,21 +161,44 @@ def test_that_every_case_in_the_making_is_autosaved_saved_and_opened_again(sessi
         session.edit(session.past[0])
 
 
-def test_that_what_could_not_be_opened_again_takes_the_place_of_nothing(session, tmp_path):
-    """A fault of the program that leaves a value no file may hold: the last good files stay, and it is said."""
+@pytest.mark.parametrize(
+    ("wrong", "left_out"), [({"notes": "two\nlines"}, 1), ({"height_m": 1e9}, 1), ({"hinge_heights": (3.0, 1.0)}, 0)]
+)
+def test_that_a_value_no_file_may_hold_is_left_out_alone_and_the_state_before_it_stays(
+    session, tmp_path, wrong, left_out
+):
+    """A fault of the program: all later edits are kept, what is left out is said and stays unsaved."""
+    session.save(tmp_path / "case.toml")
+    session.edit_wall(0, height_m=6.5)
+    session.autosave()
+    good = session.recovery_file.read_bytes()
+    session.edit_wall(0, **wrong)
+    session.edit_wall(0, length_m=7.25)
+    session.autosave()
+    _, newest, before, _ = recovery.states(session.recovery_file)
+    draft = recovery.read(newest).case
+    assert draft.wall[0].length_m == 7.25 and draft.wall[1:] == session.case.wall[1:]
+    assert before.read_bytes() == good
+    session.save()
+    assert len(session.left_out) == left_out and session.dirty == bool(left_out)
+    assert draft_case(tomllib.loads(session.path.read_text())).wall[0].length_m == 7.25
+
+
+def test_that_what_could_not_be_opened_again_takes_the_place_of_nothing(session, tmp_path, monkeypatch):
+    """A fault of the program that writes another case than it has: the last good files stay, and it is said."""
     session.edit_wall(0, notes="of mine")
     session.save(tmp_path / "case.toml")
     session.edit_wall(0, height_m=6.5)
     session.autosave()
     good = session.recovery_file.read_bytes(), session.path.read_bytes()
-    for wrong in ({"notes": "two\nlines"}, {"height_m": 1e9}, {"hinge_heights": (3.0, 1.0)}):
-        session.edit_wall(0, **wrong)
+    session.edit_wall(0, height_m=6.75)
+    for text in ("title = 'another'", "not = 'a case'"):
+        monkeypatch.setattr("app.work.session.dumps", lambda *_, text=text: text)
         session.autosave()
         with pytest.raises(InputError):
             session.save()
         assert session.dirty
         assert (session.recovery_file.read_bytes(), session.path.read_bytes()) == good
-        session.undo()
 
 
 def test_that_a_file_that_is_no_case_changes_nothing(session, tmp_path):

@@ -81,6 +81,8 @@ def test_that_the_way_back_from_a_general_block_rounds_nothing(opened):
 def test_that_a_new_wall_has_no_mechanism_until_one_is_chosen(opened):
     opened.walls.add()
     assert opened.session.case.wall[-1].mechanism == ""
+    type_into(opened.walls.fields["height_m"], "4")
+    type_into(opened.walls.fields["thickness_m"], "40")
     assert not opened.run_button.isEnabled() and "mechanism" in opened.missing.text()
     QTest.mouseClick(opened.walls.mechanisms["one_sided"], Qt.MouseButton.LeftButton)
     assert opened.session.case.wall[-1].mechanism == "one_sided"

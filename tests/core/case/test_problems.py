@@ -31,6 +31,15 @@ def test_that_each_value_that_is_missing_is_named_once():
     assert len({(error.code, error.key, error.wall, error.place) for error in found}) == len(found)
 
 
+def test_that_sizes_still_to_be_given_hide_nothing_else_that_is_missing():
+    load = (Load("vertical", None, 3.0),)
+    for sizes in ({}, {"height_m": 4.0}, {"thickness_m": 0.4}, {"slenderness_deg": 5.0}):
+        case = Case(wall=(Wall("w", "", load=load, **sizes),), demand=Demand(""))
+        found = [(error.code, error.key) for error in problems(case)]
+        assert [code for code, _ in found].count("one_geometry") == 1
+        assert {"ag_g", "mechanism", "base_z_m"} <= {key for _, key in found}, (sizes, found)
+
+
 def test_that_a_broken_rule_of_one_wall_hides_none_of_another():
     broken = Wall("a", "two_sided", height_m=4.0, thickness_m=0.4, slenderness_deg=5.0)
     rule = Wall("b", "two_sided", height_m=4.0, thickness_m=0.4, velocity_ratio=0.9, restitution="housner")

@@ -1,0 +1,295 @@
+"""Figures as SVG in readers that are not Qt: bars, lines, marks, maps and histories as they are in the data."""
+
+import os
+import re
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
+
+from PySide6.QtCore import QPointF
+from PySide6.QtGui import QImage
+
+from app.look import theme
+from app.shell.pages import delete
+from app.views.axis import TICK_LETTERS, elided
+from app.views.chart import Chart
+from app.views.chart_output import ChartOutput
+from app.views.figure_file import SHAPE, FigureSize, figure
+from app.views.page_units import in_page_units
+from tests.app.conftest import window_in
+from tests.app.driving import run, settle
+from tests.conftest import ROOT
+from tests.svg_readers import READERS, picture_by
+
+WIDE = 605
+HEIGHTS = (0.23, 0.4, 0.1, 0.9, 0.61)
+
+
+@pytest.fixture
+def chart(application):
+    theme.set_theme("light")
+    made = Chart("record", "ζ [-]", "Peaks")
+    made.resize(700, 500)
+    made.show()
+    made.plot.showGrid(x=False, y=False)
+    application.processEvents()
+    yield made
+    delete(made)
+
+
+def shaded(pixels: np.ndarray, shade: str) -> np.ndarray:
+    """Where a picture has this colour."""
+    wanted = [int(shade[k : k + 2], 16) for k in (1, 3, 5)]
+    return (np.abs(pixels - wanted) <= 60).all(axis=2)
+
+
+def pixels_of(content: bytes) -> np.ndarray:
+    image = QImage.fromData(content, "PNG").convertToFormat(QImage.Format.Format_RGB888)
+    rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+    return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
+
+
+def page_of(content: bytes) -> tuple[int, int]:
+    """Size of the page of an SVG [px of the layout]."""
+    return tuple(map(int, re.search(rb'viewBox="0 0 (\d+) (\d+)"', content).groups()))
+
+
+@pytest.mark.parametrize("reader", READERS)
+@pytest.mark.parametrize("width", [160.0, 80.0])
+def test_that_bars_are_as_high_as_the_data_in_every_reader(chart, reader, width):
+    chart.bars("stands", np.arange(5.0), HEIGHTS)
+    chart.bars("overturned", [5.0], [1.0], 1)
+    chart.set_range((-0.6, 5.6), (0.0, 2.0))
+    content = figure(chart, ".svg", FigureSize(width, 96, caption=False))
+    across, high = page_of(content)
+    picture = picture_by(reader, content, 2 * across, 2 * high)
+    top = int(0.8 * high)  # below the legend
+    blue, red = (shaded(picture, theme.LIGHT.curves[k])[top:] for k in (0, 1))
+    columns = np.flatnonzero(blue.any(axis=0))
+    parts = np.split(columns, np.flatnonzero(np.diff(columns) > 3) + 1)
+    assert len(parts) == len(HEIGHTS)
+    reach = np.array([blue[:, part[part.size // 4]].sum() for part in parts])  # beside the tick in its middle
+    across = np.flatnonzero(red.any(axis=0))
+    whole = red[:, across[across.size // 4]].sum()
+    assert reach / whole == pytest.approx(np.array(HEIGHTS), abs=3.0 / whole)
+
+
+@pytest.mark.parametrize("reader", READERS)
+def test_that_lines_marks_and_levels_are_where_the_data_are_in_every_reader(chart, reader):
+    x = np.linspace(0.0, 5.0, 6)
+    chart.curve("curve", x, 0.2 + 0.1 * x, 1, 3.0, legend=False)
+    chart.points("marks", x, 0.9 - 0.1 * x, 2, 12, legend=False)
+    chart.plot.setLabel("left", "y")
+    chart.set_range((-0.5, 5.5), (0.0, 1.0))
+    places = {}
+
+    def keep(chart):
+        places.update(
+            {
+                (k, a): chart.view.mapFromScene(chart.plot.vb.mapViewToScene(QPointF(float(a), float(b))))
+                for k, ys in ((1, 0.2 + 0.1 * x), (2, 0.9 - 0.1 * x))
+                for a, b in zip(x, ys, strict=True)
+            }
+        )
+
+    real = chart.paint_light
+    chart.paint_light = lambda painter: (real(painter), keep(chart))
+    content = figure(chart, ".svg", FigureSize(160.0, 96, caption=False))
+    across, high = page_of(content)
+    picture = picture_by(reader, content, 2 * across, 2 * high)
+    for (k, _), at in places.items():
+        row, column = 2 * at.y(), 2 * at.x()
+        around = shaded(picture, theme.LIGHT.curves[k])[row - 3 : row + 4, column - 3 : column + 4]
+        assert around.any(), (k, at)
+
+
+@pytest.fixture(scope="module")
+def shared(application, tmp_path_factory):
+    """A window on two walls that have run, the second above the ground, with an accuracy statement."""
+    with pytest.MonkeyPatch.context() as patch:
+        made = window_in(application, tmp_path_factory.mktemp("figures"), patch, [])
+        window = next(made)
+        assert window.files.open(ROOT / "resources" / "cases" / "verdict.toml")
+        settle(application, lambda: not window.records.pending)
+        run(application, window)
+        window.state_accuracy()
+        settle(application, lambda: window.job is None)
+        yield window
+        next(made, None)
+
+
+def charts_of(window, application):
+    for name, page in window.pages.items():
+        window.show_page(name)
+        application.processEvents()
+        yield from (one for one in page.content.findChildren(Chart) if one.data)
+
+
+def test_that_no_figure_of_the_program_asks_for_a_stroke_that_does_not_scale(shared, application):
+    names = set()
+    for wall in range(len(shared.session.result.walls)):
+        shared.pick(wall)
+        for one in charts_of(shared, application):
+            for width in (80.0, 160.0):
+                content = figure(one, ".svg", FigureSize(width))
+                assert b"non-scaling" not in content, one.name
+                ElementTree.fromstring(content)
+            names.add(one.name)
+    assert len(names) >= 9
+
+
+@pytest.mark.parametrize("reader", READERS)
+def test_that_every_figure_shows_the_same_in_every_reader(shared, application, reader):
+    """The share of the picture that each colour of the curves has, and its middle: edges of lines of two pixels, which
+    a reader may draw otherwise, are a fifth of them. Bars in strokes of the units of the axes fill the picture."""
+    shared.pick(0)
+    for one in charts_of(shared, application):
+        content = figure(one, ".svg", FigureSize(160.0, 96, caption=False))
+        across, high = page_of(content)
+        picture = picture_by(reader, content, 3 * across, 3 * high)
+        raster = pixels_of(figure(one, ".png", FigureSize(160.0, 288, caption=False)))
+        for k, shade in enumerate(theme.LIGHT.curves):
+            parts = [int(shade[n : n + 2], 16) for n in (1, 3, 5)]
+            if max(parts) - min(parts) < 60:  # grey, as letters and axes are
+                continue
+            seen, wanted = shaded(picture, shade), shaded(raster, shade)
+            if wanted.mean() < 0.003:  # a label, an end of a line
+                continue
+            assert seen.mean() == pytest.approx(wanted.mean(), rel=0.2, abs=2e-4), (one.name, k)
+            middle = [np.argwhere(mask).mean(axis=0) / mask.shape for mask in (seen, wanted)]
+            assert middle[0] == pytest.approx(middle[1], abs=0.05), (one.name, k)
+
+
+@pytest.mark.parametrize(
+    ("shape", "points"),
+    [
+        ('<rect vector-effect="non-scaling-stroke" x="1" y="2" width="3" height="4"/>', [(12, 36), (42, 36), (42, 24)]),
+        ('<line vector-effect="non-scaling-stroke" x1="1" y1="2" x2="3" y2="4"/>', [(12, 36), (32, 30)]),
+        ('<polyline fill="none" vector-effect="non-scaling-stroke" points="1,2 3,4 "/>', [(12, 36), (32, 30)]),
+        ('<path vector-effect="non-scaling-stroke" d="M1,2 L3,4"/>', [(12, 36), (32, 30)]),
+        ('<ellipse vector-effect="non-scaling-stroke" cx="1" cy="2" rx="3" ry="1"/>', [(42, 36), (12, 33), (-18, 36)]),
+        ('<circle vector-effect="non-scaling-stroke" cx="1" cy="2" r="1"/>', [(22, 36), (12, 33), (2, 36)]),
+    ],
+)
+def test_that_every_shape_moves_with_the_matrix_of_its_group(shape, points):
+    words = '<text x="5" y="6" font-size="3">a</text>'
+    group = f'<g stroke-width="1" transform="matrix(10,0,0,-3,2,42)" \nfont-size="12" \n>\n{shape}\n{words}\n</g>'
+    moved = in_page_units(f"<svg>{group}</svg>")
+    ElementTree.fromstring(moved)
+    assert "non-scaling" not in moved and moved.count("matrix(10,0,0,-3,2,42)") == 1
+    assert f'<g transform="matrix(10,0,0,-3,2,42)">{words}</g>' in moved
+    pairs = [tuple(map(float, pair)) for pair in re.findall(r"([-\d.e]+),([-\d.e]+)(?=[ \"])", moved)]
+    assert all(any(pair == pytest.approx(point, abs=1e-6) for pair in pairs) for point in points), moved
+
+
+# names
+
+
+def words_of(content: bytes) -> list[str]:
+    return [text.strip() for text in ElementTree.fromstring(content).itertext() if text.strip()]
+
+
+@pytest.mark.parametrize("width", [80.0, 120.0, 160.0])
+@pytest.mark.parametrize("count", [8, 14, 28])
+@pytest.mark.parametrize("paired", [False, True])
+def test_that_all_records_are_named_at_every_width(application, chart, width, count, paired):
+    names = [f"IT.STATION{k}.HNE.{1900 + k}" for k in range(count)]
+    chart.bars("stands", np.arange(float(count)), np.linspace(0.2, 0.9, count))
+    pairs = [f"{name} ±" for name in names[::2]] if paired else None
+    chart.names_below(names, pairs)
+    chart.set_range((-0.6, count - 0.4), (0.0, 1.0))
+    before = chart.view.size(), chart.plot.getAxis("bottom").height()
+    content = figure(chart, ".svg", FigureSize(width))
+    shown = words_of(content)
+    assert [name for name in (pairs or names) if elided(name, TICK_LETTERS) not in shown] == []
+    application.processEvents()
+    assert (chart.view.size(), chart.plot.getAxis("bottom").height()) == before, "the screen is as it was"
+    assert pixels_of(figure(chart, ".png", FigureSize(width, 96))).shape[0] > 0
+
+
+def test_that_a_figure_too_narrow_for_all_names_says_so(chart):
+    names = [f"record {k:02d}" for k in range(90)]
+    chart.bars("stands", np.arange(90.0), np.full(90, 0.5))
+    chart.names_below(names)
+    chart.set_range((-0.6, 89.6), (0.0, 1.0))
+    shown = words_of(figure(chart, ".svg", FigureSize(80.0, caption=False)))
+    said = [text for text in shown if "90 names" in text]
+    step = int(re.search(r"one in (\d+)", said[0])[1])
+    assert [name for name in names[::step] if name not in shown] == []
+
+
+@pytest.mark.parametrize("width", [80.0, 160.0])
+def test_that_every_strip_of_a_figure_is_named(chart, width):
+    lines = [(float(k), f"IT.ST{k:02d}.HNE (+)") for k in range(40)]
+    chart.bars("x", np.arange(40.0), np.arange(40.0))
+    chart.names_beside(lines)
+    chart.set_range((0.0, 40.0), (-0.5, 39.5))
+    content = figure(chart, ".svg", FigureSize(width))
+    assert [name for _, name in lines if elided(name, TICK_LETTERS + 4) not in words_of(content)] == []
+    across, high = page_of(content)
+    assert high > SHAPE * across
+
+
+@pytest.mark.parametrize("reader", READERS)
+def test_that_a_figure_of_80_mm_has_letters_that_keep_their_room(chart, reader):
+    """Below 120 mm the layout has more pixels an inch: its letters shrink with it, in every reader."""
+    chart.curve("curve", [0.0, 1.0], [0.0, 1.0], 0)
+    sizes = {}
+    for width in (160.0, 80.0):
+        content = figure(chart, ".svg", FigureSize(width, caption=False))
+        sizes[width] = set(re.findall(rb'font-size="([\d.]+)"', content))
+        size = re.search(rb'width="([\d.]+)mm"', content)
+        assert float(size[1]) == pytest.approx(width, abs=0.2)
+        picture_by(reader, content, *page_of(content))
+    assert sizes[160.0] == sizes[80.0]
+
+
+# what captions and columns say
+
+
+def test_that_captions_say_floor_where_it_is_the_floor(opened, application):
+    from dataclasses import replace
+
+    from core.case.site import Building, Spectrum
+
+    captions = {}
+    for base in (0.0, 6.0):
+        opened.session.edit_wall(0, base_z_m=base)
+        building = Building(height_m=9.0, storeys=3, period_s=0.26)
+        opened.session.edit(replace(opened.session.case, building=building))
+        opened.session.edit_section("demand", soil_factor=None, spectrum=Spectrum("EN1998", "B", type=1))
+        run(application, opened)
+        opened.pick(0)
+        captions[base] = {one.name: one.caption for one in charts_of(opened, application)}
+    for name, words in captions[0.0].items():
+        assert "floor" not in (name + words).lower(), name
+    live = {one.name for one in charts_of(opened, application) if one.live}
+    for name, words in captions[6.0].items():
+        assert "motion of the floor at 6 m" in words or name in live or "validation" in name.lower(), (name, words)
+    assert "Ground motion" in captions[0.0] and "Motion of the floor" in captions[6.0]
+    assert "Ground motion" not in captions[6.0]
+    ground = opened.pages["histories"].content.ground
+    assert "Motion of the floor. " in " ".join(words_of(figure(ground, ".svg", FigureSize())))
+
+
+@pytest.mark.parametrize(("language", "head"), [("en", "outcome"), ("it", "esito")])
+def test_that_the_columns_of_the_map_say_what_they_hold(opened, application, language, head):
+    from app.views.figure_dialogs import data_table
+    from core.rocking.outcome import COLLAPSED, STABLE
+
+    opened.set_choice("language", language)
+    run(application, opened)
+    opened.show_page("capacity")
+    strips = opened.pages["capacity"].content.strips
+    mark = ";" if language == "it" else ","
+    first = strips.content(".csv").decode("utf-8-sig").splitlines()[0]
+    assert first.split(mark)[1] == "q [-]" and head in first and f"{STABLE} " in first and f"{COLLAPSED} " in first
+    dialog = data_table(strips)
+    assert head in strips.columns[2] and strips.columns[0] and strips.labels[1] not in strips.columns
+    dialog.deleteLater()
+    assert ChartOutput.column == ""
+    opened.set_choice("language", "en")
