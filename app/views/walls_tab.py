@@ -6,8 +6,9 @@ from PySide6.QtWidgets import QLabel, QSplitter, QVBoxLayout, QWidget
 from app.look.language import called, number, tr
 from app.views.check_tab import digits, verdict_color
 from app.views.table import Table
-from core.study.results import StudyResult, WallResult
-from core.study.variants import Comparison, comparisons
+from core.report.verdict_words import outcome_of
+from core.study.results import StudyResult, WallResult, WallVerdict
+from core.study.variants import WallComparison, wall_comparisons
 from core.text.sentence import word
 from core.units import G
 from core.variation.limit_states import STATES
@@ -74,7 +75,12 @@ class WallsTab(QWidget):
         self.table.horizontalHeader().sectionClicked.connect(self._sort)
         self.pairs = Table(
             tr("Before and after"),
-            [tr("Wall"), tr("Mechanism"), tr("ζ before"), tr("by"), tr("ζ after"), tr("by"), tr("changed")],
+            [
+                tr("Wall"),
+                *(tr("before"), tr("ζ before"), tr("by")),
+                *(tr("after"), tr("ζ after"), tr("by")),
+                tr("changed"),
+            ],
         )
         self.pairs_title = QLabel(tr("Before and after"))
         below = QWidget()
@@ -99,10 +105,11 @@ class WallsTab(QWidget):
         self.split.setVisible(True)
         self.words.setText(tr("Lowest ζ first. Click the name of a wall to open it."))
         rows, colors = [], []
+        verdicts = {one.governing: one for one in result.verdicts}
         deciding = [one.governing for one in result.verdicts] or range(len(result.walls))
         self.order = sorted(deciding, key=lambda k: self._rank(result.walls[k]), reverse=self.falling)
         for k in self.order:
-            rows.append(self._row(result.walls[k]))
+            rows.append(self._row(result.walls[k], verdicts.get(k)))
             shade = verdict_color(result, result.walls[k]) if result.walls[k].assessment else None
             colors.append([None, None, shade, shade] + [None] * (len(rows[-1]) - 4))
         for column in range(RISK, self.table.columnCount()):  # what no wall has takes no room
@@ -111,14 +118,15 @@ class WallsTab(QWidget):
         shown = next((k for k in self.order if result.walls[k].part.origin == wall.part.origin), None)
         if shown is not None:
             self.table.selectRow(self.order.index(shown))
-        found = comparisons(result.walls)
+        found = wall_comparisons(result.verdicts)
         self.below.setVisible(bool(found))
-        self.pairs.show_rows([self._pair(one) for one in found])
+        self.pairs.show_rows([self._pair(result, one) for one in found])
 
-    def _row(self, wall: WallResult) -> list[str]:
+    def _row(self, wall: WallResult, verdict: WallVerdict | None = None) -> list[str]:
+        """A wall by the hinge that decides about it. verdict : of the wall, None before all its hinges are known"""
         found, language = wall.assessment, self.language
-        risk = found.risk if found else None
-        states = {one.state: one.zeta for one in found.states} if found else {}
+        risk = verdict.risk if verdict else None
+        states = {state: one.zeta for state, one in verdict.states.items()} if verdict else {}
         return [
             called(wall.name),
             word(wall.mechanism, language),
@@ -132,30 +140,31 @@ class WallsTab(QWidget):
             *(digits(states.get(state)) for state in STATES),
         ]
 
-    def _pair(self, one: Comparison) -> list[str]:
+    def _pair(self, result: StudyResult, one: WallComparison) -> list[str]:
         language = self.language
         changed = ", ".join(word(f"key_{key}", language) for key in one.changed) or tr("nothing")
-        return [
-            one.name,
-            word(one.before.mechanism, language),
-            digits(zeta_of(one.before)),
-            method_of(one.before, language),
-            digits(zeta_of(one.after)),
-            method_of(one.after, language),
-            changed,
-        ]
+        row = [called(one.name)]
+        for verdict in (one.before, one.after):
+            code, label = outcome_of(result, verdict)
+            row += [word(code, language), digits(verdict.zeta_least), word(label, language) if label else "–"]
+        return [*row, changed]
 
     def _rank(self, wall: WallResult) -> tuple:
         """By the column chosen: numbers by their size, what has none last."""
         if self.by == ZETA:
             value = zeta_of(wall)
         else:
-            word_or_number = self._row(wall)[self.by]
+            word_or_number = self._row(wall, self._verdict_of(wall))[self.by]
             try:
                 value = float(word_or_number.split()[0].replace(",", "."))
             except ValueError:
                 return (word_or_number == "–", 0.0, word_or_number)
         return (value is None) != self.falling, value or 0.0, ""
+
+    def _verdict_of(self, wall: WallResult) -> WallVerdict | None:
+        result = self.shown[0] if self.shown else None
+        found = result.verdicts if result else ()
+        return next((one for one in found if result.walls[one.governing] is wall), None)
 
     def _sort(self, column: int) -> None:
         self.falling = not self.falling if column == self.by else False

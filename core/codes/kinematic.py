@@ -138,6 +138,12 @@ class Kinematic:
     without_ties: Displacement | None = None
 
     @property
+    def ends_at_break(self) -> bool:
+        """Whether a tie that breaks ends d_SLV or d_SLC."""
+        bare = self.without_ties
+        return bare is not None and self.d_limit is not None and self.d_limit < bare.limit * (1.0 - 1e-12)
+
+    @property
     def displacement(self) -> Displacement | None:
         """What the displacement check compares; of a wall with ties that counted or left out whose zeta is larger: a
         tie that breaks ends d_SLV (C8.7.1.2.1.6), and no wall is weaker for a tie that it does not need."""

@@ -221,11 +221,11 @@ def _without_ties(bare: Displacement, s_de: Line) -> list[Line]:
     note, live = "without its ties", s_de.of is checks.s_de
     demand = checks.s_de_bare if live else checks.S_DE_BARE_GIVEN
     return [
-        Line(checks.d_limit_bare, bare.limit, LIVE, FULL, note),
-        Line(checks.a_limit_bare, bare.capacity, LIVE, FULL, note),
-        Line(checks.period_bare, bare.period, LIVE, FULL, note),
-        Line(demand, bare.demand, LIVE if live else RUN, VALUE, note),
-        Line(checks.displacement_ratio_bare, bare.ratio, LIVE, FULL, note),
+        Line(checks.d_limit_bare, bare.limit),
+        Line(checks.a_limit_bare, bare.capacity),
+        Line(checks.period_bare, bare.period),
+        Line(demand, bare.demand, LIVE if live else RUN),
+        Line(checks.displacement_ratio_bare, bare.ratio, LIVE, VALUE, note),
     ]
 
 

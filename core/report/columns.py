@@ -110,6 +110,7 @@ COLUMNS = (
     _of_wall("mechanism", "text", "", lambda wall: wall.mechanism),
     Column("decides", "flag", "", lambda row: row.decides if row.verdict else None),
     Column("wall_verdict", "text", "", lambda row: _of_the_wall(row).code if row.verdict else None),
+    Column("wall_zeta_least", "number", "-", lambda row: row.verdict.zeta_least if row.verdict else None),
     Column("wall_zeta_e", "number", "-", lambda row: _of_the_wall(row).zeta_e if row.verdict else None),
     _of_checks("verdict", "text", "", lambda found: found.code, "verdict"),
     _of_checks("check", "text", "", lambda found: found.governing, "verdict"),

@@ -3,9 +3,9 @@
 from core.codes.outcomes import least
 from core.report.cells import ACCELERATION, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text, title
 from core.report.tie_words import tie_words
-from core.report.verdict_words import in_order
+from core.report.verdict_words import in_order, outcome_of
 from core.study.results import StudyResult, WallResult
-from core.study.variants import comparisons
+from core.study.variants import wall_comparisons
 from core.text.sentence import word
 from core.units import G
 from core.variation.limit_states import STATES
@@ -17,7 +17,7 @@ LAST = 11
 def has_risk(result: StudyResult) -> bool:
     """Whether a wall has a zeta, and something beside it that the Summary does not show."""
     found = [wall.assessment for wall in result.walls if wall.assessment]
-    beside = any(one.states or one.tie for one in found) or bool(comparisons(result.walls))
+    beside = any(one.states or one.tie for one in found) or bool(wall_comparisons(result.verdicts))
     return beside and any(one.risk for one in found)
 
 
@@ -128,33 +128,23 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
 
 def _variants(book: Book, sheet, result: StudyResult, row: int) -> int:
     """The walls as they are beside the walls as they are designed."""
-    say, found = book.say, comparisons(result.walls)
+    say, found, language = book.say, wall_comparisons(result.verdicts), book.language
     if not found:
         return row
     title(sheet, row, say("Before and after"), 12)
-    header(
-        sheet,
-        row + 1,
-        [say("Wall"), say("Mechanism"), say("ζ before"), "", say("by"), say("ζ after"), say("by"), "", say("changed")],
-        1,
-        30,
-    )
+    heads = [say("Wall"), say("before"), "", "ζ", say("by"), say("after"), "", "ζ", say("by"), "", say("changed")]
+    header(sheet, row + 1, heads, 1, 30)
     row += 1
     for one in found:
         row += 1
         text(sheet, row, 1, one.name, wrap=True)
-        text(sheet, row, 2, word(one.before.mechanism, book.language))
-        for column, beside, wall in ((3, 5, one.before), (6, 7, one.after)):
-            verdict = wall.assessment.verdict if wall.assessment else None
-            number(sheet, row, column, verdict.zeta_e if verdict else None, RATIO)
-            label = (
-                next((c.label for c in wall.assessment.checks if c.name == verdict.governing), None)
-                if verdict
-                else None
-            )
-            text(sheet, row, beside, word(label, book.language) if label else "–")
-        keys = ", ".join(word(f"key_{key}", book.language) for key in one.changed) or say("nothing")
-        text(sheet, row, 9, keys)
+        for column, verdict in ((2, one.before), (6, one.after)):
+            code, label = outcome_of(result, verdict)
+            text(sheet, row, column, word(code, language), bold=True)
+            number(sheet, row, column + 2, verdict.zeta_least, RATIO)
+            text(sheet, row, column + 3, word(label, language) if label else "–")
+        keys = ", ".join(word(f"key_{key}", language) for key in one.changed) or say("nothing")
+        text(sheet, row, 11, keys)
         heighten(sheet, row, (one.name, 26))
         rule(sheet, row, 1, LAST)
     return row + 1

@@ -6,7 +6,7 @@ from dataclasses import fields
 from core.case.schema import WallJustification
 from core.case.site import DemandJustification
 from core.codes.outcomes import OUTCOMES
-from core.study.results import StudyResult, WallResult
+from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import by_severity, where
 from core.text.catalogue import CATALOGUE
 from core.text.sentence import FormNames, word
@@ -35,6 +35,15 @@ def in_order(result: StudyResult) -> list[tuple[WallResult, bool]]:
 def sentence_of(result: StudyResult, wall: WallResult, language: str) -> str:
     """The verdict of a result in words: of its wall where it decides about it, else of its hinge."""
     return wall.assessment.verdict.text(language, wall.part.asked.title, where(wall), names_in(language))
+
+
+def outcome_of(result: StudyResult, verdict: WallVerdict) -> tuple[str, str | None]:
+    """(code of the outcome of a wall, label of the check that decides)."""
+    found = result.walls[verdict.governing].assessment
+    if found is None:
+        return "undetermined", None
+    decides = next((check.label for check in found.checks if check.name == found.verdict.governing), None)
+    return found.verdict.code, decides
 
 
 KINDS = ("to_do", "limits", "note")

@@ -4,7 +4,7 @@ from collections.abc import Container
 from dataclasses import dataclass, fields, replace
 
 from core.case.schema import AS_IS, DESIGNED, Wall
-from core.study.results import WallResult
+from core.study.results import WallResult, WallVerdict
 from core.text.sentence import notice
 
 
@@ -41,6 +41,24 @@ def comparisons(walls: tuple[WallResult, ...]) -> tuple[Comparison, ...]:
             changed = changed_keys(wall.wall, other.wall)
             found.append(Comparison(wall.part.own_name, wall, other, changed))
     return tuple(found)
+
+
+@dataclass(frozen=True)
+class WallComparison:
+    """One wall of the case before and after, each with its outcome. changed : keys of the case whose values differ"""
+
+    name: str
+    before: WallVerdict
+    after: WallVerdict
+    changed: tuple[str, ...]
+
+
+def wall_comparisons(verdicts: tuple[WallVerdict, ...]) -> tuple[WallComparison, ...]:
+    """The walls of a study as they are beside as they are designed, in its order; empty without a demand."""
+    after = {one.wall.name: one for one in verdicts if one.wall.variant == DESIGNED}
+    before = [one for one in verdicts if one.wall.variant == AS_IS and one.wall.name in after]
+    pairs = [(one, after[one.wall.name]) for one in before]
+    return tuple(WallComparison(a.wall.name, a, b, changed_keys(a.wall, b.wall)) for a, b in pairs)
 
 
 OTHER = {AS_IS: DESIGNED, DESIGNED: AS_IS}

@@ -171,12 +171,13 @@ def _of_ties_not_counted(found: Evaluation) -> list[Sentence]:
 
 
 def _of_ties_that_lower(found: Evaluation, cancelled: Callable[[], bool]) -> list[Sentence]:
-    """zeta with the ties of a wall and without them: of the displacement check the larger counts, histories take the
-    ties as they are."""
+    """zeta with the ties of a wall and without them, where a tie ends the displacement check early or lowers zeta: of
+    that check the larger counts, histories take the ties as they are."""
     scene, said = found.scene, []
     if found.kinematic is None or not any(load.is_tie for load in scene.wall.load):
         return []
-    if pair := with_and_without_ties(found.kinematic, scene.demand):
+    pair = with_and_without_ties(found.kinematic, scene.demand)
+    if pair is not None and (pair[1] > pair[0] or found.kinematic.ends_at_break):
         said.append(sentence("reason", "ties_displacement", tied=Number(pair[0]), bare=Number(pair[1])))
     if found.dynamic is None or found.dynamic.zeta is None:
         return said

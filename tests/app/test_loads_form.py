@@ -132,7 +132,7 @@ def test_that_all_walls_are_on_one_tab_the_lowest_first_and_variants_are_compare
     tab = opened.pages["walls"].content
     zetas = [opened.session.result.walls[k].assessment.verdict.zeta_e for k in tab.order]
     assert zetas == sorted(zetas) and tab.table.rowCount() == 2
-    assert tab.pairs.rowCount() == 1 and tab.pairs.item(0, 6).text() == "thickness"
+    assert tab.pairs.rowCount() == 1 and tab.pairs.item(0, 7).text() == "thickness"
     tab.table.cellDoubleClicked.emit(1, 0)
     assert opened.shown == tab.order[1] and opened.page == "check"
     opened.show_page("intensity")

@@ -4,9 +4,10 @@ from core.codes.floor_spectrum import estimated_period
 from core.report.note.parts import Derivation, Heading, Part, Step, Table
 from core.report.note.words import Words
 from core.report.place_lines import place_of, states_of
+from core.report.verdict_words import outcome_of
 from core.setting.floors import damaged
 from core.study.results import StudyResult, WallResult
-from core.study.variants import comparisons
+from core.study.variants import wall_comparisons
 from core.units import G
 from core.wall.wall_body import parts_of
 from core.wall.wall_loads import size_of
@@ -117,16 +118,15 @@ def solids(wall: WallResult, words: Words) -> list[Part]:
 def before_and_after(result: StudyResult, words: Words) -> list[Part]:
     """The walls as they are beside the walls as they are designed."""
     say, rows = words.say, []
-    for one in comparisons(result.walls):
-        row = [one.name, words.word(one.before.mechanism)]
-        for wall in (one.before, one.after):
-            found = wall.assessment
-            verdict = found.verdict if found else None
-            by = next((c for c in found.checks if c.name == verdict.governing), None) if found else None
-            row += [words.number(verdict.zeta_e if verdict else None, ".2f"), words.short(by) if by else "–"]
+    for one in wall_comparisons(result.verdicts):
+        row = [one.name]
+        for verdict in (one.before, one.after):
+            code, label = outcome_of(result, verdict)
+            by = words.word(label) if label else "–"
+            row += [words.word(code), words.number(verdict.zeta_least, ".2f"), by]
         row.append(", ".join(words.word(f"key_{key}") for key in one.changed) or say("nothing"))
         rows.append(row)
     if not rows:
         return []
-    heads = [say("Wall"), say("Mechanism"), say("ζ before"), say("by"), say("ζ after"), say("by"), say("changed")]
-    return [Heading(say("Before and after"), 3), Table(heads, rows, (1.8, 1.8, 1.2, 1.8, 1.1, 1.8, 2.4))]
+    heads = [say("Wall"), say("before"), "ζ", say("by"), say("after"), "ζ", say("by"), say("changed")]
+    return [Heading(say("Before and after"), 3), Table(heads, rows, (1.6, 1.7, 0.7, 1.6, 1.7, 0.7, 1.6, 2.2))]

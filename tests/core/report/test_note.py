@@ -120,8 +120,8 @@ def test_that_the_note_gives_hazard_building_loads_and_what_is_changed(whole_bui
     assert {row[0] for heads, rows in tables.items() if "γψ [-]" in heads for row in rows} >= {"9.00"}
     symbols = {step.symbol for step in steps_of(parts)}
     assert {"H_b", "n", "T_1", "T/T_1", "ξ"} <= symbols
-    changed = next(rows for heads, rows in tables.items() if "ζ before" in heads)
-    assert changed and all(row[2] != row[4] and row[-1] != "nothing" for row in changed)
+    changed = next(rows for heads, rows in tables.items() if "before" in heads)
+    assert changed and all(row[2] != row[5] and row[-1] != "nothing" for row in changed)
     figures = [figure for part in parts if isinstance(part, Figures) for figure in part.figures]
     drawn = {label.text for figure in figures for label in figure.labels}
     listed = [row for part in parts if isinstance(part, Table) and "[kN/m]" in part.heads for row in part.rows]

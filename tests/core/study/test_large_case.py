@@ -14,7 +14,8 @@ from core.ground.artificial import filtered_noise
 from core.report import json_report
 from core.report.columns import COLUMNS
 from core.report.large_report import Tally
-from core.study import large_case, plan
+from core.setting import plan
+from core.study import large_case
 from core.study.case_parts import part_path
 from core.study.run import run
 from core.units import G

@@ -168,7 +168,8 @@ def test_that_a_tie_that_breaks_early_does_not_lower_the_displacement_check():
         tied, bare = with_and_without_ties(assessment.kinematic, found.demand)
         check = next(one for one in assessment.checks if one.name == "nonlinear")
         assert check.zeta == max(tied, bare)
-        (said,) = [one for one in assessment.verdict.limits if one.code == "ties_displacement"]
-        assert f"{tied:.2f}" in said.text("en") and f"{bare:.2f}" in said.text("en")
+        said = [one.text("en") for one in assessment.verdict.limits if one.code == "ties_displacement"]
+        assert len(said) == 1 if tied < bare else len(said) <= 1
+        assert all(f"{tied:.2f}" in one and f"{bare:.2f}" in one for one in said)
         lowered += tied < bare
     assert lowered > 1
