@@ -412,7 +412,20 @@ def test_steps(arguments):
         [python, "-m", "mypy", "--cache-dir", os.devnull],
     ]
     every_core = ["-n", "auto", "--dist", "worksteal"]
-    return [*([] if arguments else steps), [python, "-m", "pytest", *(arguments or every_core)]]
+    asked = with_budgets(arguments)
+    if asked in ([], ["--budgets"]):
+        asked = [*every_core, *asked]
+    return [*([] if arguments else steps), [python, "-m", "pytest", *asked]]
+
+
+def with_budgets(arguments):
+    """Arguments of the tests, --durations without a number as the option of tests/conftest.py that prints seconds
+    and budget of each folder; with one it is pytest's own."""
+    following = [*arguments[1:], ""]
+    return [
+        "--budgets" if word == "--durations" and not follows.isdigit() else word
+        for word, follows in zip(arguments, following)  # noqa: B905  (an old Python must reach our sentence)
+    ]
 
 
 def refuse_unknown_options(script, arguments):

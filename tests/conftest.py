@@ -4,6 +4,7 @@ import csv
 import gc
 import math
 import os
+import pickle
 import random
 from pathlib import Path
 
@@ -23,12 +24,14 @@ STANDING = {"name": "w", "height_m": 30.0, "slenderness_deg": 11.0, "base_z_m": 
 
 def pytest_addoption(parser):
     parser.addoption("--shuffle", type=int, help="seed of a random order of the tests")
+    parser.addoption("--budgets", action="store_true", help="seconds of each folder against its budget")
 
 
 gc.disable()  # all that is collected stays: to look through it again and again is a third of the collection
 
 
 def pytest_collection_finish():
+    gc.freeze()  # nor does a look for what a window left go through all tests and modules
     gc.enable()
 
 
@@ -41,11 +44,52 @@ def pytest_collection_modifyitems(config, items):
     items.sort(key=lambda item: (place[item.path], order.random()))
 
 
+def pytest_terminal_summary(terminalreporter, config):
+    """With --budgets (`run.py test --durations`) what each folder took; with xdist in the process that gathers."""
+    if config.getoption("--budgets"):
+        from tests.budgets import printed
+
+        terminalreporter.section("seconds of each folder")
+        for line in printed(terminalreporter.stats):
+            terminalreporter.write_line(line)
+
+
 def shelf_folder() -> Path | None:
     """Folder of real records: RIBALTA_RECORDS, else shared/records beside the project."""
     named = os.environ.get("RIBALTA_RECORDS")
     folder = Path(named) if named else ROOT.parent / "shared" / "records"
     return folder if (folder / "INDEX.csv").exists() else None
+
+
+@pytest.fixture(scope="session")
+def kept(tmp_path_factory):
+    """kept(name, make): what `make()` gives, made once for all tests that ask for this name, whichever process of
+    pytest-xdist they run in: it is kept in their common folder. None may change it."""
+    place, known = tmp_path_factory.getbasetemp(), {}
+    folder = place.parent if "PYTEST_XDIST_WORKER" in os.environ else place
+
+    def result(name: str, make):
+        file = folder / f"{name}.kept"
+        if name not in known and file.exists():
+            known[name] = pickle.loads(file.read_bytes())
+        elif name not in known:
+            known[name] = make()
+            whole = folder / f"{name}.{os.getpid()}"
+            whole.write_bytes(pickle.dumps(known[name]))
+            whole.replace(file)
+        return known[name]
+
+    return result
+
+
+@pytest.fixture(scope="session")
+def shipped(kept):
+    """shipped(name): the result of a shipped case, as it is."""
+    from core.case.reader import read_case
+    from core.study.run import run
+
+    path = ROOT / "resources" / "cases"
+    return lambda name: kept(name, lambda: run(read_case(path / f"{name}.toml"), base_dir=path, jobs=2))
 
 
 @pytest.fixture(scope="session")

@@ -31,6 +31,19 @@ FIRST_WORD = re.compile(
 )
 """How a command of ours begins; those of the system (apt) are not ours to try."""
 
+LONG = (
+    "bench --window",
+    "bench --screenshots --guide",
+    "bench --noise --explain",
+    "bench --compile",
+    "bench --sure",
+    "bench --work-precision",
+    "bench --tolerances",
+    "mutate",
+)
+"""Commands that compile kernels anew, open one more window or start pytest, a minute together: with `-m long` they are
+tried, in every run their words are read."""
+
 WINDOWED = ("window", "screenshots", "records")
 """Benchmarks that open a window: each in a process of its own."""
 
@@ -171,7 +184,31 @@ def tried(command: tuple[str, ...], folder: Path) -> None:
     assert found.returncode == 0, f"{shlex.join(command)}\n{found.stdout}\n{found.stderr}"
 
 
-@pytest.mark.parametrize("command", COMMANDS)
+def is_long(command: str) -> bool:
+    return any(f"run.py {words}" in command for words in LONG)
+
+
+@pytest.mark.parametrize("command", [command for command in COMMANDS if is_long(command)])
+def test_that_the_words_of_a_long_command_are_read(command):
+    """As run.py takes them, with the small form that is tried: the script is there and knows each option."""
+    words = shlex.split(re.sub(r"[\[\]…]", "", command))[2:]
+    script = Path(handed_over(words)[2])
+    assert script.is_file() and words[0] in script.stem
+    small = small_words(tuple(words), ROOT)
+    if words[0] == "bench":
+        assert bench.options_of(small[1:]).small
+        chosen = words[1].removeprefix("--").replace("-", "_")
+        assert callable(importlib.import_module(f"tests.benchmarks.{bench.BENCHMARKS[chosen]}").main)
+    assert small[0] == words[0]
+
+
+def test_that_every_long_command_is_documented():
+    assert all(any(f"run.py {words}" in command for command in COMMANDS) for words in LONG)
+
+
+@pytest.mark.parametrize(
+    "command", [pytest.param(command, marks=[pytest.mark.long] if is_long(command) else []) for command in COMMANDS]
+)
 def test_that_a_documented_command_runs(command, place):
     words = shlex.split(re.sub(r"[\[\]…]", "", command).replace("\\", "/"))
     match words:

@@ -60,25 +60,16 @@ def test_that_the_limits_of_functions_are_those_that_are_tested():
     assert f"functions are limited to {lines} lines and {branches} branches (a test enforces it)" in page
 
 
-def result_of(name: str):
-    """The result of a shipped case."""
-    from core.case.reader import read_case
-    from core.study import run
-
-    path = ROOT / "resources" / "cases" / name
-    return run.run(read_case(path), base_dir=path.parent, jobs=2)
-
-
 @pytest.fixture(scope="module")
-def first_trial():
+def first_trial(shipped):
     """The result of the case the first trial of the guide is about."""
-    return result_of("verdict.toml")
+    return shipped("verdict")
 
 
 @pytest.fixture(scope="module")
-def facade():
+def facade(shipped):
     """The result of the case of a facade as a body."""
-    return result_of("facade.toml")
+    return shipped("facade")
 
 
 @pytest.mark.parametrize("name", ["guide/2_facade.md", "guida/2_facciata.md"])

@@ -205,7 +205,7 @@ def hurry(application, window, faults, tmp_path, draw, seed: int, count: int) ->
     return hand
 
 
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.long)])
 def test_that_hundreds_of_random_events_break_nothing(opened, application, faults, tmp_path, answered, seed):
     shipped = {path: path.read_bytes() for path in EXAMPLE.parent.glob("*.toml")}
     hand = hurry(application, opened, faults, tmp_path, answered, seed, 300)

@@ -108,7 +108,8 @@ def test_that_another_case_begins_at_its_first_wall(opened):
     assert opened.stages.input.kind == "report"
 
 
-def test_that_tree_form_and_pages_show_one_wall_whatever_is_done(opened, application, tmp_path):
+@pytest.mark.parametrize("count", [50, pytest.param(150, marks=pytest.mark.long)])
+def test_that_tree_form_and_pages_show_one_wall_whatever_is_done(opened, application, tmp_path, count):
     """A walk: open, select, add, delete, undo, change stage, with and without a result."""
     text = opened.session.path.read_text()
     wall = text[: text.index("[[record]]")]
@@ -141,7 +142,7 @@ def test_that_tree_form_and_pages_show_one_wall_whatever_is_done(opened, applica
         opened.session.redo,
         lambda: opened.pick(int(draw.integers(0, len(opened.session.result.walls)))),
     )
-    for k in range(150):
+    for k in range(count):
         steps[int(draw.integers(0, len(steps)))]()
         try:
             consistent(opened)

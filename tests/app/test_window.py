@@ -334,7 +334,7 @@ def test_that_many_redraws_and_random_events_do_no_harm(opened, application):
     opened.show_page("histories")
     tab = opened.pages["histories"].content
     random = np.random.default_rng(1)
-    for k in range(int(os.environ.get("RIBALTA_REDRAWS", "150"))):
+    for k in range(int(os.environ.get("RIBALTA_REDRAWS", "60"))):
         tab.slider.setValue(int(random.integers(0, 2000)))
         if k % 10 == 0:
             opened.show_page(list(opened.pages)[int(random.integers(0, len(opened.pages)))])

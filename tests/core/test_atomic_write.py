@@ -80,33 +80,58 @@ def test_that_files_that_were_not_there_are_not_there_after_a_fault(tmp_path, mo
 
 
 KILLED = """
-import os, sys
+import json, os, sys
 from pathlib import Path
-sys.path.insert(0, {root!r})
+sys.path.insert(0, sys.argv[1])
 from core import atomic_write
-count = 0
-def kill(real):
-    def call(*a, **k):
-        global count
-        count += 1
-        if count == {number}:
-            os._exit(9)
-        return real(*a, **k)
-    return call
-for name in ("replace", "fsync", "unlink", "open", "chmod"):
-    setattr(os, name, kill(getattr(os, name)))
-atomic_write.write({{Path({one!r}): b"new 1", Path({two!r}): b"new 2"}})
+def ended_at(number, one, two):
+    count = 0
+    def kill(real):
+        def call(*a, **k):
+            nonlocal count
+            count += 1
+            if count == number:
+                os._exit(9)
+            return real(*a, **k)
+        return call
+    for name in ("replace", "fsync", "unlink", "open", "chmod"):
+        setattr(os, name, kill(getattr(os, name)))
+    atomic_write.write({Path(one): b"new 1", Path(two): b"new 2"})
+    os._exit(0)
+for line in sys.stdin:
+    child = os.fork() if hasattr(os, "fork") else 0
+    if not child:
+        ended_at(*json.loads(line))
+    print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), flush=True)
 """
+"""Writes two files and ends at a call of the system, in a process of its own for each line that comes; one interpreter
+starts them all, where the system can fork."""
+
+
+@pytest.fixture(scope="module")
+def killed():
+    """killed(number, one, two): the code of a process that writes these two files and is killed at this call."""
+    command = [sys.executable, "-c", KILLED, str(ROOT)]
+    if not hasattr(os, "fork"):
+        yield lambda *asked: subprocess.run(command, input=json.dumps(asked, default=str), text=True).returncode
+        return
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as starter:
+
+        def one_more(number, one, two):
+            starter.stdin.write(json.dumps([number, str(one), str(two)]) + "\n")
+            starter.stdin.flush()
+            return int(starter.stdout.readline())
+
+        yield one_more
+        starter.stdin.close()
 
 
 @pytest.mark.parametrize("number", range(1, 30))
-def test_that_a_kill_between_any_two_calls_is_finished_or_undone_at_the_next_start(tmp_path, number):
+def test_that_a_kill_between_any_two_calls_is_finished_or_undone_at_the_next_start(killed, tmp_path, number):
     one, two = tmp_path / "a.xlsx", tmp_path / "a.json"
     one.write_bytes(b"old 1")
     two.write_bytes(b"old 2")
-    script = KILLED.format(root=str(ROOT), number=number, one=str(one), two=str(two))
-    code = subprocess.run([sys.executable, "-c", script]).returncode
-    assert code in (0, 9)
+    assert killed(number, one, two) in (0, 9)
     atomic_write.check_folder(tmp_path)
     pair = (one.read_bytes(), two.read_bytes())
     assert pair in ((b"old 1", b"old 2"), (b"new 1", b"new 2"))
@@ -115,14 +140,15 @@ def test_that_a_kill_between_any_two_calls_is_finished_or_undone_at_the_next_sta
 
 @pytest.mark.parametrize("cleaned", ["out", "notes"])
 @pytest.mark.parametrize("number", range(1, 34))
-def test_that_a_kill_leaves_all_old_or_all_new_in_two_folders_whichever_is_looked_at_first(tmp_path, number, cleaned):
+def test_that_a_kill_leaves_all_old_or_all_new_in_two_folders_whichever_is_looked_at_first(
+    killed, tmp_path, number, cleaned
+):
     for name in ("out", "notes"):
         (tmp_path / name).mkdir()
     one, two = tmp_path / "out" / "a.xlsx", tmp_path / "notes" / "a.docx"
     one.write_bytes(b"old 1")
     two.write_bytes(b"old 2")
-    script = KILLED.format(root=str(ROOT), number=number, one=str(one), two=str(two))
-    assert subprocess.run([sys.executable, "-c", script]).returncode in (0, 9)
+    assert killed(number, one, two) in (0, 9)
     atomic_write.clean(tmp_path / cleaned)
     pair = (one.read_bytes(), two.read_bytes())
     assert pair in ((b"old 1", b"old 2"), (b"new 1", b"new 2"))
@@ -132,7 +158,7 @@ def test_that_a_kill_leaves_all_old_or_all_new_in_two_folders_whichever_is_looke
     assert sorted(path.name for path in tmp_path.rglob("*.*")) == ["a.docx", "a.xlsx"]
 
 
-def test_that_a_folder_out_of_reach_is_waited_for(tmp_path):
+def test_that_a_folder_out_of_reach_is_waited_for(killed, tmp_path):
     """The list of the moves lies on a share that is away: nothing is taken back, and all is done when it is there."""
     for name in ("out", "notes"):
         (tmp_path / name).mkdir()
@@ -140,8 +166,7 @@ def test_that_a_folder_out_of_reach_is_waited_for(tmp_path):
     for number in range(1, 34):
         one.write_bytes(b"old 1")
         two.write_bytes(b"old 2")
-        script = KILLED.format(root=str(ROOT), number=number, one=str(one), two=str(two))
-        subprocess.run([sys.executable, "-c", script])
+        assert killed(number, one, two) in (0, 9)
         for away, here in (("out", "notes"), ("notes", "out")):
             (tmp_path / away).rename(tmp_path / "away")
             atomic_write.clean(tmp_path / here)
@@ -167,14 +192,13 @@ def test_that_what_another_machine_writes_on_a_share_is_left_alone(tmp_path, mon
     assert os.listdir(tmp_path) == []
 
 
-def test_that_results_written_since_are_not_replaced_by_what_a_kill_left(tmp_path):
+def test_that_results_written_since_are_not_replaced_by_what_a_kill_left(killed, tmp_path):
     """A machine comes back whose batch was killed, and another has written the results meanwhile."""
     one, two = tmp_path / "a.xlsx", tmp_path / "a.json"
     for number in range(1, 30):
         one.write_bytes(b"old 1")
         two.write_bytes(b"old 2")
-        script = KILLED.format(root=str(ROOT), number=number, one=str(one), two=str(two))
-        subprocess.run([sys.executable, "-c", script])
+        assert killed(number, one, two) in (0, 9)
         one.write_bytes(b"since 1")
         two.write_bytes(b"since 2")
         atomic_write.clean(tmp_path)
@@ -315,7 +339,7 @@ def test_that_a_folder_that_cannot_be_synced_can_be_written(tmp_path, monkeypatc
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.json", "a.xlsx"]
 
 
-def test_that_a_kill_is_finished_also_where_the_folder_was_renamed(tmp_path):
+def test_that_a_kill_is_finished_also_where_the_folder_was_renamed(killed, tmp_path):
     folder = tmp_path / "out"
     folder.mkdir()
     one, two = folder / "a.xlsx", folder / "a.json"
@@ -323,8 +347,7 @@ def test_that_a_kill_is_finished_also_where_the_folder_was_renamed(tmp_path):
     two.write_bytes(b"old 2")
     # after the list is on disk and the first file in its place
     for number in range(8, 20):
-        script = KILLED.format(root=str(ROOT), number=number, one=str(one), two=str(two))
-        subprocess.run([sys.executable, "-c", script])
+        assert killed(number, one, two) in (0, 9)
         moved = folder.rename(tmp_path / f"out{number}")
         atomic_write.clean(moved)
         pair = ((moved / "a.xlsx").read_bytes(), (moved / "a.json").read_bytes())

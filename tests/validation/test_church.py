@@ -15,8 +15,8 @@ AG_S = 0.29977 * (1.4 - 0.4 * 2.38391 * 0.29977)
 
 
 @pytest.fixture(scope="module")
-def result():
-    return run(read_case(CASE), base_dir=CASE.parent, jobs=2)
+def result(kept):
+    return kept("church", lambda: run(read_case(CASE), base_dir=CASE.parent, jobs=2))
 
 
 def test_that_the_linear_check_is_the_hand_calculation(result):

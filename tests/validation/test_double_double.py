@@ -43,7 +43,7 @@ def test_that_sums_products_quotients_sines_and_cosines_have_thirty_digits(seed)
 @pytest.mark.parametrize(
     "seed",
     [
-        pytest.param(kind + len(KINDS) * turn, marks=[pytest.mark.long] if turn > 1 else [])
+        pytest.param(kind + len(KINDS) * turn, marks=[pytest.mark.long] if turn else [])
         for turn in range(4)
         for kind in range(TIES)
     ],
@@ -78,10 +78,11 @@ def test_that_a_history_is_that_of_thirty_digits(seed):
     assert found.impacts == len(impacts) or not stands
 
 
-def test_that_a_tied_wall_turns_back_where_small_steps_say():
+@pytest.mark.parametrize("count", [12, pytest.param(40, marks=pytest.mark.long)])
+def test_that_a_tied_wall_turns_back_where_small_steps_say(count):
     """The residual elongations hold every turn of a yielding bar; the record is followed by four seconds of rest."""
     rng, yielded, broken = np.random.default_rng(17), 0, 0
-    for _ in range(40):
+    for _ in range(count):
         case = drawn(rng)
         ground, dt, _, _, bars, *_ = case
         model, _, (_, both, residuals, gone, _, fallen) = of_both(case, after=4.0)

@@ -14,7 +14,7 @@ SAMPLES = 800
 """8 s of `standard`: a dozen impacts, and the amplification of rounding stays below 1e-9."""
 
 
-@pytest.mark.parametrize("scale", [1.0, 2.5])
+@pytest.mark.parametrize("scale", [1.0, pytest.param(2.5, marks=pytest.mark.long)])
 @pytest.mark.parametrize(
     "one_sided, restitution, law",
     [
@@ -45,18 +45,19 @@ def test_that_dop853_gives_the_same_history(reference, make_model, one_sided, re
 
 
 @pytest.mark.parametrize(
-    "one_sided, law",
+    "one_sided, law, samples",
     [
-        (False, "al_shawa"),
+        (False, "al_shawa", 160),
         *(
-            pytest.param(one_sided, law, marks=pytest.mark.long)
-            for one_sided, law in ((True, "al_shawa"), (False, (0.005, 0.28)), (True, (0.005, 0.28)))
+            pytest.param(one_sided, law, 400, marks=pytest.mark.long)
+            for law in ("al_shawa", (0.005, 0.28))
+            for one_sided in (False, True)
         ),
     ],
 )
-def test_that_a_small_stiff_wall_is_as_exact(reference, make_model, one_sided, law):
+def test_that_a_small_stiff_wall_is_as_exact(reference, make_model, one_sided, law, samples):
     """H 1 m, D1 down to 0.005: an elastic branch 140 times as stiff as p2, steps must shorten."""
-    ground = 0.9 * reference("standard")[0][:400]
+    ground = 0.9 * reference("standard")[0][:samples]
     model = make_model(height=1.0, one_sided=one_sided, law="al_shawa")
     if isinstance(law, tuple):
         ends = {"elastic_end": law[0] * model.slenderness, "plateau_end": law[1] * model.slenderness}
@@ -73,7 +74,7 @@ def test_that_a_small_stiff_wall_is_as_exact(reference, make_model, one_sided, l
     found = history(ground, 0.01, 1.0, model)
     difference = np.abs(found.rotation - np.array([float(value) for value in truth]))
     assert difference.max() / model.slenderness <= 1e-11
-    assert found.impact_time.size == len(impacts)
+    assert found.impact_time.size == len(impacts) > 2
 
 
 @pytest.mark.parametrize("dt", [0.01, 0.05])
@@ -90,15 +91,22 @@ def test_that_strong_motion_of_a_small_wall_shortens_the_steps(reference, make_m
     assert difference.max() / model.slenderness <= 1e-10
 
 
-@pytest.mark.parametrize("one_sided, law", [(True, "rigid"), pytest.param(False, "al_shawa", marks=pytest.mark.long)])
-def test_that_thirty_digits_give_the_same_history(reference, make_model, one_sided, law):
-    ground = reference("standard")[0][:450]
+@pytest.mark.parametrize(
+    "one_sided, law, samples",
+    [
+        (True, "rigid", 200),
+        pytest.param(True, "rigid", 450, marks=pytest.mark.long),
+        pytest.param(False, "al_shawa", 450, marks=pytest.mark.long),
+    ],
+)
+def test_that_thirty_digits_give_the_same_history(reference, make_model, one_sided, law, samples):
+    ground = reference("standard")[0][:samples]
     model = make_model(one_sided=one_sided, law=law)
     kinks = None if law == "rigid" else (model.elastic_end, model.plateau_end)
     truth, impacts = high_precision.history(
         ground, 0.01, model.slenderness, model.p2, one_sided, lambda v: mp.mpf(model.ratio_at_rest), kinks
     )
     found = history(ground, 0.01, 1.0, model)
-    assert found.impact_time.size == len(impacts)
+    assert found.impact_time.size == len(impacts) > 2
     difference = np.abs(found.rotation - np.array([float(value) for value in truth]))
     assert difference.max() / model.slenderness <= 1e-12

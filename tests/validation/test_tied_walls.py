@@ -123,9 +123,9 @@ def of_both(case, small=100, after=8.0):
     return model, history(ground, dt, 1.0, model), tied_walls.run(*arguments, small, after)
 
 
-def differ(case) -> str:
-    """How program and integrator differ on a random wall, "" where they do not."""
-    model, found, (_, both, _, _, _, fallen) = of_both(case)
+def differ(model, found, small_steps) -> str:
+    """How program and integrator differ on a random wall, "" where they do not. As `of_both` gives them."""
+    _, both, _, _, _, fallen = small_steps
     # one that leans on its bar beyond theta_c when the integrator ends has collapsed, and has not fallen
     if fallen != (found.outcome == COLLAPSED) and not both > model.collapse_rotation:
         return f"outcome {found.outcome}, {fallen}"
@@ -134,14 +134,16 @@ def differ(case) -> str:
     return ""
 
 
-@pytest.mark.parametrize("seed, count", [(5, 150), pytest.param(6, 2000, marks=pytest.mark.long)])
+@pytest.mark.parametrize(
+    "seed, count",
+    [(5, 50), pytest.param(5, 150, marks=pytest.mark.long), pytest.param(6, 2000, marks=pytest.mark.long)],
+)
 def test_random_walls_against_an_integrator_of_small_steps(seed, count):
     rng = np.random.default_rng(seed)
-    cases = [drawn(rng) for _ in range(count)]
-    differences = {k: words for k, case in enumerate(cases) if (words := differ(case))}
+    results = [of_both(drawn(rng)) for _ in range(count)]
+    differences = {k: words for k, one in enumerate(results) if (words := differ(*one))}
     assert not differences
     # bars were taut, yielded and broke, walls fell
-    results = [of_both(case) for case in cases]
     assert sum(found.outcome == COLLAPSED for _, found, _ in results) > 0.02 * count
     assert sum(bool(np.isinf(found.residual[:, -1]).any()) for _, found, _ in results) > 0.1 * count
     assert sum(bool(work > 0.0) for _, _, (*_, work, _) in results) > 0.3 * count

@@ -35,7 +35,9 @@ def off(rotation, truth, model) -> float:
     return float(np.abs(rotation[:size] - truth[:size]).max() / model.slenderness)
 
 
-@pytest.mark.parametrize("name, wrong, right", [("standard", 0.01, 1e-12), ("hard", 0.1, 1e-11)])
+@pytest.mark.parametrize(
+    "name, wrong, right", [("standard", 0.01, 1e-12), pytest.param("hard", 0.1, 1e-11, marks=pytest.mark.long)]
+)
 def test_uplift_taken_at_the_next_sample(reference, make_model, name, wrong, right):
     ground, truth, _, _ = reference(name)
     model = make_model()
@@ -131,7 +133,7 @@ def test_trilinear_kinks_ignored(reference, make_model, law, wrong):
     assert off(found, np.array([float(value) for value in truth]), model) < 1e-11
 
 
-@pytest.mark.parametrize("one_sided, ratio", [(False, 0.7), (True, 0.45)])
+@pytest.mark.parametrize("one_sided, ratio", [(False, 0.7), pytest.param(True, 0.45, marks=pytest.mark.long)])
 def test_chatter_without_a_rest_rule_never_ends(make_model, one_sided, ratio):
     """Zeno: impacts shrink geometrically. With the rule a few dozen, without it as many as are allowed."""
     model = make_model(one_sided=one_sided, ratio=ratio)
@@ -243,10 +245,12 @@ def test_a_decimated_record_is_another_record(reference, make_model):
     assert difference.max() / model.slenderness > 2e-3
 
 
-@pytest.mark.parametrize("ratio", [0.0, pytest.param(1.0, marks=pytest.mark.long)])
+@pytest.mark.parametrize(
+    "ratio, samples", [(0.0, 250), *(pytest.param(ratio, 600, marks=pytest.mark.long) for ratio in (0.0, 1.0))]
+)
 @pytest.mark.parametrize("one_sided", [False, True])
-def test_plastic_and_elastic_impacts(reference, make_model, ratio, one_sided):
-    ground = reference("standard")[0][:600]
+def test_plastic_and_elastic_impacts(reference, make_model, ratio, samples, one_sided):
+    ground = reference("standard")[0][:samples]
     model = make_model(one_sided=one_sided, ratio=ratio)
     truth, impacts = high_precision.history(
         ground, DT, model.slenderness, model.p2, one_sided, lambda v: mp.mpf(ratio), digits=25
@@ -257,11 +261,12 @@ def test_plastic_and_elastic_impacts(reference, make_model, ratio, one_sided):
     assert abs(found.impact_time.size - len(impacts)) <= 1
 
 
-def test_a_million_samples(make_model):
-    """10 000 s of noise at 0.01 s: ends, and its first hundred seconds are those of a short record."""
+@pytest.mark.parametrize("samples", [100_000, pytest.param(1_000_000, marks=pytest.mark.long)])
+def test_a_million_samples(make_model, samples):
+    """10 000 s of noise at 0.01 s, or a tenth: ends, and its first hundred seconds are those of a short record."""
     rng = np.random.default_rng(3)
     model = make_model(one_sided=True)
-    ground = 1.5 * G * math.tan(model.slenderness) * rng.uniform(-1, 1, 1_000_000)
+    ground = 1.5 * G * math.tan(model.slenderness) * rng.uniform(-1, 1, samples)
     long = history(ground, DT, 1.0, model)
     short = history(ground[:10_000], DT, 1.0, model)
     assert np.array_equal(long.rotation[:10_000], short.rotation)

@@ -115,10 +115,11 @@ def plain(latitude, longitude, years):
     return None
 
 
-def test_that_a_thousand_points_agree_with_an_implementation_in_plain_python():
+@pytest.mark.parametrize("count", [60, pytest.param(1000, marks=pytest.mark.long)])
+def test_that_points_agree_with_an_implementation_in_plain_python(count):
     draw, compared = random.Random(53), 0
     nodes = grid().nodes
-    while compared < 1000:
+    while compared < count:
         node = nodes[draw.randrange(len(nodes))]
         point = (node[0] + draw.uniform(-0.08, 0.08), node[1] + draw.uniform(-0.1, 0.1))
         years = draw.uniform(30.0, 2475.0)

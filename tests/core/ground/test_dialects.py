@@ -144,9 +144,10 @@ def test_that_what_lies_or_is_damaged_is_refused_in_one_sentence(content, word):
     assert "\n" not in str(caught.value)
 
 
-def test_that_a_slip_of_the_unit_is_warned_of_or_refused(shelf, index):
-    """Each acceleration of the shelf, read with its unit off by 9.81, 981 and 1000: refused where the file states its
-    own, else warned of."""
+@pytest.mark.parametrize("step", [5, pytest.param(1, marks=pytest.mark.long)])
+def test_that_a_slip_of_the_unit_is_warned_of_or_refused(shelf, index, step):
+    """Each acceleration of the shelf, or one of so many, read with its unit off by 9.81, 981 and 1000: refused where
+    the file states its own, else warned of."""
     slips = {
         "g": ("m/s2", "cm/s2", "mm/s2"),
         "m/s2": ("g", "cm/s2", "mm/s2"),
@@ -154,7 +155,7 @@ def test_that_a_slip_of_the_unit_is_warned_of_or_refused(shelf, index):
         "mm/s2": ("g", "m/s2", "cm/s2"),
     }
     tried = caught = 0
-    for file, row in index.items():
+    for file, row in list(index.items())[::step]:
         if not row["pga_g"] or file.startswith("SAC"):
             continue
         given = {**ASKED.get(file, {}), **({"channel": "1"} if file.endswith((".V2", "A")) else {})}
@@ -176,7 +177,7 @@ def test_that_a_slip_of_the_unit_is_warned_of_or_refused(shelf, index):
                 caught += error.code in ("contradicts_file", "contradicts_line", "peak_too_large")
             else:
                 caught += bool(found.warnings)
-    assert tried > 200 and caught >= 0.99 * tried
+    assert tried > 200 / step and caught >= 0.99 * tried
 
 
 @pytest.mark.parametrize(

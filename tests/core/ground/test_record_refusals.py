@@ -124,12 +124,13 @@ CUT = {
 COUNTED = ("PEER_AT2", "SIGMA", "plain_txt/eqsig")
 
 
+@pytest.mark.parametrize("most", [25, pytest.param(90, marks=pytest.mark.long)])
 @pytest.mark.parametrize("file", CUT)
-def test_that_a_file_cut_at_any_byte_of_its_end_gives_no_other_sample(shelf, file):
+def test_that_a_file_cut_at_any_byte_of_its_end_gives_no_other_sample(shelf, file, most):
     """What is left is refused, or holds the same samples; whole lines may go where no count is declared."""
     content, options = (shelf / file).read_bytes(), Options(**CUT[file])
     whole = records._motion(content, shelf / file, options, 1.0, "x").acceleration
-    for missing in range(1, 90):
+    for missing in range(1, most):
         try:
             found = records._motion(content[:-missing], shelf / file, options, 1.0, "x").acceleration
         except RecordError:

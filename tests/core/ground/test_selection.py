@@ -95,8 +95,10 @@ def test_that_the_limits_of_station_and_event_hold(monkeypatch):
     assert nearest_sets(ratios, 6, stations, events, (1, 1), FREE)[0] == []  # there are five events
 
 
-def test_that_copies_of_the_target_are_found_with_their_factor():
+@pytest.mark.parametrize("starts", [4000, pytest.param(selection.MOST_STARTS, marks=pytest.mark.long)])
+def test_that_copies_of_the_target_are_found_with_their_factor(monkeypatch, starts):
     """Seven records whose mean is the target but for 0.8, among others."""
+    monkeypatch.setattr(selection, "MOST_STARTS", starts)
     ratios, rng = ratios_of(40, 3), np.random.default_rng(1)
     pattern = rng.uniform(0.7, 1.3, (7, ratios.shape[1]))
     hidden = [2, 3, 11, 19, 20, 31, 39]

@@ -3,6 +3,8 @@
 import subprocess
 import sys
 
+import pytest
+
 from tests.conftest import ROOT
 
 ROCK = (
@@ -18,6 +20,9 @@ ROCK = (
 )
 
 
+MADE = "import core.jit.numba_extensions; from numba.core import types; print(types.Function.get_call_type.__module__)"
+
+
 def of_a_history(before: str) -> list[str]:
     """Sum of the rotations, and the module that finds the types of a call."""
     done = subprocess.run(
@@ -26,7 +31,17 @@ def of_a_history(before: str) -> list[str]:
     return done.stdout.split()
 
 
-def test_that_an_unknown_numba_is_left_as_it_is_with_the_same_results():
+@pytest.mark.parametrize(
+    "before, module",
+    [("", "core.jit.numba_extensions"), ("import numba; numba.__version__ = '9.0.0'\n", "numba.core.types.functions")],
+)
+def test_that_an_unknown_numba_is_left_as_it_is(before, module):
+    command = [sys.executable, "-c", before + MADE]
+    assert subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout.split() == [module]
+
+
+@pytest.mark.long  # every kernel of a history is compiled anew
+def test_that_an_unknown_numba_gives_the_same_results():
     value, module = of_a_history("")
     assert module == "core.jit.numba_extensions"
     assert of_a_history("import numba; numba.__version__ = '9.0.0'\n") == [value, "numba.core.types.functions"]

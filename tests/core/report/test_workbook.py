@@ -15,7 +15,6 @@ import pytest
 
 from app.terminal import export
 from core.case.loads import Load
-from core.case.reader import read_case
 from core.case.rules import parse_case
 from core.case.values import field_of
 from core.errors import Cancelled
@@ -24,7 +23,7 @@ from core.report.input_sheet import inputs
 from core.report.load_arrows import arrows
 from core.study import run as study
 from core.study.governing import collapse_histories
-from tests.conftest import ROOT, STANDING
+from tests.conftest import STANDING
 from tests.core.report import whole_workbook
 
 HOSTILE = '=HYPERLINK("http://x","y")'
@@ -546,13 +545,11 @@ def test_that_thinning_keeps_the_peaks():
     assert chosen == sorted(set(chosen))
 
 
-def test_that_the_input_is_in_words_and_says_what_the_user_did_not_write():
+def test_that_the_input_is_in_words_and_says_what_the_user_did_not_write(verdict):
     """A value of a table of walls is no default."""
-    path = ROOT / "resources" / "cases" / "verdict.toml"
     sheet = Book("it")
     sheet.workbook.remove(sheet.workbook.active)
-    result = study.run(read_case(path), base_dir=path.parent)
-    inputs(sheet, result)
+    inputs(sheet, verdict)
     rows = [[cell.value or None for cell in row] for row in sheet.workbook["Dati"].iter_rows(min_row=3)]
     assert ["Altezza", 7.0, "m", "tabella delle pareti"] in rows
     assert ["Fattore di confidenza FC", 1.35, None, "predefinito"] in rows

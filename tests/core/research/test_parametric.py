@@ -34,8 +34,9 @@ def run(content, **options):
     return parametric.run(parse_study(content), "", base_dir=ROOT, **options)
 
 
+@pytest.mark.parametrize("count", [2, pytest.param(10, marks=pytest.mark.long)])
 @pytest.mark.parametrize("one_sided, law", [(False, "rigid"), (True, "rigid"), (False, "doherty")])
-def test_that_q_does_not_depend_on_the_scale_of_the_record(one_sided, law, make_model):
+def test_that_q_does_not_depend_on_the_scale_of_the_record(one_sided, law, count, make_model):
     study, _ = read_study(ROOT / "resources" / "studies" / "paper.toml")
     spectrum, shape = parametric.spectra_of(study)[4]
     ground = parametric.compatible_motion(spectrum.target, shape.seed)
@@ -48,7 +49,7 @@ def test_that_q_does_not_depend_on_the_scale_of_the_record(one_sided, law, make_
         return [found.q, found.q_slv, found.q_slc, found.q_robust]
 
     once = numbers(ground)
-    for factor in np.geomspace(0.03, 20.0, 10):
+    for factor in np.geomspace(0.03, 20.0, count):
         assert numbers(factor * ground) == pytest.approx(once, rel=1e-12)
 
 
@@ -186,6 +187,7 @@ def test_that_a_vertical_component_is_left_out_and_named(tmp_path):
     assert (name, error.code) == ("UP", "vertical_component")
 
 
+@pytest.mark.long  # the whole shelf; what is left out is shown above
 def test_that_the_natural_set_of_the_paper_holds_no_vertical_and_no_motion_twice(shelf, tmp_path):
     """58 in version 0.5.0, a spectrally matched one twice; its files were those of four folders."""
     from tests.benchmarks import bench

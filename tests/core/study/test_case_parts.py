@@ -61,7 +61,7 @@ def whole(case):
     return timeless(run(read_case(case), base_dir=case.parent, jobs=2))
 
 
-@pytest.mark.parametrize("n", [1, 3, 7])
+@pytest.mark.parametrize("n", [3, *(pytest.param(n, marks=pytest.mark.long) for n in (1, 7))])
 def test_that_parts_in_any_order_and_number_are_the_undivided_run(case, whole, tmp_path, n):
     order = list(range(1, n + 1))
     random.Random(n).shuffle(order)
@@ -165,6 +165,7 @@ class Killing(Executor):
         return future
 
 
+@pytest.mark.long  # that a lost process loses no result is held above, by executors that cost no start
 def test_that_two_workers_of_dask_are_the_undivided_run_though_one_is_killed(case, whole):
     with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
         process = next(iter(client.run(os.getpid).values()))
@@ -177,7 +178,7 @@ STARTERS = {"parallel": ("parallel", "-j2"), "xargs": ("xargs", "-P", "2", "-I{}
 """Programs that only start others, as scale.md has them."""
 
 
-@pytest.mark.parametrize("starter", STARTERS)
+@pytest.mark.parametrize("starter", ["xargs", pytest.param("parallel", marks=pytest.mark.long)])
 def test_that_a_scheduler_that_only_starts_programs_makes_the_parts(case, whole, tmp_path, starter):
     if not shutil.which(starter):
         pytest.skip(f"no {starter}")

@@ -88,7 +88,8 @@ def test_that_a_search_in_vain_stands_for_its_end_and_a_run_without_a_number_for
 
 
 def test_that_a_cancel_during_the_moves_ends_the_run(case):
-    asked = parse_case({**table_of(case), "sensitivity": {}})
+    table = table_of(case)
+    asked = parse_case({**table, "sensitivity": {}, "generate": {**table["generate"], "count": 3}})
     seen = []
 
     def on_progress(done, planned, left):

@@ -29,13 +29,14 @@ def test_that_finished_runs_come_back_digit_for_digit(tmp_path):
     assert not path.exists()
 
 
-def test_that_no_mutation_of_a_byte_changes_a_result(tmp_path):
+@pytest.mark.parametrize("count", [200, pytest.param(1500, marks=pytest.mark.long)])
+def test_that_no_mutation_of_a_byte_changes_a_result(tmp_path, count):
     """Each line is whole or run again: bits flipped, bytes cut out, lines doubled, exchanged, cut."""
     path = tmp_path / "c.journal"
     content, chance = filled(path), random.Random(1)
     whole = {json.loads(line)["run"]: json.loads(line)["result"] for line in content.splitlines()[1:]}
     head = content.index(b"\n") + 1
-    for k in range(1500):
+    for k in range(count):
         changed, place = bytearray(content), chance.randrange(head, len(content))
         kind = k % 4
         if kind == 0:

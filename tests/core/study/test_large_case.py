@@ -162,7 +162,7 @@ def test_that_the_summary_counts_the_verdicts_and_names_the_worst(table, small, 
     assert told["case_sha256"] == read_case(case).sha256
 
 
-@pytest.mark.parametrize("n", [1, 5])
+@pytest.mark.parametrize("n", [5, pytest.param(1, marks=pytest.mark.long)])
 def test_that_parts_in_any_order_make_the_table_of_the_undivided_run(case, table, few, tmp_path, n):
     for k in reversed(range(1, n + 1)):
         assert batch.run_part(case, tmp_path, 1, True, k, n) == batch.DONE

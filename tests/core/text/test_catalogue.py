@@ -20,6 +20,7 @@ from core.text.catalogue import CATALOGUE, FOLDER, GROUPS, Catalogue
 from core.text.sentence import FormNames, Key, Quantity, capital, localized, sentence
 from core.variation.tie_design import NAMES as FORCES
 from tests.conftest import ROOT
+from tests.trees import tree_of
 
 SOURCES = [
     path for top in ("core", "app") for path in sorted((ROOT / top).rglob("*.py")) if path.parent.name != "text"
@@ -136,7 +137,7 @@ def test_that_a_sentence_in_italian_is_not_the_english_one():
 def test_that_every_code_that_is_used_exists_and_every_error_is_used():
     used = set()
     for path in SOURCES:
-        for name, call in calls(ast.parse(path.read_text())):
+        for name, call in calls(tree_of(path)):
             first = call.args[0] if call.args else None
             if name in ("InputError", "RecordError", "OutputError") and isinstance(first, ast.Constant):
                 assert first.value in CATALOGUE["error"], (path.name, first.value)
@@ -155,7 +156,7 @@ def test_that_every_text_of_the_catalogue_is_used():
     literals = {
         node.value
         for path in SOURCES
-        for node in ast.walk(ast.parse(path.read_text()))
+        for node in ast.walk(tree_of(path))
         if isinstance(node, ast.Constant) and isinstance(node.value, str)
     }
     sides = {f"{word}_{side}" for word in ("confidence", "dynamic") for side in ("demand", "capacity")}
@@ -181,7 +182,7 @@ def test_that_no_sentence_stands_outside_the_catalogue():
     found = []
     for path in SOURCES:
         name = path.relative_to(ROOT).as_posix()
-        tree = ast.parse(path.read_text())
+        tree = tree_of(path)
         known = docstrings(tree)
         for function, call in calls(tree):
             if function in (*SPOKEN, "sheet"):
