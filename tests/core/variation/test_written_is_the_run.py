@@ -26,6 +26,11 @@ from tests.core.variation.random_walls import random_tables
 HERE = Path(__file__).parent
 
 
+def same(found, wanted):
+    """Whether two numbers, either of which may be unknown, are the same."""
+    return found == wanted if None in (found, wanted) else found == pytest.approx(wanted, rel=1e-9)
+
+
 def made(case):
     """The result of a case, None where a rule refuses it."""
     try:
@@ -51,7 +56,7 @@ def agree(found, result, decided=True):
     here = {check.name: check.zeta for check in found.checks if check.name != "linear_q_slv"}
     assert here.keys() == of_run.keys()
     for name, zeta in here.items():
-        assert zeta == (None if of_run[name] is None else pytest.approx(of_run[name], rel=1e-9)), name
+        assert same(zeta, of_run[name]), name
     said = {AT_LIMIT: FAILS}.get(found.judgement(found.decides), found.judgement(found.decides))
     assert said == OUTCOMES[own.verdict.code].judgement
     exact = ("at_limit", "undetermined", "not_activated")  # the others hang on what raises zeta without a reason too
@@ -107,7 +112,7 @@ def check_moves(table):
         if result is None:
             continue
         (verdict,) = result.verdicts
-        assert found.zeta == pytest.approx(verdict.zeta_least, rel=1e-9), move.key
+        assert same(found.zeta, verdict.zeta_least), move.key
         hinges = [OUTCOMES[wall.assessment.verdict.code].judgement for wall in result.walls]
         assert found.sure == all(one == PASSES for one in hinges), move.key
         count += 1
@@ -131,8 +136,7 @@ def check_states(table):
             (found,) = [one for one in wall.assessment.states if one.state == state]
             verdict = other.assessment.verdict
             assert found.code == verdict.code
-            same = None if verdict.zeta_e is None else pytest.approx(verdict.zeta_e, rel=1e-9)
-            assert found.zeta == same
+            assert same(found.zeta, verdict.zeta_e)
             count += 1
     return count
 
