@@ -22,7 +22,15 @@ class Edge(NamedTuple):
     refused: bool = False
 
 
-def narrowed(holds: Holds, good: float, bad: float, close: float = 0.0, steps: int = MOST_STEPS) -> Edge:
+class Bracket(NamedTuple):
+    """Both sides of a boundary that is there, as of `Edge`."""
+
+    good: float
+    bad: float
+    refused: bool
+
+
+def narrowed(holds: Holds, good: float, bad: float, close: float = 0.0, steps: int = MOST_STEPS) -> Bracket:
     """The boundary between a value at which something holds and one at which it does not, by bisection.
 
     close : difference of both sides, over the larger one, at which it stops; steps : halvings at the most
@@ -37,7 +45,7 @@ def narrowed(holds: Holds, good: float, bad: float, close: float = 0.0, steps: i
             good = middle
         else:
             bad, refused = middle, found is None
-    return Edge(good, bad, refused)
+    return Bracket(good, bad, refused)
 
 
 def edge(holds: Holds, start: float, ends: tuple[float, float], rises: bool, step: float, close: float) -> Edge:
@@ -57,8 +65,8 @@ def edge(holds: Holds, start: float, ends: tuple[float, float], rises: bool, ste
         if bool(found) != inside:
             sides = (before, value) if inside else (value, before)
             refused = inside and found is None
-            narrow = narrowed(holds, *sides, close)
-            return narrow._replace(refused=narrow.refused or (refused and narrow.bad == sides[1]))
+            good, bad, last_refused = narrowed(holds, *sides, close)
+            return Edge(good, bad, last_refused or (refused and bad == sides[1]))
     return Edge(value, None) if inside else Edge(None, value)
 
 

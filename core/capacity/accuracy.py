@@ -179,6 +179,7 @@ def accuracy(
     Raises Cancelled, and OutputError without scipy.
     """
     require("accuracy")
+    assert ida.q is not None and ida.bracket is not None
     # a wall with bars, or of unlike sides, is taken by the series of order 8, whatever is asked for
     method = (
         METHODS["taylor"] if model.bars or model.other is not None else resolve_auto(method, model, motion.time_step)
@@ -197,14 +198,14 @@ def accuracy(
             points.append(point(motion, scale, model, each, theta))
         q_reference = searched(motion.acceleration, search, METHODS["dormand_prince"]).q
     ground = motion.acceleration
-    steps = [(search.q_step, ida.q, ida.q_robust)]
+    steps: list[tuple[float, float | None, float | None]] = [(search.q_step, ida.q, ida.q_robust)]
     for factor in STEP_FACTORS:
         step = factor * search.q_step
         if 1e-4 <= step <= 0.05:
             result = searched(ground, replace(search, q_step=step), method)
             steps.append((step, result.q, result.q_robust))
     noise = np.random.Generator(np.random.PCG64(1))
-    rounded = [(ida.q, ida.q_robust)]
+    rounded: list[tuple[float | None, float | None]] = [(ida.q, ida.q_robust)]
     for _ in range(NOISES):
         moved = ground + ROUNDING * motion.pga * noise.uniform(-1.0, 1.0, ground.size)
         result = searched(moved, search, method)

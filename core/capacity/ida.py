@@ -186,8 +186,8 @@ class _Map:
         """Brackets of the first events of these fractions of theta_c; None without one or where a midpoint
         is of unknown outcome; from 0 where the map cannot go lower."""
         firsts = [self.first_reaching(fraction) for fraction in fractions]
-        wanted = [k for k, first in enumerate(firsts) if first not in (None, self.first)]
-        edges: list = [(self.q_of(firsts[k] - 1), self.q_of(firsts[k])) for k in wanted]
+        wanted = {k: first for k, first in enumerate(firsts) if first is not None and first != self.first}
+        edges: list = [(self.q_of(first - 1), self.q_of(first)) for first in wanted.values()]
         pairs = [None if first is None else (0.0, self.q_of(first)) for first in firsts]
         while points := halvings(edges):
             middles = [part[1:-1] for part in points]

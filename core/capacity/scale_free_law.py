@@ -126,7 +126,7 @@ def fit_law(pi, loss, q, limit: float) -> Coefficients:
 def law_of(one_sided: bool, law: MomentLaw, quantity: str) -> ScaleFreeLaw | None:
     """The fitted law of a mechanism, a named moment law and "q" or "q_slv"; None for another moment law."""
     name = next((name for name, known in LAWS.items() if known == law), None)
-    return FITTED.get(("one_sided" if one_sided else "two_sided", name, quantity))
+    return None if name is None else FITTED.get(("one_sided" if one_sided else "two_sided", name, quantity))
 
 
 PI_RANGE = (0.13, 10.5)

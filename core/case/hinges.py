@@ -132,6 +132,7 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
     name = named_above(wall.title, hinge)
     if hinge == 0.0:
         return replace(wall, name=name, hinge_heights=None)
+    assert wall.height_m is not None
     loads = loads_above(wall, hinge, outer_face(wall, hinge))
     changes = {"thickness_m": wall.thickness} | above(wall, hinge)
     return replace(

@@ -77,8 +77,8 @@ def with_many(case: Case, walls: ManyWalls) -> Case:
             if part.hinge:
                 above.append(_digest(part.wall.name))
             check_loads(part.wall, numbers_above(part.asked, part.hinge))
-            if part.wall.above_ground:
-                low, high = min(low, part.wall.felt_z_m), max(high, part.wall.felt_z_m)
+            if (z := part.wall.felt_z_m) is not None and part.wall.above_ground:
+                low, high = min(low, z), max(high, z)
     known, counts = np.unique(np.array(titles), return_counts=True)
     twice = {*known[counts > 1].tolist(), *np.intersect1d(known, np.array(above, np.uint64)).tolist()}
     if twice:

@@ -47,7 +47,7 @@ class Site:
     @property
     def point(self) -> tuple[float, float]:
         """Latitude and longitude [degrees]. Raises InputError."""
-        if None not in (self.latitude, self.longitude):
+        if self.latitude is not None and self.longitude is not None:
             return self.latitude, self.longitude
         if (self.latitude is None) != (self.longitude is None):
             raise InputError("site_half_a_point", place=(HERE,))

@@ -190,7 +190,7 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
             check_given(part.wall)
             for mechanism in part.wall.mechanisms():
                 part.wall.restitution_of(mechanism)
-    heights = {part.wall.felt_z_m for part in found if part.wall.above_ground}
+    heights = {z for part in found if (z := part.wall.felt_z_m) is not None and part.wall.above_ground}
     if len(heights) > 1:
         refuse_modes(case, min(heights), max(heights))
     digest = hashlib.sha256(json.dumps(case.as_dict(), sort_keys=True).encode()).hexdigest()
@@ -279,7 +279,7 @@ def check_confidence(demand: Demand, wall: Wall) -> None:
     if stated >= FULL_FACTOR:
         return
     here, level = (section("[demand]"),), demand.knowledge_level
-    least = KNOWLEDGE.get(level)
+    least = KNOWLEDGE.get(level or "")
     if least is None or not _says(demand.investigations):
         raise InputError("low_confidence_factor", place=here, stated=stated)
     if stated < least:

@@ -140,7 +140,7 @@ class Wall:
             return self.thickness_m
         if self.slenderness_deg is not None:
             return self.height_m * math.tan(math.radians(self.slenderness_deg))
-        return self.height_m / self.height_over_thickness
+        return None if self.height_over_thickness is None else self.height_m / self.height_over_thickness
 
     @property
     def setback(self) -> float:
@@ -152,13 +152,14 @@ class Wall:
         if self.load:
             weight += wall_loads.vertical_loads(self)
         if wall_body.has_shape(self):
+            assert self.length_m is not None
             weight *= self.length_m / wall_body.base_length(self)
         return 2.0 * weight / (3.0 * 1e6 * self.compressive_strength_mpa)
 
     @property
     def weight(self) -> float | None:
         """W [N] of the wall, None without length and unit weight."""
-        if None in (self.length_m, self.unit_weight_kn_m3, self.thickness):
+        if self.length_m is None or None in (self.unit_weight_kn_m3, self.thickness):
             return None
         return wall_loads.weight_per_metre(self) * self.length_m
 
@@ -198,11 +199,11 @@ class Wall:
         given = [key for key in shape if getattr(self, key) is not None]
         if self.radius_m is not None or self.inertia_over_mass_m2 is not None:
             if self.hinge_setback_m or self.compressive_strength_mpa is not None:
-                raise InputError("general_no_setback", place=(place("wall", name=self.name),))
-            if self.height_m is not None or given != ["slenderness_deg"] or wall_body.has_shape(self):
-                raise InputError("general_keys", place=(place("wall", name=self.name),))
+                raise InputError("general_no_setback", place=here)
+            if self.slenderness_deg is None or len(given) > 1 or self.height_m is not None or wall_body.has_shape(self):
+                raise InputError("general_keys", place=here)
             if self.radius_m is None or self.inertia_over_mass_m2 is None:
-                raise InputError("general_needs", place=(place("wall", name=self.name),))
+                raise InputError("general_needs", place=here)
             if self.inertia_over_mass_m2 > MOST_INERTIA * self.radius_m**2:
                 raise InputError(
                     "inertia_too_large",
@@ -227,6 +228,7 @@ class Wall:
         if self.compressive_strength_mpa is not None and self.unit_weight_kn_m3 is None:
             raise InputError("strength_needs_weight", place=here, key="unit_weight_kn_m3")
         thickness, setback = self.thickness, self.setback
+        assert thickness is not None
         if not setback < MAX_SETBACK * thickness:
             key = "hinge_setback_m" if self.hinge_setback_m else "compressive_strength_mpa"
             raise InputError(
@@ -235,7 +237,7 @@ class Wall:
                 setback=setback,
                 most=MAX_SETBACK * thickness,
                 share=100 * MAX_SETBACK,
-                place=(place("wall", name=self.name),),
+                place=here,
             )
         if (body := wall_body.body_of(self)) is not None:
             return body.about(setback)

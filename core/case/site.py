@@ -81,13 +81,18 @@ class Demand:
     justification: DemandJustification | None = key("section", of=DemandJustification, section="demand")
 
     @property
-    def return_period(self) -> float | None:
-        """T_R [years] as given, else of V_N and C_U (NTC 2018 Eq. 3.2.0, 2.4.1); None without either."""
-        if self.return_period_years is not None:
-            return self.return_period_years
-        if None in (self.nominal_life_years, self.use_class_factor):
+    def reference_period(self) -> float | None:
+        """V_R = V_N C_U [years] (NTC 2018 Eq. 2.4.1); None without either."""
+        if self.nominal_life_years is None or self.use_class_factor is None:
             return None
-        return return_period(self.nominal_life_years * self.use_class_factor, self.limit_state)
+        return self.nominal_life_years * self.use_class_factor
+
+    @property
+    def return_period(self) -> float | None:
+        """T_R [years] as given, else of V_R (NTC 2018 Eq. 3.2.0); None without either."""
+        if self.return_period_years is not None or self.reference_period is None:
+            return self.return_period_years
+        return return_period(self.reference_period, self.limit_state)
 
 
 @dataclass(frozen=True)

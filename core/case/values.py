@@ -225,8 +225,9 @@ def corners_of(value) -> tuple[tuple[float, float], ...] | None:
 
 def _polygon(entry, value, here):
     corners = corners_of(value)
-    fits = corners is not None and len(corners) >= 3
-    return corners if fits and all(abs(number) <= 300.0 for corner in corners for number in corner) else None
+    if corners is None or len(corners) < 3:
+        return None
+    return corners if all(abs(number) <= 300.0 for corner in corners for number in corner) else None
 
 
 def _law(entry, value, here):

@@ -342,7 +342,7 @@ def _gather(table: dict) -> None:
             table[entry.name] = given if entry.metadata["kind"] == "tables" else given[0]
 
 
-def _heads(cells: list[str]) -> list[str | None]:
+def _heads(cells: list[str]) -> list[str]:
     known = {title: name for name, column in columns().items() for title in column.titles}
     while cells and not cells[-1]:
         cells = cells[:-1]

@@ -39,7 +39,8 @@ class CapacityCurve:
 
 def capacity_curve(mechanism: Kinematic, demand: DemandResult) -> CapacityCurve | None:
     """The curves of the nonlinear check of C8.7.1.2.1.8; None where that is not made."""
-    if mechanism.d_limit is None:
+    target = demand.target
+    if mechanism.s_de is None or target is None:
         return None
     damping = DAMPING[demand.limit_state]
     most = BEYOND * max(mechanism.d0, mechanism.s_de)
@@ -48,7 +49,7 @@ def capacity_curve(mechanism: Kinematic, demand: DemandResult) -> CapacityCurve 
         inside = d <= most
         return d[inside], a[inside]
 
-    ground = shown(displacement(demand.target, PERIODS, damping), demand.target.acceleration(PERIODS, damping))
+    ground = shown(displacement(target, PERIODS, damping), target.acceleration(PERIODS, damping))
     floor = np.zeros(0), np.zeros(0)
     if mechanism.floor is not None:
         felt = mechanism.floor.acceleration(PERIODS, damping)

@@ -209,10 +209,11 @@ def kinematic(wall, mechanism: str, demand: DemandResult, floor: FloorSpectrum |
         acceleration, missing = None, ("spectrum",)
     if free:
         period_0, missing = elastic_period(wall), _missing(wall, demand)
-        if not missing and max(a0, without_friction) * (period_0 / (2.0 * math.pi)) ** 2 >= LIMIT_FRACTION["SLV"] * d0:
-            missing = ("period_0",)  # elastic up to d_SLV: no rocking wall
+        if period_0 is not None and not missing:
+            elastic = max(a0, without_friction) * (period_0 / (2.0 * math.pi)) ** 2
+            missing = ("period_0",) if elastic >= LIMIT_FRACTION["SLV"] * d0 else ()  # up to d_SLV: no rocking wall
         acceleration = None
-        if not missing:
+        if period_0 is not None and demand.target is not None and not missing:
             spectra = [demand.target, *([] if floor is None else [floor])]
             acceleration = max(float(s.acceleration([period_0], FREE_DAMPING)[0]) for s in spectra)
             _covers(demand.target, period_0, "T_0", wall)
@@ -236,13 +237,14 @@ def _displacement(
 ) -> Displacement:
     """The displacement check by these sums. period_0 : T_0 [s]. Raises InputError where the spectrum of a file ends
     before the period."""
-    state = demand.limit_state
+    state, target = demand.limit_state, demand.target
+    assert target is not None
     d_limit = sums.limit_of_ties(LIMIT_FRACTION[state] * sums.d0)
     a_limit = capacity_at(sums, d_limit, demand.confidence_factor)
     period = PERIOD_FACTOR[state] * math.sqrt(d_limit / a_limit)
-    _covers(demand.target, period, f"T_{state}", wall)
+    _covers(target, period, f"T_{state}", wall)
     damping = DAMPING[state]
-    s_de = target_spectrum.largest_displacement(demand.target, min(period_0, period), period, damping)
+    s_de = target_spectrum.largest_displacement(target, min(period_0, period), period, damping)
     if floor is not None:
         s_de = max(s_de, floor.displacement(period, damping))
     return Displacement(d_limit, a_limit, period, s_de)
@@ -261,7 +263,7 @@ def _passed(zeta: float, demand: DemandResult) -> bool:
 def sld(mechanism: Kinematic, demand: DemandResult) -> Check | None:
     """C8.7.1.2.1.5: a0* against the largest acceleration of the ground a_g S (C8.7.1.8), of an element free
     to vibrate against S_e(T_0, 5 %) (C8.7.1.9). None where T_0 of a free element is not known."""
-    if mechanism.zeta_sld is None:
+    if mechanism.zeta_sld is None or mechanism.acceleration_demand is None:
         return None
     return Check(
         "linear_q_code",

@@ -74,7 +74,7 @@ class Chain:
     def start(self) -> tuple[float, float, float | None]:
         """alpha_0 [-], e* [-] and the mass [kg/m] of what turns first: with the friction of the return walls where
         there is some."""
-        if self.alpha0_friction is None:
+        if self.alpha0_friction is None or self.e_star_friction is None:
             return self.alpha0, self.e_star, self.mass
         return self.alpha0_friction, self.e_star_friction, self.mass_friction
 

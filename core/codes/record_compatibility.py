@@ -130,6 +130,7 @@ def natural_bounds(demand: DemandResult) -> tuple[float, float, float]:
 def common_factor(motions: list[GroundMotion], demand: DemandResult) -> float:
     """The one factor of all records for which their mean 5 % spectrum is nearest to the target, by the mean of the
     logarithms of their ratio over the periods of the rules."""
+    assert demand.target is not None
     low, high = demand.period_range or RANGE
     count = math.ceil(math.log(high / low) / math.log1p(PERIOD_STEP)) + 1
     periods = np.geomspace(low, high, count)

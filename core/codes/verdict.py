@@ -244,6 +244,7 @@ def _code(seen: Evidence, blocked: bool, agrees: bool) -> str:
     """
     if seen.dynamic and seen.dynamic.within_spread(seen.demand.zeta_target):
         return "at_limit"
+    assert seen.governing is not None
     if not seen.governing.passed:  # whatever is missing: it would pass no better with it
         return "q2_unsafe" if agrees else "not_verified"
     if blocked:
@@ -264,18 +265,12 @@ def _limits_of_the_number(seen: Evidence, code: str, lower_bound: float | None) 
     if fall := displacement_fall(seen.demand.target):
         earlier, later, share = fall
         limits.append(_reason("spectrum_falls", earlier=earlier, later=later, share=share))
-    weaker = _weaker(seen, code)
-    if weaker and seen.dynamic.zeta_first < seen.demand.zeta_target:
-        limits.append(weaker)
-    return limits
+    return limits + _weaker(seen, code, True)
 
 
 def _notes(seen: Evidence, code: str) -> list[Sentence]:
     """What a reader may pass over."""
-    notes = []
-    weaker = _weaker(seen, code)
-    if weaker and seen.dynamic.zeta_first >= seen.demand.zeta_target:
-        notes.append(weaker)
+    notes = _weaker(seen, code, False)
     if seen.kinematic and seen.kinematic.chain.friction_height is not None:
         notes.append(_reason("friction_hinge", height=seen.kinematic.chain.friction_height))
     compliance = seen.compliance
@@ -308,14 +303,15 @@ def _unconfirmed(seen: Evidence) -> list[Sentence]:
     return [_reason("alone")] if refuted and other is not None and not other.passed else []
 
 
-def _weaker(seen: Evidence, code: str) -> Sentence | None:
-    """A motion weaker than zeta_E that fails the rule: said whenever one does, also above what is required."""
+def _weaker(seen: Evidence, code: str, below: bool) -> list[Sentence]:
+    """A motion weaker than zeta_E that fails the rule: said whenever one does. below : what is required, or not"""
     dynamic = seen.dynamic
     if code == "undetermined" or dynamic is None or dynamic.zeta is None or dynamic.zeta_first is None:
-        return None
-    if dynamic.zeta_first >= dynamic.zeta * (1.0 - BRACKET):
-        return None
-    return _reason("weaker_fails", first=dynamic.zeta_first, zeta_16=Number(dynamic.zeta_16))
+        return []
+    first = dynamic.zeta_first
+    if first >= dynamic.zeta * (1.0 - BRACKET) or (first < seen.demand.zeta_target) != below:
+        return []
+    return [_reason("weaker_fails", first=first, zeta_16=Number(dynamic.zeta_16))]
 
 
 def _of_the_histories(seen: Evidence) -> list[Sentence]:

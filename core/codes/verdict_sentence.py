@@ -22,8 +22,9 @@ def measured(check: Check, dynamic: DemandCheck | None, demand: DemandResult) ->
     """A check with what it compares: demand and capacity."""
     if check.name != "dynamic" or dynamic is None:
         # zeta is then that of a_g,SLD, which the displacement check is not below (C8.7.1.2.1.8)
-        known = check.name == "nonlinear" and None not in (check.zeta, check.capacity, check.demand)
-        starts = known and check.zeta * check.demand > check.capacity * (1.0 + 1e-9)
+        starts = False
+        if check.name == "nonlinear" and not (check.zeta is None or check.capacity is None or check.demand is None):
+            starts = check.zeta * check.demand > check.capacity * (1.0 + 1e-9)
         return sentence(
             "added",
             "by_nonlinear_start" if starts else f"by_{check.label}",

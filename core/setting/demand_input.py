@@ -37,7 +37,9 @@ def target_of(asked: Demand, base_dir: Path) -> Target | None:
     if chosen is None:
         return None
     if chosen.code == "EN1998":
+        assert chosen.type is not None
         return target_spectrum.en1998(ag, chosen.type, chosen.soil)
+    assert chosen.f0 is not None and chosen.tc_star_s is not None and chosen.topography is not None
     return target_spectrum.ntc2018(ag, chosen.f0, chosen.tc_star_s, chosen.soil, chosen.topography)
 
 
@@ -68,10 +70,12 @@ def _rows(path: Path) -> list[tuple[float, float]]:
 
 
 def demand_of(case: Case, base_dir: Path) -> DemandResult | None:
+    """The demand of a case, None without one. Raises InputError."""
+    return None if case.demand is None else demand_asked(case.demand, base_dir)
+
+
+def demand_asked(asked: Demand, base_dir: Path) -> DemandResult:
     """The demand but for an intensity that only records can give. Raises InputError."""
-    asked = case.demand
-    if asked is None:
-        return None
     hazard = hazard_of(asked, base_dir)
     check_hazard(asked, hazard)
     target = target_of(asked, base_dir)
@@ -129,13 +133,15 @@ def interpolated(hazard: tuple[HazardRow, ...], years: float) -> HazardRow:
     known = np.log([row.return_period_years for row in hazard])
     at = math.log(years)
 
-    def value(key: str) -> float | None:
-        values = [getattr(row, key) for row in hazard]
-        if None in values:
-            return None
+    def between(values: list[float]) -> float:
         return math.exp(float(np.interp(at, known, np.log(values))))
 
-    return HazardRow(years, value("ag_g"), value("f0"), value("tc_star_s"))
+    def between_known(values: list[float | None]) -> float | None:
+        given = [value for value in values if value is not None]
+        return between(given) if len(given) == len(values) else None
+
+    f0, tc_star = between_known([row.f0 for row in hazard]), between_known([row.tc_star_s for row in hazard])
+    return HazardRow(years, between([row.ag_g for row in hazard]), f0, tc_star)
 
 
 def check_hazard(asked: Demand, hazard: tuple[HazardRow, ...]) -> None:

@@ -74,13 +74,14 @@ class Floor:
     def code_over_records(self, mechanism: Kinematic) -> float | None:
         """Smallest ratio of S_eZ to the mean of the floor motions at CHART_PERIODS on [T_0, T_SLV]; None without
         either."""
-        if self.spectrum is None or not self.motions or mechanism.period is None:
+        code = self.code_spectrum
+        if code is None or not self.motions or mechanism.period is None:
             return None
         first = mechanism.period_0 or 0.0
         inside = (first <= CHART_PERIODS) & (mechanism.period >= CHART_PERIODS)
         if not inside.any():
             return None
-        return float((self.code_spectrum[inside] / self.mean_spectrum[inside]).min())
+        return float((code[inside] / self.mean_spectrum[inside]).min())
 
 
 def modes_at(building: Building, z: float, limit_state: str) -> tuple[Mode, ...]:
@@ -130,10 +131,11 @@ def floor_of(
 ) -> Floor | None:
     """The floor of a wall above the ground; None on it or without [building]. Without a demand the building is that of
     SLV."""
-    if not wall.above_ground or building is None:
+    z = wall.felt_z_m
+    if z is None or not wall.above_ground or building is None:
         return None
     limit_state = demand.limit_state if demand else "SLV"
-    height = min(wall.felt_z_m, building.height_m)
+    height = min(z, building.height_m)
     modes = modes_at(building, height, limit_state)
     estimated = building.period_s is None and not building.modes
     spectrum = FloorSpectrum(demand.target, modes) if demand and demand.target else None

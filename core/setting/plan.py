@@ -140,6 +140,7 @@ def with_chosen(
     if case.select is None:
         return case, None
     demand = demand_of(case, base_dir)
+    assert demand is not None
     found = select_records(case.select, base_dir, demand, longest_of(case, base_dir, demand), told, cancelled)
     return replace(case, select=None, record=found.chosen.records), found
 

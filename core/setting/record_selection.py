@@ -112,6 +112,7 @@ def select_records(
     Raises InputError where there is no set, Cancelled.
     """
     here = section("[select]")
+    assert demand.target is not None
     asked_range = period_range(["natural"], longest, demand)
     periods = compared_periods(asked_range, longest)[1]
     periods = periods[within(periods, asked_range)]

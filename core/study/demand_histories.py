@@ -33,7 +33,7 @@ def deciding_runs(wall: WallResult) -> list[DemandRun]:
     mean = check.mean_peak_ratio
     if check.set_rule != "mean" or mean is None:
         return [worst]
-    nearest = min(check.runs, key=lambda run: abs(run.peak_ratio - mean))
+    nearest = min(check.runs, key=lambda run: math.inf if run.peak_ratio is None else abs(run.peak_ratio - mean))
     return [worst] if nearest is worst else [worst, nearest]
 
 
@@ -48,11 +48,14 @@ def demand_histories(result: StudyResult, wall: WallResult) -> list[DemandHistor
 
 def history_at_demand(result: StudyResult, wall: WallResult, run: DemandRun) -> tuple[GroundMotion, History]:
     """The motion of a run of the dynamic check and the history of the wall under it, FC included as in the check."""
-    motion = result.motion_of(wall, run.motion)
-    model, factor = at_demand(wall.model, result.demand, wall.assessment.dynamic.confidence_on, motion)
+    motion, demand, check = result.motion_of(wall, run.motion), result.demand, wall.assessed.dynamic
+    assert demand is not None and check is not None
+    model, factor = at_demand(wall.model, demand, check.confidence_on, motion)
     return motion, history(motion.acceleration, motion.time_step, run.polarity * factor, model, result.method)
 
 
 def control_displacement(wall: WallResult, rotation: np.ndarray) -> np.ndarray:
     """d [m] of the control point (C8.7.1.4)."""
-    return np.sign(rotation) * wall.assessment.kinematic.chain.displacement(np.abs(rotation))
+    kinematic = wall.assessed.kinematic
+    assert kinematic is not None
+    return np.sign(rotation) * kinematic.chain.displacement(np.abs(rotation))

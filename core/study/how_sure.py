@@ -105,8 +105,8 @@ def _with_sensitivity(
         progress.done(("sensitivity", origin))
         return replace(verdict, sensitivity=Sensitivity(None, (), (), ()))
     made, turned = moves(setting, ranges), keys_of(setting)
-    zetas = [_zeta(hinge) for hinge in hinges]
-    if ranges.record_left_out and None not in zetas and len(plan.motions) > 1:
+    zetas = [zeta for hinge in hinges if (zeta := _zeta(hinge)) is not None]
+    if ranges.record_left_out and len(zetas) == len(hinges) and len(plan.motions) > 1:
         tasks = enumerate(zip(hinges, zetas, strict=True))
         peaks = yield Batch({k: functools.partial(_peaks_of, plan, one, demand, zeta) for k, (one, zeta) in tasks})
         made += records_left_out([peaks[k] for k in range(len(hinges))])
@@ -184,9 +184,10 @@ def capacities(
             )
         }
         for state, values in by_state.items():
-            if None in values:
+            known = [value for value in values if value is not None]
+            if len(known) < len(values):
                 return None
-            multiplier = multiplier_of(min(values), motion.pga, wall.threshold) / demand.scaling(motion)
+            multiplier = multiplier_of(min(known), motion.pga, wall.threshold) / demand.scaling(motion)
             found[state].append(ag(float(multiplier)))
     return found
 

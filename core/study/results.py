@@ -115,6 +115,12 @@ class WallResult:
         return self.part.wall.name
 
     @property
+    def assessed(self) -> Assessment:
+        """Its checks, of a study with a demand."""
+        assert self.assessment is not None
+        return self.assessment
+
+    @property
     def pair(self) -> tuple[str, float, str]:
         """What it shares with its other variant alone."""
         return shared(self.part, self.mechanism)

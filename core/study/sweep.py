@@ -166,7 +166,7 @@ def point_of(value: float, result: StudyResult) -> SweepPoint:
             zeta[check.label] = None if check.zeta is None or known is None else min(known, check.zeta)
     unknown = any(wall.set_rule == "incomplete" for wall in result.walls)
     found = [] if unknown else [wall.q_set for wall in result.walls if wall.q_set is not None]
-    verdict = result.walls[result.verdicts[0].governing].assessment.verdict if result.verdicts else None
+    verdict = result.walls[result.verdicts[0].governing].assessed.verdict if result.verdicts else None
     return SweepPoint(
         value,
         zeta,

@@ -66,7 +66,7 @@ OTHER = {AS_IS: DESIGNED, DESIGNED: AS_IS}
 
 def with_variant_alone(wall: WallResult, known: Container) -> WallResult:
     """A result; with a notice where it is a variant whose counterpart is missing. known : of `Plan.variants`"""
-    other = OTHER.get(wall.wall.variant)
-    if other is None or (wall.pair, other) in known:
+    variant = wall.wall.variant
+    if variant is None or (wall.pair, OTHER[variant]) in known:
         return wall
     return replace(wall, warnings=(notice("variant_alone"), *wall.warnings))

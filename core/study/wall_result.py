@@ -12,6 +12,7 @@ from core.codes.eq9 import inequality
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM, set_rule, set_value
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import stations
+from core.study.governing import lowest_of
 from core.study.results import Q_SOURCES, PerRecord, Run, WallResult
 from core.text.sentence import Sentence, notice, sentence
 from core.units import CM
@@ -62,8 +63,7 @@ def _per_record(
     closed: bool,
 ) -> PerRecord:
     """felt : motion of the floor of a wall above the ground; closed : Eq. 15 and 16 hold."""
-    with_q = [run for run in runs if run.ida.q is not None]
-    lowest = min(with_q, key=lambda run: run.ida.q) if with_q else None
+    lowest = lowest_of(runs)
     si = motion.housner_intensity
     shape = (block.slenderness, block.height, si)
     return PerRecord(
@@ -80,6 +80,12 @@ def _per_record(
         closed_form_q_eff=closed_forms.closed_form_q_eff(*shape, one_sided) if closed else None,
         closed_form_q=closed_forms.closed_form_q(*shape, motion.pga, one_sided) if closed else None,
     )
+
+
+def _power_law(with_q: list[PerRecord]) -> closed_forms.PowerLaw | None:
+    """The law of the records with a q."""
+    points = [(entry.intensity, q_eff) for entry in with_q if (q_eff := entry.q_eff) is not None]
+    return closed_forms.fit_power_law([si for si, _ in points], [q_eff for _, q_eff in points])
 
 
 def wall_result(part: Part, mechanism, model, runs, motions, search, demand, floor=None) -> WallResult:
@@ -132,7 +138,7 @@ def wall_result(part: Part, mechanism, model, runs, motions, search, demand, flo
         estimated = estimates(block, restitution, law, one_sided, demand.intensity, demand.pga)
     law_of_si = None
     if not wall.above_ground:
-        law_of_si = closed_forms.fit_power_law([entry.intensity for entry in with_q], [entry.q_eff for entry in with_q])
+        law_of_si = _power_law(with_q)
     fragile = fragility([run.ida for run in runs], search)
     return WallResult(
         part=part,
@@ -145,7 +151,7 @@ def wall_result(part: Part, mechanism, model, runs, motions, search, demand, flo
         per_record=tuple(per_record),
         set_rule=rule,
         q_set=sets["q"],
-        q_min=None if incomplete else min((entry.q for entry in with_q), default=None),
+        q_min=None if incomplete else _lower([entry.q for entry in with_q]),
         q_robust_set=sets["q_robust"],
         q_slv_set=sets["q_slv"],
         q_slv_low_set=sets["q_slv_low"],
@@ -171,7 +177,7 @@ def unusual_input(wall: Wall) -> list[Sentence]:
     notices, t = [], wall.thickness
     if t is not None and t < THIN:
         notices.append(notice("thin", cm=100.0 * t))
-    if t is not None and wall.height_m / t > SLENDER:
+    if t is not None and wall.height_m is not None and wall.height_m / t > SLENDER:
         notices.append(notice("slender", ratio=wall.height_m / t, h=wall.height_m, t=t))
     weights = [wall.unit_weight_kn_m3, *(solid.unit_weight_kn_m3 for solid in wall.solid)]
     modulus = wall.elastic_modulus_mpa
@@ -179,12 +185,13 @@ def unusual_input(wall: Wall) -> list[Sentence]:
         notices.append(notice("odd_weight", w=weight, low=WEIGHTS[0], high=WEIGHTS[1]))
     if modulus is not None and not MODULI[0] <= modulus <= MODULI[1]:
         notices.append(notice("odd_modulus", e=modulus, low=MODULI[0], high=MODULI[1]))
-    if wall.load:
+    if wall.load and t is not None:
         weight = wall_loads.weight_per_metre(wall) + wall_loads.vertical_loads(wall)
-        stress = 1e-6 * weight / (wall.thickness - 2.0 * wall.setback)
+        stress = 1e-6 * weight / (t - 2.0 * wall.setback)
         if parts := wall_body.parts_of(wall):
-            area = wall_body.section_area(parts, 0.0, 0.0, wall.thickness)  # none under a corner of oblique solids
-            stress = stress * wall.length_m * wall.thickness / area if area > wall_body.LEAST_BASE else 0.0
+            assert wall.length_m is not None
+            area = wall_body.section_area(parts, 0.0, 0.0, t)  # none under a corner of oblique solids
+            stress = stress * wall.length_m * t / area if area > wall_body.LEAST_BASE else 0.0
         if stress > HEAVY:
             notices.append(notice("heavy_load", stress=stress))
     return notices

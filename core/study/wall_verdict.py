@@ -2,6 +2,7 @@
 
 from core.case.hinges import usual_hinges
 from core.case.schema import Case, Wall
+from core.case.site import Demand
 from core.codes.kinematic import Check
 from core.codes.outcomes import FAILS, NO_HAZARD, OUTCOMES, PASSES, least, worst
 from core.codes.outcomes import severity as severity_of
@@ -14,13 +15,14 @@ from core.variation.limit_states import STATES
 
 def severity(wall: WallResult) -> tuple[int, bool, float]:
     """Order of the hinges of a wall, and of walls: by the table of outcomes, worst first."""
-    verdict = wall.assessment.verdict
+    verdict = wall.assessed.verdict
     return severity_of(verdict.code, verdict.zeta_e, verdict.zeta_target)
 
 
 def wall_verdicts(case: Case, walls: tuple[WallResult, ...]) -> tuple[WallVerdict, ...]:
     """A verdict for each wall of the case, in its order; empty without a demand."""
-    if not walls or walls[0].assessment is None:
+    demand = case.demand
+    if demand is None or not walls or walls[0].assessment is None:
         return ()
     by_origin: dict[int, list[int]] = {}
     for k, wall in enumerate(walls):
@@ -29,20 +31,20 @@ def wall_verdicts(case: Case, walls: tuple[WallResult, ...]) -> tuple[WallVerdic
     for origin, indices in by_origin.items():
         ordered = sorted(indices, key=lambda k: severity(walls[k]))
         hinges = [walls[k] for k in ordered]
-        asked, states = case.wall[origin], _states(case, hinges)
-        extra = [*_lower_elsewhere(hinges), *_left_out(asked, case, walls, indices), *_other_states(case, states)]
-        zeta_least = least(wall.assessment.verdict.zeta_e for wall in hinges)
-        withstands = least_risk([wall.assessment.risk for wall in hinges])
+        asked, states = case.wall[origin], _states(demand, hinges)
+        extra = [*_lower_elsewhere(hinges), *_left_out(asked, case, walls, indices), *_other_states(demand, states)]
+        zeta_least = least(wall.assessed.verdict.zeta_e for wall in hinges)
+        withstands = least_risk([wall.assessed.risk for wall in hinges])
         found.append(WallVerdict(asked, ordered[0], tuple(ordered), states, tuple(extra), zeta_least, withstands))
     return tuple(found)
 
 
 def _lower_elsewhere(hinges: list[WallResult]) -> list[Sentence]:
     """The hinge with the lowest zeta, where another one has the worse outcome and decides. hinges : worst first"""
-    zetas = {k: hinge.assessment.verdict.zeta_e for k, hinge in enumerate(hinges)}
-    if least(zetas.values()) is None:
+    zetas = [zeta for hinge in hinges if (zeta := hinge.assessed.verdict.zeta_e) is not None]
+    if len(zetas) < len(hinges):
         return []
-    k = min(zetas, key=lambda k: zetas[k])
+    k = zetas.index(min(zetas))
     if round(zetas[k], 2) >= round(zetas[0], 2):
         return []
     lowest = hinges[k]
@@ -50,15 +52,15 @@ def _lower_elsewhere(hinges: list[WallResult]) -> list[Sentence]:
     return [sentence("reason", "lower_elsewhere", zeta=Number(zetas[k]), hinge=height, mechanism=mechanism)]
 
 
-def _states(case: Case, ordered: list[WallResult]) -> dict[str, StateOutcome]:
+def _states(demand: Demand, ordered: list[WallResult]) -> dict[str, StateOutcome]:
     """The outcome at each limit state; at that of the demand it is the verdict itself."""
     found = {}
     for state in STATES:
-        if state == case.demand.limit_state:
-            verdict = ordered[0].assessment.verdict
+        if state == demand.limit_state:
+            verdict = ordered[0].assessed.verdict
             found[state] = StateOutcome(verdict.code, verdict.zeta_e, verdict.governing)
             continue
-        there = [one for wall in ordered for one in wall.assessment.states if one.state == state]
+        there = [one for wall in ordered for one in wall.assessed.states if one.state == state]
         if not there:
             found[state] = StateOutcome(NO_HAZARD)
             continue
@@ -67,7 +69,7 @@ def _states(case: Case, ordered: list[WallResult]) -> dict[str, StateOutcome]:
     return found
 
 
-def _other_states(case: Case, states: dict[str, StateOutcome]) -> list[Sentence]:
+def _other_states(demand: Demand, states: dict[str, StateOutcome]) -> list[Sentence]:
     """Other limit states at which the wall fails: they limit the verdict, and never change its code."""
     return [
         sentence(
@@ -75,11 +77,12 @@ def _other_states(case: Case, states: dict[str, StateOutcome]) -> list[Sentence]
             "other_state",
             state=state,
             outcome=sentence("word", one.code),
-            zeta=_zeta_of(one, case.demand.zeta_target),
-            check=sentence("short", one.check, q=Number(case.demand.q_code, "g")),
+            zeta=_zeta_of(one, demand.zeta_target),
+            check=sentence("short", one.check, q=Number(demand.q_code, "g")),
         )
         for state, one in states.items()
-        if state != case.demand.limit_state and one.code != NO_HAZARD and OUTCOMES[one.code].judgement != PASSES
+        if state != demand.limit_state and one.code != NO_HAZARD and OUTCOMES[one.code].judgement != PASSES
+        if one.check is not None
     ]
 
 
@@ -108,8 +111,8 @@ def _left_out(asked: Wall, case: Case, walls, indices) -> list[Sentence]:
 
 def deciding(wall: WallResult) -> Check | None:
     """The check that decides about a hinge."""
-    governing = wall.assessment.verdict.governing
-    return next((check for check in wall.assessment.checks if check.name == governing), None)
+    governing = wall.assessed.verdict.governing
+    return next((check for check in wall.assessed.checks if check.name == governing), None)
 
 
 def where(wall: WallResult) -> Sentence | str:

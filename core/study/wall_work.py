@@ -166,7 +166,7 @@ class _Wall:
 
         def task(k: int, wall: WallResult):
             scene = self._scene(k, demand)
-            return lambda stop: at_states(scene, wall.assessment, given.by_state, given.state_rules, stop)
+            return lambda stop: at_states(scene, wall.assessed, given.by_state, given.state_rules, stop)
 
         states = yield Batch({k: task(k, wall) for k, wall in self.results.items()} if given.by_state else {})
         for k, found in states.items():
@@ -178,14 +178,14 @@ class _Wall:
         counted = [k for k, entry in self.entries.items() if entry.part.wall.tie_height_m is not None]
         asked = next(iter(self.entries.values())).part.asked
         group = {k: wall for k, wall in self.results.items() if wall.mechanism == "one_sided"}
-        whole = asked.tie_height_m is not None and all(wall.assessment.kinematic for wall in group.values())
+        whole = asked.tie_height_m is not None and all(wall.assessed.kinematic for wall in group.values())
         if not whole:
             for k in counted:
                 given.progress.done(("tie", k), False)
             return
         hinges = []
         for k, wall in group.items():
-            hinges.append(Hinge(wall.part.hinge, self._scene(k, demand), wall.assessment.dynamic))
+            hinges.append(Hinge(wall.part.hinge, self._scene(k, demand), wall.assessed.dynamic))
 
         def told(_, __) -> None:
             for k in counted:
@@ -212,7 +212,7 @@ class _Wall:
     def _add(self, k: int, **parts) -> None:
         """To the checks of an entry."""
         wall = self.results[k]
-        self.results[k] = replace(wall, assessment=replace(wall.assessment, **parts))
+        self.results[k] = replace(wall, assessment=replace(wall.assessed, **parts))
 
 
 def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accuracy | None:

@@ -137,9 +137,9 @@ def numeral(value: float | None, form: str, language: str) -> str:
 def apart(value: float | None, limit: float, above: bool = False) -> Number:
     """A ratio of a check with the digits, two to four, that keep a value below its limit from reading as the limit;
     above : one above it as well."""
+    if value is None:
+        return Number(None)
     for digits in (2, 3, 4):
-        if value is None:
-            return Number(None)
         shown = round(value, digits)
         if (shown < limit) == (value < limit) and not (above and shown == limit != value):
             return Number(value, f".{digits}f")

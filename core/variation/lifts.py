@@ -221,7 +221,7 @@ def _raised(found: Evaluation) -> Iterator[Raised]:
             level=asked.knowledge_level or "",
             investigations=asked.investigations,
         )
-    if q_check is not None and q_check.q > CODE_Q:
+    if q_check is not None and q_check.q is not None and q_check.q > CODE_Q:
         end = _of_demand(q_code=CODE_Q)
         yield _one("q_code", "lift_q_code", asked.justification, end, histories=False, q=demand.q_code)
     if wall.return_walls is not None and q_check is not None:
@@ -257,6 +257,7 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
     """What a body drags along behind its base, and a restraint that it meets below its top."""
     if not wall_body.has_shape(wall):
         return
+    assert wall.thickness is not None and wall.height_m is not None
     parts = wall_body.parts_of(wall)
     kept = [wall_body.clipped(part, wall.thickness) for part in parts]
     if any(kept) and any(one is not part for one, part in zip(kept, parts, strict=True)):
@@ -292,6 +293,7 @@ def _building_at(factor: float, damping: float) -> Change:
 
     def change(scene: Scene) -> Scene:
         building = scene.building
+        assert building is not None
         modes = tuple(replace(mode, damping=damping) for mode in building.modes)
         damped = {"modes": modes} if modes else {"damping": damping}
         return scene.but(building=replace(building, period_factor=factor, **damped))
@@ -337,7 +339,7 @@ def _anchorage_open(load: Load) -> bool:
 
 def _pulls_inward(load: Load) -> bool:
     """Whether it always does: no tie."""
-    return load.kind == "thrust" and load.kn_m < 0.0
+    return load.kind == "thrust" and load.kn_m is not None and load.kn_m < 0.0
 
 
 def _breaks(wall: Wall, load: Load, scene: Scene) -> bool:
@@ -354,8 +356,10 @@ def _participating(share: float) -> Change:
     """The first mode of the building with this participation."""
 
     def change(scene: Scene) -> Scene:
-        first, *others = scene.building.modes
-        return scene.but(building=replace(scene.building, modes=(replace(first, participation=share), *others)))
+        building = scene.building
+        assert building is not None
+        first, *others = building.modes
+        return scene.but(building=replace(building, modes=(replace(first, participation=share), *others)))
 
     return change
 
@@ -363,6 +367,8 @@ def _participating(share: float) -> Change:
 def _of_the_building(scene: Scene, building: Building) -> Iterator[Raised]:
     """What of the building, and of the height at which its motion is taken, raises zeta."""
     wall, asked, limit_state = scene.wall, scene.asked, scene.demand.limit_state
+    base, felt = wall.base_z_m, wall.felt_z_m
+    assert base is not None and felt is not None
     if ends := other_ends(building, limit_state):
 
         def words(zetas, _):
@@ -376,12 +382,12 @@ def _of_the_building(scene: Scene, building: Building) -> Iterator[Raised]:
     half = 0.5 * (wall.height_m or wall.block().height)
     if wall_body.has_shape(wall):
         half = wall.bare_block().centroid[1]
-    centroid = min(wall.base_z_m + half, building.height_m)
-    if not building.modes and centroid > wall.felt_z_m:
+    centroid = min(base + half, building.height_m)
+    if not building.modes and centroid > felt:
         yield _one("base_z_m", "at_centroid", wall.justification, _of_wall(base_z_m=centroid), z=centroid)
     if building.modes:
         _, damping = damaged(building, limit_state)
-        z = min(wall.felt_z_m, building.height_m)
+        z = min(felt, building.height_m)
         (expected,) = first_mode(building.storeys, building.height_m, z, 1.0, damping)
         share, given_share = expected.participation, building.modes[0].participation
         if abs(given_share) < abs(share):

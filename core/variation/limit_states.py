@@ -10,7 +10,7 @@ from core.codes.demand import DemandResult, with_records
 from core.codes.limits import return_period
 from core.codes.record_compatibility import Compliance, compliance
 from core.ground.ground_motion import GroundMotion
-from core.setting.demand_input import demand_of, hazard_of, interpolated, within
+from core.setting.demand_input import demand_asked, hazard_of, interpolated, within
 from core.setting.plan import Plan
 from core.setting.scene import Scene
 from core.text.sentence import Sentence, notice
@@ -26,11 +26,11 @@ def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:
     asked = case.demand
     if asked is None or asked.spectrum_file or not (hazard := hazard_of(asked, base_dir)):
         return {}
-    if None in (asked.nominal_life_years, asked.use_class_factor):
+    if asked.reference_period is None:
         return {}
     found = {}
     for state in STATES:
-        years = return_period(asked.nominal_life_years * asked.use_class_factor, state)
+        years = return_period(asked.reference_period, state)
         if not within(hazard, years):
             continue
         row = interpolated(hazard, years)
@@ -39,8 +39,8 @@ def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:
             if row.f0 is None or row.tc_star_s is None:
                 return {}
             spectrum = replace(spectrum, f0=row.f0, tc_star_s=row.tc_star_s)
-        demand = replace(asked, limit_state=state, ag_g=row.ag_g, spectrum=spectrum, return_period_years=years)
-        found[state] = demand_of(replace(case, demand=demand), base_dir)
+        there = replace(asked, limit_state=state, ag_g=row.ag_g, spectrum=spectrum, return_period_years=years)
+        found[state] = demand_asked(there, base_dir)
     return found
 
 
@@ -75,7 +75,8 @@ def at_states(
         verdict = there.verdict
         decides = next((check.label for check in there.checks if check.name == verdict.governing), None)
         label = decides or ("linear_sld" if state == "SLD" else "nonlinear")
-        years, target = demand.return_period or 0.0, demand.zeta_target
+        years, target = demand.return_period, demand.zeta_target
+        assert years is not None
         found.append(StateZeta(state, years, demand.ag, verdict.code, label, verdict.zeta_e, target, there.checks))
     return tuple(found)
 

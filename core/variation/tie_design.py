@@ -126,7 +126,8 @@ def with_tie(wall: Wall, force: float, height: float) -> Wall:
 
 def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], bool] = lambda: False) -> TieDesign:
     """The tie for all hinges of a wall, the base first. asked : the wall of the case. Raises Cancelled."""
-    height = asked.tie_height_m
+    height, top = asked.tie_height_m, asked.height_m
+    assert height is not None and top is not None
     below = [hinge for hinge in hinges if hinge.scene.wall.tie_height_m is not None]
     above = [hinge for hinge in hinges if hinge.scene.wall.tie_height_m is None]
     largest = min(_largest(hinge, height) for hinge in below)
@@ -154,7 +155,7 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
     if asked.tie_bar_length_m is not None:
         tie = ties.tie_of(with_tie(below[0].scene.wall, 1.0, height).load[-1], asked)
         stands, more = tie.bar.stands, tie.stands_more
-    curve = tuple((float(h), _at_height(hinges, float(h))) for h in _heights(asked))
+    curve = tuple((float(h), _at_height(hinges, float(h))) for h in np.linspace(LEAST_HEIGHT * top, top, CURVE))
     return TieDesign(
         height,
         {name: forces[name] for name in NAMES},
@@ -301,11 +302,6 @@ def _with(
         if held[0] is not None and held[0].max_peak_ratio is not None:
             elongation["demand"] = height * math.sin(held[0].max_peak_ratio * theta_c)
     return zeta, elongation
-
-
-def _heights(asked: Wall) -> np.ndarray:
-    """Heights of the curve of forces [m]."""
-    return np.linspace(LEAST_HEIGHT * asked.height_m, asked.height_m, CURVE)
 
 
 def _at_height(hinges: Sequence[Hinge], height: float) -> float | None:

@@ -44,7 +44,9 @@ def _of_thickness(setting: Setting, thickness: float) -> Setting:
 def _of_ties(setting: Setting, force: float) -> Setting:
     wall = setting.case.wall[0]
     share = force / tie_force(wall)
-    loads = (replace(load, kn_m=share * load.kn_m) if load.is_tie else load for load in wall.load)
+    loads = (
+        replace(load, kn_m=share * load.kn_m) if load.is_tie and load.kn_m is not None else load for load in wall.load
+    )
     return with_wall(setting, replace(wall, load=tuple(loads)))
 
 

@@ -18,6 +18,7 @@ _TOKEN = re.compile(r"[+-]?(?P<whole>[0-9]*)(?:[.,](?P<decimals>[0-9]*))?(?:[EeD
 def _shapes(token: str) -> tuple[tuple[int, int], tuple[int, int]]:
     """(decimals, digits of the exponent) and (significant digits, digits of the exponent)."""
     match = _TOKEN.match(token)
+    assert match is not None
     exponent = len(match["exponent"] or "")
     mantissa = (match["whole"] + (match["decimals"] or "")).lstrip("0")
     return (len(match["decimals"] or ""), exponent), (len(mantissa), exponent)

@@ -44,7 +44,8 @@ def read(lines: list[str], options: Options) -> Parsed:
 
 def _component(lines: list[str], place: int, end: int, head: str) -> Parsed:
     points, raw, step = _POINTS.search(head), _RAW_STEP.search(head), _STEP.search(head)
-    if not points or not (raw or step):
+    stated = raw[2] if raw else step and step[1]
+    if not points or not stated:
         raise RecordError("head_lacks", label="Number of points, intervals")
     if raw and to_float(raw[1]) != 1.0:
         raise RecordError("unit_not_acceleration", unit=f"{raw[1][:20]} mm/s/s")
@@ -56,7 +57,7 @@ def _component(lines: list[str], place: int, end: int, head: str) -> Parsed:
     if filled != kinds * rows:
         raise RecordError("rows_differ", n=filled, declared=kinds * rows)
     parsed = whole(block(lines[start : start + rows], start + 1, declared, WIDTH))
-    parsed.time_step = to_float(raw[2]) if raw else to_float(step[1])
+    parsed.time_step = to_float(stated)
     parsed.unit = "mm/s2"
     duration = _DURATION.search(head)
     covered = parsed.time_step * declared

@@ -54,9 +54,15 @@ class Unit:
     line: str
 
     @property
+    def size(self) -> float:
+        """One of it [m/s2], of an acceleration."""
+        assert self.si is not None
+        return self.si
+
+    @property
     def key(self) -> str:
         """The unit of `UNITS` it is, or a multiple of."""
-        near = [key for key, of_one in UNITS.items() if abs(self.si / of_one - 1.0) < 1e-9]
+        near = [key for key, of_one in UNITS.items() if abs(self.size / of_one - 1.0) < 1e-9]
         letters = re.sub("[^a-z]", "", self.text)
         base = "g" if letters in ("g", "mg", "ug") or "g" in letters.replace("gal", "") else "m/s2"
         return (near or ["cm/s2" if "gal" in letters else base])[0]
@@ -69,7 +75,7 @@ class Unit:
     @property
     def factor(self) -> float:
         """Units of its key in one of it."""
-        ratio = self.si / UNITS[self.key]
+        ratio = self.size / UNITS[self.key]
         return 1.0 if abs(ratio - 1.0) < 1e-9 else ratio
 
 
@@ -97,7 +103,7 @@ def _unit(match: re.Match, line: str) -> Iterator[Unit]:
         quantity, si = wordings.NAMED_UNITS[word]
     else:
         power = _power(match)
-        quantity = wordings.OF_POWER.get(power, "acceleration")
+        quantity = wordings.OF_POWER.get(power, "other")
         si = wordings.LENGTHS[match["length"]] if power == 2 else None
     for name, sign in (("before", 1), ("after", -1 if match["how"] in ("/", "per") else 1)):
         if match[name] and si is not None:
@@ -207,7 +213,7 @@ def stated_unit(head: str) -> Unit | None:
     units = found["said"] or found["words"]
     for other in [*units[1:], *found["beside"]] if units else ():
         one = units[0]
-        if abs(other.si / one.si - 1.0) > 1e-9:
+        if abs(other.size / one.size - 1.0) > 1e-9:
             raise RecordError("two_units", one=one.name, first=one.line, other=other.name, second=other.line)
     return units[0] if units else None
 

@@ -79,6 +79,7 @@ def _agree(parsed: Parsed, header: dict[str, str]) -> None:
     """Raise RecordError where UNITS and PGA_CM/S^2, or DURATION_S and the time step, contradict each other."""
     peak = float(np.abs(parsed.values).max()) if parsed.values.size else 0.0
     stated = parsed.stated_peak
+    assert parsed.unit is not None and parsed.time_step is not None
     read = peak * UNITS[parsed.unit] / UNITS["cm/s2"]
     if stated and peak and not 1.0 / CONTRADICTION < read / stated < CONTRADICTION:
         raise RecordError("esm_peak", unit=header.get("UNITS", "")[:20], read=read, stated=stated)

@@ -46,21 +46,18 @@ def read_knet(lines: list[str], options: Options) -> Parsed:
             break
     if start is None:
         raise RecordError("head_lacks", label="Memo.")
-    rate = _RATE.fullmatch(header.get("Sampling Freq(Hz)", ""))
-    scale = _SCALE.fullmatch(header.get("Scale Factor", "").replace(" ", ""))
-    for found, label in ((rate, "Sampling Freq(Hz)"), (scale, "Scale Factor")):
-        if not found or not all(to_float(part) > 0.0 for part in found.groups()):
-            raise RecordError("head_lacks", label=label)
+    (rate,) = _positive(_RATE.fullmatch(header.get("Sampling Freq(Hz)", "")), "Sampling Freq(Hz)")
+    gals, counts = _positive(_SCALE.fullmatch(header.get("Scale Factor", "").replace(" ", "")), "Scale Factor")
     duration = one_number(header.get("Duration Time(s)", ""), "Duration Time(s)")
-    declared = duration * to_float(rate[1])
+    declared = duration * rate
     if not 0.0 < declared < 1e8 or declared != round(declared):
         raise RecordError("head_lacks", label="Duration Time(s)")
     parsed = whole(block(lines[start:], start + 1, round(declared)))
     if np.any(parsed.values != np.round(parsed.values)):
         raise RecordError("counts_not_whole")
-    gal = parsed.values * (to_float(scale[1]) / to_float(scale[2]))
+    gal = parsed.values * (gals / counts)
     parsed.values = gal - gal.mean()
-    parsed.time_step, parsed.unit = 1.0 / to_float(rate[1]), "cm/s2"
+    parsed.time_step, parsed.unit = 1.0 / rate, "cm/s2"
     agree_with_peak(parsed, one_number(header.get("Max. Acc. (gal)", ""), "Max. Acc. (gal)"))
     direction = header.get("Dir.", "")
     parsed.channel = direction
@@ -77,6 +74,13 @@ def read_knet(lines: list[str], options: Options) -> Parsed:
         ("processing", "none"),
     )
     return parsed
+
+
+def _positive(found: re.Match[str] | None, label: str) -> list[float]:
+    """The numbers of what a label says. Raises RecordError where it says nothing, or one is not above zero."""
+    if not found or not all(to_float(part) > 0.0 for part in found.groups()):
+        raise RecordError("head_lacks", label=label)
+    return [to_float(part) for part in found.groups()]
 
 
 def recognises_cwa(lines: list[str]) -> bool:

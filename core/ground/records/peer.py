@@ -14,7 +14,8 @@ _OTHER = re.compile(r"\b(VELOCITY|DISPLACEMENT)\b", re.IGNORECASE)
 _SCALE = re.compile(rf"scale factor\s*=\s*({NUMBER})", re.IGNORECASE)
 
 
-def _header(lines: list[str]):
+def _header(lines: list[str]) -> tuple[int, int, float] | None:
+    """Line of the head that states the count and the time step [s], and both."""
     for k, line in enumerate(lines[:12]):
         match = _KEYED.search(line) or _TRAILING.search(line)
         if match:
@@ -28,7 +29,9 @@ def recognises(lines: list[str]) -> bool:
 
 def read(lines: list[str], options: Options) -> Parsed:
     """Raises RecordError for velocity, displacement, and counts that do not agree."""
-    row, declared, time_step = _header(lines)
+    stated = _header(lines)
+    assert stated is not None
+    row, declared, time_step = stated
     head = lines[: row + 1]
     other = _OTHER.search(" ".join(head))
     if other:
@@ -50,12 +53,12 @@ def read(lines: list[str], options: Options) -> Parsed:
 
 def recognises_matrix(lines: list[str]) -> bool:
     try:
-        rows = [numbers(line) for line in lines[:4]]
+        rows = [numbers(line) or [] for line in lines[:4]]
     except RecordError:
         return False
     return (
         len(rows) == 4
-        and all(row is not None and len(row) == 3 for row in rows)
+        and all(len(row) == 3 for row in rows)
         and 0.0 < rows[0][1] < 1.0
         and rows[0][2] > 10
         and rows[0][2].is_integer()
@@ -65,7 +68,9 @@ def recognises_matrix(lines: list[str]) -> bool:
 
 def read_matrix(lines: list[str], options: Options) -> Parsed:
     """First column acceleration, time step and count beside the first sample; the unit is not said."""
-    _, time_step, declared = numbers(lines[0])
+    first = numbers(lines[0])
+    assert first is not None
+    _, time_step, declared = first
     column = [line.split()[0] if line.split() else "" for line in lines]
     parsed = block(column, 1, int(declared))
     parsed.time_step = time_step

@@ -169,8 +169,9 @@ def time_steps(head: Head) -> list[Statement]:
         if value:
             stated.append(_statement(head, match, k, 1.0 / value))
     for k, line in enumerate(head.lines):
-        match = _ALONE.fullmatch(line)
-        step = _seconds("", match, line) if match else None
+        if (match := _ALONE.fullmatch(line)) is None:
+            continue
+        step = _seconds("", match, line)
         if step is not None and 1e-5 <= step <= 0.2:
             stated.append(_statement(head, match, k, step))
     stated = _widest(stated)
@@ -210,7 +211,7 @@ def counts(head: Head, n: int) -> tuple[list[Statement], list[Statement]]:
     for pattern in (*_COUNTED, _MAYBE_COUNTED):
         for match, k in _found(head, pattern):
             digits = match["n"]
-            accepted = {int(re.sub(r"[^0-9]", "", digits)[:18]), int(re.match("[0-9]+", digits)[0][:18])}
+            accepted = {int(re.sub(r"[^0-9]", "", digits)[:18]), int(re.split("[^0-9]", digits)[0][:18])}
             gap = "gap" in match.groupdict() and match["gap"]
             statement = _statement(head, match, k, max(accepted))
             if _OF_RATE.match(head.lines[k], match.start("n")):

@@ -27,7 +27,9 @@ def recognises(lines: list[str]) -> bool:
 
 def read(lines: list[str], options: Options) -> Parsed:
     """Raises RecordError for velocities, spectra and counts that do not agree."""
-    kind = _KIND.match(lines[0])[2]
+    match = _KIND.match(lines[0])
+    assert match is not None
+    kind = match[2]
     if kind not in ("CORRECTED", "UNCORRECTED", "UNKNOWN"):
         raise RecordError("peer_quantity", quantity=kind.lower())
     start, declared, rate = _layout(lines)

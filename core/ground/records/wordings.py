@@ -231,7 +231,7 @@ BARE_LENGTHS = words("m | cm | mm | in | inch | inches")
 """Lengths that alone are the unit of a displacement."""
 
 OF_POWER = {0: "displacement", 1: "velocity", 2: "acceleration", 3: "jerk"}
-"""Quantity of a length over so many seconds."""
+"""Quantity of a length over so many seconds; of more it has no name."""
 
 _OVER = rf"(?P<over>(?: *+(?:/|per|al|a|over) *+\(? *+{_SECOND}){{1,3}}+)"
 PER_SECONDS = (

@@ -227,7 +227,7 @@ stress (MPa)|kine|units: kine|Kine|acc (kine)|voltage|Voltage [V]|tensione [V]|V
 VELOCITY TIME HISTORY|vel (m/s)|t v [m/s]|units: cm/s|unità: cm/s|velocità|Velocità [m/s]|values in cm/s
 displacement|Displacement (cm)|disp (m)|units: cm|spostamento|spostamenti [mm]|valori in mm|force (kN)
 Forza [kN]|temperature|units: inches|response spectrum|spettro di risposta|Period (s), PSA (g)|Fourier
-Tilt (mrad)|g/s|power spectral density|PSD
+Tilt (mrad)|g/s|power spectral density|PSD|acc [m/s/s^3]|acceleration (m/s/s/s^2)
 """
 
 

@@ -43,7 +43,7 @@ def made(*walls, **demand):
 
 def fake(zeta, code="not_verified", target=1.0):
     verdict = SimpleNamespace(zeta_e=zeta, code=code, zeta_target=target)
-    return SimpleNamespace(assessment=SimpleNamespace(verdict=verdict))
+    return SimpleNamespace(assessed=SimpleNamespace(verdict=verdict))
 
 
 def test_that_hinges_are_ordered_by_the_table_of_outcomes_and_then_by_zeta():
