@@ -200,7 +200,8 @@ def test_that_it_is_so_under_records_too():
 @pytest.mark.long
 @pytest.mark.parametrize("kind", KINDS)
 def test_that_two_hundred_walls_are_written_as_they_run(kind):
-    assert sum(kind(table) for table in random_tables(200, hazard=kind is check_states, first=1000)) > 60
+    count = sum(kind(table) for table in random_tables(200, hazard=kind is check_states, first=1000))
+    assert count > (5 if kind is check_bound else 60)  # without records of walls held at their top alone
 
 
 @pytest.mark.long
@@ -230,6 +231,9 @@ def test_that_the_wall_with_the_tie_designed_has_the_zeta_written_of_it():
         assert {name: checks[name].zeta for name in named} == {name: tie.zeta[name] for name in named}
         assert checks["nonlinear"].passed and (not records or checks["dynamic"].passed)
 
+
+WORDS = {"ties_displacement", "thicker_less", "lift_brittle"}
+"""What says that more may be less: a tie that ends the displacement allowed or breaks before it, and the thicker wall."""
 
 STRONGER = {
     "thickness": lambda wall: [
@@ -272,7 +276,7 @@ def check_monotone(table):
             if None in (before_zeta, zeta) or one.assessment.verdict.governing != other.assessment.verdict.governing:
                 continue
             falls = round(zeta, 2) < round(before_zeta, 2)
-            assert not falls or said & {"ties_displacement", "thicker_less"}, name
+            assert not falls or said & WORDS, name
             count += 1
     return count
 
