@@ -233,7 +233,7 @@ def test_that_the_wall_with_the_tie_designed_has_the_zeta_written_of_it():
 
 
 WORDS = {"ties_displacement", "thicker_less", "lift_brittle"}
-"""What says that more may be less: a tie that ends the displacement allowed or breaks before it, and the thicker wall."""
+"""What says that more may be less: a tie that ends the displacement allowed or breaks before, and the thicker wall."""
 
 STRONGER = {
     "thickness": lambda wall: [
