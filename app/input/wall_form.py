@@ -41,7 +41,7 @@ from core.wall.restitution import MODELS
 IN_A_ROW = 400
 """Width that buttons of a row may take together [px]: larger letters have two rows."""
 
-BASE = ("base_z_m", "back_restraint", "free_element")
+BASE = ("base_z_m", "back_restraint", "restraint_evidence", "restraint_note", "free_element")
 """Keys beside the mechanism."""
 
 
@@ -225,6 +225,8 @@ class WallForm(QWidget):
         # only what the mechanism needs, and what stands there all the same
         held = wall.mechanism in ("one_sided", "both", BENDS)
         self.fields["back_restraint"].setVisible(held or bool(wall.back_restraint))
+        for key in ("restraint_evidence", "restraint_note"):
+            self.fields[key].setVisible(bool(wall.back_restraint) or bool(getattr(wall, key)))
         self.fields["unloaded_confirmed"].setVisible(not wall.load or wall.unloaded_confirmed)
         self.fields["free_element"].setVisible(not wall.bends or bool(wall.free_element))
         self.fields["elastic_modulus_mpa"].setVisible(not wall.bends or wall.elastic_modulus_mpa is not None)

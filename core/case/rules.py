@@ -5,6 +5,7 @@ import json
 import math
 from dataclasses import fields, replace
 
+from core.case.back_restraint import names_something
 from core.case.hazard_table import check_rising
 from core.case.held_top import check_held_top
 from core.case.hinges import check_hinges, numbers_above, parts
@@ -22,40 +23,8 @@ from core.errors import InputError, place, section
 from core.text.sentence import Key, Quantity, sentence
 from core.wall.wall_loads import check_given, check_loads
 
-MIN_LETTERS = 3
-"""Letters of a text that is to name something."""
-
 SECTIONS = ("wall", "record", "report", "analysis", "site", "demand", "generate", "select", "building", "sensitivity")
 """Whose keys the user writes."""
-
-NOTHING = {
-    "none",
-    "nothing",
-    "nobody",
-    "unknown",
-    "tbd",
-    "todo",
-    "null",
-    "nessuno",
-    "nessuna",
-    "niente",
-    "nulla",
-    "ignoto",
-    "sconosciuto",
-    "no restraint",
-    "without restraint",
-    "not restrained",
-    "not connected",
-    "unconnected",
-    "free",
-    "nessun vincolo",
-    "senza vincolo",
-    "non vincolata",
-    "non vincolato",
-    "non collegata",
-    "libera",
-}
-"""Words that alone name nothing."""
 
 TESTED_STRENGTH = (0.5, 10.0)
 """Compressive strengths of masonry [MPa] that tests give."""
@@ -229,13 +198,8 @@ def check_wall(case: Case, wall: Wall) -> None:
     if case.demand:
         check_confidence(case.demand, wall)
     check_reasons(wall.justification, place("wall", name=wall.title))
-    if wall.back_restraint and not _says(wall.back_restraint):
-        raise InputError(
-            "restraint_unnamed",
-            place=(place("wall", name=wall.title),),
-            key="back_restraint",
-            value=wall.back_restraint,
-        )
+    if wall.back_restraint == "other" and not names_something(wall.restraint_note):
+        raise InputError("restraint_unnamed", place=(place("wall", name=wall.title),), key="restraint_note")
 
 
 def _check_exact(case: Case, wall: Wall) -> None:
@@ -259,16 +223,11 @@ def refuse_modes(case: Case, low: float, high: float) -> None:
         raise InputError("modes_at_one_height", place=(section("[building]"),), key="modes", low=low, high=high)
 
 
-def _says(text: str) -> bool:
-    """Whether a text names something, as far as a program can tell."""
-    return sum(map(str.isalpha, text)) >= MIN_LETTERS and text.strip(" .,;:-!?\"'()").casefold() not in NOTHING
-
-
 def check_reasons(reasons, here) -> None:
     """Refuse a reason of the engineer that says nothing. reasons : of a wall or of the demand, None without any"""
     for entry in fields(reasons) if reasons else ():
         value = getattr(reasons, entry.name)
-        if value and not _says(value):
+        if value and not names_something(value):
             raise InputError("reason_says_nothing", place=(here,), key=entry.name, value=value)
 
 
@@ -280,7 +239,7 @@ def check_confidence(demand: Demand, wall: Wall) -> None:
         return
     here, level = (section("[demand]"),), demand.knowledge_level
     least = KNOWLEDGE.get(level or "")
-    if least is None or not _says(demand.investigations):
+    if least is None or not names_something(demand.investigations):
         raise InputError("low_confidence_factor", place=here, stated=stated)
     if stated < least:
         raise InputError("confidence_below_level", place=here, stated=stated, level=level, least=least)

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import MISSING, asdict, dataclass, field, fields
 
+from core.case.back_restraint import EVIDENCE, RESTRAINTS, with_choice
 from core.case.keys import channel_key, choice_key, flag_key, key, number_key, paragraphs_key, path_key, text_key
 from core.case.loads import Load, ReturnWalls
 from core.case.place import Site
@@ -109,7 +110,9 @@ class Wall:
     unit_weight_kn_m3: float | None = number_key(5.0, 40.0, unit="kN/m3", form="checks")
     free_element: bool | None = flag_key(None, form="checks")
     elastic_modulus_mpa: float | None = number_key(10.0, 100000.0, unit="MPa", form="checks")
-    back_restraint: str = text_key(form="checks")
+    back_restraint: str | None = choice_key(*RESTRAINTS, default=None, form="checks")
+    restraint_evidence: str | None = choice_key(*EVIDENCE, default=None, form="checks")
+    restraint_note: str = text_key(form="checks")
     unloaded_confirmed: bool = flag_key(form="checks")
     floor: str = text_key(form="checks")
     notes: str = text_key(form="checks")
@@ -127,6 +130,11 @@ class Wall:
     tie_spacing_m: float | None = number_key(0.1, 20.0, unit="m", form="held")
     justification: WallJustification | None = key("section", of=WallJustification)
     variant: str | None = choice_key(AS_IS, DESIGNED, default=None, form="held")
+
+    @staticmethod
+    def of_older(table: dict) -> dict:
+        """The keys of a wall as they are now: what stands behind it was a free text before 0.16."""
+        return with_choice(table)
 
     @property
     def title(self) -> str:

@@ -64,6 +64,7 @@ def section_of(cls, table, name: str, here):
     if not isinstance(table, dict):
         raise InputError("not_a_table_of_keys", name=here, value=repeated(table))
     refuse_unknown(cls, table, name, here)
+    table = getattr(cls, "of_older", lambda keys: keys)(table)
     values = {}
     for entry in fields(cls):
         if entry.name in table:

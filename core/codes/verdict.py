@@ -12,7 +12,7 @@ from core.codes.kinematic import ROUNDING, Check, Kinematic
 from core.codes.limits import LEAST_SHARE, MEAN_FROM, MINIMUM_FROM
 from core.codes.record_compatibility import Compliance
 from core.codes.target_spectrum import displacement_fall
-from core.codes.verdict_sentence import CODE_Q, measured, outcome
+from core.codes.verdict_sentence import CODE_Q, declared, measured, outcome
 from core.text.sentence import FILE_NAMES, FormNames, Key, Number, Sentence, sentence
 from core.units import G
 from core.wall.wall_body import leans_inward
@@ -259,7 +259,8 @@ def _limits_of_the_number(seen: Evidence, code: str, lower_bound: float | None) 
         keys = tuple(sentence("missing", key) for key in seen.kinematic.missing)
         limits.append(_reason("no_period", missing=keys))
     if lower_bound is not None:
-        limits.append(_reason("top_fails" if seen.wall.bends else "restraint_fails", zeta=Number(lower_bound)))
+        code_of_bound = "top_fails" if seen.wall.bends else "restraint_fails"
+        limits.append(_reason(code_of_bound, zeta=Number(lower_bound), restraint=declared(seen.wall)))
     if not seen.wall.bends and leans_inward(seen.wall):
         limits.append(_reason("leans_inward"))
     if fall := displacement_fall(seen.demand.target):

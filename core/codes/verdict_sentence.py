@@ -18,6 +18,15 @@ def at_hinge(height: float, z: float) -> Sentence | str:
     return sentence("added", "at_base", z=z) if z > 0.0 else ""
 
 
+def declared(wall) -> Sentence:
+    """What stands behind a wall or holds its top, as the engineer declares it, and what shows it."""
+    named = sentence("word", f"choice_{wall.back_restraint}") if wall.back_restraint else sentence("word", "unnamed")
+    evidence = sentence("word", f"evidence_{wall.restraint_evidence or 'unstated'}")
+    if wall.restraint_note:
+        return sentence("added", "declared_note", restraint=named, note=wall.restraint_note, evidence=evidence)
+    return sentence("added", "declared", restraint=named, evidence=evidence)
+
+
 def measured(check: Check, dynamic: DemandCheck | None, demand: DemandResult) -> Sentence:
     """A check with what it compares: demand and capacity."""
     if check.name != "dynamic" or dynamic is None:
@@ -94,6 +103,8 @@ def outcome(
         tail = sentence("added", "q_would_pass", q=CODE_Q, tail=tail)
     elif code == "verified_refined" and not beside:
         tail = sentence("added", "no_q_check", q=CODE_Q, tail=tail)
+    if code in ("verified", "verified_refined") and wall.back_restraint:
+        tail = sentence("added", "rests_on", tail=tail, restraint=declared(wall))
     low, high = dynamic.zeta_spread if code == "at_limit" else (None, None)
     return way, {
         "state": demand.limit_state,

@@ -190,7 +190,7 @@ def test_that_a_variant_by_one_click_says_beside_it_what_differs(opened):
     rows = {row.text: row for row in opened.tree.rows}
     assert {"as it is", "as designed"} <= set(rows) and opened.walls.wall.variant == "progetto"
     assert opened.walls.differs.text() == ""
-    opened.session.edit_wall(1, thickness_m=0.625, mechanism="one_sided", back_restraint="cross walls")
+    opened.session.edit_wall(1, thickness_m=0.625, mechanism="one_sided", back_restraint="cross_walls")
     opened.walls.loads.add("tie")
     said = [row.text for row in opened.tree.rows if row.kind == "wall"]
     assert said[0] == "as it is" and said[1].startswith("as designed: ")

@@ -47,7 +47,8 @@ def test_that_an_italian_csv_gives_its_walls(tmp_path):
     for encoding in ("utf-8-sig", "cp1252"):
         path.write_bytes(CSV.encode(encoding))
         first, second = read_walls(path)
-        assert (first.name, first.mechanism, first.back_restraint) == ("Facciata", "one_sided", "muri di spina")
+        assert (first.name, first.mechanism, first.back_restraint) == ("Facciata", "one_sided", "cross_walls")
+        assert first.restraint_note == "muri di spina"
         assert first.height_m == 7.0
         assert first.thickness_m == pytest.approx(0.83, rel=1e-15)
         assert first.hinge_setback_m == pytest.approx(0.05, rel=1e-15)

@@ -48,6 +48,7 @@ STATES = {
     "one_sign",
     "restitution_not_accepted",
     "restraint_fails",
+    "top_fails",
     "return_walls_too_many",
     "rigid_free",
     "velocity_ratio_user",

@@ -9,6 +9,7 @@ from string import Formatter
 import pytest
 
 from core.case import wall_table
+from core.case.back_restraint import EVIDENCE
 from core.case.loads import Load
 from core.case.rules import parse_case
 from core.case.schema import Case, sections
@@ -43,6 +44,7 @@ WORDS = re.compile(r"[A-Za-z]{2,} [a-z]{2,} [a-z]{2,}")
 OF_NO_SENTENCE = {
     "app/terminal/command_line.py": "what argparse says, and the texts of the terminal for it",
     "app/input/impact_form.py": "formulas with their source",
+    "core/case/back_restraint.py": "words of older texts, in both languages",
     "core/case/wall_table.py": "heads of columns, in both languages",
     "core/case/schema.py": "the values of a key",
     "core/derivation/faces.py": "errors of whoever describes a quantity",
@@ -171,7 +173,7 @@ def test_that_every_text_of_the_catalogue_is_used():
     sides |= {f"work_{extra}" for extra in PACKAGES}
     sides |= {f"load_{kind}" for kind in LOAD_KINDS} | {key for keys in ENTRIES.values() for key in keys}
     sides |= {f"by_{label}" for label in (*CHECKS, "linear_sld")} | {f"tie_{name}" for name in FORCES}
-    sides |= {f"client_{code}" for code in OUTCOMES}
+    sides |= {f"client_{code}" for code in OUTCOMES} | {f"evidence_{name}" for name in (*EVIDENCE, "unstated")}
     sides |= {f"part_{part}" for part in ("steel", "thread", "anchorage")}
     for group in set(CATALOGUE) - {"error", "key"}:
         unused = {code for code in CATALOGUE[group] if code not in literals | sides}

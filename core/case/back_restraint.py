@@ -1,0 +1,101 @@
+"""What stands behind a wall, or holds its top: one of a list, with what shows it. It was a free text before 0.16."""
+
+RESTRAINTS = ("cross_walls", "tied_floors", "buttress", "ring_beam", "other")
+"""What can hold a wall. Behind a one-sided wall contact is what counts, for one held at its top the connection."""
+
+EVIDENCE = ("drawing", "photograph", "opening", "test", "none")
+"""What shows it."""
+
+OLD_WORDS = {
+    "cross_walls": (
+        *("cross wall", "transverse wall", "return wall", "longitudinal wall", "side wall", "partition"),
+        *("muri trasversali", "muro trasversale", "muri ortogonali", "muri di spina", "muri longitudinali", "spina"),
+    ),
+    "tied_floors": ("floor", "roof", "vault", "solai", "solaio", "tetto", "copertura", "volta", "volte", "impalcat"),
+    "buttress": ("buttress", "contraffort", "speron"),
+    "ring_beam": ("ring beam", "cordolo", "cordoli", "tie beam"),
+}
+"""Words by which an older text is one of the list; any other that names something is \"other\"."""
+
+DENIALS = (
+    *("not", "no", "none", "without", "missing", "absent", "lacking", "never", "unknown", "undefined", "tbd", "todo"),
+    *("non", "nessun", "nessuno", "nessuna", "senza", "manca", "mancano", "assente", "assenti", "ignoto", "boh"),
+    *("definire", "verificare", "confermare", "defined", "verified", "confirmed", "checked"),
+)
+"""Words of a text that says there is nothing, or nothing known."""
+
+
+def with_choice(table: dict) -> dict:
+    """The keys of a wall with an older text of back_restraint as one of RESTRAINTS and, unless a note is given, the
+    text as its note; a text that names nothing is left as it is, and refused as no choice."""
+    said = table.get("back_restraint")
+    if not isinstance(said, str) or said in RESTRAINTS:
+        return table
+    if not said.strip():
+        return {key: value for key, value in table.items() if key != "back_restraint"}
+    words = said.casefold()
+    parts = "".join(letter if letter.isalnum() else " " for letter in words).split()
+    if set(parts) & set(DENIALS) or not names_something(said):
+        return table
+    found = next((name for name, known in OLD_WORDS.items() if any(one in words for one in known)), "other")
+    return {"restraint_note": said, **table, "back_restraint": found}
+
+
+NOTHING = frozenset(
+    (
+        "none",
+        "nothing",
+        "nobody",
+        "unknown",
+        "tbd",
+        "todo",
+        "null",
+        "nessuno",
+        "nessuna",
+        "niente",
+        "nulla",
+        "ignoto",
+        "sconosciuto",
+        "no restraint",
+        "without restraint",
+        "not restrained",
+        "not connected",
+        "unconnected",
+        "free",
+        "nessun vincolo",
+        "senza vincolo",
+        "non vincolata",
+        "non vincolato",
+        "non collegata",
+        "libera",
+        "boh",
+        "mah",
+        "n.d",
+        "nd",
+        "tbc",
+        "da definire",
+        "da verificare",
+        "da confermare",
+        "to be defined",
+        "to be verified",
+        "to be confirmed",
+        "vedi sopra",
+        "see above",
+        "come da prassi",
+        "asdf",
+        "qwerty",
+        "prova",
+        "bla bla",
+    )
+)
+"""Words that alone name nothing."""
+
+MIN_LETTERS = 3
+"""Letters, and different ones, of a text that names something."""
+
+
+def names_something(text: str) -> bool:
+    """Whether a text names something, as far as a program can tell."""
+    letters = [letter for letter in text.casefold() if letter.isalpha()]
+    several = len(letters) >= MIN_LETTERS and len(set(letters)) >= MIN_LETTERS
+    return several and text.strip(" .,;:-!?\"'()").casefold() not in NOTHING
