@@ -14,6 +14,7 @@ from core.codes.kinematic import with_and_without_ties
 from core.codes.outcomes import OUTCOMES, PASSES, least, severity
 from core.errors import InputError
 from core.report.large_report import NAMED, Tally
+from core.report.steps import Steps
 from core.report.tie_words import tie_lines
 from core.report.workbook import WorkbookReport
 from core.study.run import run
@@ -192,8 +193,7 @@ def test_that_a_wall_rests_under_no_motion_whose_soil_was_left_out():
 
 
 def test_that_a_rule_known_to_fail_needs_no_zeta():
-    runs = dict(runs=(), n_exceeded=1, mean_peak_ratio=None, max_peak_ratio=None, set_rule="mean", limit_ratio=0.4)
-    check = DemandCheck("SLV", **runs, zeta=None, holds=False, passed=False, holds_at_target=False)
+    check = DemandCheck("SLV", (), 1, None, None, "mean", 0.4, None, False, False, holds_at_target=False)
     assert check.as_check(1.0).passed is None
     assert replace(check, fails_at_target=True).as_check(1.0).passed is False
 
@@ -222,7 +222,7 @@ def workbook_bytes(result):
     report = WorkbookReport("en")
     for wall in result.by_wall():
         report.add(wall)
-    return report.content(result)
+    return report.content(result, [], Steps())
 
 
 def test_that_the_worst_of_many_walls_are_the_worst_outcomes():
@@ -232,10 +232,5 @@ def test_that_the_worst_of_many_walls_are_the_worst_outcomes():
         row = dict.fromkeys(NAMED, None) | {"verdict": code, "zeta_e": zeta, "zeta_target": 1.0, "wall": k}
         row |= {"hinge_m": 0.0, "decides": True, "analyses": 1, "runs_without_q": 0}
         tally.add({name: [value] for name, value in row.items()})
-    assert [row["verdict"] for row in tally.worst] == [
-        "not_verified",
-        "at_limit",
-        "undetermined",
-        "verified",
-        "verified",
-    ]
+    worst = [row["verdict"] for row in tally.worst]
+    assert worst == ["not_verified", "at_limit", "undetermined", "verified", "verified"]
