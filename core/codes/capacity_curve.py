@@ -40,7 +40,7 @@ class CapacityCurve:
 def capacity_curve(mechanism: Kinematic, demand: DemandResult) -> CapacityCurve | None:
     """The curves of the nonlinear check of C8.7.1.2.1.8; None where that is not made."""
     target = demand.target
-    if mechanism.s_de is None or target is None:
+    if mechanism.d_limit is None or mechanism.s_de is None or target is None:
         return None
     damping = DAMPING[demand.limit_state]
     most = BEYOND * max(mechanism.d0, mechanism.s_de)

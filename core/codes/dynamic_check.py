@@ -31,13 +31,6 @@ from core.rocking.methods import Method
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.wall.rocking_model import RockingModel
 
-OTHER_EVERY, BOUND_EVERY = 2, 4
-"""Every how many points of the grid zeta is searched with FC on the other side, and should the restraint behind a wall
-fail: by 0.5 and 1 %."""
-
-CLOSE = 0.05
-"""Distance of the former to zeta_target within which it takes the points of the check itself."""
-
 ONE_BY_ONE = 2
 """Records, the worst at the demand, that are analysed alone: most failures need no other."""
 
@@ -96,6 +89,7 @@ class DemandCheck:
     zeta_16, zeta_first : the same as zeta of 16 %, and the first failure on the grid
     share_failing_at_demand : share of failing multipliers within +-10 % of zeta_target
     holds, holds_at_target : the rule at the demand itself, and at zeta_target of it
+    fails_at_target : it fails there by runs that have a number
     passed : it holds at zeta_target, and zeta reaches zeta_target
     zeta_other : the check with FC on the other side; None where FC is 1
     not_counted : records too weak beside the others to count for the rule of the set
@@ -112,6 +106,7 @@ class DemandCheck:
     holds: bool
     passed: bool
     holds_at_target: bool = True
+    fails_at_target: bool = False
     confidence_on: str = "capacity"
     zeta_spread: tuple[float, float] | None = None
     zeta_16: float | None = None
@@ -127,10 +122,12 @@ class DemandCheck:
 
     def as_check(self, target: float) -> Check:
         """This check as a row of the table of methods; at the limit it counts as failed. target : the zeta required"""
-        passed = None
-        if self.zeta is not None:
-            passed = self.passed and not self.within_spread(target)
+        passed = None if self.zeta is None and not self.fails_at_target else self.satisfied(target)
         return Check("dynamic", CLAUSE, "-", self.limit_ratio, self.peak_ratio, self.zeta, passed)
+
+    def satisfied(self, target: float) -> bool:
+        """Whether the rule surely holds at the target, its spread included."""
+        return self.passed and not self.within_spread(target)
 
     def within_spread(self, target: float) -> bool:
         """Whether the rule holds at the target, but the spread of zeta_E contains it, its lower end included."""
@@ -286,7 +283,7 @@ def demand_check(
     demand : what is required
     method : how the motion is integrated
     every : zeta is searched at every n-th point of the grid
-    other : search zeta with FC on the other side too, at every OTHER_EVERY-th
+    other : search zeta with FC on the other side too
     cancelled : asked between two chunks of analyses
     Raises Cancelled.
     """
@@ -312,10 +309,7 @@ def demand_check(
         if name != side and not (other and demand.confidence_factor > 1.0):
             continue
         there.in_order(np.argsort(-np.array(worst), kind="stable").tolist())
-        taken = every if name == side else OTHER_EVERY
-        zeta = search_zeta(there.failures, there.rest, target, taken)
-        if taken > every and zeta.half is not None and abs(zeta.half / target - 1.0) < CLOSE:
-            zeta = search_zeta(there.failures, there.rest, target, every)
+        zeta = search_zeta(there.failures, there.rest, target, every)
         reaches = zeta.half is not None and zeta.half >= target - ROUNDING
         judged[name] = zeta, zeta.holds_at_target and reaches
     zeta_found, passed = judged.pop(side)
@@ -334,6 +328,7 @@ def demand_check(
         holds=worse is not None and work.rule_holds(worse),
         passed=passed,
         holds_at_target=zeta_found.holds_at_target,
+        fails_at_target=zeta_found.fails_at_target,
         confidence_on=side,
         zeta_spread=zeta_found.spread,
         zeta_16=zeta_found.sixteen,

@@ -47,7 +47,7 @@ MAX_MULTIPLIER = 100.0
 @dataclass(frozen=True)
 class Zeta:
     """zeta_E, zeta_16, zeta_first, and the spread of zeta_E (None where a run has no number), the share failing
-    around the target, and whether the rule holds at the target itself."""
+    around the target, whether the rule holds at the target itself, and whether it fails there by runs with a number."""
 
     half: float | None
     sixteen: float | None
@@ -55,6 +55,7 @@ class Zeta:
     spread: tuple[float, float] | None
     share_at_target: float
     holds_at_target: bool
+    fails_at_target: bool
 
 
 class _Grid:
@@ -117,10 +118,11 @@ def search_zeta(failures, rest: float, target: float, every: int = 1) -> Zeta:
     half = round(WINDOW / math.log1p(grid.step))
     window, top = 2 * half + 1, grid.index(MAX_MULTIPLIER)
     edge = grid.first_failure(grid.index(rest), top)
-    holds = not grid.fails_at([0])[0]
+    failing, unknown, _ = grid.at([0])[:, 0]
+    at_target = not failing, bool(failing and not unknown)
     if edge is None or edge > top:
         most = MAX_MULTIPLIER
-        return Zeta(most, most, most, (most, most), 0.0, holds)
+        return Zeta(most, most, most, (most, most), 0.0, *at_target)
     while (below := grid.fails_at(range(edge - window, edge))).any():
         edge += int(np.argmax(below)) - window
     low = edge - window
@@ -133,7 +135,7 @@ def search_zeta(failures, rest: float, target: float, every: int = 1) -> Zeta:
     share = float(around.sum()) / window
     end = fails.size if last is None else last + half + 1
     if grid.at(range(low, low + end))[1].any():
-        return Zeta(None, None, None, None, share, holds)
+        return Zeta(None, None, None, None, share, *at_target)
     shares = (HALF_FAIL, ROBUST_SHARE, HALF_FAIL - SHARE_ERROR, HALF_FAIL + SHARE_ERROR)
     places = [*(first_with_share(fails, half, part) for part in shares), window]
     zeta, sixteen, least, most, first = (
@@ -145,4 +147,4 @@ def search_zeta(failures, rest: float, target: float, every: int = 1) -> Zeta:
         zeta = first = bracket[1] if bracket else first
     elif places[0] is not None:  # the point stands for the step that ends in it
         zeta /= math.sqrt(1.0 + grid.step)
-    return Zeta(zeta, sixteen, first, (least, most), share, holds)
+    return Zeta(zeta, sixteen, first, (least, most), share, *at_target)

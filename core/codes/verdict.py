@@ -39,6 +39,10 @@ TO_MEND = {
 """What makes a verdict indicative, or is missing, and the designer can mend -> what to do; the first two are said."""
 
 
+TAKEN = ("no_soil_factor", "period_estimated")
+"""Reasons for which the motion itself rests on a value that was left out: no wall is said to stay at rest under it."""
+
+
 @dataclass(frozen=True)
 class Circumstances:
     """What a verdict must know beside the checks.
@@ -177,7 +181,8 @@ def outcome_of(seen: Evidence, unfounded: Sequence[Sentence] = (), q_unfounded: 
     """
     if _missing(seen) is not None:
         return "undetermined"
-    if not unfounded and not _activated(seen, _threshold(seen)):
+    taken = any(words.code in TAKEN for words in _limits(seen))
+    if not unfounded and not taken and not _activated(seen, _threshold(seen)):
         return "not_activated"
     agrees = not q_unfounded and passes_with_q2(seen.made("linear_q_code"), seen.demand.zeta_target)
     return _code(seen, bool(unfounded or _limits(seen) or _unconfirmed(seen)), agrees)
@@ -292,7 +297,8 @@ def _missing(seen: Evidence) -> Sentence | None:
     if seen.governing is None:
         keys = {"spectrum": "spectrum", "modulus": "elastic_modulus_mpa", "weight": "unit_weight_kn_m3"}
         return _reason("no_check", **{name: Key(key) for name, key in keys.items()})
-    return _reason("no_number") if seen.zeta is None else None
+    unknown = seen.zeta is None and seen.governing.passed is not False  # what is known to fail needs no number
+    return _reason("no_number") if unknown else None
 
 
 def _unconfirmed(seen: Evidence) -> list[Sentence]:

@@ -5,8 +5,9 @@ from dataclasses import asdict
 
 from core.codes.kinematic import Kinematic
 from core.report.tie_words import elongations
+from core.report.verdict_words import outcome_of
 from core.study.results import StudyResult, WallResult, WallVerdict
-from core.study.variants import Comparison, comparisons
+from core.study.variants import comparisons, wall_comparisons
 from core.study.wall_verdict import deciding, where
 from core.text.sentence import Sentence
 from core.units import G
@@ -244,25 +245,33 @@ def _sensitivity(found: Sensitivity) -> dict:
     }
 
 
-def _comparison(one: Comparison) -> dict:
-    before, after = (
-        {
-            "zeta_e": wall.assessment.verdict.zeta_e if wall.assessment else None,
-            "governing": wall.assessment.verdict.governing if wall.assessment else None,
-            "q_set": wall.q_set,
-        }
-        for wall in (one.before, one.after)
-    )
-    return {
-        "name": one.name,
-        "mechanism": one.before.mechanism,
-        "changed": list(one.changed),
-        "before": before,
-        "after": after,
-    }
+def _compared(result: StudyResult, one: WallVerdict) -> dict:
+    wall = result.walls[one.governing]
+    code, check = outcome_of(result, one)
+    zeta = wall.assessment.verdict.zeta_e if wall.assessment else None
+    return {"code": code, "zeta_e": zeta, "zeta_least": one.zeta_least, "check": check, "q_set": wall.q_set}
 
 
 def variants(result: StudyResult) -> dict:
-    """The key variants of a study with walls before and after."""
-    found = comparisons(result.walls)
-    return {"variants": [_comparison(one) for one in found]} if found else {}
+    """The key variants of a study with walls before and after, each by the hinge that decides; without a demand by q of
+    each hinge and mechanism."""
+    found: list[dict] = [
+        {
+            "name": one.name,
+            "changed": list(one.changed),
+            "before": _compared(result, one.before),
+            "after": _compared(result, one.after),
+        }
+        for one in wall_comparisons(result.verdicts)
+    ]
+    if not result.verdicts:
+        found = [
+            {
+                "name": pair.name,
+                "changed": list(pair.changed),
+                "before": {"q_set": pair.before.q_set},
+                "after": {"q_set": pair.after.q_set},
+            }
+            for pair in comparisons(result.walls)
+        ]
+    return {"variants": found} if found else {}

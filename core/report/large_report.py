@@ -2,11 +2,11 @@
 
 import heapq
 import json
-import math
 from collections import Counter
 from dataclasses import replace
 
 from core.case.schema import Case
+from core.codes.outcomes import severity
 from core.report.columns import COLUMNS
 from core.report.json_report import demand_keys, record_keys
 from core.report.selection_words import selection_keys
@@ -41,12 +41,12 @@ class Tally:
         self._worst = heapq.nsmallest(WORST, self._worst, key=lambda entry: entry[0])
 
     def _place(self, row: dict) -> None:
-        """Among the worst: without a number first, then by zeta over the one required, else by q."""
-        value = row["zeta_e"] / row["zeta_target"] if row["zeta_e"] is not None else row["q_set"]
-        if (row["verdict"] is not None and row["zeta_e"] is None) or row["verdict"] == "undetermined":
-            value = -math.inf
-        rank = 1 if row["verdict"] == "not_activated" else 0
-        self._worst.append(((rank, math.inf if value is None else value, row["wall"], row["hinge_m"]), row))
+        """Among the worst: by the table of outcomes; without a demand by q."""
+        if row["verdict"] is not None:
+            order = severity(row["verdict"], row["zeta_e"], row["zeta_target"])
+        else:
+            order = (0, row["q_set"] is None, row["q_set"] or 0.0)
+        self._worst.append(((*order, row["wall"], row["hinge_m"]), row))
 
     @property
     def worst(self) -> list[dict]:

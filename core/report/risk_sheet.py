@@ -96,8 +96,9 @@ def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
         text(sheet, row, 7, found.risk.years or "–", align="right")
         letter = found.risk.letter
         text(sheet, row, 8, f"{book.digits(found.risk.index, '.2f')}  {letter}" if letter else "–", align="right")
-    for column, one in enumerate(found.states, start=9):
-        number(sheet, row, column, one.zeta, RATIO)
+    zetas = {one.state: one.zeta for one in found.states}
+    for column, state in enumerate(STATES, start=9):
+        number(sheet, row, column, zetas.get(state), RATIO)
 
 
 def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:

@@ -28,7 +28,8 @@ OTHER_UNITS = re.compile(r"\b(ms|hz|[cm]?m/s\^?2|[cm]?m/s²|gal|%g)(?![a-z])", r
 
 
 def target_of(asked: Demand, base_dir: Path) -> Target | None:
-    """The elastic spectrum of a demand. Raises InputError."""
+    """The elastic spectrum of a demand. Raises InputError, and KeyError of a draft some of whose values are still to be
+    given."""
     ag = asked.ag_g * G
     if asked.spectrum_file:
         path = base_dir / name_of(asked.spectrum_file)
@@ -37,9 +38,11 @@ def target_of(asked: Demand, base_dir: Path) -> Target | None:
     if chosen is None:
         return None
     if chosen.code == "EN1998":
-        assert chosen.type is not None
+        if chosen.type is None:
+            raise KeyError("type")
         return target_spectrum.en1998(ag, chosen.type, chosen.soil)
-    assert chosen.f0 is not None and chosen.tc_star_s is not None and chosen.topography is not None
+    if chosen.f0 is None or chosen.tc_star_s is None or chosen.topography is None:
+        raise KeyError("f0")
     return target_spectrum.ntc2018(ag, chosen.f0, chosen.tc_star_s, chosen.soil, chosen.topography)
 
 

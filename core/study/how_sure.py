@@ -119,7 +119,7 @@ def _with_sensitivity(
     progress.done(("sensitivity", origin))
     moved = sensitivity_of(setting, ranges, made, [done["move", m] for m in range(len(made))], known)
     moved = replace(moved, reach=tuple(done["reach", key] for key in turned))
-    turning = tuple(move_words(one, one.lowest) for one in moved.swings if one.key in moved.turning)
+    turning = tuple(move_words(one, one.turning) for one in moved.swings if one.key in moved.turning)
     extra = (sentence("reason", "turned", moves=turning),) if turning else ()
     return replace(verdict, sensitivity=moved, extra=(*verdict.extra, *extra))
 

@@ -22,8 +22,8 @@ from core.wall.wall_loads import carries, rocks_both_ways, without_ties
 OF_THE_FLOOR = ("other_building", "at_centroid")
 """Codes of what lifts zeta above the ground."""
 
-THICKER = 1.05
-"""Of the thickness, at which zeta is looked at as well: it is not known better."""
+THICKER = (1.05, 1.1, 1.2, 1.3)
+"""Of the thickness, at which zeta is looked at as well."""
 
 GENERATED = "generated"
 """Format of the motions of [generate]."""
@@ -60,6 +60,7 @@ class Assessment:
     checks : the table of methods, the most refined first
     dynamic : None without records
     lower_bound : the dynamic check of the two-sided wall, should the restraint behind a one-sided one fail
+    bound_passes : whether the wall surely passes without what restrains it; None where nothing does
     sensitivity : above the ground, zeta of the check that decides for another building and another height
     code_over_records : of `Floor.code_over_records`
     risk : of the check that decides, None where it has no zeta
@@ -77,6 +78,7 @@ class Assessment:
     risk: Risk | None = None
     tie: TieDesign | None = None
     states: tuple[StateZeta, ...] = ()
+    bound_passes: bool | None = None
 
     @property
     def shown(self) -> tuple[tuple[Check, bool], ...]:
@@ -117,10 +119,14 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
         limits.append(sentence("reason", "generated_motions"))
     limits += [*_of_bending(kinematic), *_of_ties_not_counted(found), *_of_ties_that_lower(found, cancelled)]
     limits += _of_a_thicker_wall(found)
-    bound = below.zeta if below else _overturning(scene, cancelled)
+    free = None if below else _overturning(scene, cancelled)
+    bound, passes = (below.zeta, below.satisfied(demand.zeta_target)) if below else (None, None)
+    if free is not None:
+        bound, passes = free.zeta, free.satisfied
     said = verdict(found.evidence, bound, tuple(limits), raised)
     sensitivity = {lift.words.code: lift.zeta for lift in raised if lift.words.code in OF_THE_FLOOR}
-    return Assessment(kinematic, found.checks, dynamic, below, said, sensitivity, ratio, _capacity(found))
+    parts = (kinematic, found.checks, dynamic, below, said, sensitivity, ratio, _capacity(found))
+    return Assessment(*parts, bound_passes=passes)
 
 
 def _without_restraint(scene: Scene, dynamic: DemandCheck | None, cancelled: Callable[[], bool]) -> DemandCheck | None:
@@ -132,15 +138,15 @@ def _without_restraint(scene: Scene, dynamic: DemandCheck | None, cancelled: Cal
     return histories(scene.but(wall=free, mechanism="two_sided"), cancelled=cancelled)
 
 
-def _overturning(scene: Scene, cancelled: Callable[[], bool]) -> float | None:
-    """zeta of a wall held at its top, were it not: it overturns about its base. None of another wall, where its loads
+def _overturning(scene: Scene, cancelled: Callable[[], bool]) -> Evaluation | None:
+    """A wall held at its top, were it not: it overturns about its base. None of another wall, where its loads
     would overturn it without an earthquake, and where a spectrum ends before its period."""
     wall = scene.wall
     if not wall.bends or not carries(wall):
         return None
     try:
         free = scene.but(wall=replace(wall, mechanism="one_sided"), mechanism="one_sided")
-        return evaluate(free, other=False, cancelled=cancelled).zeta
+        return evaluate(free, other=False, cancelled=cancelled)
     except InputError:
         return None
 
@@ -190,19 +196,24 @@ def _of_ties_that_lower(found: Evaluation, cancelled: Callable[[], bool]) -> lis
 
 def _of_a_thicker_wall(found: Evaluation) -> list[Sentence]:
     """That a thicker wall has the lower zeta by the check of the clauses that decides: what holds it besides its weight
-    does not grow with it, or it vibrates nearer to the plateau of the spectrum."""
+    does not grow with it, a tie breaks before its larger displacement, or it vibrates nearer to the plateau."""
     scene, check = found.scene, found.decides
     thickness = scene.wall.thickness
     if check is None or check.zeta is None or check.name == "dynamic" or thickness is None or scene.wall.solid:
         return []
-    try:
-        thicker = evaluate(scene.but(wall=thinner(scene.wall, THICKER * thickness))).made(check.name)
-    except InputError:
+    zetas = {}
+    for factor in THICKER:
+        try:
+            thicker = evaluate(scene.but(wall=thinner(scene.wall, factor * thickness))).made(check.name)
+        except InputError:
+            continue
+        if thicker is not None and thicker.zeta is not None:
+            zetas[factor] = thicker.zeta
+    if not zetas or round(min(zetas.values()), 2) >= round(check.zeta, 2):
         return []
-    if thicker is None or thicker.zeta is None or round(thicker.zeta, 2) >= round(check.zeta, 2):
-        return []
-    values = {"zeta": Number(thicker.zeta), "given": Number(check.zeta)}
-    return [sentence("reason", "thicker_less", cm=Number(100.0 * THICKER * thickness, ".1f"), **values)]
+    worst = min(zetas, key=lambda factor: zetas[factor])
+    values = {"zeta": Number(zetas[worst]), "given": Number(check.zeta)}
+    return [sentence("reason", "thicker_less", cm=Number(100.0 * worst * thickness, ".1f"), **values)]
 
 
 def _capacity(found: Evaluation) -> Risk | None:

@@ -73,7 +73,7 @@ class Evaluation:
 
     def judgement(self, check: Check | None) -> str:
         """FAILS, AT_LIMIT, OPEN or PASSES: what one of its checks says; a check that was not made says nothing."""
-        if check is None or check.zeta is None:
+        if check is None or check.passed is None:
             return OPEN
         if check.name == "dynamic" and self.dynamic and self.dynamic.within_spread(self.scene.demand.zeta_target):
             return AT_LIMIT
@@ -105,11 +105,6 @@ class Evaluation:
     def satisfied(self) -> bool:
         """Whether the check that decides surely is, its spread included."""
         return self.judgement(self.decides) == PASSES
-
-    @property
-    def turned(self) -> bool:
-        """Whether the check that decides fails or is at its limit."""
-        return self.judgement(self.decides) in (FAILS, AT_LIMIT)
 
     @property
     def lower_q(self) -> Sentence | None:

@@ -13,7 +13,6 @@ from core.case.schema import Wall
 from core.case.sensitivity import Ranges
 from core.case.site import Building
 from core.codes.floor_spectrum import estimated_period
-from core.codes.kinematic import ROUNDING
 from core.codes.outcomes import OUTCOMES, PASSES, least
 from core.codes.record_sample import RecordPeaks, one_left_out
 from core.errors import InputError
@@ -184,7 +183,7 @@ def sensitivity_of(
         end = End(None if left_out else move.value, there.zeta, there.sure, name)
         known = swings.setdefault(move.key, Swing(move.key, move.given, ()))
         swings[move.key] = replace(known, ends=(*known.ends, end))
-    if ranges.restraint_lost and (lost := _restraint_lost(hinges, setting.demand.zeta_target)) is not None:
+    if ranges.restraint_lost and (lost := _restraint_lost(hinges)) is not None:
         swings["restraint_lost"] = Swing("restraint_lost", None, (lost,))
     moving = [one for one in swings.values() if any(_differs(e.zeta, base) for e in one.ends)]
     satisfied = all(OUTCOMES[one.verdict.code].judgement == PASSES for one in hinges)
@@ -203,11 +202,14 @@ def _differs(zeta: float | None, base: float | None) -> bool:
     return not math.isclose(zeta, base, rel_tol=1e-9)
 
 
-def _restraint_lost(hinges: Sequence[Assessment], target: float) -> End | None:
+def _restraint_lost(hinges: Sequence[Assessment]) -> End | None:
     """The wall where nothing holds it from behind, or at its top; None where nothing does now."""
     if all(one.verdict.lower_bound is None for one in hinges):
         return None
     bounds = [one.verdict.lower_bound for one in hinges]
     zeta = least(one.verdict.zeta_e if bound is None else bound for one, bound in zip(hinges, bounds, strict=True))
-    held = all(one.lower_bound is None or one.lower_bound.passed for one in hinges)
-    return End(None, zeta, held and zeta is not None and zeta >= target - ROUNDING)
+    passing = [
+        OUTCOMES[one.verdict.code].judgement == PASSES if one.bound_passes is None else one.bound_passes
+        for one in hinges
+    ]
+    return End(None, zeta, all(passing))

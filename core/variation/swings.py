@@ -50,6 +50,11 @@ class Swing:
     def lowest(self) -> End:
         return min(self.ends, key=_worth)
 
+    @property
+    def turning(self) -> End:
+        """The end that is not surely satisfied, the lower one of two."""
+        return min((end for end in self.ends if not end.sure), key=_worth, default=self.lowest)
+
     def width(self, base: float | None) -> float:
         """From the lowest zeta to the highest, zeta as it is among them; without a number as wide as any."""
         found = [base, *(end.zeta for end in self.ends)]

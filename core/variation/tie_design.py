@@ -106,8 +106,7 @@ class Hinge:
     @property
     def satisfied(self) -> bool:
         """Whether its histories surely are."""
-        target = self.scene.demand.zeta_target
-        return self.dynamic is not None and self.dynamic.passed and not self.dynamic.within_spread(target)
+        return self.dynamic is not None and self.dynamic.satisfied(self.scene.demand.zeta_target)
 
     def raised(self, height: float) -> float:
         """Height of a tie above this hinge [m], of one `height` above the base."""

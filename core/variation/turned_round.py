@@ -21,6 +21,9 @@ CLOSE = 0.002
 RAISED = 1.02
 """More of the value at which histories must hold as well: their rule is not monotone."""
 
+STRONGER = (1.05, 1.1, 1.2, 1.3, 1.5)
+"""More of the value at which a check of the clauses must hold too: a tie that breaks early makes a step."""
+
 BEYOND, TRIES = 0.01, 30
 """Step and count by which a value of the histories is moved on until the run itself is satisfied."""
 
@@ -112,8 +115,8 @@ def with_values(setting: Setting, values: dict[str, float]) -> Setting:
 
 
 def reach_of(setting: Setting, key: str, given: float, cancelled: Callable[[], bool] = lambda: False) -> Reach:
-    """The value of a key at which zeta of each check reaches what is required: of a_g the largest, else the smallest,
-    in the digits it is written with.
+    """The value of a key from which on zeta of each check reaches what is required, nearest to the value now: of a_g
+    up to which, in the digits it is written with. How far beyond it is looked: STRONGER, of histories RAISED.
 
     given : its value now
     Raises Cancelled.
@@ -150,14 +153,16 @@ def _holds_at(
 
 def _searched(holds: Callable[[float, Precision | None], bool | None], key: str, given: float, dynamic: bool) -> Edge:
     """The boundary of a check. holds(value, precision) : whether it does; dynamic : it is that of the histories, which
-    must hold a little beyond as well, and near what a glance finds in the run itself"""
+    must hold in the run itself near what a glance finds"""
     falls = key == "ag_g"
     sign = -1.0 if falls else 1.0
     ends = given / WIDEST[key], given * WIDEST[key]
 
     def fine(value: float, precision: Precision | None) -> bool | None:
         found = holds(value, precision)
-        return holds(value * RAISED**sign, precision) if found and dynamic else found
+        beyond = (RAISED,) if dynamic else STRONGER
+        # where it is refused it fails for another reason
+        return found and all(holds(value * factor**sign, precision) is not False for factor in beyond)
 
     found = edge(lambda value: fine(value, GLANCE if dynamic else None), given, ends, not falls, STEP, CLOSE)
     if found.good is None or found.bad is None or found.refused:

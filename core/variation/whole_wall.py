@@ -11,7 +11,7 @@ from core.case.schema import Case, Wall
 from core.case.site import FULL_FACTOR
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
-from core.codes.outcomes import FAILS, OPEN, PASSES, least
+from core.codes.outcomes import FAILS, OPEN, least
 from core.setting.plan import Floors, Inputs, plan_of
 from core.variation.evaluate import AT_LIMIT, RUN, Evaluation, Precision, evaluate
 from core.variation.limit_states import scaled
@@ -57,13 +57,6 @@ class WholeWall:
     def sure(self) -> bool:
         """Whether the check that decides about each hinge is satisfied, its spread included."""
         return bool(self.hinges) and all(hinge.satisfied for hinge in self.hinges)
-
-    @property
-    def judgement(self) -> str:
-        """FAILS, where one hinge does or is at its limit, else OPEN or PASSES."""
-        if any(hinge.turned for hinge in self.hinges) or not self.hinges:
-            return FAILS
-        return PASSES if self.sure else OPEN
 
 
 NONE = WholeWall(())

@@ -67,7 +67,7 @@ def said(
             "SLV", (), 0, 0.1, 0.1, "mean", 0.4, dynamic, dynamic >= 1.0, holds, holds_at_target=holds, zeta_16=dynamic
         )
         histories = replace(histories, **(check or {}))
-        found[0] = replace(found[0], zeta=histories.zeta, passed=histories.passed)
+        found[0] = replace(found[0], zeta=histories.zeta, passed=histories.as_check(target).passed)
     rules = Compliance(None, None, None, None, (), records, compatible)
     seen = Evidence(
         asked.wall[0],

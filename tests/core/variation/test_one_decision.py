@@ -1,15 +1,22 @@
 """A wall, a limit state, a tie are judged by one rule: the worst outcome, what is unknown never better than known."""
 
 import copy
+import io
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from openpyxl import load_workbook
 
 from core.case.rules import parse_case
+from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import with_and_without_ties
 from core.codes.outcomes import OUTCOMES, PASSES, least, severity
 from core.errors import InputError
+from core.report.large_report import NAMED, Tally
+from core.report.steps import Steps
 from core.report.tie_words import tie_lines
+from core.report.workbook import WorkbookReport
 from core.study.run import run
 from tests.core.variation.random_walls import random_tables
 
@@ -173,3 +180,57 @@ def test_that_a_tie_that_breaks_early_does_not_lower_the_displacement_check():
         assert all(f"{tied:.2f}" in one and f"{bare:.2f}" in one for one in said)
         lowered += tied < bare
     assert lowered > 1
+
+
+def test_that_a_wall_rests_under_no_motion_whose_soil_was_left_out():
+    """With S = 1.5 it fails; without S, taken as 1, it was said not to be lifted."""
+    wall = {"name": "w", "height_m": 6.0, "thickness_m": 0.5, "mechanism": "one_sided", "base_z_m": 0.0}
+    wall |= {"back_restraint": "cross walls", "unloaded_confirmed": True, "unit_weight_kn_m3": 18.0}
+    demand = {"ag_g": 0.05, "limit_state": "SLD", "soil_factor": 1.5}
+    assert made({"wall": [wall], "demand": demand}).walls[0].assessment.verdict.code == "not_verified"
+    del demand["soil_factor"]
+    assert made({"wall": [wall], "demand": demand}).walls[0].assessment.verdict.code == "indicative"
+
+
+def test_that_a_rule_known_to_fail_needs_no_zeta():
+    check = DemandCheck("SLV", (), 1, None, None, "mean", 0.4, None, False, False, holds_at_target=False)
+    assert check.as_check(1.0).passed is None
+    assert replace(check, fails_at_target=True).as_check(1.0).passed is False
+
+
+def test_that_the_sheet_risk_has_each_state_in_its_own_column():
+    """SLD lies outside the rows of the hazard."""
+    rows = ((201.0, 0.13, 2.4, 0.33), (475.0, 0.2, 2.36, 0.35), (2475.0, 0.34, 2.42, 0.37))
+    keys = ("return_period_years", "ag_g", "f0", "tc_star_s")
+    demand = {"ag_g": 0.2, "spectrum": {**SITE["spectrum"], "soil": "B"}, "return_period_years": 475.0}
+    demand |= {"hazard": [dict(zip(keys, row, strict=True)) for row in rows]}
+    demand |= {"nominal_life_years": 50.0, "use_class_factor": 1.0}
+    wall = {key: value for key, value in TIED.items() if not key.startswith("tie_")}
+    result = made({"wall": [wall | {"height_m": 6.0, "thickness_m": 0.5}], "demand": demand})
+    zetas = {one.state: one.zeta for one in result.walls[0].assessment.states}
+    assert list(zetas) == ["SLV", "SLC"]
+    sheet = load_workbook(io.BytesIO(workbook_bytes(result)))["Risk"]
+    heads = next(row for row in sheet.iter_rows(values_only=True) if row and "ζ SLD" in row)
+    columns = {state: heads.index(f"ζ {state}") for state in ("SLD", "SLV", "SLC")}
+    (row,) = [row for row in sheet.iter_rows(values_only=True) if row[0] == "w"]
+    assert row[columns["SLD"]] in (None, "–")
+    assert (row[columns["SLV"]], row[columns["SLC"]]) == pytest.approx((zetas["SLV"], zetas["SLC"]))
+
+
+def workbook_bytes(result):
+    """The workbook of a result."""
+    report = WorkbookReport("en")
+    for wall in result.by_wall():
+        report.add(wall)
+    return report.content(result, [], Steps())
+
+
+def test_that_the_worst_of_many_walls_are_the_worst_outcomes():
+    rows = [("undetermined", None), ("not_verified", 1.06), ("at_limit", 1.01), ("verified", 1.0), ("verified", 1.05)]
+    tally = Tally()
+    for k, (code, zeta) in enumerate(rows):
+        row = dict.fromkeys(NAMED, None) | {"verdict": code, "zeta_e": zeta, "zeta_target": 1.0, "wall": k}
+        row |= {"hinge_m": 0.0, "decides": True, "analyses": 1, "runs_without_q": 0}
+        tally.add({name: [value] for name, value in row.items()})
+    worst = [row["verdict"] for row in tally.worst]
+    assert worst == ["not_verified", "at_limit", "undetermined", "verified", "verified"]

@@ -83,7 +83,7 @@ def test_that_a_wall_is_as_its_hinges_are_together(each, satisfied, judgement):
     inputs = read_inputs(case, CASES)
     found = evaluate_wall(setting_of(case, 0, CASES, inputs, histories))
     assert not left
-    assert (found.satisfied["dynamic"], found.judgement, found.sure) == (satisfied, judgement, judgement == PASSES)
+    assert (found.satisfied["dynamic"], found.sure) == (satisfied, judgement == PASSES)
     assert found.zeta == found.by_check["dynamic"] == min(one.zeta for one in each)
     clauses = evaluate_wall(setting_of(case, 0, CASES, inputs), None)
     assert {label: found.satisfied[label] for label in clauses.satisfied} == clauses.satisfied
@@ -105,7 +105,7 @@ def test_that_only_records_used_as_given_follow_a_g():
 
 
 def test_that_a_wall_that_does_not_stand_is_satisfied_by_nothing():
-    assert NONE.zeta is None and NONE.by_check == {} and not NONE.sure and NONE.judgement == FAILS
+    assert NONE.zeta is None and NONE.by_check == {} and not NONE.sure
 
 
 @pytest.mark.parametrize("mechanism", ["one_sided", "two_sided", "both"])
