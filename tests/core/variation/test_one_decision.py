@@ -37,7 +37,7 @@ def rank(code):
 
 def test_that_a_wall_has_the_worst_outcome_of_its_hinges_and_the_least_zeta():
     milder = 0
-    for table in random_tables(80):
+    for table in random_tables(40):
         result = made(table)
         if result is None:
             continue
@@ -51,7 +51,7 @@ def test_that_a_wall_has_the_worst_outcome_of_its_hinges_and_the_least_zeta():
         milder += any(one.zeta_e is not None and hinges[0].zeta_e and one.zeta_e < hinges[0].zeta_e for one in hinges)
         if wall.risk is not None:
             assert wall.risk.pga == pytest.approx(wall.zeta_least * result.demand.pga)
-    assert milder > 3  # the hinge with the lowest zeta is not always the one that decides
+    assert milder > 1  # the hinge with the lowest zeta is not always the one that decides
 
 
 def test_that_a_hinge_of_worse_outcome_decides_though_another_has_the_lower_zeta():
@@ -68,30 +68,32 @@ def test_that_a_hinge_of_worse_outcome_decides_though_another_has_the_lower_zeta
 LEFT_OUT = ("back_restraint", "unloaded_confirmed", "elastic_modulus_mpa", "length_m")
 
 
-def test_that_leaving_a_key_out_never_makes_an_outcome_milder():
-    fewer = 0
-    for table in random_tables(60, first=500):
-        whole = made(table)
-        if whole is None:
+def check_left_out(table) -> int:
+    """A wall with each of LEFT_OUT left out. How many were compared."""
+    compared, whole = 0, made(table)
+    if whole is None:
+        return 0
+    before = whole.walls[whole.verdicts[0].governing].assessment.verdict
+    for key in LEFT_OUT:
+        changed = copy.deepcopy(table)
+        if changed["wall"][0].pop(key, None) is None or (bare := made(changed)) is None:
             continue
-        before = whole.walls[whole.verdicts[0].governing].assessment.verdict
-        for key in LEFT_OUT:
-            changed = copy.deepcopy(table)
-            if changed["wall"][0].pop(key, None) is None:
-                continue
-            try:
-                bare = made(changed)
-            except (InputError, TypeError):
-                continue
-            if bare is None:
-                continue
-            after = bare.walls[bare.verdicts[0].governing].assessment.verdict
-            fewer += 1
-            if after.zeta_e == before.zeta_e:
-                assert rank(after.code) <= rank(before.code) or before.code == "undetermined", (table, key)
-            if OUTCOMES[before.code].judgement != PASSES and after.zeta_e == before.zeta_e:
-                assert after.code == before.code
-    assert fewer > 40
+        after = bare.walls[bare.verdicts[0].governing].assessment.verdict
+        compared += 1
+        if after.zeta_e == before.zeta_e:
+            assert rank(after.code) <= rank(before.code) or before.code == "undetermined", (table, key)
+        if OUTCOMES[before.code].judgement != PASSES and after.zeta_e == before.zeta_e:
+            assert after.code == before.code
+    return compared
+
+
+def test_that_leaving_a_key_out_never_makes_an_outcome_milder():
+    assert sum(map(check_left_out, random_tables(20, first=500))) > 15
+
+
+@pytest.mark.long
+def test_that_leaving_a_key_out_makes_no_outcome_of_three_hundred_walls_milder():
+    assert sum(map(check_left_out, random_tables(300, first=500))) > 250
 
 
 def test_that_among_equal_outcomes_a_missing_zeta_comes_first():
