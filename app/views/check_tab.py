@@ -31,7 +31,7 @@ from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.eq9 import LABEL
 from core.codes.kinematic import Check
 from core.codes.outcomes import least
-from core.report.sure_words import verdict_of
+from core.report.sure_words import risk_of, verdict_of
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import lines_of, sentence_of, tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
@@ -376,8 +376,8 @@ class CheckTab(QWidget):
             facts.append((side, f"ζ {digits(dynamic.zeta_other.zeta)}"))
         if found.sensitivity:
             facts.append((tr("Other building or height"), f"ζ {digits(least(found.sensitivity.values()))}"))
-        elif found.risk and found.risk.pga:
-            facts.append(("PGA_C", f"{number(found.risk.pga / G, '.3f')} g"))
+        elif risk := risk_of(result, wall):
+            facts.append(("PGA_C", f"{number(risk.pga / G, '.3f')} g"))
         quiet = theme.current.quiet
         cells = "".join(
             f"<td style='padding-right: 34px'><span style='color:{quiet}'>{html.escape(name)}</span><br>"

@@ -27,6 +27,7 @@ from core.report.derived import cell_prefix
 from core.report.note.content import works
 from core.report.note.words import Words
 from core.report.rows import changed_cell
+from core.report.sure_words import risk_of
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import in_order, lines_of, sentence_of, tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
@@ -180,8 +181,8 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
     say, assessment = book.say, wall.assessment
     label = f"{wall.name} – {word(wall.mechanism, book.language)}"
     title(sheet, row, label, 12)
-    if assessment.risk:
-        row = paragraph(sheet, row + 1, _risk_line(book, assessment.risk), LAST, 150, color=QUIET) - 1
+    if found := risk_of(result, wall):
+        row = paragraph(sheet, row + 1, _risk_line(book, found), LAST, 150, color=QUIET) - 1
     top = row + 1
     header(
         sheet,

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from core.codes.collapse_rate import BEYOND, StateRate
+from core.codes.risk import Risk
 from core.report.verdict_words import names_in
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.text.sentence import Number, numeral, sentence, word
@@ -25,6 +26,14 @@ class Moved(NamedTuple):
 def verdict_of(result: StudyResult, wall: WallResult) -> WallVerdict | None:
     """The verdict a result decides, None of any other hinge."""
     return next((one for one in result.verdicts if result.walls[one.governing] is wall), None)
+
+
+def risk_of(result: StudyResult, wall: WallResult) -> Risk | None:
+    """What a wall withstands where this result decides about it, of all its hinges; else what this hinge does."""
+    verdict = verdict_of(result, wall)
+    if verdict is not None:
+        return verdict.risk
+    return wall.assessment.risk if wall.assessment else None
 
 
 def has_certainty(result: StudyResult) -> bool:
