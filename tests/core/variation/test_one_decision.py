@@ -236,3 +236,17 @@ def test_that_the_worst_of_many_walls_are_the_worst_outcomes():
         tally.add({name: [value] for name, value in row.items()})
     worst = [row["verdict"] for row in tally.worst]
     assert worst == ["not_verified", "at_limit", "undetermined", "verified", "verified"]
+
+
+def test_that_histories_take_a_tie_as_it_is_and_say_where_zeta_is_lower_with_it():
+    """A bar that yields early brings the wall back harder: the lower zeta stands, the one without the tie is said."""
+    tie = {"kind": "tie", "kn_m": 3.0, "h_m": 6.5, "bar_length_m": 8.0, "elongation_m": 0.05}
+    wall = {key: value for key, value in TIED.items() if not key.startswith(("tie_", "unloaded"))}
+    wall |= {"height_m": 7.0, "thickness_m": 0.5, "unit_weight_kn_m3": 18.0}
+    spectrum = {**SITE["spectrum"], "soil": "B", "f0": 2.4}
+    table = {"demand": {"ag_g": 0.3, "spectrum": spectrum}, "generate": {"count": 3}, "analysis": {"q_step": 0.1}}
+    tied = made({**table, "wall": [wall | {"load": [tie]}]}).walls[0].assessment
+    bare = made({**table, "wall": [wall | {"unloaded_confirmed": True}]}).walls[0].assessment
+    assert tied.verdict.zeta_e == tied.dynamic.zeta < bare.dynamic.zeta
+    (said,) = [dict(one.values) for one in tied.verdict.limits if one.code == "ties_histories"]
+    assert (said["tied"].value, said["bare"].value) == (tied.dynamic.zeta, bare.dynamic.zeta)

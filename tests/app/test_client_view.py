@@ -1,0 +1,37 @@
+"""What a client is told is the outcome of the wall, whichever of its hinges is open."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
+
+from app.shell.client_view import sides_of
+from core.case.rules import parse_case
+from core.study.run import run
+
+WALL = {"name": "w", "height_m": 6.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0}
+WALL |= {"unit_weight_kn_m3": 18.0, "back_restraint": "cross_walls", "unloaded_confirmed": True}
+SPECTRUM = {"code": "EN1998", "type": 1, "soil": "B"}
+
+
+@pytest.fixture(scope="module")
+def result():
+    walls = [WALL | {"variant": "stato di fatto"}, WALL | {"variant": "progetto", "thickness_m": 0.75}]
+    table = {"wall": walls, "building": {"height_m": 9.0, "storeys": 3, "period_s": 0.3}}
+    table |= {"demand": {"ag_g": 0.15, "spectrum": SPECTRUM}, "generate": {"count": 3}, "analysis": {"q_step": 0.1}}
+    return run(parse_case(table), base_dir=Path())
+
+
+def test_that_whichever_hinge_is_shown_the_share_and_the_outcome_are_those_of_the_wall(result):
+    assert len(result.walls) > len(result.verdicts) == 2
+    zetas = {wall.assessment.verdict.zeta_e for wall in result.walls}
+    assert len(zetas) > 2  # the hinges differ
+    for shown in result.walls:
+        sides = sides_of(result, shown)
+        for side, verdict in zip(sides, result.verdicts, strict=True):
+            decides = result.walls[verdict.governing]
+            assert side.share == verdict.zeta_least / decides.assessment.verdict.zeta_target
+            assert side.wall is decides
