@@ -18,7 +18,7 @@ Reasons = WallJustification | DemandJustification
 
 
 def raised_by_wall(case: Case, wall: Wall) -> set[str]:
-    """Keys of a wall that raise its zeta as they are, see `core.variation.lifts`."""
+    """Keys of a wall that raise its zeta as they are, see `core.variation.assumptions`."""
     at_height = wall.above_ground and case.building is not None and not case.building.modes
     lifting = {
         "velocity_ratio": wall.velocity_ratio is not None,
@@ -34,6 +34,7 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         "anchorage_kn": any(load.is_tie and (load.bar is None or load.bar.anchorage_kn is None) for load in wall.load),
         "load": (wall.bends and bool(wall.load))
         or any(load.kind == "thrust" and isinstance(load.kn_m, float) and load.kn_m < 0.0 for load in wall.load),
+        "compressive_strength_mpa": wall.compressive_strength_mpa is not None,
         "prestress": any(load.is_tie and load.prestress for load in wall.load),
         "base_z_m": case.demand is not None and at_height and not wall.bends,
     }

@@ -33,6 +33,7 @@ from app.work.session import Session
 from core.case.schema import AS_IS, BENDS, DESIGNED, Wall
 from core.case.values import check_value
 from core.case.wall_table import read_table, text_rows, walls_of
+from core.codes.masonry_types import TYPES
 from core.codes.vertical_bending import bending
 from core.errors import InputError
 from core.units import G
@@ -285,6 +286,9 @@ class WallForm(QWidget):
             values = {field.key: value}
             if field.key == "compressive_strength_mpa" and value is not None:
                 values["hinge_setback_m"] = 0.0  # it follows from the strength: its field is hidden
+            if field.key == "masonry" and value and self.wall.unit_weight_kn_m3 is None:
+                least, greatest = TYPES[value].weight
+                values["unit_weight_kn_m3"] = least if least == greatest else None
             self.session.edit_wall(self.current, ("wall", self.current, field.key), **values)
 
     def _shape_chosen(self, index: int) -> None:

@@ -83,6 +83,7 @@ ASKED_AT = {
     "odd_modulus": "elastic_modulus_mpa",
     "odd_strength": "compressive_strength_mpa",
     "heavy_load": "kn_m",
+    "unlike_masonry": "masonry",
 }
 """Question on an unusual value of a wall -> key at whose field it stands."""
 

@@ -12,6 +12,7 @@ from core.case.select import Select
 from core.case.sensitivity import Ranges
 from core.case.site import Building, Demand
 from core.case.solids import Drawing, Opening, Solid, Step, Wedges
+from core.codes.masonry_types import TYPES
 from core.codes.vertical_bending import bending
 from core.errors import InputError, place
 from core.rocking.methods import AUTO, METHODS
@@ -74,6 +75,7 @@ class WallJustification:
     prestress: str = text_key()
     anchorage_kn: str = text_key()
     load: str = text_key()
+    compressive_strength_mpa: str = text_key()
 
 
 MOST_INERTIA = 2.0
@@ -104,6 +106,7 @@ class Wall:
     law: str | dict = key("law", "rigid")
     hinge_heights: str | tuple[float, ...] | None = key("hinges", form="held")
     hinge_setback_m: float = number_key(0.0, 2.0, 0.0, unit="m", form_unit="cm", form="shape")
+    masonry: str | None = choice_key(*TYPES, default=None, form="checks")
     compressive_strength_mpa: float | None = number_key(0.1, 100.0, unit="MPa", form="checks")
     base_z_m: float | None = number_key(0.0, 300.0, unit="m", form="checks")
     length_m: float | None = number_key(0.05, 200.0, unit="m", form="checks")
@@ -133,7 +136,11 @@ class Wall:
 
     @staticmethod
     def of_older(table: dict) -> dict:
-        """The keys of a wall as they are now: what stands behind it was a free text before 0.16."""
+        """The keys of a wall as they are now: what stands behind it was a free text before 0.16. A type of masonry
+        gives the unit weight that is left out, where the table has one for it."""
+        masonry = TYPES.get(str(table.get("masonry")))
+        if masonry and "unit_weight_kn_m3" not in table and masonry.weight[0] == masonry.weight[1]:
+            table = table | {"unit_weight_kn_m3": masonry.weight[0]}
         return with_choice(table)
 
     @property

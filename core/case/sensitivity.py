@@ -13,6 +13,9 @@ def factors_key(low: float, high: float):
 LEAST_FACTOR, GREATEST_FACTOR = 0.1, 10.0
 """Factors accepted."""
 
+MOST_ADDED = 0.3
+"""Largest length added to a hinge setback [m]."""
+
 
 @dataclass(frozen=True)
 class Ranges:
@@ -20,7 +23,7 @@ class Ranges:
 
     thickness_factor : and of the distances of its loads from its outer face
     load_factor : of all loads but ties
-    setback_shares : of the thickness, added to the hinge setback
+    setback_m : added to the hinge setback [m]
     velocity_ratio_factor : of the theoretical velocity ratio, of Eq. 4 or 6
     modulus_factor : of the modulus that T_0 follows from
     building_period_factor, building_damping_factor : of the building that carries the wall
@@ -32,7 +35,7 @@ class Ranges:
     thickness_factor: tuple[float, float] = factors_key(0.95, 1.0)
     unit_weight_factor: tuple[float, float] = factors_key(0.9, 1.1)
     load_factor: tuple[float, float] = factors_key(0.8, 1.2)
-    setback_shares: tuple[float, float] = key("shares", (0.0, 0.03))
+    setback_m: tuple[float, float] = key("setbacks", (0.0, 0.03))
     velocity_ratio_factor: tuple[float, float] = factors_key(0.9, 1.0)
     modulus_factor: tuple[float, float] = factors_key(0.5, 2.0)
     building_period_factor: tuple[float, float] = factors_key(0.8, 1.2)

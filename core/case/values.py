@@ -10,8 +10,8 @@ from types import SimpleNamespace
 from core.case.hinges import BASE, FLOORS
 from core.case.keys import is_required
 from core.case.number import parse_number
-from core.case.schema import MAX_SETBACK, MIN_ELASTIC, OWN_FIELDS
-from core.case.sensitivity import GREATEST_FACTOR, LEAST_FACTOR
+from core.case.schema import MIN_ELASTIC, OWN_FIELDS
+from core.case.sensitivity import GREATEST_FACTOR, LEAST_FACTOR, MOST_ADDED
 from core.errors import InputError, section
 from core.file_names import is_text, name_of
 from core.text.sentence import Key, Sentence, sentence
@@ -161,8 +161,8 @@ def _factors(entry, value, here):
     return _pair(value, LEAST_FACTOR, GREATEST_FACTOR)
 
 
-def _shares(entry, value, here):
-    return _pair(value, 0.0, MAX_SETBACK)
+def _setbacks(entry, value, here):
+    return _pair(value, 0.0, MOST_ADDED)
 
 
 def _list(entry, value, here):
@@ -272,7 +272,7 @@ KINDS: dict[str, tuple[Callable, Callable]] = {
     "flag": (_flag, _said("flag")),
     "range": (_range, _said("periods", low=PERIOD_LIMITS[0], high=PERIOD_LIMITS[1])),
     "factors": (_factors, _said("factors", low=LEAST_FACTOR, high=GREATEST_FACTOR)),
-    "shares": (_shares, _said("shares", high=MAX_SETBACK)),
+    "setbacks": (_setbacks, _said("setbacks", high=MOST_ADDED)),
     "limits": (_limits, _said_of_limits),
     "list": (_list, lambda entry: sentence("accepted", "list", items=accepted_by(entry.metadata["of"]))),
     "texts": (_texts, _said("texts", most=MAX_TEXT)),

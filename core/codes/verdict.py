@@ -6,13 +6,14 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from core.capacity.bisection import BRACKET
+from core.codes.assumption import DECLARED, RESTRAINT, TOGETHER, Assumption, table
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import ROUNDING, Check, Kinematic
 from core.codes.limits import LEAST_SHARE, MEAN_FROM, MINIMUM_FROM
 from core.codes.record_compatibility import Compliance
 from core.codes.target_spectrum import displacement_fall
-from core.codes.verdict_sentence import CODE_Q, declared, measured, outcome
+from core.codes.verdict_sentence import CODE_Q, measured, outcome
 from core.text.sentence import FILE_NAMES, FormNames, Key, Number, Sentence, sentence
 from core.units import G
 from core.wall.wall_body import leans_inward
@@ -64,26 +65,6 @@ class Circumstances:
 
 
 @dataclass(frozen=True)
-class Lift:
-    """An input that raises zeta, as the case gives it, and what zeta is at the other end of its range.
-
-    key : of the case, and of [wall.justification] or [demand.justification]
-    words : Sentence of the group "reason"
-    turns : the other end turns what is satisfied into what is not
-    justified : the engineer's reason stands in the case
-    zeta : at the other end, None where it has none
-    turns_q : the other end turns the check with q of the code alone
-    """
-
-    key: str
-    words: Sentence
-    turns: bool = False
-    justified: bool = False
-    zeta: float | None = None
-    turns_q: bool = False
-
-
-@dataclass(frozen=True)
 class Verdict:
     """The verdict of a wall about one hinge.
 
@@ -95,6 +76,7 @@ class Verdict:
     limits : what limits the verdict, first what makes it indicative, of which there are `blocking`
     notes : what a reader may pass over
     lower_bound : zeta of the two-sided motion where the restraint behind a one-sided wall fails, or None
+    assumptions : what raises zeta and is not measured, in the order of their table
     """
 
     code: str
@@ -109,6 +91,7 @@ class Verdict:
     notes: tuple[Sentence, ...] = ()
     lower_bound: float | None = None
     blocking: int = 0
+    assumptions: tuple[Assumption, ...] = ()
 
     @property
     def reasons(self) -> tuple[Sentence, ...]:
@@ -194,34 +177,40 @@ def _threshold(seen: Evidence) -> float:
 
 
 def verdict(
-    seen: Evidence, lower_bound: float | None, own_limits: tuple[Sentence, ...] = (), lifts: tuple[Lift, ...] = ()
+    seen: Evidence,
+    lower_bound: float | None,
+    own_limits: tuple[Sentence, ...] = (),
+    assumed: tuple[Assumption, ...] = (),
 ) -> Verdict:
     """The verdict from the checks of a wall, the most refined first.
 
     lower_bound : zeta of the two-sided motion where the restraint behind a one-sided wall fails, of the overturning
         of a wall no longer held at its top [-], or None
     own_limits : Sentences on the checks and on the floor of a wall above the ground
-    lifts : inputs that raise zeta
+    assumed : what raises zeta and is not measured
     """
     wall, demand, dynamic = seen.wall, seen.demand, seen.dynamic
     missing, threshold = _missing(seen), _threshold(seen)
-    unfounded = [lift.words for lift in lifts if lift.turns and not lift.justified]
+    unfounded = [row.words for row in assumed if (row.turns and row.open) or (row.turns and row.key == TOGETHER)]
     blocking = [*_limits(seen), *unfounded, *_unconfirmed(seen)]
     agrees = passes_with_q2(seen.made("linear_q_code"), demand.zeta_target)
-    rests_on = [Key(lift.key) for lift in lifts if lift.turns_q and not lift.justified] if agrees else []
+    rests_on = [Key(row.key) for row in assumed if row.turns_q and row.open] if agrees else []
     code = outcome_of(seen, unfounded, bool(rests_on))
     limits = [*blocking, *own_limits]
-    limits += [lift.words for lift in lifts if lift.words not in limits]
+    limits += [row.words for row in assumed if row.words not in limits and row.key != TOGETHER]
     if rests_on:
         limits.append(_reason("q_rests_on", q=Number(CODE_Q, "g"), keys=tuple(rests_on)))
-    limits += _limits_of_the_number(seen, code, lower_bound)
+    limits += _limits_of_the_number(seen, code)
     governing, by = seen.governing, sentence("added", "nothing")
     if governing and governing.zeta is not None:
         by = measured(governing, dynamic, demand)
     largest = demand.pga
     if wall.above_ground and code == "not_activated":
         largest = _strongest(seen)
-    way, values = outcome(code, missing, threshold, demand, governing, seen.checks, dynamic, by, largest, wall)
+    permitted = tuple(row for row in assumed if row.turns and row.permitted)
+    way, values = outcome(
+        code, missing, threshold, demand, governing, seen.checks, dynamic, by, largest, wall, permitted
+    )
     decides = missing
     if missing is None and governing:
         decides = sentence("added", "decides", by=by, clause=governing.clause)
@@ -233,11 +222,12 @@ def verdict(
         way,
         tuple(values.items()),
         decides,
-        tuple(_to_do(code, [*blocking, *([missing] if missing else [])], lifts)[:2]),
+        tuple(_to_do(code, [*blocking, *([missing] if missing else [])], assumed)[:2]),
         tuple(limits),
         tuple(_notes(seen, code)),
         lower_bound,
         len(blocking),
+        table(assumed),
     )
 
 
@@ -257,15 +247,12 @@ def _code(seen: Evidence, blocked: bool, agrees: bool) -> str:
     return "verified_refined" if seen.demand.limit_state == "SLV" and not agrees else "verified"
 
 
-def _limits_of_the_number(seen: Evidence, code: str, lower_bound: float | None) -> list[Sentence]:
-    """What zeta is to be read with. lower_bound : as `verdict` takes it"""
+def _limits_of_the_number(seen: Evidence, code: str) -> list[Sentence]:
+    """What zeta is to be read with."""
     limits = _of_the_histories(seen) if code != "undetermined" else []
     if seen.kinematic and seen.kinematic.missing:
         keys = tuple(sentence("missing", key) for key in seen.kinematic.missing)
         limits.append(_reason("no_period", missing=keys))
-    if lower_bound is not None:
-        code_of_bound = "top_fails" if seen.wall.bends else "restraint_fails"
-        limits.append(_reason(code_of_bound, zeta=Number(lower_bound), restraint=declared(seen.wall)))
     if not seen.wall.bends and leans_inward(seen.wall):
         limits.append(_reason("leans_inward"))
     if fall := displacement_fall(seen.demand.target):
@@ -342,7 +329,7 @@ def _of_the_histories(seen: Evidence) -> list[Sentence]:
     return said
 
 
-def _to_do(code: str, blocking: list[Sentence], lifts: tuple[Lift, ...]) -> list[Sentence]:
+def _to_do(code: str, blocking: list[Sentence], assumed: tuple[Assumption, ...]) -> list[Sentence]:
     """What the designer does next, the first first. blocking : with what is missing"""
     found = []
     codes = {words.code for words in blocking}
@@ -350,9 +337,11 @@ def _to_do(code: str, blocking: list[Sentence], lifts: tuple[Lift, ...]) -> list
     if code == "undetermined":
         return [one for one in mends if one.code in ("to_building", "to_no_check")]
     if code == "indicative":
-        for lift in lifts:
-            if lift.words in blocking:
-                found.append(_reason("give_reason", key=Key(lift.key), reasons=Key("justification")))
+        for row in assumed:
+            if row.words in blocking and row.key == RESTRAINT and row.source == DECLARED:
+                found.append(_reason("to_evidence", key=Key("restraint_evidence")))
+            elif row.words in blocking and row.key not in (TOGETHER, RESTRAINT):
+                found.append(_reason("give_reason", key=Key(row.key), reasons=Key("justification")))
         found += mends
         if "alone" in codes:
             found.append(_reason("justify"))

@@ -1,9 +1,10 @@
 """The sentence of a verdict: outcome, zeta and what is required, where, by what, and every check that fails."""
 
+from core.codes.assumption import Assumption
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import Check
-from core.text.sentence import Number, Sentence, apart, sentence
+from core.text.sentence import Key, Number, Sentence, apart, sentence
 from core.units import G
 
 CODE_Q = 2.0
@@ -73,7 +74,17 @@ def _failing(checks, governing, dynamic, demand) -> tuple[Sentence, ...]:
 
 
 def outcome(
-    code: str, missing, threshold: float, demand, governing, checks, dynamic, by, largest: float, wall
+    code: str,
+    missing,
+    threshold: float,
+    demand,
+    governing,
+    checks,
+    dynamic,
+    by,
+    largest: float,
+    wall,
+    permitted: tuple[Assumption, ...] = (),
 ) -> tuple[str, dict]:
     """Way and values of the sentence.
 
@@ -87,6 +98,7 @@ def outcome(
     by : Sentence of what the check that decides compares
     largest : acceleration under the wall at the demand, FC apart [m/s2]
     wall : of the case
+    permitted : defaults that a clause permits, and whose other ends turn the outcome
     """
     target, way = demand.zeta_target, code
     if code == "not_activated" and wall.above_ground:
@@ -105,6 +117,12 @@ def outcome(
         tail = sentence("added", "no_q_check", q=CODE_Q, tail=tail)
     if code in ("verified", "verified_refined") and wall.back_restraint:
         tail = sentence("added", "rests_on", tail=tail, restraint=declared(wall))
+    if code in ("verified", "verified_refined", "indicative") and permitted:
+        rows = tuple(
+            sentence("added", "turned_by", key=Key(row.key), value=row.other_end_shown, zeta=apart(row.zeta, target))
+            for row in permitted
+        )
+        tail = sentence("added", "would_turn", tail=tail, rows=rows)
     low, high = dynamic.zeta_spread if code == "at_limit" else (None, None)
     return way, {
         "state": demand.limit_state,

@@ -3,12 +3,13 @@
 import math
 from dataclasses import asdict
 
+from core.codes.assumption import Assumption, Shown
 from core.codes.kinematic import Kinematic
 from core.report.tie_words import elongations
 from core.report.verdict_words import outcome_of
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.variants import comparisons, wall_comparisons
-from core.study.wall_verdict import deciding, where
+from core.study.wall_verdict import assumptions_of, deciding, where
 from core.text.sentence import Sentence
 from core.units import G
 from core.variation.limit_states import STATES
@@ -162,6 +163,26 @@ def _said(sentences: tuple[Sentence, ...]) -> list[dict]:
     return [{"key": one.code, "text_it": one.text("it"), "text_en": one.text("en")} for one in sentences]
 
 
+def _assumption(row: Assumption) -> dict:
+    """A row of the table of assumptions; what has words is in English."""
+
+    def plain(value: Shown) -> float | str:
+        return value.text("en") if isinstance(value, Sentence) else value
+
+    return {
+        "key": row.key,
+        "value": plain(row.value),
+        "source": row.source,
+        "other_end": plain(row.other_end),
+        "zeta": row.zeta,
+        "outcome": row.outcome,
+        "turns": row.turns,
+        "reason": row.reason,
+        "text_it": row.words.text("it"),
+        "text_en": row.words.text("en"),
+    }
+
+
 def _verdict(one: WallVerdict, result: StudyResult) -> dict:
     wall = result.walls[one.governing]
     found, check = wall.assessment.verdict, deciding(wall)
@@ -184,6 +205,7 @@ def _verdict(one: WallVerdict, result: StudyResult) -> dict:
         "text_en": found.text("en", one.title, where(wall)),
         "decides": found.decides.text("en") if found.decides else "",
         "to_do": _said(found.to_do),
+        "assumptions": [_assumption(row) for row in assumptions_of(result, one)],
         "limits": _said((*found.limits, *one.extra)),
         "notes": _said(found.notes),
         "hinges": [

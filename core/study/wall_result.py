@@ -10,11 +10,12 @@ from core.case.hinges import Part
 from core.case.schema import Wall
 from core.codes.eq9 import inequality
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM, set_rule, set_value
+from core.codes.masonry_types import TYPES
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import stations
 from core.study.governing import lowest_of
 from core.study.results import Q_SOURCES, PerRecord, Run, WallResult
-from core.text.sentence import Sentence, notice, sentence
+from core.text.sentence import Key, Sentence, notice, sentence
 from core.units import CM
 from core.wall import wall_body, wall_loads
 from core.wall.block import Block
@@ -34,6 +35,9 @@ HEAVY = 1.5
 
 NARROW_SI = 1.5
 """Below this ratio of the largest to the smallest SI a power law is warned of."""
+
+SLACK = 0.1
+"""Of a value beside the range of its type of masonry, which is one of means."""
 
 NEARLY_ELASTIC = 0.99
 """Above this velocity ratio a wall rocks for a very long time: warned."""
@@ -185,6 +189,8 @@ def unusual_input(wall: Wall) -> list[Sentence]:
         notices.append(notice("odd_weight", w=weight, low=WEIGHTS[0], high=WEIGHTS[1]))
     if modulus is not None and not MODULI[0] <= modulus <= MODULI[1]:
         notices.append(notice("odd_modulus", e=modulus, low=MODULI[0], high=MODULI[1]))
+    if wall.masonry:
+        notices += _unlike_its_masonry(wall)
     if wall.load and t is not None:
         weight = wall_loads.weight_per_metre(wall) + wall_loads.vertical_loads(wall)
         stress = 1e-6 * weight / (t - 2.0 * wall.setback)
@@ -195,6 +201,24 @@ def unusual_input(wall: Wall) -> list[Sentence]:
         if stress > HEAVY:
             notices.append(notice("heavy_load", stress=stress))
     return notices
+
+
+def _unlike_its_masonry(wall: Wall) -> list[Sentence]:
+    """Values outside those of the type of masonry (Tables C8.5.I and C8.5.II)."""
+    assert wall.masonry is not None
+    row = TYPES[wall.masonry]
+    strongest = row.strength[1] * row.most_factor
+    ranges = (
+        ("compressive_strength_mpa", wall.compressive_strength_mpa, row.strength[0], strongest, "MPa"),
+        ("elastic_modulus_mpa", wall.elastic_modulus_mpa, *row.modulus, "MPa"),
+        ("unit_weight_kn_m3", wall.unit_weight_kn_m3, *row.weight, "kN/m3"),
+    )
+    masonry = sentence("word", f"choice_{wall.masonry}")
+    return [
+        notice("unlike_masonry", key=Key(key), value=value, low=low, high=high, unit=unit, masonry=masonry)
+        for key, value, low, high, unit in ranges
+        if value is not None and not low * (1.0 - SLACK) <= value <= high * (1.0 + SLACK)
+    ]
 
 
 def _model_notices(wall, block, mechanism, model, restitution, law) -> list[Sentence]:

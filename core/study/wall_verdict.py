@@ -3,6 +3,7 @@
 from core.case.hinges import usual_hinges
 from core.case.schema import Case, Wall
 from core.case.site import Demand
+from core.codes.assumption import TOGETHER, Assumption, table
 from core.codes.kinematic import Check
 from core.codes.outcomes import FAILS, NO_HAZARD, OUTCOMES, PASSES, least, worst
 from core.codes.outcomes import severity as severity_of
@@ -107,6 +108,17 @@ def _left_out(asked: Wall, case: Case, walls, indices) -> list[Sentence]:
     heights = tuple(Number(height, ".4g") for height in usual)
     code = "heights_left_out" if asked.hinge_heights is None else "hinges_as_asked"
     return [sentence("reason", code, heights=heights, building=Key("[building]"), key=Key("hinge_heights"))]
+
+
+def assumptions_of(result: StudyResult, verdict: WallVerdict) -> tuple[Assumption, ...]:
+    """The table of assumptions of a wall: of all its hinges and mechanisms, of each input the row that matters most.
+    The last row is that of the hinge that decides: each hinge has its own."""
+    rows: list[Assumption] = []
+    for k in verdict.results:
+        found = result.walls[k].assessment
+        of_hinge = found.verdict.assumptions if found else ()
+        rows += [row for row in of_hinge if row.key != TOGETHER or k == verdict.governing]
+    return table(rows)
 
 
 def deciding(wall: WallResult) -> Check | None:

@@ -3,19 +3,21 @@
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
+from core.codes.assumption import DECLARED, LEFT_OUT, RESTRAINT, Assumption
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import SLD_CLAUSE, Check, Kinematic, with_and_without_ties
 from core.codes.kinematic_chain import chain
 from core.codes.risk import Risk, risk
 from core.codes.verdict import Verdict, verdict
+from core.codes.verdict_sentence import declared
 from core.errors import InputError
 from core.setting.floors import LOW_CODE, building_notes
 from core.setting.scene import Scene
 from core.text.sentence import Number, Sentence, sentence
 from core.units import G
+from core.variation.assumptions import assumptions
 from core.variation.changes import thinner
 from core.variation.evaluate import Evaluation, evaluate, histories
-from core.variation.lifts import lifts
 from core.variation.tie_design import TieDesign
 from core.wall.wall_loads import carries, rocks_both_ways, without_ties
 
@@ -107,8 +109,9 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
     kinematic, dynamic, demand = found.kinematic, found.dynamic, scene.demand
     if kinematic is None:
         return Assessment(None, (), None, None, verdict(found.evidence, None))
-    below = _without_restraint(scene, dynamic, cancelled)
-    raised = lifts(found, cancelled) if found.zeta is not None else ()
+    unheld = _without_restraint(scene, dynamic, cancelled)
+    below = unheld.dynamic if unheld else None
+    raised = assumptions(found, cancelled) if found.zeta is not None else ()
     limits, ratio = [one for one in (found.lower_q,) if one is not None], None
     if scene.floor is not None and scene.building is not None:
         limits += building_notes(scene.building, demand.limit_state)
@@ -119,23 +122,41 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
         limits.append(sentence("reason", "generated_motions"))
     limits += [*_of_bending(kinematic), *_of_ties_not_counted(found), *_of_ties_that_lower(found, cancelled)]
     limits += _of_a_thicker_wall(found)
-    free = None if below else _overturning(scene, cancelled)
-    bound, passes = (below.zeta, below.satisfied(demand.zeta_target)) if below else (None, None)
-    if free is not None:
-        bound, passes = free.zeta, free.satisfied
+    free = unheld or _overturning(scene, cancelled)
+    bound, passes = (free.zeta, free.satisfied) if free else (None, None)
+    if free is not None and bound is not None:
+        raised = (*raised, _of_the_restraint(found, free))
     said = verdict(found.evidence, bound, tuple(limits), raised)
-    sensitivity = {lift.words.code: lift.zeta for lift in raised if lift.words.code in OF_THE_FLOOR}
+    sensitivity = {row.words.code: row.zeta for row in raised if row.words.code in OF_THE_FLOOR}
     parts = (kinematic, found.checks, dynamic, below, said, sensitivity, ratio, _capacity(found))
     return Assessment(*parts, bound_passes=passes)
 
 
-def _without_restraint(scene: Scene, dynamic: DemandCheck | None, cancelled: Callable[[], bool]) -> DemandCheck | None:
-    """The histories of a one-sided wall as it rocks both ways where what restrains it fails; None of another wall."""
+def _of_the_restraint(found: Evaluation, free: Evaluation) -> Assumption:
+    """What stands behind a wall or holds its top, as it is declared. free : the wall without it"""
+    wall, named = found.scene.wall, bool(found.scene.wall.back_restraint)
+    shown = wall.restraint_evidence not in (None, "none")
+    code = "top_fails" if wall.bends else "restraint_fails"
+    return Assumption(
+        RESTRAINT,
+        sentence("reason", code, zeta=Number(free.zeta), restraint=declared(wall)),
+        sentence("word", f"choice_{wall.back_restraint}") if named else sentence("accepted", "missing"),
+        sentence("accepted", "none"),
+        DECLARED if named else LEFT_OUT,
+        free.zeta,
+        free.outcome,
+        turns=found.satisfied and not free.satisfied,
+        reason=sentence("word", f"evidence_{wall.restraint_evidence}").text("en") if named and shown else "",
+    )
+
+
+def _without_restraint(scene: Scene, dynamic: DemandCheck | None, cancelled: Callable[[], bool]) -> Evaluation | None:
+    """A one-sided wall with histories as it rocks both ways where what restrains it fails; None of another wall."""
     wall = scene.wall
     if dynamic is None or wall.mechanism != "one_sided" or not rocks_both_ways(wall):
         return None
     free = replace(wall, mechanism="two_sided", restitution=None, velocity_ratio=None)
-    return histories(scene.but(wall=free, mechanism="two_sided"), cancelled=cancelled)
+    return evaluate(scene.but(wall=free, mechanism="two_sided"), other=False, cancelled=cancelled)
 
 
 def _overturning(scene: Scene, cancelled: Callable[[], bool]) -> Evaluation | None:

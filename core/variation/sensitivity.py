@@ -94,8 +94,8 @@ def _of_wall(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | No
     if any(not load.is_tie for load in wall.load):
         yield "load_factor", 1.0, ends(_others(ranges.load_factor), lambda factor: loaded(wall, factor))
     if wall.thickness is not None:
-        values = [wall.setback + share * wall.thickness for share in ranges.setback_shares if share]
-        yield "setback_shares", wall.setback, ends(values, lambda value: set_back(wall, value))
+        values = [wall.setback + added for added in ranges.setback_m if added]
+        yield "setback_m", wall.setback, ends(values, lambda value: set_back(wall, value))
     if (given := wall.elastic_modulus_mpa) is not None:
         values = [factor * given for factor in _others(ranges.modulus_factor)]
         yield "modulus_factor", given, ends(values, lambda value: replace(wall, elastic_modulus_mpa=value))

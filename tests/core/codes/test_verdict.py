@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 from core.case.rules import parse_case
+from core.codes.assumption import Assumption
 from core.codes.dynamic_check import DemandCheck, OtherConfidence
 from core.codes.kinematic import Check
 from core.codes.record_compatibility import Compliance
-from core.codes.verdict import TO_MEND, Circumstances, Evidence, Lift, verdict
+from core.codes.verdict import TO_MEND, Circumstances, Evidence, verdict
 from core.codes.verdict_sentence import at_hinge
 from core.ground.artificial import compatible_motion
 from core.setting.demand_input import demand_of
@@ -49,7 +50,7 @@ def said(
     circumstances=None,
     check=None,
     mechanism="two_sided",
-    lifts=(),
+    assumed=(),
     **demand,
 ):
     """The verdict of checks with these zeta; check : of the dynamic check what differs."""
@@ -79,7 +80,7 @@ def said(
         rules if compatible is not None else None,
         Circumstances(records, bundled, **(circumstances or {})),
     )
-    return verdict(seen, None, (), lifts)
+    return verdict(seen, None, (), assumed)
 
 
 def codes(sentences) -> list[str]:
@@ -223,12 +224,12 @@ def test_that_a_larger_q_than_2_never_agrees_where_2_does_not():
 
 def test_that_an_input_that_turns_the_outcome_is_indicative_until_it_is_justified():
     words = sentence("reason", "lift_return_walls", zeta=Number(0.8))
-    lift = Lift("return_walls", words, turns=True)
-    found = said(1.2, q2=1.1, lifts=(lift,))
+    row = Assumption("return_walls", words, "given", "none", turns=True)
+    found = said(1.2, q2=1.1, assumed=(row,))
     assert found.code == "indicative" and found.limits[0] == words
     assert "return_walls" in found.to_do[0].text("en")
-    for other in (replace(lift, justified=True), replace(lift, turns=False)):
-        fine = said(1.2, q2=1.1, lifts=(other,))
+    for other in (replace(row, reason="seen on site"), replace(row, turns=False), replace(row, permitted=True)):
+        fine = said(1.2, q2=1.1, assumed=(other,))
         assert fine.code == "verified" and words in fine.limits and not fine.to_do
 
 

@@ -103,7 +103,9 @@ def test_that_loads_that_hold_less_inward_are_said_and_make_it_indicative():
     (wall,) = study(near, demand=DEMAND | {"ag_g": 0.45}).walls
     assert wall.assessment.checks[0].passed and "lift_bends_inward" in codes(wall)
     assert wall.assessment.verdict.code == "indicative"
-    (reasoned,) = study(near | {"justification": {"load": "a cross wall stands behind"}}).walls
+    (reasoned,) = study(
+        near | {"justification": {"load": "a cross wall stands behind"}, "restraint_evidence": "drawing"}
+    ).walls
     assert reasoned.assessment.verdict.code != "indicative"
     (middle,) = study(WALL).walls
     assert "lift_bends_inward" not in codes(middle)

@@ -88,7 +88,7 @@ def test_that_each_move_of_a_loaded_wall_is_the_run_of_the_changed_case():
         "thickness_factor": moved(moved(table, (*wall, "thickness_m"), 0.475), (*load, "d_m"), 0.3325),
         "unit_weight_factor": moved(table, (*wall, "unit_weight_kn_m3"), 16.2),
         "load_factor": moved(table, (*load, "kn_m"), 9.6),
-        "setback_shares": moved(table, (*wall, "hinge_setback_m"), 0.015),
+        "setback_m": moved(table, (*wall, "hinge_setback_m"), 0.03),
         "modulus_factor": moved(table, (*wall, "elastic_modulus_mpa"), 750.0),
         "ag_factor": moved(table, ("demand", "ag_g"), 0.108),
     }
@@ -96,7 +96,7 @@ def test_that_each_move_of_a_loaded_wall_is_the_run_of_the_changed_case():
     for key, changed in by_hand.items():
         zeta = found.sensitivity.base if key in still else next(iter(ends(found, key).values()))
         assert zeta == pytest.approx(zeta_of(changed), rel=1e-12), key
-    assert {"thickness_factor", "load_factor", "ag_factor", "setback_shares"}.isdisjoint(still)
+    assert {"thickness_factor", "load_factor", "ag_factor", "setback_m"}.isdisjoint(still)
 
 
 def test_that_each_move_of_the_building_is_the_run_of_the_changed_case():
@@ -201,12 +201,10 @@ def test_that_a_tested_strength_is_moved_with_its_fc_and_its_steps_with_the_wall
     wall = {**LOADED, "compressive_strength_mpa": 2.0}
     table = case_of(wall, demand={"ag_g": 0.05, **demand})
     found, result = sensitivity(table)
-    (zeta,) = ends(found, "setback_shares").values()
+    (zeta,) = ends(found, "setback_m").values()
     setback = result.walls[0].wall.setback
-    stronger = moved(table, ("wall", 0, "compressive_strength_mpa"), 2.0 * setback / (setback + 0.015))
-    assert zeta == pytest.approx(zeta_of(stronger), rel=1e-12) and "setback_shares" not in dict(
-        found.sensitivity.refused
-    )
+    stronger = moved(table, ("wall", 0, "compressive_strength_mpa"), 2.0 * setback / (setback + 0.03))
+    assert zeta == pytest.approx(zeta_of(stronger), rel=1e-12) and "setback_m" not in dict(found.sensitivity.refused)
     bare = {key: value for key, value in LOADED.items() if key not in ("load", "free_element")}
     stepped = bare | {"unloaded_confirmed": True, "steps": [{"from_z_m": 3.0, "thickness_m": 0.35}]}
     table = case_of(stepped)
@@ -337,7 +335,7 @@ def test_that_the_record_left_out_is_the_one_whose_loss_moves_zeta_most_and_its_
         ("thickness_factor", 0.83, 0.788, "thickness 78.8 cm instead of 83"),
         ("unit_weight_factor", 18.0, 16.2, "unit weight 16.2 kN/m³ instead of 18"),
         ("load_factor", 1.0, 0.8, "loads at 80 %"),
-        ("setback_shares", 0.02, 0.035, "hinge setback 3.5 cm instead of 2"),
+        ("setback_m", 0.02, 0.035, "hinge setback 3.5 cm instead of 2"),
         ("velocity_ratio_factor", None, 0.9, "velocity ratio 0.90 of the theoretical"),
         ("modulus_factor", 1500.0, 750.0, "elastic modulus 750 MPa instead of 1500"),
         ("building_period_factor", 0.3, 0.24, "period of the building 0.24 s instead of 0.30"),

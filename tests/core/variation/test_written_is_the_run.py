@@ -14,8 +14,8 @@ from core.errors import InputError
 from core.setting.demand_input import interpolated
 from core.setting.plan import Floors, plan_of, read_inputs
 from core.study.run import run
+from core.variation.assumptions import _raised
 from core.variation.evaluate import AT_LIMIT, evaluate
-from core.variation.lifts import _raised
 from core.variation.limit_states import demands_of
 from core.variation.sensitivity import moved_wall, moves
 from core.variation.tie_design import with_tie
@@ -81,7 +81,7 @@ def check_raised(table):
         for one in _raised(found):
             for end in one.ends:
                 try:
-                    there = end(scene)
+                    there = end.change(scene)
                     at = evaluate(there, other=False)
                 except InputError:
                     continue

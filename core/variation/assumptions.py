@@ -4,16 +4,19 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import reduce
+from typing import NamedTuple
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.loads import Load
-from core.case.schema import Wall
+from core.case.schema import Wall, WallJustification
 from core.case.site import FULL_FACTOR, Building
+from core.codes.assumption import DECLARED, DEFAULT, GIVEN, LEFT_OUT, TOGETHER, Assumption, Shown
 from core.codes.floor_spectrum import first_mode
 from core.codes.kinematic import Check
 from core.codes.kinematic_chain import chain
+from core.codes.masonry_types import least_strength
 from core.codes.outcomes import PASSES
-from core.codes.verdict import Lift
+from core.codes.verdict import outcome_of
 from core.codes.verdict_sentence import CODE_Q
 from core.codes.vertical_bending import bent_inward
 from core.errors import InputError
@@ -33,8 +36,21 @@ Change = Callable[[Scene], Scene]
 LOWER = 0.999
 """Height of the restraint, of the top of the body, below which what it lifts is shown."""
 
+LEAST_SETBACK = 0.01
+"""Hinge setback [m] of any masonry: its edge is not sharp."""
+
 MORE_RATIO = 0.1
 """What is added to a given velocity ratio: its zeta is shown as well."""
+
+
+GIVEN_WORD, NONE_WORD = sentence("accepted", "given"), sentence("accepted", "none")
+
+
+class End(NamedTuple):
+    """The other end of the range of an input: the change to it, and its value as the table shows it."""
+
+    change: Change
+    value: Shown
 
 
 @dataclass(frozen=True)
@@ -42,22 +58,26 @@ class Raised:
     """An input that raises zeta.
 
     key : of the case and of the reasons; reasons : sections of them, or None
-    ends : changes to the other ends of its range
+    value : of it, as the table shows it
+    ends : the other ends of its range
     words : from zeta of each end, and its check, the Sentence
-    given : the other ends count against the verdict
+    source, permitted : as of an Assumption
     histories : the dynamic check knows of it; otherwise its words are of the linear check
     """
 
     key: str
     reasons: object
-    ends: tuple[Change, ...]
+    value: Shown
+    ends: tuple[End, ...]
     words: Callable[[list[float | None], Check], Sentence]
-    given: bool = True
+    source: str = GIVEN
     histories: bool = True
+    permitted: bool = False
 
     @property
-    def justified(self) -> bool:
-        return bool(self.reasons and getattr(self.reasons, self.key))
+    def reason(self) -> str:
+        """Of the engineer, "" without one."""
+        return str(getattr(self.reasons, self.key, "") or "") if self.reasons else ""
 
 
 def _worth(zeta: float | None) -> float:
@@ -76,10 +96,10 @@ def _turns(end: Evaluation | None, check: Check) -> bool:
     return end is None or end.judgement(end.made(check.name)) != PASSES
 
 
-def lifts(found: Evaluation, cancelled: Callable[[], bool] = lambda: False) -> tuple[Lift, ...]:
-    """The inputs of a wall that raise zeta, each with zeta at the other end of its range; where no one of them turns
-    the outcome, all together without a reason may. found : the wall as it is, some check of which has a zeta. Raises
-    Cancelled."""
+def assumptions(found: Evaluation, cancelled: Callable[[], bool] = lambda: False) -> tuple[Assumption, ...]:
+    """The inputs of a wall that raise zeta, each with zeta and the outcome at the other end of its range, and all of
+    them together; where no one of them turns the outcome, all together without a reason may. found : the wall as it is,
+    some check of which has a zeta. Raises Cancelled."""
     decides, q_check = found.decides, found.made("linear_q_code")
     assert decides is not None
 
@@ -90,33 +110,47 @@ def lifts(found: Evaluation, cancelled: Callable[[], bool] = lambda: False) -> t
         except InputError:  # without what lifts it the wall does not stand
             return None
 
-    raised: list[Lift] = []
-    worst: list[tuple[str, Change]] = []
+    rows: list[Assumption] = []
+    worst: list[tuple[Assumption, Change]] = []
     for one in _raised(found):
         touched = decides.name != "dynamic" or one.histories
         judged = [check for check in (decides if touched else None, q_check) if check is not None]
         if not judged:
             continue
-        ends = [at(end, touched) for end in one.ends]
+        ends = [at(end.change, touched) for end in one.ends]
         told = _told(one, judged, ends, found)
         if told is None:
             continue
         zetas = [_zeta(end, told) for end in ends]
         lowest = min(range(len(zetas)), key=lambda k: _worth(zetas[k]))
-        turns = {check.name for check in judged if one.given and any(_turns(end, check) for end in ends)}
-        raised.append(
-            Lift(
-                one.key,
-                one.words(zetas, told),
-                turns=bool(decides.passed) and touched and decides.name in turns,
-                justified=one.justified,
-                zeta=zetas[lowest],
-                turns_q=bool(q_check and q_check.passed) and "linear_q_code" in turns,
-            )
+        turns = {check.name for check in judged if any(_turns(end, check) for end in ends)}
+        row = Assumption(
+            one.key,
+            one.words(zetas, told),
+            one.value,
+            one.ends[lowest].value,
+            one.source,
+            zetas[lowest],
+            _outcome(ends[lowest], found, touched),
+            turns=bool(decides.passed) and touched and decides.name in turns,
+            reason=one.reason,
+            turns_q=bool(q_check and q_check.passed) and "linear_q_code" in turns,
+            permitted=one.permitted,
         )
-        if one.given and not one.justified:
-            worst.append((one.key, one.ends[lowest]))
-    return _together(raised, worst, decides, q_check, at)
+        rows.append(row)
+        worst.append((row, one.ends[lowest].change))
+    return _together(rows, worst, found, at)
+
+
+def _outcome(end: Evaluation | None, found: Evaluation, touched: bool) -> str:
+    """Code of the outcome at another end; of an input that moves the check with q alone, with this check as it is
+    there. A wall that does not stand there fails."""
+    if end is None:
+        return "not_verified"
+    if touched:
+        return end.outcome
+    checks = tuple((end.made(one.name) or one) if one.name == "linear_q_code" else one for one in found.checks)
+    return outcome_of(found.evidence._replace(checks=checks))
 
 
 def _told(one: Raised, judged: list[Check], ends: Ends, found: Evaluation) -> Check | None:
@@ -134,30 +168,44 @@ def _told(one: Raised, judged: list[Check], ends: Ends, found: Evaluation) -> Ch
 
 
 def _together(
-    found: list[Lift], worst: list[tuple[str, Change]], decides: Check, q_check: Check | None, at
-) -> tuple[Lift, ...]:
-    """The lifts; where none turns a check alone, and all without a reason do together, each of them does.
+    rows: list[Assumption], worst: list[tuple[Assumption, Change]], found: Evaluation, at
+) -> tuple[Assumption, ...]:
+    """The rows, and the last one, all of them; where none turns a check alone, and all without a reason do together,
+    each of these does.
 
-    worst : (key, change to the end with the lowest zeta) of these; at(change, by_histories) : the wall there
+    worst : (row, change to the end with the lowest zeta) of each; at(change, by_histories) : the wall there
     """
-    open_keys = tuple(dict.fromkeys(key for key, _ in worst))
-    open_ones = [lift for lift in found if lift.key in open_keys]
-    asked = bool(decides.passed) and not any(lift.turns for lift in open_ones)
-    asked_q = bool(q_check and q_check.passed) and not any(lift.turns_q for lift in open_ones)
-    if len(worst) < 2 or not (asked or asked_q):
-        return tuple(found)
-    there = at(lambda scene: reduce(lambda changed, one: one[1](changed), worst, scene), asked)
-    joint = asked and _turns(there, decides)
-    joint_q = asked_q and q_check is not None and _turns(there, q_check)
-    if joint or joint_q:
-        found = [
-            replace(lift, turns=lift.turns or joint, turns_q=lift.turns_q or joint_q) if lift.key in open_keys else lift
-            for lift in found
+    decides, q_check = found.decides, found.made("linear_q_code")
+    assert decides is not None
+    unsaid = [pair for pair in worst if pair[0].open]
+    open_keys = tuple(dict.fromkeys(row.key for row, _ in unsaid))
+    asked = bool(decides.passed) and not any(row.turns for row, _ in unsaid)
+    asked_q = bool(q_check and q_check.passed) and not any(row.turns_q for row, _ in unsaid)
+
+    def there(pairs, by_histories: bool) -> Evaluation | None:
+        return at(lambda scene: reduce(lambda changed, pair: pair[1](changed), pairs, scene), by_histories)
+
+    if len(unsaid) > 1 and (asked or asked_q):
+        end = there(unsaid, asked)
+        joint = asked and _turns(end, decides)
+        joint_q = asked_q and q_check is not None and _turns(end, q_check)
+        rows = [
+            replace(row, turns=row.turns or joint, turns_q=row.turns_q or joint_q) if row.key in open_keys else row
+            for row in rows
         ]
-    if joint:
-        zeta, keys = _zeta(there, decides), tuple(map(Key, open_keys))
-        found.append(Lift("", sentence("reason", "lifts_together", keys=keys, zeta=Number(zeta)), zeta=zeta))
-    return tuple(found)
+        if joint:
+            rows.append(_last(open_keys, end, decides, found, turns=True))
+            return tuple(rows)
+    if len(rows) > 1 and not any(row.zeta is None for row in rows):
+        rows.append(_last(tuple(row.key for row in rows), there(worst, True), decides, found))
+    return tuple(rows)
+
+
+def _last(keys: tuple[str, ...], end: Evaluation | None, check: Check, found: Evaluation, turns=False) -> Assumption:
+    """The row of several inputs at their other ends together."""
+    zeta = _zeta(end, check)
+    words = sentence("reason", "lifts_together", keys=tuple(map(Key, dict.fromkeys(keys))), zeta=Number(zeta))
+    return Assumption(TOGETHER, words, "", "", DEFAULT, zeta, _outcome(end, found, True), turns)
 
 
 def _of_wall(**values) -> Change:
@@ -195,7 +243,11 @@ def _raised(found: Evaluation) -> Iterator[Raised]:
             yield Raised(
                 key,
                 wall.justification,
-                (_of_wall(restitution=None, velocity_ratio=more), _of_wall(restitution=None, velocity_ratio=None)),
+                given,
+                (
+                    End(_of_wall(restitution=None, velocity_ratio=more), more),
+                    End(_of_wall(restitution=None, velocity_ratio=None), ratio),
+                ),
                 lambda zetas, _: sentence(
                     "reason",
                     "lift_velocity_ratio",
@@ -207,40 +259,74 @@ def _raised(found: Evaluation) -> Iterator[Raised]:
                 ),
             )
         elif given < 1.0:
-            end = _of_wall(restitution=None, velocity_ratio=1.0)
-            yield _one(key, "lift_ratio_no_theory", wall.justification, end, e=given)
+            end = End(_of_wall(restitution=None, velocity_ratio=1.0), 1.0)
+            yield _one(key, "lift_ratio_no_theory", wall.justification, given, end, e=given)
     if dynamic and not wall.moment_law().is_rigid:
-        yield _one("law", "lift_law", wall.justification, _of_wall(law="rigid"))
+        end = End(_of_wall(law="rigid"), "rigid")
+        yield _one("law", "lift_law", wall.justification, _law_named(wall.law), end)
     if demand.confidence_factor < FULL_FACTOR:
         yield _one(
             "confidence_factor",
             "lift_confidence_factor",
             asked.justification,
-            _of_demand(confidence_factor=FULL_FACTOR),
+            demand.confidence_factor,
+            End(_of_demand(confidence_factor=FULL_FACTOR), FULL_FACTOR),
             fc=demand.confidence_factor,
             level=asked.knowledge_level or "",
             investigations=asked.investigations,
         )
     if q_check is not None and q_check.q is not None and q_check.q > CODE_Q:
-        end = _of_demand(q_code=CODE_Q)
-        yield _one("q_code", "lift_q_code", asked.justification, end, histories=False, q=demand.q_code)
+        end = End(_of_demand(q_code=CODE_Q), CODE_Q)
+        reasons = asked.justification
+        yield _one("q_code", "lift_q_code", reasons, demand.q_code, end, histories=False, q=demand.q_code)
     if wall.return_walls is not None and q_check is not None:
-        end = _of_wall(return_walls=None)
-        yield _one("return_walls", "lift_return_walls", wall.justification, end, histories=False)
+        end = End(_of_wall(return_walls=None), NONE_WORD)
+        yield _one("return_walls", "lift_return_walls", wall.justification, GIVEN_WORD, end, histories=False)
     yield from _of_the_loads(scene, not dynamic)
     if wall.free_element is not None and wall.free_element != replace(wall, free_element=None).is_free(scene.mechanism):
         code = "lift_one_sided_free" if wall.free_element else "lift_free_element"
-        end = _of_wall(free_element=None)
+        end = End(_of_wall(free_element=None), _free(not wall.free_element))
         yield Raised(
             "free_element",
             wall.justification,
+            _free(wall.free_element),
             (end,),
             lambda zetas, check: sentence("reason", code, zeta=Number(zetas[0]), check=_named(check)),
+            DECLARED,
             histories=False,
         )
     yield from _of_the_shape(wall, scene.mechanism)
+    yield from _of_the_edge(scene)
     if wall.above_ground and scene.building is not None:
         yield from _of_the_building(scene, scene.building)
+
+
+def _of_the_edge(scene: Scene) -> Iterator[Raised]:
+    """A hinge nearer to the edge than the weakest masonry of its type lets it be, or than LEAST_SETBACK: FC 1.35 lets
+    one leave the strength out (C8.7.1.2.1.3), and alpha_0 then counts on more than there is."""
+    wall = scene.wall
+    if wall.bends or wall.thickness is None:
+        return
+    weakest, least = least_strength(wall.masonry), LEAST_SETBACK
+    if wall.unit_weight_kn_m3 is not None:
+        crushed = replace(wall, hinge_setback_m=0.0, compressive_strength_mpa=weakest).setback
+        least = max(least, crushed)
+    if wall.setback >= least * (1.0 - 1e-9):
+        return
+    there = _of_wall(compressive_strength_mpa=None, hinge_setback_m=least)
+    f, cm = wall.compressive_strength_mpa, 100.0 * least
+    if f is None:
+        source = GIVEN if wall.hinge_setback_m else DEFAULT
+        given, end = wall.hinge_setback_m, End(there, least)
+        said = {"given": 100.0 * given, "cm": cm, "f": weakest}
+        yield _one("hinge_setback_m", "lift_edge", None, given, end, source, permitted=True, **said)
+    elif f > weakest:
+        tested = scene.demand.confidence_factor < FULL_FACTOR  # then the strength is that of tests, as it must be
+        reasons = wall.justification
+        if tested and not (reasons and reasons.compressive_strength_mpa):
+            reasons = replace(reasons or WallJustification(), compressive_strength_mpa=scene.asked.investigations)
+        end = End(there, weakest)
+        yield _one("compressive_strength_mpa", "lift_strength", reasons, f, end, given=f, f=weakest, cm=cm)
 
 
 def _by_theory(wall: Wall, mechanism: str) -> float | None:
@@ -265,12 +351,12 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
         solids = tuple(
             replace(solid, polygon_m=one.polygon, from_m=one.ends[0], to_m=one.ends[1]) for solid, one in left if one
         )
-        change = _of_wall(return_wedges=None, solid=solids)
-        yield _one("return_wedges", "lift_return_wedges", wall.justification, change)
+        end = End(_of_wall(return_wedges=None, solid=solids), NONE_WORD)
+        yield _one("return_wedges", "lift_return_wedges", wall.justification, GIVEN_WORD, end)
     top = wall_body.top_of(wall)
     if mechanism == "one_sided" and MODELS[wall.restitution_model(mechanism)].one_sided and wall.height_m < LOWER * top:
-        change = _of_wall(height_m=top)
-        yield _one("contact", "lift_contact", wall.justification, change, h=wall.height_m, top=top)
+        end = End(_of_wall(height_m=top), top)
+        yield _one("contact", "lift_contact", wall.justification, wall.height_m, end, h=wall.height_m, top=top)
 
 
 def _named(check: Check) -> Sentence:
@@ -278,14 +364,31 @@ def _named(check: Check) -> Sentence:
     return sentence("short", check.label, q=Number(check.q, "g"))
 
 
-def _one(key: str, code: str, reasons, end: Change, histories: bool = True, **values) -> Raised:
+def _one(
+    key: str, code: str, reasons, value: Shown, end: End, source=GIVEN, histories=True, permitted=False, **values
+) -> Raised:
     """One with one other end, whose words take its zeta."""
 
     def words(zetas, check):
         told = {"check": _named(check)} if key in OF_LOADS else {}
         return sentence("reason", code, zeta=Number(zetas[0]), **told, **values)
 
-    return Raised(key, reasons, (end,), words, histories=histories)
+    return Raised(key, reasons, value, (end,), words, source, histories, permitted)
+
+
+def _law_named(law: str | dict) -> str:
+    """A trilinear law as the table of assumptions shows it."""
+    return law if isinstance(law, str) else f"D1 {law['elastic_limit']:g}, D2 {law['plateau_end']:g}"
+
+
+def _free(free: bool | None) -> Sentence:
+    """Whether a wall is free to vibrate, in words."""
+    return sentence("word", "free_to_vibrate" if free else "held")
+
+
+def _building_words(factor: float, damping: float) -> Sentence:
+    """The ratio of the period to the elastic one, and the damping of a building, as the table shows them."""
+    return sentence("added", "period_and_damping", factor=factor, damping=damping)
 
 
 def _building_at(factor: float, damping: float) -> Change:
@@ -310,26 +413,33 @@ def _of_the_loads(scene: Scene, clauses: bool) -> Iterator[Raised]:
     wall, reasons = scene.wall, scene.wall.justification
     given = [load for load in wall.load if load.is_tie]
     if any(tie.stands_more for tie in (ties.ties_of(wall) if given else ())):
-        yield _one("elongation_m", "lift_elongation", reasons, _of_ties(elongation_m=None, elongation=None))
+        end = End(_of_ties(elongation_m=None, elongation=None), NONE_WORD)
+        yield _one("elongation_m", "lift_elongation", reasons, GIVEN_WORD, end)
     if any(_breaks(wall, load, scene) for load in given):  # no clause follows a bar that breaks
-        end = _without(lambda there, load: _breaks(there, load, scene))
-        yield _one("elongation_m", "lift_brittle", reasons, end, histories=clauses)
+        end = End(_without(lambda there, load: _breaks(there, load, scene)), _no_ties())
+        yield _one("elongation_m", "lift_brittle", reasons, GIVEN_WORD, end, histories=clauses)
     if any(load.slack_mm for load in given):
-        ends = _of_ties(slack_mm=None), _without(lambda _, load: bool(load.slack_mm))
+        ends = (End(_of_ties(slack_mm=None), NONE_WORD), End(_without(lambda _, load: bool(load.slack_mm)), _no_ties()))
         words = lambda zetas, check: sentence(  # noqa: E731
             "reason", "lift_slack", zeta_taut=Number(zetas[0]), zeta=Number(zetas[1]), check=_named(check)
         )
-        yield Raised("slack_mm", reasons, ends, words)
+        yield Raised("slack_mm", reasons, GIVEN_WORD, ends, words)
     if any(_anchorage_open(load) for load in given):
-        end = _without(lambda _, load: _anchorage_open(load))
-        yield _one("anchorage_kn", "lift_anchorage", reasons, end, anchorage_kn=Key("anchorage_kn"))
+        end = End(_without(lambda _, load: _anchorage_open(load)), _no_ties())
+        unsaid = sentence("accepted", "missing")
+        yield _one("anchorage_kn", "lift_anchorage", reasons, unsaid, end, LEFT_OUT, anchorage_kn=Key("anchorage_kn"))
     if any(load.prestress for load in given):
-        yield _one("prestress", "lift_prestress", reasons, _of_ties(prestress=None))
+        yield _one("prestress", "lift_prestress", reasons, GIVEN_WORD, End(_of_ties(prestress=None), NONE_WORD))
     if wall.bends:
-        end = _with_loads(lambda there: bent_inward(there).load)
-        yield _one("load", "lift_bends_inward", reasons, end)
+        end = End(_with_loads(lambda there: bent_inward(there).load), sentence("word", "inward"))
+        yield _one("load", "lift_bends_inward", reasons, sentence("word", "outward"), end)
     if any(map(_pulls_inward, wall.load)):
-        yield _one("load", "lift_inward", reasons, _without(lambda _, load: _pulls_inward(load)))
+        end = End(_without(lambda _, load: _pulls_inward(load)), NONE_WORD)
+        yield _one("load", "lift_inward", reasons, GIVEN_WORD, end)
+
+
+def _no_ties() -> Sentence:
+    return sentence("word", "without_ties")
 
 
 def _anchorage_open(load: Load) -> bool:
@@ -377,14 +487,17 @@ def _of_the_building(scene: Scene, building: Building) -> Iterator[Raised]:
             return sentence("reason", "other_building", factor=factor, damping=damping, zeta=Number(zetas[k]))
 
         given = bool(building.modes) or (building.period_factor, building.damping) != (None, None)
-        changes = tuple(_building_at(*end) for end in ends)
-        yield Raised("building", asked.justification, changes, words, given)
+        there = tuple(End(_building_at(*end), _building_words(*end)) for end in ends)
+        value = _building_words(*damaged(building, limit_state))
+        source = GIVEN if given else DEFAULT
+        yield Raised("building", asked.justification, value, there, words, source, permitted=not given)
     half = 0.5 * (wall.height_m or wall.block().height)
     if wall_body.has_shape(wall):
         half = wall.bare_block().centroid[1]
     centroid = min(base + half, building.height_m)
     if not building.modes and centroid > felt:
-        yield _one("base_z_m", "at_centroid", wall.justification, _of_wall(base_z_m=centroid), z=centroid)
+        end = End(_of_wall(base_z_m=centroid), centroid)
+        yield _one("base_z_m", "at_centroid", wall.justification, base, end, z=centroid)
     if building.modes:
         _, damping = damaged(building, limit_state)
         z = min(felt, building.height_m)
@@ -395,7 +508,8 @@ def _of_the_building(scene: Scene, building: Building) -> Iterator[Raised]:
                 "participation",
                 "lift_participation",
                 asked.justification,
-                _participating(share),
+                given_share,
+                End(_participating(share), share),
                 given=given_share,
                 expected=share,
             )

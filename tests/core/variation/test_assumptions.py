@@ -68,7 +68,7 @@ def test_that_a_model_of_experiments_is_shown_by_theory_too(model):
 
 def test_that_with_nothing_changed_every_check_has_its_own_zeta(monkeypatch):
     seen = []
-    monkeypatch.setattr("core.variation.assessment.lifts", lambda found, _: seen.append(found) or ())
+    monkeypatch.setattr("core.variation.assessment.assumptions", lambda found, _: seen.append(found) or ())
     made()
     (found,) = seen
     assert {check.name for check in found.checks} == set(CHECKS)
@@ -151,7 +151,7 @@ def test_that_generated_motions_are_named_and_natural_ones_are_not():
 def test_that_the_friction_of_return_walls_does_not_make_q_2_agree_with_the_histories():
     """The histories know no friction: where q = 2 passes by it alone, they stand alone until it is justified."""
     across = {"number": 4, "thickness_m": 0.6, "brick_height_m": 0.25, "brick_length_m": 0.2}
-    wall = {"return_walls": across, "length_m": 4.0, "thickness_m": 0.75}
+    wall = {"return_walls": across, "length_m": 4.0, "thickness_m": 0.75, "restraint_evidence": "opening"}
     demand = {"ag_g": 0.17}
     found = made(wall, demand)
     checks = {check.name: check for check in found.checks}
