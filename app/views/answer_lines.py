@@ -4,9 +4,10 @@ import html
 
 from app.look import theme
 from app.look.language import tr
+from core.report.assumption_table import heads, rows_of
 from core.report.verdict_words import lines_of
 from core.study.results import StudyResult, WallResult
-from core.text.sentence import Sentence, word
+from core.text.sentence import Sentence, localized, word
 
 LEADS = {
     "strengthen": "variant",
@@ -23,6 +24,9 @@ LEADS = {
     "to_building": "building",
     "lift_anchorage": "key:anchorage_kn",
     "lift_elongation": "reason:elongation_m",
+    "lift_strength": "reason:compressive_strength_mpa",
+    "lift_edge": "key:hinge_setback_m",
+    "to_evidence": "key:restraint_evidence",
     "lift_brittle": "key:elongation_m",
     "lift_slack": "reason:slack_mm",
     "lift_prestress": "reason:prestress",
@@ -78,6 +82,22 @@ def to_do(result: StudyResult, wall: WallResult, language: str) -> list[str]:
     """What is to be done."""
     words = _words(result, wall, language, "to_do")
     return _linked(words, wall.assessment.verdict.to_do, "to_do", language)
+
+
+def assumption_rows(result: StudyResult, wall: WallResult, language: str) -> str:
+    """The table of assumptions of a wall as rich text, what turns the outcome in bold; "" without one."""
+    rows = rows_of(result, wall, language)
+    if not rows:
+        return ""
+    lines = [(heads(lambda words_of: localized("report", words_of, language)), True), *rows]
+    cells = (
+        "".join(
+            f"<td style='padding: 1px 8px 1px 0'>{f'<b>{html.escape(cell)}</b>' if bold else html.escape(cell)}</td>"
+            for cell in line
+        )
+        for line, bold in lines
+    )
+    return "<table>" + "".join(f"<tr>{line}</tr>" for line in cells) + "</table>"
 
 
 def limits(result: StudyResult, wall: WallResult, language: str, warnings: list[str]) -> list[str]:

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 from app.look import theme
 from app.look.drawing import WallDrawing
 from app.look.language import called, number, tr
-from app.views.answer_lines import limits, link, no_dynamic_check, to_do
+from app.views.answer_lines import assumption_rows, limits, link, no_dynamic_check, to_do
 from app.views.capacity_curve_chart import CapacityCurveChart
 from app.views.chart import Chart
 from app.views.ladder import Ladder, Rung
@@ -150,6 +150,9 @@ class CheckTab(QWidget):
         self.no_peaks = QLabel()
         self.others = QLabel()
         self.others.setWordWrap(True)
+        self.assumed = QLabel()
+        self.assumed.setTextFormat(Qt.TextFormat.RichText)
+        self.assumed.setWordWrap(True)
         self.all_limits = self._opener(self.others.setVisible)
         for label in (self.important, self.others, self.no_peaks):
             label.setTextFormat(Qt.TextFormat.RichText)
@@ -161,7 +164,7 @@ class CheckTab(QWidget):
         inside = QVBoxLayout(self.banner)
         inside.setContentsMargins(14, 6, 10, 6)
         inside.setSpacing(2)
-        said = (self.important, self.all_limits, self.others)
+        said = (self.important, self.assumed, self.all_limits, self.others)
         for widget in (self.heading, self.sentence, *said, self.notes, self.reasons):
             inside.addWidget(widget)
         for widget in (self.all_limits, self.others, self.reasons):
@@ -195,6 +198,7 @@ class CheckTab(QWidget):
             widget.setVisible(assessment is not None)
         if assessment is None:
             self.all_limits.hide()
+            self.assumed.hide()
             self.others.hide()
             self.heading.setText(called(wall.name))
             self.sentence.setText(tr("No demand: no check. q of the wall: {q}", q=digits(wall.q_set)))
@@ -211,6 +215,8 @@ class CheckTab(QWidget):
         shown = max(MOST_LIMITS, verdict.blocking) if len(lines) > MOST_LIMITS + 1 else len(lines)
         self.important.setText("<br>\n".join([*to_do(result, wall, self.language), *lines[:shown]]))
         self.others.setText("<br>\n".join(lines[shown:]))
+        self.assumed.setText(assumption_rows(result, wall, self.language))
+        self.assumed.setVisible(bool(self.assumed.text()))
         self.all_limits.setText(tr("All {n} limits ▾", n=len(lines)))
         self.all_limits.setVisible(len(lines) > shown)
         self.others.setVisible(len(lines) > shown and self.all_limits.isChecked())

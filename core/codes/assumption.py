@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from core.codes.outcomes import severity
-from core.text.sentence import Number, Sentence, numeral
+from core.text.sentence import Sentence, numeral
 
 GIVEN, DEFAULT, LEFT_OUT, DECLARED = "given", "default", "left_out", "declared"
 """Where a value comes from: typed, of the program where a clause permits it, of the program for want of one, said by
@@ -12,6 +12,9 @@ the engineer of what no program can see."""
 
 RESTRAINT = "back_restraint"
 """Key of what stands behind a wall or holds its top; its reason is what shows it."""
+
+EDGE = "hinge_setback_m"
+"""Key of the hinge at the edge: every wall has one, and its row is enough where it turns nothing."""
 
 TOGETHER = "together"
 """Key of the last row: all others at their other ends."""
@@ -33,6 +36,7 @@ class Assumption:
     reason : of the engineer, "" without one
     turns_q : the other end turns the check with q of the code alone
     permitted : by a clause, without a reason: the outcome stands, and its sentence says what would turn it
+    raises : zeta is lower at the other end
     """
 
     key: str
@@ -46,11 +50,7 @@ class Assumption:
     reason: str = ""
     turns_q: bool = False
     permitted: bool = False
-
-    @property
-    def other_end_shown(self) -> Shown | Number:
-        """The value at the other end for a sentence, a number with three digits."""
-        return Number(self.other_end, ".3g") if isinstance(self.other_end, float) else self.other_end
+    raises: bool = True
 
     @property
     def open(self) -> bool:
@@ -59,14 +59,33 @@ class Assumption:
 
 
 def table(rows: Iterable[Assumption]) -> tuple[Assumption, ...]:
-    """The rows in the order of the table: those that turn the outcome first, then the worse outcome, at last all
-    together; of a key that stands twice the first."""
-    ordered = sorted(rows, key=lambda row: (row.key == TOGETHER, not row.turns, severity(row.outcome, row.zeta, 1.0)))
+    """The rows in the order of the table, but those that raise nothing: those that turn the outcome first, then the
+    worse outcome, at last all together; of a key that stands twice the first."""
+
+    def place(row: Assumption) -> tuple:
+        return row.key == TOGETHER, not row.turns, severity(row.outcome, row.zeta, 1.0)
+
+    ordered = sorted((row for row in rows if row.raises or row.turns or row.turns_q), key=place)
     return tuple({row.key: row for row in reversed(ordered)}.values())[::-1]
 
 
-def shown(value: Shown, language: str) -> str:
-    """A value of a row in words of a language, a number with three digits."""
+UNITS = {
+    "hinge_setback_m": (100.0, " cm"),
+    "base_z_m": (1.0, " m"),
+    "contact": (1.0, " m"),
+    "compressive_strength_mpa": (1.0, " MPa"),
+    "elastic_modulus_mpa": (1.0, " MPa"),
+    "period_s": (1.0, " s"),
+    "ag_g": (1.0, " g"),
+}
+"""Key of a row -> what its numbers are multiplied with, and their unit."""
+
+
+def shown(row: Assumption, value: Shown, language: str) -> str:
+    """A value of a row in words of a language, a number with three digits and its unit."""
     if isinstance(value, Sentence):
         return value.text(language)
-    return value if isinstance(value, str) else numeral(value, ".3g", language)
+    if isinstance(value, str):
+        return value
+    factor, unit = UNITS.get(row.key, (1.0, ""))
+    return numeral(factor * value, ".3g", language) + unit

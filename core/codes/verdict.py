@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from core.capacity.bisection import BRACKET
-from core.codes.assumption import DECLARED, RESTRAINT, TOGETHER, Assumption, table
+from core.codes.assumption import DECLARED, EDGE, RESTRAINT, TOGETHER, Assumption, table
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import ROUNDING, Check, Kinematic
@@ -197,7 +197,8 @@ def verdict(
     rests_on = [Key(row.key) for row in assumed if row.turns_q and row.open] if agrees else []
     code = outcome_of(seen, unfounded, bool(rests_on))
     limits = [*blocking, *own_limits]
-    limits += [row.words for row in assumed if row.words not in limits and row.key != TOGETHER]
+    quiet = [row for row in assumed if row.key == TOGETHER or (row.key == EDGE and not row.turns)]
+    limits += [row.words for row in assumed if row.words not in limits and row not in quiet]
     if rests_on:
         limits.append(_reason("q_rests_on", q=Number(CODE_Q, "g"), keys=tuple(rests_on)))
     limits += _limits_of_the_number(seen, code)

@@ -1,6 +1,6 @@
 """The sentence of a verdict: outcome, zeta and what is required, where, by what, and every check that fails."""
 
-from core.codes.assumption import Assumption
+from core.codes.assumption import UNITS, Assumption
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import Check
@@ -73,6 +73,15 @@ def _failing(checks, governing, dynamic, demand) -> tuple[Sentence, ...]:
     return tuple(found)
 
 
+def _turned_by(row: Assumption, target: float) -> Sentence:
+    """A row whose other end turns the outcome, with zeta there."""
+    value = row.other_end
+    if isinstance(value, float):
+        factor, unit = UNITS.get(row.key, (1.0, ""))
+        value = sentence("added", "measure", value=Number(factor * value, ".3g"), unit=unit)
+    return sentence("added", "turned_by", key=Key(row.key), value=value, zeta=apart(row.zeta, target))
+
+
 def outcome(
     code: str,
     missing,
@@ -118,10 +127,7 @@ def outcome(
     if code in ("verified", "verified_refined") and wall.back_restraint:
         tail = sentence("added", "rests_on", tail=tail, restraint=declared(wall))
     if code in ("verified", "verified_refined", "indicative") and permitted:
-        rows = tuple(
-            sentence("added", "turned_by", key=Key(row.key), value=row.other_end_shown, zeta=apart(row.zeta, target))
-            for row in permitted
-        )
+        rows = tuple(_turned_by(row, target) for row in permitted)
         tail = sentence("added", "would_turn", tail=tail, rows=rows)
     low, high = dynamic.zeta_spread if code == "at_limit" else (None, None)
     return way, {

@@ -6,6 +6,7 @@ from copy import copy
 from core.codes.eq9 import LABEL
 from core.derivation.wall import deciding
 from core.ground.ground_motion import GroundMotion
+from core.report.assumption_table import heads, rows_of
 from core.report.cells import (
     ACCELERATION,
     AMBER,
@@ -39,6 +40,9 @@ SUMMARY_WALLS = 8
 
 WIDTHS = [30, 12, 8, 9, 9, 7, 8, 14, 9, 8, 9, 9, 26]
 LAST = len(WIDTHS)
+ASSUMED = 1, 2, 5, 6, 9, 10, 13
+"""Columns of the table of assumptions."""
+
 TONE_COLORS = {"": INK, "good": GOOD, "amber": AMBER, "bad": BAD}
 
 
@@ -215,9 +219,26 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
         size=12,
         color=verdict_color(result, wall),
     )
+    row = _assumed(book, sheet, result, wall, row)
     for line in (*lines_of(result, wall, book.language), *tie_lines(wall, book.language)):
         row = paragraph(sheet, row, f"• {line}", LAST, 150)
     return row
+
+
+def _assumed(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) -> int:
+    """The table of assumptions of a wall, what turns the outcome in the colour of what fails."""
+    rows = rows_of(result, wall, book.language)
+    if not rows:
+        return row
+    for column, words in zip(ASSUMED, heads(book.say), strict=True):
+        text(sheet, row, column, words, color=QUIET, bold=True, size=9)
+    rule(sheet, row, 1, LAST)
+    for cells, turns in rows:
+        row += 1
+        for column, words in zip(ASSUMED, cells, strict=True):
+            text(sheet, row, column, words, color=BAD if turns and column in (9, 10) else INK, bold=turns, size=9)
+        rule(sheet, row, 1, LAST)
+    return row + 1
 
 
 def _risk_line(book: Book, risk) -> str:

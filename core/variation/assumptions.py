@@ -1,5 +1,6 @@
 """What lifts zeta, shown with zeta at the other end of its range."""
 
+import contextlib
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -136,6 +137,7 @@ def assumptions(found: Evaluation, cancelled: Callable[[], bool] = lambda: False
             reason=one.reason,
             turns_q=bool(q_check and q_check.passed) and "linear_q_code" in turns,
             permitted=one.permitted,
+            raises=_worth(zetas[lowest]) < _worth(told.zeta),
         )
         rows.append(row)
         worst.append((row, one.ends[lowest].change))
@@ -309,8 +311,8 @@ def _of_the_edge(scene: Scene) -> Iterator[Raised]:
         return
     weakest, least = least_strength(wall.masonry), LEAST_SETBACK
     if wall.unit_weight_kn_m3 is not None:
-        crushed = replace(wall, hinge_setback_m=0.0, compressive_strength_mpa=weakest).setback
-        least = max(least, crushed)
+        with contextlib.suppress(InputError):  # nothing stands just above the base of oblique solids
+            least = max(least, replace(wall, hinge_setback_m=0.0, compressive_strength_mpa=weakest).setback)
     if wall.setback >= least * (1.0 - 1e-9):
         return
     there = _of_wall(compressive_strength_mpa=None, hinge_setback_m=least)

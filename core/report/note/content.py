@@ -1,7 +1,8 @@
 """The calculation note of a result, part after part."""
 
 from core.ground.provenance import provenance
-from core.report.assumptions import assumptions_of
+from core.report import assumption_table
+from core.report.confirmed import assumptions_of
 from core.report.derived import cell_prefix
 from core.report.note import selection_figure, site, wall_figures
 from core.report.note.certainty import certainty, certainty_line
@@ -89,9 +90,26 @@ def _answer(result: StudyResult, words: Words) -> list[Part]:
         tone = tone_of(result, wall)
         parts.append(Paragraph(sentence_of(result, wall, words.language), tone))
         parts += [Item(line, sign="→") for line in lines_of(result, wall, words.language, ("to_do",))]
+        parts += [*_assumed(result, wall, words), *_limiting(result, wall, words)]
     if told[TOLD:]:
         parts.append(Paragraph(say("{n} more walls: each has its section.", n=len(told) - TOLD), "quiet"))
     return [*parts, Blanks((say("Engineer"), say("Place and date"), say("Signature and stamp")))]
+
+
+def _assumed(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
+    """The table of assumptions of a wall, what turns the outcome marked."""
+    rows = assumption_table.rows_of(result, wall, words.language)
+    if not rows:
+        return []
+    tones = {(k, column): "bad" for k, (_, turns) in enumerate(rows) if turns for column in (4, 5)}
+    return [Table(assumption_table.heads(words.say), [cells for cells, _ in rows], assumption_table.WIDTHS, tones)]
+
+
+def _limiting(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
+    """What limits the verdict of a wall and is no row of that table."""
+    lines = lines_of(result, wall, words.language, ("limits",))
+    told = assumption_table.tabled(result, wall, words.language)
+    return [Item(line, "quiet") for line in lines if line not in told]
 
 
 def works(result: StudyResult, words: Words) -> list[tuple[str, str]]:
@@ -259,9 +277,10 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     drawn = [wall_figures.histories(result, wall, words), wall_figures.peaks(wall, words)]
     drawn += [wall_figures.forces_of_ties(result, wall, words), wall_figures.tie_heights(wall, words)]
     parts += _side_by_side([] if short else drawn)
+    tabled = assumption_table.tabled(result, wall, language)
     rest = [
         *certainty_line(result, wall, words),
-        *reasons[REASONS:],
+        *(line for line in reasons[REASONS:] if line not in tabled),
         *tie_lines(wall, language),
         *(one.text(language) for one in wall.warnings),
     ]

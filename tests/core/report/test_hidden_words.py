@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 
 from app.terminal import export
+from core.report.assumption_table import tabled
 from core.report.verdict_words import in_order, lines_of, sentence_of
 from core.study.governing import collapse_histories
 from core.study.run import run
@@ -45,7 +46,9 @@ def assert_seen(pdf, result):
     language = result.case.report.language
     for wall, decides in in_order(result):
         if decides:
-            said = (sentence_of(result, wall, language), *lines_of(result, wall, language))
+            rows = tabled(result, wall, language)
+            lines = [line for line in lines_of(result, wall, language) if line not in rows]
+            said = (sentence_of(result, wall, language), *lines)
             assert set(" ".join(said).split()) <= words
 
 

@@ -86,6 +86,7 @@ LOWERS = {
     "site_elsewhere",
     "site_gives",
     "soil_factor_follows",
+    "to_evidence",
     "to_no_restraint",
     "to_not_compatible",
     "two_hazards",

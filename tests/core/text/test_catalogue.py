@@ -13,6 +13,7 @@ from core.case.back_restraint import EVIDENCE
 from core.case.loads import Load
 from core.case.rules import parse_case
 from core.case.schema import Case, sections
+from core.codes.assumption import DECLARED, DEFAULT, GIVEN, LEFT_OUT
 from core.codes.kinematic import CHECKS
 from core.codes.outcomes import OUTCOMES
 from core.errors import InputError, place, section
@@ -174,6 +175,7 @@ def test_that_every_text_of_the_catalogue_is_used():
     sides |= {f"load_{kind}" for kind in LOAD_KINDS} | {key for keys in ENTRIES.values() for key in keys}
     sides |= {f"by_{label}" for label in (*CHECKS, "linear_sld")} | {f"tie_{name}" for name in FORCES}
     sides |= {f"client_{code}" for code in OUTCOMES} | {f"evidence_{name}" for name in (*EVIDENCE, "unstated")}
+    sides |= {f"source_{name}" for name in (GIVEN, DEFAULT, LEFT_OUT, DECLARED)}
     sides |= {f"part_{part}" for part in ("steel", "thread", "anchorage")}
     for group in set(CATALOGUE) - {"error", "key"}:
         unused = {code for code in CATALOGUE[group] if code not in literals | sides}
