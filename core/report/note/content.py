@@ -108,7 +108,7 @@ def _assumed(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
 def _limiting(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
     """What limits the verdict of a wall and is no row of that table."""
     lines = lines_of(result, wall, words.language, ("limits",))
-    told = assumption_table.tabled(result, wall, words.language)
+    told = assumption_table.tabled(wall, words.language)
     return [Item(line, "quiet") for line in lines if line not in told]
 
 
@@ -277,7 +277,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     drawn = [wall_figures.histories(result, wall, words), wall_figures.peaks(wall, words)]
     drawn += [wall_figures.forces_of_ties(result, wall, words), wall_figures.tie_heights(wall, words)]
     parts += _side_by_side([] if short else drawn)
-    tabled = assumption_table.tabled(result, wall, language)
+    tabled = assumption_table.tabled(wall, language)
     rest = [
         *certainty_line(result, wall, words),
         *(line for line in reasons[REASONS:] if line not in tabled),

@@ -46,7 +46,7 @@ def assert_seen(pdf, result):
     language = result.case.report.language
     for wall, decides in in_order(result):
         if decides:
-            rows = tabled(result, wall, language)
+            rows = tabled(wall, language)
             lines = [line for line in lines_of(result, wall, language) if line not in rows]
             said = (sentence_of(result, wall, language), *lines)
             assert set(" ".join(said).split()) <= words

@@ -89,7 +89,7 @@ def test_that_every_wall_has_its_verdict_with_all_reasons_its_checks_and_its_fig
         # in its section, and that of the hinge that decides on the first page
         assert words.count(sentence_of(building, wall, "en")) == 1 + (wall in decide)
         said = [*lines_of(building, wall, "en"), *(warning.text("en") for warning in wall.warnings)]
-        assert set(said) - tabled(building, wall, "en") <= set(words)  # those stand in the table of the first page
+        assert set(said) - tabled(wall, "en") <= set(words)  # those stand in the table of the first page
     figures = [figure for part in parts if isinstance(part, Figures) for figure in part.figures]
     assert len(figures) == 4 * len(building.walls)
     table = next(part for part in parts if isinstance(part, Table) and "ζ_E" in part.heads)
