@@ -1,0 +1,51 @@
+"""The table of assumptions of a wall as note, workbook and window show it."""
+
+from collections.abc import Callable
+
+from core.codes.assumption import TOGETHER, shown
+from core.report.verdict_words import names_in
+from core.study.results import StudyResult, WallResult
+from core.study.wall_verdict import assumptions_of
+from core.text.sentence import numeral, word
+
+WIDTHS = 2.4, 2.0, 1.3, 2.0, 0.9, 1.9, 2.2
+"""Of the columns, relative."""
+
+
+def heads(say: Callable[[str], str]) -> list[str]:
+    """Heads of the columns."""
+    return [
+        say("Assumption"),
+        say("Taken"),
+        say("Source"),
+        say("Other end"),
+        say("ζ there"),
+        say("Outcome there"),
+        say("Reason"),
+    ]
+
+
+def rows_of(result: StudyResult, wall: WallResult, language: str) -> list[tuple[list[str], bool]]:
+    """(cells of a row, whether its other end turns the outcome) of the wall that a result decides about; none of a
+    result that does not."""
+    verdict = next((one for one in result.verdicts if result.walls[one.governing] is wall), None)
+    found = []
+    for row in assumptions_of(result, verdict) if verdict else ():
+        last = row.key == TOGETHER
+        cells = [
+            word("together" if last else f"key_{row.key}", language),
+            shown(row, row.value, language),
+            "" if last else word(f"source_{row.source}", language),
+            shown(row, row.other_end, language),
+            numeral(row.zeta, ".2f", language),
+            word(row.outcome, language),
+            row.reason,
+        ]
+        found.append((cells, row.turns))
+    return found
+
+
+def tabled(wall: WallResult, language: str) -> set[str]:
+    """Lines of what limits the verdict of a result that are rows of the table of its wall."""
+    rows = wall.assessment.verdict.assumptions if wall.assessment else ()
+    return {f"{word('limits', language)}: {row.words.text(language, names_in(language))}" for row in rows}

@@ -1,0 +1,139 @@
+"""How natural records scatter about the mean of their set, and what zeta generated sets give beside theirs:
+`.venv/bin/python -m tests.validation.scatter_of_records FOLDER [--walls N]`.
+
+The events of a folder of records are parted in two halves. The spread of `core.ground.scattered` is that of sets of the
+first; zeta of walls under sets of the second, which it has not seen, is compared with that of generated sets.
+"""
+
+import argparse
+import random
+import shutil
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from core.case.rules import parse_case
+from core.case.select import Select
+from core.errors import InputError
+from core.ground.record_folder import Candidate, Limits, files_in, one_of_each, read_file
+from core.ground.response_spectrum import pseudo_acceleration_spectrum
+from core.setting.demand_input import demand_of
+from core.setting.plan import plan_of, read_inputs
+from core.setting.record_input import read_records
+from core.setting.record_selection import select_records
+from core.variation.evaluate import evaluate
+
+BAND = 0.15, 2.0
+PERIODS = np.geomspace(*BAND, 80)
+SITES = [(ag, soil) for soil in "ABC" for ag in (0.15, 0.20, 0.25, 0.30)]
+"""a_g [g] and soil of the targets, with F_0 2.45 and T_C* 0.33 s."""
+
+SEEDS = 1, 101, 201
+
+
+def demand_table(ag: float, soil: str) -> dict:
+    """[demand] of a target."""
+    spectrum = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": soil, "topography": "T1"}
+    return {"ag_g": ag, "limit_state": "SLV", "spectrum": spectrum}
+
+
+def halves(folder: Path, into: Path) -> tuple[Path, Path]:
+    """The usable records of a folder in two, by every other event in the order of their names."""
+    read = (one for path in files_in(folder) for one in read_file(path, PERIODS, Limits()))
+    found = one_of_each([one for one in read if isinstance(one, Candidate)])[0]
+    events = sorted({one.event for one in found})
+    parts = into / "first", into / "second"
+    for part in parts:
+        part.mkdir()
+    for one in found:
+        part = parts[events.index(one.event) % 2]
+        if not (part / one.file.name).exists():
+            shutil.copy(one.file, part / one.file.name)
+    return parts
+
+
+def natural_sets(folder: Path, ag: float, soil: str, most: int) -> list[list]:
+    """The records of the sets of seven nearest to a target, each read with its factor."""
+    case = parse_case({"wall": [wall_table(3.0, 0.3, "two_sided")], "demand": demand_table(ag, soil)})
+    asked = Select(folder=str(folder), count=7, scale_limits=(0.25, 4.0), per_event=3)
+    try:
+        found = select_records(asked, Path("/"), demand_of(case, Path()), 2.0)
+    except InputError:
+        return []
+    return [read_records(replace(case, record=one.records), Path("/"))[0] for one in found.sets[:most] if one.fits]
+
+
+def wall_table(height: float, thickness: float, mechanism: str) -> dict:
+    """[[wall]] of a wall on the ground."""
+    table = {"name": "w", "height_m": height, "thickness_m": thickness, "mechanism": mechanism, "base_z_m": 0.0}
+    return table | {"unit_weight_kn_m3": 18.0, "back_restraint": "cross_walls", "unloaded_confirmed": True}
+
+
+def spread_of(folder: Path) -> list[float]:
+    """Standard deviation over the band of ln S_a over the mean of the set, of each set of each target."""
+    found = []
+    for ag, soil in SITES:
+        for motions in natural_sets(folder, ag, soil, 3):
+            spectra = [pseudo_acceleration_spectrum(one.acceleration, one.time_step, PERIODS) for one in motions]
+            ratio = np.log(np.array(spectra) / np.mean(spectra, axis=0))
+            found.append(float(np.sqrt(ratio.var(axis=0, ddof=1).mean())))
+    return found
+
+
+def zeta_of(table: dict, generate: dict | None, motions: list | None) -> float | None:
+    """zeta of a wall by histories, under a generated set or under records."""
+    case = parse_case(table | ({"generate": generate} if generate else {}))
+    demand, made, kinds = read_inputs(case, Path())
+    inputs = (demand, made, kinds) if motions is None else (demand, motions, ["natural"] * len(motions))
+    found = evaluate(plan_of(case, Path(), inputs).scene(0, demand), other=False)
+    return found.dynamic.zeta if found.dynamic else None
+
+
+def compared(folder: Path, count: int) -> list[tuple[dict, float, list[float], float]]:
+    """(wall, zeta under natural records, under scattered sets, under one matched to the target) of random walls."""
+    draw, known, found = random.Random(5), {}, []
+    while len(found) < count:
+        site = draw.choice(SITES)
+        if site not in known:
+            known[site] = natural_sets(folder, *site, 1)
+        if not known[site]:
+            continue
+        height, mechanism = round(draw.uniform(2.5, 10.0), 1), ("one_sided", "two_sided")[len(found) % 2]
+        slender = draw.uniform(8.0, 14.0) if mechanism == "one_sided" else draw.uniform(3.0, 8.0)
+        table = {"wall": [wall_table(height, round(height / slender, 2), mechanism)], "demand": demand_table(*site)}
+        natural = zeta_of(table, None, known[site][0])
+        scattered = [zeta_of(table, {"seed": seed}, None) for seed in SEEDS]
+        matched = zeta_of(table, {"scatter": 0.0, "count": 7}, None)
+        if natural is None or matched is None or None in scattered:
+            continue
+        found.append((table["wall"][0], natural, scattered, matched))
+        print(site, mechanism, height, table["wall"][0]["thickness_m"], natural, scattered, matched, flush=True)
+    return found
+
+
+def main() -> None:
+    """Print the spread of the first half, and of walls the quantiles of zeta over that under the second."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--walls", type=int, default=0)
+    asked = parser.parse_args()
+    with tempfile.TemporaryDirectory() as place:
+        first, second = halves(asked.folder, Path(place))
+        for name, half in (("first", first), ("second", second)):
+            spreads = spread_of(half)
+            print(f"{name} half: {len(spreads)} sets, spread {np.mean(spreads):.3f}", np.quantile(spreads, (0, 0.5, 1)))
+        if asked.walls:
+            rows = compared(second, asked.walls)
+            levels = (0.05, 0.25, 0.5, 0.75, 0.95)
+            print("quantiles", levels)
+            for name, values in (
+                ("natural over scattered", [natural / zeta for _, natural, made, _ in rows for zeta in made]),
+                ("natural over matched", [natural / matched for _, natural, _, matched in rows]),
+            ):
+                print(name, np.round(np.quantile(values, levels), 3))
+
+
+if __name__ == "__main__":
+    main()
