@@ -61,6 +61,17 @@ def shelf_folder() -> Path | None:
     return folder if (folder / "INDEX.csv").exists() else None
 
 
+@pytest.fixture(scope="session", autouse=True)
+def small_default_set():
+    """Where no records are given three motions are generated, not fourteen: what they do to a verdict is the same."""
+    from core.case.schema import Generate
+    from core.setting import demand_input
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(demand_input, "DEFAULT_SET", Generate(count=3))
+        yield
+
+
 @pytest.fixture(scope="session")
 def kept(tmp_path_factory):
     """kept(name, make): what `make()` gives, made once for all tests that ask for this name, whichever process of

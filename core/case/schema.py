@@ -15,6 +15,7 @@ from core.case.solids import Drawing, Opening, Solid, Step, Wedges
 from core.codes.masonry_types import TYPES
 from core.codes.vertical_bending import bending
 from core.errors import InputError, place
+from core.ground.scattered import SPREAD
 from core.rocking.methods import AUTO, METHODS
 from core.text.sentence import Key, sentence
 from core.wall import ties, wall_body, wall_loads
@@ -338,10 +339,14 @@ class Record:
 
 @dataclass(frozen=True)
 class Generate:
-    """[generate]: artificial motions compatible with the spectrum of the demand."""
+    """[generate]: a set of artificial motions whose mean is compatible with the spectrum of the demand.
 
-    count: int = number_key(1, 50, 7, whole=True)
+    scatter : standard deviation of ln S_a about it, that of natural records by default; 0 matches each to the spectrum
+    """
+
+    count: int = number_key(1, 50, 14, whole=True)
     seed: int = number_key(0, 1_000_000, 1, whole=True)
+    scatter: float = number_key(0.0, 1.0, SPREAD)
 
 
 @dataclass(frozen=True)
@@ -354,6 +359,7 @@ class Analysis:
     map_span: float = number_key(1.0, 10.0, 2.0)
     robust_window: float = number_key(0.01, 0.5, 0.10, form_unit="%")
     polarity: str = choice_key("both", "as_recorded", "reversed", default="both")
+    histories: bool = flag_key(True)
     accuracy: bool = flag_key()
 
 
@@ -404,6 +410,13 @@ class Case:
     table: str = field(default="", compare=False)
     table_notes: tuple = field(default=(), compare=False)
     drawings: tuple = field(default=(), compare=False)
+
+    @property
+    def default_histories(self) -> bool:
+        """Whether no records are given or asked for, so that a set is generated for its spectrum."""
+        demand = self.demand
+        asked = bool(self.record or self.generate or self.select) or not self.analysis.histories
+        return not asked and demand is not None and bool(demand.spectrum or demand.spectrum_file)
 
     def as_dict(self) -> dict:
         """Keys and values as in the file, defaults filled, None where nothing is given."""

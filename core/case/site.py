@@ -38,6 +38,7 @@ class DemandJustification:
     q_code: str = text_key()
     building: str = text_key()
     participation: str = text_key()
+    histories: str = text_key()
 
 
 FULL_FACTOR = 1.35

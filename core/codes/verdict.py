@@ -238,9 +238,10 @@ def _code(seen: Evidence, blocked: bool, agrees: bool) -> str:
     blocked : something makes it indicative
     agrees : the check with q = 2 is satisfied
     """
-    if seen.dynamic and seen.dynamic.within_spread(seen.demand.zeta_target):
-        return "at_limit"
     assert seen.governing is not None
+    by_histories = seen.governing.name == "dynamic"
+    if seen.dynamic and by_histories and seen.dynamic.within_spread(seen.demand.zeta_target):
+        return "at_limit"
     if not seen.governing.passed:  # whatever is missing: it would pass no better with it
         return "q2_unsafe" if agrees else "not_verified"
     if blocked:
@@ -312,7 +313,7 @@ def _weaker(seen: Evidence, code: str, below: bool) -> list[Sentence]:
 def _of_the_histories(seen: Evidence) -> list[Sentence]:
     """What else the histories say of the demand and of weaker motions."""
     dynamic, zeta, target = seen.dynamic, seen.zeta, seen.demand.zeta_target
-    if dynamic is None or zeta is None:
+    if dynamic is None or zeta is None or seen.governing is None or seen.governing.name != "dynamic":
         return []
     said = []
     at = sentence("added", "at_demand")

@@ -66,12 +66,12 @@ def filtered_noise(seed: int, pga: float, duration: float = 25.0, time_step: flo
     return np.round(motion * (pga / np.abs(motion).max()), 6)
 
 
-def compatible_motion(target, seed: int, duration: float = 26.0, time_step: float = 0.01):
+def compatible_motion(target, seed: int, duration: float = 26.0, time_step: float = 0.01, rounds: int = ROUNDS):
     """A seeded accelerogram [m/s2], shape (n,), whose 5 % spectrum follows the target, PGA = a_g S.
 
     Fourier amplitudes of enveloped noise are scaled by target over response until they agree (SIMQKE,
     Gasparini and Vanmarcke 1976); 2 s rise, 12 s strong part, decay; it ends at rest and at zero
-    displacement. target : of target_spectrum; duration, time_step [s].
+    displacement. target : of target_spectrum; duration, time_step [s]; rounds : of the scaling.
     """
     times = np.arange(round(duration / time_step) + 1) * time_step
     envelope = _envelope(times, RISE, STRONG_END)
@@ -81,7 +81,7 @@ def compatible_motion(target, seed: int, duration: float = 26.0, time_step: floa
     goal = AIM * target.acceleration(MATCHED_PERIODS)
     falling = np.log(1.0 / MATCHED_PERIODS[::-1])
     log_frequency = np.log(np.maximum(frequency, frequency[1]))
-    for _ in range(ROUNDS):
+    for _ in range(rounds):
         response = pseudo_acceleration_spectrum(motion, time_step, MATCHED_PERIODS)
         ratio = np.interp(log_frequency, falling, (goal / response)[::-1])
         ratio[frequency > 1.0 / MATCHED_PERIODS[0]] = target.pga / np.abs(motion).max()

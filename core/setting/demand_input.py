@@ -9,18 +9,21 @@ from pathlib import Path
 
 import numpy as np
 
+from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.hazard_table import read_hazard
 from core.case.number import parse_number
-from core.case.schema import Case
+from core.case.schema import Case, Generate
 from core.case.site import Demand, HazardRow
 from core.codes import target_spectrum
 from core.codes.demand import DemandResult
 from core.codes.limits import SAME_PERIOD, USUAL_LIVES, return_period
+from core.codes.record_compatibility import RANGE
 from core.codes.target_spectrum import Target
 from core.errors import InputError, place, section
 from core.file_names import name_of
 from core.ground.artificial import compatible_motion
 from core.ground.ground_motion import GroundMotion
+from core.ground.scattered import TIME_STEP, scattered_set
 from core.units import CM, G
 
 OTHER_UNITS = re.compile(r"\b(ms|hz|[cm]?m/s\^?2|[cm]?m/s²|gal|%g)(?![a-z])", re.IGNORECASE)
@@ -184,23 +187,45 @@ def _decimals(value: float) -> int:
     return max(2, len(f"{value:.10g}".partition(".")[2]))
 
 
+DEFAULT_SET = Generate()
+"""Set generated where no records are given."""
+
+
 def generated(case: Case, demand: DemandResult) -> list[GroundMotion]:
-    """The motions of [generate], compatible with the demand's spectrum."""
-    if case.generate is None:
-        return []
-    seeds = range(case.generate.seed, case.generate.seed + case.generate.count)
-    with ThreadPoolExecutor() as pool:  # the kernel, most of the time, holds no lock
-        return list(pool.map(functools.partial(_compatible, demand.target), seeds))
+    """The motions of [generate], in their mean compatible with the demand's spectrum; those of DEFAULT_SET where no
+    records are given and nothing forbids histories."""
+    asked = DEFAULT_SET if case.default_histories and demand.limit_state in LIMIT_FRACTION else case.generate
+    return [] if asked is None else generated_for(asked, demand)
 
 
-@functools.lru_cache(maxsize=64)
-def _compatible(target: Target, seed: int) -> GroundMotion:
-    """Kept: the window shows the motions before each run with them."""
-    return GroundMotion(
-        name=f"compatible {seed}",
-        acceleration=compatible_motion(target, seed),
-        time_step=0.01,
-        file=f"generated, seed {seed}",
-        format="generated",
-        details=(("spectrum", target.name), ("seed", str(seed))),
+def default_motions(demand: DemandResult) -> list[GroundMotion]:
+    """The motions of DEFAULT_SET for a demand with a spectrum."""
+    return generated_for(DEFAULT_SET, demand)
+
+
+def generated_for(asked: Generate, demand: DemandResult) -> list[GroundMotion]:
+    """The motions that are asked for a demand with a spectrum."""
+    assert demand.target is not None
+    return list(_set(demand.target, asked, demand.period_range or RANGE))
+
+
+@functools.lru_cache(maxsize=16)
+def _set(target: Target, asked: Generate, band: tuple[float, float]) -> tuple[GroundMotion, ...]:
+    """Kept: the window shows the motions before each run with them. band : periods of the rules [s]"""
+    seeds = range(asked.seed, asked.seed + asked.count)
+    if asked.scatter > 0.0:
+        motions = scattered_set(target, asked.count, asked.seed, asked.scatter, band)
+    else:
+        with ThreadPoolExecutor() as pool:  # the kernel, most of the time, holds no lock
+            motions = list(pool.map(functools.partial(compatible_motion, target), seeds))
+    return tuple(
+        GroundMotion(
+            name=f"compatible {seed}",
+            acceleration=motion,
+            time_step=TIME_STEP,
+            file=f"generated, seed {seed}",
+            format="generated",
+            details=(("spectrum", target.name), ("seed", str(seed)), ("scatter", f"{asked.scatter:g}")),
+        )
+        for seed, motion in zip(seeds, motions, strict=True)
     )

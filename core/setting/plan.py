@@ -82,6 +82,7 @@ class Plan:
             self.case.analysis.polarity,
             self.method,
             histories=histories,
+            by_default=self.case.default_histories,
         )
 
     @property
@@ -90,7 +91,9 @@ class Plan:
         return [one for k in range(len(self.entries)) for one in self.runs_of(k)]
 
     def runs_of(self, k: int) -> list[tuple[int, int, int]]:
-        """`runs` of one entry."""
+        """`runs` of one entry; none of motions by default, which are for the check at the demand."""
+        if self.case.default_histories:
+            return []
         entry = self.entries[k]
         return [(k, record, sign) for record in range(len(entry.felt)) for sign in entry.signs]
 

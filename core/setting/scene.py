@@ -42,6 +42,7 @@ class Scene:
     polarity : of [analysis]
     q_slv : of the searches of this very wall, the lower end of its spread and itself; None where none was made
     histories : `demand_check`, or one that keeps its results
+    by_default : the records are generated for want of given ones: they may lower an outcome, never raise it
     """
 
     wall: Wall
@@ -56,6 +57,7 @@ class Scene:
     method: Method
     q_slv: tuple[float | None, float | None] = (None, None)
     histories: Callable[..., Any] = demand_check
+    by_default: bool = False
 
     @cached_property
     def model(self) -> RockingModel:

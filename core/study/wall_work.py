@@ -136,9 +136,10 @@ class _Wall:
             together = max(1, min(self.most, SAMPLES // longest)) if lanes else 1
             groups += [tuple(runs[n : n + together]) for n in range(0, len(runs), together)]
         yield Batch({group: search_of(group) for group in groups}, keep)
-        for k, (part, mechanism, model, signs, floor, felt, _) in self.entries.items():
-            found = [run_result(model, motion, n, s, idas[k, n, s]) for n, motion in enumerate(felt) for s in signs]
-            motions = [] if part.wall.bends else plan.motions
+        for k, (part, mechanism, model, _, floor, felt, _) in self.entries.items():
+            runs = plan.runs_of(k)
+            found = [run_result(model, felt[record], record, sign, idas[k, record, sign]) for _, record, sign in runs]
+            motions = plan.motions if runs else []
             self.results[k] = wall_result(part, mechanism, model, found, motions, plan.search, given.demand, floor)
 
     def _scene(self, k: int, demand: DemandResult) -> Scene:

@@ -13,7 +13,7 @@ from core.codes.verdict_sentence import declared
 from core.errors import InputError
 from core.setting.floors import LOW_CODE, building_notes
 from core.setting.scene import Scene
-from core.text.sentence import Number, Sentence, sentence
+from core.text.sentence import Key, Number, Sentence, sentence
 from core.units import G
 from core.variation.assumptions import assumptions
 from core.variation.changes import thinner
@@ -118,7 +118,9 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
         ratio = scene.floor.code_over_records(kinematic)
     if ratio is not None and ratio < LOW_CODE:
         limits.append(sentence("reason", "code_below_records", ratio=ratio))
-    if dynamic and any(motion.format == GENERATED for motion in scene.ground):
+    if dynamic and scene.by_default:
+        limits.append(_by_default(found))
+    elif dynamic and any(motion.format == GENERATED for motion in scene.ground):
         limits.append(sentence("reason", "generated_motions"))
     limits += [*_of_bending(kinematic), *_of_ties_not_counted(found), *_of_ties_that_lower(found, cancelled)]
     limits += _of_a_thicker_wall(found)
@@ -130,6 +132,14 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
     sensitivity = {row.words.code: row.zeta for row in raised if row.words.code in OF_THE_FLOOR}
     parts = (kinematic, found.checks, dynamic, below, said, sensitivity, ratio, _capacity(found))
     return Assessment(*parts, bound_passes=passes)
+
+
+def _by_default(found: Evaluation) -> Sentence:
+    """That the motions are generated for want of records, with zeta of histories and displacement check."""
+    displacement, dynamic = found.made("nonlinear"), found.dynamic
+    zetas = {"nonlinear": Number(displacement.zeta if displacement else None)}
+    zetas["dynamic"] = Number(dynamic.zeta if dynamic else None)
+    return sentence("reason", "by_default", n=len(found.scene.ground), generate=Key("[generate]"), **zetas)
 
 
 def _of_the_restraint(found: Evaluation, free: Evaluation) -> Assumption:
@@ -225,7 +235,8 @@ def _of_a_thicker_wall(found: Evaluation) -> list[Sentence]:
     zetas = {}
     for factor in THICKER:
         try:
-            thicker = evaluate(scene.but(wall=thinner(scene.wall, factor * thickness))).made(check.name)
+            there = scene.without_records().but(wall=thinner(scene.wall, factor * thickness))
+            thicker = evaluate(there).made(check.name)
         except InputError:
             continue
         if thicker is not None and thicker.zeta is not None:

@@ -21,6 +21,7 @@ from core.codes.verdict import outcome_of
 from core.codes.verdict_sentence import CODE_Q
 from core.codes.vertical_bending import bent_inward
 from core.errors import InputError
+from core.setting.demand_input import default_motions
 from core.setting.floors import damaged, other_ends
 from core.setting.scene import Scene
 from core.text.sentence import Key, Number, Sentence, sentence
@@ -86,15 +87,23 @@ def _worth(zeta: float | None) -> float:
     return -math.inf if zeta is None else zeta
 
 
+def _there(end: Evaluation, check: Check) -> Check | None:
+    """A check at another end; where records are there by default, in the place of histories and displacement check the
+    one of them that decides there."""
+    if end.scene.by_default and check.name in ("dynamic", "nonlinear"):
+        return end.decides
+    return end.made(check.name)
+
+
 def _zeta(end: Evaluation | None, check: Check) -> float | None:
     """zeta of a check at another end."""
-    found = end.made(check.name) if end else None
+    found = _there(end, check) if end else None
     return found.zeta if found else None
 
 
 def _turns(end: Evaluation | None, check: Check) -> bool:
     """Whether a check fails, is at its limit or has no number at another end."""
-    return end is None or end.judgement(end.made(check.name)) != PASSES
+    return end is None or end.judgement(_there(end, check)) != PASSES
 
 
 def assumptions(found: Evaluation, cancelled: Callable[[], bool] = lambda: False) -> tuple[Assumption, ...]:
@@ -299,8 +308,20 @@ def _raised(found: Evaluation) -> Iterator[Raised]:
         )
     yield from _of_the_shape(wall, scene.mechanism)
     yield from _of_the_edge(scene)
+    if not dynamic and _histories_left_out(found):
+        there = tuple(default_motions(demand))
+        end = End(lambda scene: scene.but(ground=there, by_default=True), sentence("word", "made"))
+        yield _one("histories", "lift_histories", asked.justification, sentence("word", "not_made"), end)
     if wall.above_ground and scene.building is not None:
         yield from _of_the_building(scene, scene.building)
+
+
+def _histories_left_out(found: Evaluation) -> bool:
+    """Whether histories could be made of the wall, and are not; of one that fails without them they are not asked
+    for."""
+    scene, demand = found.scene, found.scene.demand
+    can = demand.target is not None and demand.limit_state in LIMIT_FRACTION and not scene.wall.bends
+    return can and not scene.ground and found.satisfied
 
 
 def _of_the_edge(scene: Scene) -> Iterator[Raised]:

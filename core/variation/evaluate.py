@@ -1,14 +1,14 @@
 """The only way from a wall to its checks: what each says, and the outcome they come to."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import Check, Kinematic, checks_of, linear
 from core.codes.limits import counted_stations
-from core.codes.outcomes import FAILS, OPEN, PASSES
+from core.codes.outcomes import FAILS, OPEN, PASSES, severity
 from core.codes.verdict import Circumstances, Evidence, governing_check, outcome_of
 from core.setting.scene import Scene
 from core.text.sentence import Sentence, sentence
@@ -42,7 +42,7 @@ class Evaluation:
 
     kinematic : None above the ground where the building is not known
     dynamic : the check by histories, None without records and of a limit state that has none
-    checks : those that could be made, the most refined first
+    checks : those that could be made, the one that decides first, then the most refined
     precision : of the histories
     """
 
@@ -133,9 +133,22 @@ def evaluate(
         return Evaluation(scene, None, None, (), precision)
     dynamic = histories(scene, precision, other, cancelled)
     made = checks_of(kinematic, scene.demand, _counted(kinematic, scene.q_slv[0]))
-    return Evaluation(
-        scene, kinematic, dynamic, ((dynamic.as_check(scene.demand.zeta_target),) if dynamic else ()) + made, precision
-    )
+    checks = ((dynamic.as_check(scene.demand.zeta_target),) if dynamic else ()) + made
+    found = Evaluation(scene, kinematic, dynamic, checks, precision)
+    return replace(found, checks=_worse_first(found)) if scene.by_default else found
+
+
+def _worse_first(found: Evaluation) -> tuple[Check, ...]:
+    """The checks where records are there by default: the worse of histories and displacement check decides."""
+    pair = [check for check in (found.made("dynamic"), found.made("nonlinear")) if check is not None]
+    others = tuple(check for check in found.checks if check not in pair)
+    target = found.scene.demand.zeta_target
+
+    def place(check: Check) -> tuple:
+        said = found.judgement(check)
+        return (FAILS, AT_LIMIT, OPEN, PASSES).index(said), *severity("verified", check.zeta, target)
+
+    return (*sorted(pair, key=place), *others)
 
 
 def histories(

@@ -29,7 +29,12 @@ KNOWN = Memory()
 def run_of(application, opened, path, **sections):
     """The window with a loaded wall and generated records, run."""
     demand = {"ag_g": 0.2, "spectrum": SPECTRUM} | sections.pop("demand", {})
-    table = {"wall": [LOADED], "demand": demand, "generate": {"count": 7}, "analysis": {"q_step": 0.05}} | sections
+    table = {
+        "wall": [LOADED],
+        "demand": demand,
+        "generate": {"scatter": 0.0, "count": 7},
+        "analysis": {"q_step": 0.05},
+    } | sections
     path.write_text(dumps(parse_case(table)), encoding="utf-8")
     opened.session.open(path)
     settle(application, lambda: not opened.records.pending and bool(opened.records.motions))

@@ -163,7 +163,11 @@ def test_that_the_histories_show_what_a_tie_does(opened, application, tmp_path):
         "hinge_heights": "base",
     }
     spectrum = {"code": "EN1998", "soil": "B", "type": 1}
-    table = {"generate": {"count": 1}, "demand": {"ag_g": 0.3, "spectrum": spectrum}, "analysis": {"q_step": 0.05}}
+    table = {
+        "generate": {"scatter": 0.0, "count": 1},
+        "demand": {"ag_g": 0.3, "spectrum": spectrum},
+        "analysis": {"q_step": 0.05},
+    }
     result = run(parse_case({**table, "wall": [wall | {"load": [tie]}, wall | {"name": "bare"}]}), base_dir=tmp_path)
     tab = HistoriesTab()
     tab.setParent(opened)

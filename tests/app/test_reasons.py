@@ -121,7 +121,7 @@ def test_that_every_reason_the_verdict_asks_for_has_its_row(wall, demand, asked)
     spectral = "spectrum" in demand
     table = {"wall": [{**WALL, **wall}], "demand": {"ag_g": 0.2, **demand}, "analysis": {"q_step": 0.05}}
     if spectral:
-        table["generate"] = {"count": 3, "seed": 1}
+        table["generate"] = {"scatter": 0.0, "count": 3, "seed": 1}
     else:
         table["demand"]["soil_factor"] = 1.2
     case = parse_case(table)

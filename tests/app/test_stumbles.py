@@ -227,7 +227,7 @@ def test_that_scaling_can_be_pressed_only_where_it_can_do_something(opened):
     opened.session.edit_section("demand", demand_scaling="pga")
     assert not button.isEnabled() and "PGA" in button.toolTip()
     opened.session.undo()
-    opened.session.edit(replace(opened.session.case, record=(), generate=Generate(2)))
+    opened.session.edit(replace(opened.session.case, record=(), generate=Generate(2, scatter=0.0)))
     assert not button.isEnabled() and "from files" in button.toolTip()
 
 

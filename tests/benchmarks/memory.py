@@ -83,7 +83,7 @@ def walls(folder: Path, count: int, motions: int) -> Path:
         rows.append(f"w{k};0;{chance.uniform(3, 8):.2f};{chance.uniform(0.3, 0.9):.2f};{mechanism}")
     (folder / f"walls_{count}.csv").write_text("\n".join(rows))
     case = folder / f"walls_{count}.toml"
-    ground = f"[generate]\ncount = {motions}\n" if motions else short_record(folder)
+    ground = f"[generate]\nscatter = 0\ncount = {motions}\n" if motions else short_record(folder)
     case.write_text(f'walls = "walls_{count}.csv"\n{ground}{DEMAND}')
     return case
 

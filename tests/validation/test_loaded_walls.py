@@ -227,7 +227,7 @@ def test_that_a_two_sided_wall_of_unlike_sides_takes_both_signs_and_does_not_car
         {**WALL, "name": name, "mechanism": "two_sided", "load": [{**ROOF, "kn_m": 30.0, "d_m": d}]}
         for name, d in (("one", 0.42), ("other", 0.45 - 0.42))
     ]
-    table = {"wall": walls, "demand": DEMAND, "generate": {"count": 2}, "analysis": {"q_step": 0.02}}
+    table = {"wall": walls, "demand": DEMAND, "generate": {"scatter": 0.0, "count": 2}, "analysis": {"q_step": 0.02}}
     one, other = study.run(parse_case(table), base_dir=tmp_path).walls
     assert [run.polarity for run in one.runs] == [1, -1, 1, -1]
     found = {(run.record, run.polarity): run.ida.q for run in one.runs}
@@ -246,7 +246,7 @@ def test_that_q_of_the_histories_is_not_raised_by_e_star_twice(tmp_path):
     table = {
         "wall": [{**WALL, "load": [PUSHING]}],
         "demand": DEMAND,
-        "generate": {"count": 3},
+        "generate": {"scatter": 0.0, "count": 3},
         "analysis": {"q_step": 0.02},
     }
     wall = study.run(parse_case(table), base_dir=tmp_path).walls[0]

@@ -26,7 +26,7 @@ from tests.validation.circolare import HELD, case
 @pytest.fixture(scope="module")
 def designed(tmp_path_factory):
     """7.0 x 0.83 m, a_g 0.26 g, S 1.2, two-sided, seven compatible motions."""
-    return study.run(case(HELD, generate={"count": 7}), base_dir=tmp_path_factory.mktemp("none"))
+    return study.run(case(HELD, generate={"scatter": 0.0, "count": 7}), base_dir=tmp_path_factory.mktemp("none"))
 
 
 def reduced(model, factor=1.35):
@@ -228,7 +228,7 @@ def test_that_zeta_of_a_hundred_walls_is_that_of_every_point_of_the_grid(walls):
 def test_that_a_search_that_ends_early_does_not_raise_zeta(tmp_path):
     """q_limit below the first peak at 0.40 alpha: zeta is still searched, from where the search ended."""
     wall = {"base_z_m": 0.0, "mechanism": "one_sided", "height_m": 5.0, "thickness_m": 0.6}
-    table = {"wall": wall, "demand": {"ag_g": 0.3}, "generate": {"count": 3}}
+    table = {"wall": wall, "demand": {"ag_g": 0.3}, "generate": {"scatter": 0.0, "count": 3}}
     full = study.run(case(**table), base_dir=tmp_path).walls[0].assessment.dynamic
     table["analysis"] = {"q_step": 0.01, "q_limit": 2.0}
     short = study.run(case(**table), base_dir=tmp_path).walls[0].assessment.dynamic

@@ -98,7 +98,7 @@ def test_that_the_friction_does_not_raise_what_the_histories_lead_to(tmp_path):
     table = {
         "wall": [{**WALL, "return_walls": ACROSS, "length_m": 5.0}],
         "demand": DEMAND,
-        "generate": {"count": 3},
+        "generate": {"scatter": 0.0, "count": 3},
         "analysis": {"q_step": 0.02},
     }
     (wall,) = study.run(parse_case(table), base_dir=tmp_path).walls

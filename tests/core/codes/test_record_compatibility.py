@@ -21,7 +21,7 @@ def case(**demand):
     return parse_case(
         {
             "wall": [{"name": "w", "height_m": 5.0, "thickness_m": 0.5, "base_z_m": 0.0, "mechanism": "two_sided"}],
-            "generate": {"count": 7},
+            "generate": {"scatter": 0.0, "count": 7},
             "demand": {"ag_g": 0.26, "spectrum": spectrum, **demand},
         }
     )
@@ -123,7 +123,7 @@ def test_that_a_range_beyond_the_spectrum_of_a_file_is_refused(tmp_path):
     table = {
         "wall": [{"name": "w", "height_m": 3.0, "thickness_m": 0.4, "base_z_m": 0.0, "mechanism": "two_sided"}],
         "demand": {"ag_g": 0.26, "soil_factor": 1.2, "spectrum_file": "s.txt", "period_range_s": [0.15, 4.0]},
-        "generate": {"count": 1},
+        "generate": {"scatter": 0.0, "count": 1},
     }
     with pytest.raises(InputError, match=r"period_range_s goes to 4.00 s, but s.txt ends at 3.00 s"):
         study.run(parse_case(table), base_dir=tmp_path)

@@ -22,7 +22,7 @@ from tests.core.variation.test_sensitivity import LOADED, SPECTRUM
 def result():
     hazard = [{"return_period_years": t, "ag_g": ag, "f0": 2.4, "tc_star_s": 0.33} for t, ag in ROWS]
     demand = {"ag_g": 0.2, "spectrum": SPECTRUM, "nominal_life_years": 50.0, "use_class_factor": 1.0, "hazard": hazard}
-    table = {"wall": [LOADED], "demand": demand, "generate": {"count": 7}, "analysis": {"q_step": 0.05}}
+    table = {"wall": [LOADED], "demand": demand, "generate": {"scatter": 0.0, "count": 7}, "analysis": {"q_step": 0.05}}
     return run(parse_case({**table, "sensitivity": {}}), base_dir=Path())
 
 

@@ -6,7 +6,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from core.case.rules import parse_case
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
 from core.report.verdict_words import names_in
@@ -14,6 +13,7 @@ from core.rocking.history import history
 from core.rocking.methods import METHODS
 from core.setting import floors
 from core.study.run import run
+from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
 
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}

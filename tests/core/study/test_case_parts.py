@@ -25,6 +25,7 @@ from tests.conftest import ROOT
 
 CASE = """
 [generate]
+scatter = 0
 count = 3
 [analysis]
 q_step = 0.05

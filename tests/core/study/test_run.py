@@ -257,7 +257,7 @@ def renamed(folder, tmp_path_factory):
         table = {
             "wall": walls,
             "record": records,
-            "generate": {"count": 2},
+            "generate": {"scatter": 0.0, "count": 2},
             "building": {"height_m": 6.0, "storeys": 2, "period_s": 0.2},
             "analysis": {"q_step": 0.05, "map_span": 1.0, "polarity": "as_recorded"},
             "demand": {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}},
@@ -293,7 +293,10 @@ def test_that_every_motion_of_a_study_has_a_name_of_its_own(renamed):
 
 
 def test_that_a_file_of_a_generated_motion_is_refused_beside_it(folder, tmp_path):
-    asked = {"demand": {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}, "generate": {"count": 1}}
+    asked = {
+        "demand": {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}},
+        "generate": {"scatter": 0.0, "count": 1},
+    }
     made = study.run(case(record=[], **asked), base_dir=folder).motions[0]
     lines = [f"{value:.17e}\n" for value in made.acceleration]
     (tmp_path / "copy.txt").write_text("".join(lines))

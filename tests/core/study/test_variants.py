@@ -4,11 +4,11 @@ from pathlib import Path
 
 import pytest
 
-from core.case.rules import parse_case
 from core.errors import InputError
 from core.report import json_report
 from core.study import run as study
 from core.study.variants import comparisons
+from tests.clauses_alone import parse_case
 from tests.validation.test_loaded_walls import DEMAND, ROOF, TIE, WALL
 
 BEFORE = {**WALL, "name": "facade", "variant": "stato di fatto", "load": [ROOF]}

@@ -95,7 +95,7 @@ def table_of(seed: int, histories: bool = False, hazard: bool = False) -> dict:
         if draw.random() < 0.4:
             wall["base_z_m"] = round(draw.uniform(2.0, 3.0 * storeys - 1.0), 1)
     if histories:
-        table["generate"] = {"count": 3, "seed": draw.randint(1, 4)}
+        table["generate"] = {"scatter": 0.0, "count": 3, "seed": draw.randint(1, 4)}
     return table
 
 

@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import pytest
 
-from core.case.rules import parse_case
 from core.codes.kinematic import CHECKS
 from core.study.run import run
 from core.variation.evaluate import evaluate
 from core.wall.restitution import MODELS
+from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
 
 WALL = {
@@ -38,7 +38,7 @@ def made(wall=None, demand=None, records=True, building=None, **rest):
         "analysis": {"q_step": 0.05},
     }
     if records:
-        table["generate"] = {"count": 3, "seed": 1}
+        table["generate"] = {"scatter": 0.0, "count": 3, "seed": 1}
     if building:
         table["building"] = building
     return run(parse_case(table), base_dir=ROOT).walls[0].assessment

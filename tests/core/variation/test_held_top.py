@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from core.case.rules import parse_case
 from core.codes.floor_spectrum import FloorSpectrum
 from core.codes.vertical_bending import bending
 from core.errors import InputError
@@ -15,6 +14,7 @@ from core.setting.floors import modes_at
 from core.study.run import run
 from core.study.variants import comparisons
 from core.units import G
+from tests.clauses_alone import parse_case
 from tests.validation.circolare import EN_B
 
 TOP = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.15, "h_m": 3.0, "mass": "none"}

@@ -2,11 +2,11 @@
 
 import pytest
 
-from core.case.rules import parse_case
 from core.errors import InputError
 from core.study.run import run
+from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
-from tests.core.variation.test_lifts import lift
+from tests.core.variation.test_assumptions import lift
 
 WALL = {
     "name": "w",
@@ -29,7 +29,7 @@ def found_of(*loads, records=False, demand=None, **wall):
     own = {**WALL, **wall, **({"load": list(loads)} if loads else {"unloaded_confirmed": True})}
     table = {"wall": [own], "demand": {**DEMAND, **(demand or {})}, "analysis": {"q_step": 0.05}}
     if records:
-        table["generate"] = {"count": 3, "seed": 1}
+        table["generate"] = {"scatter": 0.0, "count": 3, "seed": 1}
     return run(parse_case(table), base_dir=ROOT).walls[0].assessment
 
 

@@ -5,13 +5,13 @@ from pathlib import Path
 
 import pytest
 
-from core.case.rules import parse_case
 from core.codes.kinematic import kinematic, nonlinear, sld
 from core.errors import InputError
 from core.setting.demand_input import demand_of
 from core.study.run import run
 from core.units import G
 from core.variation.limit_states import demands_of, interpolated, unsaid
+from tests.clauses_alone import parse_case
 from tests.validation.test_loaded_walls import WALL
 
 HAZARD = [
@@ -168,7 +168,7 @@ def test_that_a_state_asked_for_has_its_time_histories(tmp_path):
         "spectrum": NTC,
         "limit_states": ["SLC", "SLD"],
     }
-    table = {"wall": [wall], "generate": {"count": 3}, "analysis": {"q_step": 0.05}, "demand": demand}
+    table = {"wall": [wall], "generate": {"scatter": 0.0, "count": 3}, "analysis": {"q_step": 0.05}, "demand": demand}
     found = {one.state: one for one in run(parse_case(table), base_dir=tmp_path).walls[0].assessment.states}
     assert found["SLC"].check == "dynamic" and found["SLC"].zeta is not None
     assert found["SLD"].check == "linear_sld" and found["SLV"].check == "dynamic"

@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 from openpyxl import load_workbook
 
-from core.case.rules import parse_case
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import with_and_without_ties
 from core.codes.outcomes import OUTCOMES, PASSES, least, severity
@@ -18,6 +17,7 @@ from core.report.steps import Steps
 from core.report.tie_words import tie_lines
 from core.report.workbook import WorkbookReport
 from core.study.run import run
+from tests.clauses_alone import parse_case
 from tests.core.variation.random_walls import random_tables
 
 CASES = Path(__file__).parent
@@ -122,7 +122,12 @@ def test_that_a_limit_state_is_what_its_check_says_and_not_what_zeta_says():
     """By histories the rule fails at the demand though zeta_E lies above it: the wall is not verified there."""
     wall = {"name": "w", "height_m": 6.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0}
     wall |= {"back_restraint": "cross walls", "unloaded_confirmed": True, "unit_weight_kn_m3": 18.0}
-    table = {"wall": [wall], "demand": SITE, "generate": {"count": 3, "seed": 14}, "analysis": {"q_step": 0.05}}
+    table = {
+        "wall": [wall],
+        "demand": SITE,
+        "generate": {"scatter": 0.0, "count": 3, "seed": 14},
+        "analysis": {"q_step": 0.05},
+    }
     result = made(table)
     state = next(one for one in result.walls[0].assessment.states if one.state == "SLC")
     assert state.check == "dynamic" and state.zeta > state.zeta_target and not state.checks[0].passed
@@ -147,7 +152,7 @@ TIED = {
 
 def test_that_a_tie_whose_histories_need_the_length_of_its_bar_has_no_force():
     demand = {"ag_g": 0.24, "spectrum": {**SITE["spectrum"], "soil": "B"}}
-    table = {"wall": [TIED], "demand": demand, "analysis": {"q_step": 0.1}, "generate": {"count": 3}}
+    table = {"wall": [TIED], "demand": demand, "analysis": {"q_step": 0.1}, "generate": {"scatter": 0.0, "count": 3}}
     wall = made(table).walls[0]
     tie = wall.assessment.tie
     assert (tie.missing, tie.force, tie.asked) == ("bar", None, None) and tie.at_least is not None
@@ -244,7 +249,11 @@ def test_that_histories_take_a_tie_as_it_is_and_say_where_zeta_is_lower_with_it(
     wall = {key: value for key, value in TIED.items() if not key.startswith(("tie_", "unloaded"))}
     wall |= {"height_m": 7.0, "thickness_m": 0.5, "unit_weight_kn_m3": 18.0}
     spectrum = {**SITE["spectrum"], "soil": "B", "f0": 2.4}
-    table = {"demand": {"ag_g": 0.3, "spectrum": spectrum}, "generate": {"count": 3}, "analysis": {"q_step": 0.1}}
+    table = {
+        "demand": {"ag_g": 0.3, "spectrum": spectrum},
+        "generate": {"scatter": 0.0, "count": 3},
+        "analysis": {"q_step": 0.1},
+    }
     tied = made({**table, "wall": [wall | {"load": [tie]}]}).walls[0].assessment
     bare = made({**table, "wall": [wall | {"unloaded_confirmed": True}]}).walls[0].assessment
     assert tied.verdict.zeta_e == tied.dynamic.zeta < bare.dynamic.zeta

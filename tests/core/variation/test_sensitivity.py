@@ -8,7 +8,6 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from core.case.rules import parse_case
 from core.case.sensitivity import Ranges
 from core.case.writer import table_of
 from core.codes.dynamic_check import demand_check
@@ -20,6 +19,7 @@ from core.study.run import run
 from core.variation.sensitivity import Move, moved_wall, records_left_out, sensitivity_of
 from core.variation.swings import End, Sensitivity, Swing, move_words
 from core.variation.whole_wall import setting_of
+from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
 
 CASES = ROOT / "resources" / "cases"
@@ -113,7 +113,7 @@ def test_that_each_move_of_the_building_is_the_run_of_the_changed_case():
 def test_that_each_move_with_records_is_the_run_of_the_changed_case(tmp_path):
     """The motions as files, so that they follow a_g by the factor of their entries."""
     wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa", "free_element")}
-    table = case_of(wall | {"unloaded_confirmed": True}, demand={"ag_g": 0.25}, generate={"count": 4})
+    table = case_of(wall | {"unloaded_confirmed": True}, demand={"ag_g": 0.25}, generate={"scatter": 0.0, "count": 4})
     table["analysis"] = {"q_step": 0.05}
     motions = read_inputs(parse_case(table), CASES)[1]
     del table["generate"]
@@ -236,7 +236,7 @@ def test_that_what_is_refused_is_named_and_turns_nothing():
 
 def test_that_a_severe_record_left_out_raises_zeta_and_turns_nothing():
     """Of eight stations one is as strong as three: without it zeta is beyond what is looked at, and is no failure."""
-    table = case_of(PARAPET | {"base_z_m": 0.0}, demand={"ag_g": 0.1}, generate={"count": 8})
+    table = case_of(PARAPET | {"base_z_m": 0.0}, demand={"ag_g": 0.1}, generate={"scatter": 0.0, "count": 8})
     case = parse_case({**table, "sensitivity": {}, "analysis": {"q_step": 0.05}})
     from core.setting import plan
 
@@ -316,7 +316,7 @@ def test_that_the_record_left_out_is_the_one_whose_loss_moves_zeta_most_and_its_
     multipliers, peaks = 0.4 * 1.01 ** np.arange(160), np.full((7, 160), 0.1)
     peaks[3, 70:], peaks[4, 110:] = np.inf, np.inf
     wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa", "free_element")}
-    table = case_of(wall | {"unloaded_confirmed": True}, demand={"ag_g": 0.2}, generate={"count": 7})
+    table = case_of(wall | {"unloaded_confirmed": True}, demand={"ag_g": 0.2}, generate={"scatter": 0.0, "count": 7})
     case = parse_case(table)
     setting = setting_of(case, 0, CASES, read_inputs(case, CASES))
     made = records_left_out([RecordPeaks(multipliers, peaks, 0.4, True)])

@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from core.case.rules import parse_case
 from core.codes.dynamic_check import DemandCheck
 from core.codes.outcomes import FAILS, PASSES
 from core.errors import InputError
@@ -13,6 +12,7 @@ from core.setting.plan import read_inputs
 from core.study.run import run
 from core.variation.changes import of_theory
 from core.variation.whole_wall import NONE, evaluate_wall, setting_of, with_demand, with_wall
+from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
 from tests.core.variation.test_sensitivity import CASES, LOADED, case_of
 
@@ -72,7 +72,9 @@ DOWN, NEAR, UP = check_of(0.8, False, (0.7, 0.9)), check_of(1.1, True, (0.95, 1.
 def test_that_a_wall_is_as_its_hinges_are_together(each, satisfied, judgement):
     """Satisfied where all are, not known where a spread holds what is required, which counts as failed; the lowest
     zeta."""
-    table = case_of(LOADED, building={"height_m": 6.0, "storeys": 2, "period_s": 0.3}, generate={"count": 7})
+    table = case_of(
+        LOADED, building={"height_m": 6.0, "storeys": 2, "period_s": 0.3}, generate={"scatter": 0.0, "count": 7}
+    )
     case = parse_case(table)
     left = list(each)
 
@@ -91,7 +93,7 @@ def test_that_a_wall_is_as_its_hinges_are_together(each, satisfied, judgement):
 
 
 def test_that_only_records_used_as_given_follow_a_g():
-    case = parse_case(case_of(LOADED, generate={"count": 2}))
+    case = parse_case(case_of(LOADED, generate={"scatter": 0.0, "count": 2}))
     here = setting_of(case, 0, CASES, read_inputs(case, CASES))
     before = here.inputs[1]
     for share in (0.9, 1.1):
@@ -112,7 +114,7 @@ def test_that_a_wall_that_does_not_stand_is_satisfied_by_nothing():
 def test_that_a_velocity_ratio_is_a_share_of_the_theoretical_and_at_most_one(mechanism):
     """An impact gives no energy; of the ratios of a wall with two the larger one."""
     wall = {**LOADED, "mechanism": mechanism, "velocity_ratio": 0.5}
-    own = parse_case(case_of(wall, generate={"count": 2})).wall[0]
+    own = parse_case(case_of(wall, generate={"scatter": 0.0, "count": 2})).wall[0]
     by_theory = replace(own, velocity_ratio=None)
     theory = [by_theory.restitution_of(one) for one in own.mechanisms()]
     largest = max(ratio for one in theory for ratio in (one.ratio_at_rest, one.ratio_inward or 0.0))
@@ -121,7 +123,7 @@ def test_that_a_velocity_ratio_is_a_share_of_the_theoretical_and_at_most_one(mec
 
 
 def test_that_histories_decide_where_there_are_records():
-    case = parse_case(case_of(LOADED, generate={"count": 2}))
+    case = parse_case(case_of(LOADED, generate={"scatter": 0.0, "count": 2}))
     here = setting_of(case, 0, CASES, read_inputs(case, CASES))
     assert here.has_histories
     demand, motions, kinds = here.inputs

@@ -5,7 +5,6 @@ from pathlib import Path
 
 import pytest
 
-from core.case.rules import parse_case
 from core.case.sensitivity import Ranges
 from core.case.site import FULL_FACTOR
 from core.case.writer import table_of
@@ -21,6 +20,7 @@ from core.variation.sensitivity import moved_wall, moves
 from core.variation.tie_design import with_tie
 from core.variation.turned_round import CHANGES, keys_of, reach_of
 from core.variation.whole_wall import NONE, setting_of
+from tests.clauses_alone import parse_case
 from tests.core.variation.random_walls import random_tables
 
 HERE = Path(__file__).parent
@@ -220,7 +220,7 @@ def test_that_the_wall_with_the_tie_designed_has_the_zeta_written_of_it():
     for records in (False, True):
         table = {"wall": [wall], "demand": {"ag_g": 0.2, "spectrum": spectrum}, "analysis": {"q_step": 0.1}}
         if records:
-            table["generate"] = {"count": 3}
+            table["generate"] = {"scatter": 0.0, "count": 3}
         case = parse_case(table)
         tie = made(case).walls[0].assessment.tie
         assert tie.force > 0.0
