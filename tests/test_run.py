@@ -472,3 +472,37 @@ def test_that_the_lock_holds_every_dependency_of_the_project(run):
     for group, wanted in project["optional-dependencies"].items():
         for entry in wanted:
             assert re.match(r"[\w-]+", entry)[0].lower() + "==" in sections[group].lower() + base
+
+
+def python(*lines):
+    """A command that runs these lines."""
+    return [sys.executable, "-c", "\n".join(lines)]
+
+
+WAITS = "import os, time\nend = time.monotonic() + 60\nwhile not os.path.exists({!r}): assert time.monotonic() < end"
+
+
+def test_that_types_are_checked_beside_the_tests_and_told_after_them(run, tmp_path, capfd):
+    """Each of the two waits for a file of the other."""
+    one, two = str(tmp_path / "one"), str(tmp_path / "two")
+    types = python(f"open({one!r}, 'w')", WAITS.format(two), "print('types')")
+    tests = python(WAITS.format(one), f"open({two!r}, 'w')", "print('tests')")
+    assert run.in_turn([python("print('style')"), types, tests]) == 0
+    assert capfd.readouterr().out.split() == ["style", "tests", "types"]
+
+
+@pytest.mark.parametrize(
+    ("fails", "said"),
+    [("style", ["style"]), ("types", ["style", "tests", "types"]), ("tests", ["style", "tests", "types"])],
+)
+def test_that_one_step_that_fails_fails_the_whole(run, capfd, fails, said):
+    steps = [
+        python(f"print({name!r})", f"raise SystemExit({3 * (name == fails)})") for name in ("style", "types", "tests")
+    ]
+    assert run.in_turn(steps) == 3
+    assert capfd.readouterr().out.split() == said
+
+
+def test_that_types_are_the_step_beside_the_tests(run):
+    *_, beside, last = run.test_steps([])
+    assert (beside[2], last[2]) == ("mypy", "pytest") and len(run.test_steps(["tests"])) == 1
