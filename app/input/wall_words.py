@@ -132,7 +132,7 @@ def said_of_histories(wall: Wall) -> dict[str, bool]:
     return {
         "held": wall.tie_height_m is not None or wall.return_walls is not None,
         "hinges": wall.hinge_heights is not None,
-        "impact": wall.restitution is not None or wall.velocity_ratio is not None or wall.law != "rigid",
+        "impact": wall.restitution is not None or wall.velocity_ratio is not None or wall.law != "auto",
     }
 
 

@@ -22,7 +22,7 @@ def check_held_top(wall) -> None:
     for key in OF_HISTORIES:
         if getattr(wall, key) is not None:
             raise InputError("bending_no_histories", place=here, key=key)
-    if wall.law != "rigid":
+    if wall.law not in ("auto", "rigid"):
         raise InputError("bending_no_histories", place=here, key="law")
     if wall.hinge_heights is not None:
         raise InputError("bending_finds_hinge", place=here, key="hinge_heights")

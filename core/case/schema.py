@@ -22,11 +22,13 @@ from core.wall import ties, wall_body, wall_loads
 from core.wall.bars import Bar
 from core.wall.block import Block
 from core.wall.loads import BARE, RestoringMoment
-from core.wall.moment_rotation import LAWS, MomentLaw
+from core.wall.moment_rotation import LAWS, WITH_BRANCH, MomentLaw
 from core.wall.restitution import MODELS, Restitution, restitution
 
 MIN_ELASTIC = 0.001
-"""Smallest D1 of a trilinear law: below it the branch is rigid in all but cost."""
+"""Smallest D1 of a trilinear law that is given by its ends. That of an element free to vibrate may be shorter: it is no
+rigid law all the same. However short, the wall vibrates on it before it rocks, and a motion that would not lift the
+rigid wall drives it off its end with what it has stored there."""
 
 
 @dataclass(frozen=True)
@@ -104,7 +106,7 @@ class Wall:
     inertia_over_mass_m2: float | None = number_key(0.0025, 20000.0, unit="m2", form="shape", filled=True)
     restitution: str | None = choice_key(*MODELS, default=None)
     velocity_ratio: float | None = number_key(0.0, 1.0, filled=True)
-    law: str | dict = key("law", "rigid")
+    law: str | dict = key("law", "auto")
     hinge_heights: str | tuple[float, ...] | None = key("hinges", form="held")
     hinge_setback_m: float = number_key(0.0, 2.0, 0.0, unit="m", form_unit="cm", form="shape")
     masonry: str | None = choice_key(*TYPES, default=None, form="checks")
@@ -317,8 +319,9 @@ class Wall:
         return restitution(self.block(), model, self.velocity_ratio, contact)
 
     def moment_law(self) -> MomentLaw:
+        """As it is given; an elastic branch is of the check at the demand alone."""
         if isinstance(self.law, str):
-            return LAWS[self.law]
+            return LAWS["rigid" if self.law in WITH_BRANCH else self.law]
         return MomentLaw(self.law["elastic_limit"], self.law["plateau_end"])
 
 

@@ -24,7 +24,7 @@ BESIDE: dict[str, Any] = {
     "justification": None,
     "restitution": None,
     "velocity_ratio": None,
-    "law": "rigid",
+    "law": "auto",
 }
 """Keys of a wall that no rule of its shape reads."""
 

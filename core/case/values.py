@@ -15,7 +15,7 @@ from core.case.sensitivity import GREATEST_FACTOR, LEAST_FACTOR, MOST_ADDED
 from core.errors import InputError, section
 from core.file_names import is_text, name_of
 from core.text.sentence import Key, Sentence, sentence
-from core.wall.moment_rotation import LAWS
+from core.wall.moment_rotation import LAWS, WITH_BRANCH
 
 MAX_TEXT, MAX_PARAGRAPHS, MAX_PATH = 500, 4_000, 12_000
 """Characters of a text, of one of several lines and of a name of a file, each byte of which may take three
@@ -233,7 +233,7 @@ def _polygon(entry, value, here):
 
 def _law(entry, value, here):
     if not are_ends(value):
-        return value if isinstance(value, str) and value in LAWS else None
+        return value if isinstance(value, str) and value in (*WITH_BRANCH, *LAWS) else None
     first, last = value["elastic_limit"], value["plateau_end"]
     if MIN_ELASTIC <= first <= last < 1.0:
         return {"elastic_limit": float(first), "plateau_end": float(last)}

@@ -14,6 +14,7 @@ multiplier_search.py.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -114,6 +115,7 @@ class DemandCheck:
     share_failing_at_demand: float = 0.0
     zeta_other: OtherConfidence | None = None
     not_counted: tuple[str, ...] = ()
+    branch: Any = None
 
     @property
     def peak_ratio(self) -> float | None:

@@ -54,6 +54,7 @@ class Circumstances:
     both_signs : a one-sided wall was given each record with both
     period_estimated : the period of the building that carries the wall was not given
     exact : the integrator is not one for comparison
+    unbranched : the clause asks for an elastic branch, which no history of this wall has
     """
 
     stations: int
@@ -62,6 +63,7 @@ class Circumstances:
     both_signs: bool = True
     period_estimated: bool = False
     exact: bool = True
+    unbranched: bool = False
 
 
 @dataclass(frozen=True)
@@ -325,9 +327,6 @@ def _of_the_histories(seen: Evidence) -> list[Sentence]:
         said.append(_reason("whole_demand_fails", target=target))
     if dynamic.passed and dynamic.zeta_16 is not None and dynamic.zeta_16 < target:
         said.append(_reason("share", share=dynamic.share_failing_at_demand, target=target))
-    trilinear = not any(load.is_tie for load in seen.wall.load)  # with ties there is the rigid law alone
-    if seen.kinematic and seen.kinematic.free_element and seen.wall.moment_law().is_rigid and trilinear:
-        said.append(_reason("rigid_free"))
     return said
 
 
@@ -404,6 +403,8 @@ def _limits(seen: Evidence) -> list[Sentence]:
             reasons.append(_reason("one_sign"))
         if not circumstances.exact:
             reasons.append(_reason("comparison_method"))
+        if circumstances.unbranched and seen.governing is not None and seen.governing.name == "dynamic":
+            reasons.append(_reason("rigid_free"))
     if circumstances.period_estimated:
         reasons.append(_reason("period_estimated"))
     if seen.mechanism == "one_sided" and not seen.wall.back_restraint:

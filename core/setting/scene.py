@@ -9,6 +9,7 @@ from core.case.schema import Wall
 from core.case.site import Building, Demand
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
+from core.codes.elastic_branch import Branch, branches_of, wants_branch
 from core.codes.kinematic import Kinematic, kinematic
 from core.codes.record_compatibility import Compliance
 from core.ground.ground_motion import GroundMotion
@@ -62,6 +63,13 @@ class Scene:
     @cached_property
     def model(self) -> RockingModel:
         return model_of(self.wall, self.mechanism)
+
+    @cached_property
+    def branches(self) -> tuple[Branch, ...]:
+        """Elastic branches of an element free to vibrate, of which the worst decides; empty of another wall."""
+        if not wants_branch(self.wall, self.mechanism) or not self.wall.moment_law().is_rigid:
+            return ()
+        return branches_of(self.wall, self.mechanism, self.model)
 
     @property
     def signs(self) -> tuple[int, ...]:

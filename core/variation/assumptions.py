@@ -12,6 +12,7 @@ from core.case.loads import Load
 from core.case.schema import Wall, WallJustification
 from core.case.site import FULL_FACTOR, Building
 from core.codes.assumption import DECLARED, DEFAULT, GIVEN, LEFT_OUT, TOGETHER, Assumption, Shown
+from core.codes.elastic_branch import ELASTIC, Branch, can_have_branch
 from core.codes.floor_spectrum import first_mode
 from core.codes.kinematic import Check
 from core.codes.kinematic_chain import chain
@@ -275,6 +276,11 @@ def _raised(found: Evaluation) -> Iterator[Raised]:
     if dynamic and not wall.moment_law().is_rigid:
         end = End(_of_wall(law="rigid"), "rigid")
         yield _one("law", "lift_law", wall.justification, _law_named(wall.law), end)
+    if found.dynamic is not None and found.dynamic.branch is not None:
+        yield _of_the_branch(found.dynamic.branch)
+    if dynamic and wall.law == "rigid" and wall.is_free(scene.mechanism) and can_have_branch(wall, scene.mechanism):
+        end = End(_of_wall(law=ELASTIC), sentence("word", "with_branch"))
+        yield _one("law", "lift_rigid", wall.justification, sentence("word", "choice_rigid"), end)
     if demand.confidence_factor < FULL_FACTOR:
         yield _one(
             "confidence_factor",
@@ -314,6 +320,20 @@ def _raised(found: Evaluation) -> Iterator[Raised]:
         yield _one("histories", "lift_histories", asked.justification, sentence("word", "not_made"), end)
     if wall.above_ground and scene.building is not None:
         yield from _of_the_building(scene, scene.building)
+
+
+def _of_the_branch(branch: Branch) -> Raised:
+    """The elastic branch of an element free to vibrate, with the rigid law beside it: the clause asks for the branch,
+    also where the rigid wall fares worse."""
+    said = {
+        "period": Number(branch.period, ".3f"),
+        "modulus": branch.modulus,
+        "assumed": sentence("added", "assumed_modulus" if branch.assumed else "nothing"),
+        "limit": Number(branch.limit, ".2g"),
+        "own": Number(branch.own_period, ".3f"),
+    }
+    value, end = sentence("word", "with_branch"), End(_of_wall(law="rigid"), sentence("word", "choice_rigid"))
+    return _one("law", "elastic_branch", None, value, end, DEFAULT, permitted=True, **said)
 
 
 def _histories_left_out(found: Evaluation) -> bool:

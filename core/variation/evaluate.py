@@ -6,6 +6,7 @@ from enum import Enum
 from functools import cached_property
 
 from core.codes.dynamic_check import DemandCheck
+from core.codes.elastic_branch import wants_branch
 from core.codes.kinematic import Check, Kinematic, checks_of, linear
 from core.codes.limits import counted_stations
 from core.codes.outcomes import FAILS, OPEN, PASSES, severity
@@ -91,6 +92,7 @@ class Evaluation:
             both_signs=scene.model.both_signs_alike or len(scene.signs) == 2,
             period_estimated=floor is not None and floor.estimated,
             exact=scene.method.name in EXACT_METHODS,
+            unbranched=not scene.branches and wants_branch(scene.wall, scene.mechanism),
         )
         parts = (self.checks, self.dynamic, self.kinematic, scene.compliance, circumstances)
         return Evidence(scene.wall, scene.mechanism, demand, *parts)
@@ -157,8 +159,18 @@ def histories(
     """The check of a scene by time histories alone; the parameters are those of `evaluate`."""
     if not (motions := scene.motions):
         return None
-    parts = (scene.model, motions, scene.signs, scene.demand, scene.method)
-    return scene.histories(*parts, precision.value, other, cancelled)
+    parts = motions, scene.signs, scene.demand, scene.method, precision.value, other, cancelled
+    found = [
+        replace(made, branch=branch)
+        for branch in scene.branches
+        if (made := scene.histories(branch.of(scene.model), *parts))
+    ]
+    return min(found, key=_worth) if found else scene.histories(scene.model, *parts)
+
+
+def _worth(found: DemandCheck) -> tuple:
+    """The worse of two checks of one wall comes first: what fails, at last by zeta."""
+    return found.passed, found.zeta is not None, found.zeta or 0.0
 
 
 def _counted(kinematic: Kinematic, q: float | None) -> float | None:

@@ -167,6 +167,13 @@ def rocks_both_ways(wall) -> bool:
     return about is not None and rigid and not tied and is_stable(about, inward)
 
 
+def sides_are_alike(wall) -> bool:
+    """Whether a wall turns the same way about both its hinges: nothing makes them differ."""
+    block = wall.block()
+    outward, inward = restoring_of(wall, block)
+    return outward == inward and inner_of(wall, block) is None
+
+
 def carries(wall) -> bool:
     """Whether a wall that turns outward stands under its loads and is one rigid block, see `check_loads`."""
     try:

@@ -1,0 +1,97 @@
+"""The initial elastic branch of an element free to vibrate, Circolare 7/2019 C8.7.1.2.1.3: necessary for parapets,
+gables, free-standing parts of facades. It rises with (2 pi / T_0)^2 d to where it meets the falling line of the rigid
+body, T_0 of C8.7.1.7; there is no plateau, so that both ends of the trilinear law are one, D.
+"""
+
+import math
+from dataclasses import dataclass, replace
+
+from core.codes.kinematic import elastic_period
+from core.codes.kinematic_chain import chain
+from core.codes.masonry_types import moduli
+from core.units import G
+from core.wall.rocking_model import RockingModel
+from core.wall.wall_loads import sides_are_alike
+
+ELASTIC, AUTO = "elastic", "auto"
+"""Laws with the branch: always, and of an element free to vibrate alone."""
+
+WEIGHTS = 13.0, 22.0
+"""Unit weights of Table C8.5.I [kN/m3], where none is given."""
+
+MOST_LIMIT = 0.4
+"""D from which a wall is elastic up to d_SLV: it does not rock."""
+
+LEAST_LIMIT = 1e-4
+"""Least D: below it the branch is over before the motion of a common wall is seen on it."""
+
+ROUNDS = 60
+
+
+@dataclass(frozen=True)
+class Branch:
+    """The elastic branch of a wall.
+
+    modulus : E it follows from [MPa]; assumed : where none is given, an end of the table's range
+    period : T_0 of C8.7.1.7 [s]
+    limit : D, its end over theta_c [-]
+    own_period : that of small rotations by the equation of motion with this D [s]
+    """
+
+    modulus: float
+    assumed: bool
+    period: float
+    limit: float
+    own_period: float
+
+    def of(self, model: RockingModel) -> RockingModel:
+        """The rigid model of the wall with this branch."""
+        end = self.limit * model.collapse_rotation
+        return model._replace(elastic_end=end, plateau_end=end)
+
+
+def wants_branch(wall, mechanism: str) -> bool:
+    """Whether the clause asks for the branch, or the case does."""
+    return wall.law == ELASTIC or (wall.law == AUTO and not wall.bends and wall.is_free(mechanism))
+
+
+def can_have_branch(wall, mechanism: str) -> bool:
+    """Whether the kernels and the formula of T_0 know it: a wall without ties, alike on both sides if it rocks both
+    ways, of a height and a thickness."""
+    if wall.bends or wall.height_m is None or wall.thickness is None or any(load.is_tie for load in wall.load):
+        return False
+    return mechanism == "one_sided" or sides_are_alike(wall)
+
+
+def branches_of(wall, mechanism: str, model: RockingModel) -> tuple[Branch, ...]:
+    """The branches of a wall, the worst of which decides: D by the curve, and D for which the equation of motion has
+    T_0 itself; without a modulus D by the curve at both ends of its range in Table C8.5.I. Empty where there is none, and where the
+    wall would be elastic up to d_SLV. model : rigid"""
+    if not can_have_branch(wall, mechanism):
+        return ()
+    given, weight = wall.elastic_modulus_mpa, wall.unit_weight_kn_m3
+    ends = moduli(wall.masonry) if given is None else (given, given)
+    heavy, light = (WEIGHTS[1], WEIGHTS[0]) if weight is None else (weight, weight)
+    found = []
+    for modulus, heaviness in dict.fromkeys(((ends[0], heavy), (ends[1], light))):
+        there = replace(wall, elastic_modulus_mpa=modulus, unit_weight_kn_m3=heaviness)
+        sums = chain(wall if weight is not None else there, mechanism == "two_sided")
+        period = elastic_period(there)
+        assert period is not None
+        alpha0, share, _ = sums.start
+        stiffness = (2.0 * math.pi / period) ** 2
+        by_curve = 1.0 / (1.0 + stiffness * sums.d0 / (alpha0 * G / share))
+        by_motion = by_curve
+        for _ in range(ROUNDS):  # D = p2 M(D) / (theta_c omega^2): a small part of it depends on D
+            by_motion = _moment(model, by_motion) / (model.collapse_rotation * stiffness)
+        for limit in (by_curve,) if given is None else (by_curve, by_motion):
+            kept = max(limit, LEAST_LIMIT)
+            if kept < MOST_LIMIT:
+                own = 2.0 * math.pi * math.sqrt(kept * model.collapse_rotation / _moment(model, kept))
+                found.append(Branch(modulus, given is None, period, kept, own))
+    return tuple(found)
+
+
+def _moment(model: RockingModel, limit: float) -> float:
+    """Restoring moment at the end of a branch over I_0 [1/s2]."""
+    return model.p2 * model.amplitude * math.sin((1.0 - limit) * model.collapse_rotation)
