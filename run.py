@@ -392,6 +392,13 @@ def environment():
     return variables
 
 
+def environment_of_tests():
+    """The same, with byte code kept whatever the shell asks for: the tests start the program a hundred times."""
+    variables = environment()
+    variables.pop("PYTHONDONTWRITEBYTECODE", None)
+    return variables
+
+
 def hand_over(command):
     """Become the program where the system can, else wait for it."""
     if os.name == "nt":
@@ -507,13 +514,13 @@ def in_turn(commands):
     0."""
     *first, beside, last = commands
     for command in first:
-        code = subprocess.call(command, cwd=ROOT, env=environment())
+        code = subprocess.call(command, cwd=ROOT, env=environment_of_tests())
         if code:
             return code
     with tempfile.TemporaryFile() as said:
-        running = subprocess.Popen(beside, cwd=ROOT, env=environment(), stdout=said, stderr=subprocess.STDOUT)
+        running = subprocess.Popen(beside, cwd=ROOT, env=environment_of_tests(), stdout=said, stderr=subprocess.STDOUT)
         try:
-            code = subprocess.call(last, cwd=ROOT, env=environment())
+            code = subprocess.call(last, cwd=ROOT, env=environment_of_tests())
             code = running.wait() or code
         finally:
             running.kill()
@@ -530,7 +537,7 @@ def main():
     if len(commands) > 1:
         return in_turn(commands)
     if commands[0][2] == "pytest":
-        return subprocess.call(commands[0], cwd=ROOT, env=environment())
+        return subprocess.call(commands[0], cwd=ROOT, env=environment_of_tests())
     return hand_over(commands[0])
 
 

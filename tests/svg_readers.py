@@ -28,7 +28,7 @@ def _by_typst(content: bytes, width: int, height: int) -> np.ndarray:
         image = QImage.fromData(typst.compile(str(source), format="png", ppi=72), "PNG")
     image = image.convertToFormat(QImage.Format.Format_RGB888)
     rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
-    return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
+    return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(np.int16)
 
 
 class Rectangle(ctypes.Structure):
@@ -63,4 +63,4 @@ def _by_librsvg(content: bytes, width: int, height: int) -> np.ndarray:
         gobject.g_object_unref(handle)
         cairo.cairo_destroy(context)
         cairo.cairo_surface_destroy(surface)
-    return pixels[:, :, 2::-1].astype(int)
+    return pixels[:, :, 2::-1].astype(np.int16)

@@ -62,12 +62,13 @@ class Missing(QFrame):
         window = self.window_of
         errors, refused = window.session.problems(), self._refused()
         logo = self._logo()
-        told = [*errors, *(one for one in (refused, logo) if one)]
-        for field in window.fields:
-            here = next((error for error in told if self._is_named(field, error)), None)
+        told = [(one, self._place_of(one)) for one in (*errors, refused, logo) if one]
+        fields = window.fields
+        for field in fields:
+            here = next((error for error, place in told if self._is_named(field, error, place)), None)
             field.show_rule(described(here) if here else "")
         found = [Problem(described(error), lambda error=error: self._lead_to(error)) for error in errors]
-        for field in window.fields:
+        for field in fields:
             if field.wrong:
                 words = f"{field.caption.text()}: {field.error}"
                 found.append(Problem(words, lambda field=field: point_at(window, field)))
@@ -144,16 +145,22 @@ class Missing(QFrame):
         if field := next(wrong, None):
             point_at(self.window_of, field)
 
-    def _is_named(self, field: Field, error: InputError) -> bool:
-        """Whether an error is about this field as the forms stand: of the wall and the load they show."""
+    def _place_of(self, error: InputError) -> tuple[str, int | None]:
+        """(title of the wall whose form shows an error, index of the load it is about)."""
         walls = self.window_of.walls
-        load, title = load_of(error), walls.wall.title if walls.wall else ""
-        if error.code == "one_geometry" and self._is_given(field):
-            return False
-        if field.section in (Load, Bars) and load not in (None, walls.loads.list.currentRow()):
-            return False
+        title = walls.wall.title if walls.wall else ""
         if wall_of(self.window_of.session.case, error) == walls.current:
             title = error.wall or title  # of its part above a hinge, say
+        return title, load_of(error)
+
+    def _is_named(self, field: Field, error: InputError, place: tuple[str, int | None]) -> bool:
+        """Whether an error, of this `_place_of`, is about this field as the forms stand: of the wall and the load they
+        show."""
+        title, load = place
+        if error.code == "one_geometry" and self._is_given(field):
+            return False
+        if field.section in (Load, Bars) and load not in (None, self.window_of.walls.loads.list.currentRow()):
+            return False
         return field.named_in(error, title)
 
     def _is_given(self, field: Field) -> bool:
@@ -171,7 +178,8 @@ class Missing(QFrame):
             window.walls.body.point_at(error)
         if row is not None and load is not None:
             window.walls.loads.list.setCurrentRow(load)
-        field = first_empty([one for one in window.fields if self._is_named(one, error) and not one.isHidden()])
+        here = self._place_of(error)
+        field = first_empty([one for one in window.fields if self._is_named(one, error, here) and not one.isHidden()])
         if field is not None:
             point_at(window, field)
         elif row is not None and "mechanism" in error.keys:

@@ -188,8 +188,11 @@ class MainWindow(StagedWindow):
         return tab
 
     def set_choice(self, setting: str, name: str) -> None:
-        """Change the theme or the language, and build the window again."""
+        """Change the theme or the language, and build the window again where it is another."""
         self.settings.setValue(setting, name)
+        shown = {theme.current.name} if setting == "theme" else {language.current_language(), self.language}
+        if shown == {name}:
+            return
         if setting == "theme":
             theme.set_theme(name)
         else:

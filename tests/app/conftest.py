@@ -2,10 +2,14 @@
 
 import os
 import sys
+from dataclasses import replace
 
 import pytest
 
 from tests.conftest import ROOT
+
+SIZE = 1280, 800
+"""Of the window [px]; the screen of the tests is smaller."""
 
 
 @pytest.fixture(scope="module")
@@ -49,9 +53,49 @@ def faults():
 
 
 @pytest.fixture
-def opened(application, tmp_path, monkeypatch, faults):
-    """A window on a small copy of the example; message boxes answer Discard."""
+def opened(shared_window, tmp_path, monkeypatch, faults):
+    """The window that the tests of a module share, on a small copy of the example; message boxes answer Discard."""
+    quiet(monkeypatch, faults)
+    made = shared_window.lend(tmp_path)
+    yield made
+    shared_window.take_back()
+    assert faults == []
+
+
+@pytest.fixture
+def fresh(application, tmp_path, monkeypatch, faults):
+    """`opened`, of a window that no other test has had: for tests of its beginning, its end and its settings."""
     yield from window_in(application, tmp_path, monkeypatch, faults)
+
+
+@pytest.fixture(scope="session")
+def accuracy(shipped, kept):
+    """The statement of accuracy of the first wall of verdict.toml, made once: it takes seconds."""
+    from core.study.wall_work import accuracy_of
+
+    result = shipped("verdict")
+    arguments = result.walls[0], result.motions, result.method, result.search
+    return kept("accuracy", lambda: accuracy_of(*arguments, lambda: False))
+
+
+@pytest.fixture(scope="module")
+def of_verdict(application, tmp_path_factory, shipped, accuracy):
+    """A window of the module on the two walls of verdict.toml with their result and the accuracy of the first."""
+    with pytest.MonkeyPatch.context() as patch:
+        made = window_in(application, tmp_path_factory.mktemp("verdict"), patch, [])
+        result = shipped("verdict")
+        first, *others = result.walls
+        walls = (replace(first, accuracy=accuracy), *others)
+        yield with_verdict(application, next(made), replace(result, walls=walls))
+        next(made, None)
+
+
+@pytest.fixture(scope="module")
+def shared_window(application):
+    """Lends the window of a module: see `SharedWindow`."""
+    shared = SharedWindow(application)
+    yield shared
+    shared.give_up()
 
 
 def quiet(monkeypatch, faults) -> None:
@@ -79,54 +123,165 @@ def open_small(application, made, folder) -> None:
     settle(application, lambda: made.records.motions and not made.records.pending)
 
 
-def window_in(application, tmp_path, monkeypatch, faults):
-    """`opened` in this folder, for a fixture of any scope."""
+def with_verdict(application, window, result):
+    """This window on verdict.toml and this result of it, as after a run."""
+    from tests.app.driving import settle
+
+    assert window.files.open(ROOT / "resources" / "cases" / "verdict.toml")
+    settle(application, lambda: window.records.motions and not window.records.pending)
+    window.show_page("walls")
+    window.result_arrived(result)
+    assert not window.session.stale
+    return window
+
+
+def new_window(folder):
+    """A window whose settings and recovery files are in this folder."""
     from PySide6.QtCore import QSettings
 
-    from app.look import language, theme
+    from app.look import language
     from app.shell import window
+
+    settings = QSettings(str(folder / "window.ini"), QSettings.Format.IniFormat)
+    settings.setValue("language", "en")
+    language.set_language("en")
+    made = window.MainWindow(settings, folder / "recovery_folder")
+    made.resize(*SIZE)
+    made.show()
+    return made
+
+
+def end(application, made) -> None:
+    """Close a window and delete it, nothing asked; the next is light and in English."""
+    from app.look import language, theme
     from app.views.chart_output import ChartOutput
     from app.views.table import Table
 
-    quiet(monkeypatch, faults)
-    if theme.current is not theme.THEMES["light"]:
-        theme.set_theme("light")
-    settings = QSettings(str(tmp_path / "window.ini"), QSettings.Format.IniFormat)
-    settings.setValue("language", "en")
-    language.set_language("en")
-    made = window.MainWindow(settings, tmp_path / "recovery_folder")
-    made.resize(1280, 800)  # the screen of the tests is smaller
-    made.show()
-    open_small(application, made, tmp_path)
-    yield made
     made.session.saved = made.session.case
     made.close()
     made.deleteLater()
     delete_now(application)
     application.processEvents()
     ChartOutput.stale = Table.stale = False  # of the window in front, and there is none
-    assert faults == []
+    language.set_language("en")
+    if theme.current is not theme.THEMES["light"]:
+        theme.set_theme("light")
 
 
-@pytest.fixture(scope="module")
-def one_window(application, tmp_path_factory):
-    """A window for all tests of a module."""
-    with pytest.MonkeyPatch.context() as patch:
-        yield from window_in(application, tmp_path_factory.mktemp("one_window"), patch, [])
-
-
-@pytest.fixture
-def reopened(application, one_window, tmp_path, monkeypatch, faults):
-    """`opened` without a window of its own: the one of the module, on a case that is opened anew. For tests of forms,
-    which leave nothing but the case behind; a window costs half a second."""
-    from app.look import language
-
+def window_in(application, tmp_path, monkeypatch, faults):
+    """`fresh` in this folder, for a fixture of any scope."""
     quiet(monkeypatch, faults)
-    assert language.current_language() == "en", "a test before left another language"
-    one_window.session.saved = one_window.session.case
-    one_window.resize(1280, 800)
-    open_small(application, one_window, tmp_path)
-    one_window.show_input("wall", 0)
-    yield one_window
-    application.processEvents()
+    made = new_window(tmp_path)
+    open_small(application, made, tmp_path)
+    yield made
+    end(application, made)
     assert faults == []
+
+
+class SharedWindow:
+    """A window lent to one test after another: to make one takes eight times as long as to open a case in it.
+
+    What a test can leave in it is put back: case, undo, result, pages, forms, settings, recovery files, finished runs.
+    What cannot be ends it, and the next test has a new one: it is closed or busy, was built again (in another language,
+    in large letters) or holds what a test put into it.
+    """
+
+    def __init__(self, application):
+        self.application, self.made = application, None
+
+    def lend(self, folder):
+        """The window on the small case of this folder."""
+        if self.made is None:
+            self.made = new_window(folder)
+            self.centre, self.known = self.made.centralWidget(), attributes_of(self.made)
+            self.folds = folds_of(self.made)
+        else:
+            self.put_back(folder)
+        open_small(self.application, self.made, folder)
+        self.made.show_input("wall", 0)
+        self.application.processEvents()
+        return self.made
+
+    def put_back(self, folder) -> None:
+        """All that opening a case leaves as it is."""
+        from core.study.journal import Memory
+
+        made, session = self.made, self.made.session
+        made.settings.clear()
+        made.settings.setValue("language", "en")
+        session.saved = session.case
+        session.drop_recovery_file()
+        session.close()
+        session.recovery_folder = folder / "recovery_folder"
+        made.finished_runs, made.refused, made.began, made.told = Memory(), (None, None), 0.0, 0.0
+        made.preparation.started = False
+        made.preparation.methods.clear()
+        made.timer.start()
+        made.show_word("", "")
+        made.resize(*SIZE)
+        if (focus := made.focusWidget()) is not None:
+            focus.clearFocus()
+        for section, unfolded in zip(sections_of(made), self.folds, strict=True):
+            section.head.setChecked(unfolded)
+        for area in made.stages.input.areas.values():
+            area.verticalScrollBar().setValue(0)
+        made.stages.input.kind = ""  # forms and drawing share the width anew
+        made.why.setCurrentIndex(0)
+        made.stages.answer.stack.setCurrentIndex(0)
+        made.tree.rows = []
+        made.activateWindow()
+
+    def take_back(self) -> None:
+        """End what the test began, and the window where it cannot be put back."""
+        from app.views.chart_output import ChartOutput
+        from app.views.table import Table
+
+        made = self.made
+        for one in windows_over(made):
+            one.close()
+            one.deleteLater()
+        made.cancel()
+        delete_now(self.application)
+        self.application.processEvents()
+        ChartOutput.stale = Table.stale = False
+        if not self.can_be_put_back():
+            self.give_up()
+
+    def can_be_put_back(self) -> bool:
+        made = self.made
+        busy = made.job is not None or made.preparation.job is not None or made.records.pending or made.closing
+        whole = made.isVisible() and not made.isMaximized() and not made.isFullScreen() and not windows_over(made)
+        same = made.centralWidget() is self.centre and attributes_of(made) == self.known
+        return whole and same and not busy
+
+    def give_up(self) -> None:
+        """End the window, where there is one."""
+        made, self.made = self.made, None
+        if made is not None:
+            end(self.application, made)
+
+
+def attributes_of(made) -> list[set[str]]:
+    """Names that a window and its parts have: a test that puts its own function in the place of one adds to them."""
+    parts = (made, made.files, made.session, made.preparation, made.records, made.demand, made.analysis, made.walls)
+    return [set(vars(part)) for part in parts]
+
+
+def sections_of(made) -> list:
+    from app.look.section import Section
+
+    return made.findChildren(Section)
+
+
+def folds_of(made) -> list[bool]:
+    """Which sections of its forms are unfolded."""
+    return [section.head.isChecked() for section in sections_of(made)]
+
+
+def windows_over(made) -> list:
+    """Windows and dialogs that belong to a window; menus and lists that fold out do too, and stay."""
+    from PySide6.QtCore import Qt
+    from PySide6.QtWidgets import QWidget
+
+    kinds = (Qt.WindowType.Window, Qt.WindowType.Dialog)
+    return [one for one in made.findChildren(QWidget) if one.isWindow() and one.windowType() in kinds]

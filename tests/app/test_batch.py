@@ -361,11 +361,21 @@ CASES = sorted(path.stem for path in (ROOT / "resources" / "cases").glob("*.toml
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=[pytest.mark.long] if name == "building" else []) for name in CASES]
+    ("name", "motions"),
+    [
+        *((name, None) for name in CASES if name not in ("building", "facade")),
+        ("facade", 3),
+        *(pytest.param(name, None, marks=pytest.mark.long) for name in ("building", "facade")),
+    ],
 )
-def test_that_every_shipped_case_runs(name, tmp_path, capsys):
+def test_that_every_shipped_case_runs(name, motions, tmp_path, capsys):
+    """motions : generated in place of seven"""
     shutil.copytree(ROOT / "resources", tmp_path / "resources")
     path = tmp_path / "resources" / "cases" / f"{name}.toml"
+    if motions:
+        seven = path.read_text(encoding="utf-8")
+        assert "count = 7" in seven
+        path.write_text(seven.replace("count = 7", f"count = {motions}"), encoding="utf-8")
     assert call("--batch", path, "--output", tmp_path / "out", "--quiet") == 0
     assert (tmp_path / "out" / f"{name}.xlsx").stat().st_size > 10_000
 

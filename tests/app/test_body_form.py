@@ -28,12 +28,6 @@ from tests.conftest import ROOT
 FACADE = ROOT / "resources" / "cases" / "facade.toml"
 
 
-@pytest.fixture
-def opened(reopened):
-    """The one window of these tests, on a case of their own."""
-    return reopened
-
-
 def field(form, key):
     return next(one for one in form.fields if one.key == key)
 

@@ -23,24 +23,13 @@ from app.views.chart import Chart
 from app.views.chart_output import ChartOutput
 from app.views.figure_file import FigureSize, figure
 from app.views.hatch import Hatch
-from tests.app.conftest import window_in
-from tests.app.driving import run, settle
 from tests.conftest import ROOT
 
 
 @pytest.fixture(scope="module")
-def shared(application, tmp_path_factory):
-    """A window on two walls that have run, with an accuracy statement of the first."""
-    with pytest.MonkeyPatch.context() as patch:
-        made = window_in(application, tmp_path_factory.mktemp("charts"), patch, [])
-        window = next(made)
-        assert window.files.open(ROOT / "resources" / "cases" / "verdict.toml")
-        settle(application, lambda: not window.records.pending)
-        run(application, window)
-        window.state_accuracy()
-        settle(application, lambda: window.job is None)
-        yield window
-        next(made, None)
+def shared(of_verdict):
+    """A window on two walls that have run, the second above the ground, with an accuracy statement of the first."""
+    return of_verdict
 
 
 def charts_of(window, application):

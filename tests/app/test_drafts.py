@@ -164,7 +164,6 @@ def test_that_the_draft_holds_the_last_valid_value_of_every_field_on_a_walk_with
                 expected["thickness_m"] = opened.session.case.wall[0].thickness
         case = recovered(opened.session, tmp_path / "recovery_folder")
         assert held(case) == pytest.approx(expected, rel=1e-9), (seed, done)
-    opened.set_choice("language", "en")
 
 
 # red text through a change of language or theme
@@ -188,8 +187,6 @@ def test_that_red_text_survives_a_change_of_language_or_theme(opened, applicatio
         assert (field.error == said[key]) == (choice[0] == "theme"), "its words are of the new language"
     assert opened.demand.fields["ag_g"].editor.text() == "a lot" and opened.session.case == before
     assert not opened.run_action.isEnabled()
-    opened.set_choice("language", "en")
-    opened.set_choice("theme", "light")
 
 
 def test_that_red_text_of_a_load_and_of_a_solid_that_are_chosen_survives(opened, application):
@@ -212,7 +209,6 @@ def test_that_red_text_of_a_load_and_of_a_solid_that_are_chosen_survives(opened,
     assert loads.list.currentRow() == 1 and size.wrong and size.editor.text() == "5,5,5"
     corners = next(field for field in solids.fields if field.key == "polygon_m")
     assert corners.wrong and corners.editor.toPlainText() == "0 0\n4 x" and opened.session.case == before
-    opened.set_choice("language", "en")
 
 
 def test_that_a_wall_of_a_table_is_no_draft_without_its_shape():

@@ -80,7 +80,6 @@ def test_that_a_new_language_does_not_stop_the_run(opened, application):
     opened.set_choice("language", "it")
     settle(application, lambda: opened.job is None)
     assert opened.session.result is not None
-    opened.set_choice("language", "en")
 
 
 def test_that_rules_between_fields_stand_at_the_fields(opened, application):

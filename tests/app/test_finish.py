@@ -21,27 +21,19 @@ from core.codes.record_compatibility import common_factor
 from core.errors import InputError, place
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
 from core.setting.demand_input import demand_of
-from tests.app.conftest import window_in
+from tests.app.conftest import window_in, with_verdict
 from tests.app.driving import Held, run, settle, type_into
 from tests.conftest import ROOT
 
 VERDICT = ROOT / "resources" / "cases" / "verdict.toml"
 
 
-def with_walls(opened, application):
-    """The window with the two walls of a table, run."""
-    assert opened.files.open(VERDICT)
-    settle(application, lambda: not opened.records.pending)
-    run(application, opened)
-    return opened
-
-
 @pytest.fixture(scope="module")
-def shared_walls(application, tmp_path_factory):
+def shared_walls(application, tmp_path_factory, shipped):
     """One window for all tests that leave its case as it was."""
     with pytest.MonkeyPatch.context() as patch:
         made = window_in(application, tmp_path_factory.mktemp("walls"), patch, [])
-        yield with_walls(next(made), application)
+        yield with_verdict(application, next(made), shipped("verdict"))
         next(made, None)
 
 
@@ -60,9 +52,9 @@ def walls(shared_walls, application):
 
 
 @pytest.fixture
-def own_walls(opened, application):
-    """A window of its own."""
-    return with_walls(opened, application)
+def own_walls(opened, application, shipped):
+    """The same walls, in a window that a test may leave as it likes."""
+    return with_verdict(application, opened, shipped("verdict"))
 
 
 def test_that_the_overview_is_first_sorts_and_opens_a_wall(walls):
@@ -440,7 +432,8 @@ def test_that_no_job_collects_widgets_in_its_thread(opened):
 @pytest.mark.parametrize("size", [(1920, 1080), (1280, 800)])
 def test_that_figures_of_tabs_never_looked_at_fill_their_page(walls, application, tmp_path, size):
     walls.resize(*size)
-    walls.set_choice("theme", "light")  # every tab is made anew
+    walls.build()  # every tab is made anew
+    walls.result_arrived(walls.session.result)
     walls.show_page("walls")
     walls.files.export_figures(tmp_path, FigureSize(160, 96))
     settle(application, lambda: walls.job is None)

@@ -60,7 +60,6 @@ def test_that_the_guide_opens_in_its_language(opened, tongue):
         assert len(shown.text.toPlainText()) > 600
     assert ("Glossario" if tongue == "it" else "Glossary") in shown.text.toPlainText()
     shown.deleteLater()
-    opened.set_choice("language", "en")
 
 
 def test_that_the_pages_of_both_guides_are_the_same():

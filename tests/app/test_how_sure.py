@@ -22,25 +22,32 @@ from tests.app.driving import Held, settle
 from tests.core.study.test_how_sure import ROWS
 from tests.core.variation.test_sensitivity import LOADED, SPECTRUM
 
-KNOWN = Memory()
-"""Searches and checks of these windows, each made once: the case is the same."""
+KNOWN, RESULTS = Memory(), {}
+"""Searches, checks and results of these windows, each made once: the case is the same."""
 
 
 def run_of(application, opened, path, **sections):
-    """The window with a loaded wall and generated records, run."""
+    """The window with a loaded wall and three generated records, run."""
     demand = {"ag_g": 0.2, "spectrum": SPECTRUM} | sections.pop("demand", {})
     table = {
         "wall": [LOADED],
         "demand": demand,
-        "generate": {"scatter": 0.0, "count": 7},
+        "generate": {"scatter": 0.0, "count": 3},
         "analysis": {"q_step": 0.05},
     } | sections
     path.write_text(dumps(parse_case(table)), encoding="utf-8")
     opened.session.open(path)
     settle(application, lambda: not opened.records.pending and bool(opened.records.motions))
     opened.finished_runs = KNOWN
-    opened.run()
-    settle(application, lambda: opened.session.result is not None and opened.job is None)
+    text = path.read_text(encoding="utf-8")
+    if text in RESULTS:
+        opened.show_page("walls")
+        opened.result_arrived(RESULTS[text])
+    else:
+        opened.run()
+        settle(application, lambda: opened.session.result is not None and opened.job is None)
+        RESULTS[text] = opened.session.result
+    assert not opened.session.stale
     return opened
 
 

@@ -57,12 +57,6 @@ ELSEWHERE = {
 SECTIONS = tuple(sections().values())
 
 
-@pytest.fixture
-def opened(reopened):
-    """The one window of these tests, on a case of their own."""
-    return reopened
-
-
 @pytest.mark.parametrize("section", SECTIONS, ids=lambda section: section.__name__)
 def test_that_every_key_has_a_field_in_the_window(opened, section):
     made = {(field.section, field.key) for field in opened.findChildren(Field)}

@@ -15,12 +15,6 @@ from core.case.schema import AS_IS, DESIGNED
 from tests.app.driving import run, type_into
 
 
-@pytest.fixture
-def opened(reopened):
-    """The one window of these tests, on a case of their own."""
-    return reopened
-
-
 def field(form, key):
     return next(one for one in form.load_fields + form.wall_fields + form.across_fields if one.key == key)
 

@@ -11,12 +11,6 @@ from core.case.site import Spectrum
 
 
 @pytest.fixture
-def opened(reopened):
-    """The one window of these tests, on a case of their own."""
-    return reopened
-
-
-@pytest.fixture
 def placed(opened):
     opened.show_input("demand")
     form = opened.demand.place

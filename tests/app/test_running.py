@@ -145,17 +145,17 @@ def test_that_a_finished_job_is_kept_by_nobody(opened, application):
     assert held[0]() is None
 
 
-def test_that_the_accuracy_statement_survives_a_save(opened, application, monkeypatch):
+def test_that_the_accuracy_statement_survives_a_save(opened, application, monkeypatch, accuracy):
     from core.study import wall_work
 
     run(application, opened)
-    held = Held(monkeypatch, wall_work, "accuracy_of")
+    held = Held(monkeypatch, wall_work, "accuracy_of", lambda *_: accuracy)
     opened.state_accuracy()
     held.await_call()
     opened.files.save()
     held.let_go()
     settle(application, lambda: opened.job is None)
-    assert opened.session.result.walls[0].accuracy is not None
+    assert opened.session.result.walls[0].accuracy is accuracy
 
 
 def test_that_results_saved_after_the_run_name_the_file(opened, application, tmp_path):

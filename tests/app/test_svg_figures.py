@@ -20,9 +20,7 @@ from app.views.chart import Chart
 from app.views.chart_output import ChartOutput
 from app.views.figure_file import SHAPE, FigureSize, figure
 from app.views.page_units import in_page_units
-from tests.app.conftest import window_in
-from tests.app.driving import run, settle
-from tests.conftest import ROOT
+from tests.app.driving import run
 from tests.svg_readers import READERS, picture_by
 
 WIDE = 605
@@ -43,14 +41,14 @@ def chart(application):
 
 def shaded(pixels: np.ndarray, shade: str) -> np.ndarray:
     """Where a picture has this colour."""
-    wanted = [int(shade[k : k + 2], 16) for k in (1, 3, 5)]
+    wanted = np.array([int(shade[k : k + 2], 16) for k in (1, 3, 5)], pixels.dtype)
     return (np.abs(pixels - wanted) <= 60).all(axis=2)
 
 
 def pixels_of(content: bytes) -> np.ndarray:
     image = QImage.fromData(content, "PNG").convertToFormat(QImage.Format.Format_RGB888)
     rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
-    return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
+    return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(np.int16)
 
 
 def page_of(content: bytes) -> tuple[int, int]:
@@ -108,18 +106,9 @@ def test_that_lines_marks_and_levels_are_where_the_data_are_in_every_reader(char
 
 
 @pytest.fixture(scope="module")
-def shared(application, tmp_path_factory):
-    """A window on two walls that have run, the second above the ground, with an accuracy statement."""
-    with pytest.MonkeyPatch.context() as patch:
-        made = window_in(application, tmp_path_factory.mktemp("figures"), patch, [])
-        window = next(made)
-        assert window.files.open(ROOT / "resources" / "cases" / "verdict.toml")
-        settle(application, lambda: not window.records.pending)
-        run(application, window)
-        window.state_accuracy()
-        settle(application, lambda: window.job is None)
-        yield window
-        next(made, None)
+def shared(of_verdict):
+    """A window on two walls that have run, the second above the ground, with an accuracy statement of the first."""
+    return of_verdict
 
 
 def charts_of(window, application):
@@ -292,4 +281,3 @@ def test_that_the_columns_of_the_map_say_what_they_hold(opened, application, lan
     assert head in strips.columns[2] and strips.columns[0] and strips.labels[1] not in strips.columns
     dialog.deleteLater()
     assert ChartOutput.column == ""
-    opened.set_choice("language", "en")

@@ -116,7 +116,6 @@ def test_that_another_language_or_theme_makes_the_window_of_a_sweep_again(applic
     menus.sweep(opened)
     again = opened.findChild(SweepWindow)
     assert again is not asked and again.look[1] == "dark"
-    opened.set_choice("theme", "light")
 
 
 def test_that_a_case_that_changes_beside_an_open_sweep_is_the_one_that_runs(application, opened, asked):

@@ -473,7 +473,6 @@ def test_that_sentences_of_the_window_are_in_its_words(opened, tongue):
     texts = [words for group in ("window", "key", "reason") for words in CATALOGUE[group].values()]
     old = ("sheet Demand", "tab Check", "tab Spectra", "press Add", "(left,", "scheda Domanda", "scheda Verifica")
     assert not [pair for pair in texts for words in pair if words and any(part in words for part in old)]
-    opened.set_choice("language", "en")
 
 
 def test_that_a_long_sentence_of_what_is_missing_is_whole(opened, application):
@@ -506,4 +505,3 @@ def test_that_a_note_in_another_language_than_the_window_says_so(opened, applica
     note = opened.pages["note"].content
     settle(application, lambda: not note.is_setting)
     assert note.word.text().endswith("(English)")
-    opened.set_choice("language", "en")

@@ -74,7 +74,6 @@ def test_that_a_slenderness_few_mean_is_asked_about_where_it_is_typed(opened, ap
     type_into(fields["height_m"], "4.64")
     application.processEvents()
     assert not fields["height_m"].message.text()
-    opened.set_choice("language", "en")
 
 
 @pytest.mark.parametrize(
@@ -176,4 +175,3 @@ def test_that_a_number_that_may_have_a_separator_of_thousands_is_asked_about(
     QTest.keyClick(field.editor, Qt.Key.Key_Backspace)
     application.processEvents()
     assert text not in field.message.text()
-    opened.set_choice("language", "en")

@@ -230,7 +230,6 @@ def test_that_charts_export_light_pictures_and_their_data(opened, application, t
     chart.copy()
     assert QApplication.clipboard().mimeData().hasImage()
     assert "SI [cm]" in (tmp_path / "c.csv").read_text(encoding="utf-8")
-    opened.set_choice("theme", "light")
 
 
 def test_that_tables_copy_with_tabs(opened, application):
