@@ -65,8 +65,8 @@ def can_have_branch(wall, mechanism: str) -> bool:
 
 def branches_of(wall, mechanism: str, model: RockingModel) -> tuple[Branch, ...]:
     """The branches of a wall, the worst of which decides: D by the curve, and D for which the equation of motion has
-    T_0 itself; without a modulus D by the curve at both ends of its range in Table C8.5.I. Empty where there is none, and where the
-    wall would be elastic up to d_SLV. model : rigid"""
+    T_0 itself; without a modulus D by the curve at both ends of its range in Table C8.5.I. Empty where there is none,
+    and where the wall would be elastic up to d_SLV. model : rigid"""
     if not can_have_branch(wall, mechanism):
         return ()
     given, weight = wall.elastic_modulus_mpa, wall.unit_weight_kn_m3
