@@ -79,6 +79,8 @@ class WallJustification:
     anchorage_kn: str = text_key()
     load: str = text_key()
     compressive_strength_mpa: str = text_key()
+    mass: str = text_key()
+    d_m: str = text_key()
 
 
 MOST_INERTIA = 2.0

@@ -118,7 +118,8 @@ def outcome(
     fails = _failing(checks, governing, dynamic, demand) if governing else ()
     tail = sentence("added", "not_by", checks=fails) if fails else ""
     beside = any(check.name == "linear_q_code" for check in checks)
-    if code == "verified" and beside and not fails and governing.name != "linear_q_code":
+    alone = target < 1.0 or any(load.is_tie for load in wall.load)  # q = 2 says nothing of these
+    if code == "verified" and beside and not fails and governing.name != "linear_q_code" and not alone:
         tail = sentence("added", "q_agrees", q=CODE_Q)
     elif code == "q2_unsafe":
         tail = sentence("added", "q_would_pass", q=CODE_Q, tail=tail)

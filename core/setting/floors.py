@@ -27,7 +27,7 @@ LOW_CODE = 0.8
 OTHER_BUILDING = (2.0, 0.20)
 """The far end of what the clause allows at the ultimate limit states: zeta is given for it as well."""
 
-LEAST_STOREY, GREATEST_STOREY = 2.2, 8.0
+LEAST_STOREY, GREATEST_STOREY = 2.5, 5.0
 ODD_PERIOD = 3.0
 """Heights of a storey [m], and ratios to the estimated period, outside which a building is questioned."""
 

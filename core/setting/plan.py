@@ -83,6 +83,7 @@ class Plan:
             self.method,
             histories=histories,
             by_default=self.case.default_histories,
+            histories_off=not self.case.analysis.histories,
         )
 
     @property

@@ -10,12 +10,16 @@ from core.case.site import Building, Demand
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
 from core.codes.elastic_branch import Branch, branches_of, wants_branch
+from core.codes.floor_spectrum import estimated_period
 from core.codes.kinematic import Kinematic, kinematic
 from core.codes.record_compatibility import Compliance
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
 from core.setting.floors import Floor, floor_of
 from core.wall.rocking_model import RockingModel, rocking_model
+
+ESTIMATES = 0.5, 1.0, 2.0
+"""Periods of a building over the estimated one between which its own lies."""
 
 
 def model_of(wall: Wall, mechanism: str) -> RockingModel:
@@ -44,6 +48,8 @@ class Scene:
     q_slv : of the searches of this very wall, the lower end of its spread and itself; None where none was made
     histories : `demand_check`, or one that keeps its results
     by_default : the records are generated for want of given ones: they may lower an outcome, never raise it
+    histories_off : none are to be made
+    period_taken : the period of the building is none that is given, but the worst of those it may have
     """
 
     wall: Wall
@@ -59,6 +65,8 @@ class Scene:
     q_slv: tuple[float | None, float | None] = (None, None)
     histories: Callable[..., Any] = demand_check
     by_default: bool = False
+    histories_off: bool = False
+    period_taken: bool = False
 
     @cached_property
     def model(self) -> RockingModel:
@@ -105,6 +113,16 @@ class Scene:
         wall, demand = self.wall, self.demand
         place = (wall.above_ground, wall.felt_z_m, wall.bends, self.building)
         return *place, demand.limit_state, demand.pga, id(demand.target), tuple(map(id, self.ground))
+
+    @property
+    def readings(self) -> tuple["Scene", ...]:
+        """The scene with each period its building may have where none is given; empty where one is. Raises
+        InputError."""
+        if self.building is None or self.floor is None or not self.floor.estimated or self.period_taken:
+            return ()
+        estimated = estimated_period(self.building.height_m)
+        periods = [factor * estimated for factor in ESTIMATES]
+        return tuple(self.but(building=replace(self.building, period_s=t), period_taken=True) for t in periods)
 
     def without_records(self) -> "Scene":
         """For the checks of the clauses alone."""

@@ -106,6 +106,7 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
     """Dynamic, kinematic and simplified checks of a wall (Circolare 7/2019 C8.7.1.2.1); above the ground none where
     the motion of its floor is not known. Raises Cancelled, and InputError where a spectrum ends too early."""
     found = evaluate(scene, cancelled=cancelled)
+    scene = found.scene
     kinematic, dynamic, demand = found.kinematic, found.dynamic, scene.demand
     if kinematic is None:
         return Assessment(None, (), None, None, verdict(found.evidence, None))

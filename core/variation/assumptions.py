@@ -4,16 +4,16 @@ import contextlib
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from functools import reduce
+from functools import partial, reduce
 from typing import NamedTuple
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.loads import Load
 from core.case.schema import Wall, WallJustification
-from core.case.site import FULL_FACTOR, Building
+from core.case.site import FULL_FACTOR, Building, DemandJustification
 from core.codes.assumption import DECLARED, DEFAULT, GIVEN, LEFT_OUT, TOGETHER, Assumption, Shown
 from core.codes.elastic_branch import ELASTIC, Branch, can_have_branch
-from core.codes.floor_spectrum import first_mode
+from core.codes.floor_spectrum import estimated_period, first_mode
 from core.codes.kinematic import Check
 from core.codes.kinematic_chain import chain
 from core.codes.masonry_types import least_strength
@@ -23,13 +23,13 @@ from core.codes.verdict_sentence import CODE_Q
 from core.codes.vertical_bending import bent_inward
 from core.errors import InputError
 from core.setting.demand_input import default_motions
-from core.setting.floors import damaged, other_ends
-from core.setting.scene import Scene
+from core.setting.floors import GREATEST_STOREY, LEAST_STOREY, damaged, other_ends
+from core.setting.scene import ESTIMATES, Scene
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.variation.evaluate import Evaluation, evaluate
 from core.wall import ties, wall_body
 from core.wall.restitution import MODELS
-from core.wall.wall_loads import COUNTED
+from core.wall.wall_loads import COUNTED, check_loads
 
 Ends = list[Evaluation | None]
 """The wall at the other ends of the range of an input; None where it does not stand there."""
@@ -299,7 +299,9 @@ def _raised(found: Evaluation) -> Iterator[Raised]:
     if wall.return_walls is not None and q_check is not None:
         end = End(_of_wall(return_walls=None), NONE_WORD)
         yield _one("return_walls", "lift_return_walls", wall.justification, GIVEN_WORD, end, histories=False)
+    yield from _of_what_is_required(scene)
     yield from _of_the_loads(scene, not dynamic)
+    yield from _of_the_weights(scene)
     if wall.free_element is not None and wall.free_element != replace(wall, free_element=None).is_free(scene.mechanism):
         code = "lift_one_sided_free" if wall.free_element else "lift_free_element"
         end = End(_of_wall(free_element=None), _free(not wall.free_element))
@@ -341,7 +343,7 @@ def _histories_left_out(found: Evaluation) -> bool:
     for."""
     scene, demand = found.scene, found.scene.demand
     can = demand.target is not None and demand.limit_state in LIMIT_FRACTION and not scene.wall.bends
-    return can and not scene.ground and found.satisfied
+    return can and scene.histories_off and not scene.ground and found.satisfied
 
 
 def _of_the_edge(scene: Scene) -> Iterator[Raised]:
@@ -370,6 +372,95 @@ def _of_the_edge(scene: Scene) -> Iterator[Raised]:
             reasons = replace(reasons or WallJustification(), compressive_strength_mpa=scene.asked.investigations)
         end = End(there, weakest)
         yield _one("compressive_strength_mpa", "lift_strength", reasons, f, end, given=f, f=weakest, cm=cm)
+
+
+def _of_what_is_required(scene: Scene) -> Iterator[Raised]:
+    """What of the demand makes it milder than the code's: a limit state whose a_g nothing shows to be its own, a zeta
+    required below 1, a soil factor below 1."""
+    demand, asked = scene.demand, scene.asked
+    reasons = asked.justification
+    if demand.limit_state == "SLC":
+        if demand.return_period is not None and not (reasons and reasons.limit_state):
+            years = f"T_R {demand.return_period:.0f}"
+            reasons = replace(reasons or DemandJustification(), limit_state=years)
+        end = End(_of_demand(limit_state="SLV"), "SLV")
+        yield _one("limit_state", "lift_limit_state", reasons, "SLC", end)
+    if demand.zeta_target < 1.0:
+        end, target = End(_of_demand(zeta_target=1.0), 1.0), demand.zeta_target
+        yield _one("zeta_target", "lift_zeta_target", reasons, target, end, target=target)
+    if demand.target is None and demand.soil_factor < 1.0:
+        end = End(_of_demand(soil_factor=1.0, pga=demand.ag), 1.0)
+        yield _one("soil_factor", "lift_soil_factor", reasons, demand.soil_factor, end, given=demand.soil_factor)
+
+
+MASSES = "none", "horizontal", "moving"
+"""What the mass of a vertical load may do."""
+
+LEVER = 0.05
+"""Of the thickness: by how much the point where a load stands may be another."""
+
+
+def _of_the_weights(scene: Scene) -> Iterator[Raised]:
+    """What the mass of vertical loads does, and where they stand, otherwise."""
+    wall, t = scene.wall, scene.wall.thickness
+    weights = [load for load in wall.load if load.kind == "vertical"]
+    if not weights or t is None:
+        return
+    changes: dict[str, list[tuple[Callable[[Wall], tuple[Load, ...]], Sentence]]] = {
+        "mass": [(partial(_of_weights, mass=mass), sentence("word", f"choice_{mass}")) for mass in MASSES],
+        "d_m": [
+            (partial(_moved_weights, by=by), sentence("word", "moved_by", cm=Number(100.0 * by, "+.1f")))
+            for by in (-LEVER * t, LEVER * t)
+        ],
+    }
+    for key, ends in changes.items():
+        others = tuple(End(_with_loads(change), said) for change, said in ends if _stands(scene, change(wall)))
+        if others:
+            given = weights[0].mass if key == "mass" else None
+            value = sentence("word", f"choice_{given}") if given else GIVEN_WORD
+            words = _worst_words("lift_mass" if key == "mass" else "lift_lever", others)
+            yield Raised(key, wall.justification, value, others, words)
+
+
+def _worst_words(code: str, ends: tuple[End, ...]) -> Callable[[list[float | None], Check], Sentence]:
+    """The words of an input by the other end with the lowest zeta."""
+
+    def words(zetas: list[float | None], check: Check) -> Sentence:
+        k = min(range(len(zetas)), key=lambda k: _worth(zetas[k]))
+        value = ends[k].value
+        end = Number(value, ".2g") if isinstance(value, float) else value
+        return sentence("reason", code, zeta=Number(zetas[k]), end=end, check=_named(check))
+
+    return words
+
+
+def _of_weights(wall: Wall, **values) -> tuple[Load, ...]:
+    return tuple(replace(load, **values) if load.kind == "vertical" else load for load in wall.load)
+
+
+def _moved_weights(wall: Wall, by: float) -> tuple[Load, ...]:
+    """The loads of a wall, its weights standing further inward [m], within it."""
+    assert wall.thickness is not None
+
+    def there(load: Load) -> Load:
+        if load.kind != "vertical" or load.d_m is None or wall.thickness is None:
+            return load
+        return replace(load, d_m=min(max(load.d_m + by, 0.0), wall.thickness))
+
+    return tuple(there(load) for load in wall.load)
+
+
+def _stands(scene: Scene, loads: tuple[Load, ...]) -> bool:
+    """Whether these loads are other ones that the rules of the wall allow."""
+    if loads == scene.wall.load:
+        return False
+    try:
+        wall = replace(scene.wall, load=loads)
+        check_loads(wall)
+        evaluate(scene.without_records().but(wall=wall), other=False)
+    except InputError:
+        return False
+    return True
 
 
 def _by_theory(wall: Wall, mechanism: str) -> float | None:
@@ -427,6 +518,14 @@ def _law_named(law: str | dict) -> str:
 def _free(free: bool | None) -> Sentence:
     """Whether a wall is free to vibrate, in words."""
     return sentence("word", "free_to_vibrate" if free else "held")
+
+
+def _of_building(**values) -> Change:
+    def change(scene: Scene) -> Scene:
+        assert scene.building is not None
+        return scene.but(building=replace(scene.building, **values))
+
+    return change
 
 
 def _building_words(factor: float, damping: float) -> Sentence:
@@ -522,6 +621,16 @@ def _of_the_building(scene: Scene, building: Building) -> Iterator[Raised]:
     wall, asked, limit_state = scene.wall, scene.asked, scene.demand.limit_state
     base, felt = wall.base_z_m, wall.felt_z_m
     assert base is not None and felt is not None
+    storey = building.height_m / building.storeys
+    if not LEAST_STOREY <= storey <= GREATEST_STOREY and not building.modes:
+        many = math.ceil(building.height_m / LEAST_STOREY)
+        end, reasons = End(_of_building(storeys=many), float(many)), asked.justification
+        yield _one("storeys", "lift_storeys", reasons, float(building.storeys), end, storey=storey, many=many)
+    if building.period_s is not None and not scene.period_taken and not building.modes:
+        estimated = estimated_period(building.height_m)
+        periods = [factor * estimated for factor in ESTIMATES]
+        there = tuple(End(_of_building(period_s=t), t) for t in periods if abs(t / building.period_s - 1.0) > 0.01)
+        yield Raised("period_s", asked.justification, building.period_s, there, _worst_words("lift_period", there))
     if ends := other_ends(building, limit_state):
 
         def words(zetas, _):

@@ -9,7 +9,7 @@ from core.codes.dynamic_check import DemandCheck
 from core.codes.elastic_branch import wants_branch
 from core.codes.kinematic import Check, Kinematic, checks_of, linear
 from core.codes.limits import counted_stations
-from core.codes.outcomes import FAILS, OPEN, PASSES, severity
+from core.codes.outcomes import FAILS, OPEN, PASSES, severity, worst
 from core.codes.verdict import Circumstances, Evidence, governing_check, outcome_of
 from core.setting.scene import Scene
 from core.text.sentence import Sentence, sentence
@@ -90,7 +90,7 @@ class Evaluation:
             bundled=any(value.startswith(BUNDLED) for motion in motions for _, value in motion.details),
             strongest=max((demand.scaling(motion) * motion.pga for motion in motions), default=0.0),
             both_signs=scene.model.both_signs_alike or len(scene.signs) == 2,
-            period_estimated=floor is not None and floor.estimated,
+            period_estimated=scene.period_taken or (floor is not None and floor.estimated),
             exact=scene.method.name in EXACT_METHODS,
             unbranched=not scene.branches and wants_branch(scene.wall, scene.mechanism),
         )
@@ -128,8 +128,14 @@ def evaluate(
 
     other : with FC on the other side too, which decides whether an outcome that passes is more than indicative
     cancelled : asked between two chunks of analyses
+    Where something is left out that has several readings, by the worst of them: the scene returned is that one.
     Raises InputError where a check cannot be made of the wall, and Cancelled.
     """
+    if readings := scene.readings:
+        return worst(
+            (evaluate(one, precision, other, cancelled) for one in readings),
+            lambda one: (one.outcome, one.zeta, one.scene.demand.zeta_target),
+        )
     kinematic = scene.kinematic
     if kinematic is None:
         return Evaluation(scene, None, None, (), precision)

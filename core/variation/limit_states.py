@@ -85,7 +85,7 @@ def _at(scene: Scene, demand: DemandResult, rules: dict[str, Compliance | None])
     """The scene at the demand of another limit state; its records, where they are used as given, times the ratio of the
     peak accelerations, and none of a state that is not asked for by histories."""
     if demand.limit_state not in rules:
-        return scene.but(demand=demand, ground=(), compliance=None)
+        return scene.but(demand=demand, ground=(), compliance=None, histories_off=False)
     ground = tuple(scaled(scene.ground, scene.demand, demand))
     return scene.but(demand=with_records(demand, list(ground)), ground=ground, compliance=rules[demand.limit_state])
 
