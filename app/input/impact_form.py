@@ -51,10 +51,7 @@ def named_models() -> dict:
 def named_laws() -> dict:
     """Moment-rotation laws as the list shows them, with their ends over alpha; "own" is one of two numbers."""
     words = {"rigid": tr("rigid"), "doherty": "Doherty", "al_shawa": "Al Shawa"}
-    first = {
-        "auto": tr("by the clause: elastic branch if free to vibrate"),
-        "elastic": tr("rigid with an elastic branch"),
-    }
+    first = {"auto": tr("by the clause"), "elastic": tr("elastic branch")}
     ends = {name: "" if law.is_rigid else f" {law.elastic_limit:g}, {law.plateau_end:g}" for name, law in LAWS.items()}
     return first | {name: words.get(name, name) + ends[name] for name in LAWS} | {"own": tr("own D1, D2")}
 

@@ -64,7 +64,11 @@ class RecordsPanel(QWidget):
         bar = QHBoxLayout()
         for label, tip, slot in (
             (tr("Add…"), tr("Add accelerograms"), self.add),
-            (tr("Generate…"), tr("Seven motions compatible with the spectrum"), self.generate),
+            (
+                tr("Generate…"),
+                tr("Motions whose mean is compatible with the spectrum, and that scatter as natural ones do"),
+                self.generate,
+            ),
             (tr("Choose…"), tr("Natural records of a folder by the spectrum"), self.choose),
             (tr("To the spectrum"), tr("Scale all to the spectrum"), self.scale_to_target),
             (tr("Reverse"), tr("Change the sign of the selected records"), self.reverse),
@@ -256,7 +260,7 @@ class RecordsPanel(QWidget):
         self._change(rows, lambda record: None)
 
     def generate(self) -> None:
-        """Seven compatible motions, or the same with the next seeds."""
+        """A set compatible with the spectrum in its mean, or the same with the next seeds."""
         case = self.session.case
         if case.demand is None or not (case.demand.spectrum or case.demand.spectrum_file):
             self.words.setText(tr("Choose a spectrum under Demand first."))
@@ -268,7 +272,7 @@ class RecordsPanel(QWidget):
             if answer is None:
                 return
             records = () if answer else records
-        self.session.edit(replace(case, record=records, generate=Generate(7, seed)))
+        self.session.edit(replace(case, record=records, generate=Generate(seed=seed)))
 
     def choose(self) -> None:
         """Natural records of a folder, in place of those there."""

@@ -36,7 +36,7 @@ ELSEWHERE = {
         for key in ("province", "longitude")
     },
     **{(Drawing, entry.name): "the dialog of the button From a drawing…" for entry in fields(Drawing)},
-    **{(Generate, key): "the button Generate…, which makes seven" for key in ("count", "seed")},
+    **{(Generate, key): "the button Generate…, which takes the usual" for key in ("count", "seed", "scatter")},
     **{
         (Ranges, entry.name): "written in the case file; the button Move each input takes the usual"
         for entry in fields(Ranges)
