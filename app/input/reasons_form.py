@@ -11,6 +11,8 @@ from app.work.session import Session
 from core.case.schema import Case, Wall, WallJustification
 from core.case.site import FULL_FACTOR, DemandJustification
 from core.codes.verdict import CODE_Q
+from core.ground.scattered import SPREAD
+from core.setting.floors import GREATEST_STOREY, LEAST_STOREY
 from core.text.sentence import capital
 from core.wall.restitution import MODELS
 
@@ -26,7 +28,7 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         "return_walls": wall.return_walls is not None,
         "return_wedges": wall.return_wedges is not None,
         "contact": bool(wall.solid),
-        "law": wall.law != "rigid",
+        "law": wall.law != "auto",
         "free_element": wall.free_element is not None
         and any(wall.free_element != (mechanism == "two_sided") for mechanism in wall.mechanisms()),
         "elongation_m": any(load.is_tie for load in wall.load),
@@ -34,6 +36,8 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         "anchorage_kn": any(load.is_tie and (load.bar is None or load.bar.anchorage_kn is None) for load in wall.load),
         "load": (wall.bends and bool(wall.load))
         or any(load.kind == "thrust" and isinstance(load.kn_m, float) and load.kn_m < 0.0 for load in wall.load),
+        "mass": any(load.kind == "vertical" for load in wall.load),
+        "d_m": any(load.kind == "vertical" for load in wall.load),
         "compressive_strength_mpa": wall.compressive_strength_mpa is not None,
         "prestress": any(load.is_tie and load.prestress for load in wall.load),
         "base_z_m": case.demand is not None and at_height and not wall.bends,
@@ -49,6 +53,13 @@ def raised_by_demand(case: Case) -> set[str]:
     lifting = {
         "confidence_factor": demand.confidence_factor < FULL_FACTOR,
         "q_code": demand.q_code > CODE_Q,
+        "histories": not case.analysis.histories,
+        "scatter": case.generate is not None and case.generate.scatter < SPREAD,
+        "limit_state": demand.limit_state == "SLC" and demand.return_period is None,
+        "zeta_target": demand.zeta_target < 1.0,
+        "soil_factor": demand.soil_factor is not None and demand.soil_factor < 1.0,
+        "period_s": building is not None and building.period_s is not None,
+        "storeys": building is not None and not LEAST_STOREY <= building.height_m / building.storeys <= GREATEST_STOREY,
         "building": building is not None
         and (bool(building.modes) or (building.period_factor, building.damping) != (None, None)),
         "participation": building is not None and bool(building.modes),

@@ -39,6 +39,7 @@ class DemandJustification:
     building: str = text_key()
     participation: str = text_key()
     histories: str = text_key()
+    scatter: str = text_key()
     limit_state: str = text_key()
     zeta_target: str = text_key()
     soil_factor: str = text_key()

@@ -3,6 +3,7 @@
 import functools
 import math
 import re
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
@@ -207,6 +208,14 @@ def generated_for(asked: Generate, demand: DemandResult) -> list[GroundMotion]:
     """The motions that are asked for a demand with a spectrum."""
     assert demand.target is not None
     return list(_set(demand.target, asked, demand.period_range or RANGE))
+
+
+def set_of(motions: Sequence[GroundMotion]) -> Generate | None:
+    """What was asked for to generate these motions; None of others, and of several sets."""
+    said = [dict(motion.details) for motion in motions if motion.format == "generated"]
+    if not motions or len(said) < len(motions) or len({one["scatter"] for one in said}) > 1:
+        return None
+    return Generate(len(said), min(int(one["seed"]) for one in said), float(said[0]["scatter"]))
 
 
 @functools.lru_cache(maxsize=16)

@@ -22,7 +22,8 @@ from core.codes.verdict import outcome_of
 from core.codes.verdict_sentence import CODE_Q
 from core.codes.vertical_bending import bent_inward
 from core.errors import InputError
-from core.setting.demand_input import default_motions
+from core.ground.scattered import SPREAD
+from core.setting.demand_input import default_motions, generated_for, set_of
 from core.setting.floors import GREATEST_STOREY, LEAST_STOREY, damaged, other_ends
 from core.setting.scene import ESTIMATES, Scene
 from core.text.sentence import Key, Number, Sentence, sentence
@@ -150,7 +151,8 @@ def assumptions(found: Evaluation, cancelled: Callable[[], bool] = lambda: False
             raises=_worth(zetas[lowest]) < _worth(told.zeta),
         )
         rows.append(row)
-        worst.append((row, one.ends[lowest].change))
+        if row.raises:
+            worst.append((row, one.ends[lowest].change))
     return _together(rows, worst, found, at)
 
 
@@ -208,8 +210,8 @@ def _together(
         if joint:
             rows.append(_last(open_keys, end, decides, found, turns=True))
             return tuple(rows)
-    if len(rows) > 1 and not any(row.zeta is None for row in rows):
-        rows.append(_last(tuple(row.key for row in rows), there(worst, True), decides, found))
+    if len(worst) > 1 and not any(row.zeta is None for row, _ in worst):
+        rows.append(_last(tuple(row.key for row, _ in worst), there(worst, True), decides, found))
     return tuple(rows)
 
 
@@ -300,6 +302,10 @@ def _raised(found: Evaluation) -> Iterator[Raised]:
         end = End(_of_wall(return_walls=None), NONE_WORD)
         yield _one("return_walls", "lift_return_walls", wall.justification, GIVEN_WORD, end, histories=False)
     yield from _of_what_is_required(scene)
+    if (asked_set := set_of(scene.ground)) is not None and asked_set.scatter < SPREAD and not scene.by_default:
+        natural = tuple(generated_for(replace(asked_set, scatter=SPREAD), demand))
+        end = End(lambda scene: scene.but(ground=natural), SPREAD)
+        yield _one("scatter", "lift_scatter", asked.justification, asked_set.scatter, end, given=asked_set.scatter)
     yield from _of_the_loads(scene, not dynamic)
     yield from _of_the_weights(scene)
     if wall.free_element is not None and wall.free_element != replace(wall, free_element=None).is_free(scene.mechanism):

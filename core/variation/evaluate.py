@@ -166,11 +166,12 @@ def histories(
     if not (motions := scene.motions):
         return None
     parts = motions, scene.signs, scene.demand, scene.method, precision.value, other, cancelled
-    found = [
-        replace(made, branch=branch)
-        for branch in scene.branches
-        if (made := scene.histories(branch.of(scene.model), *parts))
-    ]
+    found: list[DemandCheck] = []
+    for branch in scene.branches:
+        if branch.assumed and found and not found[0].satisfied(scene.demand.zeta_target):
+            break  # the softest masonry fails already
+        made = scene.histories(branch.of(scene.model), *parts)
+        found += [] if made is None else [replace(made, branch=branch)]
     return min(found, key=_worth) if found else scene.histories(scene.model, *parts)
 
 

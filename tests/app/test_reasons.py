@@ -32,7 +32,13 @@ def test_that_reasons_are_asked_where_a_value_raises_zeta_and_nowhere_else(opene
     mode = BuildingMode(0.26, 0.1, 0.3)
     session.edit(replace(session.case, building=Building(9.0, 3, modes=(mode,))))
     session.edit_section("demand", q_code=4.0, confidence_factor=1.2)
-    assert rows(demand.reasons) == {entry.name for entry in fields(DemandJustification)}
+    of_others = {"histories", "scatter", "limit_state", "zeta_target", "soil_factor", "period_s", "storeys"}
+    assert rows(demand.reasons) == {entry.name for entry in fields(DemandJustification)} - of_others
+    session.edit_section("demand", limit_state="SLC", zeta_target=0.8, soil_factor=0.9)
+    session.edit(replace(session.case, building=Building(9.0, 1, period_s=0.3)))
+    session.edit(replace(session.case, analysis=replace(session.case.analysis, histories=False)))
+    assert of_others - {"scatter"} <= rows(demand.reasons)
+    session.edit(replace(session.case, building=Building(9.0, 3, modes=(mode,))))
     session.edit_wall(
         0,
         restitution="costa_upper",
@@ -40,12 +46,14 @@ def test_that_reasons_are_asked_where_a_value_raises_zeta_and_nowhere_else(opene
         law="doherty",
         free_element=False,
         mechanism="both",
+        compressive_strength_mpa=2.0,
         return_walls=ReturnWalls(2, 0.4, 0.2, 0.3),
         return_wedges=Wedges(2, 0.4, 2.0),
         load=(
             Load("tie", 1.0, 2.0, bar_length_m=8.0, elongation_m=0.1, prestress=0.2),
             Load("tie", None, 2.0, bar_length_m=8.0, bar=Bars(2, 16.0), slack_mm=2.0),
             Load("thrust", -0.1, 2.0),
+            Load("vertical", 5.0, 2.0, d_m=0.2, mass="none"),
         ),
     )
     assert rows(walls.reasons) == {entry.name for entry in fields(WallJustification)} - {"base_z_m", "contact"}

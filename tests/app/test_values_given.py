@@ -129,6 +129,7 @@ def test_that_the_form_asks_all_that_is_asked_with_the_result(tmp_path):
         "thickness_m": 0.08,
         "unit_weight_kn_m3": 40.0,
         "elastic_modulus_mpa": 20.0,
+        "masonry": "solid_brick",
         "base_z_m": 0.0,
         "length_m": 3.0,
         "load": [{"kind": "vertical", "kn_m": 500.0, "h_m": 4.0, "d_m": 0.04, "mass": "none"}],

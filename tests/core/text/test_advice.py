@@ -18,6 +18,11 @@ LIFTING = re.compile(
 
 STATES = {
     "alone",
+    "by_default",
+    "elastic_branch",
+    "lift_histories",
+    "lift_rigid",
+    "lift_scatter",
     "bending_finds_hinge",
     "bending_no_histories",
     "bending_not_free",
