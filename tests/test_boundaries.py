@@ -158,7 +158,6 @@ SHOWN_BY = {
     **{
         f"report/{name}": WORKBOOK
         for name in (
-            "assumptions",
             "cells",
             "check_sheet",
             "derived",
@@ -192,6 +191,11 @@ SHOWN_BY = {
     },
     **{f"report/note/{name}": "tests/core/report/test_pdf.py" for name in ("archive", "figure_geometry", "pdf")},
     "report/note/bending_figure": "tests/core/report/test_bending_figure.py",
+    **dict.fromkeys(
+        ("codes/assumption", "codes/elastic_branch", "codes/masonry_types", "report/assumption_table"),
+        "tests/core/variation/test_table_of_assumptions.py",
+    ),
+    "report/confirmed": "tests/core/report/test_note.py",
     "text/sentence": SENTENCES,
 }
 """Module of core -> the file that shows its facts, where that has another name than the module's."""

@@ -9,7 +9,7 @@ from app.input.fields import TextField, connect
 from app.look.language import named, tr
 from app.work.session import Session
 from core.case.schema import Case, Wall, WallJustification
-from core.case.site import FULL_FACTOR, DemandJustification
+from core.case.site import FULL_FACTOR, Building, DemandJustification
 from core.codes.verdict import CODE_Q
 from core.ground.scattered import SPREAD
 from core.setting.floors import GREATEST_STOREY, LEAST_STOREY
@@ -56,15 +56,26 @@ def raised_by_demand(case: Case) -> set[str]:
         "histories": not case.analysis.histories,
         "scatter": case.generate is not None and case.generate.scatter < SPREAD,
         "limit_state": demand.limit_state == "SLC" and demand.return_period is None,
-        "zeta_target": demand.zeta_target < 1.0,
-        "soil_factor": demand.soil_factor is not None and demand.soil_factor < 1.0,
+        "zeta_target": is_number(demand.zeta_target) and demand.zeta_target < 1.0,
+        "soil_factor": is_number(demand.soil_factor) and demand.soil_factor < 1.0,
         "period_s": building is not None and building.period_s is not None,
-        "storeys": building is not None and not LEAST_STOREY <= building.height_m / building.storeys <= GREATEST_STOREY,
+        "storeys": building is not None and _odd_storeys(building),
         "building": building is not None
         and (bool(building.modes) or (building.period_factor, building.damping) != (None, None)),
         "participation": building is not None and bool(building.modes),
     }
     return {key for key, lifts in lifting.items() if lifts}
+
+
+def is_number(value) -> bool:
+    """Whether a value of a draft is one already."""
+    return isinstance(value, (int, float))
+
+
+def _odd_storeys(building: Building) -> bool:
+    """Whether the storeys of a building, as far as it is given, are of an odd height."""
+    known = is_number(building.height_m) and is_number(building.storeys) and building.storeys > 0
+    return known and not LEAST_STOREY <= building.height_m / building.storeys <= GREATEST_STOREY
 
 
 class ReasonField(TextField):

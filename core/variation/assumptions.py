@@ -275,14 +275,8 @@ def _raised(found: Evaluation) -> Iterator[Raised]:
         elif given < 1.0:
             end = End(_of_wall(restitution=None, velocity_ratio=1.0), 1.0)
             yield _one(key, "lift_ratio_no_theory", wall.justification, given, end, e=given)
-    if dynamic and not wall.moment_law().is_rigid:
-        end = End(_of_wall(law="rigid"), "rigid")
-        yield _one("law", "lift_law", wall.justification, _law_named(wall.law), end)
-    if found.dynamic is not None and found.dynamic.branch is not None:
-        yield _of_the_branch(found.dynamic.branch)
-    if dynamic and wall.law == "rigid" and wall.is_free(scene.mechanism) and can_have_branch(wall, scene.mechanism):
-        end = End(_of_wall(law=ELASTIC), sentence("word", "with_branch"))
-        yield _one("law", "lift_rigid", wall.justification, sentence("word", "choice_rigid"), end)
+    if dynamic:
+        yield from _of_the_law(found)
     if demand.confidence_factor < FULL_FACTOR:
         yield _one(
             "confidence_factor",
@@ -328,6 +322,19 @@ def _raised(found: Evaluation) -> Iterator[Raised]:
         yield _one("histories", "lift_histories", asked.justification, sentence("word", "not_made"), end)
     if wall.above_ground and scene.building is not None:
         yield from _of_the_building(scene, scene.building)
+
+
+def _of_the_law(found: Evaluation) -> Iterator[Raised]:
+    """A trilinear law, the branch of an element free to vibrate, and a rigid law in its place."""
+    scene, wall = found.scene, found.scene.wall
+    if not wall.moment_law().is_rigid:
+        end = End(_of_wall(law="rigid"), "rigid")
+        yield _one("law", "lift_law", wall.justification, _law_named(wall.law), end)
+    if found.dynamic is not None and found.dynamic.branch is not None:
+        yield _of_the_branch(found.dynamic.branch)
+    if wall.law == "rigid" and wall.is_free(scene.mechanism) and can_have_branch(wall, scene.mechanism):
+        end = End(_of_wall(law=ELASTIC), sentence("word", "with_branch"))
+        yield _one("law", "lift_rigid", wall.justification, sentence("word", "choice_rigid"), end)
 
 
 def _of_the_branch(branch: Branch) -> Raised:

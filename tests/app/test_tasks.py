@@ -322,6 +322,9 @@ def test_that_the_first_wall_asks_for_its_demand_at_once(opened):
 
 
 def test_that_the_answer_leads_to_what_it_asks_for(opened, application):
+    opened.session.edit_section("demand", ag_g=0.03)
+    opened.session.edit(replace(opened.session.case, record=(replace(opened.session.case.record[0], scale=0.1),)))
+    settle(application, lambda: not opened.records.pending)
     run(application, opened)
     content = opened.pages["check"].content
     verdict = opened.wall.assessment.verdict
@@ -338,13 +341,14 @@ def test_that_the_answer_leads_to_what_it_asks_for(opened, application):
 def test_that_an_answer_without_bars_leads_to_a_demand_and_to_motions(opened, application):
     spectrum = Spectrum("EN1998", "B", type=1)
     opened.session.edit_section("demand", soil_factor=None, spectrum=spectrum)
-    opened.session.edit(replace(opened.session.case, record=()))
+    analysis = replace(opened.session.case.analysis, histories=False)
+    opened.session.edit(replace(opened.session.case, record=(), analysis=analysis))
     settle(application, lambda: not opened.records.pending)
     run(application, opened)
     content = opened.pages["check"].content
     assert content.peaks.isHidden() and "generate" in content.no_peaks.text()
     content.no_peaks.linkActivated.emit("generate")
-    assert opened.session.case.generate.count == 7 and opened.stages.input.kind == "records"
+    assert opened.session.case.generate.count == 14 and opened.stages.input.kind == "records"
     opened.session.edit(replace(opened.session.case, demand=None, generate=None))
     settle(application, lambda: not opened.records.pending)
     run(application, opened)

@@ -1,8 +1,8 @@
 """Cases of one wall for the checks of the Circolare."""
 
-from core.case.rules import parse_case
 from core.codes.kinematic import kinematic
 from core.setting.demand_input import demand_of
+from tests.clauses_alone import parse_case
 
 EN_B = {"code": "EN1998", "soil": "B", "type": 1}
 NTC_C = {"code": "NTC2018", "f0": 2.364, "tc_star_s": 0.347, "soil": "C", "topography": "T1"}

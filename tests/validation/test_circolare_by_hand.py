@@ -147,7 +147,15 @@ def test_that_a_free_element_is_not_called_at_rest_by_the_pga(tmp_path):
 def test_that_a_target_below_one_is_what_decides(tmp_path):
     found = (
         study.run(
-            case(demand={"ag_g": 0.25, "zeta_target": 0.4}, generate={"scatter": 0.0, "count": 7}), base_dir=tmp_path
+            case(
+                demand={
+                    "ag_g": 0.25,
+                    "zeta_target": 0.4,
+                    "justification": {"zeta_target": "works of a test", "scatter": "a test"},
+                },
+                generate={"scatter": 0.0, "count": 7},
+            ),
+            base_dir=tmp_path,
         )
         .walls[0]
         .assessment

@@ -7,7 +7,6 @@ from types import SimpleNamespace
 
 import pytest
 
-from core.case.rules import parse_case
 from core.derivation import bending, body, checks, closed_forms, demand
 from core.derivation import wall as of_wall
 from core.derivation.closed_forms import closed
@@ -18,6 +17,7 @@ from core.derivation.site import demand_section
 from core.errors import InputError
 from core.study.run import run
 from core.wall.restitution import MODELS
+from tests.clauses_alone import parse_case
 from tests.validation.circolare import EN_B, NTC_C
 
 LOADS = (

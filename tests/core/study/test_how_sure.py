@@ -26,7 +26,7 @@ ROWS = [(30, 0.06), (50, 0.08), (101, 0.11), (201, 0.145), (475, 0.2), (975, 0.2
 def case():
     table = table_of(read_case(CASES / "building.toml"))
     (wall,) = [one for one in table["wall"] if one["name"] == "parapet"]
-    table = {key: value for key, value in table.items() if key != "site"} | {"wall": [wall]}
+    table = {key: value for key, value in table.items() if key != "site"} | {"wall": [wall | {"law": "rigid"}]}
     table["analysis"] = {"q_step": 0.02}
     table["demand"] = {
         "ag_g": 0.2,

@@ -209,7 +209,7 @@ def test_that_a_building_damped_beyond_the_clause_is_indicative_at_sld_until_it_
     found = made(ABOVE, demand, records=False, building=damped)
     assert as_is.verdict.code == "not_verified" and found.verdict.code == "indicative"
     assert lift(found, "other_building")["zeta"].value == pytest.approx(as_is.verdict.zeta_e)
-    reason = {"justification": {"building": "dampers are installed"}}
+    reason = {"justification": {"building": "dampers are installed", "period_s": "measured with them"}}
     assert made(ABOVE, {**demand, **reason}, records=False, building=damped).verdict.code == "not_activated"
 
 
@@ -237,7 +237,7 @@ def test_that_q_2_does_not_agree_by_an_fc_below_1_35_alone():
 
 
 def test_that_a_trilinear_law_is_shown_with_the_rigid_one():
-    wall = {"mechanism": "two_sided", "back_restraint": None, "thickness_m": 0.5}
+    wall = {"mechanism": "two_sided", "back_restraint": None, "thickness_m": 0.5, "law": "rigid"}
     law = {"law": {"elastic_limit": 0.3, "plateau_end": 0.301}}
     found, rigid = made({**wall, **law}, {"ag_g": 0.1}), made(wall, {"ag_g": 0.1})
     assert rigid.verdict.zeta_e < 1.0 < found.verdict.zeta_e and found.verdict.code == "indicative"

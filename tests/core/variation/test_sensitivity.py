@@ -34,6 +34,7 @@ LOADED = {
     "base_z_m": 0.0,
     "back_restraint": "cross walls",
     "free_element": True,
+    "law": "rigid",
     "elastic_modulus_mpa": 1500.0,
     "load": [{"kind": "vertical", "kn_m": 12.0, "d_m": 0.35, "h_m": 5.8, "mass": "horizontal"}],
 }
@@ -44,6 +45,7 @@ PARAPET = {
     "thickness_m": 0.3,
     "unit_weight_kn_m3": 18.0,
     "elastic_modulus_mpa": 900.0,
+    "law": "rigid",
     "base_z_m": 9.0,
     "unloaded_confirmed": True,
 }

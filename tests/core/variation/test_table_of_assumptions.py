@@ -163,7 +163,7 @@ def test_that_without_records_the_worse_of_displacement_check_and_histories_deci
     assert lowered > 0
 
 
-def test_that_histories_switched_off_are_a_row_and_turn_what_they_would_not_pass(whole_set):
+def test_that_histories_switched_off_are_a_row_and_turn_what_they_would_not_pass(whole_set, row_of_histories):
     wall = WALL | {"height_m": 6.0, "thickness_m": 0.9, "unloaded_confirmed": True}
     off = {"analysis": {"histories": False}}
     for ag in (0.2, 0.19, 0.21, 0.22, 0.23, 0.18, 0.24):

@@ -10,7 +10,7 @@ from core.case.site import FULL_FACTOR
 from core.case.writer import table_of
 from core.codes.outcomes import FAILS, OUTCOMES, PASSES
 from core.errors import InputError
-from core.setting.demand_input import interpolated
+from core.setting.demand_input import interpolated, set_of
 from core.setting.plan import Floors, plan_of, read_inputs
 from core.study.run import run
 from core.variation.assumptions import _raised
@@ -44,8 +44,14 @@ def case_at(case, scene):
     demand = replace(case.demand, q_code=scene.demand.q_code)
     if scene.demand.confidence_factor == FULL_FACTOR:
         demand = replace(demand, confidence_factor=FULL_FACTOR, knowledge_level=None, investigations="")
+    demand = replace(demand, limit_state=scene.demand.limit_state, zeta_target=scene.demand.zeta_target)
     wall = replace(scene.wall, name="w", variant=None, mechanism=scene.mechanism, tie_height_m=None)
-    return replace(case, wall=(replace(wall, hinge_heights="base"),), demand=demand, building=scene.building)
+    changes = {"wall": (replace(wall, hinge_heights="base"),), "demand": demand, "building": scene.building}
+    if scene.by_default:
+        changes["analysis"] = replace(case.analysis, histories=True)
+    elif case.generate is not None:
+        changes["generate"] = set_of(scene.ground) or case.generate
+    return replace(case, **changes)
 
 
 def agree(found, result, decided=True):
