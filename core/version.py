@@ -4,7 +4,7 @@ import functools
 import json
 from pathlib import Path
 
-VERSION = "0.16.0"
+VERSION = "0.17.0"
 NAME = "Ribalta"
 
 

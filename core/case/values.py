@@ -284,7 +284,7 @@ KINDS: dict[str, tuple[Callable, Callable]] = {
     "spectrum": (_spectrum, _said("table")),
     "hinges": (_hinges, _said("hinges", floors=FLOORS, base=BASE)),
     "polygon": (_polygon, _said("polygon", most=MOST_CORNERS)),
-    "law": (_law, _said("law", names=tuple(LAWS))),
+    "law": (_law, _said("law", names=(*WITH_BRANCH, *LAWS))),
 }
 """Kind of a key -> what reads its value (field, value, place), None where it is not accepted, and its words."""
 
