@@ -289,5 +289,5 @@ def test_that_a_spectrum_without_records_offers_motions_for_it(opened, applicati
     opened.session.edit_section("demand", soil_factor=None, spectrum=Spectrum("EN1998", "B", type=1))
     assert offer.isVisible()
     offer.click()
-    assert opened.session.case.generate.count == 7 and not offer.isVisibleTo(opened.demand.view)
+    assert opened.session.case.generate.count == 14 and not offer.isVisibleTo(opened.demand.view)
     settle(application, lambda: not opened.records.pending)
