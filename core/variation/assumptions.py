@@ -296,7 +296,8 @@ def _raised(found: Evaluation) -> Iterator[Raised]:
         end = End(_of_wall(return_walls=None), NONE_WORD)
         yield _one("return_walls", "lift_return_walls", wall.justification, GIVEN_WORD, end, histories=False)
     yield from _of_what_is_required(scene)
-    if (asked_set := set_of(scene.ground)) is not None and asked_set.scatter < SPREAD and not scene.by_default:
+    asked_set = None if scene.by_default or not found.satisfied else set_of(scene.ground)
+    if asked_set is not None and asked_set.scatter < SPREAD:
         natural = tuple(generated_for(replace(asked_set, scatter=SPREAD), demand))
         end = End(lambda scene: scene.but(ground=natural), SPREAD)
         yield _one("scatter", "lift_scatter", asked.justification, asked_set.scatter, end, given=asked_set.scatter)
@@ -332,7 +333,8 @@ def _of_the_law(found: Evaluation) -> Iterator[Raised]:
         yield _one("law", "lift_law", wall.justification, _law_named(wall.law), end)
     if found.dynamic is not None and found.dynamic.branch is not None:
         yield _of_the_branch(found.dynamic.branch)
-    if wall.law == "rigid" and wall.is_free(scene.mechanism) and can_have_branch(wall, scene.mechanism):
+    given = wall.law == "rigid" and wall.is_free(scene.mechanism) and found.satisfied
+    if given and can_have_branch(wall, scene.mechanism):  # of a wall that fails without it the branch is not asked for
         end = End(_of_wall(law=ELASTIC), sentence("word", "with_branch"))
         yield _one("law", "lift_rigid", wall.justification, sentence("word", "choice_rigid"), end)
 
