@@ -1,5 +1,6 @@
 """Shared fixtures: the shelf of real records, the reference histories, a wall of the paper."""
 
+import contextlib
 import csv
 import gc
 import math
@@ -61,14 +62,37 @@ def shelf_folder() -> Path | None:
     return folder if (folder / "INDEX.csv").exists() else None
 
 
+COARSE = 8
+"""Every how many points of its grid zeta of histories is searched in the tests."""
+
+
 @pytest.fixture(scope="session", autouse=True)
-def small_default_set():
-    """Where no records are given three motions are generated, not fourteen: what they do to a verdict is the same."""
+def light_histories():
+    """Where no records are given two motions are generated, not fourteen, and zeta of histories is searched at every
+    COARSE-th point of its grid: what both do to a verdict is the same. Searches asked for directly are as they are."""
     from core.case.schema import Generate
     from core.setting import demand_input
+    from core.variation.evaluate import RUN
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(demand_input, "DEFAULT_SET", Generate(count=3))
+        patch.setattr(demand_input, "DEFAULT_SET", Generate(count=2))
+        patch.setattr(RUN, "_value_", COARSE)
+        yield
+
+
+@pytest.fixture
+def fine():
+    """For tests of numbers that are printed: zeta of histories on all points of its grid."""
+    with whole_grid():
+        yield
+
+
+@contextlib.contextmanager
+def whole_grid():
+    from core.variation.evaluate import RUN
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(RUN, "_value_", 1)
         yield
 
 
@@ -77,7 +101,7 @@ def without_the_row_of_histories(request, monkeypatch):
     """Where histories are switched off their row is not made: it costs the histories. Tests that ask for
     `row_of_histories` have it."""
     if "row_of_histories" not in request.fixturenames:
-        monkeypatch.setattr("core.variation.assumptions._histories_left_out", lambda found: False)
+        monkeypatch.setattr("core.variation.raised_inputs._histories_left_out", lambda found: False)
 
 
 @pytest.fixture
@@ -113,7 +137,12 @@ def shipped(kept):
     from core.study.run import run
 
     path = ROOT / "resources" / "cases"
-    return lambda name: kept(name, lambda: run(read_case(path / f"{name}.toml"), base_dir=path, jobs=2))
+
+    def made(name: str):
+        with whole_grid():
+            return run(read_case(path / f"{name}.toml"), base_dir=path, jobs=2)
+
+    return lambda name: kept(name, lambda: made(name))
 
 
 @pytest.fixture(scope="session")

@@ -50,6 +50,10 @@ REFUSALS = "tests/core/ground/test_record_refusals.py"
 BODIES = "tests/validation/test_bodies.py"
 
 SHOWN_BY = {
+    **dict.fromkeys(
+        ("variation/raised", "variation/raised_inputs", "variation/raised_loads", "variation/raised_site"),
+        "tests/core/variation/test_table_of_assumptions.py",
+    ),
     "variation/changes": "tests/core/variation/test_whole_wall.py",
     "codes/outcomes": "tests/core/variation/test_one_decision.py",
     "capacity/bisection": "tests/core/capacity/test_ida.py",

@@ -107,7 +107,7 @@ class LoadsForm(QWidget):
                 self.list.clear()
                 self.across.setChecked(False)
             self._show_load()
-            blank((*self.wall_fields, *self.across_fields))
+            blank((*self.wall_fields, *self.across_fields, *self.load_fields, *self.bar_fields))
             return
         row = self.list.currentRow()
         words = [self._words(load) for load in wall.load]

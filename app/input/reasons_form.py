@@ -9,7 +9,9 @@ from app.input.fields import TextField, connect
 from app.look.language import named, tr
 from app.work.session import Session
 from core.case.schema import Case, Wall, WallJustification
-from core.case.site import FULL_FACTOR, Building, DemandJustification
+from core.case.site import FULL_FACTOR, Building, Demand, DemandJustification
+from core.codes.limits import ORDINARY_LIFE
+from core.codes.national_hazard import national_range
 from core.codes.verdict import CODE_Q
 from core.ground.scattered import SPREAD
 from core.setting.floors import GREATEST_STOREY, LEAST_STOREY
@@ -58,6 +60,7 @@ def raised_by_demand(case: Case) -> set[str]:
         "limit_state": demand.limit_state == "SLC" and demand.return_period is None,
         "zeta_target": is_number(demand.zeta_target) and demand.zeta_target < 1.0,
         "soil_factor": is_number(demand.soil_factor) and demand.soil_factor < 1.0,
+        **_of_the_place(demand),
         "period_s": building is not None and building.period_s is not None,
         "storeys": building is not None and _odd_storeys(building),
         "building": building is not None
@@ -65,6 +68,20 @@ def raised_by_demand(case: Case) -> set[str]:
         "participation": building is not None and bool(building.modes),
     }
     return {key for key, lifts in lifting.items() if lifts}
+
+
+def _of_the_place(demand: Demand) -> dict[str, bool]:
+    """What of the hazard and of the spectrum does, drafts of them among it."""
+    life, spectrum = demand.nominal_life_years, demand.spectrum
+    share, code = demand.use_class_factor, spectrum.code if spectrum else ""
+    known = bool(demand.hazard) or bool(demand.hazard_file)
+    least = dict(zip(("f0", "tc_star_s"), (ends[0] for ends in national_range()), strict=True))
+    given = {key: getattr(spectrum, key) for key in least} if code == "NTC2018" else {}
+    below = {key: is_number(value) and value < least[key] for key, value in given.items()}
+    return below | {
+        "nominal_life_years": known and is_number(life) and is_number(share) and life * share < ORDINARY_LIFE,
+        "spectrum": known and (code == "EN1998" or bool(demand.spectrum_file)),
+    }
 
 
 def is_number(value) -> bool:

@@ -45,6 +45,10 @@ class DemandJustification:
     soil_factor: str = text_key()
     period_s: str = text_key()
     storeys: str = text_key()
+    nominal_life_years: str = text_key()
+    f0: str = text_key()
+    tc_star_s: str = text_key()
+    spectrum: str = text_key()
 
 
 FULL_FACTOR = 1.35

@@ -76,6 +76,7 @@ UNITS = {
     "compressive_strength_mpa": (1.0, " MPa"),
     "elastic_modulus_mpa": (1.0, " MPa"),
     "period_s": (1.0, " s"),
+    "tc_star_s": (1.0, " s"),
     "ag_g": (1.0, " g"),
 }
 """Key of a row -> what its numbers are multiplied with, and their unit."""

@@ -27,6 +27,9 @@ SAME_PERIOD = 0.01
 USUAL_LIVES = (35.0, 50.0, 75.0, 100.0, 150.0, 200.0)
 """V_R = V_N C_U [years] of the classes of NTC 2018 2.4."""
 
+ORDINARY_LIFE = 50.0
+"""V_R [years] of ordinary works of class II (NTC 2018 Tab. 2.4.I, 2.4.II)."""
+
 
 def set_rule(stations: set[str]) -> str:
     """Rule of a set of records from the stations of those that give a number (EN 1998-1 4.3.3.4.3(3)): "mean" of all

@@ -281,6 +281,20 @@ def hazard_at(latitude: float, longitude: float) -> SiteHazard:
     )
 
 
+@cache
+def national_range() -> tuple[tuple[float, float], tuple[float, float]]:
+    """Least and largest F_0, and T_C* [s], of Annexes A and B, the islands of Table 2 among them."""
+    f0, tc_star = (
+        np.concatenate([grid().values[..., k].ravel(), island])
+        for k, island in ((1, _islands("f0")), (2, _islands("tc")))
+    )
+    return (float(f0.min()), float(f0.max())), (float(tc_star.min()), float(tc_star.max()))
+
+
+def _islands(name: str) -> np.ndarray:
+    return np.array([getattr(island, name) for island in ISLANDS]).ravel()
+
+
 def reference_life(nominal_life: float, use_class: str) -> float:
     """V_R [years] = V_N C_U (NTC 2018 2.4.3), at least LEAST_REFERENCE."""
     return max(nominal_life * USE_CLASSES[use_class], LEAST_REFERENCE)

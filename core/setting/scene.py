@@ -1,13 +1,13 @@
 """A wall about one hinge, by one mechanism, under one demand: all that its checks follow from."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 from core.case.schema import Wall
 from core.case.site import Building, Demand
-from core.codes.demand import DemandResult
+from core.codes.demand import DemandResult, with_records
 from core.codes.dynamic_check import demand_check
 from core.codes.elastic_branch import Branch, branches_of, wants_branch
 from core.codes.floor_spectrum import estimated_period
@@ -15,6 +15,7 @@ from core.codes.kinematic import Kinematic, kinematic
 from core.codes.record_compatibility import Compliance
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
+from core.setting.demand_input import generated_for, set_of
 from core.setting.floors import Floor, floor_of
 from core.wall.rocking_model import RockingModel, rocking_model
 
@@ -34,6 +35,14 @@ def polarities_of(model: RockingModel, asked: str) -> tuple[int, ...]:
     if model.both_signs_alike or asked == "as_recorded":
         return (1,)
     return (-1,) if asked == "reversed" else (1, -1)
+
+
+def scaled(ground: Sequence[GroundMotion], demand: DemandResult, there: DemandResult) -> Sequence[GroundMotion]:
+    """The records of a demand as they follow another one: where they are used as given, in proportion to a_g S."""
+    factor = there.pga / demand.pga if there.record_scaling == "as_given" else 1.0
+    if factor == 1.0:
+        return ground
+    return [replace(motion, acceleration=factor * motion.acceleration) for motion in ground]
 
 
 @dataclass(frozen=True)
@@ -106,6 +115,13 @@ class Scene:
             return there
         motions = () if there.wall.bends else there.ground
         return replace(there, floor=floor_of(there.wall, there.building, there.demand, motions))
+
+    def under(self, demand: DemandResult) -> "Scene":
+        """Under another demand: motions generated for its spectrum are generated for the new one, records used as given
+        follow a_g S. Raises InputError."""
+        asked = set_of(self.ground)
+        ground = tuple(generated_for(asked, demand) if asked else scaled(self.ground, self.demand, demand))
+        return self.but(demand=with_records(demand, list(ground)), ground=ground)
 
     @property
     def _felt(self) -> tuple:

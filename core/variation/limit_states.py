@@ -1,6 +1,6 @@
 """The demands of SLD, SLV and SLC of a site by its hazard, and a wall at each (NTC 2018, Annex A)."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,10 +9,9 @@ from core.case.schema import Case
 from core.codes.demand import DemandResult, with_records
 from core.codes.limits import return_period
 from core.codes.record_compatibility import Compliance, compliance
-from core.ground.ground_motion import GroundMotion
 from core.setting.demand_input import demand_asked, hazard_of, interpolated, within
 from core.setting.plan import Plan
-from core.setting.scene import Scene
+from core.setting.scene import Scene, scaled
 from core.text.sentence import Sentence, notice
 from core.variation.assessment import Assessment, StateZeta, assess
 
@@ -88,14 +87,6 @@ def _at(scene: Scene, demand: DemandResult, rules: dict[str, Compliance | None])
         return scene.but(demand=demand, ground=(), compliance=None, histories_off=False)
     ground = tuple(scaled(scene.ground, scene.demand, demand))
     return scene.but(demand=with_records(demand, list(ground)), ground=ground, compliance=rules[demand.limit_state])
-
-
-def scaled(ground: Sequence[GroundMotion], demand: DemandResult, there: DemandResult) -> Sequence[GroundMotion]:
-    """The records of a demand as they follow another one: where they are used as given, in proportion to a_g S."""
-    factor = there.pga / demand.pga if there.record_scaling == "as_given" else 1.0
-    if factor == 1.0:
-        return ground
-    return [replace(motion, acceleration=factor * motion.acceleration) for motion in ground]
 
 
 def rules_of(plan: Plan, demand: DemandResult, demands: dict[str, DemandResult]) -> dict[str, Compliance | None]:

@@ -13,8 +13,8 @@ from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
 from core.codes.outcomes import FAILS, OPEN, least
 from core.setting.plan import Floors, Inputs, plan_of
+from core.setting.scene import scaled
 from core.variation.evaluate import AT_LIMIT, RUN, Evaluation, Precision, evaluate
-from core.variation.limit_states import scaled
 
 
 @dataclass(frozen=True)

@@ -191,6 +191,11 @@ class SharedWindow:
 
     def lend(self, folder):
         """The window on the small case of this folder."""
+        if self.made is not None:
+            if self.is_idle():
+                put_back_attributes(self.made, self.known)
+            if not (self.is_idle() and self.is_whole()):
+                self.give_up()
         if self.made is None:
             self.made = new_window(folder)
             self.centre, self.known = self.made.centralWidget(), attributes_of(self.made)
@@ -213,7 +218,7 @@ class SharedWindow:
         session.drop_recovery_file()
         session.close()
         session.recovery_folder = folder / "recovery_folder"
-        made.finished_runs, made.refused, made.began, made.told = Memory(), (None, None), 0.0, 0.0
+        made.finished_runs = Memory()
         made.preparation.started = False
         made.preparation.methods.clear()
         made.timer.start()
@@ -244,15 +249,15 @@ class SharedWindow:
         delete_now(self.application)
         self.application.processEvents()
         ChartOutput.stale = Table.stale = False
-        if not self.can_be_put_back():
-            self.give_up()
 
-    def can_be_put_back(self) -> bool:
+    def is_idle(self) -> bool:
         made = self.made
-        busy = made.job is not None or made.preparation.job is not None or made.records.pending or made.closing
-        whole = made.isVisible() and not made.isMaximized() and not made.isFullScreen() and not windows_over(made)
-        same = made.centralWidget() is self.centre and attributes_of(made) == self.known
-        return whole and same and not busy
+        return made.job is None and made.preparation.job is None and not made.records.pending and not made.closing
+
+    def is_whole(self) -> bool:
+        made = self.made
+        seen = made.isVisible() and not made.isMaximized() and not made.isFullScreen() and not windows_over(made)
+        return seen and made.centralWidget() is self.centre and attributes_of(made) == self.known
 
     def give_up(self) -> None:
         """End the window, where there is one."""
@@ -261,10 +266,24 @@ class SharedWindow:
             end(self.application, made)
 
 
+def parts_of(made) -> tuple:
+    """A window and its parts that tests put functions of their own into."""
+    return made, made.files, made.session, made.preparation, made.records, made.demand, made.analysis, made.walls
+
+
 def attributes_of(made) -> list[set[str]]:
     """Names that a window and its parts have: a test that puts its own function in the place of one adds to them."""
-    parts = (made, made.files, made.session, made.preparation, made.records, made.demand, made.analysis, made.walls)
-    return [set(vars(part)) for part in parts]
+    return [set(vars(part)) for part in parts_of(made)]
+
+
+def put_back_attributes(made, known: list[set[str]]) -> None:
+    """Delete what a window and its parts have beyond the known names and their classes have as well: values that a run
+    sets in the place of those of the class, and methods that `monkeypatch` put back."""
+    for part, names in zip(parts_of(made), known, strict=True):
+        for name in set(vars(part)) - names:
+            of_class, method = getattr(type(part), name, parts_of), getattr(vars(part)[name], "__func__", None)
+            if of_class is method or not callable(of_class):
+                delattr(part, name)
 
 
 def sections_of(made) -> list:

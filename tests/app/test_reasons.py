@@ -14,7 +14,7 @@ from app.input.reasons_form import raised_by_demand, raised_by_wall
 from core.case.loads import Bars, Load, ReturnWalls
 from core.case.rules import draft_case, parse_case
 from core.case.schema import WallJustification
-from core.case.site import Building, BuildingMode, DemandJustification
+from core.case.site import Building, BuildingMode, DemandJustification, HazardRow, Spectrum
 from core.case.solids import Wedges
 from core.case.writer import dumps
 from core.study.run import run
@@ -33,11 +33,19 @@ def test_that_reasons_are_asked_where_a_value_raises_zeta_and_nowhere_else(opene
     session.edit(replace(session.case, building=Building(9.0, 3, modes=(mode,))))
     session.edit_section("demand", q_code=4.0, confidence_factor=1.2)
     of_others = {"histories", "scatter", "limit_state", "zeta_target", "soil_factor", "period_s", "storeys"}
+    of_the_place = {"nominal_life_years", "f0", "tc_star_s", "spectrum"}
+    of_others |= of_the_place
     assert rows(demand.reasons) == {entry.name for entry in fields(DemandJustification)} - of_others
     session.edit_section("demand", limit_state="SLC", zeta_target=0.8, soil_factor=0.9)
     session.edit(replace(session.case, building=Building(9.0, 1, period_s=0.3)))
     session.edit(replace(session.case, analysis=replace(session.case.analysis, histories=False)))
-    assert of_others - {"scatter"} <= rows(demand.reasons)
+    assert of_others - {"scatter"} - of_the_place <= rows(demand.reasons)
+    hazard = (HazardRow(30.0, 0.06, 2.4, 0.3), HazardRow(2475.0, 0.4, 2.5, 0.35))
+    spectrum = Spectrum("NTC2018", "B", 2.1, 0.06, "T1")
+    session.edit_section("demand", nominal_life_years=50.0, use_class_factor=0.7, hazard=hazard, spectrum=spectrum)
+    assert of_the_place - {"spectrum"} <= rows(demand.reasons)
+    session.edit_section("demand", spectrum=Spectrum("EN1998", "B", type=1))
+    assert of_the_place & rows(demand.reasons) == {"nominal_life_years", "spectrum"}
     session.edit(replace(session.case, building=Building(9.0, 3, modes=(mode,))))
     session.edit_wall(
         0,

@@ -20,13 +20,15 @@ from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
+from tests.conftest import whole_grid
 from tests.validation.circolare import HELD, case
 
 
 @pytest.fixture(scope="module")
 def designed(tmp_path_factory):
     """7.0 x 0.83 m, a_g 0.26 g, S 1.2, two-sided, seven compatible motions."""
-    return study.run(case(HELD, generate={"scatter": 0.0, "count": 7}), base_dir=tmp_path_factory.mktemp("none"))
+    with whole_grid():
+        return study.run(case(HELD, generate={"scatter": 0.0, "count": 7}), base_dir=tmp_path_factory.mktemp("none"))
 
 
 def reduced(model, factor=1.35):

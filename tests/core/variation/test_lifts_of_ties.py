@@ -142,7 +142,7 @@ def test_that_two_reasons_of_the_loads_change_the_wall_together():
     from core.rocking.methods import AUTO
     from core.setting.demand_input import demand_of
     from core.setting.scene import Scene
-    from core.variation.assumptions import _of_ties, _without
+    from core.variation.raised_loads import _of_ties, _without
 
     wall = parse_case({"wall": [{**WALL, "load": [LONG, {**TIE, "kn_m": 0.05}]}], "demand": DEMAND}).wall[0]
     demand = demand_of(parse_case({"wall": [WALL | {"unloaded_confirmed": True}], "demand": DEMAND}), ROOT)
@@ -151,7 +151,7 @@ def test_that_two_reasons_of_the_loads_change_the_wall_together():
     assert [(load.kn_m, load.elongation_m) for load in both] == [(0.9, None)]
 
 
-def test_that_every_reason_reads_in_both_languages():
+def test_that_every_reason_reads_in_both_languages(fine):
     by_bar = {"kind": "tie", "h_m": 2.9, "bar_length_m": 6.0, "elongation": 0.05, "bar": BAR}
     slack, drawn = {**LONG, "kn_m": 0.1, "slack_mm": 2.0}, {**TIE, "kn_m": 0.1, "prestress": 0.5}
     loads = by_bar, slack, drawn, {"kind": "thrust", "h_m": 2.0, "kn_m": -0.1}

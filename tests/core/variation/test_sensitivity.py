@@ -313,7 +313,7 @@ def test_that_what_was_not_surely_satisfied_is_turned_by_nothing_and_without_zet
     assert sensitivity_of(setting, ranges, made, [same], both) == Sensitivity(None, (), (), ())
 
 
-def test_that_the_record_left_out_is_the_one_whose_loss_moves_zeta_most_and_its_zeta_that_of_the_others():
+def test_that_the_record_left_out_is_the_one_whose_loss_moves_zeta_most_and_its_zeta_that_of_the_others(fine):
     """Record 3 overturns from the multiplier 70 on, 4 from 110: without 3 zeta is highest, without 0 as low as any."""
     multipliers, peaks = 0.4 * 1.01 ** np.arange(160), np.full((7, 160), 0.1)
     peaks[3, 70:], peaks[4, 110:] = np.inf, np.inf

@@ -69,7 +69,7 @@ DOWN, NEAR, UP = check_of(0.8, False, (0.7, 0.9)), check_of(1.1, True, (0.95, 1.
         ((UP, DOWN), False, FAILS),
     ],
 )
-def test_that_a_wall_is_as_its_hinges_are_together(each, satisfied, judgement):
+def test_that_a_wall_is_as_its_hinges_are_together(each, satisfied, judgement, fine):
     """Satisfied where all are, not known where a spread holds what is required, which counts as failed; the lowest
     zeta."""
     table = case_of(

@@ -13,9 +13,9 @@ from core.errors import InputError
 from core.setting.demand_input import interpolated, set_of
 from core.setting.plan import Floors, plan_of, read_inputs
 from core.study.run import run
-from core.variation.assumptions import _raised
 from core.variation.evaluate import AT_LIMIT, evaluate
 from core.variation.limit_states import demands_of
+from core.variation.raised_inputs import raised
 from core.variation.sensitivity import moved_wall, moves
 from core.variation.tie_design import with_tie
 from core.variation.turned_round import CHANGES, keys_of, reach_of
@@ -84,7 +84,7 @@ def check_raised(table):
         found = evaluate(scene, other=False)
         if found.zeta is None:
             continue
-        for one in _raised(found):
+        for one in raised(found):
             for end in one.ends:
                 try:
                     there = end.change(scene)

@@ -1,0 +1,220 @@
+"""The inputs of a case that raise zeta."""
+
+import contextlib
+from collections.abc import Iterator
+from dataclasses import replace
+
+from core.capacity.limit_states import LIMIT_FRACTION
+from core.case.schema import Wall, WallJustification
+from core.case.site import FULL_FACTOR
+from core.codes.assumption import DECLARED, DEFAULT, GIVEN
+from core.codes.elastic_branch import ELASTIC, Branch, can_have_branch
+from core.codes.masonry_types import least_strength
+from core.codes.verdict_sentence import CODE_Q
+from core.errors import InputError
+from core.ground.scattered import SPREAD
+from core.setting.demand_input import default_motions, generated_for, set_of
+from core.setting.scene import Scene
+from core.text.sentence import Number, Sentence, sentence
+from core.variation.evaluate import Evaluation
+from core.variation.raised import GIVEN_WORD, NONE_WORD, End, Raised, named, of_demand, of_wall, one_end
+from core.variation.raised_loads import of_the_loads, of_the_weights
+from core.variation.raised_site import of_the_building, of_what_is_required
+from core.wall import wall_body
+from core.wall.restitution import MODELS
+
+LOWER = 0.999
+"""Height of the restraint, of the top of the body, below which what it lifts is shown."""
+
+
+LEAST_SETBACK = 0.01
+"""Hinge setback [m] of any masonry: its edge is not sharp."""
+
+
+MORE_RATIO = 0.1
+"""What is added to a given velocity ratio: its zeta is shown as well."""
+
+
+def raised(found: Evaluation) -> Iterator[Raised]:
+    """What the case gives that raises zeta."""
+    scene, q_check = found.scene, found.made("linear_q_code")
+    wall, demand, asked = scene.wall, scene.demand, scene.asked
+    model, dynamic = wall.restitution_model(scene.mechanism), found.dynamic is not None
+    if dynamic and not MODELS[model].by_theory:
+        given = wall.restitution_of(scene.mechanism).ratio_at_rest
+        more = min(given + MORE_RATIO, 1.0)
+        key, ratio = "velocity_ratio" if model == "user" else "restitution", _by_theory(wall, scene.mechanism)
+        if ratio is not None:
+            yield Raised(
+                key,
+                wall.justification,
+                given,
+                (
+                    End(of_wall(restitution=None, velocity_ratio=more), more),
+                    End(of_wall(restitution=None, velocity_ratio=None), ratio),
+                ),
+                lambda zetas, _: sentence(
+                    "reason",
+                    "lift_velocity_ratio",
+                    e=given,
+                    more=more,
+                    zeta_more=Number(zetas[0]),
+                    theory=ratio,
+                    zeta_theory=Number(zetas[1]),
+                ),
+            )
+        elif given < 1.0:
+            end = End(of_wall(restitution=None, velocity_ratio=1.0), 1.0)
+            yield one_end(key, "lift_ratio_no_theory", wall.justification, given, end, e=given)
+    if dynamic:
+        yield from _of_the_law(found)
+    if demand.confidence_factor < FULL_FACTOR:
+        yield one_end(
+            "confidence_factor",
+            "lift_confidence_factor",
+            asked.justification,
+            demand.confidence_factor,
+            End(of_demand(confidence_factor=FULL_FACTOR), FULL_FACTOR),
+            fc=demand.confidence_factor,
+            level=asked.knowledge_level or "",
+            investigations=asked.investigations,
+        )
+    if q_check is not None and q_check.q is not None and q_check.q > CODE_Q:
+        end = End(of_demand(q_code=CODE_Q), CODE_Q)
+        reasons = asked.justification
+        yield one_end("q_code", "lift_q_code", reasons, demand.q_code, end, histories=False, q=demand.q_code)
+    if wall.return_walls is not None and q_check is not None:
+        end = End(of_wall(return_walls=None), NONE_WORD)
+        yield one_end("return_walls", "lift_return_walls", wall.justification, GIVEN_WORD, end, histories=False)
+    yield from of_what_is_required(scene)
+    asked_set = None if scene.by_default or not found.satisfied else set_of(scene.ground)
+    if asked_set is not None and asked_set.scatter < SPREAD:
+        natural = tuple(generated_for(replace(asked_set, scatter=SPREAD), demand))
+        end = End(lambda scene: scene.but(ground=natural), SPREAD)
+        yield one_end("scatter", "lift_scatter", asked.justification, asked_set.scatter, end, given=asked_set.scatter)
+    yield from of_the_loads(scene, not dynamic)
+    yield from of_the_weights(scene)
+    if wall.free_element is not None and wall.free_element != replace(wall, free_element=None).is_free(scene.mechanism):
+        code = "lift_one_sided_free" if wall.free_element else "lift_free_element"
+        end = End(of_wall(free_element=None), _free(not wall.free_element))
+        yield Raised(
+            "free_element",
+            wall.justification,
+            _free(wall.free_element),
+            (end,),
+            lambda zetas, check: sentence("reason", code, zeta=Number(zetas[0]), check=named(check)),
+            DECLARED,
+            histories=False,
+        )
+    yield from _of_the_shape(wall, scene.mechanism)
+    yield from _of_the_edge(scene)
+    if not dynamic and _histories_left_out(found):
+        there = tuple(default_motions(demand))
+        end = End(lambda scene: scene.but(ground=there, by_default=True), sentence("word", "made"))
+        yield one_end("histories", "lift_histories", asked.justification, sentence("word", "not_made"), end)
+    if wall.above_ground and scene.building is not None:
+        yield from of_the_building(scene, scene.building)
+
+
+def _of_the_law(found: Evaluation) -> Iterator[Raised]:
+    """A trilinear law, the branch of an element free to vibrate, and a rigid law in its place."""
+    scene, wall = found.scene, found.scene.wall
+    if not wall.moment_law().is_rigid:
+        end = End(of_wall(law="rigid"), "rigid")
+        yield one_end("law", "lift_law", wall.justification, _law_named(wall.law), end)
+    if found.dynamic is not None and found.dynamic.branch is not None:
+        yield _of_the_branch(found.dynamic.branch)
+    given = wall.law == "rigid" and wall.is_free(scene.mechanism) and found.satisfied
+    if given and can_have_branch(wall, scene.mechanism):  # of a wall that fails without it the branch is not asked for
+        end = End(of_wall(law=ELASTIC), sentence("word", "with_branch"))
+        yield one_end("law", "lift_rigid", wall.justification, sentence("word", "choice_rigid"), end)
+
+
+def _of_the_branch(branch: Branch) -> Raised:
+    """The elastic branch of an element free to vibrate, with the rigid law beside it: the clause asks for the branch,
+    also where the rigid wall fares worse."""
+    said = {
+        "period": Number(branch.period, ".3f"),
+        "modulus": branch.modulus,
+        "assumed": sentence("added", "assumed_modulus" if branch.assumed else "nothing"),
+        "limit": Number(branch.limit, ".2g"),
+        "own": Number(branch.own_period, ".3f"),
+    }
+    value, end = sentence("word", "with_branch"), End(of_wall(law="rigid"), sentence("word", "choice_rigid"))
+    return one_end("law", "elastic_branch", None, value, end, DEFAULT, permitted=True, **said)
+
+
+def _histories_left_out(found: Evaluation) -> bool:
+    """Whether histories could be made of the wall, and are not; of one that fails without them they are not asked
+    for."""
+    scene, demand = found.scene, found.scene.demand
+    can = demand.target is not None and demand.limit_state in LIMIT_FRACTION and not scene.wall.bends
+    return can and scene.histories_off and not scene.ground and found.satisfied
+
+
+def _of_the_edge(scene: Scene) -> Iterator[Raised]:
+    """A hinge nearer to the edge than the weakest masonry of its type lets it be, or than LEAST_SETBACK: FC 1.35 lets
+    one leave the strength out (C8.7.1.2.1.3), and alpha_0 then counts on more than there is."""
+    wall = scene.wall
+    if wall.bends or wall.thickness is None:
+        return
+    weakest, least = least_strength(wall.masonry), LEAST_SETBACK
+    if wall.unit_weight_kn_m3 is not None:
+        with contextlib.suppress(InputError):  # nothing stands just above the base of oblique solids
+            least = max(least, replace(wall, hinge_setback_m=0.0, compressive_strength_mpa=weakest).setback)
+    if wall.setback >= least * (1.0 - 1e-9):
+        return
+    there = of_wall(compressive_strength_mpa=None, hinge_setback_m=least)
+    f, cm = wall.compressive_strength_mpa, 100.0 * least
+    if f is None:
+        source = GIVEN if wall.hinge_setback_m else DEFAULT
+        given, end = wall.hinge_setback_m, End(there, least)
+        said = {"given": 100.0 * given, "cm": cm, "f": weakest}
+        yield one_end("hinge_setback_m", "lift_edge", None, given, end, source, permitted=True, **said)
+    elif f > weakest:
+        tested = scene.demand.confidence_factor < FULL_FACTOR  # then the strength is that of tests, as it must be
+        reasons = wall.justification
+        if tested and not (reasons and reasons.compressive_strength_mpa):
+            reasons = replace(reasons or WallJustification(), compressive_strength_mpa=scene.asked.investigations)
+        end = End(there, weakest)
+        yield one_end("compressive_strength_mpa", "lift_strength", reasons, f, end, given=f, f=weakest, cm=cm)
+
+
+def _by_theory(wall: Wall, mechanism: str) -> float | None:
+    """Velocity ratio by theory; None where it is above 1, of a body that weighs behind its restraint."""
+    try:
+        return replace(wall, restitution=None, velocity_ratio=None).restitution_of(mechanism).ratio_at_rest
+    except InputError as error:
+        if error.code != "eq6_above_one":
+            raise
+        return None
+
+
+def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
+    """What a body drags along behind its base, and a restraint that it meets below its top."""
+    if not wall_body.has_shape(wall):
+        return
+    assert wall.thickness is not None and wall.height_m is not None
+    parts = wall_body.parts_of(wall)
+    kept = [wall_body.clipped(part, wall.thickness) for part in parts]
+    if any(kept) and any(one is not part for one, part in zip(kept, parts, strict=True)):
+        left = zip(wall.solid, kept, strict=False)  # the wedges come last
+        solids = tuple(
+            replace(solid, polygon_m=one.polygon, from_m=one.ends[0], to_m=one.ends[1]) for solid, one in left if one
+        )
+        end = End(of_wall(return_wedges=None, solid=solids), NONE_WORD)
+        yield one_end("return_wedges", "lift_return_wedges", wall.justification, GIVEN_WORD, end)
+    top = wall_body.top_of(wall)
+    if mechanism == "one_sided" and MODELS[wall.restitution_model(mechanism)].one_sided and wall.height_m < LOWER * top:
+        end = End(of_wall(height_m=top), top)
+        yield one_end("contact", "lift_contact", wall.justification, wall.height_m, end, h=wall.height_m, top=top)
+
+
+def _law_named(law: str | dict) -> str:
+    """A trilinear law as the table of assumptions shows it."""
+    return law if isinstance(law, str) else f"D1 {law['elastic_limit']:g}, D2 {law['plateau_end']:g}"
+
+
+def _free(free: bool | None) -> Sentence:
+    """Whether a wall is free to vibrate, in words."""
+    return sentence("word", "free_to_vibrate" if free else "held")

@@ -1,0 +1,149 @@
+"""What of the loads of a wall raises zeta."""
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import partial
+
+from core.capacity.limit_states import LIMIT_FRACTION
+from core.case.loads import Load
+from core.case.schema import Wall
+from core.codes.assumption import LEFT_OUT
+from core.codes.kinematic_chain import chain
+from core.codes.vertical_bending import bent_inward
+from core.errors import InputError
+from core.setting.scene import Scene
+from core.text.sentence import Key, Number, Sentence, sentence
+from core.variation.evaluate import evaluate
+from core.variation.raised import GIVEN_WORD, NONE_WORD, Change, End, Raised, named, one_end, worst_words
+from core.wall import ties
+from core.wall.wall_loads import COUNTED, check_loads
+
+
+def _with_loads(change: Callable[[Wall], tuple[Load, ...]]) -> Change:
+    return lambda scene: scene.but(wall=replace(scene.wall, load=change(scene.wall)))
+
+
+def _of_ties(**values) -> Change:
+    """Of all ties of the wall."""
+    return _with_loads(lambda wall: tuple(replace(load, **values) if load.is_tie else load for load in wall.load))
+
+
+def _without(goes: Callable[[Wall, Load], bool]) -> Change:
+    """Without the loads that go."""
+    return _with_loads(lambda wall: tuple(load for load in wall.load if not goes(wall, load)))
+
+
+MASSES = "none", "horizontal", "moving"
+"""What the mass of a vertical load may do."""
+
+
+LEVER = 0.05
+"""Of the thickness: by how much the point where a load stands may be another."""
+
+
+def of_the_weights(scene: Scene) -> Iterator[Raised]:
+    """What the mass of vertical loads does, and where they stand, otherwise."""
+    wall, t = scene.wall, scene.wall.thickness
+    weights = [load for load in wall.load if load.kind == "vertical"]
+    if not weights or t is None:
+        return
+    changes: dict[str, list[tuple[Callable[[Wall], tuple[Load, ...]], Sentence]]] = {
+        "mass": [(partial(_of_weights, mass=mass), sentence("word", f"choice_{mass}")) for mass in MASSES],
+        "d_m": [
+            (partial(_moved_weights, by=by), sentence("word", "moved_by", cm=Number(100.0 * by, "+.1f")))
+            for by in (-LEVER * t, LEVER * t)
+        ],
+    }
+    for key, ends in changes.items():
+        others = tuple(End(_with_loads(change), said) for change, said in ends if _stands(scene, change(wall)))
+        if others:
+            given = weights[0].mass if key == "mass" else None
+            value = sentence("word", f"choice_{given}") if given else GIVEN_WORD
+            words = worst_words("lift_mass" if key == "mass" else "lift_lever", others)
+            yield Raised(key, wall.justification, value, others, words)
+
+
+def _of_weights(wall: Wall, **values) -> tuple[Load, ...]:
+    return tuple(replace(load, **values) if load.kind == "vertical" else load for load in wall.load)
+
+
+def _moved_weights(wall: Wall, by: float) -> tuple[Load, ...]:
+    """The loads of a wall, its weights standing further inward [m], within it."""
+    assert wall.thickness is not None
+
+    def there(load: Load) -> Load:
+        if load.kind != "vertical" or load.d_m is None or wall.thickness is None:
+            return load
+        return replace(load, d_m=min(max(load.d_m + by, 0.0), wall.thickness))
+
+    return tuple(there(load) for load in wall.load)
+
+
+def _stands(scene: Scene, loads: tuple[Load, ...]) -> bool:
+    """Whether these loads are other ones that the rules of the wall allow."""
+    if loads == scene.wall.load:
+        return False
+    try:
+        wall = replace(scene.wall, load=loads)
+        check_loads(wall)
+        evaluate(scene.without_records().but(wall=wall), other=False)
+    except InputError:
+        return False
+    return True
+
+
+def of_the_loads(scene: Scene, clauses: bool) -> Iterator[Raised]:
+    """What of the ties, and of forces that always pull inward, raises zeta. clauses : no histories are made"""
+    wall, reasons = scene.wall, scene.wall.justification
+    given = [load for load in wall.load if load.is_tie]
+    if any(tie.stands_more for tie in (ties.ties_of(wall) if given else ())):
+        end = End(_of_ties(elongation_m=None, elongation=None), NONE_WORD)
+        yield one_end("elongation_m", "lift_elongation", reasons, GIVEN_WORD, end)
+    if any(_breaks(wall, load, scene) for load in given):  # no clause follows a bar that breaks
+        end = End(_without(lambda there, load: _breaks(there, load, scene)), _no_ties())
+        yield one_end("elongation_m", "lift_brittle", reasons, GIVEN_WORD, end, histories=clauses)
+    if any(load.slack_mm for load in given):
+        ends = (End(_of_ties(slack_mm=None), NONE_WORD), End(_without(lambda _, load: bool(load.slack_mm)), _no_ties()))
+        words = lambda zetas, check: sentence(  # noqa: E731
+            "reason", "lift_slack", zeta_taut=Number(zetas[0]), zeta=Number(zetas[1]), check=named(check)
+        )
+        yield Raised("slack_mm", reasons, GIVEN_WORD, ends, words)
+    if any(_anchorage_open(load) for load in given):
+        end = End(_without(lambda _, load: _anchorage_open(load)), _no_ties())
+        unsaid = sentence("accepted", "missing")
+        yield one_end(
+            "anchorage_kn", "lift_anchorage", reasons, unsaid, end, LEFT_OUT, anchorage_kn=Key("anchorage_kn")
+        )
+    if any(load.prestress for load in given):
+        yield one_end("prestress", "lift_prestress", reasons, GIVEN_WORD, End(_of_ties(prestress=None), NONE_WORD))
+    if wall.bends:
+        end = End(_with_loads(lambda there: bent_inward(there).load), sentence("word", "inward"))
+        yield one_end("load", "lift_bends_inward", reasons, sentence("word", "outward"), end)
+    if any(map(_pulls_inward, wall.load)):
+        end = End(_without(lambda _, load: _pulls_inward(load)), NONE_WORD)
+        yield one_end("load", "lift_inward", reasons, GIVEN_WORD, end)
+
+
+def _no_ties() -> Sentence:
+    return sentence("word", "without_ties")
+
+
+def _anchorage_open(load: Load) -> bool:
+    """Whether nothing is said of the anchorage of a tie."""
+    return load.is_tie and (load.bar is None or load.bar.anchorage_kn is None)
+
+
+def _pulls_inward(load: Load) -> bool:
+    """Whether it always does: no tie."""
+    return load.kind == "thrust" and load.kn_m is not None and load.kn_m < 0.0
+
+
+def _breaks(wall: Wall, load: Load, scene: Scene) -> bool:
+    """Whether a tie breaks before the rotation up to which a check of the clauses counts on it."""
+    if not load.is_tie:
+        return False
+    sums, block = chain(wall, scene.mechanism == "two_sided"), wall.block()
+    share = LIMIT_FRACTION.get(scene.demand.limit_state, COUNTED)
+    far = max(sums.rotation(share * sums.d0), COUNTED * (block.slenderness + wall.restoring()[0].lean))
+    return ties.tie_of(load, wall).bar.breaks_at <= load.h_m * math.sin(far) * (1.0 + 1e-9)

@@ -1,0 +1,195 @@
+"""What of the demand and of the building raises zeta."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from core.case.site import Building, Demand, DemandJustification, HazardRow, Spectrum
+from core.codes.assumption import DEFAULT, GIVEN, Shown
+from core.codes.demand import DemandResult
+from core.codes.floor_spectrum import estimated_period, first_mode
+from core.codes.limits import ORDINARY_LIFE, return_period
+from core.codes.national_hazard import national_range
+from core.codes.target_spectrum import housner_intensity
+from core.setting.demand_input import interpolated, target_of, with_ag, within
+from core.setting.floors import GREATEST_STOREY, LEAST_STOREY, damaged, other_ends
+from core.setting.scene import ESTIMATES, Scene
+from core.text.sentence import Key, Number, Sentence, sentence
+from core.units import G
+from core.variation.raised import Change, End, Raised, of_demand, of_wall, one_end, worst_words, worth
+from core.wall import wall_body
+
+
+def of_what_is_required(scene: Scene) -> Iterator[Raised]:
+    """What of the demand makes it milder than the code's: a limit state whose a_g nothing shows to be its own, a zeta
+    required below 1, a soil factor below 1, a short reference period, a spectrum that is not the code's."""
+    demand, asked = scene.demand, scene.asked
+    reasons = asked.justification
+    if demand.limit_state == "SLC":
+        if demand.return_period is not None and not (reasons and reasons.limit_state):
+            years = f"T_R {demand.return_period:.0f}"
+            reasons = replace(reasons or DemandJustification(), limit_state=years)
+        end = End(of_demand(limit_state="SLV"), "SLV")
+        yield one_end("limit_state", "lift_limit_state", reasons, "SLC", end)
+    if demand.zeta_target < 1.0:
+        end, target = End(of_demand(zeta_target=1.0), 1.0), demand.zeta_target
+        yield one_end("zeta_target", "lift_zeta_target", reasons, target, end, target=target)
+    if demand.target is None and demand.soil_factor < 1.0:
+        end = End(of_demand(soil_factor=1.0, pga=demand.ag), 1.0)
+        yield one_end("soil_factor", "lift_soil_factor", reasons, demand.soil_factor, end, given=demand.soil_factor)
+    yield from _of_the_life(scene)
+    yield from _of_the_spectrum(scene)
+
+
+def _of_the_life(scene: Scene) -> Iterator[Raised]:
+    """A reference period shorter than that of ordinary works of class II, where the hazard says what a_g is then."""
+    demand, asked = scene.demand, scene.asked
+    life = asked.reference_period
+    if life is None or life >= ORDINARY_LIFE * (1.0 - 1e-9) or not demand.hazard:
+        return
+    years, known = np.log(demand.hazard).T
+    ag = math.exp(float(np.interp(math.log(return_period(ORDINARY_LIFE, demand.limit_state)), years, known)))
+    there = with_ag(demand, asked, Path(), ag / demand.ag)
+    reasons, given = asked.justification, sentence("added", "reference_life", years=life)
+    end = End(lambda scene: scene.under(there), sentence("added", "reference_life", years=ORDINARY_LIFE))
+    yield one_end("nominal_life_years", "lift_life", reasons, given, end, years=life, least=ORDINARY_LIFE, ag=ag / G)
+
+
+def _of_the_spectrum(scene: Scene) -> Iterator[Raised]:
+    """F_0 and T_C* that no place of Italy has, and another spectrum than that of NTC 2018 which the hazard gives."""
+    demand, asked = scene.demand, scene.asked
+    reasons, spectrum = asked.justification, asked.spectrum
+    if spectrum is not None and spectrum.code == "NTC2018":
+        for key, (least, most) in zip(("f0", "tc_star_s"), national_range(), strict=True):
+            given = getattr(spectrum, key)
+            if given < least * (1.0 - 1e-3):
+                worst: dict[str, Any] = {key: most}
+                there = _with_spectrum(demand, asked, replace(spectrum, **worst))
+                said = {"name": Key(key), "given": given, "least": least, "most": most}
+                yield one_end(key, "lift_outside_italy", reasons, given, _under(there, most), **said)
+    elif demand.target is not None and (row := _row_of(demand, asked)) is not None:
+        soil = spectrum.soil if spectrum else "A"
+        there = _with_spectrum(demand, asked, Spectrum("NTC2018", soil, row.f0, row.tc_star_s, "T1"))
+        given = "EN 1998" if spectrum else asked.spectrum_file or ""
+        words = sentence("added", "ntc_spectrum", soil=soil)
+        yield one_end("spectrum", "lift_spectrum", reasons, given, _under(there, words), name=given, soil=soil)
+
+
+def _row_of(demand: DemandResult, asked: Demand) -> HazardRow | None:
+    """F_0 and T_C* of the hazard at the return period of the demand, None where it has none."""
+    years = demand.return_period
+    if years is None or not asked.hazard or not within(asked.hazard, years):
+        return None
+    row = interpolated(asked.hazard, years)
+    return None if row.f0 is None or row.tc_star_s is None else row
+
+
+def _with_spectrum(demand: DemandResult, asked: Demand, spectrum: Spectrum) -> DemandResult:
+    """The demand with this spectrum."""
+    target = target_of(replace(asked, spectrum=spectrum, spectrum_file=None), Path())
+    assert target is not None
+    return replace(
+        demand,
+        target=target,
+        intensity=housner_intensity(target),
+        soil_factor=target.soil,
+        pga=demand.ag * target.soil,
+        spectrum_code=spectrum.code,
+    )
+
+
+def _under(there: DemandResult, value: Shown) -> End:
+    return End(lambda scene: scene.under(there), value)
+
+
+def _of_building(**values) -> Change:
+    def change(scene: Scene) -> Scene:
+        assert scene.building is not None
+        return scene.but(building=replace(scene.building, **values))
+
+    return change
+
+
+def _building_words(factor: float, damping: float) -> Sentence:
+    """The ratio of the period to the elastic one, and the damping of a building, as the table shows them."""
+    return sentence("added", "period_and_damping", factor=factor, damping=damping)
+
+
+def _building_at(factor: float, damping: float) -> Change:
+    """The building at this ratio to its elastic period, and with this damping."""
+
+    def change(scene: Scene) -> Scene:
+        building = scene.building
+        assert building is not None
+        modes = tuple(replace(mode, damping=damping) for mode in building.modes)
+        damped = {"modes": modes} if modes else {"damping": damping}
+        return scene.but(building=replace(building, period_factor=factor, **damped))
+
+    return change
+
+
+def _participating(share: float) -> Change:
+    """The first mode of the building with this participation."""
+
+    def change(scene: Scene) -> Scene:
+        building = scene.building
+        assert building is not None
+        first, *others = building.modes
+        return scene.but(building=replace(building, modes=(replace(first, participation=share), *others)))
+
+    return change
+
+
+def of_the_building(scene: Scene, building: Building) -> Iterator[Raised]:
+    """What of the building, and of the height at which its motion is taken, raises zeta."""
+    wall, asked, limit_state = scene.wall, scene.asked, scene.demand.limit_state
+    base, felt = wall.base_z_m, wall.felt_z_m
+    assert base is not None and felt is not None
+    storey = building.height_m / building.storeys
+    if not LEAST_STOREY <= storey <= GREATEST_STOREY and not building.modes:
+        many = math.ceil(building.height_m / LEAST_STOREY)
+        end, reasons = End(_of_building(storeys=many), float(many)), asked.justification
+        yield one_end("storeys", "lift_storeys", reasons, float(building.storeys), end, storey=storey, many=many)
+    if building.period_s is not None and not scene.period_taken and not building.modes:
+        estimated = estimated_period(building.height_m)
+        periods = [factor * estimated for factor in ESTIMATES]
+        there = tuple(End(_of_building(period_s=t), t) for t in periods if abs(t / building.period_s - 1.0) > 0.01)
+        yield Raised("period_s", asked.justification, building.period_s, there, worst_words("lift_period", there))
+    if ends := other_ends(building, limit_state):
+
+        def words(zetas, _):
+            k = min(range(len(ends)), key=lambda k: worth(zetas[k]))
+            factor, damping = ends[k]
+            return sentence("reason", "other_building", factor=factor, damping=damping, zeta=Number(zetas[k]))
+
+        given = bool(building.modes) or (building.period_factor, building.damping) != (None, None)
+        there = tuple(End(_building_at(*end), _building_words(*end)) for end in ends)
+        value = _building_words(*damaged(building, limit_state))
+        source = GIVEN if given else DEFAULT
+        yield Raised("building", asked.justification, value, there, words, source, permitted=not given)
+    half = 0.5 * (wall.height_m or wall.block().height)
+    if wall_body.has_shape(wall):
+        half = wall.bare_block().centroid[1]
+    centroid = min(base + half, building.height_m)
+    if not building.modes and centroid > felt:
+        end = End(of_wall(base_z_m=centroid), centroid)
+        yield one_end("base_z_m", "at_centroid", wall.justification, base, end, z=centroid)
+    if building.modes:
+        _, damping = damaged(building, limit_state)
+        z = min(felt, building.height_m)
+        (expected,) = first_mode(building.storeys, building.height_m, z, 1.0, damping)
+        share, given_share = expected.participation, building.modes[0].participation
+        if abs(given_share) < abs(share):
+            yield one_end(
+                "participation",
+                "lift_participation",
+                asked.justification,
+                given_share,
+                End(_participating(share), share),
+                given=given_share,
+                expected=share,
+            )
