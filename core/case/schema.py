@@ -80,6 +80,7 @@ class WallJustification:
     load: str = text_key()
     compressive_strength_mpa: str = text_key()
     mass: str = text_key()
+    h_m: str = text_key()
     d_m: str = text_key()
 
 

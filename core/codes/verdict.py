@@ -257,6 +257,8 @@ def _limits_of_the_number(seen: Evidence, code: str) -> list[Sentence]:
     if seen.kinematic and seen.kinematic.missing:
         keys = tuple(sentence("missing", key) for key in seen.kinematic.missing)
         limits.append(_reason("no_period", missing=keys))
+    if seen.demand.target is None and not seen.dynamic:
+        limits.append(_reason("linear_alone"))
     if not seen.wall.bends and leans_inward(seen.wall):
         limits.append(_reason("leans_inward"))
     if fall := displacement_fall(seen.demand.target):

@@ -20,6 +20,10 @@ def severity(wall: WallResult) -> tuple[int, bool, float]:
     return severity_of(verdict.code, verdict.zeta_e, verdict.zeta_target)
 
 
+HIDDEN = "hidden_rows", "hidden_columns"
+"""Notices on what of a table of walls nobody sees, and is not read."""
+
+
 def wall_verdicts(case: Case, walls: tuple[WallResult, ...]) -> tuple[WallVerdict, ...]:
     """A verdict for each wall of the case, in its order; empty without a demand."""
     demand = case.demand
@@ -33,7 +37,9 @@ def wall_verdicts(case: Case, walls: tuple[WallResult, ...]) -> tuple[WallVerdic
         ordered = sorted(indices, key=lambda k: severity(walls[k]))
         hinges = [walls[k] for k in ordered]
         asked, states = case.wall[origin], _states(demand, hinges)
+        hidden = [note for note in case.table_notes if note.code in HIDDEN]
         extra = [*_lower_elsewhere(hinges), *_left_out(asked, case, walls, indices), *_other_states(demand, states)]
+        extra += hidden
         zeta_least = least(wall.assessed.verdict.zeta_e for wall in hinges)
         withstands = least_risk([wall.assessed.risk for wall in hinges])
         found.append(WallVerdict(asked, ordered[0], tuple(ordered), states, tuple(extra), zeta_least, withstands))

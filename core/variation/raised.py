@@ -97,5 +97,5 @@ def one_end(
     return Raised(key, reasons, value, (end,), words, source, histories, permitted)
 
 
-OF_LOADS = ("elongation_m", "slack_mm", "prestress", "anchorage_kn", "load")
+OF_LOADS = ("elongation_m", "slack_mm", "prestress", "anchorage_kn", "load", "h_m")
 """Keys of what loads raise, told only where the other end is the lower one."""

@@ -48,6 +48,13 @@ def of_the_weights(scene: Scene) -> Iterator[Raised]:
     weights = [load for load in wall.load if load.kind == "vertical"]
     if not weights or t is None:
         return
+    low = [load for load in weights if load.h_m <= 0.5 * t]
+    if low and _stands(scene, tuple(load for load in wall.load if load not in low)):
+        end = End(
+            _without(lambda _, load: load.kind == "vertical" and load.h_m <= 0.5 * t), sentence("word", "below_hinge")
+        )
+        height = Number(min(load.h_m for load in low), ".2f")
+        yield one_end("h_m", "lift_low_load", wall.justification, GIVEN_WORD, end, height=height)
     changes: dict[str, list[tuple[Callable[[Wall], tuple[Load, ...]], Sentence]]] = {
         "mass": [(partial(_of_weights, mass=mass), sentence("word", f"choice_{mass}")) for mass in MASSES],
         "d_m": [

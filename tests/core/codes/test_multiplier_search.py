@@ -137,3 +137,17 @@ def test_that_points_are_left_out_only_where_no_run_rocks():
 def test_that_the_search_begins_where_the_wall_begins_to_move_whatever_the_target():
     for target in (0.5, 1.0, 1.3, 1.9):
         assert search_zeta(rule((0.55, math.inf))[0], 0.5, target).half == pytest.approx(0.55, rel=1e-4)
+
+
+@pytest.mark.parametrize("unknown", [True, False])
+def test_that_the_search_ends_where_every_multiplier_fails_however_small(unknown):
+    """A comparison method without a number at any multiplier was followed down for ever."""
+    asked = []
+
+    def failures(multipliers):
+        asked.append(multipliers.min())
+        always = np.ones(multipliers.size, bool)
+        return always, always & unknown, always
+
+    found = search_zeta(failures, 0.05, 1.0)
+    assert (found.half, found.first, found.spread) == (None, None, None) and min(asked) > 1e-6

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from core.case import rules
+from core.case.reader import read_case
 from core.case.schema import Generate
 from core.codes.assumption import TOGETHER
 from core.codes.elastic_branch import branches_of
@@ -21,6 +22,7 @@ from core.setting.scene import model_of
 from core.study.run import run
 from core.variation.evaluate import evaluate
 from tests.clauses_alone import parse_case
+from tests.core.ooxml.writers import WRITERS, workbook
 
 NTC = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
 WALL = {"name": "w", "height_m": 4.0, "thickness_m": 0.45, "mechanism": "one_sided", "base_z_m": 0.0}
@@ -317,3 +319,33 @@ def test_that_generated_motions_follow_the_spectrum_of_the_other_end():
     row = rows_of(short)["tc_star_s"]
     assert long.walls[long.verdicts[0].governing].assessment.verdict.governing == "dynamic"
     assert (row["outcome"], pytest.approx(row["zeta"], rel=1e-6)) == said_of(long)
+
+
+# loads and rows
+
+
+def test_that_a_load_just_above_the_hinge_is_shown_without_it():
+    low = {"kind": "vertical", "kn_m": 40.0, "d_m": 0.35, "h_m": 0.15, "mass": "none"}
+    demand = {"ag_g": 0.2, "soil_factor": 1.2}
+    wall = WALL | {"hinge_heights": "base"}
+    row = rows_of(found_of(wall | {"load": [low]}, demand))["h_m"]
+    bare = said_of(found_of(wall | {"unloaded_confirmed": True}, demand))[1]
+    assert row["zeta"] == pytest.approx(bare, rel=1e-6) and "0.15 m" in row["text_en"]
+    high = low | {"h_m": 0.30}
+    assert "h_m" not in rows_of(found_of(wall | {"load": [high]}, demand))
+
+
+def test_that_hidden_rows_of_a_table_of_walls_are_among_the_limits_of_each_verdict(tmp_path):
+    head = ["name", "base_z_m", "height_m", "thickness_m", "mechanism", "unit_weight_kn_m3"]
+    rows = [
+        head,
+        ["", "m", "m", "m", "", "kN/m3"],
+        ["a", 0, 4, 0.5, "two_sided", 18],
+        ["b", 0, 9, 0.3, "two_sided", 18],
+    ]
+    (tmp_path / "walls.xlsx").write_bytes(workbook(next(iter(WRITERS.values())), rows, hidden_rows=(4,)))
+    path = tmp_path / "c.toml"
+    path.write_text('walls = "walls.xlsx"\n[demand]\nag_g = 0.2\nsoil_factor = 1.2\n')
+    said = json_report.results(run(read_case(path), base_dir=tmp_path))["verdicts"]
+    assert len(said) == 1
+    assert any(line["key"] == "hidden_rows" and "4" in line["text_en"] for line in said[0]["limits"])

@@ -1,0 +1,249 @@
+"""Ways in which a hurried engineer may come to "verified" for a wall that falls, and what the program says to each:
+`python -m tests.core.variation.hurried` prints the list.
+
+Each way is one change to a wall that fails. It is refused, or the wall still fails, or the outcome is one that nobody
+may sign without more (indicative and its like), or what was changed stands beside the verdict: in its table of
+assumptions, its limits, what is to be done, its notes, or the warnings of the wall. Anything else is silent.
+"""
+
+import copy
+import math
+import tempfile
+from pathlib import Path
+from typing import NamedTuple
+
+from core.case import rules
+from core.codes.outcomes import FAILS, OUTCOMES, PASSES
+from core.errors import InputError
+from core.report import json_report
+from core.study.run import run
+from tests.conftest import ROOT
+
+NTC = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "C", "topography": "T1"}
+HAZARD = [
+    {"return_period_years": 30.0, "ag_g": 0.04, "f0": 2.4, "tc_star_s": 0.28},
+    {"return_period_years": 475.0, "ag_g": 0.12, "f0": 2.45, "tc_star_s": 0.33},
+    {"return_period_years": 2475.0, "ag_g": 0.21, "f0": 2.5, "tc_star_s": 0.36},
+]
+FACADE = {"name": "w", "height_m": 5.0, "thickness_m": 0.45, "mechanism": "one_sided", "base_z_m": 0.0}
+FACADE |= {"unit_weight_kn_m3": 18.0, "back_restraint": "cross_walls", "restraint_evidence": "drawing"}
+BARE = {"unloaded_confirmed": True}
+PARAPET = {"name": "p", "height_m": 1.2, "thickness_m": 0.25, "mechanism": "two_sided", "base_z_m": 9.0}
+PARAPET |= {"unit_weight_kn_m3": 18.0, "unloaded_confirmed": True}
+BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
+FLOOR = {"kind": "vertical", "kn_m": 40.0, "d_m": 0.225, "h_m": 5.0, "mass": "moving"}
+TIE = {"kind": "tie", "kn_m": 0.3, "h_m": 4.8, "bar_length_m": 9.0}
+LIFE = {"nominal_life_years": 50, "use_class_factor": 1.0, "hazard": HAZARD}
+
+BASES = {
+    "facade": {"wall": [FACADE | BARE], "demand": {"ag_g": 0.12, "spectrum": NTC}},
+    "at a site": {"wall": [FACADE | BARE], "demand": {"ag_g": 0.12, "spectrum": NTC} | LIFE},
+    "parapet": {"wall": [PARAPET], "building": BUILDING, "demand": {"ag_g": 0.07, "spectrum": NTC}},
+    "loaded": {"wall": [FACADE | {"load": [FLOOR]}], "demand": {"ag_g": 0.115, "spectrum": NTC}},
+    "tied": {"wall": [FACADE | {"load": [TIE]}], "demand": {"ag_g": 0.115, "spectrum": NTC}},
+}
+"""Cases each of which falls a little short of its demand."""
+
+
+class Way(NamedTuple):
+    """base : of BASES; changes : path within it -> value, DROP to leave the key out; told : keys of the rows, limits
+    and tasks one of which names it where the outcome passes"""
+
+    name: str
+    base: str
+    changes: dict
+    told: str = ""
+
+
+DROP = object()
+FILES = {
+    "weak.txt": "0 0.05\n0.1 0.08\n0.3 0.08\n0.5 0.03\n1 0.02\n4 0.002\n",
+    "narrow.txt": "0 0.12\n0.05 0.29\n0.1 0.29\n0.2 0.05\n1 0.01\n4 0.0006\n",
+}
+LC3 = {"demand.confidence_factor": 1.0, "demand.knowledge_level": "LC3", "demand.investigations": "three flat jacks"}
+LINEAR = {"demand.spectrum": DROP}
+EUROPEAN = {"code": "EN1998", "type": 2, "soil": "A"}
+WALL, LOAD, SPECTRUM = "wall.0.", "wall.0.load.0.", "demand.spectrum."
+MOTIONS = [{"file": str(ROOT / "resources" / "motions" / f"noise_{k}.txt"), "kind": "artificial"} for k in range(1, 8)]
+
+
+def _ways():
+    """A row each: base, changes, what names it."""
+    for key, value in {"limit_state": "SLD", "zeta_target": 0.4, "q_code": 6.0, "confidence_factor": 1.0}.items():
+        yield Way(f"{key} = {value}", "facade", {f"demand.{key}": value}, key)
+    yield Way("FC on the demand", "facade", {"demand.confidence_on": "demand"}, "confidence_on")
+    yield Way("a range of long periods", "facade", {"demand.period_range_s": [1.5, 2.0]}, "not_compatible")
+    yield Way("records scaled to the PGA", "facade", {"demand.demand_scaling": "pga"}, "not_compatible")
+    yield Way("SLC with the a_g of SLV", "facade", {"demand.limit_state": "SLC"}, "limit_state")
+    for reason in ("boh", "da definire", "xxx"):
+        said = {"demand.confidence_factor": 1.0, "demand.knowledge_level": "LC3", "demand.investigations": reason}
+        yield Way(f"LC3 by {reason}", "facade", said, "confidence_factor")
+        said = {"demand.zeta_target": 0.4, "demand.justification": {"zeta_target": reason}}
+        yield Way(f"a target of 0.4 for {reason}", "facade", said, "zeta_target")
+    yield Way("LC3 without the strength", "facade", LC3, "confidence_factor")
+    strong = {WALL + "compressive_strength_mpa": 20.0}
+    yield Way("LC3 with a strength of 20 MPa", "facade", LC3 | strong, "compressive_strength_mpa")
+    yield Way("no spectrum, no S", "facade", {"demand.spectrum": DROP}, "no_soil_factor")
+    for soil in (0.9, 1.0):
+        yield Way(f"S {soil}, no spectrum", "facade", LINEAR | {"demand.soil_factor": soil}, "linear_alone")
+    small = LINEAR | {"demand.soil_factor": 1.0, "demand.housner_intensity_cm": 5.0}
+    yield Way("an intensity of 5 cm", "facade", small, "linear_alone")
+    for key, value in {"f0": 2.0, "tc_star_s": 0.05}.items():
+        yield Way(f"{key} = {value}", "facade", {SPECTRUM + key: value}, key)
+    yield Way("EN 1998 type 2", "at a site", {"demand.spectrum": EUROPEAN}, "lift_spectrum")
+    weak = {"demand.spectrum": DROP, "demand.spectrum_file": "weak.txt"}
+    yield Way("a spectrum that begins low, hazard known", "at a site", weak)
+    yield Way("a spectrum that begins low", "facade", weak)
+    yield Way(
+        "a spectrum that falls early", "at a site", weak | {"demand.spectrum_file": "narrow.txt"}, "lift_spectrum"
+    )
+    yield Way("a_g of another return period", "at a site", {"demand.ag_g": 0.05})
+    yield Way("T_R 50 years", "at a site", {"demand.ag_g": 0.048, "demand.return_period_years": 50.0})
+    for life, share in ((10, 1.0), (50, 0.7), (35, 1.0)):
+        years = life * share * 9.4912
+        ag = 0.04 * (0.12 / 0.04) ** (math.log(years / 30.0) / math.log(475.0 / 30.0))
+        said = {"demand.nominal_life_years": life, "demand.use_class_factor": share, "demand.ag_g": round(ag, 4)}
+        yield Way(f"V_N {life}, C_U {share}", "at a site", said | LINEAR | {"demand.soil_factor": 1.3}, "lift_life")
+    yield Way("histories off", "facade", {"analysis": {"histories": False}}, "histories")
+    for base in ("facade", "parapet", "loaded"):
+        yield Way("scatter 0", base, {"generate": {"count": 7, "scatter": 0.0}}, "scatter")
+        yield Way("3 motions", base, {"generate": {"count": 3}}, "few_records not_compatible")
+    for method in ("newmark_paper", "linearised"):
+        yield Way(f"method {method}", "facade", {"analysis": {"method": method}}, "comparison")
+    yield Way("records of the examples", "facade", {"record": MOTIONS}, "bundled")
+    yield Way("one record", "facade", {"record": MOTIONS[:1]}, "few_records")
+    yield Way("the same record seven times", "facade", {"record": MOTIONS[:1] * 7})
+    weaker = [one | {"scale": 0.2, "kind": "natural"} for one in MOTIONS]
+    yield Way("weak records as natural ones", "facade", {"record": weaker}, "weaker_records")
+    one_way = {"record": MOTIONS, "analysis": {"polarity": "as_recorded"}}
+    yield Way("records one way", "facade", one_way, "one_sign")
+    for key, value, told in (
+        ("restitution", "costa_upper", "restitution"),
+        ("velocity_ratio", 0.3, "velocity_ratio"),
+        ("law", "doherty", "law"),
+        ("law", "rigid", "law"),
+        ("free_element", True, "free_element"),
+        ("hinge_heights", "base", "heights_left_out hinges_as_asked"),
+        ("hinge_heights", [3.0], "heights_left_out hinges_as_asked"),
+        ("hinge_setback_m", 0.0, "hinge_setback_m"),
+        ("compressive_strength_mpa", 20.0, "compressive_strength_mpa"),
+        ("elastic_modulus_mpa", 10000.0, "elastic_modulus_mpa"),
+        ("unit_weight_kn_m3", 25.0, "unit_weight_kn_m3"),
+        ("restraint_evidence", "none", "back_restraint"),
+        ("restraint_evidence", DROP, "back_restraint"),
+        ("back_restraint", DROP, "back_restraint"),
+        ("back_restraint", "non c'è", "back_restraint"),
+        ("back_restraint", "da definire", "back_restraint"),
+        ("thickness_m", 45.0, ""),
+        ("height_over_thickness", 2.0, ""),
+        ("length_m", 0.5, "length_m"),
+        ("mechanism", "two_sided", "mechanism"),
+        ("masonry", "squared_hard_stone", "masonry"),
+        ("base_z_m", DROP, ""),
+        ("variant", "progetto", "variant_alone"),
+        ("unloaded_confirmed", DROP, "unloaded"),
+    ):
+        yield Way(f"{key} {'left out' if value is DROP else value}", "facade", {WALL + key: value}, told)
+    across = {"number": 4, "thickness_m": 0.6, "brick_height_m": 0.2, "brick_length_m": 0.4}
+    yield Way(
+        "friction of four walls", "facade", {WALL + "return_walls": across, WALL + "length_m": 5.0}, "return_walls"
+    )
+    wedges = {"number": 2, "thickness_m": 0.6, "length_at_top_m": 1.0}
+    yield Way("wedges behind", "facade", {WALL + "return_wedges": wedges, WALL + "length_m": 5.0}, "return_wedges")
+    general = {
+        WALL + "thickness_m": DROP,
+        WALL + "height_m": DROP,
+        WALL + "radius_m": 9.0,
+        WALL + "slenderness_deg": 12.0,
+    }
+    yield Way("a radius of one's own", "facade", general)
+    heavy, bare = FLOOR | {"kn_m": 300.0, "d_m": 0.45, "mass": "none"}, {WALL + "unloaded_confirmed": DROP}
+    yield Way("a heavy floor at the inner face", "facade", bare | {WALL + "load": [heavy]}, "lift_lever")
+    low = bare | {WALL + "load": [heavy | {"h_m": 0.1}], WALL + "hinge_heights": "base"}
+    yield Way("a heavy floor just above the hinge", "facade", low, "h_m")
+    inward = {"kind": "thrust", "kn_m": -0.5, "h_m": 5.0}
+    yield Way("a force that pulls inward", "facade", bare | {WALL + "load": [inward]}, "load")
+    yield Way("a held mass", "loaded", {LOAD + "mass": "none", LOAD + "kn_m": 150.0}, "lift_mass")
+    yield Way("the lever of the whole thickness", "loaded", {LOAD + "d_m": 0.45, LOAD + "kn_m": 150.0}, "lift_lever")
+    for change, told in (
+        ({"elongation_m": 0.9}, "elongation_m"),
+        ({"slack_mm": 40.0, "elongation_m": 0.9}, "slack_mm"),
+        ({"prestress": 0.8}, "prestress anchorage_kn elongation_m"),
+        ({"bar_length_m": 0.3}, "anchorage_kn elongation_m"),
+        ({"fy_mpa": 1400.0}, "anchorage_kn elongation_m"),
+        ({"kn_m": 40.0}, ""),
+    ):
+        name = ", ".join(f"{key} {value}" for key, value in change.items())
+        yield Way(
+            f"a tie with {name}", "tied", {LOAD + key: value for key, value in ({"kn_m": 2.2} | change).items()}, told
+        )
+    bar = {WALL + "length_m": 5.0, LOAD + "kn_m": DROP, LOAD + "bar": {"number": 1, "diameter_mm": 8.0}}
+    yield Way("a bar without a word of its anchorage", "tied", bar, "anchorage_kn elongation_m")
+    held = bar | {LOAD + "bar": {"number": 1, "diameter_mm": 8.0, "anchorage_kn": 9000.0}, LOAD + "elongation": 0.1}
+    yield Way("a bar with an anchorage of 9 MN", "tied", held, "elongation_m")
+    for key, value, told in (
+        ("storeys", 1, "storeys"),
+        ("period_s", 2.5, "period_s"),
+        ("period_s", DROP, "period_s"),
+        ("period_factor", 2.5, "building"),
+        ("damping", 0.3, "building"),
+        ("height_m", 60.0, "odd_storeys"),
+    ):
+        yield Way(
+            f"[building] {key} {'left out' if value is DROP else value}", "parapet", {f"building.{key}": value}, told
+        )
+    modes = [{"period_s": 0.26, "damping": 0.1, "participation": 0.05}]
+    idle = {"building.period_s": DROP, "building.modes": modes}
+    yield Way("a mode that takes no part", "parapet", idle, "participation")
+    yield Way("a parapet that is not free", "parapet", {WALL + "free_element": False}, "free_element")
+    yield Way("a parapet by the rigid law", "parapet", {WALL + "law": "rigid"}, "law")
+    yield Way("a parapet of stiff masonry", "parapet", {WALL + "elastic_modulus_mpa": 10000.0}, "law elastic_branch")
+    held = {WALL + "back_restraint": "other", WALL + "restraint_evidence": "drawing", WALL + "restraint_note": "tetto"}
+    yield Way("a parapet that rocks one way", "parapet", held | {WALL + "mechanism": "one_sided"}, "back_restraint")
+    thick = [FACADE | BARE | {"name": "thick", "thickness_m": 1.2}, FACADE | BARE]
+    yield Way("a thick wall first in the list", "facade", {"wall": thick})
+
+
+WAYS = tuple(_ways())
+
+
+def changed(way: Way) -> dict:
+    """The case of a way."""
+    table = copy.deepcopy(BASES[way.base])
+    for path, value in way.changes.items():
+        at, *rest = path.split(".")
+        here, names = table, [at, *rest]
+        for name in names[:-1]:
+            here = here[int(name)] if name.isdigit() else here[name]
+        last = names[-1]
+        if value is DROP:
+            here.pop(last, None)
+        else:
+            here[last] = value
+    return table
+
+
+REFUSED, FALLS, UNSIGNED, NAMED, SILENT = "refused", "falls", "not to be signed", "named", "SILENT"
+
+
+def said_to(way: Way) -> tuple[str, str]:
+    """What becomes of a way, one of the five words, and the outcome of the wall with what names it."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name, rows in FILES.items():
+            (Path(folder) / name).write_text(rows)
+        try:
+            result = run(rules.parse_case(changed(way)), base_dir=Path(folder))
+        except InputError as error:
+            return REFUSED, error.text("en")
+    verdict = next(one for one in json_report.results(result)["verdicts"] if one["wall"] in ("w", "p"))
+    judgement = OUTCOMES[verdict["code"]].judgement
+    if judgement != PASSES:
+        return (FALLS if judgement == FAILS else UNSIGNED), verdict["code"]
+    known = {one["key"] for part in ("assumptions", "to_do", "limits", "notes") for one in verdict[part]}
+    named = known & set(way.told.split())
+    return (NAMED if named else SILENT), f"{verdict['code']} {verdict['zeta_e']:.2f}: {', '.join(sorted(named))}"
+
+
+if __name__ == "__main__":
+    for one in WAYS:
+        print(f"| {one.base} | {one.name} | {' | '.join(said_to(one))} |", flush=True)
