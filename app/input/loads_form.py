@@ -15,7 +15,7 @@ from core.case.loads import Bars, Load, ReturnWalls
 from core.case.schema import Wall
 from core.case.values import field_of
 from core.text.catalogue import CATALOGUE
-from core.wall.wall_loads import OF_A_TIE
+from core.wall.wall_loads import COMBINED, OF_A_TIE
 
 KINDS = field_of(Load, "kind").metadata["names"]
 
@@ -151,6 +151,8 @@ class LoadsForm(QWidget):
         """Whether a load of this kind has this key."""
         if key in OF_A_TIE:
             return load.is_tie and (load.bar is None or key not in ("fy_mpa", "elongation_m"))
+        if key in COMBINED:
+            return load.is_weight
         if key == "kn_m":
             return load.bar is None
         return key == "h_m" or key == "kind" or (not load.is_tie and (key != "mass" or load.kind == "vertical"))
@@ -193,6 +195,8 @@ class LoadsForm(QWidget):
         if load is None or self.wall is None:
             return
         changed = replace(load, **{field.key: value})
+        if field.key in COMBINED:
+            changed = replace(changed, kn_m=None)
         if field.key == "kind":
             mass = load.mass if value == "vertical" else None
             changed = Load(value, load.kn_m, load.h_m, None if value == "tie" else load.d_m, mass)

@@ -41,6 +41,7 @@ class Load:
     """[[wall.load]]: a force of constant size and direction on a metre of wall, a mass that moves with it, or a tie.
 
     kn_m : its size [kN/m]: of a thrust positive outward, else positive; of a tie its force at yield, in place of `bar`
+    g_kn_m, q_kn_m, psi_2 : of a weight in its place, permanent and variable, of which psi_2 counts (NTC 2018 2.5.3)
     d_m : from the outer face inward [m]; at the face where a thrust has none, always that of a tie
     h_m : above the hinge of the wall [m]
     mass : of a vertical load: held elsewhere, pushing the wall horizontally, or moving with it
@@ -62,6 +63,23 @@ class Load:
     slack_mm: float | None = number_key(0.0, 500.0, unit="mm", form="size")
     prestress: float | None = number_key(0.0, 0.9, form="size")
     bar: Bars | None = key("section", of=Bars, columns="load{n}_bar_")
+    g_kn_m: float | None = number_key(0.0, 10000.0, unit="kN/m", form="size")
+    q_kn_m: float | None = number_key(0.0, 10000.0, unit="kN/m", form="size")
+    psi_2: float | None = number_key(0.0, 1.0, form="size")
+
+    def __post_init__(self):
+        if self.kn_m is None and self.combined is not None:
+            object.__setattr__(self, "kn_m", self.combined)
+
+    @property
+    def combined(self) -> float | None:
+        """G + psi_2 Q [kN/m] of the seismic combination (NTC 2018 Eq. 2.5.5), None where it is not given so."""
+        g, q, share = self.g_kn_m, self.q_kn_m, self.psi_2
+        if isinstance(g, str) or isinstance(q, str) or isinstance(share, str):  # of a draft
+            return None
+        if g is None and (q is None or share is None):
+            return None
+        return (g or 0.0) + (q or 0.0) * (share or 0.0)
 
     @property
     def is_weight(self) -> bool:

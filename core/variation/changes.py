@@ -1,8 +1,12 @@
 """A wall of a case with one of its inputs changed, and what follows that input changed with it."""
 
 from dataclasses import replace
+from typing import Any
 
 from core.case.schema import Wall
+
+APART: dict[str, Any] = {"g_kn_m": None, "q_kn_m": None, "psi_2": None}
+"""A weight that is moved is no longer the sum of its parts."""
 
 
 def thinner(wall: Wall, thickness: float) -> Wall:
@@ -18,7 +22,10 @@ def thinner(wall: Wall, thickness: float) -> Wall:
 
 def loaded(wall: Wall, factor: float) -> Wall:
     """A wall whose loads but ties are so many times as large."""
-    loads = (load if load.is_tie or load.kn_m is None else replace(load, kn_m=factor * load.kn_m) for load in wall.load)
+    loads = (
+        load if load.is_tie or load.kn_m is None else replace(load, kn_m=factor * load.kn_m, **APART)
+        for load in wall.load
+    )
     return replace(wall, load=tuple(loads))
 
 

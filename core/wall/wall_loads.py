@@ -25,6 +25,9 @@ CENTRED = 1e-6
 ALIKE = 1e-9
 """What a and c of both sides may differ by and still be the same [-]."""
 
+COMBINED = "g_kn_m", "q_kn_m", "psi_2"
+"""Keys of a weight given by its parts."""
+
 OF_A_TIE = ("bar_length_m", "fy_mpa", "elongation_m", "elongation", "slack_mm", "prestress", "bar")
 """Keys of a load that only a tie has."""
 
@@ -291,6 +294,13 @@ def _check_load(wall, load, here) -> None:
 
 def _check_size(wall, load, here) -> None:
     """Rules of the size of a load, and of what a tie is."""
+    if (key := next((key for key in COMBINED if getattr(load, key) is not None), None)) is not None:
+        if not load.is_weight:
+            raise InputError("combined_weight", place=here, key=key, kind=load.kind)
+        if (load.q_kn_m is None) != (load.psi_2 is None):
+            raise InputError("combined_share", place=here)
+        if load.kn_m is not None and abs(load.kn_m - load.combined) > 5e-4 + 1e-6 * load.combined:
+            raise InputError("combined_sum", place=here, found=load.kn_m, stated=load.combined)
     if not load.is_tie:
         if given := [key for key in OF_A_TIE if getattr(load, key) not in (None, 0.0)]:
             raise InputError("key_of_a_tie", place=here, key=given[0], kind=load.kind)

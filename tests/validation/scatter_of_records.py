@@ -1,5 +1,5 @@
 """How natural records scatter about the mean of their set, and what zeta generated sets give beside theirs:
-`.venv/bin/python -m tests.validation.scatter_of_records FOLDER [--walls N]`.
+`.venv/bin/python -m tests.validation.scatter_of_records FOLDER [--walls N] [--counts]`.
 
 The events of a folder of records are parted in two halves, by lot. The spread of `core.ground.scattered` is that of
 sets of a half, the mean over PARTINGS, for one parting alone hangs on where two or three events fall; zeta of walls
@@ -32,6 +32,11 @@ SITES = [(ag, soil) for soil in "ABC" for ag in (0.15, 0.20, 0.25, 0.30)]
 """a_g [g] and soil of the targets, with F_0 2.45 and T_C* 0.33 s."""
 
 SEEDS = 1, 101, 201
+FOUR = (6.0, 0.60, 0.20, "B"), (9.0, 0.70, 0.25, "B"), (4.0, 0.40, 0.20, "C"), (8.0, 0.90, 0.30, "B")
+"""Height and thickness [m], a_g [g] and soil of four walls."""
+
+COUNTS, COUNT_SEEDS = (7, 14, 28), range(1, 801, 100)
+
 PARTINGS = range(12)
 """Seeds of the lots."""
 
@@ -121,12 +126,26 @@ def compared(folders: list[Path], count: int) -> list[tuple[dict, float, list[fl
     return found
 
 
+def of_counts() -> None:
+    """Print zeta of four one-sided walls under scattered sets of each count, one a seed."""
+    for height, thickness, ag, soil in FOUR:
+        table = {"wall": [wall_table(height, thickness, "one_sided")], "demand": demand_table(ag, soil)}
+        for count in COUNTS:
+            zetas = [zeta_of(table, {"seed": seed, "count": count}, None) or np.nan for seed in COUNT_SEEDS]
+            said = f"mean {np.mean(zetas):.2f}, {np.min(zetas):.2f} to {np.max(zetas):.2f}"
+            print(f"{height} x {thickness} m, {ag} g, {soil}: {count} motions: {said}", flush=True)
+
+
 def main() -> None:
     """Print the spread of the first half, and of walls the quantiles of zeta over that under the second."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--walls", type=int, default=0)
+    parser.add_argument("--counts", action="store_true")
     asked = parser.parse_args()
+    if asked.counts:
+        of_counts()
+        return
     with tempfile.TemporaryDirectory() as place:
         parted = [halves(usable(asked.folder), seed, Path(place)) for seed in PARTINGS]
         means = []

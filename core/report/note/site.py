@@ -1,5 +1,7 @@
 """What a note says of the site beside its demand: the hazard, the building, the loads of a wall, before and after."""
 
+from core.case.loads import Load
+from core.case.schema import Wall
 from core.codes.floor_spectrum import estimated_period
 from core.report.note.parts import Derivation, Heading, Part, Step, Table
 from core.report.note.words import Words
@@ -88,7 +90,7 @@ def loads(wall: WallResult, words: Words) -> list[Part]:
     rows = [
         [
             words.word(f"load_{load.kind}"),
-            words.number(1e-3 * size_of(load, asked), ".2f"),
+            _size(load, asked, words),
             words.number(load.h_m, ".2f"),
             words.number(load.d_m, ".3f"),
             words.word(f"choice_{load.mass}") if load.mass else "–",
@@ -96,6 +98,15 @@ def loads(wall: WallResult, words: Words) -> list[Part]:
         for load in asked.load
     ]
     return [Table(heads, rows, (2, 1, 1, 1, 2))]
+
+
+def _size(load: Load, asked: Wall, words: Words) -> str:
+    """Size of a load [kN/m], with the sum it is of (NTC 2018 2.5.3)."""
+    size = words.number(1e-3 * size_of(load, asked), ".2f")
+    if load.combined is None:
+        return size
+    g, q, share = (words.number(value or 0.0, ".2f") for value in (load.g_kn_m, load.q_kn_m, load.psi_2))
+    return f"{g} + {share} · {q} = {size}"
 
 
 def solids(wall: WallResult, words: Words) -> list[Part]:

@@ -371,3 +371,46 @@ def test_that_a_wall_that_pushes_a_roof_is_asked_for_no_velocity_ratio():
     assert found.model == "one_sided_theoretical"
     assert 0.0 < found.ratio_at_rest < 1.0
     assert found.ratio_at_rest != alone.restitution_of("one_sided").ratio_at_rest
+
+
+# a weight by its parts (NTC 2018 2.5.3)
+
+WALLED = {"name": "w", "height_m": 4.0, "thickness_m": 0.4, "mechanism": "two_sided", "unit_weight_kn_m3": 18.0}
+
+
+def of_weight(**parts):
+    weight = {"kind": "vertical", "h_m": 3.0, "d_m": 0.2, "mass": "none"} | parts
+    return parse_case({"wall": [WALLED | {"load": [weight]}]}).wall[0].load[0]
+
+
+def test_that_the_variable_load_counts_by_its_share():
+    """8 kN/m of a floor and 2.5 kN/m of dwellings, psi_2 0.3: 8.75 kN/m."""
+    assert of_weight(g_kn_m=8.0, q_kn_m=2.5, psi_2=0.3).kn_m == pytest.approx(8.75)
+    assert of_weight(g_kn_m=8.0).kn_m == 8.0 and of_weight(q_kn_m=2.0, psi_2=0.6).kn_m == pytest.approx(1.2)
+    assert of_weight(g_kn_m=8.0, q_kn_m=2.5, psi_2=0.3, kn_m=8.75).kn_m == 8.75
+
+
+@pytest.mark.parametrize(
+    ("parts", "code"),
+    [
+        ({"g_kn_m": 8.0, "q_kn_m": 2.5}, "combined_share"),
+        ({"g_kn_m": 8.0, "psi_2": 0.3}, "combined_share"),
+        ({"g_kn_m": 8.0, "q_kn_m": 2.5, "psi_2": 0.3, "kn_m": 10.5}, "combined_sum"),
+        ({"kind": "thrust", "mass": None, "g_kn_m": 1.0}, "combined_weight"),
+        ({"g_kn_m": 0.0}, "load_size"),
+    ],
+)
+def test_that_parts_that_do_not_make_a_weight_are_refused(parts, code):
+    given = {key: value for key, value in parts.items() if value is not None}
+    with pytest.raises(InputError) as caught:
+        of_weight(**given) if "mass" not in parts else of_thrust(**given)
+    assert caught.value.code == code
+
+
+def of_thrust(**parts):
+    return parse_case({"wall": [WALLED | {"load": [{"h_m": 3.0} | parts]}]})
+
+
+def test_that_a_weight_by_its_parts_is_the_weight_itself():
+    parts, whole = of_weight(g_kn_m=8.0, q_kn_m=2.5, psi_2=0.3), of_weight(kn_m=8.75)
+    assert parts == replace(whole, g_kn_m=8.0, q_kn_m=2.5, psi_2=0.3)
