@@ -11,6 +11,7 @@ from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import ROUNDING, Check, Kinematic
 from core.codes.limits import LEAST_SHARE, MEAN_FROM, MINIMUM_FROM
+from core.codes.outcomes import OUTCOMES, PASSES
 from core.codes.record_compatibility import Compliance
 from core.codes.target_spectrum import displacement_fall
 from core.codes.verdict_sentence import CODE_Q, measured, outcome
@@ -257,7 +258,7 @@ def _limits_of_the_number(seen: Evidence, code: str) -> list[Sentence]:
     if seen.kinematic and seen.kinematic.missing:
         keys = tuple(sentence("missing", key) for key in seen.kinematic.missing)
         limits.append(_reason("no_period", missing=keys))
-    if seen.demand.target is None and not seen.dynamic:
+    if seen.demand.target is None and not seen.dynamic and OUTCOMES[code].judgement == PASSES:
         limits.append(_reason("linear_alone"))
     if not seen.wall.bends and leans_inward(seen.wall):
         limits.append(_reason("leans_inward"))

@@ -5,7 +5,7 @@ weight of the mass that moves with it [kN/m]. A tie is t, its force in alpha_0, 
 displacement check [kN/m], at h.
 """
 
-from core.derivation.functions import arctan, atan, cos, radians, sin, sqrt, tan
+from core.derivation.functions import arctan, cos, pi, sin, sqrt, tan
 from core.derivation.quantity import Given, quantity
 from core.wall.restitution import EQ5_FACTOR, EQ7_FACTOR
 
@@ -184,9 +184,14 @@ def c(w, radius, slenderness, loads):
     ) / ((w + sum(load.q for load in loads)) * radius)
 
 
+@quantity("θ_c,°", "°", "Eq. 1", 4)
+def theta_c_degrees(slenderness, c, a):
+    return slenderness + arctan(c / a)
+
+
 @quantity("θ_c", "rad", "Eq. 1")
-def theta_c(slenderness, c, a):
-    return radians(slenderness) + atan(c / a)
+def theta_c(theta_c_degrees):
+    return pi * theta_c_degrees / 180
 
 
 # any block

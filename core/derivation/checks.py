@@ -175,6 +175,30 @@ def se_t0(demand_pga, period_0, spectrum_f0, spectrum_tb, spectrum_tc, spectrum_
     return demand_pga * shape(period_0, 5, spectrum_f0, spectrum_tb, spectrum_tc, spectrum_td)
 
 
+@quantity("S_e(T_0, 5 %)", "g", "3.2.2", 3, name="se_t0")
+def se_rising(demand_pga, period_0, spectrum_f0, spectrum_tb):
+    return demand_pga * (spectrum_f0 * period_0 / spectrum_tb + 1 - period_0 / spectrum_tb)
+
+
+@quantity("S_e(T_0, 5 %)", "g", "3.2.2", 3, name="se_t0")
+def se_plateau(demand_pga, spectrum_f0):
+    return demand_pga * spectrum_f0
+
+
+@quantity("S_e(T_0, 5 %)", "g", "3.2.2", 3, name="se_t0")
+def se_falling(demand_pga, period_0, spectrum_f0, spectrum_tc):
+    return demand_pga * spectrum_f0 * spectrum_tc / period_0
+
+
+@quantity("S_e(T_0, 5 %)", "g", "3.2.2", 3, name="se_t0")
+def se_last(demand_pga, period_0, spectrum_f0, spectrum_tc, spectrum_td):
+    return demand_pga * spectrum_f0 * spectrum_tc * spectrum_td / period_0**2
+
+
+SE_BRANCHES = se_rising, se_plateau, se_falling, se_last
+"""S_e(T_0) on each branch of the spectrum of a code (NTC 2018 Eq. 3.2.2, EN 1998-1 Eq. 3.2 to 3.5)."""
+
+
 @quantity("a_g,SLD/a_g", "–", "C8.7.1.8")
 def zeta_sld(a0_star, demand_pga):
     return a0_star / demand_pga
@@ -234,8 +258,8 @@ def d0(radius, slenderness):
 
 
 @quantity("d_C", "m", "C8.7.1.4", 4)
-def d_c(x, y, theta_c):
-    return x - sqrt(x**2 + y**2) * sin(arctan(x / y) - 180 * theta_c / pi)
+def d_c(x, y, theta_c_degrees):
+    return x - sqrt(x**2 + y**2) * sin(arctan(x / y) - theta_c_degrees)
 
 
 @quantity("d_0", "m", "C8.7.1.4", 4, name="d0")
@@ -276,6 +300,35 @@ def s_de(demand_pga, gravity, period, damping, spectrum_f0, spectrum_tb, spectru
         * shape(period, damping, spectrum_f0, spectrum_tb, spectrum_tc, spectrum_td)
         * (period / (2 * pi)) ** 2
     )
+
+
+@quantity("S_De({damping} %)", "m", "3.2.11", 4, name="s_de")
+def s_de_rising(demand_pga, gravity, period, damping, spectrum_f0, spectrum_tb):
+    return (
+        demand_pga
+        * gravity
+        * (sqrt(10 / (5 + damping)) * spectrum_f0 * period / spectrum_tb + 1 - period / spectrum_tb)
+        * (period / (2 * pi)) ** 2
+    )
+
+
+@quantity("S_De({damping} %)", "m", "3.2.11", 4, name="s_de")
+def s_de_plateau(demand_pga, gravity, period, damping, spectrum_f0):
+    return demand_pga * gravity * sqrt(10 / (5 + damping)) * spectrum_f0 * (period / (2 * pi)) ** 2
+
+
+@quantity("S_De({damping} %)", "m", "3.2.11", 4, name="s_de")
+def s_de_falling(demand_pga, gravity, period, damping, spectrum_f0, spectrum_tc):
+    return demand_pga * gravity * sqrt(10 / (5 + damping)) * spectrum_f0 * spectrum_tc * period / (2 * pi) ** 2
+
+
+@quantity("S_De({damping} %)", "m", "3.2.11", 4, name="s_de")
+def s_de_last(demand_pga, gravity, damping, spectrum_f0, spectrum_tc, spectrum_td):
+    return demand_pga * gravity * sqrt(10 / (5 + damping)) * spectrum_f0 * spectrum_tc * spectrum_td / (2 * pi) ** 2
+
+
+S_DE_BRANCHES = s_de_rising, s_de_plateau, s_de_falling, s_de_last
+"""S_De on each branch; eta = sqrt(10/(5 + xi)) of NTC 2018 Eq. 3.2.4 is above 0.55 at the damping of the clauses."""
 
 
 @quantity("ζ", "–", "C8.7.1.2.1.8")

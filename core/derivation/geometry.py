@@ -165,6 +165,7 @@ def _loaded(wall: WallResult) -> list[Line | Columns]:
         Line(body.p, block.frequency_parameter, note=SYMBOLS),
         Line(body.a, restoring.sine),
         Line(body.c, restoring.cosine),
+        Line(body.theta_c_degrees, math.degrees(block.slenderness + restoring.lean)),
         Line(body.theta_c, block.slenderness + restoring.lean),
         _uplift(body.a_rm_with_loads, model.threshold / G),
     ]

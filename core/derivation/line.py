@@ -25,6 +25,7 @@ class Line:
     other : names of its formula that stand for another cell
     passed : outcome of the check this is zeta of, None of another line
     run_name : name of the cell with the program's value, for what no changed input moves
+    shown_by : what the note writes the formula by, where that of the workbook has branches
     """
 
     of: Given
@@ -37,6 +38,7 @@ class Line:
     other: Mapping[str, str] = field(default_factory=dict)
     passed: bool | None = None
     run_name: str = ""
+    shown_by: Quantity | None = None
 
     @property
     def quantity(self) -> Quantity | None:

@@ -65,7 +65,8 @@ def chain(wall: WallResult) -> Section:
         lines.append(Line(checks.E_STAR_FRICTION, sums.e_star_friction, RUN, VALUE, of_part))
     if kinematic.m_star is not None:
         lines.append(Line(checks.MASS, mass, RUN))
-        lines.append(Line(m_star, kinematic.m_star, LIVE, FULL, of_part))
+        of_2009 = "participating mass, a quantity of the Circolare of 2009"
+        lines.append(Line(m_star, kinematic.m_star, LIVE, FULL, of_part or of_2009))
     lines.append(Line(a0_star, kinematic.a0 / G, LIVE, FULL, of_part))
     return Section("Kinematic chain", lines)
 
@@ -79,7 +80,7 @@ def linear(result: StudyResult, wall: WallResult) -> Section:
     against = Line(Given("demand_pga", "S a_g", "g", 3, clause="C8.7.1.8"), demand.pga / G, RUN, VALUE)
     if kinematic.free_element:
         zeta_sld = checks.zeta_sld_of_free_element
-        lines += _free(wall, isinstance(demand.target, CodeSpectrum))
+        lines += _free(wall, demand.target if isinstance(demand.target, CodeSpectrum) else None)
     elif kinematic.floor:
         zeta_sld = checks.zeta_sld_on_floor
     else:
@@ -131,7 +132,7 @@ def _demand_at(wall: WallResult) -> list[Line | Columns]:
     return [modes, Line(checks.a_z, kinematic.floor.a_z / G, note=NOT if kinematic.free_element else VALUE)]
 
 
-def _free(wall: WallResult, of_code: bool) -> list[Line | Columns]:
+def _free(wall: WallResult, target: CodeSpectrum | None) -> list[Line | Columns]:
     """T_0 and S_e(T_0) of an element free to vibrate."""
     kinematic, asked = wall.assessment.kinematic, wall.wall
     lines: list[Line | Columns] = [Line(checks.MODULUS, asked.elastic_modulus_mpa, INPUT)]
@@ -147,9 +148,15 @@ def _free(wall: WallResult, of_code: bool) -> list[Line | Columns]:
     elastic = kinematic.acceleration_demand / G
     if kinematic.floor:
         return [*lines, Line(checks.SEZ_T0_GIVEN, elastic, RUN, VALUE)]
-    if of_code:
-        return [*lines, Line(checks.se_t0, elastic, note=VALUE)]
+    if target is not None:
+        branch = checks.SE_BRANCHES[_branch(target, kinematic.period_0)]
+        return [*lines, Line(checks.se_t0, elastic, note=FULL, shown_by=branch)]
     return [*lines, Line(checks.SE_T0_GIVEN, elastic, RUN, VALUE)]
+
+
+def _branch(target: CodeSpectrum, period: float) -> int:
+    """Which branch of the spectrum of a code holds a period [s], from 0."""
+    return sum(period >= end for end in (target.t_b, target.t_c, target.t_d))
 
 
 def displacement(result: StudyResult, wall: WallResult) -> Section:
@@ -173,7 +180,8 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
     if kinematic.floor:
         s_de = Line(checks.S_DEZ_GIVEN, kinematic.s_de, RUN, VALUE, largest)
     elif isinstance(result.demand.target, CodeSpectrum):
-        s_de = Line(checks.s_de, kinematic.s_de, LIVE, VALUE, largest)
+        branch = checks.S_DE_BRANCHES[_branch(result.demand.target, kinematic.period)]
+        s_de = Line(checks.s_de, kinematic.s_de, LIVE, FULL, largest, shown_by=branch)
     else:
         s_de = Line(checks.S_DE_GIVEN, kinematic.s_de, RUN, VALUE, largest)
     ties, of_ties = kinematic.chain.ties, list[Line]()

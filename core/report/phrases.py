@@ -82,10 +82,11 @@ class Phrases:
         if line.quantity is not None:
             with suppress(Branches):
                 symbols = in_symbols(line.quantity, self.symbols, self.language)
-                if symbols.startswith(symbol):  # as S a_g, whose symbol is its formula
+                if symbols.startswith(symbol) and symbols[len(symbol) :][:1] in ("", "("):  # its symbol is its formula
                     symbols = ""
             if line.note == FULL:
-                numbers = in_numbers(line.quantity, self.shown, self.language)
+                with suppress(Branches):
+                    numbers = in_numbers(line.quantity, self.shown, self.language)
         said = Said(
             symbol,
             unit,

@@ -244,7 +244,7 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
 
 
 def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -> list[Part]:
-    """One wall on at most two pages. name : begins the names of its cells on the sheet Check"""
+    """One wall on at most three pages. name : begins the names of its cells on the sheet Check"""
     say, found = words.say, wall.assessment
     parts: list[Part] = [Heading(_name(wall, words), 2, True, result.walls.index(wall))]
     first = [wall_figures.drawing(wall, words), wall_figures.elevation(wall, words)]

@@ -4,9 +4,10 @@ python-docx, because a docx is what an office edits; its pictures are those of t
 """
 
 import io
+from xml.etree import ElementTree
 
 from core.packages import require
-from core.report.note.equation import equations
+from core.report.note.equation import LONGEST, equations, width
 from core.report.note.parts import Bars, Blanks, Box, Derivation, Figures, Heading, Item, Paragraph, Part, Table
 from core.report.note.pdf import picture
 from core.report.note.words import Words
@@ -133,11 +134,20 @@ class _Writer:
         self._cells(table, (11.0, 3.6, 2.4))
         for row, step in zip(table.rows, steps, strict=True):
             row._tr.get_or_add_trPr().append(OxmlElement("w:cantSplit"))
-            first, second, third = (cell.paragraphs[0] for cell in row.cells)
-            lines = [parse_xml(line) for line in equations(step, self.words.language)]
-            first._p.append(lines[0])
+            written = equations(step, self.words.language)
+            lines = [parse_xml(line) for line in written]
+            place, second, third = row.cells[0], *(cell.paragraphs[0] for cell in row.cells[1:])
+            wide = any(width(ElementTree.fromstring(line)) > LONGEST for line in written)
+            if wide:  # label and clause stand below
+                place = place.merge(row.cells[2])
+                for paragraph in place.paragraphs[1:]:
+                    paragraph._p.getparent().remove(paragraph._p)
+            place.paragraphs[0]._p.append(lines[0])
             for line in lines[1:]:
-                row.cells[0].add_paragraph()._p.append(line)
+                place.add_paragraph()._p.append(line)
+            if wide:
+                self._run(place.add_paragraph(), f"{step.label} {step.clause}".strip(), "quiet", 8)
+                continue
             if step.label:
                 self._run(second, step.label, "quiet", 8)
             self._run(third, step.clause, "quiet", 8)

@@ -157,8 +157,8 @@ class Equation(Face):
         return [self.notation.run(numeral(float(value), "g", self.language))], ATOM
 
 
-LONGEST = 50
-"""Characters a line has room for."""
+LONGEST, WIDEST = 50, 77
+"""Characters a line has room for beside its label and clause, and over the whole width."""
 
 
 def width(node: ElementTree.Element) -> int:
@@ -187,14 +187,20 @@ def sides(step: Step, language: str, to: Notation) -> list[str]:
 def equations(step: Step, language: str) -> list[str]:
     """The line of a step in OMML; what it has no room for stands below."""
     first, second, *others = sides(step, language, OMML)
+    if step.numbers and _width(others[0]) > WIDEST - 2:  # no line holds it: the numbers stand above
+        others = others[1:]
     lines = [first + OMML.run(" = ") + second]
     for side in others:
         longer = lines[-1] + OMML.run(" = ") + side
-        if width(ElementTree.fromstring(_math(longer))) <= LONGEST:
+        if _width(longer) <= LONGEST:
             lines[-1] = longer
         else:
             lines.append(OMML.run("= ") + side)
     return [_math(line) for line in lines]
+
+
+def _width(content: str) -> int:
+    return width(ElementTree.fromstring(_math(content)))
 
 
 def _math(content: str) -> str:

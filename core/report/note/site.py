@@ -73,12 +73,13 @@ def building(result: StudyResult, words: Words) -> list[Part]:
             words.number(mode.period, ".3f"),
             words.number(mode.damping, ".3f"),
             words.number(mode.participation, ".3f"),
+            words.number(float(floor.spectrum.ground.acceleration([mode.period], mode.damping)[0]) / G, ".3f"),
         ]
         for z, floor in sorted(floors.items())
         for k, mode in enumerate(floor.modes, start=1)
     ]
-    heads = ["z [m]", say("Mode"), "T [s]", "ξ [-]", "γψ [-]"]
-    return [Heading(words.word("section_building"), 3), Derivation(steps), Table(heads, rows, (1, 1, 1, 1, 1))]
+    heads = ["z [m]", say("Mode"), "T [s]", "ξ [-]", "γψ [-]", "S_e(T, ξ) [g]"]
+    return [Heading(words.word("section_building"), 3), Derivation(steps), Table(heads, rows, (1, 1, 1, 1, 1, 1))]
 
 
 def loads(wall: WallResult, words: Words) -> list[Part]:

@@ -2,14 +2,20 @@
 "α0 = t/H = 0.90/12.50 = 0.0720". Each names the cell of the sheet Check that has the same as a live formula.
 """
 
+import ast
+from dataclasses import replace
+
 from core.derivation import site
 from core.derivation import wall as of_wall
 from core.derivation.geometry import geometry
-from core.derivation.line import FULL, SYMBOLS, Columns, Line, Section
+from core.derivation.line import FULL, Columns, Line, Section
 from core.report.note.parts import Step
 from core.report.note.words import Words
 from core.report.phrases import Phrases
 from core.study.results import StudyResult, WallResult
+
+MOST = 150
+"""Characters of a formula that a note holds: the closed form of SI, which decides nothing, has more."""
 
 
 class Derivations:
@@ -21,29 +27,35 @@ class Derivations:
         self.demand = self.steps(site.demand_section(result), "")
 
     def steps(self, section: Section, prefix: str | None = None) -> list[Step]:
-        """Steps of the lines the note shows."""
+        """Steps of the lines, all of them: each number of the note follows from numbers of the note."""
         prefix = self.prefix if prefix is None else prefix
         self.phrases.enter(section)
         steps = []
         for line in section.lines:
             if not isinstance(line, Columns):
-                step = self._step(line, prefix)
-                if line.note:
-                    steps.append(step)
+                of, note = line.shown_by or line.of, FULL if self._in_numbers(line) else line.note
+                steps.append(self._step(replace(line, of=of, note=note), prefix))
         return steps
+
+    def _in_numbers(self, line: Line) -> bool:
+        """Whether each number of the formula of a line stands above it: those of loads and modes stand in tables."""
+        of = line.shown_by or line.quantity
+        if of is None or isinstance(of.tree, ast.Name):
+            return False
+        return all(name in self.phrases.shown for name in of.needs)
 
     def _step(self, line: Line, prefix: str) -> Step:
         name = prefix + line.of.name
         said = self.phrases.of(line, name, prefix + line.run_name)
-        result = self.phrases.read(line.value)
+        result, long = self.phrases.read(line.value), len(said.symbols) > MOST
         return Step(
             said.symbol,
             result,
             f".{line.of.digits}f",
             said.unit,
             said.clause,
-            said.symbols if line.note in (FULL, SYMBOLS) else "",
-            said.numbers,
+            "" if long else said.symbols,
+            [] if long else said.numbers,
             name,
             said.label,
             line.quantity,

@@ -1,12 +1,14 @@
 """The description of a derivation is an independent way to the numbers of core/codes and core/wall."""
 
 import functools
+import math
 import random
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
+from core.codes.target_spectrum import ntc2018
 from core.derivation import bending, body, checks, closed_forms, demand
 from core.derivation import wall as of_wall
 from core.derivation.closed_forms import closed
@@ -16,6 +18,7 @@ from core.derivation.quantity import Quantity
 from core.derivation.site import demand_section
 from core.errors import InputError
 from core.study.run import run
+from core.units import G
 from core.wall.restitution import MODELS
 from tests.clauses_alone import parse_case
 from tests.validation.circolare import EN_B, NTC_C
@@ -231,7 +234,23 @@ def test_that_every_quantity_is_one_of_a_wall():
             for wall in result.walls:
                 lines = [line for section in sections_of(result, wall) for line in section.lines]
                 seen |= {line.quantity.function.__name__ for line in lines if getattr(line, "quantity", None)}
-    assert described - seen == set()
+                seen |= {line.shown_by.function.__name__ for line in lines if getattr(line, "shown_by", None)}
+    branches = {one.function.__name__ for one in (*checks.SE_BRANCHES, *checks.S_DE_BRANCHES)}
+    assert described - seen - branches == set()
+
+
+@pytest.mark.parametrize("damping", [5.0, 8.0, 10.0])
+def test_that_each_branch_of_the_note_is_the_spectrum_of_the_program(damping):
+    target = ntc2018(2.0, 2.45, 0.33, "C", "T1")
+    ends = [0.0, target.t_b, target.t_c, target.t_d, 4.0]
+    for k, (se, s_de) in enumerate(zip(checks.SE_BRANCHES, checks.S_DE_BRANCHES, strict=True)):
+        period = 0.3 * ends[k] + 0.7 * ends[k + 1]
+        known = {"demand_pga": target.pga / G, "period_0": period, "period": period, "gravity": G, "damping": damping}
+        known |= {"spectrum_f0": 2.45, "spectrum_tb": target.t_b, "spectrum_tc": target.t_c, "spectrum_td": target.t_d}
+        (elastic,), (damped,) = target.acceleration([period]), target.acceleration([period], damping / 100.0)
+        assert se.function(*(known[name] for name in se.needs)) == pytest.approx(elastic / G, rel=1e-12)
+        found = s_de.function(*(known[name] for name in s_de.needs))
+        assert found == pytest.approx(damped * (period / (2.0 * math.pi)) ** 2, rel=1e-12)
 
 
 def test_that_the_sections_of_a_run_with_records_agree_too(reference, tmp_path):

@@ -23,7 +23,7 @@ from core.errors import InputError, OutputError
 from core.report.assumption_table import tabled
 from core.report.derived import cell_prefix
 from core.report.note.content import note
-from core.report.note.equation import LONGEST, equations, width
+from core.report.note.equation import WIDEST, equations, width
 from core.report.note.parts import Bars, Blanks, Box, Derivation, Figures, Heading, Item, Paragraph, Step, Table
 from core.report.verdict_words import in_order, lines_of, sentence_of
 from core.study.demand_histories import deciding_runs, demand_histories
@@ -56,19 +56,38 @@ def test_that_each_line_of_a_derivation_gives_its_result(building, verdict):
             written = step.in_numbers("en")
             if not written or "κ" in step.formula:
                 continue
-            text = written.replace("·", "*").replace("−", "-").replace("√", "sqrt").replace("10³", "1000")
-            text = re.sub(r"(sin|cos|tan) ([\d.]+)°", r"\1(\2*pi/180)", text.replace("π", "pi").replace("²", "**2"))
+            text = written.replace("10³", "1000")
+            for sign, meant in {"·": "*", "−": "-", "√": "sqrt", "π": "pi", "²": "**2", "³": "**3", "^": "**"}.items():
+                text = text.replace(sign, meant)
+            text = re.sub(r"(sin|cos|tan) ([\d.]+)°", r"\1(\2)", text)
+            text = re.sub(r"\|(.*)\|", r"abs(\1)", text)
             known = {
                 "pi": np.pi,
                 "sqrt": np.sqrt,
-                "sin": np.sin,
-                "cos": np.cos,
-                "tan": np.tan,
+                "sin": lambda x: np.sin(np.radians(x)),
+                "cos": lambda x: np.cos(np.radians(x)),
+                "tan": lambda x: np.tan(np.radians(x)),
                 "arctan": lambda x: np.degrees(np.arctan(x)),
             }
             assert eval(text, known) == pytest.approx(step.result, rel=0.02), written
             counted += 1
     assert counted > 40
+
+
+# zeta : of the check that decides, which stands above by its own name
+IN_TABLES = {"loads", "modes", "solids"}
+CONSTANTS = {"zeta", "share", "factor", "damping", "gravity", "topography", "area_run", "si_run", "pga_run"}
+
+
+def test_that_whatever_a_line_is_made_of_stands_above_it(building, verdict):
+    """Each number of the note is counted from numbers of the note: of lines, of its tables, constants of a clause."""
+    for result in (building, verdict):
+        steps = steps_of(note(result, "en"))
+        known = {step.cell for step in steps if not (step.cell or "").startswith("wall")}
+        for step in steps:
+            needs = set(step.quantity.needs if step.quantity else ()) - IN_TABLES - CONSTANTS - known
+            assert {name for name in needs if not name.startswith("soil_")} == set(), step.written("en")
+            known |= {step.cell, re.sub(r"^wall\d+_", "", step.cell or "")}
 
 
 def test_that_every_check_has_its_zeta_in_the_note_and_on_the_check_sheet(verdict):
@@ -221,7 +240,7 @@ def test_the_document_opens_and_says_what_the_note_says(verdict):
 def test_that_no_equation_is_wider_than_its_column(which, request):
     for step in steps_of(note(request.getfixturevalue(which), "it")):
         for line in equations(step, "it"):
-            assert width(ElementTree.fromstring(line)) <= LONGEST, step.symbol
+            assert width(ElementTree.fromstring(line)) <= WIDEST, step.symbol
 
 
 def test_that_the_batch_writes_the_document_or_refuses_before_the_run(tmp_path, monkeypatch, capsys):
