@@ -213,7 +213,8 @@ def generated_for(asked: Generate, demand: DemandResult) -> list[GroundMotion]:
 def set_of(motions: Sequence[GroundMotion]) -> Generate | None:
     """What was asked for to generate these motions; None of others, and of several sets."""
     said = [dict(motion.details) for motion in motions if motion.format == "generated"]
-    if not motions or len(said) < len(motions) or len({one["scatter"] for one in said}) > 1:
+    scatters = {one.get("scatter") for one in said}
+    if not motions or len(said) < len(motions) or len(scatters) > 1 or None in scatters:
         return None
     return Generate(len(said), min(int(one["seed"]) for one in said), float(said[0]["scatter"]))
 

@@ -1,5 +1,8 @@
 """The calculation note of a result, part after part."""
 
+from itertools import groupby
+
+from core.case.site import FULL_FACTOR
 from core.ground.provenance import provenance
 from core.report import assumption_table
 from core.report.confirmed import assumptions_of
@@ -26,6 +29,7 @@ from core.report.place_lines import place_of
 from core.report.selection_words import lines_of as lines_of_selection
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import in_order, lines_of, sentence_of, tone_of
+from core.setting.demand_input import set_of
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import localized
 from core.units import G
@@ -154,7 +158,19 @@ def _demand(result: StudyResult, words: Words) -> list[Part]:
     if demand.return_period is not None:
         steps.append(Step("T_R", demand.return_period, ".0f", say("years"), "3.2.0"))
     steps += Derivations(result, words).demand
-    return [*parts, Derivation(steps)]
+    return [*parts, Derivation(steps), Paragraph(_confidence(result, words), "quiet")]
+
+
+def _confidence(result: StudyResult, words: Words) -> str:
+    """Why FC is what it is."""
+    demand = result.case.demand
+    fc = words.number(demand.confidence_factor, ".2f")
+    if demand.confidence_factor >= FULL_FACTOR:
+        return words.say(
+            "FC {fc}: knowledge level LC1, or the compressive strength is not counted on (C8.7.1.2.1).", fc=fc
+        )
+    level, done = demand.knowledge_level or "", demand.investigations
+    return words.say("FC {fc}: knowledge level {level}, by {investigations}.", fc=fc, level=level, investigations=done)
 
 
 def _verdicts(result: StudyResult, words: Words) -> list[Part]:
@@ -232,6 +248,17 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
     if result.selection:
         parts += [Paragraph(line, "quiet") for line in lines_of_selection(result.selection, say, words.language)]
         parts += _side_by_side([selection_figure.spectra(result, words)])
+    made = set_of(result.motions)
+    if made is not None:
+        known = {"n": made.count, "first": made.seed, "last": made.seed + made.count - 1}
+        said = say(
+            "{n} motions generated, seeds {first} to {last}: noise whose spectrum is brought to that of the demand "
+            "times exp({scatter} ε(T)), ε correlated over the periods (Baker and Jayaram 2008), the set with one "
+            "factor so that its mean fits (NTC 2018 3.2.3.6).",
+            scatter=words.number(made.scatter, ".2f"),
+            **known,
+        )
+        parts.append(Paragraph(said))
     rules = result.compliance
     if rules is not None:
         line = (
@@ -241,6 +268,11 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
         )
         parts.append(Paragraph(line))
     return parts
+
+
+def _in_runs(steps: list[Step]) -> list[Derivation]:
+    """Steps with a formula, and those without, which stand side by side."""
+    return [Derivation(list(run)) for _, run in groupby(steps, lambda step: bool(step.formula))]
 
 
 def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -> list[Part]:
@@ -273,7 +305,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     parts += site.solids(wall, words) + site.loads(wall, words)
     for title, steps in derived:
         if steps:
-            parts += [Heading(say(title), 3), Derivation(steps)]
+            parts += [Heading(say(title), 3), *_in_runs(steps)]
     drawn = [wall_figures.histories(result, wall, words), wall_figures.peaks(wall, words)]
     drawn += [wall_figures.forces_of_ties(result, wall, words), wall_figures.tie_heights(wall, words)]
     parts += _side_by_side([] if short else drawn)

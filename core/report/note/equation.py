@@ -184,19 +184,25 @@ def sides(step: Step, language: str, to: Notation) -> list[str]:
     return [*found, to.run(step.result_written(language) + unit)]
 
 
+def rows(step: Step, language: str, to: Notation) -> list[list[str]]:
+    """`sides` as they stand in a line each: what a line has no room for stands below, what no line has room for is left
+    out, its numbers standing above."""
+    written, measured = sides(step, language, to), [_width(side) + 2 for side in sides(step, language, OMML)]
+    found, room = [[written[0], written[1]]], measured[0] + measured[1]
+    for side, wide in zip(written[2:], measured[2:], strict=True):
+        if room + wide <= LONGEST:
+            found[-1].append(side)
+            room += wide
+        elif wide <= WIDEST or side is written[-1]:
+            found.append([side])
+            room = wide
+    return found
+
+
 def equations(step: Step, language: str) -> list[str]:
-    """The line of a step in OMML; what it has no room for stands below."""
-    first, second, *others = sides(step, language, OMML)
-    if step.numbers and _width(others[0]) > WIDEST - 2:  # no line holds it: the numbers stand above
-        others = others[1:]
-    lines = [first + OMML.run(" = ") + second]
-    for side in others:
-        longer = lines[-1] + OMML.run(" = ") + side
-        if _width(longer) <= LONGEST:
-            lines[-1] = longer
-        else:
-            lines.append(OMML.run("= ") + side)
-    return [_math(line) for line in lines]
+    """The lines of a step in OMML."""
+    first, *others = (OMML.run(" = ").join(row) for row in rows(step, language, OMML))
+    return [_math(line) for line in (first, *(OMML.run("= ") + line for line in others))]
 
 
 def _width(content: str) -> int:
