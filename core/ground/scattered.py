@@ -9,6 +9,7 @@ import functools
 import math
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from statistics import NormalDist
 from typing import Any
 
 import numpy as np
@@ -51,13 +52,11 @@ def correlation(first: float, second: float) -> float:
 def deviations(count: int, seed: int, periods: np.ndarray) -> np.ndarray:
     """eps of the motions of a set, shape (count, periods). Stratified: along each direction of the correlation the
     values are the quantiles of the normal distribution, in an order drawn by the seed. periods : [s]"""
-    from scipy.special import ndtri
-
     matrix = np.array([[correlation(a, b) for b in periods] for a in periods])
     variances, directions = np.linalg.eigh(matrix)
     variances = np.clip(variances, 0.0, None)
     draw = np.random.Generator(np.random.PCG64(seed))
-    levels = ndtri((np.arange(count) + 0.5) / count)
+    levels = np.array([NormalDist().inv_cdf((k + 0.5) / count) for k in range(count)])
     scores = np.array([draw.permutation(levels) for _ in periods])
     eps = (directions * np.sqrt(variances)) @ scores
     return (eps / np.sqrt((directions**2 * variances).sum(axis=1))[:, None]).T
