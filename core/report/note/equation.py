@@ -157,8 +157,12 @@ class Equation(Face):
         return [self.notation.run(numeral(float(value), "g", self.language))], ATOM
 
 
-LONGEST, WIDEST = 50, 77
-"""Characters a line has room for beside its label and clause, and over the whole width."""
+LONGEST, WIDEST = 42, 77
+"""Characters a line has room for beside its label and clause, in the wide letters an office without Cambria Math sets
+them in, and over the whole width."""
+
+IN_PDF = 50
+"""The first of them in the letters of the PDF."""
 
 
 def width(node: ElementTree.Element) -> int:
@@ -184,13 +188,13 @@ def sides(step: Step, language: str, to: Notation) -> list[str]:
     return [*found, to.run(step.result_written(language) + unit)]
 
 
-def rows(step: Step, language: str, to: Notation) -> list[list[str]]:
+def rows(step: Step, language: str, to: Notation, longest: int = LONGEST) -> list[list[str]]:
     """`sides` as they stand in a line each: what a line has no room for stands below, what no line has room for is left
     out, its numbers standing above."""
     written, measured = sides(step, language, to), [_width(side) + 2 for side in sides(step, language, OMML)]
     found, room = [[written[0], written[1]]], measured[0] + measured[1]
     for side, wide in zip(written[2:], measured[2:], strict=True):
-        if room + wide <= LONGEST:
+        if room + wide <= longest:
             found[-1].append(side)
             room += wide
         elif wide <= WIDEST or side is written[-1]:

@@ -16,7 +16,7 @@ from typing import Any
 
 from core.errors import InputError, section
 from core.packages import require
-from core.report.note.equation import TYPST, rows
+from core.report.note.equation import IN_PDF, TYPST, rows
 from core.report.note.figure_geometry import laid_out
 from core.report.note.parts import Bars, Blanks, Derivation, Figures, Heading, Item, Part, Table
 from core.report.note.words import Words
@@ -181,7 +181,7 @@ class Note:
 
     def _step(self, step) -> dict[str, Any]:
         language = self.words.language
-        equation = " \\ = ".join("= ".join(row) for row in rows(step, language, TYPST))
+        equation = " \\ = ".join("= ".join(row) for row in rows(step, language, TYPST, IN_PDF))
         alt = f"{step.written(language)} = {step.result_written(language)} {step.unit.replace('–', '')}".strip()
         return {"math": equation, "alt": alt, "label": step.label, "clause": step.clause}
 
