@@ -90,7 +90,7 @@ def _row_of(demand: DemandResult, asked: Demand) -> HazardRow | None:
 
 def _with_spectrum(demand: DemandResult, asked: Demand, spectrum: Spectrum) -> DemandResult:
     """The demand with this spectrum."""
-    target = target_of(replace(asked, spectrum=spectrum, spectrum_file=None), Path())
+    target = target_of(replace(asked, ag_g=demand.ag / G, spectrum=spectrum, spectrum_file=None), Path())
     assert target is not None
     return replace(
         demand,

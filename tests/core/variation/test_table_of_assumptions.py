@@ -16,11 +16,12 @@ from core.codes.masonry_types import TYPES, least_strength
 from core.codes.outcomes import OUTCOMES, PASSES, severity
 from core.report import json_report
 from core.setting import demand_input
-from core.setting.demand_input import demand_of
+from core.setting.demand_input import demand_of, with_ag
 from core.setting.plan import plan_of, read_inputs
 from core.setting.scene import model_of
 from core.study.run import run
 from core.variation.evaluate import evaluate
+from core.variation.raised_site import of_what_is_required
 from tests.clauses_alone import parse_case
 from tests.core.ooxml.writers import WRITERS, workbook
 
@@ -349,3 +350,13 @@ def test_that_hidden_rows_of_a_table_of_walls_are_among_the_limits_of_each_verdi
     said = json_report.results(run(read_case(path), base_dir=tmp_path))["verdicts"]
     assert len(said) == 1
     assert any(line["key"] == "hidden_rows" and "4" in line["text_en"] for line in said[0]["limits"])
+
+
+def test_that_the_other_spectrum_has_the_a_g_of_the_demand_it_is_judged_at():
+    """At a limit state, or with a_g moved, the demand has an a_g of its own beside that of the case."""
+    scene = scene_of(WALL, {"ag_g": 0.2, "spectrum": NTC | {"f0": 2.05}}, analysis={"histories": False})
+    moved = with_ag(scene.demand, scene.asked, Path(), 1.7)
+    for demand in (scene.demand, moved):
+        (row,) = (one for one in of_what_is_required(scene.but(demand=demand)) if one.key == "f0")
+        there = row.ends[0].change(scene.but(demand=demand)).demand
+        assert there.ag == pytest.approx(demand.ag) and there.target.ag == pytest.approx(demand.ag)
