@@ -90,6 +90,8 @@ SHOWN_BY = {
     "wall/one_body": BODIES,
     "wall/wall_body": BODIES,
     "rocking/taylor_two_hinges": BODIES,
+    "rocking/taylor_with_branch": "tests/core/rocking/test_oscillator.py",
+    "rocking/short_series": "tests/validation/test_sine_and_cosine.py",
     "derivation/geometry": "tests/core/derivation/test_wall.py",
     "report/body_sheet": "tests/core/report/test_workbook.py",
     "report/outlines": BODIES,

@@ -10,7 +10,7 @@ from core.codes.kinematic import elastic_period
 from core.codes.kinematic_chain import chain
 from core.codes.masonry_types import moduli
 from core.units import G
-from core.wall.rocking_model import RockingModel
+from core.wall.rocking_model import RockingModel, with_branch
 from core.wall.wall_loads import sides_are_alike
 
 ELASTIC, AUTO = "elastic", "auto"
@@ -46,8 +46,7 @@ class Branch:
 
     def of(self, model: RockingModel) -> RockingModel:
         """The rigid model of the wall with this branch."""
-        end = self.limit * model.collapse_rotation
-        return model._replace(elastic_end=end, plateau_end=end)
+        return with_branch(model, self.limit)
 
 
 def wants_branch(wall, mechanism: str) -> bool:

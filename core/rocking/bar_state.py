@@ -8,7 +8,7 @@ import numpy as np
 
 from core.jit.decorators import subkernel
 from core.rocking.events import BlockState
-from core.rocking.taylor_series import sine_and_cosine
+from core.rocking.short_series import sine_and_cosine
 from core.units import G
 from core.wall.bars import BREAK, START, STIFFNESS, YIELD, angle_of
 from core.wall.moment_rotation import FAR

@@ -50,9 +50,11 @@ from core.rocking.lane_state import (
     set_lane,
 )
 from core.rocking.lanes import series_of
+from core.rocking.oscillator import branches_apart
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
+from core.rocking.short_series import SHORT_SERIES
 from core.rocking.taylor import advance, converged_step, cross_kink, first_event, impact
-from core.rocking.taylor_series import SHORT_SERIES, InitialTerms
+from core.rocking.taylor_series import InitialTerms
 from core.wall.moment_rotation import moment_branch, zone_of
 from core.wall.rocking_model import seen_from, sides_differ
 
@@ -203,7 +205,7 @@ def scalar_step(k, dt, model, constants, order, zero, state):
         state[IMPACTS + k] += 1.0
         state[KINKS + k] = 0.0
     else:
-        block = cross_kink(block, event, branch)
+        block = cross_kink(block, event, branch, branches_apart(model.driven))
         kinks = state[KINKS + k] if state[KINK_SAMPLE + k] == state[SAMPLE + k] else 0.0
         state[KINKS + k] = kinks + 1.0
         state[KINK_SAMPLE + k] = state[SAMPLE + k]

@@ -58,6 +58,7 @@ from core.rocking.lane_state import (
     TIME,
     VECTOR,
 )
+from core.rocking.short_series import SHORT_SERIES, sine_and_cosine_short
 from core.rocking.taylor import peak_may_grow
 from core.rocking.taylor_bounds import (
     MAX_GROWTH,
@@ -69,13 +70,7 @@ from core.rocking.taylor_bounds import (
     turning_margin,
 )
 from core.rocking.taylor_polynomial import change, landing, shape, whole_step
-from core.rocking.taylor_series import (
-    SHORT_SERIES,
-    InitialTerms,
-    initial_terms,
-    sine_and_cosine_short,
-    taylor_coefficients,
-)
+from core.rocking.taylor_series import InitialTerms, initial_terms, taylor_coefficients
 from core.wall.moment_rotation import FAR
 
 MAX_HALVINGS = 4

@@ -66,6 +66,6 @@ def resolve_auto(method: Method, model: RockingModel, dt: float) -> Method:
         return method
     phi1, phi2 = model.elastic_end, model.plateau_end
     amplitude = max(model.restoring.amplitude, model.mirrored.amplitude)
-    slope = math.sin(model.collapse_rotation - phi2) / phi1 if phi2 > 0.0 else 0.0
+    slope = math.sin(model.collapse_rotation - phi2) / phi1 if phi2 > 0.0 and model.driven is None else 0.0
     growth = dt * math.sqrt(model.p2 * amplitude * (1.0 + slope))
     return METHODS["taylor_6" if growth <= ORDER_SIX_UP_TO else "taylor"]

@@ -3,6 +3,7 @@
 
 from core.jit.decorators import subkernel
 from core.jit.fma import fma
+from core.rocking.short_series import sine_and_cosine
 from core.rocking.taylor import Crossing
 from core.rocking.taylor_bounds import converged_part, neglected, relative_tolerance, shortened
 from core.rocking.taylor_polynomial import (
@@ -14,7 +15,7 @@ from core.rocking.taylor_polynomial import (
     increment,
     part_turning_once,
 )
-from core.rocking.taylor_series import PER_G, InitialTerms, WallConstants, sine_and_cosine
+from core.rocking.taylor_series import PER_G, InitialTerms, WallConstants
 
 ORDER = 8
 """Of the series."""

@@ -12,7 +12,9 @@ from core.jit.decorators import inner_kernel, kernel, subkernel
 from core.jit.fma import fma
 from core.rocking.early_stop import cannot_recover
 from core.rocking.events import IMPACTS_PER_SAMPLE, BlockState, end_of_record, leave_impact, next_uplift
+from core.rocking.oscillator import FALLS, RISES, branches_apart, state_on, swing_on, swings
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
+from core.rocking.short_series import SHORT_SERIES, sine_and_cosine
 from core.rocking.taylor_bounds import (
     MAX_GROWTH,
     converged_part,
@@ -32,15 +34,7 @@ from core.rocking.taylor_polynomial import (
     shape,
     whole_step,
 )
-from core.rocking.taylor_series import (
-    SHORT_SERIES,
-    InitialTerms,
-    constants_seen,
-    initial_terms,
-    sine_and_cosine,
-    taylor_coefficients,
-    wall_constants,
-)
+from core.rocking.taylor_series import InitialTerms, constants_seen, initial_terms, taylor_coefficients, wall_constants
 from core.wall.moment_rotation import FAR, moment_branch, zone_of
 from core.wall.rocking_model import seen_from
 
@@ -190,8 +184,9 @@ def impact(state, ground, model, constants):
 
 
 @inner_kernel
-def cross_kink(state, event, branch):
-    """BlockState on the next branch of the moment law, at the end of this one that a step reached."""
+def cross_kink(state, event, branch, apart):
+    """BlockState on the next branch of the moment law, at the end of this one that a step reached. apart : by how much
+    their numbers differ"""
     low, high, _, _, _, _ = branch
     phi = low if event.falls else high
     return BlockState(
@@ -199,7 +194,7 @@ def cross_kink(state, event, branch):
         phi,
         state.speed,
         True,
-        state.zone + (-1 if event.falls else 1),
+        state.zone + (-apart if event.falls else apart),
         max(state.peak, phi),
         state.impacts,
         state.clamped,
@@ -231,6 +226,18 @@ def through_sample(ground0, ground1, dt, model, constants, order, strongest, sta
             if t >= 1.0:
                 break
             state = BlockState(side, 0.0, 0.0, True, zone_of(0.0, model), state.peak, state.impacts, state.clamped)
+        if swings(model.driven, state.zone):
+            state, t, ended = swing_on(constants.swing, state, ground0, jump, t)
+            if ended == FALLS:
+                state, hit = impact(state, ground0 + jump * t, seen_from(model, state.side), constants)
+                break
+            if ended == RISES:
+                state = state_on(state, 2)
+                kinks += 1
+            if kinks > IMPACTS_PER_SAMPLE:
+                outcome = IMPACT_LIMIT
+                break
+            continue
         seen, own = seen_from(model, state.side), constants_seen(constants, constants.other, state.side)
         branch = moment_branch(state.zone, seen)
         v, begun, part = converged_step(state, ground0, ground1, t, dt, branch, seen, own, order)
@@ -244,7 +251,7 @@ def through_sample(ground0, ground1, dt, model, constants, order, strongest, sta
         if event.falls and branch[0] == 0.0:
             state, hit = impact(state, ground0 + jump * t, seen, constants)
             break
-        state = cross_kink(state, event, branch)
+        state = cross_kink(state, event, branch, branches_apart(model.driven))
         kinks += 1
         if kinks > IMPACTS_PER_SAMPLE:
             outcome = IMPACT_LIMIT

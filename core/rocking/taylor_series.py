@@ -11,12 +11,11 @@ from typing import NamedTuple
 from core.jit.decorators import inner_kernel, subkernel
 from core.jit.fma import fma
 from core.rocking.events import uplift_thresholds
+from core.rocking.oscillator import Swing, swing_of
 from core.rocking.taylor_bounds import SERIES_TOLERANCE, plus
 from core.units import G
+from core.wall.moment_rotation import FAR
 from core.wall.rocking_model import OtherSide, seen_from
-
-SHORT_SERIES = 0.8
-"""Rotation up to which the polynomials of sin and cos hold to full precision [rad]."""
 
 PER_G = 1.0 / G
 
@@ -31,6 +30,7 @@ class WallConstants(NamedTuple):
     sine_bound : sin(alpha) + |c|/a, of both sides the larger one; sin(alpha) without loads [-]
     collapse : the smaller theta_c of both sides [rad]
     other : OtherSide of the model
+    swing : Swing of its branch in closed form, None where it has none
     """
 
     thresholds: tuple[float, float]
@@ -42,6 +42,7 @@ class WallConstants(NamedTuple):
     sine_bound: float
     collapse: float
     other: OtherSide | None = None
+    swing: Swing | None = None
 
 
 class InitialTerms(NamedTuple):
@@ -84,6 +85,7 @@ def wall_constants(model, dt):
         + max(abs(right.cosine) / right.sine, abs(left.cosine) / left.sine),
         model.slenderness + model.lean,
         model.other,
+        swing_of(model.driven, model, dt),
     )
 
 
@@ -104,6 +106,26 @@ def constants_seen(constants, other, side):
         constants.sine_bound,
         constants.collapse,
         other,
+        constants.swing,
+    )
+
+
+@subkernel
+def endless(constants):
+    """WallConstants of a wall whose branch in closed form has no end."""
+    parts = constants.swing
+    swing = Swing(parts.rate, parts.static, FAR, parts.span, parts.sine, parts.versine)
+    return WallConstants(
+        constants.thresholds,
+        constants.tangent,
+        constants.sine,
+        constants.cosine,
+        constants.tolerance,
+        constants.strength,
+        constants.sine_bound,
+        constants.collapse,
+        constants.other,
+        swing,
     )
 
 
@@ -249,27 +271,3 @@ def taylor_coefficients(x, start, factor, slope, strength, order):
     v = (v[0], v1, v[2], v[3], v[4], v[5], v[6], v[7], v[8])
     bound = plus(strength + start.forcing, slope)
     return v, fma(start.p2, bound, start.speed * start.speed)
-
-
-@inner_kernel
-def sine_and_cosine_short(x):
-    """sin and cos of a rotation up to SHORT_SERIES to full precision: of the polynomials in x^2 of degree 5 those with
-    the least largest error of (sin x / x - 1) / x^2 and (cos x - 1 + x^2 / 2) / x^4, 4e-18 and 7e-20."""
-    y = x * x
-    z = y * y
-    low = fma(y, 8.333333333320385e-3, -1.6666666666666624e-1)
-    middle = fma(y, 2.755731307987325e-6, -1.984126982810434e-4)
-    high = fma(y, 1.5890963716440038e-10, -2.5050659650507583e-8)
-    s = fma(x * y, fma(z, fma(z, high, middle), low), x)
-    low = fma(y, -1.3888888888873108e-3, 4.1666666666666595e-2)
-    middle = fma(y, -2.7557314041481213e-7, 2.4801587288597082e-5)
-    high = fma(y, -1.1356904546063648e-11, 2.087567509607677e-9)
-    return s, fma(z, fma(z, fma(z, high, middle), low), fma(-0.5, y, 1.0))
-
-
-@subkernel
-def sine_and_cosine(x):
-    """sin and cos of a rotation [rad]."""
-    if x > SHORT_SERIES:
-        return math.sin(x), math.cos(x)
-    return sine_and_cosine_short(x)

@@ -27,8 +27,9 @@ from core.rocking.early_stop import LOOKAHEAD, MAX_SETTLED_RATIO, cannot_recover
 from core.rocking.events import IMPACTS_PER_SAMPLE, LAST_ROTATION, BlockState, next_uplift
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.series_with_bars import bounded_with, step_with_bars, until_turn
+from core.rocking.short_series import sine_and_cosine
 from core.rocking.taylor import advance, first_event, impact
-from core.rocking.taylor_series import PER_G, WallConstants, sine_and_cosine, wall_constants
+from core.rocking.taylor_series import PER_G, WallConstants, wall_constants
 from core.units import G
 from core.wall.bars import bar_rows, stored, work_to
 from core.wall.moment_rotation import FAR, potential

@@ -31,6 +31,17 @@ class OtherSide(NamedTuple):
         return cls(slenderness, p2, ratio_at_rest, *trigonometric)
 
 
+class Oscillator(NamedTuple):
+    """The branch of a wall without plateau as a linear oscillator (core/rocking/oscillator.py).
+
+    stiffness : of the restoring moment over m g R [1/rad]
+    static : rotation under a steady ground acceleration [rad per m/s2]
+    """
+
+    stiffness: float
+    static: float
+
+
 class RockingModel(NamedTuple):
     """Equation of motion of one wall (Coccia et al. 2016, Eq. 1 to 8, Fig. 3) as plain floats.
 
@@ -51,6 +62,7 @@ class RockingModel(NamedTuple):
         of walls with bars take them apart from the rest, which then has none
     other : of a two-sided body that is another one for negative rotations; None of a symmetric one, whose kernels then
         have nothing of it
+    driven : its elastic branch where there is no plateau, solved in closed form; None of every other law
     """
 
     slenderness: float
@@ -66,6 +78,7 @@ class RockingModel(NamedTuple):
     amplitude: float = 1.0
     bars: tuple[Bar, ...] = ()
     other: OtherSide | None = None
+    driven: Oscillator | None = None
 
     @property
     def collapse_rotation(self) -> float:
@@ -83,6 +96,15 @@ class RockingModel(NamedTuple):
         """a_RM = g (a tan(alpha) + c) [m/s2], of both sides the smaller one (Eq. 2)."""
         sides = (self, seen_from.py_func(self, -1.0))
         return min(G * (s.restoring.sine * math.tan(s.slenderness) + s.restoring.cosine) for s in sides)
+
+
+def with_branch(model: RockingModel, limit: float) -> RockingModel:
+    """A rigid wall with an elastic branch in place of its law up to `limit` of theta_c, where the falling line begins.
+    The ground pushes on the branch as at its end, which is more than below it."""
+    end = limit * model.collapse_rotation
+    stiffness = model.amplitude * math.sin(model.collapse_rotation - end) / end
+    static = math.cos(model.slenderness - end) / (stiffness * G)
+    return model._replace(elastic_end=end, plateau_end=end, driven=Oscillator(stiffness, static))
 
 
 @subkernel
@@ -124,6 +146,7 @@ def seen_from(model, side):
         model.amplitude,
         model.bars,
         far_side(model, model.other, side),
+        model.driven,
     )
 
 

@@ -5,7 +5,7 @@ import math
 import mpmath
 import numpy as np
 
-from core.rocking.taylor_series import SHORT_SERIES, sine_and_cosine_short
+from core.rocking.short_series import SHORT_SERIES, sine_and_cosine_short
 
 
 def test_that_sine_and_cosine_are_exact_but_for_the_last_digit():

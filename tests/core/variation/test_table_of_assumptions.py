@@ -134,7 +134,8 @@ def test_that_a_free_element_rocks_less_well_with_its_branch_and_that_the_worse_
     for law in ("rigid", "auto", "elastic"):
         scene = scene_of(PARAPET | {"law": law}, demand, generate=generate)
         zetas[law] = evaluate(scene, other=False).dynamic.zeta
-    assert zetas["auto"] == zetas["elastic"] == pytest.approx(1.15, abs=0.02)
+    # a ground 1e-6 stronger moves it by up to 0.05: hundreds of impacts (resources/docs/physics.md, section 4)
+    assert zetas["auto"] == zetas["elastic"] == pytest.approx(1.15, abs=0.05)
     assert zetas["rigid"] == pytest.approx(1.354, abs=0.002)
     scene = scene_of(PARAPET, demand, generate=generate)
     both = [
