@@ -55,7 +55,7 @@ class Circumstances:
     both_signs : a one-sided wall was given each record with both
     period_estimated : the period of the building that carries the wall was not given
     exact : the integrator is not one for comparison
-    unbranched : the clause asks for an elastic branch, which no history of this wall has
+    unbranched : code of the reason why histories have not the elastic branch the clause asks for, empty where they have
     """
 
     stations: int
@@ -64,7 +64,7 @@ class Circumstances:
     both_signs: bool = True
     period_estimated: bool = False
     exact: bool = True
-    unbranched: bool = False
+    unbranched: str = ""
 
 
 @dataclass(frozen=True)
@@ -407,7 +407,7 @@ def _limits(seen: Evidence) -> list[Sentence]:
         if not circumstances.exact:
             reasons.append(_reason("comparison_method"))
         if circumstances.unbranched and seen.governing is not None and seen.governing.name == "dynamic":
-            reasons.append(_reason("rigid_free"))
+            reasons.append(_reason(circumstances.unbranched))
     if circumstances.period_estimated:
         reasons.append(_reason("period_estimated"))
     if seen.mechanism == "one_sided" and not seen.wall.back_restraint:

@@ -6,7 +6,7 @@ from enum import Enum
 from functools import cached_property
 
 from core.codes.dynamic_check import DemandCheck
-from core.codes.elastic_branch import wants_branch
+from core.codes.elastic_branch import can_have_branch, wants_branch
 from core.codes.kinematic import Check, Kinematic, checks_of, linear
 from core.codes.limits import counted_stations
 from core.codes.outcomes import FAILS, OPEN, PASSES, severity, worst
@@ -92,10 +92,17 @@ class Evaluation:
             both_signs=scene.model.both_signs_alike or len(scene.signs) == 2,
             period_estimated=scene.period_taken or (floor is not None and floor.estimated),
             exact=scene.method.name in EXACT_METHODS,
-            unbranched=not scene.branches and wants_branch(scene.wall, scene.mechanism),
+            unbranched=self._unbranched(),
         )
         parts = (self.checks, self.dynamic, self.kinematic, scene.compliance, circumstances)
         return Evidence(scene.wall, scene.mechanism, demand, *parts)
+
+    def _unbranched(self) -> str:
+        """Code of the reason why the histories have not the elastic branch the clause asks for."""
+        scene = self.scene
+        if scene.branches or not wants_branch(scene.wall, scene.mechanism):
+            return ""
+        return "does_not_rock" if can_have_branch(scene.wall, scene.mechanism) else "rigid_free"
 
     @cached_property
     def outcome(self) -> str:

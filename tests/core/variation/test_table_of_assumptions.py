@@ -151,7 +151,14 @@ def test_that_a_wall_held_by_cross_walls_has_no_branch_and_a_tied_free_one_is_on
     tie = {"kind": "tie", "kn_m": 5.0, "h_m": 3.5, "bar_length_m": 6.0, "elongation_m": 0.3}
     free = WALL | {"free_element": True, "load": [tie]}
     found = evaluate(scene_of(free, {"ag_g": 0.02, "spectrum": NTC}, generate={"count": 7}), other=False)
-    assert found.evidence.circumstances.unbranched and found.outcome == "indicative"
+    assert found.evidence.circumstances.unbranched == "rigid_free" and found.outcome == "indicative"
+
+
+def test_that_a_wall_elastic_up_to_d_slv_is_said_not_to_rock():
+    soft = PARAPET | {"height_m": 4.0, "elastic_modulus_mpa": 20.0}
+    found = evaluate(scene_of(soft, {"ag_g": 0.02, "spectrum": NTC}, generate={"count": 7}), other=False)
+    assert found.evidence.circumstances.unbranched == "does_not_rock"
+    assert found.outcome not in ("verified", "verified_refined")
 
 
 # histories by default
