@@ -53,6 +53,7 @@ class Plan:
     motions : of the ground, with those generated; kinds : of each
     entries : the walls
     longest : period of the mechanisms of all walls [s], where these are a group of more; None else
+    walls : of the whole case, where these are a group of more
     """
 
     case: Case
@@ -63,6 +64,7 @@ class Plan:
     search: Search
     entries: list[Entry]
     longest: float | None = None
+    walls: int = 0
 
     def scene(
         self, k: int, demand: DemandResult, compliance: Compliance | None = None, histories: Callable = demand_check
@@ -84,6 +86,7 @@ class Plan:
             histories=histories,
             by_default=self.case.default_histories,
             histories_off=not self.case.analysis.histories,
+            many=max(self.walls, len(self.case.wall)) > MANY,
         )
 
     @property
@@ -149,6 +152,10 @@ def with_chosen(
     return replace(case, select=None, record=found.chosen.records), found
 
 
+MANY = 50
+"""Walls of a case beyond which the table of assumptions is made only of walls it can bring to another outcome: a wall
+without histories costs 4 ms, its table some 100 to 400 ms."""
+
 GROUP = 128
 """Walls whose mechanisms are looked at together."""
 
@@ -186,6 +193,7 @@ def plan_of(
     share: tuple[int, int] | None = None,
     longest: float | None = None,
     floors: Floors | None = None,
+    walls: int = 0,
 ) -> Plan:
     """The walls of a case. Raises InputError where the records and the demand do not go together: before hours of work,
     not after.
@@ -194,6 +202,7 @@ def plan_of(
     share : of the walls only some, as `run` takes it
     longest : of the mechanisms of all walls [s], where the case is a group of more
     floors : where the floors of a building are kept for the next group
+    walls : of the whole case, where it is a group of more
     """
     demand, motions, kinds = inputs
     method = METHODS.get(case.analysis.method, AUTO)
@@ -214,7 +223,7 @@ def plan_of(
             signs, felt = polarities_of(model, chosen.polarity), list(floor.motions) if floor else motions
             felt = [] if wall.bends else felt  # no time histories of it
             entries.append(Entry(part, mechanism, model, signs, floor, felt, found))
-    plan = Plan(case, demand, motions, kinds, method, search, entries, longest)
+    plan = Plan(case, demand, motions, kinds, method, search, entries, longest, walls)
     if demand and demand.target and motions:
         period_range(kinds, plan.longest_period, demand)
     return plan

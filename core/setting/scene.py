@@ -58,6 +58,7 @@ class Scene:
     histories : `demand_check`, or one that keeps its results
     by_default : the records are generated for want of given ones: they may lower an outcome, never raise it
     histories_off : none are to be made
+    many : the case has so many walls that the table of assumptions is made only where it can change an outcome
     period_taken : the period of the building is none that is given, but the worst of those it may have
     """
 
@@ -75,6 +76,7 @@ class Scene:
     histories: Callable[..., Any] = demand_check
     by_default: bool = False
     histories_off: bool = False
+    many: bool = False
     period_taken: bool = False
 
     @cached_property

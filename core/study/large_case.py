@@ -89,7 +89,7 @@ def in_order(case: Case, base_dir: Path, cancelled: Callable[[], bool] = lambda:
 def _plan(case: Case, base_dir: Path, inputs: Inputs, group: list[int], longest: float, floors: Floors):
     """The plan of a group of walls. longest : of the mechanisms of all walls [s]"""
     walls = tuple(case.wall[k] for k in group)
-    return plan_of(replace(case, wall=walls), base_dir, inputs, None, longest, floors)
+    return plan_of(replace(case, wall=walls), base_dir, inputs, None, longest, floors, len(case.wall))
 
 
 def without_walls(large: LargeCase) -> StudyResult:

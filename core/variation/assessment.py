@@ -8,10 +8,11 @@ from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import SLD_CLAUSE, Check, Kinematic, with_and_without_ties
 from core.codes.kinematic_chain import chain
 from core.codes.risk import Risk, risk
-from core.codes.verdict import Verdict, verdict
+from core.codes.verdict import Verdict, passes_with_q2, verdict
 from core.codes.verdict_sentence import declared
 from core.errors import InputError
 from core.setting.floors import LOW_CODE, building_notes
+from core.setting.plan import MANY
 from core.setting.scene import Scene
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.units import G
@@ -112,7 +113,8 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
         return Assessment(None, (), None, None, verdict(found.evidence, None))
     unheld = _without_restraint(scene, dynamic, cancelled)
     below = unheld.dynamic if unheld else None
-    raised = assumptions(found, cancelled) if found.zeta is not None else ()
+    made = found.zeta is not None and not (scene.many and _fails_whatever_is_assumed(found))
+    raised = assumptions(found, cancelled) if made else ()
     limits, ratio = [one for one in (found.lower_q,) if one is not None], None
     if scene.floor is not None and scene.building is not None:
         limits += building_notes(scene.building, demand.limit_state)
@@ -125,6 +127,8 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
         limits.append(sentence("reason", "generated_motions"))
     limits += [*_of_bending(kinematic), *_of_ties_not_counted(found), *_of_ties_that_lower(found, cancelled)]
     limits += _of_a_thicker_wall(found)
+    if found.zeta is not None and not made:
+        limits.append(sentence("reason", "assumptions_not_made", n=MANY))
     free = unheld or _overturning(scene, cancelled)
     bound, passes = (free.zeta, free.satisfied) if free else (None, None)
     if free is not None and bound is not None:
@@ -133,6 +137,12 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
     sensitivity = {row.words.code: row.zeta for row in raised if row.words.code in OF_THE_FLOOR}
     parts = (kinematic, found.checks, dynamic, below, said, sensitivity, ratio, _capacity(found))
     return Assessment(*parts, bound_passes=passes)
+
+
+def _fails_whatever_is_assumed(found: Evaluation) -> bool:
+    """Whether no row of the table of assumptions can change the outcome: the check that decides fails, and so does the
+    one with q = 2, which a row may only make fail."""
+    return not found.satisfied and not passes_with_q2(found.made("linear_q_code"), found.scene.demand.zeta_target)
 
 
 def _by_default(found: Evaluation) -> Sentence:

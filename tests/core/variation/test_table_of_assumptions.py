@@ -15,7 +15,7 @@ from core.codes.kinematic import elastic_period
 from core.codes.masonry_types import TYPES, least_strength
 from core.codes.outcomes import OUTCOMES, PASSES, severity
 from core.report import json_report
-from core.setting import demand_input
+from core.setting import demand_input, plan
 from core.setting.demand_input import demand_of, with_ag
 from core.setting.plan import plan_of, read_inputs
 from core.setting.scene import model_of
@@ -368,3 +368,29 @@ def test_that_the_other_spectrum_has_the_a_g_of_the_demand_it_is_judged_at():
         (row,) = (one for one in of_what_is_required(scene.but(demand=demand)) if one.key == "f0")
         there = row.ends[0].change(scene.but(demand=demand)).demand
         assert there.ag == pytest.approx(demand.ag) and there.target.ag == pytest.approx(demand.ag)
+
+
+# many walls
+
+
+def test_that_of_many_walls_the_table_is_left_out_where_no_row_changes_the_outcome(monkeypatch):
+    draw, walls = np.random.default_rng(8), []
+    for k in range(24):
+        height = round(float(draw.uniform(2.5, 9.0)), 2)
+        given = {"name": f"w{k}", "height_m": height, "thickness_m": round(height / float(draw.uniform(4.0, 12.0)), 2)}
+        load = {"kind": "vertical", "kn_m": 20.0, "d_m": 0.1, "h_m": height, "mass": "none"}
+        walls.append(WALL | given | ({"load": [load]} if k % 2 else {"unloaded_confirmed": True}))
+    demand = {"ag_g": 0.15, "soil_factor": 1.2}
+    case = rules.parse_case({"wall": walls, "demand": demand})
+    every = run(case, base_dir=Path())
+    monkeypatch.setattr(plan, "MANY", 20)
+    bounded = run(case, base_dir=Path())
+    said = 0
+    for whole, some in zip(every.walls, bounded.walls, strict=True):
+        one, other = whole.assessed.verdict, some.assessed.verdict
+        assert (one.code, one.zeta_e) == (other.code, other.zeta_e)
+        left = any(words.code == "assumptions_not_made" for words in other.limits)
+        assert other.assumptions == (() if left else one.assumptions)
+        assert not left or one.code in ("not_verified", "q2_unsafe", "at_limit")
+        said += left
+    assert 0 < said < len(walls)
