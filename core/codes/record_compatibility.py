@@ -56,6 +56,7 @@ class Compliance:
     period_range : of the rules [s]
     unnamed : files that name no station
     full_range : the periods that matter, where no range is asked [s]
+    longest : T_SLV or T_SLC of the walls [s]
     """
 
     periods: np.ndarray
@@ -68,6 +69,7 @@ class Compliance:
     period_range: tuple[float, float] = RANGE
     unnamed: int = 0
     full_range: tuple[float, float] = RANGE
+    longest: float = 0.0
 
     @property
     def narrow(self) -> bool:
@@ -202,4 +204,5 @@ def compliance(
         asked_range,
         unnamed(motions),
         full_range(kinds, longest),
+        longest,
     )

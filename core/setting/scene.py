@@ -5,14 +5,14 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from core.case.schema import Wall
+from core.case.schema import Generate, Wall
 from core.case.site import Building, Demand
 from core.codes.demand import DemandResult, with_records
 from core.codes.dynamic_check import demand_check
 from core.codes.elastic_branch import Branch, branches_of, wants_branch
 from core.codes.floor_spectrum import estimated_period
 from core.codes.kinematic import Kinematic, kinematic
-from core.codes.record_compatibility import Compliance
+from core.codes.record_compatibility import Compliance, compliance
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
 from core.setting.demand_input import generated_for, set_of
@@ -124,6 +124,13 @@ class Scene:
         asked = set_of(self.ground)
         ground = tuple(generated_for(asked, demand) if asked else scaled(self.ground, self.demand, demand))
         return self.but(demand=with_records(demand, list(ground)), ground=ground)
+
+    def generated_as(self, asked: Generate) -> "Scene":
+        """Under another generated set. Raises InputError."""
+        ground = generated_for(asked, self.demand)
+        longest = self.compliance.longest if self.compliance else 0.0
+        demand, kinds = with_records(self.demand, ground), ["artificial"] * len(ground)
+        return self.but(ground=tuple(ground), demand=demand, compliance=compliance(ground, kinds, demand, longest))
 
     @property
     def _felt(self) -> tuple:

@@ -13,7 +13,8 @@ from core.codes.masonry_types import least_strength
 from core.codes.verdict_sentence import CODE_Q
 from core.errors import InputError
 from core.ground.scattered import SPREAD
-from core.setting.demand_input import default_motions, generated_for, set_of
+from core.setting import demand_input
+from core.setting.demand_input import default_motions, set_of
 from core.setting.scene import Scene
 from core.text.sentence import Number, Sentence, sentence
 from core.variation.evaluate import Evaluation
@@ -89,9 +90,15 @@ def raised(found: Evaluation) -> Iterator[Raised]:
     yield from of_what_is_required(scene)
     asked_set = None if scene.by_default or not found.satisfied else set_of(scene.ground)
     if asked_set is not None and asked_set.scatter < SPREAD:
-        natural = tuple(generated_for(replace(asked_set, scatter=SPREAD), demand))
-        end = End(lambda scene: scene.but(ground=natural), SPREAD)
+        natural = replace(asked_set, scatter=SPREAD)
+        end = End(lambda scene: scene.generated_as(natural), SPREAD)
         yield one_end("scatter", "lift_scatter", asked.justification, asked_set.scatter, end, given=asked_set.scatter)
+    usual = demand_input.DEFAULT_SET.count
+    if asked_set is not None and asked_set.count < usual:
+        more = replace(asked_set, count=usual)
+        end = End(lambda scene: scene.generated_as(more), float(usual))
+        said = {"given": asked_set.count, "usual": usual}
+        yield one_end("count", "lift_count", None, float(asked_set.count), end, permitted=True, **said)
     yield from of_the_loads(scene, not dynamic)
     yield from of_the_weights(scene)
     if wall.free_element is not None and wall.free_element != replace(wall, free_element=None).is_free(scene.mechanism):

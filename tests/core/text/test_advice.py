@@ -22,6 +22,7 @@ STATES = {
     "elastic_branch",
     "lift_histories",
     "lift_rigid",
+    "lift_count",
     "lift_scatter",
     "bending_finds_hinge",
     "bending_no_histories",

@@ -370,6 +370,15 @@ def test_that_the_other_spectrum_has_the_a_g_of_the_demand_it_is_judged_at():
         assert there.ag == pytest.approx(demand.ag) and there.target.ag == pytest.approx(demand.ag)
 
 
+def test_that_fewer_motions_than_the_usual_count_stand_in_the_table(whole_set):
+    demand = {"ag_g": 0.1, "spectrum": NTC}
+    fewer, usual = (found_of(WALL | {"unloaded_confirmed": True}, demand, generate={"count": n}) for n in (3, 14))
+    row = rows_of(fewer)["count"]
+    assert (row["value"], row["other_end"], row["source"]) == (3.0, 14.0, "given")
+    assert (row["outcome"], row["zeta"]) == said_of(usual) and row["turns"] == (row["outcome"] != "verified")
+    assert "count" not in rows_of(usual)
+
+
 # many walls
 
 
