@@ -128,7 +128,7 @@ def first_start(program: Path, folder: Path) -> None:
 
 
 def inspection(program: Path, folder: Path) -> None:
-    record = ROOT / "resources" / "motions" / "noise_1.txt"
+    record = ROOT / "tests" / "motions" / "noise_1.txt"
     words = subprocess.run(
         [program, "--inspect", record],
         capture_output=True,

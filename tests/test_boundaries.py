@@ -296,11 +296,11 @@ def test_that_no_record_of_the_shelf_is_in_the_project(shelf, index):
             assert hashlib.sha256(path.read_bytes()).hexdigest() not in known, path
 
 
-def test_that_the_bundled_motions_are_those_the_program_makes(tmp_path):
-    from core.ground.artificial import write_example_records
+def test_that_the_motions_of_the_tests_are_those_the_program_makes(tmp_path):
+    from tests.example_motions import write_example_records
 
     write_example_records(tmp_path)
-    for path in sorted((ROOT / "resources" / "motions").glob("*.txt")):
+    for path in sorted((ROOT / "tests" / "motions").glob("*.txt")):
         assert path.read_text() == (tmp_path / path.name).read_text()
 
 

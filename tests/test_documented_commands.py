@@ -96,7 +96,7 @@ def place(tmp_path_factory) -> Path:
     small_case(folder)
     (folder / "study.toml").write_text(STUDY)
     (folder / "records").mkdir()
-    motion = (ROOT / "resources" / "motions" / "noise_1.txt").read_text().splitlines()
+    motion = (ROOT / "tests" / "motions" / "noise_1.txt").read_text().splitlines()
     (folder / "records" / "one.txt").write_text("\n".join([*motion[:602], ""]))
     (folder / "ties.toml").write_text('[[record]]\nfile = "records/one.txt"\n')
     return folder

@@ -3,7 +3,6 @@
 import numpy as np
 
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
-from core.units import G
 
 GROUND_FREQUENCY = 2.5
 GROUND_DAMPING = 0.6
@@ -103,17 +102,3 @@ def _with_peak(motion: np.ndarray, pga: float, times: np.ndarray) -> np.ndarray:
         motion = motion - excess * (1.0 - x * x) * np.exp(-0.5 * x * x)
     # where peaks side by side raise one another, what is left (0.6 %) is scaled away
     return motion * (pga / np.abs(motion).max()) if abs(excess) > 1e-9 else motion
-
-
-def write_example_records(folder, count: int = 7) -> None:
-    """The bundled records of resources/: two columns [s], [g] with a header that says what they are."""
-    folder.mkdir(parents=True, exist_ok=True)
-    for seed in range(1, count + 1):
-        pga = (0.15 + 0.02 * seed) * G
-        motion = filtered_noise(seed, pga) / G
-        lines = [
-            f"# Ribalta example motion, seed {seed}: filtered noise, not a real record, not compatible",
-            "# Time (s)  Acceleration (g)",
-        ]
-        lines += [f"{0.01 * k:.2f} {value:.7f}" for k, value in enumerate(motion)]
-        (folder / f"noise_{seed}.txt").write_text("\n".join(lines) + "\n", encoding="ascii")

@@ -88,17 +88,7 @@ def raised(found: Evaluation) -> Iterator[Raised]:
         end = End(of_wall(return_walls=None), NONE_WORD)
         yield one_end("return_walls", "lift_return_walls", wall.justification, GIVEN_WORD, end, histories=False)
     yield from of_what_is_required(scene)
-    asked_set = None if scene.by_default or not found.satisfied else set_of(scene.ground)
-    if asked_set is not None and asked_set.scatter < SPREAD:
-        natural = replace(asked_set, scatter=SPREAD)
-        end = End(lambda scene: scene.generated_as(natural), SPREAD)
-        yield one_end("scatter", "lift_scatter", asked.justification, asked_set.scatter, end, given=asked_set.scatter)
-    usual = demand_input.DEFAULT_SET.count
-    if asked_set is not None and asked_set.count < usual:
-        more = replace(asked_set, count=usual)
-        end = End(lambda scene: scene.generated_as(more), float(usual))
-        said = {"given": asked_set.count, "usual": usual}
-        yield one_end("count", "lift_count", None, float(asked_set.count), end, permitted=True, **said)
+    yield from _of_the_set(found)
     yield from of_the_loads(scene, not dynamic)
     yield from of_the_weights(scene)
     if wall.free_element is not None and wall.free_element != replace(wall, free_element=None).is_free(scene.mechanism):
@@ -121,6 +111,23 @@ def raised(found: Evaluation) -> Iterator[Raised]:
         yield one_end("histories", "lift_histories", asked.justification, sentence("word", "not_made"), end)
     if wall.above_ground and scene.building is not None:
         yield from of_the_building(scene, scene.building)
+
+
+def _of_the_set(found: Evaluation) -> Iterator[Raised]:
+    """A generated set that scatters less than nature does, or has fewer motions than the usual one."""
+    scene, usual = found.scene, demand_input.DEFAULT_SET.count
+    asked = None if scene.by_default or not found.satisfied else set_of(scene.ground)
+    if asked is None:
+        return
+    if asked.scatter < SPREAD:
+        natural = replace(asked, scatter=SPREAD)
+        end, reasons = End(lambda scene: scene.generated_as(natural), SPREAD), scene.asked.justification
+        yield one_end("scatter", "lift_scatter", reasons, asked.scatter, end, given=asked.scatter)
+    if asked.count < usual:
+        more = replace(asked, count=usual)
+        end = End(lambda scene: scene.generated_as(more), float(usual))
+        said = {"given": asked.count, "usual": usual}
+        yield one_end("count", "lift_count", None, float(asked.count), end, permitted=True, **said)
 
 
 def _of_the_law(found: Evaluation) -> Iterator[Raised]:

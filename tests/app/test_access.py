@@ -153,7 +153,7 @@ def dialogs(window, application, monkeypatch, visit) -> set[str]:
     chart.show_table()
     menus.find(window)
     menus.client(window)
-    look(ImportDialog([ROOT / "resources" / "motions" / "noise_1.txt"], window))
+    look(ImportDialog([ROOT / "tests" / "motions" / "noise_1.txt"], window))
     guide.show_guide(window)
     look(window.findChild(guide.Guide))
     menus.study(window)

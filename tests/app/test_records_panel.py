@@ -15,7 +15,7 @@ from tests.conftest import ROOT
 @pytest.fixture
 def bundled(opened, application):
     """The window with the three bundled motions as one entry."""
-    pattern = (ROOT / "resources" / "motions" / "noise_*.txt").as_posix()
+    pattern = (ROOT / "tests" / "motions" / "noise_*.txt").as_posix()
     case = replace(opened.session.case, record=(Record(pattern, kind="artificial"),))
     opened.session.edit(case)
     settle(application, lambda: not opened.records.pending and len(opened.records.motions) > 2)

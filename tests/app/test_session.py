@@ -25,7 +25,7 @@ from core.case.writer import table_of
 from core.errors import InputError
 from tests.conftest import ROOT
 
-EXAMPLE = ROOT / "resources" / "cases" / "example.toml"
+EXAMPLE = ROOT / "tests" / "cases" / "records.toml"
 
 
 def test_that_a_note_opens_as_the_case_it_is_of_and_is_never_written_into(session, tmp_path):
@@ -100,7 +100,7 @@ def test_that_what_is_saved_is_what_the_batch_reads(session, tmp_path):
     read = read_case(target)
     assert read == session.case
     # the record still names the same files from the new folder
-    assert (target.parent / read.record[0].file).parent.resolve() == ROOT / "resources" / "motions"
+    assert (target.parent / read.record[0].file).parent.resolve() == ROOT / "tests" / "motions"
 
 
 def test_that_a_case_in_the_making_can_be_saved_and_opened_again(session, tmp_path):

@@ -110,7 +110,7 @@ def test_that_a_killed_study_resumes_to_the_same_digits(small, tmp_path):
 
 @pytest.mark.parametrize("place", ["small.csv", "small.json", "small.xlsx"])
 def test_that_a_study_never_takes_the_place_of_a_file_it_reads(place, small, tmp_path, capsys):
-    motion = (ROOT / "resources" / "motions" / "noise_1.txt").read_bytes()
+    motion = (ROOT / "tests" / "motions" / "noise_1.txt").read_bytes()
     (tmp_path / place).write_bytes(motion)
     small.write_text(STUDY + f'motions = "all"\n[[record]]\nfile = "{place}"\n')
     assert call("--study", small) == 1
@@ -157,7 +157,7 @@ def test_that_every_report_is_made_of_any_grid(report, grid, tmp_path):
     path = tmp_path / "any.toml"
     names = STUDY.replace('"s1"', '"s $^$ / x"').replace('name = "A"', 'name = "../A"')
     path.write_text(f'report = "{report}"\n' + names.replace('mechanism = ["two_sided", "one_sided"]', grid))
-    shutil.copy(ROOT / "resources" / "motions" / "noise_1.txt", tmp_path)
+    shutil.copy(ROOT / "tests" / "motions" / "noise_1.txt", tmp_path)
     assert call("--study", path, "--records", tmp_path, "--output", tmp_path / "out", "--quiet") == 0
     whole = json.loads((tmp_path / "out" / "any.json").read_text())
     assert not re.search(r"\bnan\b", " ".join(whole["notes"]))

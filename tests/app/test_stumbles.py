@@ -262,7 +262,7 @@ def test_that_an_unknown_municipality_names_none_near_where_there_is_none():
 
 
 def test_that_what_limits_a_verdict_says_nothing_of_the_law_of_research(opened, application):
-    motions = sorted((ROOT / "resources" / "motions").glob("noise_[23].txt"))
+    motions = sorted((ROOT / "tests" / "motions").glob("noise_[23].txt"))
     opened.records.take(motions, ask=False)
     settle(application, lambda: len(opened.records.motions) == 3)
     run(application, opened)

@@ -358,7 +358,7 @@ def test_that_an_answer_without_bars_leads_to_a_demand_and_to_motions(opened, ap
 
 
 def test_that_a_bar_leads_to_its_history_and_pages_open_at_the_governing_record(opened, application):
-    motions = sorted((ROOT / "resources" / "motions").glob("noise_[23].txt"))
+    motions = sorted((ROOT / "tests" / "motions").glob("noise_[23].txt"))
     opened.records.take(motions, ask=False)
     settle(application, lambda: len(opened.records.motions) == 3)
     opened.session.edit_wall(0, mechanism="one_sided")
@@ -430,7 +430,7 @@ def test_that_records_are_taken_wherever_they_are_dropped(opened, application, m
 
     taken = []
     monkeypatch.setattr(opened.records, "take", taken.append)
-    folder = ROOT / "resources" / "motions"
+    folder = ROOT / "tests" / "motions"
     payload = QMimeData()
     payload.setUrls([QUrl.fromLocalFile(str(folder))])
     keys = (Qt.DropAction.CopyAction, payload, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier)

@@ -151,7 +151,7 @@ def test_that_the_exported_workbook_is_the_batchs_cell_for_cell(opened, applicat
 
 
 def test_that_dropped_files_become_records(opened, application):
-    motions = sorted((ROOT / "resources" / "motions").glob("noise_[23].txt"))
+    motions = sorted((ROOT / "tests" / "motions").glob("noise_[23].txt"))
     opened.records.take(motions, ask=False)
     settle(application, lambda: len(opened.records.motions) == 3)
     assert opened.records.table.rowCount() == 3
@@ -170,7 +170,7 @@ def test_that_files_and_folders_dropped_with_the_mouse_are_taken(opened, applica
 
     seen = []
     monkeypatch.setattr(ImportDialog, "exec", lambda dialog: seen.append(dialog) or dialog.DialogCode.Accepted)
-    folder = ROOT / "resources" / "motions"
+    folder = ROOT / "tests" / "motions"
     payload = QMimeData()
     payload.setUrls([QUrl.fromLocalFile(str(folder)), QUrl("https://example.org/a.txt")])
     place = QPointF(opened.records.rect().center())

@@ -116,7 +116,7 @@ def tied(model: RockingModel, dt: float, rng: np.random.Generator, stiff: bool) 
 
 @functools.cache
 def motions() -> list[np.ndarray]:
-    paths = sorted((ROOT / "resources" / "motions").glob("*.txt"))
+    paths = sorted((ROOT / "tests" / "motions").glob("*.txt"))
     return [np.loadtxt(path, skiprows=2)[:, 1] for path in paths]
 
 

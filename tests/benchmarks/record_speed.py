@@ -71,6 +71,6 @@ def main(options: argparse.Namespace) -> None:
         seconds = time.perf_counter() - start
         assert motion.acceleration.size == samples
         print(f"{name:14} {len(content) / 1e6:6.1f} {seconds:8.2f}")
-    folder = ROOT / "resources" / "motions" if options.small else shelf_folder()
+    folder = ROOT / "tests" / "motions" if options.small else shelf_folder()
     if folder:
         print(f"longest pause while {count} files are previewed: {longest_pause(folder, count):.2f} s")

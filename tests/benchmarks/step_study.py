@@ -49,7 +49,7 @@ REAL = (
 
 
 def motions():
-    found = [records.read(path) for path in sorted((ROOT / "resources/motions").glob("*.txt"))]
+    found = [records.read(path) for path in sorted((ROOT / "tests/motions").glob("*.txt"))]
     shelf = shelf_folder()
     if shelf:
         for name in REAL:

@@ -81,7 +81,7 @@ def draw(k: int, shelf: list[GroundMotion], small: bool = False):
     if real:
         motions = chance.sample(shelf, 7)
     elif small:
-        folder = ROOT / "resources" / "motions"
+        folder = ROOT / "tests" / "motions"
         motions = [records.read(folder / f"noise_{n}.txt") for n in (1, 2)]
         motions = [replace(motion, acceleration=motion.acceleration[:600]) for motion in motions]
     else:

@@ -219,7 +219,7 @@ def seeds(folder: Path) -> dict[str, list[bytes]]:
         b'[[wall]]\nname = "a"\nheight_m = 4.0\nthickness_m = 0.4\nmechanism = "both"\nvelocity_ratio = 0.9\n'
         b'[[wall]]\nvariant_of = "a"\nslenderness_deg = 5.0\nvelocity_ratio = ""\n'
     )
-    motion = (ROOT / "resources" / "motions" / "noise_1.txt").read_bytes()[:6000]
+    motion = (ROOT / "tests" / "motions" / "noise_1.txt").read_bytes()[:6000]
     motions = [
         motion,
         motion.replace(b"\n", b"\r\n"),

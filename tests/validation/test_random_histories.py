@@ -75,7 +75,7 @@ def strays(model, dt, ground, rng) -> tuple[float, float]:
 def unexplained(seed: int, count: int) -> list[tuple]:
     """Cases that stray more than is allowed and explained: (case, difference, by noise, model, dt)."""
     rng = np.random.default_rng(seed)
-    paths = sorted((ROOT / "resources" / "motions").glob("*.txt"))
+    paths = sorted((ROOT / "tests" / "motions").glob("*.txt"))
     grounds = [np.loadtxt(path, skiprows=2)[:, 1] for path in paths]
     found = []
     for case in range(count):

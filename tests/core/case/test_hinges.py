@@ -24,7 +24,7 @@ def case(hinges, building=BUILDING, **wall):
         {
             "wall": [{k: v for k, v in {**WALL, "hinge_heights": hinges, **wall}.items() if v is not None}],
             **({"building": building} if building else {}),
-            "record": [{"file": "resources/motions/noise_1.txt"}],
+            "record": [{"file": "tests/motions/noise_1.txt"}],
             "analysis": {"q_step": 0.02},
             "demand": {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}},
         }

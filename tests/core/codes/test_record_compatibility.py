@@ -59,7 +59,7 @@ def test_that_artificial_motions_are_as_long_as_the_code_asks(tmp_path):
 
 
 def test_that_one_factor_brings_the_mean_to_the_target_over_the_periods_asked(tmp_path):
-    motions = [records.read(ROOT / "resources" / "motions" / f"noise_{k}.txt") for k in (1, 2, 3)]
+    motions = [records.read(ROOT / "tests" / "motions" / f"noise_{k}.txt") for k in (1, 2, 3)]
     for more in ({}, {"period_range_s": [0.3, 2.6]}):
         demand = demand_of(case(**more), tmp_path)
         low, high = more.get("period_range_s", (0.15, 2.0))

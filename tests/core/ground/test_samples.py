@@ -97,7 +97,7 @@ def test_that_motions_with_equal_or_single_peaks_are_no_gaps():
 
 
 def test_that_every_bundled_and_generated_motion_passes():
-    folder = Path(__file__).parents[3] / "resources" / "motions"
+    folder = Path(__file__).parents[3] / "tests" / "motions"
     for path in sorted(folder.glob("*.txt")):
         codes = {warning.code for warning in records.read(path).warnings}
         assert not codes & {"jump", "number_not_understood", "vertical"}, path

@@ -56,7 +56,7 @@ def test_that_q_does_not_depend_on_the_scale_of_the_record(one_sided, law, count
 @pytest.mark.long
 def test_that_dop853_in_a_plain_loop_finds_the_q_of_a_cell(tmp_path):
     """The grid one point after the other, then bisection, each by a solver that shares no line with the kernels."""
-    lines = (ROOT / "resources" / "motions" / "noise_1.txt").read_text().splitlines()
+    lines = (ROOT / "tests" / "motions" / "noise_1.txt").read_text().splitlines()
     (tmp_path / "short.txt").write_text("\n".join([*lines[:2], *lines[302:552]]) + "\n")
     grid = table(height_m=[1.0], slenderness_deg=[3.1], motions="records", q_step=[0.05])
     result = run(grid, records_from=tmp_path)
@@ -120,7 +120,7 @@ def test_that_a_motion_takes_the_lower_of_both_signs_and_a_set_the_mean():
 
 
 def test_that_every_file_of_a_folder_is_read_or_named(tmp_path):
-    motion = (ROOT / "resources" / "motions" / "noise_1.txt").read_bytes()
+    motion = (ROOT / "tests" / "motions" / "noise_1.txt").read_bytes()
     (tmp_path / "a").mkdir()
     (tmp_path / "a" / "one.txt").write_bytes(motion)
     (tmp_path / "twin.txt").write_bytes(motion)
@@ -148,7 +148,7 @@ def test_that_the_smallest_a_g_gives_the_pga_asked_for():
 
 
 def test_that_equal_records_count_once_whatever_their_scale(tmp_path):
-    lines = (ROOT / "resources" / "motions" / "noise_2.txt").read_text().splitlines()
+    lines = (ROOT / "tests" / "motions" / "noise_2.txt").read_text().splitlines()
     rows = [line.split() for line in lines[2:]]
     for name, factor in (("a", 1.0), ("b", 2.0)):
         values = [f"{time} {factor * float(value):.7f}" for time, value in rows]

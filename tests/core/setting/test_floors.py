@@ -18,14 +18,14 @@ from tests.conftest import ROOT
 
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
 DEMAND = {"ag_g": 0.26, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
-TABLE = {"record": [{"file": "resources/motions/noise_1.txt", "scale": 0.05}]}
+TABLE = {"record": [{"file": "tests/motions/noise_1.txt", "scale": 0.05}]}
 WALL = {"name": "top", "height_m": 3.0, "thickness_m": 0.45, "mechanism": "one_sided"}
 
 
 def case(base_z, building=BUILDING, records=3, **keys):
     table = {
         "wall": [{**WALL, "base_z_m": base_z, "back_restraint": "cross walls"}],
-        "record": [{"file": f"resources/motions/noise_{k}.txt"} for k in range(1, records + 1)],
+        "record": [{"file": f"tests/motions/noise_{k}.txt"} for k in range(1, records + 1)],
         "demand": {"ag_g": 0.26, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}},
         "analysis": {"q_step": 0.01},
         **keys,

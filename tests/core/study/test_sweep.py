@@ -17,13 +17,13 @@ from core.study.run import run
 from core.study.sweep import SweepKey, point_of, sweep, sweep_keys, value_at, with_value
 from tests.conftest import ROOT
 
-CASES = ROOT / "resources" / "cases"
+CASES, SHIPPED = ROOT / "tests" / "cases", ROOT / "resources" / "cases"
 THICKNESS = SweepKey(Wall, "thickness_m")
 
 
 @pytest.fixture(scope="module")
 def case():
-    whole = read_case(CASES / "example.toml")
+    whole = read_case(CASES / "records.toml")
     few = replace(whole, record=whole.record[:1], analysis=replace(whole.analysis, q_step=0.05))
     return parse_case(table_of(few))
 
@@ -73,7 +73,7 @@ def test_that_one_way_to_give_a_size_replaces_the_other_and_no_tie_is_sought(cas
 @pytest.mark.parametrize("name", ["building.toml", "verdict.toml", "example.toml"])
 def test_that_every_key_offered_of_a_shipped_case_can_be_changed(name):
     """With the value it has, where there is one, the case is the same."""
-    case = read_case(CASES / name)
+    case = read_case(SHIPPED / name)
     for k, wall in enumerate(case.wall):
         keys = sweep_keys(case, k)
         assert len(set(keys)) == len(keys)

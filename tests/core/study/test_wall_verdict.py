@@ -30,7 +30,7 @@ SITE = {"nominal_life_years": 50, "use_class_factor": 1.0, "hazard": HAZARD}
 def case(*walls, building=BUILDING, **demand):
     table = {
         "wall": [{**WALL, **wall} for wall in walls or ({},)],
-        "record": [{"file": "resources/motions/noise_1.txt"}],
+        "record": [{"file": "tests/motions/noise_1.txt"}],
         "analysis": {"q_step": 0.05},
         "demand": {"ag_g": 0.2, "spectrum": SPECTRUM, **demand},
     }
@@ -129,7 +129,7 @@ def test_that_another_state_that_fails_is_in_limits_and_never_in_code():
 
 
 def test_that_without_a_demand_there_is_no_verdict():
-    table = {"wall": [WALL], "record": [{"file": "resources/motions/noise_1.txt"}]}
+    table = {"wall": [WALL], "record": [{"file": "tests/motions/noise_1.txt"}]}
     result = run(parse_case(table), base_dir=ROOT)
     assert result.verdicts == () and json_report.results(result)["verdicts"] == []
 

@@ -64,7 +64,7 @@ LC3 = {"demand.confidence_factor": 1.0, "demand.knowledge_level": "LC3", "demand
 LINEAR = {"demand.spectrum": DROP}
 EUROPEAN = {"code": "EN1998", "type": 2, "soil": "A"}
 WALL, LOAD, SPECTRUM = "wall.0.", "wall.0.load.0.", "demand.spectrum."
-MOTIONS = [{"file": str(ROOT / "resources" / "motions" / f"noise_{k}.txt"), "kind": "artificial"} for k in range(1, 8)]
+MOTIONS = [{"file": str(ROOT / "tests" / "motions" / f"noise_{k}.txt"), "kind": "artificial"} for k in range(1, 8)]
 
 
 def _ways():

@@ -144,7 +144,7 @@ def test_that_the_other_building_and_the_centroid_stand_beside_a_wall_at_height(
 
 def test_that_generated_motions_are_named_and_natural_ones_are_not():
     assert lift(made(), "generated_motions") == {}
-    natural = {"record": [{"file": "resources/motions/noise_*.txt"}]}
+    natural = {"record": [{"file": "tests/motions/noise_*.txt"}]}
     assert lift(made(records=False, **natural), "generated_motions") is None
 
 
