@@ -60,7 +60,7 @@ SHOWN_BY = {
     "case/select": SELECTION,
     "ground/record_folder": SELECTION,
     "report/selection_words": "tests/core/report/test_selection_rows.py",
-    "report/note/selection_figure": "tests/core/report/test_selection_rows.py",
+    "report/note/spectra_figure": "tests/core/report/test_selection_rows.py",
     "case/note_file": "tests/core/report/test_pdf.py",
     "report/columns": LARGE,
     "report/parquet_file": LARGE,

@@ -104,6 +104,23 @@ def test_that_the_numbers_of_the_facade_come_out(facade, name):
         assert (said.replace(".", ",") if "guida" in name else said) in text, said
 
 
+@pytest.mark.long
+@pytest.mark.parametrize("name", ["guide/3_parapet.md", "guida/3_parapetto.md"])
+def test_that_the_numbers_of_the_building_come_out(shipped, name):
+    text, walls = text_of(f"resources/docs/{name}"), shipped("building").walls
+    before, after = ([wall for wall in walls if wall.wall.variant == one] for one in ("stato di fatto", "progetto"))
+    pairs = zip(before, after, strict=True)
+    said = [" | ".join(f"{one.assessment.verdict.zeta_e:.2f}" for one in pair) for pair in pairs]
+    parapet = next(wall for wall in walls if wall.wall.name == "parapet").assessment
+    said += [f"{parapet.verdict.zeta_e:.2f} "]
+    said += [f"{one.zeta:.2f} " for one in parapet.checks if one.name == "nonlinear"]
+    forces = next(wall.assessment.tie for wall in walls if wall.assessment.tie).forces
+    said += [f"{1e-3 * forces[name]:.2f}" for name in ("nonlinear", "linear_q_code", "linear_q_1")]
+    assert forces["dynamic"] is None
+    for number in said:
+        assert (number.replace(".", ",") if "guida" in name else number) in text, number
+
+
 # names of what can be chosen
 
 

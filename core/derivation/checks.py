@@ -384,22 +384,22 @@ def nonlinear_zeta_of_ties_at_slv(displacement_ratio, displacement_ratio_bare, z
     return max(displacement_ratio, displacement_ratio_bare, zeta_floor)
 
 
-@quantity("a_g,SLD/a_g", "–", "C8.7.1.2.1.8", name="zeta_floor", label="not below a_g,SLD / a_g")
+@quantity("a_g,SLD,d/a_g", "–", "C8.7.1.2.1.8", name="zeta_floor", label="not below a_g,SLD,d / a_g")
 def zeta_floor(zeta_sld):
     return zeta_sld
 
 
-@quantity("a_g,SLD/a_g", "–", "C8.7.1.2.1.8", name="zeta_floor", label="not below a_g,SLD / a_g")
+@quantity("a_g,SLD,d/a_g", "–", "C8.7.1.2.1.8", name="zeta_floor", label="not below a_g,SLD,d / a_g")
 def zeta_floor_with_friction(zeta_sld, alpha0, e_star, alpha0_friction, e_star_friction):
     return min(zeta_sld, zeta_sld * (alpha0 / e_star) / (alpha0_friction / e_star_friction))
 
 
-@quantity("a_g,SLD/a_g", "–", "C8.7.1.2.1.8", name="zeta_floor", label="not below a_g,SLD / a_g")
+@quantity("a_g,SLD,d/a_g", "–", "C8.7.1.2.1.8", name="zeta_floor", label="not below a_g,SLD,d / a_g")
 def zeta_floor_with_ties(zeta_sld, alpha0, alpha0_bare):
     return zeta_sld * min(1, alpha0_bare / alpha0)
 
 
-@quantity("a_g,SLD/a_g", "–", "C8.7.1.2.1.8", name="zeta_floor", label="not below a_g,SLD / a_g")
+@quantity("a_g,SLD,d/a_g", "–", "C8.7.1.2.1.8", name="zeta_floor", label="not below a_g,SLD,d / a_g")
 def zeta_floor_with_ties_and_friction(zeta_sld, alpha0_bare, e_star, alpha0_friction, e_star_friction):
     return min(zeta_sld, zeta_sld * (alpha0_bare / e_star) / (alpha0_friction / e_star_friction))
 

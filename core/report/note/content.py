@@ -7,7 +7,7 @@ from core.ground.provenance import provenance
 from core.report import assumption_table
 from core.report.confirmed import assumptions_of
 from core.report.derived import cell_prefix
-from core.report.note import selection_figure, site, wall_figures
+from core.report.note import site, spectra_figure, wall_figures
 from core.report.note.certainty import certainty, certainty_line
 from core.report.note.parts import (
     Bars,
@@ -247,7 +247,6 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
         parts.append(Paragraph(say("No file states: {columns}.", columns=", ".join(heads[k] for k in unsaid)), "quiet"))
     if result.selection:
         parts += [Paragraph(line, "quiet") for line in lines_of_selection(result.selection, say, words.language)]
-        parts += _side_by_side([selection_figure.spectra(result, words)])
     made = set_of(result.motions)
     if made is not None:
         known = {"n": made.count, "first": made.seed, "last": made.seed + made.count - 1}
@@ -267,7 +266,7 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
             else say("The set is not compatible with the spectrum (workbook, sheet Spectral compatibility).")
         )
         parts.append(Paragraph(line))
-    return parts
+    return parts + _side_by_side([spectra_figure.spectra(result, words)])
 
 
 def _in_runs(steps: list[Step]) -> list[Derivation]:

@@ -2,8 +2,8 @@
 
 from core.case.loads import Load
 from core.case.schema import Wall
-from core.codes.floor_spectrum import estimated_period
-from core.report.note.parts import Derivation, Heading, Part, Step, Table
+from core.codes.floor_spectrum import LONG, SHORT, estimated_period
+from core.report.note.parts import Derivation, Heading, Paragraph, Part, Step, Table
 from core.report.note.words import Words
 from core.report.place_lines import place_of, states_of
 from core.report.verdict_words import outcome_of
@@ -79,7 +79,17 @@ def building(result: StudyResult, words: Words) -> list[Part]:
         for k, mode in enumerate(floor.modes, start=1)
     ]
     heads = ["z [m]", say("Mode"), "T [s]", "ξ [-]", "γψ [-]", "S_e(T, ξ) [g]"]
-    return [Heading(words.word("section_building"), 3), Derivation(steps), Table(heads, rows, (1, 1, 1, 1, 1, 1))]
+    table = Table(heads, rows, (1, 1, 1, 1, 1, 1))
+    counted = say(
+        "C7.2.5 to C7.2.8, with sums over the modes k: a_Z,k = S_e(T_k, ξ_k) γψ √(1 + 4 ξ_k²), a_Z = √Σ a_Z,k². "
+        "S_eZ(T, ξ) = √Σ S_eZ,k², S_eZ,k = A a_Z,k/(1 + (A − 1) r), A = 1.1 η(ξ)/√ξ_k, η = √(10/(5 + 100 ξ)) ≥ 0.55; "
+        "r = (1 − T/({short:g} T_k))^1.6 below {short:g} T_k, (T/({long:g} T_k) − 1)^1.2 above {long:g} T_k, else 0. "
+        "Beyond T_1 not below S_e(T, ξ). S_DeZ(T, ξ) = S_eZ (T/2π)², beyond {long:g} T_1 not below its value there "
+        "with S_eZ(T_1).",
+        short=SHORT,
+        long=LONG,
+    )
+    return [Heading(words.word("section_building"), 3), Derivation(steps), table, Paragraph(counted, "quiet")]
 
 
 def loads(wall: WallResult, words: Words) -> list[Part]:

@@ -74,6 +74,34 @@ def test_that_each_line_of_a_derivation_gives_its_result(building, verdict):
     assert counted > 40
 
 
+def test_that_the_floor_is_counted_again_from_the_printed_table_of_modes(building):
+    """a_Z, S_eZ(T_0) and S_DeZ(T_SLV) by C7.2.5 to C7.2.8, typed here, from the figures of the note alone."""
+    parts = note(building, "en")
+    (table,) = [part for part in parts if isinstance(part, Table) and part.heads and part.heads[-1] == "S_e(T, ξ) [g]"]
+    counted = 0
+    for wall in building.walls:
+        if wall.floor is None:
+            continue
+        modes = [[float(cell) for cell in row[2:]] for row in table.rows if float(row[0]) == round(wall.floor.z, 2)]
+        mine = [(t, xi, se * abs(part) * np.sqrt(1.0 + 4.0 * xi**2)) for t, xi, part, se in modes]
+        prefix = cell_prefix(building, wall)
+        steps = {step.cell: step.result for step in steps_of(parts) if (step.cell or "").startswith(prefix)}
+
+        def spectrum(t, damping, mine=mine):
+            squares = 0.0
+            for of_mode, xi, a_z in mine:
+                largest = 1.1 * max(np.sqrt(10.0 / (5.0 + 100.0 * damping)), 0.55) / np.sqrt(xi)
+                r = max(1.0 - t / (0.8 * of_mode), 0.0) ** 1.6 + max(t / (1.1 * of_mode) - 1.0, 0.0) ** 1.2
+                squares += (largest * a_z / (1.0 + (largest - 1.0) * r)) ** 2
+            return np.sqrt(squares)
+
+        assert steps[f"{prefix}a_z"] == pytest.approx(np.sqrt(sum(one[2] ** 2 for one in mine)), rel=5e-3)
+        if f"{prefix}se_t0" in steps:
+            assert steps[f"{prefix}se_t0"] == pytest.approx(spectrum(steps[f"{prefix}period_0"], 0.05), rel=5e-3)
+        counted += 1
+    assert counted > 1
+
+
 # zeta : of the check that decides, which stands above by its own name
 IN_TABLES = {"loads", "modes", "solids"}
 CONSTANTS = {"zeta", "share", "factor", "damping", "gravity", "topography", "area_run", "si_run", "pga_run"}
@@ -110,7 +138,7 @@ def test_that_every_wall_has_its_verdict_with_all_reasons_its_checks_and_its_fig
         said = [*lines_of(building, wall, "en"), *(warning.text("en") for warning in wall.warnings)]
         assert set(said) - tabled(wall, "en") <= set(words)  # those stand in the table of the first page
     figures = [figure for part in parts if isinstance(part, Figures) for figure in part.figures]
-    assert len(figures) == 4 * len(building.walls)
+    assert len(figures) == 4 * len(building.walls) + 1  # the spectra of the records
     table = next(part for part in parts if isinstance(part, Table) and "ζ_E" in part.heads)
     assert table.rows[0][0] == "gable" and len(table.rows) == len(building.walls)
     assert [building.walls[k].name for k in table.walls] == [row[0].removeprefix("– ") for row in table.rows]
@@ -226,7 +254,7 @@ def test_the_document_opens_and_says_what_the_note_says(verdict):
     assert "α0 = tH = 0,8307,00 = 0,1186" in lines  # fractions
     assert any(line.endswith("0,0878 g") for line in lines)
     pictures = [p.image for p in made.part.package.image_parts] if hasattr(made.part.package, "image_parts") else []
-    assert len(pictures) == 4 * len(verdict.walls)
+    assert len(pictures) == 4 * len(verdict.walls) + 1
     for picture in pictures:
         image = Image.open(io.BytesIO(picture.blob)).convert("L")
         assert image.width > 900  # 8 cm at 300 dpi
@@ -362,7 +390,7 @@ def test_that_many_walls_keep_their_reasons_and_the_lowest_their_figures(buildin
 
     monkeypatch.setattr(content, "FULL_WALLS", 2)
     parts = note(building, "en")
-    assert sum(isinstance(part, Figures) for part in parts) == 4
+    assert sum(isinstance(part, Figures) for part in parts) == 5  # one of them that of the records
     words = lines_within(parts)
     for wall in building.walls:
         assert sentence_of(building, wall, "en") in words

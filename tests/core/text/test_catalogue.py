@@ -51,7 +51,6 @@ OF_NO_SENTENCE = {
     "core/derivation/faces.py": "errors of whoever describes a quantity",
     "core/derivation/quantity.py": "errors of whoever describes a quantity",
     "core/variation/evaluate.py": "how the first line of a bundled motion begins",
-    "core/ground/artificial.py": "the first line of a bundled motion",
     "core/ground/records/california.py": "patterns of heads of files",
     "core/ground/records/geonet.py": "patterns of heads of files",
     "core/ground/records/wordings.py": "words of heads of files",
