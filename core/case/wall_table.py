@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from core.case.hinges import BASE, FLOORS
-from core.case.keys import NESTED, pretty
+from core.case.keys import NESTED
 from core.case.many_walls import ManyWalls
 from core.case.number import parse_number
 from core.case.rules import parse_wall
@@ -17,6 +17,7 @@ from core.case.schema import Wall
 from core.case.values import field_of
 from core.errors import InputError, place
 from core.ooxml.sheet import MAX_NAME, Limits, hidden_notes, read_sheet, refuse_cells, spoken
+from core.quantities import factor_to, unit_of
 from core.text.catalogue import CATALOGUE
 from core.text.sentence import Sentence, notice
 
@@ -97,32 +98,25 @@ MECHANISMS = {
 CHOICES = {"mechanism": MECHANISMS, "kind": LOAD_KINDS, "mass": LOAD_MASSES}
 """Key -> its words in a table; another choice is written as in the case file."""
 
-NO_UNIT = {"": 1.0, "-": 1.0, "–": 1.0}
-UNITS = {
-    "": NO_UNIT,
-    "kN/m3": {"kn/m3": 1.0, "kn/m³": 1.0, **NO_UNIT},
-    "MPa": {"mpa": 1.0, "n/mm2": 1.0, "n/mm²": 1.0, "gpa": 1000.0},
-    "kN/m": {"kn/m": 1.0, **NO_UNIT},
-    "deg": {"deg": 1.0, "°": 1.0, **NO_UNIT},
-    "m2": {"m2": 1.0, "m²": 1.0, **NO_UNIT},
-    "m": {"m": 1.0, "cm": 0.01, "mm": 0.001},
+WRITTEN = {
+    "": "-, %",
+    "kN/m3": "kN/m3, kg/m3, t/m3",
+    "MPa": "MPa, N/mm2, GPa, kg/cm2",
+    "kN/m": "kN/m, N/m, daN/m, kg/m, t/m",
+    "deg": "deg, rad",
+    "m2": "m2, cm2",
+    "m": "m, cm, mm, ft",
+    "mm": "mm, cm",
 }
-"""Unit of a key -> units of its column, and what a number is multiplied with; another unit is written as it is."""
+"""Unit of a key -> units its column may have, as a refusal names them; others of its dimension are converted too."""
 
+MAY_BE_EMPTY = ("", "kN/m3", "kN/m", "deg", "m2")
+"""Units of keys whose column may name none."""
 
-def _units_of(entry: Field) -> dict[str, float]:
-    unit = entry.metadata.get("unit", "")
-    return UNITS.get(unit) or {unit.lower(): 1.0, pretty(unit).lower(): 1.0}
+NO_UNIT = ("", "-", "–")
 
-
-OTHER_UNITS = frozenset(
-    re.split(
-        " ",
-        "m cm mm dm km in ft foot feet inch yd deg ° rad grad kpa mpa gpa pa n/mm2 n/mm² kg/cm2 psi kn/m3 kn/m³ kg/m3 "
-        "kg/m³ t/m3 t/m³ g/cm3 n/m3 % g",
-    )
-)
-"""Units a head may name; another word in brackets is no unit."""
+LENGTHS, WORDS = ("hinges", "polygon"), ("text", "choice", "flag", "law")
+"""Kinds of keys that hold several lengths in metres, and those that hold words."""
 
 FLAGS = {
     "sì": True,
@@ -313,8 +307,7 @@ class _Head(NamedTuple):
 
 def _is_units(cells: list[str]) -> bool:
     """Whether this row has nothing but units, or nothing at all."""
-    known = {name for column in columns().values() for name in _units_of(column.entry)} | OTHER_UNITS
-    return all(cell.strip("[]() ").lower() in known for cell in cells)
+    return all(not cell or unit_of(cell) is not None for cell in cells)
 
 
 def _column_of(error: InputError, keys: list) -> int | None:
@@ -360,29 +353,40 @@ def _heads(cells: list[str]) -> list[str]:
     return keys
 
 
-_HEAD_UNIT = re.compile(r"[\[(]([^\])]*)[\])]")
+_REMARK = re.compile(r"[^\W\d_]+([ '-][^\W\d_]+)*")
+_BRACKETS = re.compile(r"[\[(]\s*([^\[\]()]*)")
 
 
 def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
-    """What each column is multiplied with: its unit to that of its key. A unit in the head itself must be the
-    same one."""
+    """What each column is multiplied with: its unit, in the row of units, in brackets in the head or in both, to that
+    of its key. What stands in the brackets of a number is a unit of the key, or the table is refused; a word beside the
+    unit is a remark, and so is what stands beside a word, unless it is a unit."""
     factors = []
     for k, key in enumerate(keys):
-        unit = (cells[k] if k < len(cells) else "").strip("[]() ").lower()
-        units = _units_of(columns()[key].entry)
-        if not unit:  # the unit of the head, where it names one
-            words = [re.sub(r"[. ]", "", name.strip().lower()) for name in _HEAD_UNIT.findall(heads[k])]
-            unit = next((word for word in words if word in units), "")
-        if unit not in units:
-            raise InputError(
-                "unknown_unit", unit=unit[:40], column=heads[k][:60], known=", ".join(name or "empty" for name in units)
-            )
-        for named in _HEAD_UNIT.findall(heads[k]):
-            word = re.sub(r"^(in|unit|unità)\b|[. ]", "", named.strip().lower())
-            if units.get(word, None if word in OTHER_UNITS else units[unit]) != units[unit]:
-                raise InputError("two_units_of_column", column=heads[k][:60], named=named[:20], unit=unit or "none")
-        factors.append(units[unit])
+        kind, metadata = columns()[key].entry.metadata["kind"], columns()[key].entry.metadata
+        unit = "m" if kind in LENGTHS else metadata.get("unit", "")
+        below = (cells[k] if k < len(cells) else "").strip()
+        named = [one.strip() for one in (below, *_BRACKETS.findall(heads[k])) if one.strip("[]() ") not in NO_UNIT]
+        units = [one for one in named if unit_of(one) is not None]
+        if kind in WORDS or (units and all(_REMARK.fullmatch(one) for one in named if one not in units)):
+            named = units
+        found = []
+        for text in named:
+            factor = factor_to(text, unit)
+            if factor is None or (kind in (*WORDS, "polygon") and factor != 1.0):
+                raise _unknown_unit(text, heads[k], unit)
+            found.append(factor)
+        if not found and kind not in LENGTHS and unit not in MAY_BE_EMPTY:
+            raise _unknown_unit("", heads[k], unit)
+        if len(set(found)) > 1:
+            raise InputError("two_units_of_column", column=heads[k][:60], named=named[1][:20], unit=named[0][:20])
+        factors.append(found[0] if found else 1.0)
     return factors
+
+
+def _unknown_unit(text: str, head: str, unit: str) -> InputError:
+    """A text where the unit of a column stands, or should."""
+    return InputError("unknown_unit", unit=text[:40], column=head[:60], known=WRITTEN.get(unit, unit))
 
 
 def _cell(key: str, factor: float, cell: str, here: Sentence):
@@ -405,7 +409,7 @@ def _cell(key: str, factor: float, cell: str, here: Sentence):
             return int(value) if kind == "int" and value == int(value) else value
         if cell.lower() in (FLOORS, "piani"):
             return FLOORS
-        return BASE if cell.lower() == BASE else [parse_number(part) for part in re.split(r"[\s;]+", cell)]
+        return BASE if cell.lower() == BASE else [parse_number(part) * factor for part in re.split(r"[\s;]+", cell)]
     except InputError as error:
         raise error.at(here) from None
 

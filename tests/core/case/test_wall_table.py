@@ -149,7 +149,7 @@ def test_that_a_lying_dimension_changes_nothing(tmp_path):
         (b"not a zip", "not a workbook"),
         (book(ROWS)[:-300], "not a workbook"),
         (book([["Wall", "colour"], ["", ""], ["a", "red"]]), "'colour' is not known"),
-        (book([["Wall", "H"], ["", "ft"], ["a", 5]]), "unit 'ft'"),
+        (book([["Wall", "H"], ["", "kN"], ["a", 5]]), "unit 'kN'"),
         (book([["Wall", "H"], ["", ""], ["a", 5]]), "unit ''"),
         (book([*ROWS, ["b", "5,0.1", 0.5, "two_sided"]]), 'sheet "Sheet": row 4, H: '),
         (book([*ROWS, ["b", 5, 0.5, "sideways"]]), "row 4.*mechanism"),

@@ -45,11 +45,11 @@ def test_that_a_unit_of_another_quantity_is_refused(head, unit):
 
 
 def test_that_the_units_a_column_takes_are_listed():
-    rows = "Parete;z;H;t;Meccanismo;notes\n;m;m;ft;;\na;0;4;45;su un lato;\n"
-    with pytest.raises(InputError, match="the unit 'ft' of the column t .*: one of (m, cm|cm, m), "):
+    rows = "Parete;z;H;t;Meccanismo;notes\n;m;m;kN;;\na;0;4;45;su un lato;\n"
+    with pytest.raises(InputError, match="the unit 'kN' of the column t .*: one of m, cm, mm, ft "):
         walls_of(text_rows(rows))
-    rows = rows.replace("ft;;", "m;;m").replace(";45;", ";0.45;")
-    with pytest.raises(InputError, match="the unit 'm' of the column notes is not accepted: one of empty, -"):
+    rows = rows.replace("kN;;", "m;;m").replace(";45;", ";0.45;")
+    with pytest.raises(InputError, match="the unit 'm' of the column notes is not accepted: one of -, "):
         walls_of(text_rows(rows))
 
 

@@ -1,0 +1,113 @@
+"""Units as people write them, in Italian and English, for every heading, head and cell."""
+
+import re
+from typing import NamedTuple
+
+from core.units import G
+
+
+class Unit(NamedTuple):
+    """A unit.
+
+    factor : what a number in it is multiplied with to be in N, m, s, rad and 1
+    force, length, time, angle : exponents of its dimension
+    """
+
+    factor: float
+    force: int = 0
+    length: int = 0
+    time: int = 0
+    angle: int = 0
+
+
+_KG = G
+_POUND, _FOOT, _INCH = 0.45359237 * G, 0.3048, 0.0254
+BASES = {
+    **dict.fromkeys(("n", "newton"), Unit(1.0, force=1)),
+    **dict.fromkeys(("dan",), Unit(10.0, force=1)),
+    **dict.fromkeys(("kn", "kilonewton"), Unit(1e3, force=1)),
+    **dict.fromkeys(("kg", "kgf", "kgp", "chilogrammi", "chili"), Unit(_KG, force=1)),
+    **dict.fromkeys(("q", "ql", "quintali"), Unit(100.0 * _KG, force=1)),
+    **dict.fromkeys(("t", "tf", "ton", "tonn", "tonnellate", "tonnes"), Unit(1e3 * _KG, force=1)),
+    **dict.fromkeys(("gr", "grammi"), Unit(1e-3 * _KG, force=1)),
+    **dict.fromkeys(("lb", "lbs", "lbf"), Unit(_POUND, force=1)),
+    **dict.fromkeys(("kip", "kips"), Unit(1e3 * _POUND, force=1)),
+    **dict.fromkeys(("m", "mt", "ml", "metri", "metro", "metre", "metres", "meter", "meters"), Unit(1.0, length=1)),
+    **dict.fromkeys(("dm", "decimetri"), Unit(0.1, length=1)),
+    **dict.fromkeys(("cm", "centimetri", "centimetro", "centimetres", "centimeters"), Unit(0.01, length=1)),
+    **dict.fromkeys(("mm", "millimetri", "millimetro", "millimetres", "millimeters"), Unit(1e-3, length=1)),
+    **dict.fromkeys(("km", "chilometri"), Unit(1e3, length=1)),
+    **dict.fromkeys(("ft", "foot", "feet", "piedi", "piede"), Unit(_FOOT, length=1)),
+    **dict.fromkeys(("in", "inch", "inches", "pollici", "pollice"), Unit(_INCH, length=1)),
+    **dict.fromkeys(("yd", "yard", "yards", "iarde"), Unit(3.0 * _FOOT, length=1)),
+    "mq": Unit(1.0, length=2),
+    "cmq": Unit(1e-4, length=2),
+    "mmq": Unit(1e-6, length=2),
+    "mc": Unit(1.0, length=3),
+    "cmc": Unit(1e-6, length=3),
+    **dict.fromkeys(("s", "sec", "secondi", "seconds"), Unit(1.0, time=1)),
+    **dict.fromkeys(("ms", "msec", "millisecondi"), Unit(1e-3, time=1)),
+    "min": Unit(60.0, time=1),
+    **dict.fromkeys(("pa", "pascal"), Unit(1.0, force=1, length=-2)),
+    "kpa": Unit(1e3, force=1, length=-2),
+    "mpa": Unit(1e6, force=1, length=-2),
+    "gpa": Unit(1e9, force=1, length=-2),
+    "bar": Unit(1e5, force=1, length=-2),
+    **dict.fromkeys(("atm",), Unit(101325.0, force=1, length=-2)),
+    "psi": Unit(_POUND / _INCH**2, force=1, length=-2),
+    "ksi": Unit(1e3 * _POUND / _INCH**2, force=1, length=-2),
+    "psf": Unit(_POUND / _FOOT**2, force=1, length=-2),
+    "pcf": Unit(_POUND / _FOOT**3, force=1, length=-3),
+    "plf": Unit(_POUND / _FOOT, force=1, length=-1),
+    **dict.fromkeys(("rad", "radianti", "radians"), Unit(1.0, angle=1)),
+    **dict.fromkeys(("mrad",), Unit(1e-3, angle=1)),
+    **dict.fromkeys(("deg", "°", "gradi", "degrees", "degree"), Unit(0.017453292519943295, angle=1)),
+    **dict.fromkeys(("gon", "gradicentesimali"), Unit(0.015707963267948967, angle=1)),
+    "g": Unit(G, length=1, time=-2),
+    "gal": Unit(0.01, length=1, time=-2),
+    "%": Unit(0.01),
+    "‰": Unit(1e-3),
+    **dict.fromkeys(("-", "–", "adim"), Unit(1.0)),
+}
+"""Word -> unit, in small letters. A kilogram is one of force, as loads and unit weights are given in them; g alone is
+that of an acceleration. MN, and what small letters would confuse with something else, is in no list."""
+
+_EXPONENTS = str.maketrans("²³⁻¹·×", "23-1**")
+_TOKEN = re.compile(r"([a-z°%‰–-]+)\^?(-?[0-9])?")
+_LEADING = re.compile(r"^(in|unit|units|unità|u\.m\.|um)\s*:?\s+(?=\S)")
+
+
+def unit_of(text: str) -> Unit | None:
+    """The unit a text names, None where it names none: `kN/m³`, `kg/cmq`, `in cm`, `t per metro`."""
+    word = _LEADING.sub("", text.strip().lower().strip("[](){} ")).translate(_EXPONENTS)
+    word = re.sub(r"\s+(per|al|alla|a)\s+", "/", word)
+    word = re.sub(r"(quadrati|quadrato|quadri|quadro|squared)\b", "2", word)
+    word = re.sub(r"(cubi|cubo|cubici|cubed)\b", "3", word).replace("**", "^")
+    word = re.sub(r"[\s.]", "", word)
+    if not word or len(word) > 40:
+        return None
+    factor, exponents, sign = 1.0, [0, 0, 0, 0], 1
+    for n, part in enumerate(word.split("/")):
+        sign = 1 if n == 0 else -1
+        for token in part.split("*"):
+            base = BASES.get(token)  # whole first: cm2 is no word, mmq and ° are
+            power = 1
+            if base is None:
+                found = _TOKEN.fullmatch(token)
+                base = BASES.get(found[1]) if found else None
+                if found is None or base is None or found[2] is None:
+                    return None
+                power = int(found[2])
+            power *= sign
+            factor *= base.factor**power
+            exponents = [have + power * one for have, one in zip(exponents, base[1:], strict=True)]
+    return Unit(factor, *exponents)
+
+
+def factor_to(text: str, unit: str) -> float | None:
+    """What a number in the unit of a text is multiplied with to be in another one; None where the text names no unit
+    of its dimension. unit : as a key of the case has it, empty for a number without one"""
+    given, wanted = unit_of(text), unit_of(unit or "-")
+    if given is None or wanted is None or given[1:] != wanted[1:]:
+        return None
+    return given.factor / wanted.factor

@@ -1,0 +1,104 @@
+"""Units as people write them."""
+
+import itertools
+import math
+
+import pytest
+
+from core.case.wall_table import columns, walls_of
+from core.errors import InputError
+from core.quantities import BASES, factor_to, unit_of
+
+KNOWN = {
+    ("t/m", "kN/m"): 9.80665,
+    ("kg/m", "kN/m"): 0.00980665,
+    ("N/m", "kN/m"): 0.001,
+    ("daN/m", "kN/m"): 0.01,
+    ("q/ml", "kN/m"): 0.980665,
+    ("kN per metro", "kN/m"): 1.0,
+    ("kg/cmq", "MPa"): 0.0980665,
+    ("kgf/cm²", "MPa"): 0.0980665,
+    ("N/mm2", "MPa"): 1.0,
+    ("kg/m³", "kN/m3"): 0.00980665,
+    ("t/mc", "kN/m3"): 9.80665,
+    ("in cm", "m"): 0.01,
+    ("piedi", "m"): 0.3048,
+    ("in", "m"): 0.0254,
+    ("°", "deg"): 1.0,
+    ("rad", "deg"): 180.0 / math.pi,
+    ("metri quadrati", "m2"): 1.0,
+    ("%", ""): 0.01,
+}
+"""Typed from the definitions: 1 kgf = 9.80665 N, 1 ft = 0.3048 m, 1 in = 0.0254 m."""
+
+
+@pytest.mark.parametrize(("text", "unit"), KNOWN)
+def test_that_a_unit_is_converted_by_its_definition(text, unit):
+    assert factor_to(text, unit) == pytest.approx(KNOWN[text, unit], rel=1e-14)
+
+
+@pytest.mark.parametrize("text", ["al piede", "MN/m", "m/m/m2x", "", "circa", "P", "t/m (SLU)", "a" * 50])
+def test_that_what_names_no_unit_is_none(text):
+    assert unit_of(text) is None
+
+
+def two_hundred_units() -> list[str]:
+    """Units of every dimension, and texts that are none."""
+    lengths = ("m", "cm", "mm", "dm", "ft", "in", "piedi")
+    forces = ("N", "kN", "daN", "kg", "kgf", "t", "q", "lb", "kip")
+    found = [*BASES, *(f"{force}/{one}" for force in forces for one in lengths)]
+    found += [f"{force}/{one}{power}" for force, one, power in itertools.product(forces, ("m", "cm", "mm"), "23²")]
+    return [*found, "MN/m", "(SLU)", "circa", "t/m al piede", "x", "1/m", "m/s2"]
+
+
+NUMBERS = [name for name, column in columns().items() if column.entry.metadata["kind"] == "float"]
+GIVEN = {"height_m": "5", "thickness_m": "0.5", "mechanism": "su due lati"}
+
+
+@pytest.mark.parametrize("place", ["head", "row"])
+def test_that_every_key_with_every_unit_is_converted_or_refused(place):
+    """Of one key at a time; whether the value is accepted is another matter: then the sentence is of the value."""
+    units, read, refused = two_hundred_units(), 0, 0
+    assert len(units) >= 200
+    for key in NUMBERS:
+        wanted = columns()[key].entry.metadata.get("unit", "")
+        for unit in units:
+            factor = factor_to(unit, wanted)
+            given = {name: value for name, value in GIVEN.items() if name != key} | {key: "2"}
+            heads = [f"{name} ({unit})" if name == key and place == "head" else name for name in given]
+            metres = {name: "m" for name in ("height_m", "thickness_m") if name != key}
+            below = [unit if name == key and place == "row" else metres.get(name, "") for name in given]
+            try:
+                (wall,) = walls_of([["nome", *heads], ["", *below], ["a", *given.values()]])
+            except InputError as error:
+                refused += error.code == "unknown_unit"
+                assert error.code != "unknown_unit" or factor is None, (key, unit)
+                continue
+            assert factor is not None or unit in ("-", "–"), (key, unit)  # a unit left out
+            value = getattr(wall, key, None)
+            if value is not None:
+                read += 1
+                assert value == 2.0 * (factor or 1.0)
+    assert read > 100 and refused > 5000
+
+
+def test_that_the_walls_of_a_table_in_tonnes_are_those_in_kilonewtons():
+    heads = ["nome", "meccanismo", "altezza (m)", "spessore (m)", "carico 1", "carico 1 P ({})", "carico 1 h (m)"]
+    heads += ["carico 1 d (m)", "carico 1 massa", "peso specifico"]
+    found = []
+    for unit, value in (("t/m", "2"), ("kN/m", "19.6133"), ("kg/m", "2000"), ("daN/m", "1961.33")):
+        row = ["a", "su un lato", "5", "0,5", "verticale", value, "5", "0,25", "nessuna", "18"]
+        (wall,) = walls_of([[head.format(unit) for head in heads], row])
+        found.append(wall.load[0].kn_m)
+    assert found == pytest.approx([19.6133] * 4, rel=1e-12)
+
+
+@pytest.mark.parametrize("head", ["H (altezza)", "H [m", "H (m) (cm)", "H (m/s)", "H (kN)"])
+def test_that_what_stands_where_a_unit_does_is_the_unit_of_the_key_or_refused(head):
+    rows = [["nome", "meccanismo", head, "t"], ["", "", "", "m"], ["a", "su due lati", "5", "0.5"]]
+    if head == "H [m":
+        assert walls_of(rows)[0].height_m == 5.0
+        return
+    with pytest.raises(InputError) as caught:
+        walls_of(rows)
+    assert caught.value.code in ("unknown_unit", "two_units_of_column")
