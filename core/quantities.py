@@ -111,3 +111,18 @@ def factor_to(text: str, unit: str) -> float | None:
     if given is None or wanted is None or given[1:] != wanted[1:]:
         return None
     return given.factor / wanted.factor
+
+
+_BARE = re.compile(r"(?<![\w/])(%g|ms|hz|gal|[a-z]+/[a-z]+[\^]?[0-9²³]?)(?![\w/])")
+_REMARK = re.compile(r"[^\W\d_]+([ '-][^\W\d_]+)*|[0-9.,]+ ?%")
+
+
+def foreign_unit(head: str, known: tuple[str, ...]) -> str | None:
+    """The first unit a head names that is none of those its numbers are taken in, None where there is none: what stands
+    in brackets and is no word, and what is written as a unit without them. known : the units as they are written"""
+    for text in re.findall(r"[\[(]\s*([^\[\]()]*)", head):
+        word = text.strip().lower()
+        if word not in known and (unit_of(word) is not None or not _REMARK.fullmatch(word)) and word:
+            return text.strip()
+    bare = next((one for one in _BARE.findall(re.sub(r"[\[(].*?[\])]", " ", head.lower())) if one not in known), None)
+    return bare

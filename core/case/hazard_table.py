@@ -8,8 +8,12 @@ from core.case.number import parse_number
 from core.case.site import HazardRow
 from core.case.values import check_value
 from core.errors import InputError, place
+from core.quantities import foreign_unit
 
 KEYS = ("return_period_years", "ag_g", "f0", "tc_star_s")
+UNITS = ("anni", "years", "yr", "g", "s", "sec", "-", "–")
+"""Units of its columns, as they are written."""
+
 MAX_BYTES, MAX_ROWS = 100_000, 100
 
 _NUMBER_FIRST = re.compile(r"[+-]?[.,]?[0-9]")
@@ -31,6 +35,8 @@ def parse_hazard(text: str) -> tuple[HazardRow, ...]:
         except InputError:
             if rows or _NUMBER_FIRST.match(parts[0]):
                 raise InputError("hazard_line", text=line.strip()[:60], place=(here,)) from None
+            if foreign := foreign_unit(line, UNITS):
+                raise InputError("hazard_units", unit=foreign[:40], place=(here,)) from None
             continue
         if len(values) not in (2, 4) or len(rows) == MAX_ROWS:
             raise InputError("hazard_line", text=line.strip()[:60], place=(here,))

@@ -2,7 +2,6 @@
 
 import functools
 import math
-import re
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
@@ -25,10 +24,11 @@ from core.file_names import name_of
 from core.ground.artificial import compatible_motion
 from core.ground.ground_motion import GroundMotion
 from core.ground.scattered import TIME_STEP, scattered_set
+from core.quantities import foreign_unit
 from core.units import CM, G
 
-OTHER_UNITS = re.compile(r"\b(ms|hz|[cm]?m/s\^?2|[cm]?m/s²|gal|%g)(?![a-z])", re.IGNORECASE)
-"""Units of a spectrum file that is not in s and g."""
+SPECTRUM_UNITS = ("s", "sec", "secondi", "seconds", "g", "-", "–", "m/m")
+"""Units of a spectrum file, as they are written."""
 
 
 def target_of(asked: Demand, base_dir: Path) -> Target | None:
@@ -66,9 +66,9 @@ def _rows(path: Path) -> list[tuple[float, float]]:
         try:
             period, ordinate = (parse_number(part) for part in parts)
         except (InputError, ValueError):
-            wrong = OTHER_UNITS.search(line)
+            wrong = foreign_unit(line, SPECTRUM_UNITS)
             if wrong and not rows:
-                raise InputError("spectrum_units", unit=wrong[0], place=(path, place("line", n=k))) from None
+                raise InputError("spectrum_units", unit=wrong[:40], place=(path, place("line", n=k))) from None
             if rows and parts:
                 raise InputError("spectrum_line", text=line.strip()[:60], place=(path, place("line", n=k))) from None
             continue

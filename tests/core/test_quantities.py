@@ -5,9 +5,10 @@ import math
 
 import pytest
 
+from core.case.hazard_table import parse_hazard
 from core.case.wall_table import columns, walls_of
 from core.errors import InputError
-from core.quantities import BASES, factor_to, unit_of
+from core.quantities import BASES, factor_to, foreign_unit, unit_of
 
 KNOWN = {
     ("t/m", "kN/m"): 9.80665,
@@ -102,3 +103,28 @@ def test_that_what_stands_where_a_unit_does_is_the_unit_of_the_key_or_refused(he
     with pytest.raises(InputError) as caught:
         walls_of(rows)
     assert caught.value.code in ("unknown_unit", "two_units_of_column")
+
+
+@pytest.mark.parametrize(
+    ("head", "foreign"),
+    [
+        ("T_R (anni)  ag [g]  F0 [-]  TC* [s]", None),
+        ("TR ag [m/s2] F0 TC*", "m/s2"),
+        ("TR ag m/s^2 F0 TC*", "m/s^2"),
+        ("TR [anni] ag [cm/s²]", "cm/s²"),
+        ("T [ms] Sa [g]", "ms"),
+        ("T (s) Sa (g) (suolo B) (5 %)", None),
+        ("T Sa gal", "gal"),
+        ("T [s] Sa [cms2]", "cms2"),
+        ("spettro elastico, smorzamento 5%", None),
+    ],
+)
+def test_that_the_head_of_a_hazard_or_a_spectrum_names_its_own_units(head, foreign):
+    assert foreign_unit(head.lower() if foreign is None else head, ("anni", "s", "g", "-")) == foreign
+
+
+def test_that_a_hazard_in_another_unit_is_refused_with_the_unit():
+    rows = "30 0.5 2.4 0.28\n475 1.9 2.5 0.33\n"
+    with pytest.raises(InputError, match="m/s2"):
+        parse_hazard("TR [anni] ag [m/s2] F0 TC* [s]\n" + rows.replace("0.5", "0.05").replace("1.9", "0.19"))
+    assert len(parse_hazard("TR [anni] ag [g] F0 [-] TC* [s]\n30 0.05 2.4 0.28\n475 0.19 2.5 0.33\n")) == 2
