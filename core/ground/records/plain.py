@@ -2,7 +2,7 @@
 
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from core.errors import RecordError, place
 from core.ground.records import plain_head
 from core.ground.records.grammar import NUMBER, Options, Parsed, numbers, quoted, table_of, to_float
 from core.ground.records.head_units import refuse_other_quantity, stated_unit, take_unit
+from core.ground.records.sample_like import refuse_samples_in_head
 
 _NO_NUMBER = re.compile(rf"(?:{NUMBER}|[+-]?nan|[+-]?inf(?:inity)?|\*++|[,;\s]++)++", re.IGNORECASE)
 _DECIMAL_COMMA = re.compile(r"[+-]?+[0-9]++(,[0-9]++)?+([EeDd][+-]?+[0-9]++)?+")
@@ -76,18 +77,25 @@ class _Content:
     rows : numbers of the samples read one by one
     places : of each sample its line, from 1
     rest : the samples below those, read at once, shape (n, width); None where all are in rows
+    head_places : of each line of the head below those the case skips, its number, from 1
+    first : the first samples as they are written
     """
 
     head: list[str]
     rows: list[list[float]]
     places: list[int]
     rest: np.ndarray | None = None
+    head_places: list[int] = field(default_factory=list)
+    first: list[str] = field(default_factory=list)
 
 
 def read(lines: list[str], options: Options) -> Parsed:
     """Raises RecordError for spectra, uneven or unsorted time, several columns without a choice,
     and rows that are not numbers."""
     content = _told_apart(lines, options.skip_lines or 0)
+    if content.rows:
+        above = zip(content.head_places, content.head[options.skip_lines or 0 :], strict=True)
+        refuse_samples_in_head(list(above), content.first)
     said = "\n".join(content.head)
     refuse_other_quantity(said)
     if not content.rows:
@@ -134,9 +142,12 @@ def _told_apart(lines: list[str], skip: int) -> _Content:
             raise error.at(place("line", n=k)) from None
         if row is None:
             head.append(text)
+            content.head_places.append(k)
         else:
             rows.append(row)
             content.places.append(k)
+            if len(content.first) < FIRST_ROWS:
+                content.first.append(text)
     return content
 
 

@@ -1,0 +1,91 @@
+"""A remark beside samples, a mark before them, a flag, a blank cell: never samples taken for a head."""
+
+import numpy as np
+import pytest
+
+from core.errors import RecordError
+from core.ground import records
+from core.ground.records.grammar import Options
+
+REMARKS = ("letto a mano", "spike?", "OK", "da verificare", "note", "*", "x", "check!", "valore dubbio (2)", "rev. B")
+DT = 0.01
+
+
+def dialect(name: str, rng) -> tuple[list[str], list[str], str, dict]:
+    """(head, samples, what stands between a sample and a remark, options) of a record in one way of writing it."""
+    values = np.convolve(rng.normal(size=400), np.ones(3) / 3.0, "same")
+    times = DT * np.arange(400) + (0.0 if rng.integers(2) else 3.0)
+    if name == "semicolons":
+        rows = [f"{t:.2f};{a:.6f}".replace(".", ",") for t, a in zip(times, values, strict=True)]
+        return ["t (s);a (m/s2);nota"], rows, ";", {}
+    if name == "commas":
+        return ["time,acc (m/s2),note"], [f"{t:.3f},{a:.5f}" for t, a in zip(times, values, strict=True)], ",", {}
+    if name == "tabs":
+        return ["t [s]\ta [m/s2]"], [f"{t:.2f}\t{a:.5e}" for t, a in zip(times, values, strict=True)], "\t", {}
+    if name == "spaces":
+        return (
+            ["Time (s)  Acceleration (m/s2)"],
+            [f"{t:8.3f} {a:12.6f}" for t, a in zip(times, values, strict=True)],
+            "  ",
+            {},
+        )
+    assert name == "column"
+    return ["acceleration in m/s2, dt = 0.01 s"], [f"{a:.6f}" for a in values], "  ", {}
+
+
+DIALECTS = ("semicolons", "commas", "tabs", "spaces", "column")
+
+
+REFUSALS = ("sample_in_head", "blank_among_samples", "text_among_samples", "not_numbers", "gap")
+
+
+def read(lines: list[str], tmp_path, options: dict):
+    path = tmp_path / "record.txt"
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return records.read(path, Options(**options))
+
+
+@pytest.mark.parametrize("name", DIALECTS)
+def test_that_a_remark_a_mark_or_a_blank_never_makes_samples_a_head(name, tmp_path):
+    rng, refused = np.random.default_rng(11), 0
+    for trial in range(40):
+        head, rows, between, options = dialect(name, rng)
+        whole = read([*head, *rows], tmp_path, options)
+        damaged, many = list(rows), int(rng.integers(1, 150))
+        kind = ("remark", "mark", "blank", "flag")[trial % 4]
+        for k in range(many):
+            if kind == "remark":
+                damaged[k] += between + REMARKS[rng.integers(len(REMARKS))]
+            elif kind == "mark":
+                damaged[k] = "#%!"[rng.integers(3)] + " " + damaged[k]
+            elif kind == "flag":
+                damaged[k] += between + "qQA"[rng.integers(3)]
+        if kind == "blank":
+            damaged.insert(int(rng.integers(1, 300)), "")
+        try:
+            found = read([*head, *damaged], tmp_path, options)
+        except RecordError as error:
+            refused += 1
+            assert error.code in REFUSALS, error
+            continue
+        assert found.acceleration.size == whole.acceleration.size, (kind, many)
+        assert np.array_equal(found.acceleration, whole.acceleration)
+    assert refused > 20
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "400 0.0100 NPTS, DT",
+        "400 0.01",
+        "2009 04 06 L'Aquila",
+        "10 20 30 free text",
+        "0.01 s sampling",
+        "1 channel",
+        "# 0.01 dt",
+    ],
+)
+def test_that_a_head_that_begins_with_numbers_is_a_head(line, tmp_path):
+    _, rows, _, _ = dialect("column", np.random.default_rng(2))
+    motion = read(["acceleration in m/s2, dt = 0.01 s", line, *rows], tmp_path, {})
+    assert motion.acceleration.size == 400
