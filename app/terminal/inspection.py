@@ -92,6 +92,9 @@ def _say(name: str, motion: GroundMotion) -> None:
             duration=motion.duration_5_95,
         )
     )
+    if motion.lines is not None:
+        head, samples = motion.lines
+        print(terminal("  lines: {head} of the head, {samples} of samples", head=head, samples=samples))
     for warning in motion.warnings:
         print(f"  {warning.text(current_language())}")
 

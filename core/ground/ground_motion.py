@@ -34,6 +34,7 @@ class GroundMotion:
     ground_pga : of a floor motion, PGA of the record it comes from [m/s2]
     scale : factor the samples of the file were read with
     channel : of a file that has several
+    lines : of head and of samples of a plain text
     Raises RecordError for fewer than 10 samples, a motion of zeros, or samples that are not finite.
     """
 
@@ -49,6 +50,7 @@ class GroundMotion:
     ground_pga: float | None = None
     scale: float = 1.0
     channel: str = ""
+    lines: tuple[int, int] | None = None
 
     def __post_init__(self):
         samples = np.ascontiguousarray(self.acceleration, dtype=np.float64).copy()

@@ -144,6 +144,7 @@ def _of_lines(content: bytes, lines: list[str], path: Path, options: Options, sc
         format=title,
         unit=unit,
         details=parsed.details,
+        lines=parsed.told,
         warnings=tuple(warnings),
         scale=scale,
     )

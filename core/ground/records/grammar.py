@@ -35,7 +35,8 @@ class Parsed:
     where the file does not say; details and warnings; counted : the file declares its count of samples; channel : its
     name, "" where the file has none; vertical : its direction is; several : the file has others; factor : (what the
     samples have still to be multiplied by, the error where the case does not), None where the file states none;
-    lines : key of the case -> the line of the head that states it, quoted."""
+    lines : key of the case -> the line of the head that states it, quoted; told : lines of head and of samples of a
+    plain text, None of a named format, which declares them itself."""
 
     values: np.ndarray
     time_step: float | None
@@ -49,6 +50,7 @@ class Parsed:
     channel: str = ""
     vertical: bool = False
     several: bool = False
+    told: tuple[int, int] | None = None
 
 
 @dataclass(frozen=True)

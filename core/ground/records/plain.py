@@ -111,6 +111,7 @@ def read(lines: list[str], options: Options) -> Parsed:
     parsed = Parsed(values, from_time, None, counted=declared is not None)
     take_unit(parsed, unit)
     plain_head.agree(parsed, said, declared[1] if declared else None, options.time_step)
+    parsed.told = len(content.head), len(content.places)
     parsed.details = tuple((f"line {k + 1}", text) for k, text in enumerate(content.head[:6]))
     parsed.vertical = plain_head.vertical(said, table.shape[1], taken)
     return parsed
@@ -257,6 +258,19 @@ def _without_gap(values, places):
     return values
 
 
+def _rounding(times: np.ndarray, mean: float) -> np.ndarray:
+    """How far each printed time may lie from what it stands for [s], shape of times: half of its last decimal, or of
+    its last significant digit, as programs print that keep six of them. mean : of the steps [s]"""
+    decimals = next((d for d in range(1, 12) if np.allclose(times, times.round(d), rtol=0, atol=1e-13)), 12)
+    least = max(min(0.51 * 10.0**-decimals, 0.25 * abs(mean)), 1e-3 * abs(mean))
+    sizes = np.floor(np.log10(np.maximum(np.abs(times), 1e-12)))
+    for digits in range(4, 10):
+        unit = 10.0 ** (sizes + 1.0 - digits)
+        if np.allclose(times / unit, np.round(times / unit), rtol=0, atol=1e-6):
+            return np.maximum(least, np.minimum(0.51 * unit, 0.25 * abs(mean)))
+    return np.full(times.size, least)
+
+
 def _even_step(times, places, given: float | None) -> float:
     """Time step of a time column [s]: the shortest number that reproduces every printed time within
     its rounding, or the given one if it does. Raises RecordError naming the first line that fails."""
@@ -266,8 +280,8 @@ def _even_step(times, places, given: float | None) -> float:
     if (steps <= 0.0).all() or not np.median(steps) > 0.0:
         raise RecordError("no_time_column")
     mean = float((times[-1] - times[0]) / (times.size - 1))
-    decimals = next((d for d in range(1, 12) if np.allclose(times, times.round(d), rtol=0, atol=1e-13)), 12)
-    rounding = max(min(0.51 * 10.0**-decimals, 0.25 * abs(mean)), 1e-3 * abs(mean))
+    printed = _rounding(times, mean)
+    rounding = float(printed.max())
     index = np.arange(times.size)
     usual = float(np.median(steps))
     # a step that nearly all pairs show and the rest break is a gap, not the rounding of another step
@@ -277,7 +291,7 @@ def _even_step(times, places, given: float | None) -> float:
     candidates += [float(f"{usual:.9g}")] if gap else [float(f"{mean:.{d}g}") for d in range(1, 12)]
     candidates += [] if gap else [1.0 / max(1, round(1.0 / mean))] if 0 < mean < 1 else []
     for dt in candidates:
-        if np.abs(times - times[0] - dt * index).max() <= rounding and (steps >= 0.0).all():
+        if (np.abs(times - times[0] - dt * index) <= printed).all() and (steps >= 0.0).all():
             return dt
     k = int(np.argmax(np.abs(steps - usual) > max(2.0 * rounding, 1e-3 * usual)))
     if (steps < 0.0).any():

@@ -89,3 +89,18 @@ def test_that_a_head_that_begins_with_numbers_is_a_head(line, tmp_path):
     _, rows, _, _ = dialect("column", np.random.default_rng(2))
     motion = read(["acceleration in m/s2, dt = 0.01 s", line, *rows], tmp_path, {})
     assert motion.acceleration.size == 400
+
+
+@pytest.mark.parametrize(("step", "samples"), [(0.00125, 9000), (0.005, 30_000), (1.0 / 240.0, 5000), (0.0025, 45_000)])
+def test_that_times_with_six_significant_digits_give_their_step(step, samples, tmp_path):
+    values = np.sin(0.01 * np.arange(samples)) * np.random.default_rng(3).normal(size=samples)
+    lines = [f"{step * k:.6g}\t{a:.6g}" for k, a in enumerate(values)]
+    found = read(["Time [s]\tAcceleration (g)", *lines], tmp_path, {})
+    assert found.time_step == pytest.approx(step, rel=1e-6) and found.acceleration.size == samples
+
+
+def test_that_a_time_left_out_is_still_found_among_rounded_ones(tmp_path):
+    lines = [f"{0.00125 * k:.6g}\t{np.sin(0.1 * k):.6g}" for k in range(9000) if k != 4000]
+    with pytest.raises(RecordError) as caught:
+        read(["Time [s]\tAcceleration (g)", *lines], tmp_path, {})
+    assert caught.value.code == "uneven_times"
