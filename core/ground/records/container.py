@@ -31,7 +31,12 @@ _OTHER = re.compile(
 
 _UP = re.compile(r"[-_.](UP|DWN|VER|UD|V)\.\w+\Z", re.IGNORECASE)
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
-_STREAM = re.compile(r"\.\w\w([ZENXY123])\.")
+_STREAM = re.compile(r"[A-Z0-9]{1,2}\.[A-Z0-9]{1,6}\.(?:[A-Z0-9]{0,2}\.)?[A-Z]{2}([A-Z0-9])\.", re.IGNORECASE)
+"""Names of ESM and ITACA: network, station, location if any, channel, whose third letter is the direction."""
+
+_KNET = re.compile(r"UD[12]?", re.IGNORECASE)
+"""Endings of K-NET and KiK-net."""
+
 
 BAD_ZIP = (
     zipfile.BadZipFile,
@@ -115,10 +120,10 @@ def _order(entry: zipfile.ZipInfo) -> tuple:
 def names_vertical(name: str) -> bool:
     """Whether the name of a file says that it holds a vertical component."""
     base = name.rpartition("/")[2]
-    stream = _STREAM.search(base)
+    if stream := _STREAM.match(base):
+        return stream[1].upper() == "Z"
     ending = base.rpartition(".")[2]
-    told = bool(stream and stream[1] == "Z") or bool(_UP.search(base))
-    return told or is_vertical(ending.rstrip("12"))
+    return bool(_UP.search(base) or _KNET.fullmatch(ending)) or is_vertical(ending)
 
 
 def sheet_of(content: bytes, asked: str | None) -> tuple[str, list[str], bool, list[Sentence]]:

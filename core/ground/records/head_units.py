@@ -235,6 +235,7 @@ def refuse_other_quantity(head: str) -> None:
 
 def _other_of(line: str) -> str | None:
     """What a line that is no head of a table with an acceleration names instead of one."""
+    line = line.replace("_", " ")  # names of columns: raw_acc, vel_f
     fields = [field for field in re.split(r"[;,\t]| {2,}|(?<=[\])]) ", line) if field.strip()]
     if len(fields) > 1 and any(
         _ACCELERATION_WORD.search(field) and not _words_of_other(field) and not _units_of_other(field)

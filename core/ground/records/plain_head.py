@@ -326,9 +326,17 @@ def _named(head: str, width: int, column: int) -> Iterator[str]:
                 yield fields[column - 1]
 
 
+_SHORT_NAME = re.compile(
+    r"(([vd]|vel|disp?)_?([xyz]|ns|ew|ud)|(vel|disp?)_?([0-9]|f|raw|filt)?)(\s*[\[(].*)?", re.IGNORECASE
+)
+"""Names of columns of a velocity or a displacement in programs: vx, dx, vel_f, disp1."""
+
+
 def refuse_column(head: str, width: int, column: int) -> None:
     """Raise RecordError where a head names another quantity above the column that is asked for."""
     for field in _named(head, width, column):
+        if _SHORT_NAME.fullmatch(field.strip(" \"'")):
+            raise RecordError("other_quantity", quantity=field.strip(), line=quoted(field))
         refuse_other_quantity(field)
 
 

@@ -5,6 +5,7 @@ import pytest
 
 from core.errors import RecordError
 from core.ground import records
+from core.ground.records.container import names_vertical
 from core.ground.records.grammar import Options
 
 REMARKS = ("letto a mano", "spike?", "OK", "da verificare", "note", "*", "x", "check!", "valore dubbio (2)", "rev. B")
@@ -104,3 +105,46 @@ def test_that_a_time_left_out_is_still_found_among_rounded_ones(tmp_path):
     with pytest.raises(RecordError) as caught:
         read(["Time [s]\tAcceleration (g)", *lines], tmp_path, {})
     assert caught.value.code == "uneven_times"
+
+
+COLUMNS = "time,raw_acc,filtered_acc,filtered_velocity,displacement", "t,acc_raw,acc_f,vel_f,disp_f", "t,ax,ay,vx,dx"
+
+
+@pytest.mark.parametrize("head", COLUMNS)
+def test_that_a_column_is_what_its_name_says(head, tmp_path):
+    rows = [f"{DT * k:.2f},{np.sin(0.3 * k):.5f},{np.cos(0.3 * k):.5f},0.1,0.2" for k in range(200)]
+    for column in (2, 3):
+        assert read([head, *rows], tmp_path, {"column": column, "unit": "g"}).acceleration.size == 200
+    for column in (4, 5):
+        with pytest.raises(RecordError) as caught:
+            read([head, *rows], tmp_path, {"column": column, "unit": "g"})
+        assert caught.value.code == "other_quantity"
+
+
+@pytest.mark.parametrize("head", ["t,x,y,z", "t;N;E;V", "time NS EW UD"])
+def test_that_the_names_of_components_are_no_velocities(head, tmp_path):
+    between = next(mark for mark in ",; " if mark in head)
+    rows = [
+        between.join(f"{one:.4f}" for one in (DT * k, np.sin(0.3 * k), np.cos(0.3 * k), 0.1 * (k % 3)))
+        for k in range(200)
+    ]
+    assert read([head, *rows], tmp_path, {"column": 2, "unit": "g"}).acceleration.size == 200
+
+
+@pytest.mark.parametrize(
+    ("name", "vertical"),
+    [
+        ("IT.AVZ..HGE.D.20090406.013240.C.ACC.MP.ASC", False),
+        ("IT.AVZ..HGN.D.20090406.013240.C.ACC.MP.ASC", False),
+        ("IT.CLN..HGZ.D.20090406.013240.C.ACC.MP.ASC", True),
+        ("IV.AQU.00.HNZ.D.20090406.C.ACC.ASC", True),
+        ("CHAN1.V2", False),
+        ("CE13122.V1", False),
+        ("AOM0010111031446.UD2", True),
+        ("AOM0010111031446.NS2", False),
+        ("RSN316_WESMORL_WSM-UP.AT2", True),
+        ("AVZ.txt", False),
+    ],
+)
+def test_that_a_name_says_the_direction_by_the_rule_of_its_format(name, vertical):
+    assert names_vertical(name) == vertical and names_vertical(f"folder/{name}") == vertical
