@@ -105,7 +105,10 @@ def read(lines: list[str], options: Options) -> Parsed:
     unit = stated_unit(said)
     declared = _take_count_and_step(content)
     table = _table(content)
-    values, from_time, taken = _columns(table, content.places, options, plain_head.seconds_of_time(said))
+    if plain_head.are_components(said, *table.shape) and not _rises(table[:, 0]):
+        values, from_time, taken = _component(table, content.places, options)
+    else:
+        values, from_time, taken = _columns(table, content.places, options, plain_head.seconds_of_time(said))
     if taken != options.column:
         plain_head.refuse_column(said, table.shape[1], taken)
     parsed = Parsed(values, from_time, None, counted=declared is not None)
@@ -215,6 +218,21 @@ def _count_and_step(row: list[float]) -> bool:
     return len(row) == 2 and row[0] >= 10 and row[0].is_integer() and 0 < row[1] < 1
 
 
+def _rises(column: np.ndarray) -> bool:
+    """Whether a column may be a time: it rises at nearly all samples."""
+    return column.size > 2 and bool(np.mean(np.diff(column) > 0.0) > 0.5)
+
+
+def _component(table, places, options: Options):
+    """As `_columns`, of components side by side without a time column."""
+    width = table.shape[1]
+    if options.column is None:
+        raise RecordError("which_component", n=width)
+    if options.column > width:
+        raise RecordError("component_out_of_range", given=options.column, most=width)
+    return _without_gap(table[:, options.column - 1], places), None, options.column
+
+
 def _columns(table, places, options: Options, seconds: float):
     """(the acceleration column, the time step of the time column or None, its number from 1). Columns that are empty
     throughout stay in their places and are none; an empty cell in the one taken is a gap. seconds : of one unit of
@@ -233,6 +251,8 @@ def _columns(table, places, options: Options, seconds: float):
         return values, None, filled[0] + 1
     if options.column is not None and options.column - 1 not in filled[1:]:
         raise RecordError("column_out_of_range", given=options.column, most=filled[-1] + 1)
+    if not _rises(table[:, filled[0]]):
+        raise RecordError("no_time_column")
     times = _without_gap(table[:, filled[0]], places) * seconds
     if any(_goes_on(times, table[:, k] * seconds) for k in filled[2:]):
         raise RecordError("pairs_in_line")

@@ -256,6 +256,19 @@ def seconds_of_time(head: str) -> float:
     return 1.0
 
 
+def are_components(said: str, n: int, width: int) -> bool:
+    """Whether a table of n rows holds components side by side: the head counts the rows, or names each column in its
+    last line. Values wrapped over lines are counted by all of them."""
+    if not 2 <= width <= 4:
+        return False
+    head = head_of(said)
+    if counts(head, n)[0]:
+        return True
+    last = said.rsplit("\n", 1)[-1].strip()
+    fields = [one for one in re.split(r"[;,\t]| {2,}", last) if one.strip()]
+    return len(fields) == width and not any(char.isdigit() for char in last)
+
+
 def agree(parsed: Parsed, said: str, declared: float | None, given: float | None) -> None:
     """Take over what a head says of the samples: time step, count and factor.
 

@@ -148,3 +148,50 @@ def test_that_the_names_of_components_are_no_velocities(head, tmp_path):
 )
 def test_that_a_name_says_the_direction_by_the_rule_of_its_format(name, vertical):
     assert names_vertical(name) == vertical and names_vertical(f"folder/{name}") == vertical
+
+
+ADVICE = {
+    "which_column": lambda error: [{"column": k} for k in range(2, error.values["most"] + 1)],
+    "which_component": lambda error: [{"column": k} for k in range(1, error.values["n"] + 1)],
+    "no_unit": lambda error: [{"unit": "g"}],
+    "no_time_step_s": lambda error: [{"time_step": DT}],
+    "no_time_column": lambda error: [{"time_step": DT}],
+}
+"""Code of a refusal -> what it advises to give."""
+
+
+def made(kind: str, rng) -> list[str]:
+    """A file that leaves something to be said."""
+    table = [(DT * k, *rng.normal(size=3).tolist()) for k in range(200)]
+    if kind == "components, count and step":
+        return ["DATA: 200", "DT = 0.01 s", "N-S  E-W  U-D", *("  ".join(f"{x:.6f}" for x in row[1:]) for row in table)]
+    if kind == "components alone":
+        return ["N-S;E-W;U-D", *(";".join(f"{x:.6f}" for x in row[1:]) for row in table)]
+    if kind == "time and components":
+        return ["t  x  y  z", *("  ".join(f"{x:.6f}" for x in row) for row in table)]
+    if kind == "column alone":
+        return ["acceleration", *(f"{row[1]:.6f}" for row in table)]
+    assert kind == "wrapped"
+    return ["acceleration, dt = 0.01 s", *("  ".join(f"{x:.6f}" for x in row[1:] * 2) for row in table)]
+
+
+@pytest.mark.parametrize(
+    "kind", ["components, count and step", "components alone", "time and components", "column alone", "wrapped"]
+)
+def test_that_what_a_refusal_advises_leads_to_a_result_or_to_a_last_word(kind, tmp_path):
+    lines, results, last = made(kind, np.random.default_rng(6)), 0, set()
+    todo: list[dict] = [{}]
+    for _ in range(60):
+        if not todo:
+            break
+        options = todo.pop()
+        try:
+            results += read(lines, tmp_path, options).acceleration.size == 200
+        except RecordError as error:
+            new = [one for one in ADVICE.get(error.code, lambda _: [])(error) if not one.keys() & options.keys()]
+            todo += [options | one for one in new]
+            if not new:
+                last.add(error.code)
+    assert not todo
+    assert results or last
+    assert bool(results) == (kind != "wrapped"), last
