@@ -220,7 +220,7 @@ def _count_and_step(row: list[float]) -> bool:
 
 def _rises(column: np.ndarray) -> bool:
     """Whether a column may be a time: it rises at nearly all samples."""
-    return column.size > 2 and bool(np.mean(np.diff(column) > 0.0) > 0.5)
+    return column.size > 2 and bool(np.mean(np.diff(column) > 0.0) > 0.9)
 
 
 def _component(table, places, options: Options):
