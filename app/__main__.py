@@ -6,6 +6,7 @@ import os
 import sys
 import tempfile
 import traceback
+import warnings
 from pathlib import Path
 
 from app.look.language import quoted_from_file, set_language, terminal
@@ -119,4 +120,5 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
+    warnings.simplefilter("ignore")  # of libraries, to developers; the tests take each for an error
     sys.exit(main())

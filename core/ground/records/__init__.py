@@ -10,7 +10,7 @@ import numpy as np
 from core.errors import InputError, RecordError
 from core.file_names import name_of, shown
 from core.ground.ground_motion import LARGE_PGA, SMALL_PGA, GroundMotion
-from core.ground.records import california, geonet, italian, japan_taiwan, peer, plain, samples, smc
+from core.ground.records import california, geonet, italian, japan_taiwan, peer, plain, plausible, samples, smc
 from core.ground.records.container import BETWEEN, is_zip, member_of, sheet_of
 from core.ground.records.cut import refuse_cut
 from core.ground.records.grammar import UNITS, Options, Parsed, decode, quoted
@@ -162,13 +162,14 @@ def _parsed(lines: list[str], options: Options, ended: bool) -> tuple[str, Parse
     if not ended and any(warning.code == "partial_last_line" for warning in parsed.warnings):
         raise RecordError("last_line_cut")
     samples.refuse_marks(parsed.values)
+    plausible.refuse_sorted(parsed.values)
     samples.refuse_repeated_line(lines)
     return title, parsed
 
 
 def _doubts_as_read(parsed: Parsed) -> list[Sentence]:
     """Warnings of the samples in the file's unit."""
-    warnings = samples.jumps(parsed.values)
+    warnings = [*samples.jumps(parsed.values), *plausible.doubts(parsed.values)]
     peak = float(np.abs(parsed.values).max()) if parsed.values.size else 0.0
     if parsed.stated_peak and abs(peak - parsed.stated_peak) > 0.02 * parsed.stated_peak:
         warnings.append(notice("peak_differs", read=peak, stated=parsed.stated_peak))

@@ -77,7 +77,7 @@ def refuse_repeated_line(lines: list[str]) -> None:
 def jumps(values: np.ndarray) -> list[Sentence]:
     """A warning where a smooth record jumps at one place as nowhere around it: lines doubled, swapped or gone?"""
     steps = np.abs(np.diff(values, ORDER))
-    if steps.size < 8 * AROUND:
+    if steps.size < 8 * AROUND or not steps.any():
         return []
     padded = np.concatenate([steps, np.zeros(-steps.size % NEAR)])
     blocks = padded.reshape(-1, NEAR).max(axis=1)

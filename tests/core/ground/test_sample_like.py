@@ -195,3 +195,41 @@ def test_that_what_a_refusal_advises_leads_to_a_result_or_to_a_last_word(kind, t
     assert not todo
     assert results or last
     assert bool(results) == (kind != "wrapped"), last
+
+
+@pytest.mark.parametrize("value", ["0.0", "1e-300", "0.001", "1e300"])
+def test_that_a_record_without_motion_is_refused_without_a_warning(value, tmp_path):
+    """Warnings are errors in the tests."""
+    with pytest.raises(RecordError):
+        read(["acceleration in m/s2, dt = 0.01 s", *[value] * 500], tmp_path, {})
+
+
+def strong(rng) -> np.ndarray:
+    """A motion with a weak beginning and end."""
+    return np.convolve(rng.normal(size=900), np.ones(5) / 5.0, "same") * np.hanning(900)
+
+
+DAMAGE = {
+    "sorted": lambda a, rng: np.sort(a),
+    "sorted down": lambda a, rng: np.sort(a)[::-1],
+    "twice": lambda a, rng: np.concatenate([a, a]),
+    "three times, cut": lambda a, rng: np.concatenate([a, a, a])[:2300],
+    "frozen": lambda a, rng: np.where((np.arange(a.size) > 400) & (np.arange(a.size) < 500), a[np.abs(a).argmax()], a),
+    "filled with zeros": lambda a, rng: np.where((np.arange(a.size) > 400) & (np.arange(a.size) < 560), 0.0, a),
+}
+
+
+@pytest.mark.parametrize("kind", DAMAGE)
+def test_that_what_no_ground_does_is_refused_or_said(kind, tmp_path):
+    for seed in range(5):
+        rng = np.random.default_rng(seed)
+        whole = strong(rng)
+        head = "acceleration in m/s2, dt = 0.01 s"
+        intact = read([head, *(f"{a:.6f}" for a in whole)], tmp_path, {})
+        assert not {warning.code for warning in intact.warnings} & {"repeats", "frozen"}
+        try:
+            found = read([head, *(f"{a:.6f}" for a in DAMAGE[kind](whole, rng))], tmp_path, {})
+        except RecordError as error:
+            assert error.code == "sorted_samples"
+            continue
+        assert {warning.code for warning in found.warnings} & {"repeats", "frozen"}
