@@ -34,7 +34,7 @@ class ManyWalls(Sequence):
     def scan(self) -> Iterator[tuple[int, list[str]]]:
         """(number from 1, cells) of the rows of the text. Raises csv.Error."""
         self._end = 0
-        rows = csv.reader(self._lines(0), delimiter=self.mark)
+        rows = csv.reader(self._lines(0), delimiter=self.mark, strict=True)
         for number, cells in enumerate(rows, start=1):
             yield number, cells
             self._from = self._end

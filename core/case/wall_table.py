@@ -169,6 +169,9 @@ def read_table(
         if not is_text:
             raise InputError("table_kind")
         text = _decoded(content)
+        if text.rstrip(" \t") and text[-1] not in "\r\n":
+            last = text.rstrip().rsplit("\n", 1)[-1]
+            notes.append(notice("table_not_ended", cell=re.split(r"[;,\t]", last)[-1].strip()[-40:] or last[-40:]))
         if many and text.count("\n") >= MAX_ROWS:
             return _many_walls(text, with_demand), notes
         return walls_of(text_rows(text), with_demand), notes
@@ -203,9 +206,20 @@ def text_rows(text: str) -> list[list[str]]:
     if text.count(mark) + text.count("\n") > MAX_CELLS:  # before each becomes a text of its own
         raise InputError("table_too_large", rows=MAX_ROWS, columns=4 * MAX_COLUMNS)
     try:
-        return [[cell.strip() for cell in row] for row in csv.reader(io.StringIO(text), delimiter=mark)]
+        table = csv.reader(io.StringIO(text), delimiter=mark, strict=True)
+        rows = [[cell.strip() for cell in row] for row in table]
     except csv.Error as error:
         raise InputError("not_a_table", reason=error) from None
+    for n, row in enumerate(rows[1:], start=2):
+        _refuse_cut(rows[0], n, row)
+    return rows
+
+
+def _refuse_cut(heads: list[str], n: int, row: list[str]) -> None:
+    """Refuse a row of a text with fewer cells than the titles: what writes tables gives all their marks. n : from 1"""
+    width = max((k for k, head in enumerate(heads, start=1) if head.strip()), default=0)
+    if any(cell.strip() for cell in row) and len(row) < width and not (n == 2 and _is_units(row)):
+        raise InputError("row_cut", given=len(row), titles=width, place=(place("row", n=n),))
 
 
 def _xlsx_rows(content: bytes) -> tuple[list[list[str]], list[Sentence]]:
@@ -254,6 +268,7 @@ def _many_walls(text: str, with_demand: bool) -> ManyWalls:
                     continue
                 first[1] = (0, [])  # the titles name their units
             if any(row):
+                _refuse_cut(first[0][1], number, row)
                 walls.keep(number)
                 if len(walls) > MANY_ROWS:
                     raise InputError("table_too_large", rows=MANY_ROWS, columns=4 * MAX_COLUMNS)

@@ -498,3 +498,33 @@ def test_that_a_workbook_of_some_kilobytes_takes_no_more_than_it_is_worth(part, 
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 10e6
+
+
+TABLE = "nome;meccanismo;altezza (m);spessore (m);quota (m)\na;su due lati;5,0;0,50;0\nb;su due lati;4,0;0,40;7,75\n"
+
+
+def test_that_a_table_cut_anywhere_is_refused_read_as_fewer_walls_or_said(tmp_path):
+    """Cut at every byte: what is read is what the rows that are whole say, or the last cell is said to be uncertain."""
+    path, whole = tmp_path / "w.csv", walls_of(text_rows(TABLE))
+    refused = said = 0
+    for n in range(len(TABLE) + 1):
+        path.write_text(TABLE[:n], encoding="utf-8")
+        try:
+            walls, notes = read_table(path)
+        except InputError:
+            refused += 1
+            continue
+        assert walls[:-1] == whole[: len(walls) - 1]
+        if TABLE[:n].endswith("\n"):
+            assert walls == whole[: len(walls)]
+        else:
+            said += 1
+            assert any(note.code == "table_not_ended" for note in notes)
+    assert refused > 100 and said > 0
+
+
+@pytest.mark.parametrize("row", ["c;su due lati;5,0;0,50", 'c;"su due lati;5,0;0,50;0', "c"])
+def test_that_a_short_row_and_an_open_quote_are_refused(row):
+    with pytest.raises(InputError) as caught:
+        walls_of(text_rows(TABLE + row + "\n" + "d;su due lati;5,0;0,50;0\n"))
+    assert caught.value.code in ("row_cut", "not_a_table")
