@@ -37,10 +37,11 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         "slack_mm": any(load.is_tie and load.slack_mm for load in wall.load),
         "anchorage_kn": any(load.is_tie and (load.bar is None or load.bar.anchorage_kn is None) for load in wall.load),
         "load": (wall.bends and bool(wall.load))
+        or any(load.kind == "carried_mass" or load.q_kn_m for load in wall.load)
         or any(load.kind == "thrust" and isinstance(load.kn_m, float) and load.kn_m < 0.0 for load in wall.load),
         "mass": any(load.kind == "vertical" for load in wall.load),
         "d_m": any(load.kind == "vertical" for load in wall.load),
-        "h_m": any(load.kind == "vertical" and is_number(load.h_m) for load in wall.load),
+        "h_m": any(load.is_weight and is_number(load.h_m) for load in wall.load),
         "compressive_strength_mpa": wall.compressive_strength_mpa is not None,
         "prestress": any(load.is_tie and load.prestress for load in wall.load),
         "base_z_m": case.demand is not None and at_height and not wall.bends,

@@ -19,6 +19,9 @@ EDGE = "hinge_setback_m"
 TOGETHER = "together"
 """Key of the last row: all others at their other ends."""
 
+ASKED = ("mass", "d_m", "h_m", "load", "count", "scatter", "seed", "elastic_modulus_mpa", "inertia_over_mass_m2")
+"""Keys of inputs that are no limit of a verdict where they do not raise zeta."""
+
 Shown = float | str | Sentence
 """A value as the table shows it: a number, a name of the case, or words."""
 

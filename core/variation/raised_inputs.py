@@ -9,7 +9,8 @@ from core.case.schema import Wall, WallJustification
 from core.case.site import FULL_FACTOR
 from core.codes.assumption import DECLARED, DEFAULT, GIVEN
 from core.codes.elastic_branch import ELASTIC, Branch, can_have_branch
-from core.codes.masonry_types import least_strength
+from core.codes.limits import MEAN_FROM
+from core.codes.masonry_types import least_strength, moduli
 from core.codes.verdict_sentence import CODE_Q
 from core.errors import InputError
 from core.ground.scattered import SPREAD
@@ -27,6 +28,9 @@ from core.wall.restitution import MODELS
 LOWER = 0.999
 """Height of the restraint, of the top of the body, below which what it lifts is shown."""
 
+
+RECTANGLE = 4.0 / 3.0
+"""I_0/m over R^2 of a rectangle."""
 
 LEAST_SETBACK = 0.01
 """Hinge setback [m] of any masonry: its edge is not sharp."""
@@ -104,6 +108,7 @@ def raised(found: Evaluation) -> Iterator[Raised]:
             histories=False,
         )
     yield from _of_the_shape(wall, scene.mechanism)
+    yield from _of_the_body(scene)
     yield from _of_the_edge(scene)
     if not dynamic and _histories_left_out(found):
         there = tuple(default_motions(demand))
@@ -127,7 +132,13 @@ def _of_the_set(found: Evaluation) -> Iterator[Raised]:
         more = replace(asked, count=usual)
         end = End(lambda scene: scene.generated_as(more), float(usual))
         said = {"given": asked.count, "usual": usual}
-        yield one_end("count", "lift_count", None, float(asked.count), end, permitted=True, **said)
+        permitted = asked.count >= MEAN_FROM  # fewer are no set whose mean counts
+        yield one_end("count", "lift_count", None, float(asked.count), end, permitted=permitted, **said)
+    first = demand_input.DEFAULT_SET.seed
+    if asked.seed != first:
+        other = replace(asked, seed=first)
+        end = End(lambda scene: scene.generated_as(other), float(first))
+        yield one_end("seed", "lift_seed", None, float(asked.seed), end, seed=asked.seed, first=first)
 
 
 def _of_the_law(found: Evaluation) -> Iterator[Raised]:
@@ -222,6 +233,21 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
     if mechanism == "one_sided" and MODELS[wall.restitution_model(mechanism)].one_sided and wall.height_m < LOWER * top:
         end = End(of_wall(height_m=top), top)
         yield one_end("contact", "lift_contact", wall.justification, wall.height_m, end, h=wall.height_m, top=top)
+
+
+def _of_the_body(scene: Scene) -> Iterator[Raised]:
+    """A moment of inertia above that of a slender rectangle, and a modulus above the lowest of the masonry."""
+    wall = scene.wall
+    given, radius = wall.inertia_over_mass_m2, wall.radius_m
+    if given is not None and radius is not None and given > RECTANGLE * radius**2 * (1.0 + 1e-9):
+        end = End(of_wall(inertia_over_mass_m2=RECTANGLE * radius**2), RECTANGLE * radius**2)
+        yield one_end("inertia_over_mass_m2", "lift_inertia", None, given, end, given=given, least=end.value)
+    modulus, (least, most) = wall.elastic_modulus_mpa, moduli(wall.masonry)
+    if modulus is not None and wall.is_free(scene.mechanism) and modulus > least:
+        end = End(of_wall(elastic_modulus_mpa=least), least)
+        said = {"given": modulus, "least": least, "most": most}
+        permitted = modulus <= most
+        yield one_end("elastic_modulus_mpa", "lift_modulus", None, modulus, end, permitted=permitted, **said)
 
 
 def _law_named(law: str | dict) -> str:

@@ -38,23 +38,23 @@ MASSES = "none", "horizontal", "moving"
 """What the mass of a vertical load may do."""
 
 
+LOW = 1.0
+"""Height above the hinge [m] up to which no floor stands that the part above the hinge carries."""
+
 LEVER = 0.05
 """Of the thickness: by how much the point where a load stands may be another."""
 
 
 def of_the_weights(scene: Scene) -> Iterator[Raised]:
-    """What the mass of vertical loads does, and where they stand, otherwise."""
+    """What the mass of vertical loads does, and where they stand, otherwise; the wall without what is carried low, is
+    variable, or moves with it."""
     wall, t = scene.wall, scene.wall.thickness
     weights = [load for load in wall.load if load.kind == "vertical"]
-    if not weights or t is None:
+    if t is None or not any(load.is_weight for load in wall.load):
         return
-    low = [load for load in weights if load.h_m <= 0.5 * t]
-    if low and _stands(scene, tuple(load for load in wall.load if load not in low)):
-        end = End(
-            _without(lambda _, load: load.kind == "vertical" and load.h_m <= 0.5 * t), sentence("word", "below_hinge")
-        )
-        height = Number(min(load.h_m for load in low), ".2f")
-        yield one_end("h_m", "lift_low_load", wall.justification, GIVEN_WORD, end, height=height)
+    yield from _of_weights_that_may_go(scene)
+    if not weights:
+        return
     changes: dict[str, list[tuple[Callable[[Wall], tuple[Load, ...]], Sentence]]] = {
         "mass": [(partial(_of_weights, mass=mass), sentence("word", f"choice_{mass}")) for mass in MASSES],
         "d_m": [
@@ -69,6 +69,41 @@ def of_the_weights(scene: Scene) -> Iterator[Raised]:
             value = sentence("word", f"choice_{given}") if given else GIVEN_WORD
             words = worst_words("lift_mass" if key == "mass" else "lift_lever", others)
             yield Raised(key, wall.justification, value, others, words)
+
+
+def _of_weights_that_may_go(scene: Scene) -> Iterator[Raised]:
+    """The wall without the weights that stand low above the hinge, without variable ones, and without masses it
+    carries. A permanent load of a floor is there; what may not be, and lifts, is asked about."""
+    wall, reasons = scene.wall, scene.wall.justification
+    lowest = [load.h_m for load in wall.load if _is_low(load)]
+    low, carried = (_without(lambda _, load, of=of: of(load)) for of in (_is_low, _is_carried))
+    if lowest and _stands(scene, tuple(load for load in wall.load if not _is_low(load))):
+        end, height = End(low, sentence("word", "below_hinge")), Number(min(lowest), ".2f")
+        yield one_end("h_m", "lift_low_load", reasons, GIVEN_WORD, end, height=height)
+    permanent = tuple(
+        replace(load, kn_m=load.g_kn_m, q_kn_m=None, psi_2=None) if load.g_kn_m else load for load in wall.load
+    )
+    permanent = tuple(load for load in permanent if not _is_variable(load))
+    if any(map(_is_variable, wall.load)) and _stands(scene, permanent):
+        end = End(lambda there: there.but(wall=replace(there.wall, load=permanent)), sentence("word", "permanent"))
+        yield one_end("load", "lift_variable", reasons, GIVEN_WORD, end)
+    elif any(map(_is_carried, wall.load)) and _stands(scene, tuple(one for one in wall.load if not _is_carried(one))):
+        yield one_end("load", "lift_carried", reasons, GIVEN_WORD, End(carried, NONE_WORD))
+
+
+def _is_low(load: Load) -> bool:
+    """Whether it stands where no floor does."""
+    return load.is_weight and load.h_m <= LOW
+
+
+def _is_variable(load: Load) -> bool:
+    """Whether part of it is, in the seismic combination."""
+    return load.is_weight and bool(load.q_kn_m and load.psi_2)
+
+
+def _is_carried(load: Load) -> bool:
+    """Whether it is a mass that moves with the wall."""
+    return load.kind == "carried_mass"
 
 
 def _of_weights(wall: Wall, **values) -> tuple[Load, ...]:

@@ -23,6 +23,7 @@ STATES = {
     "lift_histories",
     "lift_rigid",
     "lift_count",
+    "lift_seed",
     "lift_scatter",
     "bending_finds_hinge",
     "bending_no_histories",
