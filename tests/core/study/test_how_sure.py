@@ -49,7 +49,7 @@ def test_that_the_rates_are_of_the_capacities_of_the_searches(result):
     motions = list(wall.floor.motions)
     ag = result.demand.ag
     found = capacities(wall, motions, result.demand, result.search.q_limit, lambda multiplier: multiplier * ag)
-    by_hand = [min(run.scale for run in wall.runs if run.motion == k) * 0.2 * G for k in range(7)]
+    by_hand = [min(run.scale for run in wall.runs if run.motion == k) * 0.2 * G for k in range(14)]
     assert found["collapse"] == pytest.approx(by_hand, rel=1e-12)
     assert np.all(np.array(found["SLV"]) <= found["SLC"]) and np.all(np.array(found["SLC"]) <= found["collapse"])
     assert np.all(np.array(found["SLD"]) < found["SLV"])
@@ -61,7 +61,7 @@ def test_that_the_rates_are_of_the_capacities_of_the_searches(result):
     hazard = [(t, ag * G) for t, ag in ROWS]
     follows = ag_of(result.demand, result.case.demand, CASES)
     true = [follows(one / (0.2 * G)) for one in by_hand]
-    expected = state_rate("collapse", true, [f"file {k}" for k in range(7)], hazard, 1.35, 50.0)
+    expected = state_rate("collapse", true, [f"file {k}" for k in range(14)], hazard, 1.35, 50.0)
     assert verdict.rates[-1].rate == pytest.approx(expected.rate, rel=1e-12)
     assert [one.state for one in verdict.rates] == ["SLD", "SLV", "SLC", "collapse"]
     rates = [one.rate for one in verdict.rates]
@@ -69,7 +69,7 @@ def test_that_the_rates_are_of_the_capacities_of_the_searches(result):
 
 
 def test_that_the_interval_is_beside_the_verdict_and_changes_nothing(result, monkeypatch, case):
-    assert result.verdicts[0].interval.stations == 7
+    assert result.verdicts[0].interval.stations == 14
     monkeypatch.setattr(how_sure, "MOST_INTERVALS", 0)
     plain = run(case, base_dir=CASES)
     assert plain.verdicts[0].interval is None
