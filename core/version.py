@@ -4,7 +4,7 @@ import functools
 import json
 from pathlib import Path
 
-VERSION = "0.18.0"
+VERSION = "0.19.0"
 NAME = "Ribalta"
 
 

@@ -200,9 +200,19 @@ def _mark(text: str) -> str:
     return next((mark for mark in (";", "\t", ",") if mark in head), ";")
 
 
+_SEPARATOR = re.compile(r"\s*sep=([;,\t])[;,\t]*\r?\n", re.IGNORECASE)
+_NUMBER = re.compile(r"^[+−-]?[\d.,]*\d[\d.,]*$")
+_COMMA = re.compile(r"[+−-]?\d+,\d+")
+_THOUSANDS = re.compile(r"[+−-]?[1-9]\d{0,2}(\.\d{3})+")
+
+
 def text_rows(text: str) -> list[list[str]]:
-    """Cells of a text with `;`, tab or `,` between them, as Excel saves and copies it."""
-    mark = _mark(text)
+    """Cells of a text with `;`, tab or `,` between them, as Excel saves and copies it; a line `sep=;` on top says
+    which. A row that begins with # and has no number is a comment."""
+    if said := _SEPARATOR.match(text):
+        text, mark = "\n" + text[said.end() :], said[1]
+    else:
+        mark = _mark(text)
     if text.count(mark) + text.count("\n") > MAX_CELLS:  # before each becomes a text of its own
         raise InputError("table_too_large", rows=MAX_ROWS, columns=4 * MAX_COLUMNS)
     try:
@@ -210,9 +220,23 @@ def text_rows(text: str) -> list[list[str]]:
         rows = [[cell.strip() for cell in row] for row in table]
     except csv.Error as error:
         raise InputError("not_a_table", reason=error) from None
-    for n, row in enumerate(rows[1:], start=2):
-        _refuse_cut(rows[0], n, row)
+    rows = [[] if row and row[0].startswith("#") and not any(map(_NUMBER.search, row)) else row for row in rows]
+    heads = next((row for row in rows if any(row)), [])
+    for n, row in enumerate(rows, start=1):
+        _refuse_cut(heads, n, row)
+    if any(_COMMA.fullmatch(cell) for row in rows for cell in row):
+        _refuse_thousands(rows)
+    while rows and not any(rows[0]):  # the titles come first
+        rows = rows[1:]
     return rows
+
+
+def _refuse_thousands(rows: list[list[str]]) -> None:
+    """Refuse `1.250` in a table with decimal commas: thousands, or a decimal point?"""
+    for n, row in enumerate(rows, start=1):
+        for cell in row:
+            if _THOUSANDS.fullmatch(cell):
+                raise InputError("thousands_or_decimals", text=cell, place=(place("row", n=n),))
 
 
 def _refuse_cut(heads: list[str], n: int, row: list[str]) -> None:

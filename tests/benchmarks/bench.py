@@ -54,6 +54,7 @@ BENCHMARKS = {
     "tolerances": "tolerance_sweep",
     "compile": "compile_times",
     "note": "note_speed",
+    "branch": "branch_speed",
     "selection": "selection_speed",
     "sure": "sure_speed",
 }

@@ -528,3 +528,21 @@ def test_that_a_short_row_and_an_open_quote_are_refused(row):
     with pytest.raises(InputError) as caught:
         walls_of(text_rows(TABLE + row + "\n" + "d;su due lati;5,0;0,50;0\n"))
     assert caught.value.code in ("row_cut", "not_a_table")
+
+
+def test_that_a_separator_said_on_top_and_comments_are_read_over():
+    plain = walls_of(text_rows(TABLE))
+    assert walls_of(text_rows("sep=;\n" + TABLE)) == plain
+    assert walls_of(text_rows("# of the survey; in autumn\n" + TABLE.replace("\nb;", "\n# the back;\nb;"))) == plain
+    (named, _) = walls_of(text_rows(TABLE.replace("\na;", "\n# a;")))
+    assert named.name == "# a"  # a row with numbers is a wall, whatever it is called
+
+
+@pytest.mark.parametrize("cell", ["1.250", "-1.250", "12.345.678"])
+def test_that_italian_thousands_are_asked_about(cell):
+    with pytest.raises(InputError) as caught:
+        walls_of(text_rows(TABLE.replace("7,75", cell)))
+    assert caught.value.code == "thousands_or_decimals"
+    pointed = TABLE.replace(",", ".").replace("7.75", "1.250")
+    assert walls_of(text_rows(pointed))[1].base_z_m == 1.25
+    assert walls_of(text_rows(TABLE.replace("7,75", "−7,75".replace("−", ""))))[1].base_z_m == 7.75
