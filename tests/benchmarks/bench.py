@@ -20,7 +20,7 @@
     python3 run.py bench --tolerances [--cases N] [--pairs N] # the same for other tolerances of a step, and their speed
     python3 run.py bench --compile                          # what a cold start compiles, kernel by kernel
     python3 run.py bench --note                             # seconds of the calculation note after a run
-    python3 run.py bench --branch                           # a history with the elastic branch, in closed form and by series
+    python3 run.py bench --branch                           # a history with the elastic branch, both ways
     python3 run.py bench --selection                        # seven records of a thousand, and of few
     python3 run.py bench --sure                             # moves of the inputs, sliders of What if
     python3 run.py bench --ties [LIST.toml]                 # what q = 2 is worth for a tie, see tie_study.py
