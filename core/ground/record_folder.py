@@ -113,6 +113,8 @@ def _read(path: Path, channel: str | None, periods: np.ndarray, limits: Limits) 
         raise RecordError("vertical_component")
     if "borehole" in notices:
         raise RecordError("borehole_component")
+    if "in_structure" in notices:
+        raise RecordError("structure_component", why=notices["in_structure"])
     if any(_MATCHED.search(value) for _, value in motion.details):
         raise RecordError("matched_record")
     for code, why in notices.items():

@@ -14,6 +14,7 @@ from core.ground.records import california, geonet, italian, japan_taiwan, peer,
 from core.ground.records.container import BETWEEN, is_zip, member_of, sheet_of
 from core.ground.records.cut import refuse_cut
 from core.ground.records.grammar import UNITS, Options, Parsed, decode, quoted
+from core.ground.records.placement import in_structure
 from core.ooxml.package import is_workbook
 from core.text.sentence import Sentence, notice
 from core.units import G
@@ -131,6 +132,8 @@ def _of_lines(content: bytes, lines: list[str], path: Path, options: Options, sc
     _refuse_unused(options, title, parsed)
     if parsed.vertical:
         warnings.append(notice("vertical"))
+    if words := in_structure(lines, parsed.channel):
+        warnings.append(notice("in_structure", words=quoted(words)))
     if not cells:
         refuse_cut(lines, ended)
     channel = parsed.channel if parsed.several else ""
