@@ -15,6 +15,7 @@ from core.ground.records.container import BETWEEN, is_zip, member_of, sheet_of
 from core.ground.records.cut import refuse_cut
 from core.ground.records.grammar import UNITS, Options, Parsed, decode, quoted
 from core.ground.records.placement import in_structure
+from core.ground.records.signatures import refuse_signature
 from core.ooxml.package import is_workbook
 from core.text.sentence import Sentence, notice
 from core.units import G
@@ -78,6 +79,7 @@ def read(path: Path, options: Options = Options(), scale: float = 1.0, name: str
 def _motion(content: bytes, path: Path, options: Options, scale: float, name: str) -> GroundMotion:
     if not content.strip():
         raise RecordError("empty_file")
+    refuse_signature(content)
     if is_zip(content):
         return _unpacked(content, path, options, scale, name)
     if len(content) > MAX_NUMBERS and _separate(content) > MAX_NUMBERS:

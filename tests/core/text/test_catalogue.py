@@ -17,6 +17,7 @@ from core.codes.assumption import DECLARED, DEFAULT, GIVEN, LEFT_OUT
 from core.codes.kinematic import CHECKS
 from core.codes.outcomes import OUTCOMES
 from core.errors import InputError, place, section
+from core.ground.records.signatures import BEGINNINGS
 from core.packages import PACKAGES
 from core.text.catalogue import CATALOGUE, FOLDER, GROUPS, Catalogue
 from core.text.sentence import FormNames, Key, Quantity, capital, localized, sentence
@@ -150,6 +151,7 @@ def test_that_every_code_that_is_used_exists_and_every_error_is_used():
                 group, code = (a.value for a in call.args[:2])
                 assert code in CATALOGUE[group], (path.name, code)
     chosen = {"no_unit", "no_time_step_s", "code_needs", "code_does_not_take", "not_accepted"}
+    chosen |= {code for _, _, code in BEGINNINGS}
     assert set(CATALOGUE["error"]) - used <= chosen
 
 
