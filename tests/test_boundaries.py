@@ -90,6 +90,11 @@ SHOWN_BY = {
     "wall/one_body": BODIES,
     "wall/wall_body": BODIES,
     "rocking/taylor_two_hinges": BODIES,
+    "ground/records/placement": "tests/core/ground/test_placement.py",
+    "ground/records/signatures": "tests/core/ground/test_signatures.py",
+    **dict.fromkeys(
+        ("ground/records/sample_like", "ground/records/plausible"), "tests/core/ground/test_sample_like.py"
+    ),
     "rocking/taylor_with_branch": "tests/core/rocking/test_oscillator.py",
     "rocking/short_series": "tests/validation/test_sine_and_cosine.py",
     "derivation/geometry": "tests/core/derivation/test_wall.py",
