@@ -76,7 +76,7 @@ def _of_weights_that_may_go(scene: Scene) -> Iterator[Raised]:
     carries. A permanent load of a floor is there; what may not be, and lifts, is asked about."""
     wall, reasons = scene.wall, scene.wall.justification
     lowest = [load.h_m for load in wall.load if _is_low(load)]
-    low, carried = (_without(lambda _, load, of=of: of(load)) for of in (_is_low, _is_carried))
+    low, carried = _without(lambda _, load: _is_low(load)), _without(lambda _, load: _is_carried(load))
     if lowest and _stands(scene, tuple(load for load in wall.load if not _is_low(load))):
         end, height = End(low, sentence("word", "below_hinge")), Number(min(lowest), ".2f")
         yield one_end("h_m", "lift_low_load", reasons, GIVEN_WORD, end, height=height)
