@@ -48,6 +48,7 @@ BASES = {
     **dict.fromkeys(("s", "sec", "secondi", "seconds"), Unit(1.0, time=1)),
     **dict.fromkeys(("ms", "msec", "millisecondi"), Unit(1e-3, time=1)),
     "min": Unit(60.0, time=1),
+    **dict.fromkeys(("hz", "hertz"), Unit(1.0, time=-1)),
     **dict.fromkeys(("pa", "pascal"), Unit(1.0, force=1, length=-2)),
     "kpa": Unit(1e3, force=1, length=-2),
     "mpa": Unit(1e6, force=1, length=-2),

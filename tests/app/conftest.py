@@ -68,22 +68,40 @@ def fresh(application, tmp_path, monkeypatch, faults):
     yield from window_in(application, tmp_path, monkeypatch, faults)
 
 
+SEVEN = ROOT / "tests" / "cases" / "verdict.toml"
+"""The shipped case with half of its motions."""
+
+
 @pytest.fixture(scope="session")
-def accuracy(shipped, kept):
+def of_seven(kept):
+    """The result of SEVEN."""
+    from core.case.reader import read_case
+    from core.study.run import run
+    from tests.conftest import whole_grid
+
+    def made():
+        with whole_grid():
+            return run(read_case(SEVEN), base_dir=SEVEN.parent, jobs=2)
+
+    return kept("verdict_of_seven", made)
+
+
+@pytest.fixture(scope="session")
+def accuracy(of_seven, kept):
     """The statement of accuracy of the first wall of verdict.toml, made once: it takes seconds."""
     from core.study.wall_work import accuracy_of
 
-    result = shipped("verdict")
+    result = of_seven
     arguments = result.walls[0], result.motions, result.method, result.search
     return kept("accuracy", lambda: accuracy_of(*arguments, lambda: False))
 
 
 @pytest.fixture(scope="module")
-def of_verdict(application, tmp_path_factory, shipped, accuracy):
+def of_verdict(application, tmp_path_factory, of_seven, accuracy):
     """A window of the module on the two walls of verdict.toml with their result and the accuracy of the first."""
     with pytest.MonkeyPatch.context() as patch:
         made = window_in(application, tmp_path_factory.mktemp("verdict"), patch, [])
-        result = shipped("verdict")
+        result = of_seven
         first, *others = result.walls
         walls = (replace(first, accuracy=accuracy), *others)
         yield with_verdict(application, next(made), replace(result, walls=walls))
@@ -127,7 +145,7 @@ def with_verdict(application, window, result):
     """This window on verdict.toml and this result of it, as after a run."""
     from tests.app.driving import settle
 
-    assert window.files.open(ROOT / "resources" / "cases" / "verdict.toml")
+    assert window.files.open(SEVEN)
     settle(application, lambda: window.records.motions and not window.records.pending)
     window.show_page("walls")
     window.result_arrived(result)

@@ -21,19 +21,18 @@ from core.codes.record_compatibility import common_factor
 from core.errors import InputError, place
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
 from core.setting.demand_input import demand_of
-from tests.app.conftest import window_in, with_verdict
+from tests.app.conftest import SEVEN, window_in, with_verdict
 from tests.app.driving import Held, run, settle, type_into
-from tests.conftest import ROOT
 
-VERDICT = ROOT / "resources" / "cases" / "verdict.toml"
+VERDICT = SEVEN
 
 
 @pytest.fixture(scope="module")
-def shared_walls(application, tmp_path_factory, shipped):
+def shared_walls(application, tmp_path_factory, of_seven):
     """One window for all tests that leave its case as it was."""
     with pytest.MonkeyPatch.context() as patch:
         made = window_in(application, tmp_path_factory.mktemp("walls"), patch, [])
-        yield with_verdict(application, next(made), shipped("verdict"))
+        yield with_verdict(application, next(made), of_seven)
         next(made, None)
 
 
@@ -52,9 +51,9 @@ def walls(shared_walls, application):
 
 
 @pytest.fixture
-def own_walls(opened, application, shipped):
+def own_walls(opened, application, of_seven):
     """The same walls, in a window that a test may leave as it likes."""
-    return with_verdict(application, opened, shipped("verdict"))
+    return with_verdict(application, opened, of_seven)
 
 
 def test_that_the_overview_is_first_sorts_and_opens_a_wall(walls):
