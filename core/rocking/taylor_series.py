@@ -14,7 +14,6 @@ from core.rocking.events import uplift_thresholds
 from core.rocking.oscillator import Swing, swing_of
 from core.rocking.taylor_bounds import SERIES_TOLERANCE, plus
 from core.units import G
-from core.wall.moment_rotation import FAR
 from core.wall.rocking_model import OtherSide, seen_from
 
 PER_G = 1.0 / G
@@ -107,25 +106,6 @@ def constants_seen(constants, other, side):
         constants.collapse,
         other,
         constants.swing,
-    )
-
-
-@subkernel
-def endless(constants):
-    """WallConstants of a wall whose branch in closed form has no end."""
-    parts = constants.swing
-    swing = Swing(parts.rate, parts.static, FAR, parts.span, parts.sine, parts.versine)
-    return WallConstants(
-        constants.thresholds,
-        constants.tangent,
-        constants.sine,
-        constants.cosine,
-        constants.tolerance,
-        constants.strength,
-        constants.sine_bound,
-        constants.collapse,
-        constants.other,
-        swing,
     )
 
 

@@ -12,7 +12,7 @@ from core.rocking.early_stop import MAX_SETTLED_RATIO, SETTLED_EVERY, settled
 from core.rocking.events import IMPACTS_PER_SAMPLE, BlockState
 from core.rocking.outcome import IMPACT_LIMIT, STABLE
 from core.rocking.taylor import at_end, through_sample
-from core.rocking.taylor_series import PER_G, endless, wall_constants
+from core.rocking.taylor_series import PER_G, wall_constants
 from core.wall.moment_rotation import FAR
 from core.wall.rocking_model import seen_from
 
@@ -46,17 +46,20 @@ def sample_done(scale, ground, i, dt, model, constants, strongest, state):
 
 
 @kernel
-def scan_with_branch(ground, ahead, dt, firsts, lasts, strongest, which, scales, model, room, outcomes, peaks, clamped):
+def scan_with_branch(
+    ground, ahead, dt, firsts, lasts, strongest, which, scales, model, endless, room, outcomes, peaks, clamped
+):
     """Analyses from rest, each until its record ends, it is settled or cannot recover; those of one record and sign
     side by side share their first part.
 
     ground, ahead, dt, firsts, lasts, strongest, which, scales : as lane_scheduler.py `one_pass`
     model : RockingModel with an Oscillator, alike on both sides if it rocks both ways
+    endless : the same, its branch without an end
     room : to work, shape (5, longest record)
     outcomes, peaks, clamped : results, as there
     """
     constants = wall_constants(model, dt)
-    unbound = endless(constants)
+    unbound = wall_constants(endless, dt)
     zero = np.int64(0)
     at_rest = BlockState(1.0, 0.0, 0.0, False, 0, 0.0, zero, zero)
     # Eq. 7 depends on the speed, and counts clamped ratios to the end of the record
@@ -109,5 +112,6 @@ def scan(grounds, which, scales, model, outcomes, peaks) -> np.ndarray:
     clamped = np.zeros(scales.size, np.int64)
     room = np.empty((5, int((grounds.last - grounds.first).max()) + 1))
     motions = grounds.ground, grounds.ahead, grounds.dt, grounds.first, grounds.last, grounds.strongest
-    scan_with_branch(*motions, which, scales, model, room, outcomes, peaks, clamped)
+    endless = model._replace(elastic_end=FAR)
+    scan_with_branch(*motions, which, scales, model, endless, room, outcomes, peaks, clamped)
     return clamped
