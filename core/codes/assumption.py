@@ -19,6 +19,12 @@ EDGE = "hinge_setback_m"
 TOGETHER = "together"
 """Key of the last row: all others at their other ends."""
 
+
+def digits_of(value: float) -> str:
+    """How a value of any size is written: three significant digits, whole from 1000 on, never with an exponent."""
+    return ".0f" if abs(value) >= 999.5 else ".3g"
+
+
 ASKED = ("mass", "d_m", "h_m", "load", "count", "scatter", "seed", "elastic_modulus_mpa", "inertia_over_mass_m2")
 """Keys of inputs that are no limit of a verdict where they do not raise zeta."""
 
@@ -92,4 +98,4 @@ def shown(row: Assumption, value: Shown, language: str) -> str:
     if isinstance(value, str):
         return value
     factor, unit = UNITS.get(row.key, (1.0, ""))
-    return numeral(factor * value, ".3g", language) + unit
+    return numeral(factor * value, digits_of(factor * value), language) + unit

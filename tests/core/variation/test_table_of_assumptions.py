@@ -9,7 +9,7 @@ import pytest
 from core.case import rules
 from core.case.reader import read_case
 from core.case.schema import Generate
-from core.codes.assumption import TOGETHER
+from core.codes.assumption import TOGETHER, digits_of
 from core.codes.elastic_branch import branches_of
 from core.codes.kinematic import elastic_period
 from core.codes.masonry_types import TYPES, least_strength
@@ -461,3 +461,8 @@ def test_that_of_many_walls_the_table_is_left_out_where_no_row_changes_the_outco
         assert not left or one.code in ("not_verified", "q2_unsafe", "at_limit")
         said += left
     assert 0 < said < len(walls)
+
+
+@pytest.mark.parametrize(("value", "written"), [(1500.0, "1500"), (100_000.0, "100000"), (999.7, "1000"), (14.0, "14")])
+def test_that_no_value_of_the_table_has_an_exponent(value, written):
+    assert format(value, digits_of(value)) == written
