@@ -9,6 +9,7 @@ import numpy as np
 from core.errors import InputError, RecordError
 from core.ground import records
 from core.ground.provenance import Provenance, provenance
+from core.ground.records import plausible
 from core.ground.records.container import names_vertical
 from core.ground.records.grammar import Options
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
@@ -17,7 +18,16 @@ from core.text.sentence import Key, Sentence
 SAME_MOTION = 1e-3
 """Two records whose spectra over their PGA differ nowhere by more are one motion, scaled or printed otherwise."""
 
-DOUBTED = {"small_pga", "large_pga", "offset", "jump", "peak_differs", "partial_last_line", "ends_moving"}
+DOUBTED = {
+    "small_pga",
+    "large_pga",
+    "offset",
+    "jump",
+    "peak_differs",
+    "partial_last_line",
+    "ends_moving",
+    *plausible.CODES,
+}
 """Notices that doubt the samples of a record: a person may know better of one record, a search does not."""
 
 _NUMBER = re.compile(r"\d+(?:\.\d+)?")

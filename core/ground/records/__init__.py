@@ -130,7 +130,7 @@ def _of_lines(content: bytes, lines: list[str], path: Path, options: Options, sc
         parsed.warnings.append(notice("unit_as_given", unit=unit))
     time_step = _agreed("time_step_s", parsed.time_step, options.time_step, parsed.lines)
     motion = parsed.values * UNITS[unit] * scale
-    warnings = [*parsed.warnings, *_doubts_as_read(parsed), *_doubts_of_motion(motion, time_step, scale)]
+    warnings = [*parsed.warnings, *_doubts_as_read(parsed, time_step), *_doubts_of_motion(motion, time_step, scale)]
     _refuse_unused(options, title, parsed)
     if parsed.vertical:
         warnings.append(notice("vertical"))
@@ -172,9 +172,14 @@ def _parsed(lines: list[str], options: Options, ended: bool) -> tuple[str, Parse
     return title, parsed
 
 
-def _doubts_as_read(parsed: Parsed) -> list[Sentence]:
-    """Warnings of the samples in the file's unit."""
-    warnings = [*samples.jumps(parsed.values), *plausible.doubts(parsed.values)]
+def _doubts_as_read(parsed: Parsed, time_step: float) -> list[Sentence]:
+    """Warnings of the samples in the file's unit. time_step [s]"""
+    warnings = [
+        *samples.jumps(parsed.values),
+        *plausible.doubts(parsed.values, time_step),
+        *plausible.misplaced(parsed.values, time_step, parsed.peak_time),
+        *plausible.beyond_nyquist(time_step, parsed.corner),
+    ]
     peak = float(np.abs(parsed.values).max()) if parsed.values.size else 0.0
     if parsed.stated_peak and abs(peak - parsed.stated_peak) > 0.02 * parsed.stated_peak:
         warnings.append(notice("peak_differs", read=peak, stated=parsed.stated_peak))

@@ -41,7 +41,9 @@ _CHANNEL = re.compile(r"(?:sta )?chan?(?:nel)?:? +(\d{1,3}):? +(.*?)(?: {2,}|\(|
 _STATION_CHANNEL = re.compile(r"sta cha: *(\d{1,3}): *(.*?) *(?:\(|$)", re.IGNORECASE)
 _TITLE = re.compile(r"\s*(?:un)?corrected accel|\s*raw accel", re.IGNORECASE)
 _PEAK = re.compile(
-    rf"(?:peak acceleration|(?<!uncor )\bmax)\s*=\s*({NUMBER})\s*(cm/sec/sec|cm/sec2|g)\b", re.IGNORECASE
+    rf"(?:peak acceleration|(?<!uncor )\bmax)\s*=\s*({NUMBER})\s*(cm/sec/sec|cm/sec2|g)\b"
+    rf"(?:\s*,?\s*at\s+({NUMBER})\s*sec)?",
+    re.IGNORECASE,
 )
 _INTERVALS = re.compile(rf"equally-spaced intervals of\s+({NUMBER})\s+sec", re.IGNORECASE)
 _LENGTH = re.compile(rf"record length\s*=\s*({NUMBER})\s*sec", re.IGNORECASE)
@@ -52,6 +54,9 @@ _DATE = re.compile(
 _MAGNITUDE = re.compile(rf"\b(Mw|ML|Ms) ?= ?({NUMBER})")
 _PAIRS_DATE = re.compile(r"[A-Z]{3,9} [0-9]{1,2}, [0-9]{4}[^\n]{0,10}GMT", re.IGNORECASE)
 _FILTER = re.compile(r"(?:filtered (?:with )?)(.*)", re.IGNORECASE)
+_BAND = re.compile(
+    rf"band-?pass filtered.{{0,60}}?{NUMBER}\s*(?:hz\s*)?(?:and|to|-)\s*({NUMBER})\s*(?:cyc|hz)", re.IGNORECASE
+)
 _STATION = re.compile(r"(?:station|statn)\s+no[.:]\s*(\S+)", re.IGNORECASE)
 UNITS_OF = {"cm/sec2": "cm/s2", "cm/sec/sec": "cm/s2", "g": "g", "mm/sec2": "mm/s2", "m/sec2": "m/s2"}
 """Units as these files write them."""
@@ -146,9 +151,7 @@ def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
     raw_length = _COSMOS.match(lines[place])  # of COSMOS it is that of the raw record
     if length and not raw_length and abs(to_float(length[1]) - covered) > max(0.02 * covered, 1.0):
         raise RecordError("head_lacks", label="record length")
-    peak = _PEAK.search(text)
-    ratio = UNITS[UNITS_OF[peak[2].lower()]] / UNITS[parsed.unit] if peak else 1.0
-    agree_with_peak(parsed, to_float(peak[1]) * ratio if peak else None)
+    _take_statements(parsed, text)
     raw = bool(_V1.match(lines[place]) or _RAW.search(text))
     if raw:
         parsed.warnings.append(notice("unprocessed"))
@@ -170,6 +173,16 @@ def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
         ("processing", "none" if raw else "corrected"),
     )
     return parsed
+
+
+def _take_statements(parsed: Parsed, head: str) -> None:
+    """Keep peak, its time and the filter as the head states them. Raises RecordError where the peak contradicts."""
+    assert parsed.unit is not None
+    peak, band = _PEAK.search(head), _BAND.search(head)
+    ratio = UNITS[UNITS_OF[peak[2].lower()]] / UNITS[parsed.unit] if peak else 1.0
+    agree_with_peak(parsed, to_float(peak[1]) * ratio if peak else None)
+    parsed.peak_time = to_float(peak[3]) if peak and peak[3] else None
+    parsed.corner = to_float(band[1]) if band else None
 
 
 def _cosmos_step(head: list[str]) -> float:

@@ -15,6 +15,7 @@ _RAW_STEP = re.compile(rf"in units of ({NUMBER}) mm/s/s +at intervals of ({NUMBE
 _STEP = re.compile(rf"data at ({NUMBER}) sec intervals")
 _DURATION = re.compile(rf"Duration +({NUMBER}) s")
 _PEAK = re.compile(rf"Acceleration: +[Pp]eak +({NUMBER}) mm/s/s")
+_CORNER = re.compile(rf"filter transition bands are .{{0,40}}?Hz and ({NUMBER})-", re.IGNORECASE)
 _FILTER = re.compile(r"filter transition bands are (.*?)\s*$", re.MULTILINE)
 _MAGNITUDE = re.compile(r"\bM(w?) +([0-9.]+)")
 _DISTANCE = re.compile(r"\bDist +([0-9]+)km")
@@ -65,6 +66,8 @@ def _component(lines: list[str], place: int, end: int, head: str) -> Parsed:
         raise RecordError("head_lacks", label="Duration")
     peak = _PEAK.search(head)
     agree_with_peak(parsed, to_float(peak[1]) if peak else None)
+    corner = _CORNER.search(head)
+    parsed.corner = to_float(corner[1]) if corner else None
     if raw:
         parsed.warnings.append(notice("unprocessed"))
     titles = head.splitlines()

@@ -31,12 +31,13 @@ UNITS = {"g": G, "m/s2": 1.0, "cm/s2": 0.01, "mm/s2": 0.001}
 
 @dataclass
 class Parsed:
-    """What a reader found: values in the file's unit, shape (n,); time step [s] and unit, or None
-    where the file does not say; details and warnings; counted : the file declares its count of samples; channel : its
-    name, "" where the file has none; vertical : its direction is; several : the file has others; factor : (what the
-    samples have still to be multiplied by, the error where the case does not), None where the file states none;
-    lines : key of the case -> the line of the head that states it, quoted; told : lines of head and of samples of a
-    plain text, None of a named format, which declares them itself."""
+    """What a reader found: values in the file's unit, shape (n,); time step [s] and unit, or None where the file does
+    not say; details and warnings; counted : the file declares its count of samples; channel : its name, "" where the
+    file has none; vertical : its direction is; several : the file has others; factor : (what the samples have still to
+    be multiplied by, the error where the case does not), None where the file states none; lines : key of the case ->
+    the line of the head that states it, quoted; told : lines of head and of samples of a plain text, None of a named
+    format, which declares them itself. What a head says of the motion, or None: stated_peak in the unit of the samples,
+    peak_time from the first sample [s], corner, the upper one of the filter [Hz]."""
 
     values: np.ndarray
     time_step: float | None
@@ -46,6 +47,8 @@ class Parsed:
     details: tuple[tuple[str, str], ...] = ()
     warnings: list[Sentence] = field(default_factory=list)
     stated_peak: float | None = None
+    peak_time: float | None = None
+    corner: float | None = None
     counted: bool = False
     channel: str = ""
     vertical: bool = False

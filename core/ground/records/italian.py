@@ -66,6 +66,8 @@ def read_esm(lines: list[str], options: Options) -> Parsed:
     parsed.time_step = _positive(header.get("SAMPLING_INTERVAL_S", ""), "SAMPLING_INTERVAL_S")
     parsed.unit = _unit(header.get("UNITS", ""))
     parsed.stated_peak = _optional(header.get("PGA_CM/S^2", ""))
+    parsed.peak_time = _optional(header.get("TIME_PGA_S", ""))
+    parsed.corner = _optional(header.get("HIGH_CUT_FREQUENCY_HZ", ""))
     _agree(parsed, header)
     if kind == RAW or header.get("PROCESSING", "").lower().startswith("none"):
         parsed.warnings.append(notice("unprocessed"))

@@ -1,11 +1,19 @@
-"""Is it the motion of a ground? What files that were sorted, repeated, frozen or turned over on the way look like."""
+"""Is it the motion of a ground? What files that were sorted, repeated, cut or turned over on the way look like."""
+
+from collections.abc import Iterator
 
 import numpy as np
 
 from core.errors import RecordError
 from core.text.sentence import Sentence, notice
 
-LEAST = 20
+CODES = (
+    *("repeats", "frozen", "coarse", "clipped", "one_sided_samples", "velocity_left", "rough", "spike"),
+    *("late", "pace", "peak_elsewhere", "beyond_nyquist"),
+)
+"""Of the warnings given here."""
+
+LEAST = 80
 """Samples below which nothing is told."""
 
 FROZEN, FROZEN_SHARE = 50, 0.02
@@ -14,53 +22,153 @@ FROZEN, FROZEN_SHARE = 50, 0.02
 FILLED = 100
 """Zeros in a row within the strong part: a gap that was filled."""
 
-STRONG = 0.05, 0.95
+STRONG = 0.02, 0.98
 """Of the sum of the squares, between which the strong part lies."""
+
+WINDOW, MANY_VALUES = (8, 16), 500
+"""Different samples in a row that no ground repeats: the shorter ones where the record has as many values."""
+
+REPEATED_SHARE = 0.05
+"""Share of the peak that samples said to be repeated reach."""
+
+TOPS = 3
+"""Equal samples in a row at the peak: a sensor at its end, or a trace that was cut. The shelf has one everywhere."""
+
+ONE_SIDED = 0.7
+"""(largest + smallest) / (largest - smallest) sample; 0.50 at most on the shelf."""
+
+VELOCITY_LEFT = 0.2
+"""Share of its peak that the velocity keeps at the end; 0.08 at most on the shelf but where the mean is not removed."""
+
+ROUGH, WOVEN = 1.5, 0.8
+"""Squared steps over squared samples, 2 of noise, and over squared steps across two samples, 1 of noise and more of two
+columns read as one; 1.1 and 0.46 at most on the shelf."""
+
+LEVELS = 40
+"""Values below which the samples are rounded until the motion is lost; 62 at least on the shelf."""
+
+SPIKE, BESIDE = 4.5, 8
+"""Largest second difference over that of this rank; 3.6 at most on the shelf."""
+
+LATE = 0.75
+"""Share of the record that passes before half of the squares; 0.60 at most on the shelf."""
+
+SLOWEST, FASTEST = 0.4, 30.0
+"""Cycles a second of the strong part by its changes of sign; 1.0 to 22 on the shelf, 0.5 on the clay of Mexico City."""
+
+PEAK_TIME, NEAR_PEAK = 0.1, 0.02
+"""How far from the time of the head [s] the peak is looked for, and by which share a sample there may be lower."""
 
 
 def refuse_sorted(values: np.ndarray) -> None:
     """Raise RecordError where the samples only rise or only fall: a column that was sorted, or no acceleration.
     values : shape (n,)"""
-    if values.size < 4 * LEAST or not values.any():
+    if values.size < LEAST or not values.any():
         return
     steps = np.diff(values)
     if (steps >= 0.0).all() or (steps <= 0.0).all():
         raise RecordError("sorted_samples", n=values.size)
 
 
-def doubts(values: np.ndarray) -> list[Sentence]:
-    """Warnings of samples that are no motion of a ground, though they are numbers. values : shape (n,)"""
-    if values.size < 4 * LEAST or not values.any():
+def doubts(values: np.ndarray, time_step: float) -> list[Sentence]:
+    """Warnings of samples that are no motion of a ground, though they are numbers.
+    values : in the unit of the file, shape (n,); time_step [s]"""
+    if values.size < LEAST or not np.abs(values).max() > 0.0:
         return []
-    return [*_repeated(values), *_frozen(values)]
+    values = values / np.abs(values).max()
+    strong = np.searchsorted(np.cumsum(values**2), np.array(STRONG) * np.sum(values**2))
+    return [
+        *_repeated(values),
+        *_held(values, *strong),
+        *_one_sided(values),
+        *_torn(values),
+        *_pace(values, time_step, *strong),
+    ]
 
 
-def _repeated(values: np.ndarray) -> list[Sentence]:
-    """That the record begins again and repeats itself to its end."""
-    n = values.size
-    moving = int(np.argmax(np.diff(values) != 0.0))
-    probe = values[moving : moving + 8]
-    if probe.size < 8:
+def misplaced(values: np.ndarray, time_step: float, peak_time: float | None) -> list[Sentence]:
+    """A warning where the peak does not stand where the head says. peak_time : from the first sample [s]"""
+    if peak_time is None or not np.abs(values).max(initial=0.0) > 0.0:
         return []
-    starts = np.flatnonzero(values[moving + LEAST : n - LEAST] == probe[0]) + moving + LEAST
-    for start in starts[:2000].tolist():
-        period = start - moving
-        if np.array_equal(values[start : start + 8], probe) and np.array_equal(values[period:], values[: n - period]):
-            return [notice("repeats", sample=period + 1)]
-    return []
+    size = np.abs(values)
+    reach = max(2.0 * time_step, PEAK_TIME)
+    first, last = np.clip(((peak_time - reach) / time_step, (peak_time + reach) / time_step + 2.0), 0, values.size)
+    if size[int(first) : int(last)].max(initial=0.0) >= (1.0 - NEAR_PEAK) * size.max():
+        return []
+    return [notice("peak_elsewhere", stated=peak_time, read=float(size.argmax() * time_step))]
 
 
-def _frozen(values: np.ndarray) -> list[Sentence]:
-    """That samples do not change for long while the ground moves."""
-    edges = np.flatnonzero(np.diff(values) != 0.0) + 1
-    begins = np.concatenate([[0], edges])
+def beyond_nyquist(time_step: float, corner: float | None) -> list[Sentence]:
+    """A warning where the head names a filter beyond half the rate of the samples. corner [Hz]"""
+    nyquist = 0.5 / time_step
+    if corner is None or corner <= 1.02 * nyquist:
+        return []
+    return [notice("beyond_nyquist", corner=corner, nyquist=nyquist, step=time_step)]
+
+
+def _repeated(values: np.ndarray) -> Iterator[Sentence]:
+    """That a piece of the record stands in it twice."""
+    n = WINDOW[0] if np.unique(values).size >= MANY_VALUES else WINDOW[1]
+    windows, bits = np.lib.stride_tricks.sliding_window_view(values, n), values.view(np.uint64)
+    factors = np.random.default_rng(1).integers(1, 2**63, n, dtype=np.uint64)
+    marks = np.zeros(bits.size - n + 1, dtype=np.uint64)
+    for k in range(n):
+        marks += bits[k : bits.size - n + 1 + k] * factors[k]
+    order = np.argsort(marks, kind="stable")
+    same = np.flatnonzero(marks[order][1:] == marks[order][:-1])
+    pairs = np.sort(np.column_stack([order[same], order[same + 1]]), axis=1)
+    for first, second in pairs[np.argsort(pairs[:, 1], kind="stable")]:
+        piece = windows[first]
+        if np.unique(piece).size == n and np.abs(piece).max() > REPEATED_SHARE and (piece == windows[second]).all():
+            yield notice("repeats", sample=int(second) + 1, first=int(first) + 1)
+            return
+
+
+def _held(values: np.ndarray, begin: int, end: int) -> Iterator[Sentence]:
+    """That samples do not change while the ground moves, or not at the peak. begin, end : of the strong part"""
+    begins = np.concatenate([[0], np.flatnonzero(np.diff(values) != 0.0) + 1])
     lengths = np.diff(np.concatenate([begins, [values.size]]))
-    energy = np.cumsum(values**2)
-    inside = (energy[begins] > STRONG[0] * energy[-1]) & (energy[begins] < STRONG[1] * energy[-1])
-    size, peak = np.abs(values[begins]), float(np.abs(values).max())
-    held = (lengths >= FROZEN) & (size > FROZEN_SHARE * peak)
-    found = np.flatnonzero(inside & (held | (lengths >= FILLED)))
-    if not found.size:
-        return []
-    k = int(found[0])
-    return [notice("frozen", n=int(lengths[k]), sample=int(begins[k]) + 1)]
+    size = np.abs(values[begins])
+    inside = (begins >= begin) & (begins <= end + FILLED)  # a gap ends the strong part where it begins
+    frozen = np.flatnonzero(inside & ((lengths >= FROZEN) & (size > FROZEN_SHARE) | (lengths >= FILLED)))
+    if frozen.size:
+        k = int(frozen[0])
+        yield notice("frozen", n=int(lengths[k]), sample=int(begins[k]) + 1)
+    elif np.unique(values).size < LEVELS:
+        yield notice("coarse", n=int(np.unique(values).size))
+    elif (tops := np.flatnonzero((size > 1.0 - 1e-9) & (lengths >= TOPS))).size:
+        k = int(tops[0])
+        yield notice("clipped", n=int(lengths[k]), sample=int(begins[k]) + 1)
+
+
+def _one_sided(values: np.ndarray) -> Iterator[Sentence]:
+    """That the motion goes one way, or is left with a velocity."""
+    high, low = float(values.max()), float(values.min())
+    velocity = np.cumsum(0.5 * (values[1:] + values[:-1]))
+    left = abs(float(velocity[-1])) / float(np.abs(velocity).max())
+    if abs(high + low) > ONE_SIDED * (high - low):
+        yield notice("one_sided_samples", other=max(min(high, -low), 0.0))
+    elif left > VELOCITY_LEFT:
+        yield notice("velocity_left", share=left)
+
+
+def _torn(values: np.ndarray) -> Iterator[Sentence]:
+    """That neighbours do not belong together: noise, two columns in one, one number with its point out of place."""
+    steps = np.sum(np.diff(values) ** 2)
+    if steps > ROUGH * np.sum(values**2) or steps > WOVEN * np.sum((values[2:] - values[:-2]) ** 2):
+        yield notice("rough")
+        return
+    bend = np.abs(np.diff(values, 2))
+    if bend.max() > SPIKE * np.partition(bend, -BESIDE)[-BESIDE]:
+        yield notice("spike", sample=int(bend.argmax()) + 2)
+
+
+def _pace(values: np.ndarray, time_step: float, begin: int, end: int) -> Iterator[Sentence]:
+    """That no ground moves so slowly or fast, or that the end is strongest. begin, end : of the strong part"""
+    middle = int(np.searchsorted(np.cumsum(values**2), 0.5 * np.sum(values**2)))
+    if middle > LATE * values.size:
+        yield notice("late", share=middle / values.size)
+    signs = np.sign(values[begin : end + 1] - values.mean())
+    cycles = 0.5 * np.count_nonzero(signs[1:] * signs[:-1] < 0.0) / (max(signs.size - 1, 1) * time_step)
+    if not SLOWEST <= cycles <= FASTEST:
+        yield notice("pace", cycles=cycles, low=SLOWEST, high=FASTEST)

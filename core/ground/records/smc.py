@@ -14,6 +14,9 @@ _STATION = re.compile(r"station\s*=\s*(.*?)\s*(?:component\s*=\s*(.*?))?\s*$")
 TEXTS, INTEGERS, REALS = 11, 6, 10
 """Lines of each part of the head."""
 
+EXTREMES = 28
+"""Place from 0 among the reals of the time of the largest sample, that sample, and both of the smallest one."""
+
 WIDTHS = (10, 14)
 """Of a sample: eight or five in a line."""
 
@@ -32,7 +35,7 @@ def read(lines: list[str], options: Options) -> Parsed:
     kind = match[2]
     if kind not in ("CORRECTED", "UNCORRECTED", "UNKNOWN"):
         raise RecordError("peer_quantity", quantity=kind.lower())
-    start, declared, rate = _layout(lines)
+    start, declared, rate, reals = _layout(lines)
     width = next((w for w in WIDTHS if fixed_width(lines[start], w)), None)
     parsed = block(lines[start:], start + 1, declared, width)
     parsed.time_step = 1.0 / rate
@@ -41,14 +44,15 @@ def read(lines: list[str], options: Options) -> Parsed:
     peak = _PEAK.search(" ".join(head))
     if parsed.unit:
         agree_with_peak(parsed, to_float(peak[1]) if peak else None)
+        parsed.peak_time = _peak_time(reals)
     if kind == "UNCORRECTED":
         parsed.warnings.append(notice("unprocessed"))
     _describe(parsed, head, kind)
     return parsed
 
 
-def _layout(lines: list[str]) -> tuple[int, int, float]:
-    """(line of the first sample from 0, count of samples, samples a second) by the numbers of the head."""
+def _layout(lines: list[str]) -> tuple[int, int, float, list[float]]:
+    """(line of the first sample from 0, count of samples, samples a second, all reals) by the numbers of the head."""
     start = TEXTS + INTEGERS
     integers = [n for line in lines[TEXTS:start] for n in numbers(line) or ()]
     reals = [n for line in lines[start : start + REALS] for n in numbers(line) or ()]
@@ -59,7 +63,15 @@ def _layout(lines: list[str]) -> tuple[int, int, float]:
     start += int(comments)
     if start >= len(lines) or any(line[:1] != "|" for line in lines[start - int(comments) : start]):
         raise RecordError("head_lacks", label="|")
-    return start, int(declared), rate
+    return start, int(declared), rate, reals
+
+
+def _peak_time(reals: list[float]) -> float | None:
+    """Time [s] of the larger of the two extremes that the reals state; None where they do not."""
+    if len(reals) < EXTREMES + 4 or max(map(abs, reals[EXTREMES : EXTREMES + 4])) > 1e30:
+        return None
+    first, largest, second, smallest = reals[EXTREMES : EXTREMES + 4]
+    return first if abs(largest) >= abs(smallest) else second
 
 
 def _describe(parsed: Parsed, head: list[str], kind: str) -> None:

@@ -7,6 +7,7 @@ from core.errors import RecordError
 from core.ground import records
 from core.ground.records.container import names_vertical
 from core.ground.records.grammar import Options
+from tests.core.ground.damage import damage_all, motions
 
 REMARKS = ("letto a mano", "spike?", "OK", "da verificare", "note", "*", "x", "check!", "valore dubbio (2)", "rev. B")
 DT = 0.01
@@ -217,6 +218,51 @@ DAMAGE = {
     "frozen": lambda a, rng: np.where((np.arange(a.size) > 400) & (np.arange(a.size) < 500), a[np.abs(a).argmax()], a),
     "filled with zeros": lambda a, rng: np.where((np.arange(a.size) > 400) & (np.arange(a.size) < 560), 0.0, a),
 }
+
+
+def test_that_damage_one_could_see_is_refused_or_said(shelf):
+    """A fifth of the shelf; all of it by the command of damage.py."""
+    _, silent, false = damage_all(motions(shelf)[::5])
+    assert not silent
+    assert not false
+
+
+def of_head(format: str, peak_time: float, corner: float, rng) -> tuple[str, float]:
+    """(text, time of the peak [s]) of a file whose head states the time of its peak, off by so much, and a filter."""
+    values = strong(rng)
+    when = 0.01 * float(np.abs(values).argmax()) + peak_time
+    peak = float(np.abs(values).max())
+    if format == "ESM":
+        head = [
+            "DATA_TYPE: ACCELERATION",
+            "SAMPLING_INTERVAL_S: 0.01",
+            f"NDATA: {values.size}",
+            "UNITS: cm/s^2",
+            f"PGA_CM/S^2: {peak:.6f}",
+            f"TIME_PGA_S: {when:.6f}",
+            f"HIGH_CUT_FREQUENCY_HZ: {corner}",
+        ]
+        return "\n".join([*head, *(f"{value:.6f}" for value in values), ""]), when
+    head = [
+        "Corrected accelerogram   00001-S0001-00001.01       Chan  1:  90 Deg",
+        f"Accelerogram bandpass filtered with 3 dB pts at   .07 and {corner:.2f} cyc/sec",
+        f"Peak acceleration = {peak:9.3f}    cm/sec/sec  at   {when:.3f}   sec.",
+        f"{values.size:6d} points of accel data equally spaced at   .010 sec, in cm/sec2. (8f10.5)",
+    ]
+    fields = [f"{value:10.5f}" for value in values]
+    return "\n".join([*head, *("".join(fields[k : k + 8]) for k in range(0, len(fields), 8)), ""]), when
+
+
+@pytest.mark.parametrize("format", ["ESM", "CSMIP"])
+@pytest.mark.parametrize(("late", "corner", "said"), [(0.0, 40.0, set()), (1.0, 40.0, {"peak_elsewhere"})])
+def test_that_the_time_of_the_peak_and_the_filter_of_a_head_are_held_against_the_samples(
+    format, late, corner, said, tmp_path
+):
+    rng = np.random.default_rng(5)
+    for beyond in (False, True):
+        text, _ = of_head(format, late, 80.0 if beyond else corner, rng)
+        found = {warning.code for warning in read(text.split("\n")[:-1], tmp_path, {}).warnings}
+        assert found & {"peak_elsewhere", "beyond_nyquist"} == said | ({"beyond_nyquist"} if beyond else set())
 
 
 @pytest.mark.parametrize("kind", DAMAGE)
