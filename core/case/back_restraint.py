@@ -1,5 +1,7 @@
 """What stands behind a wall, or holds its top: one of a list, with what shows it. It was a free text before 0.16."""
 
+import re
+
 RESTRAINTS = ("cross_walls", "tied_floors", "buttress", "ring_beam", "other")
 """What can hold a wall. Behind a one-sided wall contact is what counts, for one held at its top the connection."""
 
@@ -41,54 +43,23 @@ def with_choice(table: dict) -> dict:
     return {"restraint_note": said, **table, "back_restraint": found}
 
 
-NOTHING = frozenset(
-    (
-        "none",
-        "nothing",
-        "nobody",
-        "unknown",
-        "tbd",
-        "todo",
-        "null",
-        "nessuno",
-        "nessuna",
-        "niente",
-        "nulla",
-        "ignoto",
-        "sconosciuto",
-        "no restraint",
-        "without restraint",
-        "not restrained",
-        "not connected",
-        "unconnected",
-        "free",
-        "nessun vincolo",
-        "senza vincolo",
-        "non vincolata",
-        "non vincolato",
-        "non collegata",
-        "libera",
-        "boh",
-        "mah",
-        "n.d",
-        "nd",
-        "tbc",
-        "da definire",
-        "da verificare",
-        "da confermare",
-        "to be defined",
-        "to be verified",
-        "to be confirmed",
-        "vedi sopra",
-        "see above",
-        "come da prassi",
-        "asdf",
-        "qwerty",
-        "prova",
-        "bla bla",
-    )
+GONE = re.compile(
+    r"\b(?:crollat|demolit|rimoss|mancant|assent|inesistent|collapsed|demolished|removed|missing|absent)\w*",
+    re.IGNORECASE,
 )
-"""Words that alone name nothing."""
+"""Words of a note by which what is said to hold a wall is not there."""
+
+_FILLERS = """
+    none nothing nobody unknown tbd tbc todo null nd na not no yes ok test nessuno nessuna nessun niente nulla ignoto
+    sconosciuto si va bene prova boh mah restraint without restrained connected unconnected free vincolo vincolata
+    vincolato senza non collegata collegato libera libero lo so la il i di del della da definire verificare confermare
+    to be defined verified confirmed checked know vedi sopra see above relazione report come prassi as usual per from by
+    norma normativa code ntc circolare legge law secondo esperienza experience mia my own professionale professional
+    giudizio judgement judgment progettista engineer scelta choice ipotesi assumption assunto assumed valore value
+    usuale solito asd asdf qwe qwerty bla xxx abc lorem ipsum dont don t n d e and the a of in on an at is it
+"""
+FILLERS = frozenset(_FILLERS.split())
+"""Words that say nothing, alone or with one another."""
 
 MIN_LETTERS = 3
 """Letters, and different ones, of a text that names something."""
@@ -98,4 +69,5 @@ def names_something(text: str) -> bool:
     """Whether a text names something, as far as a program can tell."""
     letters = [letter for letter in text.casefold() if letter.isalpha()]
     several = len(letters) >= MIN_LETTERS and len(set(letters)) >= MIN_LETTERS
-    return several and text.strip(" .,;:-!?\"'()").casefold() not in NOTHING
+    words = "".join(letter if letter.isalpha() else " " for letter in text.casefold()).split()
+    return several and not FILLERS.issuperset(words)

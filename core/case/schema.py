@@ -79,6 +79,7 @@ class WallJustification:
     anchorage_kn: str = text_key()
     load: str = text_key()
     compressive_strength_mpa: str = text_key()
+    unit_weight_kn_m3: str = text_key()
     mass: str = text_key()
     h_m: str = text_key()
     d_m: str = text_key()

@@ -25,7 +25,10 @@ def digits_of(value: float) -> str:
     return ".0f" if abs(value) >= 999.5 else ".3g"
 
 
-ASKED = ("mass", "d_m", "h_m", "load", "count", "scatter", "seed", "elastic_modulus_mpa", "inertia_over_mass_m2")
+ASKED = (
+    *("mass", "d_m", "h_m", "load", "count", "scatter", "seed", "elastic_modulus_mpa", "inertia_over_mass_m2"),
+    *("unit_weight_kn_m3", "masonry"),
+)
 """Keys of inputs that are no limit of a verdict where they do not raise zeta."""
 
 Shown = float | str | Sentence
@@ -84,6 +87,7 @@ UNITS = {
     "contact": (1.0, " m"),
     "compressive_strength_mpa": (1.0, " MPa"),
     "elastic_modulus_mpa": (1.0, " MPa"),
+    "unit_weight_kn_m3": (1.0, " kN/m3"),
     "period_s": (1.0, " s"),
     "tc_star_s": (1.0, " s"),
     "ag_g": (1.0, " g"),

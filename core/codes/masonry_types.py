@@ -40,6 +40,12 @@ def least_strength(masonry: str | None) -> float:
     return TYPES[masonry].strength[0] if masonry else LEAST_STRENGTH
 
 
+def weights(masonry: str | None) -> tuple[float, float]:
+    """Range of the unit weight of a type, of the table where none is named [kN/m3]."""
+    rows = [TYPES[masonry]] if masonry else TYPES.values()
+    return min(row.weight[0] for row in rows), max(row.weight[1] for row in rows)
+
+
 def moduli(masonry: str | None) -> tuple[float, float]:
     """Range of E of a type, of the table where none is named [MPa]."""
     return TYPES[masonry].modulus if masonry else MODULI

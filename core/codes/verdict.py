@@ -213,8 +213,9 @@ def verdict(
     if wall.above_ground and code == "not_activated":
         largest = _strongest(seen)
     permitted = tuple(row for row in assumed if row.turns and row.permitted)
+    reasoned = tuple(Key(row.key) for row in assumed if row.turns and row.reason and row.key != RESTRAINT)
     way, values = outcome(
-        code, missing, threshold, demand, governing, seen.checks, dynamic, by, largest, wall, permitted
+        code, missing, threshold, demand, governing, seen.checks, dynamic, by, largest, wall, permitted, reasoned
     )
     decides = missing
     if missing is None and governing:

@@ -82,6 +82,16 @@ def _turned_by(row: Assumption, target: float) -> Sentence:
     return sentence("added", "turned_by", key=Key(row.key), value=value, zeta=apart(row.zeta, target))
 
 
+def _carried_by(code: str, tail, permitted: tuple[Assumption, ...], reasoned: tuple[Key, ...], target: float):
+    """The end of a sentence with the reasons and the permitted values that the outcome rests on."""
+    if code in ("verified", "verified_refined") and reasoned:
+        tail = sentence("added", "rests_on_reasons", tail=tail, keys=reasoned)
+    if code in ("verified", "verified_refined", "indicative", "not_activated") and permitted:
+        rows = tuple(_turned_by(row, target) for row in permitted)
+        tail = sentence("added", "would_turn", tail=tail, rows=rows)
+    return tail
+
+
 def outcome(
     code: str,
     missing,
@@ -94,6 +104,7 @@ def outcome(
     largest: float,
     wall,
     permitted: tuple[Assumption, ...] = (),
+    reasoned: tuple[Key, ...] = (),
 ) -> tuple[str, dict]:
     """Way and values of the sentence.
 
@@ -108,6 +119,7 @@ def outcome(
     largest : acceleration under the wall at the demand, FC apart [m/s2]
     wall : of the case
     permitted : defaults that a clause permits, and whose other ends turn the outcome
+    reasoned : keys whose other ends would turn it, but for the engineer's reason
     """
     target, way = demand.zeta_target, code
     if code == "not_activated" and wall.above_ground:
@@ -115,7 +127,7 @@ def outcome(
     zeta = apart(governing.zeta if governing else None, target)
     if target != 1.0:
         zeta = sentence("added", "required", zeta=zeta, target=target)
-    fails = _failing(checks, governing, dynamic, demand) if governing else ()
+    fails = _failing(checks, governing, dynamic, demand) if governing and code != "not_activated" else ()
     tail = sentence("added", "not_by", checks=fails) if fails else ""
     beside = any(check.name == "linear_q_code" for check in checks)
     alone = target < 1.0 or any(load.is_tie for load in wall.load)  # q = 2 says nothing of these
@@ -127,9 +139,7 @@ def outcome(
         tail = sentence("added", "no_q_check", q=CODE_Q, tail=tail)
     if code in ("verified", "verified_refined") and wall.back_restraint:
         tail = sentence("added", "rests_on", tail=tail, restraint=declared(wall))
-    if code in ("verified", "verified_refined", "indicative") and permitted:
-        rows = tuple(_turned_by(row, target) for row in permitted)
-        tail = sentence("added", "would_turn", tail=tail, rows=rows)
+    tail = _carried_by(code, tail, permitted, reasoned, target)
     low, high = dynamic.zeta_spread if code == "at_limit" else (None, None)
     return way, {
         "state": demand.limit_state,

@@ -184,7 +184,7 @@ class Written(Face):
 
     def __init__(self, function: Callable, leaf: Callable[[str], tuple[list, int] | None], point: str, language: str):
         super().__init__(function)
-        self.leaf, self.point, self.language = leaf, point, language
+        self.leaf, self.point, self.language, self.in_angle = leaf, point, language, False
 
     def operation(self, left, operator, right):
         if operator is ast.Pow:
@@ -215,7 +215,9 @@ class Written(Face):
             return (pieces, precedence) if name == "radians" or self.point == " " else ([*pieces, " · 10³"], PRODUCT)
         if name == "abs":
             return ["|", *self.of(arguments[0])[0], "|"], ATOM
+        outside, self.in_angle = self.in_angle, name in ("sin", "cos", "tan") and not isinstance(arguments[0], ast.Name)
         pieces = [piece for argument in arguments for piece in (", ", *self.of(argument)[0])][1:]
+        self.in_angle = outside
         head = {"sqrt": "√", "log": "ln", "atan": "arctan"}.get(name, name)
         if name in ("sin", "cos", "tan") and isinstance(arguments[0], ast.Name):
             return [f"{head} ", *pieces, *(["°"] if self.point != " " else [])], POWER
@@ -223,6 +225,8 @@ class Written(Face):
 
     def name(self, name):
         if (found := self.leaf(name)) is not None:
+            if self.in_angle and name.endswith("_degrees") and self.point != " ":
+                return [*found[0], "°"], found[1]
             return found
         if name in CONSTANTS and (self.point == " " or name == "pi"):
             return [CONSTANTS[name]], ATOM

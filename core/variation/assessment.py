@@ -7,6 +7,7 @@ from core.codes.assumption import DECLARED, LEFT_OUT, RESTRAINT, Assumption
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import SLD_CLAUSE, Check, Kinematic, with_and_without_ties
 from core.codes.kinematic_chain import chain
+from core.codes.limits import ORDINARY_LIFE
 from core.codes.risk import Risk, risk
 from core.codes.verdict import Verdict, passes_with_q2, verdict
 from core.codes.verdict_sentence import declared
@@ -121,6 +122,9 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
         ratio = scene.floor.code_over_records(kinematic)
     if ratio is not None and ratio < LOW_CODE:
         limits.append(sentence("reason", "code_below_records", ratio=ratio))
+    life = scene.asked.reference_period
+    if life is not None and life < ORDINARY_LIFE * (1.0 - 1e-9) and not demand.hazard:
+        limits.append(sentence("reason", "short_life", years=life, least=ORDINARY_LIFE))
     if dynamic and scene.by_default:
         limits.append(_by_default(found))
     elif dynamic and any(motion.format == GENERATED for motion in scene.ground):

@@ -11,6 +11,7 @@ from core.codes.kinematic import Check, Kinematic, checks_of, linear
 from core.codes.limits import counted_stations
 from core.codes.outcomes import FAILS, OPEN, PASSES, severity, worst
 from core.codes.verdict import Circumstances, Evidence, governing_check, outcome_of
+from core.errors import InputError
 from core.setting.scene import Scene
 from core.text.sentence import Sentence, sentence
 
@@ -143,6 +144,8 @@ def evaluate(
             (evaluate(one, precision, other, cancelled) for one in readings),
             lambda one: (one.outcome, one.zeta, one.scene.demand.zeta_target),
         )
+    if (threshold := scene.wall.uplift_multiplier(scene.mechanism)) <= 0.0:  # of no case, but of a value moved
+        raise InputError("unstable_under_loads", threshold=threshold)
     kinematic = scene.kinematic
     if kinematic is None:
         return Evaluation(scene, None, None, (), precision)

@@ -97,5 +97,5 @@ def one_end(
     return Raised(key, reasons, value, (end,), words, source, histories, permitted)
 
 
-OF_LOADS = ("elongation_m", "slack_mm", "prestress", "anchorage_kn", "load", "h_m")
-"""Keys of what loads raise, told only where the other end is the lower one."""
+OF_LOADS = ("elongation_m", "slack_mm", "prestress", "anchorage_kn", "load", "h_m", "unit_weight_kn_m3", "masonry")
+"""Keys of what loads and masonry raise, told only where the other end is the lower one."""

@@ -1,16 +1,20 @@
 """The inputs of a case that raise zeta."""
 
 import contextlib
+import math
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any
+
+import numpy as np
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.schema import Wall, WallJustification
 from core.case.site import FULL_FACTOR
 from core.codes.assumption import DECLARED, DEFAULT, GIVEN
 from core.codes.elastic_branch import ELASTIC, Branch, can_have_branch
-from core.codes.limits import MEAN_FROM
-from core.codes.masonry_types import least_strength, moduli
+from core.codes.limits import MEAN_FROM, MINIMUM_FROM
+from core.codes.masonry_types import least_strength, moduli, weights
 from core.codes.verdict_sentence import CODE_Q
 from core.errors import InputError
 from core.ground.scattered import SPREAD
@@ -19,7 +23,18 @@ from core.setting.demand_input import default_motions, set_of
 from core.setting.scene import Scene
 from core.text.sentence import Number, Sentence, sentence
 from core.variation.evaluate import Evaluation
-from core.variation.raised import GIVEN_WORD, NONE_WORD, End, Raised, named, of_demand, of_wall, one_end
+from core.variation.raised import (
+    GIVEN_WORD,
+    NONE_WORD,
+    Change,
+    End,
+    Raised,
+    named,
+    of_demand,
+    of_wall,
+    one_end,
+    worst_words,
+)
 from core.variation.raised_loads import of_the_loads, of_the_weights
 from core.variation.raised_site import of_the_building, of_what_is_required
 from core.wall import wall_body
@@ -35,6 +50,9 @@ RECTANGLE = 4.0 / 3.0
 LEAST_SETBACK = 0.01
 """Hinge setback [m] of any masonry: its edge is not sharp."""
 
+
+ALIKE = 0.5
+"""Share of the spread of natural motions about a spectrum below which given records are said to be too much alike."""
 
 MORE_RATIO = 0.1
 """What is added to a given velocity ratio: its zeta is shown as well."""
@@ -110,6 +128,7 @@ def raised(found: Evaluation) -> Iterator[Raised]:
     yield from _of_the_shape(wall, scene.mechanism)
     yield from _of_the_body(scene)
     yield from _of_the_edge(scene)
+    yield from _of_the_unit_weight(scene)
     if not dynamic and _histories_left_out(found):
         there = tuple(default_motions(demand))
         end = End(lambda scene: scene.but(ground=there, by_default=True), sentence("word", "made"))
@@ -121,24 +140,40 @@ def raised(found: Evaluation) -> Iterator[Raised]:
 def _of_the_set(found: Evaluation) -> Iterator[Raised]:
     """A generated set that scatters less than nature does, or has fewer motions than the usual one."""
     scene, usual = found.scene, demand_input.DEFAULT_SET.count
-    asked = None if scene.by_default or not found.satisfied else set_of(scene.ground)
+    if scene.by_default or not found.satisfied:
+        return
+    asked = set_of(scene.ground)
     if asked is None:
+        yield from _of_records_alike(scene)
         return
     if asked.scatter < SPREAD:
         natural = replace(asked, scatter=SPREAD)
         end, reasons = End(lambda scene: scene.generated_as(natural), SPREAD), scene.asked.justification
         yield one_end("scatter", "lift_scatter", reasons, asked.scatter, end, given=asked.scatter)
-    if asked.count < usual:
+    if asked.count != usual:
         more = replace(asked, count=usual)
         end = End(lambda scene: scene.generated_as(more), float(usual))
         said = {"given": asked.count, "usual": usual}
-        permitted = asked.count >= MEAN_FROM  # fewer are no set whose mean counts
-        yield one_end("count", "lift_count", None, float(asked.count), end, permitted=permitted, **said)
+        permitted = MEAN_FROM <= asked.count < usual  # fewer are no set whose mean counts, more may be chosen by zeta
+        code = "lift_count" if asked.count < usual else "lift_more"
+        yield one_end("count", code, None, float(asked.count), end, permitted=permitted, **said)
     first = demand_input.DEFAULT_SET.seed
     if asked.seed != first:
         other = replace(asked, seed=first)
         end = End(lambda scene: scene.generated_as(other), float(first))
         yield one_end("seed", "lift_seed", None, float(asked.seed), end, seed=asked.seed, first=first)
+
+
+def _of_records_alike(scene: Scene) -> Iterator[Raised]:
+    """Given records that all but follow the spectrum, as matched ones do, whatever their files are called."""
+    seen = scene.compliance
+    if seen is None or len(seen.spectra) < MINIMUM_FROM:
+        return
+    spread = float(np.log(seen.spectra).std(axis=0, ddof=1).mean())
+    if spread < ALIKE * SPREAD:
+        reasons = scene.asked.justification
+        end = End(lambda scene: scene.generated_as(demand_input.DEFAULT_SET), SPREAD)
+        yield one_end("scatter", "lift_alike", reasons, spread, end, given=spread, usual=SPREAD)
 
 
 def _of_the_law(found: Evaluation) -> Iterator[Raised]:
@@ -181,15 +216,16 @@ def _of_the_edge(scene: Scene) -> Iterator[Raised]:
     """A hinge nearer to the edge than the weakest masonry of its type lets it be, or than LEAST_SETBACK: FC 1.35 lets
     one leave the strength out (C8.7.1.2.1.3), and alpha_0 then counts on more than there is."""
     wall = scene.wall
-    if wall.bends or wall.thickness is None:
-        return
-    weakest, least = least_strength(wall.masonry), LEAST_SETBACK
-    if wall.unit_weight_kn_m3 is not None:
-        with contextlib.suppress(InputError):  # nothing stands just above the base of oblique solids
-            least = max(least, replace(wall, hinge_setback_m=0.0, compressive_strength_mpa=weakest).setback)
+    weakest, least = least_strength(wall.masonry), _setback_at(wall, wall.masonry)
+    of_any = _setback_at(wall, None)
+    if wall.masonry and of_any > max(least, wall.setback) and wall.compressive_strength_mpa is None:
+        end = End(_turning_inside(of_any, masonry=None), sentence("word", "masonry_unknown"))
+        named_type = sentence("word", f"choice_{wall.masonry}")
+        said = {"masonry": named_type, "cm": 100.0 * of_any}
+        yield one_end("masonry", "lift_masonry", None, named_type, end, permitted=True, **said)
     if wall.setback >= least * (1.0 - 1e-9):
         return
-    there = of_wall(compressive_strength_mpa=None, hinge_setback_m=least)
+    there = _turning_inside(least)
     f, cm = wall.compressive_strength_mpa, 100.0 * least
     if f is None:
         source = GIVEN if wall.hinge_setback_m else DEFAULT
@@ -203,6 +239,60 @@ def _of_the_edge(scene: Scene) -> Iterator[Raised]:
             reasons = replace(reasons or WallJustification(), compressive_strength_mpa=scene.asked.investigations)
         end = End(there, weakest)
         yield one_end("compressive_strength_mpa", "lift_strength", reasons, f, end, given=f, f=weakest, cm=cm)
+
+
+def _setback_at(wall: Wall, masonry: str | None) -> float:
+    """Hinge setback [m] by the lowest f of a masonry and, where it is not given, its greatest unit weight, of the table
+    where none is named; LEAST_SETBACK at least."""
+    weight = wall.unit_weight_kn_m3 or weights(masonry)[1]
+    if wall.thickness is None:
+        block = wall.block()
+        area = 2.0 * block.radius**2 * math.sin(2.0 * block.slenderness)  # t H
+        return max(LEAST_SETBACK, 2e3 * weight * area / (3e6 * least_strength(masonry)))
+    weighed = replace(wall, unit_weight_kn_m3=weight, hinge_setback_m=0.0)
+    with contextlib.suppress(InputError):  # nothing stands just above the base of oblique solids
+        return max(LEAST_SETBACK, replace(weighed, compressive_strength_mpa=least_strength(masonry)).setback)
+    return LEAST_SETBACK
+
+
+def _turning_inside(setback: float, **values: Any) -> Change:
+    """The hinge at least so far inside the edge [m], whatever else has moved it."""
+
+    def change(scene: Scene) -> Scene:
+        wall = scene.wall
+        nearer = wall.thickness is None or wall.setback < setback
+        return scene.but(wall=replace(wall, **values, **(_hinge_at(wall, setback) if nearer else {})))
+
+    return change
+
+
+def _hinge_at(wall: Wall, setback: float) -> dict[str, Any]:
+    """The keys of a wall with its hinge so far [m] inside the edge; a body given by its radius turns about another
+    point, of the same centroid."""
+    if wall.thickness is not None:
+        return {"compressive_strength_mpa": None, "hinge_setback_m": setback}
+    block = wall.block()
+    assert wall.radius_m is not None and wall.inertia_over_mass_m2 is not None
+    x, z = block.radius * math.sin(block.slenderness) - setback, block.radius * math.cos(block.slenderness)
+    radius = math.hypot(x, z)
+    inertia = wall.inertia_over_mass_m2 - wall.radius_m**2 + radius**2
+    return {"radius_m": radius, "slenderness_deg": math.degrees(math.atan2(x, z)), "inertia_over_mass_m2": inertia}
+
+
+def _of_the_unit_weight(scene: Scene) -> Iterator[Raised]:
+    """A unit weight that holds the wall against its loads, or is held by them, at the ends of what the type of masonry
+    has, of the table where none is named (Circolare 7/2019, Table C8.5.I)."""
+    wall, given = scene.wall, scene.wall.unit_weight_kn_m3
+    if given is None or not wall.load:
+        return
+    least, most = weights(wall.masonry)
+    values = [end for end in (least, most) if abs(end - given) > 1e-9]
+    ends = tuple(End(of_wall(unit_weight_kn_m3=value), value) for value in values)
+    if not ends:
+        return
+    words = worst_words("lift_unit_weight", ends)
+    permitted = least <= given <= most
+    yield Raised("unit_weight_kn_m3", wall.justification, given, ends, words, permitted=permitted)
 
 
 def _by_theory(wall: Wall, mechanism: str) -> float | None:

@@ -38,8 +38,9 @@ MASSES = "none", "horizontal", "moving"
 """What the mass of a vertical load may do."""
 
 
-LOW = 1.0
-"""Height above the hinge [m] up to which no floor stands that the part above the hinge carries."""
+LOW, LOW_IN_WALL = 1.0, 2.0
+"""Heights above the hinge [m] up to which no floor stands that the part above the hinge carries: any, and one in the
+lower half of the wall."""
 
 LEVER = 0.05
 """Of the thickness: by how much the point where a load stands may be another."""
@@ -75,9 +76,9 @@ def _of_weights_that_may_go(scene: Scene) -> Iterator[Raised]:
     """The wall without the weights that stand low above the hinge, without variable ones, and without masses it
     carries. A permanent load of a floor is there; what may not be, and lifts, is asked about."""
     wall, reasons = scene.wall, scene.wall.justification
-    lowest = [load.h_m for load in wall.load if _is_low(load)]
-    low, carried = _without(lambda _, load: _is_low(load)), _without(lambda _, load: _is_carried(load))
-    if lowest and _stands(scene, tuple(load for load in wall.load if not _is_low(load))):
+    lowest = [load.h_m for load in wall.load if _is_low(wall, load)]
+    low, carried = _without(_is_low), _without(lambda _, load: _is_carried(load))
+    if lowest and _stands(scene, tuple(load for load in wall.load if not _is_low(wall, load))):
         end, height = End(low, sentence("word", "below_hinge")), Number(min(lowest), ".2f")
         yield one_end("h_m", "lift_low_load", reasons, GIVEN_WORD, end, height=height)
     permanent = tuple(
@@ -91,9 +92,10 @@ def _of_weights_that_may_go(scene: Scene) -> Iterator[Raised]:
         yield one_end("load", "lift_carried", reasons, GIVEN_WORD, End(carried, NONE_WORD))
 
 
-def _is_low(load: Load) -> bool:
+def _is_low(wall: Wall, load: Load) -> bool:
     """Whether it stands where no floor does."""
-    return load.is_weight and load.h_m <= LOW
+    most = max(LOW, min(LOW_IN_WALL, 0.5 * (wall.height_m or 0.0)))
+    return load.is_weight and load.h_m <= most
 
 
 def _is_variable(load: Load) -> bool:

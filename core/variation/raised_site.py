@@ -114,6 +114,14 @@ def _of_building(**values) -> Change:
     return change
 
 
+def _with_period(building: Building, period: float) -> Change:
+    """The building with this first period [s], all its modes in proportion."""
+    if not building.modes:
+        return _of_building(period_s=period)
+    factor = period / building.modes[0].period_s
+    return _of_building(modes=tuple(replace(mode, period_s=factor * mode.period_s) for mode in building.modes))
+
+
 def _building_words(factor: float, damping: float) -> Sentence:
     """The ratio of the period to the elastic one, and the damping of a building, as the table shows them."""
     return sentence("added", "period_and_damping", factor=factor, damping=damping)
@@ -154,11 +162,12 @@ def of_the_building(scene: Scene, building: Building) -> Iterator[Raised]:
         many = math.ceil(building.height_m / LEAST_STOREY)
         end, reasons = End(_of_building(storeys=many), float(many)), asked.justification
         yield one_end("storeys", "lift_storeys", reasons, float(building.storeys), end, storey=storey, many=many)
-    if building.period_s is not None and not scene.period_taken and not building.modes:
+    first = building.modes[0].period_s if building.modes else building.period_s
+    if first is not None and not scene.period_taken:
         estimated = estimated_period(building.height_m)
         periods = [factor * estimated for factor in ESTIMATES]
-        there = tuple(End(_of_building(period_s=t), t) for t in periods if abs(t / building.period_s - 1.0) > 0.01)
-        yield Raised("period_s", asked.justification, building.period_s, there, worst_words("lift_period", there))
+        there = tuple(End(_with_period(building, t), t) for t in periods if abs(t / first - 1.0) > 0.01)
+        yield Raised("period_s", asked.justification, first, there, worst_words("lift_period", there))
     if ends := other_ends(building, limit_state):
 
         def words(zetas, _):

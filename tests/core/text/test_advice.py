@@ -106,6 +106,7 @@ LOWERS = {
     "tie_elongation_below_yield",
     "ties_displacement",
     "ties_histories",
+    "lift_more",
 }
 """What they advise lowers zeta or leaves it: less is counted, the file decides, the spectrum does."""
 
@@ -120,6 +121,7 @@ CONDITION = {
     "modes_or_period": "state their period",
     "no_check": "for an element free to vibrate",
     "restitution_one_sided": "is for",
+    "note_says_nothing": "write what stands there",
     "reason_says_nothing": "why its value holds",
     "restraint_unnamed": "what stands behind the wall",
     "strengthen": "check it again",
