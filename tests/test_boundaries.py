@@ -90,6 +90,10 @@ SHOWN_BY = {
     "wall/one_body": BODIES,
     "wall/wall_body": BODIES,
     "rocking/taylor_two_hinges": BODIES,
+    **dict.fromkeys(
+        ("ground/records/networks", "ground/records/film", "ground/records/labview"),
+        "tests/core/ground/test_networks.py",
+    ),
     "ground/records/placement": "tests/core/ground/test_placement.py",
     "ground/records/signatures": "tests/core/ground/test_signatures.py",
     **dict.fromkeys(

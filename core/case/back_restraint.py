@@ -56,7 +56,7 @@ _FILLERS = """
     to be defined verified confirmed checked know vedi sopra see above relazione report come prassi as usual per from by
     norma normativa code ntc circolare legge law secondo esperienza experience mia my own professionale professional
     giudizio judgement judgment progettista engineer scelta choice ipotesi assumption assunto assumed valore value
-    usuale solito asd asdf qwe qwerty bla xxx abc lorem ipsum dont don t n d e and the a of in on an at is it
+    usuale solito asd asdf qwe qwerty bla xxx lorem ipsum dont don t n d e and the a of in on an at is it
 """
 FILLERS = frozenset(_FILLERS.split())
 """Words that say nothing, alone or with one another."""

@@ -1,7 +1,7 @@
 """The verdict of a wall: one code, its reasons, one sentence in each language."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -212,10 +212,9 @@ def verdict(
     largest = demand.pga
     if wall.above_ground and code == "not_activated":
         largest = _strongest(seen)
-    permitted = tuple(row for row in assumed if row.turns and row.permitted)
-    reasoned = tuple(Key(row.key) for row in assumed if row.turns and row.reason and row.key != RESTRAINT)
+    carried = tuple(row for row in assumed if row.turns and row.permitted), _reasoned(assumed)
     way, values = outcome(
-        code, missing, threshold, demand, governing, seen.checks, dynamic, by, largest, wall, permitted, reasoned
+        code, missing, threshold, demand, governing, seen.checks, dynamic, by, largest, wall, *carried
     )
     decides = missing
     if missing is None and governing:
@@ -235,6 +234,11 @@ def verdict(
         len(blocking),
         table(assumed),
     )
+
+
+def _reasoned(assumed: Iterable[Assumption]) -> tuple[Key, ...]:
+    """Keys whose other ends would turn the outcome, but for the engineer's reason."""
+    return tuple(Key(row.key) for row in assumed if row.turns and row.reason and row.key != RESTRAINT)
 
 
 def _code(seen: Evidence, blocked: bool, agrees: bool) -> str:

@@ -38,6 +38,7 @@ from core.setting.demand_input import target_of
 from core.study.journal import Journal
 from tests.conftest import shelf_folder
 from tests.core.ground.dialects import DIALECTS, usc
+from tests.core.ground.networks_made import EXACT, TENTH
 from tests.core.ooxml.writers import WRITERS, workbook
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -119,6 +120,15 @@ DIALECT_TARGETS = {
     "zip": ("zip of ESM",),
     "sheet": ("xlsx",),
 }
+NETWORKS = {name: content for name, (content, *_) in {**EXACT, **TENTH}.items()}
+NETWORK_TARGETS = {
+    "networks": ("NSMN", "UNAM", "CSMNC", "BHRC"),
+    "film": ("RENADIC", "CSMIP volume 1"),
+    "usc two": ("USC volume 2", "CSMIP raw in g"),
+    "labview": ("LabVIEW, one time column", "LabVIEW, no time column", "LabVIEW, times of each channel"),
+}
+"""target -> the files of tests/core/ground/networks_made.py."""
+
 """target -> the dialects of tests/core/ground/dialects.py whose files are changed; usc beside them."""
 
 
@@ -280,6 +290,7 @@ def seeds(folder: Path) -> dict[str, list[bytes]]:
         "spectrum": [spectrum.encode()],
         "usc": [usc()],
         **{name: [DIALECTS[one][0] for one in names] for name, names in DIALECT_TARGETS.items()},
+        **{name: [NETWORKS[one] for one in names] for name, names in NETWORK_TARGETS.items()},
         "hazard": [b"T_R\ta_g\tF0\tTC*\n30\t0,08\t2,4\t0,28\n475\t0,26\t2,4\t0,35\n", b"30 0.08\n2475 0.4\n"],
     }
 
@@ -295,7 +306,7 @@ TARGETS: dict[str, Callable[[bytes, Path], None]] = {
     "spectrum": _spectrum,
     "hazard": _hazard,
     "usc": _record,
-    **dict.fromkeys(DIALECT_TARGETS, _record),
+    **dict.fromkeys((*DIALECT_TARGETS, *NETWORK_TARGETS), _record),
 }
 
 

@@ -10,7 +10,20 @@ import numpy as np
 from core.errors import InputError, RecordError
 from core.file_names import name_of, shown
 from core.ground.ground_motion import LARGE_PGA, SMALL_PGA, GroundMotion
-from core.ground.records import california, geonet, italian, japan_taiwan, peer, plain, plausible, samples, smc
+from core.ground.records import (
+    california,
+    film,
+    geonet,
+    italian,
+    japan_taiwan,
+    labview,
+    networks,
+    peer,
+    plain,
+    plausible,
+    samples,
+    smc,
+)
 from core.ground.records.container import BETWEEN, is_zip, member_of, sheet_of
 from core.ground.records.cut import refuse_cut
 from core.ground.records.grammar import UNITS, Options, Parsed, decode, quoted
@@ -31,6 +44,12 @@ READERS = (
     ("SMC", smc.recognises, smc.read),
     ("CSMIP / COSMOS", california.recognises, california.read),
     ("USC volume 1", california.recognises_pairs, california.read_pairs),
+    ("CSMIP volume 1 / RENADIC", film.recognises, film.read),
+    ("NSMN", networks.recognises_nsmn, networks.read_nsmn),
+    ("UNAM", networks.recognises_unam, networks.read_unam),
+    ("CSMNC", networks.recognises_csmnc, networks.read_csmnc),
+    ("BHRC", networks.recognises_bhrc, networks.read_bhrc),
+    ("LabVIEW .lvm", labview.recognises, labview.read),
     ("plain text", plain.recognises, plain.read),
 )
 """(format, recognises(lines), read(lines, options)); the first that recognises the content reads it."""
@@ -176,7 +195,7 @@ def _doubts_as_read(parsed: Parsed, time_step: float) -> list[Sentence]:
     """Warnings of the samples in the file's unit. time_step [s]"""
     warnings = [
         *samples.jumps(parsed.values),
-        *plausible.doubts(parsed.values, time_step),
+        *plausible.doubts(*_as_written(parsed, time_step)),
         *plausible.misplaced(parsed.values, time_step, parsed.peak_time),
         *plausible.beyond_nyquist(time_step, parsed.corner),
     ]
@@ -186,6 +205,13 @@ def _doubts_as_read(parsed: Parsed, time_step: float) -> list[Sentence]:
     if not parsed.counted and peak and abs(parsed.values[-1]) > END_SHARE * peak:
         warnings.append(notice("ends_moving", share=abs(parsed.values[-1]) / peak))
     return warnings
+
+
+def _as_written(parsed: Parsed, time_step: float) -> tuple[np.ndarray, float]:
+    """The samples as the file has them with their step, the mean one [s] of samples at uneven times."""
+    if parsed.written is None:
+        return parsed.values, time_step
+    return parsed.written, time_step * parsed.values.size / parsed.written.size
 
 
 def _doubts_of_motion(motion, time_step: float, scale: float) -> list[Sentence]:

@@ -23,8 +23,8 @@ from core.ground.records.grammar import (
 from core.text.sentence import notice
 
 _V2 = re.compile(
-    rf"\s*(\d{{1,9}}) points of (accel)\w* data equally spaced at\s+({NUMBER})\s+sec\.?,?\s*"
-    r"(?:in |\(units: ?)?([a-z]+/[a-z/0-9]+)",
+    rf"\s*(\d{{1,9}}) points of (acc|vel|dis)\w* data equally spaced at\s+({NUMBER})\s+sec\.?,?\s*"
+    r"(?:in units |in |\(units: ?)?(g\b|[a-z]+/[a-z/0-9]+)",
     re.IGNORECASE,
 )
 _V1 = re.compile(
@@ -39,12 +39,16 @@ _OF_DATA = re.compile(r"[a-df-z&]", re.IGNORECASE)
 _WIDTH = re.compile(r"\(\s*\d+[fe]([1-9]\d?)\.\d+\s*\)", re.IGNORECASE)
 _CHANNEL = re.compile(r"(?:sta )?chan?(?:nel)?:? +(\d{1,3}):? +(.*?)(?: {2,}|\(|$)", re.IGNORECASE)
 _STATION_CHANNEL = re.compile(r"sta cha: *(\d{1,3}): *(.*?) *(?:\(|$)", re.IGNORECASE)
+_ALONE = re.compile(r"COMP\s+(\S+)\s*\d*\s*$", re.IGNORECASE)
+"""Component of a USC volume 2, on a line of its own."""
+
 _TITLE = re.compile(r"\s*(?:un)?corrected accel|\s*raw accel", re.IGNORECASE)
 _PEAK = re.compile(
-    rf"(?:peak acceleration|(?<!uncor )\bmax)\s*=\s*({NUMBER})\s*(cm/sec/sec|cm/sec2|g)\b"
+    rf"(?:peak acceleration|(?<!uncor )\bmax)\s*=\s*({NUMBER})\s*(cms?/sec/sec|cm/sec2|g)\b"
     rf"(?:\s*,?\s*at\s+({NUMBER})\s*sec)?",
     re.IGNORECASE,
 )
+_UNCORRECTED = re.compile(r"\s*uncorrected accelerogram", re.IGNORECASE)
 _INTERVALS = re.compile(rf"equally-spaced intervals of\s+({NUMBER})\s+sec", re.IGNORECASE)
 _LENGTH = re.compile(rf"record length\s*=\s*({NUMBER})\s*sec", re.IGNORECASE)
 _RAW = re.compile(r"^\s*(?:raw|uncorrected) acceleration", re.IGNORECASE | re.MULTILINE)
@@ -55,10 +59,17 @@ _MAGNITUDE = re.compile(rf"\b(Mw|ML|Ms) ?= ?({NUMBER})")
 _PAIRS_DATE = re.compile(r"[A-Z]{3,9} [0-9]{1,2}, [0-9]{4}[^\n]{0,10}GMT", re.IGNORECASE)
 _FILTER = re.compile(r"(?:filtered (?:with )?)(.*)", re.IGNORECASE)
 _BAND = re.compile(
-    rf"band-?pass filtered.{{0,60}}?{NUMBER}\s*(?:hz\s*)?(?:and|to|-)\s*({NUMBER})\s*(?:cyc|hz)", re.IGNORECASE
+    rf"band-?pass filtered.{{0,60}}?{NUMBER}\s*(?:hz\s*)?(?:and|to)\s*({NUMBER})\s*(?:cyc|hz)", re.IGNORECASE
 )
 _STATION = re.compile(r"(?:station|statn)\s+no[.:]\s*(\S+)", re.IGNORECASE)
-UNITS_OF = {"cm/sec2": "cm/s2", "cm/sec/sec": "cm/s2", "g": "g", "mm/sec2": "mm/s2", "m/sec2": "m/s2"}
+UNITS_OF = {
+    "cm/sec2": "cm/s2",
+    "cm/sec/sec": "cm/s2",
+    "cms/sec/sec": "cm/s2",
+    "g": "g",
+    "mm/sec2": "mm/s2",
+    "m/sec2": "m/s2",
+}
 """Units as these files write them."""
 
 HEAD = 1000
@@ -87,7 +98,7 @@ def recognises(lines: list[str]) -> bool:
 
 def read(lines: list[str], options: Options) -> Parsed:
     """The acceleration of one channel. Raises RecordError."""
-    places = [k for k, line in enumerate(lines) if (match := _data_line(line)) and match[2].lower() == "accel"]
+    places = [k for k, line in enumerate(lines) if (match := _data_line(line)) and match[2].lower()[:3] == "acc"]
     if not places:
         quantity = next(match[2] for line in lines[:HEAD] if (match := _data_line(line)))
         raise RecordError("peer_quantity", quantity={"v": "velocity"}.get(quantity[0].lower(), "displacement"))
@@ -124,7 +135,8 @@ def _name(head: list[str], number: int) -> str:
         match = _STATION_CHANNEL.match(line) or _CHANNEL.match(line)
         if match:
             return f"{match[1]}: {match[2].strip()}"
-    return str(number)
+    component = next((match[1] for line in head if (match := _ALONE.match(line))), None)
+    return component or str(number)
 
 
 def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
@@ -133,7 +145,8 @@ def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
     if written not in UNITS_OF:
         raise RecordError("unit_not_acceleration", unit=quoted(match[4]))
     width = _WIDTH.search(lines[place])
-    parsed = whole(block(lines[place + 1 : end], place + 2, declared, int(width[1]) if width else 10))
+    size = int(width[1]) if width else _width(lines[place + 1] if place + 1 < end else "")
+    parsed = whole(block(lines[place + 1 : end], place + 2, declared, size))
     parsed.unit = UNITS_OF[written]
     if _COSMOS.match(lines[place]):
         parsed.time_step = _cosmos_step(head)
@@ -152,7 +165,7 @@ def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
     if length and not raw_length and abs(to_float(length[1]) - covered) > max(0.02 * covered, 1.0):
         raise RecordError("head_lacks", label="record length")
     _take_statements(parsed, text)
-    raw = bool(_V1.match(lines[place]) or _RAW.search(text))
+    raw = bool(_V1.match(lines[place]) or _RAW.search(text) or (head and _UNCORRECTED.match(head[0])))
     if raw:
         parsed.warnings.append(notice("unprocessed"))
     station, filtered, date = _STATION.search(text), _FILTER.search(text), _DATE.search(text)
@@ -173,6 +186,12 @@ def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
         ("processing", "none" if raw else "corrected"),
     )
     return parsed
+
+
+def _width(line: str) -> int:
+    """Of a sample, by a full line of eight; ten where the line is not full."""
+    line, row = line.rstrip(), numbers(line[:300])
+    return len(line) // 8 if row and len(row) == 8 and len(line) % 8 == 0 else 10
 
 
 def _take_statements(parsed: Parsed, head: str) -> None:
@@ -238,6 +257,7 @@ def _pairs(lines: list[str], place: int, end: int, head: str) -> Parsed:
         raise RecordError("uneven_pairs")
     grid = np.arange(round(times[-1] / GRID) + 1) * GRID
     parsed.values, parsed.time_step, parsed.unit = np.interp(grid, times, samples) * 0.1, GRID, "g"
+    parsed.written = samples
     parsed.warnings += [notice("drawn_on_grid"), notice("unprocessed")]
     component, titled = _COMPONENT.search(head), head.splitlines()
     station = re.search(r"STATION\s+(\S+ \S+)", head, re.IGNORECASE)

@@ -37,7 +37,8 @@ class Parsed:
     be multiplied by, the error where the case does not), None where the file states none; lines : key of the case ->
     the line of the head that states it, quoted; told : lines of head and of samples of a plain text, None of a named
     format, which declares them itself. What a head says of the motion, or None: stated_peak in the unit of the samples,
-    peak_time from the first sample [s], corner, the upper one of the filter [Hz]."""
+    peak_time from the first sample [s], corner, the upper one of the filter [Hz]. written : the samples of which values
+    are drawn on a grid, else None."""
 
     values: np.ndarray
     time_step: float | None
@@ -54,6 +55,7 @@ class Parsed:
     vertical: bool = False
     several: bool = False
     told: tuple[int, int] | None = None
+    written: np.ndarray | None = None
 
 
 @dataclass(frozen=True)

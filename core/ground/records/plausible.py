@@ -25,14 +25,15 @@ FILLED = 100
 STRONG = 0.02, 0.98
 """Of the sum of the squares, between which the strong part lies."""
 
-WINDOW, MANY_VALUES = (8, 16), 500
-"""Different samples in a row that no ground repeats: the shorter ones where the record has as many values."""
+WINDOW, FINE = (8, 16), 0.5
+"""Different samples in a row that no ground repeats: the shorter ones where so many of all samples differ."""
 
 REPEATED_SHARE = 0.05
 """Share of the peak that samples said to be repeated reach."""
 
-TOPS = 3
-"""Equal samples in a row at the peak: a sensor at its end, or a trace that was cut. The shelf has one everywhere."""
+TOPS, DROP = 3, 3.0
+"""Equal samples in a row at the peak: a sensor at its end, or a trace that was cut, where they stand there so often or
+the neighbours are so many steps of the digitiser lower; rounded peaks are natural."""
 
 ONE_SIDED = 0.7
 """(largest + smallest) / (largest - smallest) sample; 0.50 at most on the shelf."""
@@ -108,7 +109,7 @@ def beyond_nyquist(time_step: float, corner: float | None) -> list[Sentence]:
 
 def _repeated(values: np.ndarray) -> Iterator[Sentence]:
     """That a piece of the record stands in it twice."""
-    n = WINDOW[0] if np.unique(values).size >= MANY_VALUES else WINDOW[1]
+    n = WINDOW[0] if np.unique(values).size >= FINE * values.size else WINDOW[1]
     windows, bits = np.lib.stride_tricks.sliding_window_view(values, n), values.view(np.uint64)
     factors = np.random.default_rng(1).integers(1, 2**63, n, dtype=np.uint64)
     marks = np.zeros(bits.size - n + 1, dtype=np.uint64)
@@ -138,6 +139,11 @@ def _held(values: np.ndarray, begin: int, end: int) -> Iterator[Sentence]:
         yield notice("coarse", n=int(np.unique(values).size))
     elif (tops := np.flatnonzero((size > 1.0 - 1e-9) & (lengths >= TOPS))).size:
         k = int(tops[0])
+        apart = np.diff(np.unique(size))
+        step = float(apart[apart > 1e-9].min(initial=1.0))
+        beside = size[[max(k - 1, 0), min(k + 1, size.size - 1)]].max()
+        if tops.size < TOPS and size[k] - beside < DROP * step:
+            return
         yield notice("clipped", n=int(lengths[k]), sample=int(begins[k]) + 1)
 
 

@@ -1,0 +1,96 @@
+"""Formats of national networks: one motion in each, cut files, and what their heads say."""
+
+import numpy as np
+import pytest
+
+from core.errors import RecordError
+from core.units import G
+from tests.conftest import ROOT
+from tests.core.ground.dialects import DIALECTS, MOTION, STEP, N
+from tests.core.ground.networks_made import EXACT, REFUSED, TENTH, TENTHS, csmnc, film, unam
+from tests.core.ground.test_dialects import read
+from tests.core.ground.test_signatures import MADE
+
+
+@pytest.mark.parametrize("name", EXACT)
+def test_that_the_motion_is_the_same_bit_for_bit_in_each_format(name):
+    content, given = EXACT[name]
+    found = read(content, **given)
+    assert np.array_equal(found.acceleration, MOTION)
+    assert found.time_step == STEP
+
+
+@pytest.mark.parametrize("name", TENTH)
+def test_that_parts_of_g_are_the_motion_in_g(name):
+    content, given, factor = TENTH[name]
+    found = read(content, **given)
+    assert np.allclose(found.acceleration, factor * G * TENTHS, rtol=1e-12)
+    assert found.time_step == pytest.approx(STEP)
+    assert "unprocessed" in {warning.code for warning in found.warnings}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_that_what_such_a_file_cannot_mean_is_refused(name):
+    content, given, code = REFUSED[name]
+    with pytest.raises(RecordError) as caught:
+        read(content, **given)
+    assert caught.value.code == code
+
+
+@pytest.mark.parametrize("name", [*EXACT, *TENTH])
+def test_that_a_file_cut_at_any_byte_is_refused_or_gives_the_same_samples(name):
+    content, given, *_ = {**EXACT, **TENTH}[name]
+    whole = read(content, **given).acceleration
+    uncounted = "LabVIEW" in name
+    step = 1 if uncounted else 11
+    for size in range(0, len(content), step):
+        try:
+            found = read(content[:size], **given).acceleration
+        except RecordError:
+            continue
+        assert found.size <= whole.size and np.array_equal(found, whole[: found.size])
+        assert found.size == whole.size or uncounted
+
+
+def test_that_pairs_touch_from_100_s_on_and_are_cut_by_their_columns():
+    """As in a record of Arica: 132.925 -0.001132.930."""
+    times = np.concatenate([[0.0], 99.9 + STEP * np.arange(1, N)])
+    with pytest.raises(RecordError) as caught:  # a gap of 99.9 s is none of a record, but the numbers were read
+        read(film(times), channel="1: NS")
+    assert caught.value.code == "uneven_pairs"
+
+
+def test_that_uneven_pairs_are_drawn_on_a_grid_and_doubted_as_they_stand_in_the_file():
+    times = np.round(np.cumsum([0.0, *([0.01, 0.012] * N)])[:N], 3)
+    found = read(film(times), channel="1: NS")
+    assert found.time_step == 0.001
+    assert np.allclose(
+        np.interp(times, 0.001 * np.arange(found.acceleration.size), found.acceleration), 0.1 * G * TENTHS
+    )
+    assert "drawn_on_grid" in {warning.code for warning in found.warnings}
+
+
+def test_that_channels_keep_their_names_and_directions():
+    with pytest.raises(RecordError) as caught:
+        read(unam())
+    assert caught.value.values["names"] == ["N00E", "N90E", "V"]
+    assert "vertical" in {warning.code for warning in read(unam(), channel="V").warnings}
+    assert "vertical" in {warning.code for warning in read(film(), channel="2: V").warnings}
+    assert "vertical" in {warning.code for warning in read(csmnc(component="UD")).warnings}
+
+
+def test_that_a_point_on_a_structure_and_a_peak_elsewhere_are_named():
+    assert "in_structure" in {warning.code for warning in read(csmnc(point="ROOF 12F")).warnings}
+    assert "in_structure" not in {warning.code for warning in read(csmnc()).warnings}
+    assert "peak_elsewhere" in {warning.code for warning in read(csmnc(at=12.0)).warnings}
+
+
+def test_that_the_page_of_formats_lists_every_file_tried_with_its_outcome():
+    """At least 40, nine of ten read or refused by name: here all are."""
+    page = (ROOT / "resources" / "docs" / "record_formats.md").read_text(encoding="utf-8")
+    rows = [line for line in page.splitlines() if line.startswith("| ") and line.count("|") == 3][1:]
+    listed = dict(tuple(cell.strip() for cell in row.strip("| ").split("|")) for row in rows)
+    made = dict.fromkeys([*DIALECTS, *EXACT, *TENTH], "read")
+    made |= {name: f"refused: {code}" for name, (_, _, code) in REFUSED.items()}
+    made |= {name: f"refused by name: {code}" for name, (_, code) in MADE.items()}
+    assert listed == made and len(made) >= 40
