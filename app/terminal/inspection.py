@@ -93,8 +93,15 @@ def _say(name: str, motion: GroundMotion) -> None:
         )
     )
     if motion.lines is not None:
-        head, samples = motion.lines
-        print(terminal("  lines: {head} of the head, {samples} of samples", head=head, samples=samples))
+        head, samples, others = motion.lines
+        print(
+            terminal(
+                "  lines: {head} above the samples, {samples} of samples, {others} others",
+                head=head,
+                samples=samples,
+                others=others,
+            )
+        )
     for warning in motion.warnings:
         print(f"  {warning.text(current_language())}")
 

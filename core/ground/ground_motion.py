@@ -34,7 +34,7 @@ class GroundMotion:
     ground_pga : of a floor motion, PGA of the record it comes from [m/s2]
     scale : factor the samples of the file were read with
     channel : of a file that has several
-    lines : of head and of samples of a plain text
+    lines : of the file above the samples of this channel, of the samples, and others
     Raises RecordError for fewer than 10 samples, a motion of zeros, or samples that are not finite.
     """
 
@@ -50,7 +50,7 @@ class GroundMotion:
     ground_pga: float | None = None
     scale: float = 1.0
     channel: str = ""
-    lines: tuple[int, int] | None = None
+    lines: tuple[int, int, int] | None = None
 
     def __post_init__(self):
         samples = np.ascontiguousarray(self.acceleration, dtype=np.float64).copy()

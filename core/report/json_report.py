@@ -316,7 +316,7 @@ def record_measures(motion: GroundMotion) -> dict:
         "duration_5_95_s": motion.duration_5_95,
         "provenance": asdict(provenance(motion)),
         "housner_intensity_cm": motion.housner_intensity / CM,
-        "lines": dict(zip(("head", "samples"), motion.lines, strict=True)) if motion.lines else None,
+        "lines": dict(zip(("head", "samples", "others"), motion.lines, strict=True)) if motion.lines else None,
         "warnings": [warning.text() for warning in motion.warnings],
     }
 

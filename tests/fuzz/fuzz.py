@@ -120,7 +120,7 @@ DIALECT_TARGETS = {
     "zip": ("zip of ESM",),
     "sheet": ("xlsx",),
 }
-NETWORKS = {name: content for name, (content, *_) in {**EXACT, **TENTH}.items()}
+NETWORKS = {name: made[0] for name, made in EXACT.items()} | {name: made[0] for name, made in TENTH.items()}
 NETWORK_TARGETS = {
     "networks": ("NSMN", "UNAM", "CSMNC", "BHRC"),
     "film": ("RENADIC", "CSMIP volume 1"),

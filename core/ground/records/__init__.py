@@ -153,7 +153,8 @@ def _of_lines(content: bytes, lines: list[str], path: Path, options: Options, sc
     _refuse_unused(options, title, parsed)
     if parsed.vertical:
         warnings.append(notice("vertical"))
-    if words := in_structure(lines, parsed.channel):
+    words = in_structure(lines, parsed.channel) if parsed.standing is None else parsed.standing
+    if words:
         warnings.append(notice("in_structure", words=quoted(words)))
     if not cells:
         refuse_cut(lines, ended)
@@ -168,7 +169,7 @@ def _of_lines(content: bytes, lines: list[str], path: Path, options: Options, sc
         format=title,
         unit=unit,
         details=parsed.details,
-        lines=parsed.told,
+        lines=(*parsed.told, len(lines) - sum(parsed.told)) if parsed.told else None,
         warnings=tuple(warnings),
         scale=scale,
     )

@@ -20,6 +20,7 @@ from core.ground.records.grammar import (
     to_float,
     whole,
 )
+from core.ground.records.placement import in_structure
 from core.text.sentence import notice
 
 _V2 = re.compile(
@@ -77,6 +78,22 @@ HEAD = 1000
 
 STEP_REAL = 61
 """Place from 0 of the time step [ms] among the real headers of COSMOS."""
+
+STATION_TYPE = 18
+"""Place from 0 of the type of the station among the integer headers of COSMOS."""
+
+STATION_TYPES = {
+    5: "base of a building",
+    10: "building",
+    11: "bridge",
+    12: "dam",
+    13: "wharf",
+    14: "tunnel",
+    15: "lifeline structure",
+    20: "structure",
+    50: "geotechnical array",
+}
+"""Those that are no free field (COSMOS Tables, table 6)."""
 
 _PAIRS = re.compile(r"FILE\s+\d+ OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:", re.IGNORECASE)
 _POINTS = re.compile(r"NO\. OF POINTS =\s*(\d{1,7})\s+DURATION =\s*([0-9]{1,6}\.[0-9]{0,6}) SEC", re.IGNORECASE)
@@ -148,7 +165,9 @@ def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
     size = int(width[1]) if width else _width(lines[place + 1] if place + 1 < end else "")
     parsed = whole(block(lines[place + 1 : end], place + 2, declared, size))
     parsed.unit = UNITS_OF[written]
+    parsed.standing = in_structure(head, "")
     if _COSMOS.match(lines[place]):
+        parsed.standing = parsed.standing or _cosmos_standing(head)
         parsed.time_step = _cosmos_step(head)
         if abs(parsed.time_step * declared - rate) > max(0.02 * rate, 1.0):
             raise RecordError("head_lacks", label="100 Real-header values, 62")
@@ -206,16 +225,28 @@ def _take_statements(parsed: Parsed, head: str) -> None:
 
 def _cosmos_step(head: list[str]) -> float:
     """Real header 62 [ms] as a time step [s]. Raises RecordError."""
-    said = (k for k, line in enumerate(head) if "real-header values" in line.lower())
-    reals: list[float] = []
-    for line in head[next(said, len(head)) + 1 :]:
-        row = numbers(line)
-        if not row or len(reals) >= 100:
-            break
-        reals += row
+    reals = _values_below(head, "real-header values")
     if len(reals) <= STEP_REAL or not reals[STEP_REAL] > 0.0:
         raise RecordError("head_lacks", label="100 Real-header values, 62")
     return reals[STEP_REAL] / 1000.0
+
+
+def _cosmos_standing(head: list[str]) -> str:
+    """What integer header 19 says of a station that is in a structure, "" where it is on the ground or says nothing."""
+    integers = _values_below(head, "integer-header values")
+    return STATION_TYPES.get(int(integers[STATION_TYPE]), "") if len(integers) > STATION_TYPE else ""
+
+
+def _values_below(head: list[str], title: str) -> list[float]:
+    """The hundred values of COSMOS below the line that names them."""
+    said = (k for k, line in enumerate(head) if title in line.lower())
+    found: list[float] = []
+    for line in head[next(said, len(head)) + 1 :]:
+        row = numbers(line)
+        if not row or len(found) >= 100:
+            break
+        found += row
+    return found
 
 
 def recognises_pairs(lines: list[str]) -> bool:

@@ -9,6 +9,7 @@ from core.errors import RecordError
 from core.ground.records.california import GRID, PAIRS_A_LINE
 from core.ground.records.channels import Channel, chosen, is_vertical
 from core.ground.records.grammar import NUMBER, Options, Parsed, agree_with_peak, block, to_count, to_float, whole
+from core.ground.records.placement import in_structure
 from core.text.sentence import notice
 
 _BEGIN = re.compile(r"\s*UNCORRECTED ACCELEROGRAM DATA\s+PROCESSED", re.IGNORECASE)
@@ -56,6 +57,7 @@ def _pairs(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
     if abs(times[-1] - length) > max(0.1, 2.0 * steps.max()):
         raise RecordError("uneven_pairs")
     parsed.unit = "g"
+    parsed.standing = in_structure(head, "")
     if np.ptp(steps) < 0.1 * GRID:
         parsed.values, parsed.time_step = samples * 0.1, float(round(steps.mean(), 6))
     else:

@@ -7,6 +7,7 @@ from functools import partial
 from core.errors import RecordError
 from core.ground.records.channels import Channel, chosen, is_vertical
 from core.ground.records.grammar import NUMBER, Options, Parsed, agree_with_peak, block, to_float, whole
+from core.ground.records.placement import in_structure
 from core.text.sentence import notice
 
 _BEGIN = re.compile(r"(Unc|C)orrected accelerogram ")
@@ -60,6 +61,7 @@ def _component(lines: list[str], place: int, end: int, head: str) -> Parsed:
     parsed = whole(block(lines[start : start + rows], start + 1, declared, WIDTH))
     parsed.time_step = to_float(stated)
     parsed.unit = "mm/s2"
+    parsed.standing = in_structure(head.splitlines(), "")
     duration = _DURATION.search(head)
     covered = parsed.time_step * declared
     if duration and abs(to_float(duration[1]) - covered) > max(0.02 * covered, 1.0):

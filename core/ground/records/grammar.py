@@ -35,10 +35,11 @@ class Parsed:
     not say; details and warnings; counted : the file declares its count of samples; channel : its name, "" where the
     file has none; vertical : its direction is; several : the file has others; factor : (what the samples have still to
     be multiplied by, the error where the case does not), None where the file states none; lines : key of the case ->
-    the line of the head that states it, quoted; told : lines of head and of samples of a plain text, None of a named
-    format, which declares them itself. What a head says of the motion, or None: stated_peak in the unit of the samples,
-    peak_time from the first sample [s], corner, the upper one of the filter [Hz]. written : the samples of which values
-    are drawn on a grid, else None."""
+    the line of the head that states it, quoted; told : lines above the samples and lines of samples. What a head says
+    of the motion, or None: stated_peak in the unit of the samples, peak_time from the first sample [s], corner, the
+    upper one of the filter [Hz]. written : the samples of which values are drawn on a grid, else None. standing : words
+    of the head of this channel that place its sensor in a structure, "" where it has none, None where the head of the
+    file speaks for all."""
 
     values: np.ndarray
     time_step: float | None
@@ -56,6 +57,7 @@ class Parsed:
     several: bool = False
     told: tuple[int, int] | None = None
     written: np.ndarray | None = None
+    standing: str | None = None
 
 
 @dataclass(frozen=True)
@@ -239,7 +241,7 @@ def block(lines: list[str], first_line: int, declared: int, width: int | None = 
     """
     whole_block = plain_numbers(lines, declared)
     if whole_block is not None and whole_block.size:
-        return Parsed(whole_block, None, None, counted=True)
+        return Parsed(whole_block, None, None, counted=True, told=(first_line - 1, len(lines)))
     odd = (k for k, line in enumerate(lines) if line.translate(NUMBER_LETTERS))
     for k in odd:  # a line that is none is found before the others are read one by one
         _row_or_nan(lines[k], width, first_line + k)
@@ -266,4 +268,4 @@ def block(lines: list[str], first_line: int, declared: int, width: int | None = 
         if not rows or missing >= widest or not (not_numbers or len(rows[-1]) < widest):
             raise RecordError("fewer_than_declared", n=values.size, declared=declared)
         warnings.append(notice("partial_last_line", found=values.size, declared=declared))
-    return Parsed(values, None, None, warnings=warnings, counted=True)
+    return Parsed(values, None, None, warnings=warnings, counted=True, told=(first_line - 1, len(rows)))

@@ -6,6 +6,7 @@ import pytest
 from core.errors import RecordError
 from core.units import G
 from tests.conftest import ROOT
+from tests.core.ground import dialects
 from tests.core.ground.dialects import DIALECTS, MOTION, STEP, N
 from tests.core.ground.networks_made import EXACT, REFUSED, TENTH, TENTHS, csmnc, film, unam
 from tests.core.ground.test_dialects import read
@@ -83,6 +84,42 @@ def test_that_a_point_on_a_structure_and_a_peak_elsewhere_are_named():
     assert "in_structure" in {warning.code for warning in read(csmnc(point="ROOF 12F")).warnings}
     assert "in_structure" not in {warning.code for warning in read(csmnc()).warnings}
     assert "peak_elsewhere" in {warning.code for warning in read(csmnc(at=12.0)).warnings}
+
+
+@pytest.mark.parametrize(
+    ("code", "named"),
+    [(5, True), (10, True), (12, True), (20, True), (50, True), (3, False), (6, False), (-999, False)],
+)
+def test_that_the_type_of_a_station_of_cosmos_is_named_where_it_is_no_free_field(code, named):
+    """COSMOS Tables, table 6; integer header 19."""
+    content = dialects.cosmos().replace(b" Location: roof", b"")
+    head, below = content.split(b"Format= (10I8)\n")
+    first = below.split(b"\n")
+    first[1] = b"".join(b"%8d" % (code if k == 8 else 0) for k in range(10))
+    found = read(b"Format= (10I8)\n".join([head, b"\n".join(first)]))
+    assert ("in_structure" in {warning.code for warning in found.warnings}) == named
+
+
+def test_that_each_head_speaks_for_its_own_channel():
+    """A file of three channels, of which one stood on the roof."""
+    content = dialects.volume2().replace(b"Concord", b"Concord ground", 1)
+    heads = content.split(b"Corrected accelerogram ")
+    heads[2] = heads[2].replace(b"Concord", b"Concord, roof")
+    roof = b"Corrected accelerogram ".join(heads)
+    said = {name: {w.code for w in read(roof, channel=name).warnings} for name in ("1: 360 Deg", "2: Up", "3: 90 Deg")}
+    assert {name for name, codes in said.items() if "in_structure" in codes} == {"2: Up"}
+
+
+@pytest.mark.parametrize("name", [*DIALECTS, *EXACT, *TENTH])
+def test_that_every_line_of_a_file_is_counted(name):
+    """Above the samples, of samples, others: the lines of the file, for every format that has a block."""
+    content, given, *_ = {**DIALECTS, **EXACT, **TENTH}[name]
+    found = read(content, **given)
+    if found.lines is None or content[:2] == b"PK":
+        return
+    assert all(count >= 0 for count in found.lines)
+    if not name.startswith("LabVIEW"):
+        assert sum(found.lines) == len(content.decode("latin-1").rstrip("\n").split("\n"))
 
 
 def test_that_the_page_of_formats_lists_every_file_tried_with_its_outcome():
