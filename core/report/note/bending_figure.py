@@ -41,7 +41,7 @@ def drawing(wall: WallResult, words: Words) -> Figure:
         labels.append(Label(f"{words.number(1e-3 * size_of(load, asked), '.2f')} kN/m", x, y + 0.05 * h))
     caption = words.say("{wall}: sizes, hinges (red points) and mechanism (dashed), held at its top", wall=wall.name)
     if asked.back_restraint:
-        caption += words.say("; at its top: {restraint}", restraint=asked.back_restraint)
+        caption += words.say("; at its top: {restraint}", restraint=words.word(f"choice_{asked.back_restraint}"))
     if asked.load:
         caption += words.say("; loads as arrows")
     top = max([1.08 * h, *(label.y + 0.04 * h for label in labels)])
