@@ -3,11 +3,13 @@
 import itertools
 import math
 
+import numpy as np
 import pytest
 
 from core.case.hazard_table import parse_hazard
 from core.case.wall_table import columns, walls_of
-from core.errors import InputError
+from core.errors import InputError, RecordError
+from core.ground import records
 from core.quantities import BASES, factor_to, foreign_unit, unit_of
 
 KNOWN = {
@@ -128,3 +130,44 @@ def test_that_a_hazard_in_another_unit_is_refused_with_the_unit():
     with pytest.raises(InputError, match="m/s2"):
         parse_hazard("TR [anni] ag [m/s2] F0 TC* [s]\n" + rows.replace("0.5", "0.05").replace("1.9", "0.19"))
     assert len(parse_hazard("TR [anni] ag [g] F0 [-] TC* [s]\n30 0.05 2.4 0.28\n475 0.19 2.5 0.33\n")) == 2
+
+
+HEADS = (
+    "time (s), acc ({unit})",
+    "time [s]; a [{unit}]",
+    "acceleration in {unit}, dt = 0.01 s",
+    "dt = 0.01 s\nUNITS: {unit}",
+)
+"""How heads of records name their unit: of columns, in a sentence, on a line of its own."""
+
+
+@pytest.mark.parametrize("head", HEADS)
+def test_that_a_unit_in_the_head_of_a_record_is_its_own_or_refused(head, tmp_path):
+    """Heads of records are sentences and keep wordings of their own: none gives a third factor."""
+    values, agreed = np.round(np.sin(0.3 * np.arange(200)), 4), 0
+    path = tmp_path / "record.txt"
+    for unit in (
+        *two_hundred_units(),
+        "g",
+        "cm/s2",
+        "gal",
+        "mm/s^2",
+        "m/sec2",
+        "cm/s/s",
+        "mg",
+        "%g",
+        "km/s2",
+        "m/s",
+        "cm",
+    ):
+        mark = "; " if ";" in head else ", " if "time" in head else ""
+        rows = [f"{0.01 * k:.2f}{mark}{a:.4f}" if mark else f"{a:.4f}" for k, a in enumerate(values)]
+        path.write_text("\n".join([head.format(unit=unit), *rows, ""]), encoding="utf-8")
+        try:
+            found = records.read(path)
+        except RecordError:
+            continue
+        factor = found.acceleration[5] / values[5]
+        assert factor == pytest.approx(factor_to(unit, "m/s2"), rel=1e-9), unit
+        agreed += 1
+    assert agreed >= 5

@@ -151,7 +151,8 @@ def _one_sided(values: np.ndarray) -> Iterator[Sentence]:
     """That the motion goes one way, or is left with a velocity."""
     high, low = float(values.max()), float(values.min())
     velocity = np.cumsum(0.5 * (values[1:] + values[:-1]))
-    left = abs(float(velocity[-1])) / float(np.abs(velocity).max())
+    most = float(np.abs(velocity).max())
+    left = abs(float(velocity[-1])) / most if most > 0.0 else 0.0
     if abs(high + low) > ONE_SIDED * (high - low):
         yield notice("one_sided_samples", other=max(min(high, -low), 0.0))
     elif left > VELOCITY_LEFT:
