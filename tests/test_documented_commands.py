@@ -241,6 +241,8 @@ def test_that_a_documented_command_runs(command, place):
             assert page.read_text(encoding="utf-8").startswith("# The case file\n\n## Every key\n")
         case [".venv/bin/python", "-m", "tests.validation.scatter_of_records", *_]:  # of a folder of records, minutes
             tried((sys.executable, "-P", "-m", "tests.validation.scatter_of_records", "--help"), place)
+        case [".venv/bin/python", "-m", "tests.core.ground.damage", *_]:  # of a folder of records, minutes
+            tried((sys.executable, "-P", "-m", "tests.core.ground.damage", "--help"), place)
         case [".venv/bin/ruff", "format", *_]:
             check = ("format", "--no-cache", "--check", str(ROOT / "tests" / "test_run.py"))
             tried((sys.executable, "-m", "ruff", *check), place)

@@ -43,6 +43,7 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         "d_m": any(load.kind == "vertical" for load in wall.load),
         "h_m": any(load.is_weight and is_number(load.h_m) for load in wall.load),
         "compressive_strength_mpa": wall.compressive_strength_mpa is not None,
+        "unit_weight_kn_m3": wall.unit_weight_kn_m3 is not None and bool(wall.load),
         "prestress": any(load.is_tie and load.prestress for load in wall.load),
         "base_z_m": case.demand is not None and at_height and not wall.bends,
     }
@@ -58,12 +59,13 @@ def raised_by_demand(case: Case) -> set[str]:
         "confidence_factor": demand.confidence_factor < FULL_FACTOR,
         "q_code": demand.q_code > CODE_Q,
         "histories": not case.analysis.histories,
-        "scatter": case.generate is not None and case.generate.scatter < SPREAD,
+        "scatter": any(record.kind == "artificial" for record in case.record)
+        or (case.generate is not None and case.generate.scatter < SPREAD),
         "limit_state": demand.limit_state == "SLC" and demand.return_period is None,
         "zeta_target": is_number(demand.zeta_target) and demand.zeta_target < 1.0,
         "soil_factor": is_number(demand.soil_factor) and demand.soil_factor < 1.0,
         **_of_the_place(demand),
-        "period_s": building is not None and building.period_s is not None,
+        "period_s": building is not None and (building.period_s is not None or bool(building.modes)),
         "storeys": building is not None and _odd_storeys(building),
         "building": building is not None
         and (bool(building.modes) or (building.period_factor, building.damping) != (None, None)),

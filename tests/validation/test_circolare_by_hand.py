@@ -151,7 +151,7 @@ def test_that_a_target_below_one_is_what_decides(tmp_path):
                 demand={
                     "ag_g": 0.25,
                     "zeta_target": 0.4,
-                    "justification": {"zeta_target": "works of a test", "scatter": "a test"},
+                    "justification": {"zeta_target": "works of 8.4.1 on one wall", "scatter": "one soil class"},
                 },
                 generate={"scatter": 0.0, "count": 7},
             ),

@@ -1,12 +1,12 @@
 """Damaged copies of real records: is what a reader could see in the samples seen by the program?
 
-`python3 -m tests.core.ground.damage --records FOLDER` damages every record of a folder in each way below, reads the
-copies as plain text and prints what was refused, named and silent. A silent one is harmless where neither the peak nor
-the Housner intensity moved by 5 %, and visible where the damage shows: of damage to the whole record always; of damage
-at one place where it makes a step three times as large as any within 64 samples (2.6 at most on the shelf), or leaves
-a velocity above a quarter of the peak velocity; a wrong time step, a velocity or a displacement where the mean
-frequency is that of no ground: others are motions that some ground could have, and only a head that states peak or
-filter can tell. "Visible" is judged from the intact record, by other measures than those of the program.
+`.venv/bin/python -m tests.core.ground.damage --records FOLDER` damages every record of a folder in each way below,
+reads the copies as plain text and prints what was refused, named and silent. A silent one is harmless where neither
+the peak nor the Housner intensity moved by 5 %, and visible where the damage shows: of damage to the whole record
+always; of damage at one place where it makes a step three times as large as any within 64 samples (2.6 at most on the
+shelf), or leaves a velocity above a quarter of the peak velocity; a wrong time step, a velocity or a displacement where
+the mean frequency is that of no ground: others are motions that some ground could have, and only a head that states
+peak or filter can tell. "Visible" is judged from the intact record, by other measures than those of the program.
 """
 
 import argparse
