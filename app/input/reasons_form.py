@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QGroupBox, QLabel, QVBoxLayout
 from app.input.fields import TextField, connect
 from app.look.language import named, tr
 from app.work.session import Session
-from core.case.schema import Case, Wall, WallJustification
+from core.case.schema import Case, Generate, Wall, WallJustification
 from core.case.site import FULL_FACTOR, Building, Demand, DemandJustification
 from core.codes.limits import ORDINARY_LIFE
 from core.codes.national_hazard import national_range
@@ -17,6 +17,9 @@ from core.ground.scattered import SPREAD
 from core.setting.floors import GREATEST_STOREY, LEAST_STOREY
 from core.text.sentence import capital
 from core.wall.restitution import MODELS
+
+USUAL = Generate().count
+"""Motions of a generated set."""
 
 Reasons = WallJustification | DemandJustification
 
@@ -61,6 +64,7 @@ def raised_by_demand(case: Case) -> set[str]:
         "histories": not case.analysis.histories,
         "scatter": any(record.kind == "artificial" for record in case.record)
         or (case.generate is not None and case.generate.scatter < SPREAD),
+        "count": case.generate is not None and is_number(case.generate.count) and case.generate.count > USUAL,
         "limit_state": demand.limit_state == "SLC" and demand.return_period is None,
         "zeta_target": is_number(demand.zeta_target) and demand.zeta_target < 1.0,
         "soil_factor": is_number(demand.soil_factor) and demand.soil_factor < 1.0,

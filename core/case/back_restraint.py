@@ -43,11 +43,15 @@ def with_choice(table: dict) -> dict:
     return {"restraint_note": said, **table, "back_restraint": found}
 
 
-GONE = re.compile(
-    r"\b(?:crollat|demolit|rimoss|mancant|assent|inesistent|collapsed|demolished|removed|missing|absent)\w*",
-    re.IGNORECASE,
+_GONE = re.compile(r"\b(?:crollat|demolit|rimoss|inesistent|collapsed|demolished|removed)\w*", re.IGNORECASE)
+SHORT = 3
+"""Words of a note that are too few to speak of anything else than what holds the wall."""
+
+_CITED = re.compile(
+    r"\b(?:report|relazione|prova|prove|test|circolare|ntc|norma|normativa|code|legge|law|tab)\b", re.IGNORECASE
 )
-"""Words of a note by which what is said to hold a wall is not there."""
+"""What is cited by a number."""
+
 
 _FILLERS = """
     none nothing nobody unknown tbd tbc todo null nd na not no yes ok test nessuno nessuna nessun niente nulla ignoto
@@ -69,5 +73,14 @@ def names_something(text: str) -> bool:
     """Whether a text names something, as far as a program can tell."""
     letters = [letter for letter in text.casefold() if letter.isalpha()]
     several = len(letters) >= MIN_LETTERS and len(set(letters)) >= MIN_LETTERS
-    words = "".join(letter if letter.isalpha() else " " for letter in text.casefold()).split()
-    return several and not FILLERS.issuperset(words)
+    cited = any(map(str.isdigit, text)) and _CITED.search(text)
+    return several and (bool(cited) or not FILLERS.issuperset(_words(text)))
+
+
+def says_gone(note: str) -> bool:
+    """Whether a note says no more than that what holds the wall is not there."""
+    return len(_words(note)) <= SHORT and bool(_GONE.search(note))
+
+
+def _words(text: str) -> list[str]:
+    return "".join(letter if letter.isalpha() else " " for letter in text.casefold()).split()

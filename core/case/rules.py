@@ -5,7 +5,7 @@ import json
 import math
 from dataclasses import fields, replace
 
-from core.case.back_restraint import GONE, names_something
+from core.case.back_restraint import names_something, says_gone
 from core.case.hazard_table import check_rising
 from core.case.held_top import check_held_top
 from core.case.hinges import check_hinges, numbers_above, parts
@@ -201,7 +201,7 @@ def check_wall(case: Case, wall: Wall) -> None:
     note = wall.restraint_note
     if wall.back_restraint == "other" and not names_something(note):
         raise InputError("restraint_unnamed", place=(place("wall", name=wall.title),), key="restraint_note")
-    if note and (not names_something(note) or GONE.search(note)):
+    if note.strip() and (not names_something(note) or says_gone(note)):
         raise InputError("note_says_nothing", place=(place("wall", name=wall.title),), key="restraint_note", value=note)
 
 

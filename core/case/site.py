@@ -40,6 +40,7 @@ class DemandJustification:
     participation: str = text_key()
     histories: str = text_key()
     scatter: str = text_key()
+    count: str = text_key()
     limit_state: str = text_key()
     zeta_target: str = text_key()
     soil_factor: str = text_key()

@@ -31,6 +31,9 @@ ASKED = (
 )
 """Keys of inputs that are no limit of a verdict where they do not raise zeta."""
 
+WORDLESS = ("seed", "inertia_over_mass_m2", "elastic_modulus_mpa")
+"""Keys that no words justify: other values of them are none to state a reason for."""
+
 Shown = float | str | Sentence
 """A value as the table shows it: a number, a name of the case, or words."""
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from core.capacity.bisection import BRACKET
-from core.codes.assumption import ASKED, DECLARED, EDGE, RESTRAINT, TOGETHER, Assumption, table
+from core.codes.assumption import ASKED, DECLARED, EDGE, RESTRAINT, TOGETHER, WORDLESS, Assumption, table
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import ROUNDING, Check, Kinematic
@@ -238,7 +238,8 @@ def verdict(
 
 def _reasoned(assumed: Iterable[Assumption]) -> tuple[Key, ...]:
     """Keys whose other ends would turn the outcome, but for the engineer's reason."""
-    return tuple(Key(row.key) for row in assumed if row.turns and row.reason and row.key != RESTRAINT)
+    founded = [row.key for row in assumed if row.turns and row.reason and not row.permitted and row.key != RESTRAINT]
+    return tuple(map(Key, dict.fromkeys(founded)))
 
 
 def _code(seen: Evidence, blocked: bool, agrees: bool) -> str:
@@ -350,6 +351,8 @@ def _to_do(code: str, blocking: list[Sentence], assumed: tuple[Assumption, ...])
         for row in assumed:
             if row.words in blocking and row.key == RESTRAINT and row.source == DECLARED:
                 found.append(_reason("to_evidence", key=Key("restraint_evidence")))
+            elif row.words in blocking and row.key in WORDLESS:
+                found.append(_reason("to_usual", key=Key(row.key)))
             elif row.words in blocking and row.key not in (TOGETHER, RESTRAINT):
                 found.append(_reason("give_reason", key=Key(row.key), reasons=Key("justification")))
         found += mends

@@ -22,6 +22,12 @@ MIN_STEP, MAX_STEP = 1e-5, 0.5
 """Time steps accepted [s]."""
 
 
+def check_step(time_step: float) -> None:
+    """Raise RecordError for a time step [s] that no record has."""
+    if not MIN_STEP <= time_step <= MAX_STEP:
+        raise RecordError("time_step", step=time_step, low=MIN_STEP, high=MAX_STEP)
+
+
 @dataclass(frozen=True)
 class GroundMotion:
     """An accelerogram, linear between samples.
@@ -56,8 +62,7 @@ class GroundMotion:
         samples = np.ascontiguousarray(self.acceleration, dtype=np.float64).copy()
         samples.flags.writeable = False
         object.__setattr__(self, "acceleration", samples)
-        if not MIN_STEP <= self.time_step <= MAX_STEP:
-            raise RecordError("time_step", step=self.time_step, low=MIN_STEP, high=MAX_STEP)
+        check_step(self.time_step)
         if samples.size < 10:
             raise RecordError("too_few_samples", n=samples.size)
         if not np.isfinite(samples).all():

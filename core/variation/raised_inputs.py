@@ -156,7 +156,8 @@ def _of_the_set(found: Evaluation) -> Iterator[Raised]:
         said = {"given": asked.count, "usual": usual}
         permitted = MEAN_FROM <= asked.count < usual  # fewer are no set whose mean counts, more may be chosen by zeta
         code = "lift_count" if asked.count < usual else "lift_more"
-        yield one_end("count", code, None, float(asked.count), end, permitted=permitted, **said)
+        reasons = None if permitted else scene.asked.justification
+        yield one_end("count", code, reasons, float(asked.count), end, permitted=permitted, **said)
     first = demand_input.DEFAULT_SET.seed
     if asked.seed != first:
         other = replace(asked, seed=first)
@@ -219,19 +220,20 @@ def _of_the_edge(scene: Scene) -> Iterator[Raised]:
     weakest, least = least_strength(wall.masonry), _setback_at(wall, wall.masonry)
     of_any = _setback_at(wall, None)
     if wall.masonry and of_any > max(least, wall.setback) and wall.compressive_strength_mpa is None:
-        end = End(_turning_inside(of_any, masonry=None), sentence("word", "masonry_unknown"))
+        end = End(_turning_inside(wall, of_any, masonry=None), sentence("word", "masonry_unknown"))
         named_type = sentence("word", f"choice_{wall.masonry}")
         said = {"masonry": named_type, "cm": 100.0 * of_any}
         yield one_end("masonry", "lift_masonry", None, named_type, end, permitted=True, **said)
     if wall.setback >= least * (1.0 - 1e-9):
         return
-    there = _turning_inside(least)
+    there = _turning_inside(wall, least)
     f, cm = wall.compressive_strength_mpa, 100.0 * least
     if f is None:
         source = GIVEN if wall.hinge_setback_m else DEFAULT
         given, end = wall.hinge_setback_m, End(there, least)
         said = {"given": 100.0 * given, "cm": cm, "f": weakest}
-        yield one_end("hinge_setback_m", "lift_edge", None, given, end, source, permitted=True, **said)
+        code = "lift_edge" if wall.thickness is not None else "lift_edge_of_body"
+        yield one_end("hinge_setback_m", code, None, given, end, source, permitted=True, **said)
     elif f > weakest:
         tested = scene.demand.confidence_factor < FULL_FACTOR  # then the strength is that of tests, as it must be
         reasons = wall.justification
@@ -255,13 +257,15 @@ def _setback_at(wall: Wall, masonry: str | None) -> float:
     return LEAST_SETBACK
 
 
-def _turning_inside(setback: float, **values: Any) -> Change:
-    """The hinge at least so far inside the edge [m], whatever else has moved it."""
+def _turning_inside(given: Wall, setback: float, **values: Any) -> Change:
+    """The hinge at least so far inside the edge [m], whatever else has moved it. given : the wall as it is"""
 
     def change(scene: Scene) -> Scene:
         wall = scene.wall
-        nearer = wall.thickness is None or wall.setback < setback
-        return scene.but(wall=replace(wall, **values, **(_hinge_at(wall, setback) if nearer else {})))
+        there = _hinge_at(given, setback)
+        slender = there.get("slenderness_deg")
+        nearer = wall.setback < setback if slender is None else slender < (wall.slenderness_deg or 0.0)
+        return scene.but(wall=replace(wall, **values, **(there if nearer else {})))
 
     return change
 

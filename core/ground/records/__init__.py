@@ -9,7 +9,7 @@ import numpy as np
 
 from core.errors import InputError, RecordError
 from core.file_names import name_of, shown
-from core.ground.ground_motion import LARGE_PGA, SMALL_PGA, GroundMotion
+from core.ground.ground_motion import LARGE_PGA, SMALL_PGA, GroundMotion, check_step
 from core.ground.records import (
     california,
     film,
@@ -148,6 +148,7 @@ def _of_lines(content: bytes, lines: list[str], path: Path, options: Options, sc
     if parsed.unit is None:
         parsed.warnings.append(notice("unit_as_given", unit=unit))
     time_step = _agreed("time_step_s", parsed.time_step, options.time_step, parsed.lines)
+    check_step(time_step)
     motion = parsed.values * UNITS[unit] * scale
     warnings = [*parsed.warnings, *_doubts_as_read(parsed, time_step), *_doubts_of_motion(motion, time_step, scale)]
     _refuse_unused(options, title, parsed)

@@ -25,7 +25,7 @@ from core.text.sentence import notice
 
 _V2 = re.compile(
     rf"\s*(\d{{1,9}}) points of (acc|vel|dis)\w* data equally spaced at\s+({NUMBER})\s+sec\.?,?\s*"
-    r"(?:in units |in |\(units: ?)?(g\b|[a-z]+/[a-z/0-9]+)",
+    r"(?:in units |in |\(units: ?)?(g(?![\w/*^.])|[a-z]+/[a-z/0-9]+)",
     re.IGNORECASE,
 )
 _V1 = re.compile(

@@ -5,9 +5,10 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from core.errors import RecordError
+from core.ground.ground_motion import check_step
 from core.ground.records import plain
 from core.ground.records.channels import Channel, chosen, is_vertical
-from core.ground.records.grammar import Options, Parsed, quoted, to_count
+from core.ground.records.grammar import Options, Parsed, quoted, to_count, to_float
 
 _BEGIN = re.compile(r"LabVIEW Measurement", re.IGNORECASE)
 _ACCELERATION = re.compile(r"g|gal|[cm]?m/s(?:\^?2|²|/s)", re.IGNORECASE)
@@ -85,21 +86,41 @@ def _segment(lines: list[str], options: Options) -> tuple[_Segment, int]:
     unit_of = {place: units[place - 1] if place - 1 < len(units) else "" for place in places}
     if any(map(_ACCELERATION.fullmatch, unit_of.values())):  # forces and voltages beside them are none
         places = [place for place in places if _ACCELERATION.fullmatch(unit_of[place])]
+    _agree(head, places, len(rows))
     times = _times(rows, head, own, places, comma)
     return _Segment(names, rows, places, unit_of, times, mark, comma, options), ends[1] + 2
 
 
+def _agree(head: dict[str, list[str]], places: list[int], n: int) -> None:
+    """Raise RecordError where the head counts other rows, packets of as many among them, or its X is no time in
+    seconds. places : of the channels; n : rows"""
+    for key, accepted in (("X_Dimension", ("", "time")), ("X_Unit_Label", ("", "s", "sec", "second", "seconds"))):
+        if other := next((cell for cell in head.get(key, []) if cell.lower() not in accepted), ""):
+            raise RecordError("lvm_abscissa", found=quoted(other))
+    samples = head.get("Samples", [])
+    for place in places:
+        said = samples[place - 1] if place - 1 < len(samples) else ""
+        declared = to_count(said) if said.isascii() and said.isdigit() else 0
+        if declared and n % declared:
+            raise RecordError("count_differs", n=n, declared=declared)
+
+
 def _times(rows: list[list[str]], head: dict[str, list[str]], own: str, places: list[int], comma: bool) -> list[str]:
-    """The time of each row as text: as written, else by X0 and Delta_X."""
+    """The time of each row as text: as written, else by X0 and Delta_X, which all channels must share.
+    Raises RecordError."""
 
     def written(text: str) -> str:
         return text.strip().replace(",", ".") if comma else text.strip()
 
     if own == "no":
-        try:
-            step, first = (float(written(head[key][0])) for key in ("Delta_X", "X0"))
-        except (KeyError, IndexError, ValueError):
-            raise RecordError("head_lacks", label="Delta_X, X0") from None
+        known = [head.get(key, []) for key in ("X0", "Delta_X")]
+        said = [[written(values[place - 1]) for place in places if place <= len(values)] for values in known]
+        if not all(said):
+            raise RecordError("head_lacks", label="Delta_X, X0")
+        if any(len(set(values)) > 1 for values in said):
+            raise RecordError("lvm_times")
+        first, step = (to_float(values[0]) for values in said)
+        check_step(step)
         return [repr(first + k * step) for k in range(len(rows))]
     if own == "multi":
         for row in rows:

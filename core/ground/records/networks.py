@@ -26,7 +26,6 @@ from core.ground.records.grammar import (
 )
 from core.text.sentence import Sentence, notice
 
-_LABEL = re.compile(r"\s*([^:]*?)\s*:\s*(.*?)\s*$")
 _NSMN = re.compile(r"\s*STRONG GROUND MOTION RECORDS OF TURKIYE", re.IGNORECASE)
 _NSMN_COLUMNS = re.compile(r"\s*N-S\s+E-W\s+U-D\s*$")
 _NSMN_PEAKS = re.compile(rf"\(N-S\)\s*({NUMBER})\s*\(E-W\)\s*({NUMBER})\s*\(U-D\)\s*({NUMBER})")
@@ -55,8 +54,8 @@ TENTH_OF_G = 0.1
 
 def _labels(lines: list[str]) -> dict[str, str]:
     """Label -> value of the lines of a head."""
-    found = (_LABEL.match(line[:300]) for line in lines)
-    return {match[1].strip(): match[2] for match in found if match and match[1].strip()}
+    found = (line[:300].partition(":") for line in lines)
+    return {label.strip(): value.strip() for label, mark, value in found if mark and label.strip()}
 
 
 def recognises_nsmn(lines: list[str]) -> bool:
@@ -90,19 +89,17 @@ def read_nsmn(lines: list[str], options: Options) -> Parsed:
 
     def column(k: int) -> Parsed:
         peak = to_float(peaks[k + 1]) if peaks else None
-        return _channel(table[:, k], step, "cm/s2", peak, details)
+        return _channel(table[:, k], step, peak, details, start)
 
     names = ("N-S", "E-W", "U-D")
     return chosen([Channel(name, name == "U-D", partial(column, k)) for k, name in enumerate(names)], options)
 
 
 def _channel(
-    values, step: float, unit: str, peak: float | None, details, warnings: tuple[Sentence, ...] = ()
+    values, step: float, peak: float | None, details, first: int, warnings: tuple[Sentence, ...] = ()
 ) -> Parsed:
-    """One column of a table whose count was checked, raw."""
-    if not step > 0.0:
-        raise RecordError("not_a_time_step", label="s", text=f"{step:g}")
-    parsed = Parsed(np.asarray(values), step, unit, counted=True, details=details)
+    """One column [cm/s2] of a table whose count was checked, raw. first : lines above it"""
+    parsed = Parsed(np.asarray(values), step, "cm/s2", counted=True, details=details, told=(first, len(values)))
     agree_with_peak(parsed, peak)
     parsed.warnings += [*warnings, notice("unprocessed")]
     return parsed
@@ -141,8 +138,13 @@ def read_unam(lines: list[str], options: Options) -> Parsed:
     table = [fixed_width(line, UNAM_WIDTH) for line in rows]
     if len(set(steps)) != 1 or any(row is None or len(row) != len(names) for row in table):
         raise RecordError("columns_not", n=len(names))
-    most, warnings = int(max(counts)), ()
-    if len(table) > most >= 1 and all(row == table[most - 1] for row in table[most:]):
+    rates = [one_number(text, "VEL. DE MUESTREO") for text in listed("VEL. DE MUESTREO, C1-C6")]
+    if len(set(counts)) != 1 or not (counts[0] >= 1 and counts[0].is_integer()):
+        raise RecordError("head_lacks", label="NUM. TOTAL DE MUESTRAS")
+    if any(abs(rate * steps[0] - 1.0) > 1e-3 for rate in rates):
+        raise RecordError("head_lacks", label="INTERVALO DE MUESTREO, VEL. DE MUESTREO")
+    most, warnings = int(counts[0]), ()
+    if len(table) > most and all(row == table[most - 1] for row in table[most:]):
         warnings, table = (notice("surplus_dropped", count=len(table) - most),), table[:most]
     if len(table) != most:
         raise RecordError("count_differs", n=len(table), declared=most)
@@ -156,7 +158,7 @@ def read_unam(lines: list[str], options: Options) -> Parsed:
 
     def column(k: int) -> Parsed:
         peak = peaks[k] if len(peaks) == len(names) else None
-        return _channel(values[: int(counts[k]), k], steps[0], "cm/s2", peak, details, warnings)
+        return _channel(values[:, k], steps[0], peak, details, rules[1] + 1, warnings)
 
     return chosen([Channel(name, is_vertical(name), partial(column, k)) for k, name in enumerate(names)], options)
 
@@ -186,7 +188,7 @@ def read_csmnc(lines: list[str], options: Options) -> Parsed:
     parsed.channel, parsed.vertical = component, is_vertical(component)
     labels = _labels(head)
     standing = labels.get("OBSERVING POINT", "")
-    if standing and not standing.upper().startswith("G"):
+    if standing and not standing.upper().startswith(("G", "FREE")):
         parsed.warnings.append(notice("in_structure", words=quoted(standing)))
     if said[1]:
         parsed.warnings.append(notice("unprocessed"))

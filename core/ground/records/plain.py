@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from core.errors import RecordError, place
+from core.ground.ground_motion import MIN_STEP
 from core.ground.records import plain_head
 from core.ground.records.grammar import NUMBER, Options, Parsed, numbers, quoted, table_of, to_float
 from core.ground.records.head_units import refuse_other_quantity, stated_unit, take_unit
@@ -309,7 +310,7 @@ def _even_step(times, places, given: float | None) -> float:
     gap = 0 < broken.sum() <= 0.05 * steps.size
     candidates = [given] if given else []
     candidates += [float(f"{usual:.9g}")] if gap else [float(f"{mean:.{d}g}") for d in range(1, 12)]
-    candidates += [] if gap else [1.0 / max(1, round(1.0 / mean))] if 0 < mean < 1 else []
+    candidates += [] if gap else [1.0 / max(1, round(1.0 / mean))] if MIN_STEP < mean < 1 else []
     for dt in candidates:
         if (np.abs(times - times[0] - dt * index) <= printed).all() and (steps >= 0.0).all():
             return dt

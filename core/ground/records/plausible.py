@@ -118,9 +118,11 @@ def _repeated(values: np.ndarray) -> Iterator[Sentence]:
     order = np.argsort(marks, kind="stable")
     same = np.flatnonzero(marks[order][1:] == marks[order][:-1])
     pairs = np.sort(np.column_stack([order[same], order[same + 1]]), axis=1)
+    strong = np.abs(windows[pairs[:, 0]]).max(axis=1) > REPEATED_SHARE
+    apart = (np.diff(np.sort(windows[pairs[:, 0]], axis=1), axis=1) > 0.0).all(axis=1)
+    pairs = pairs[strong & apart]
     for first, second in pairs[np.argsort(pairs[:, 1], kind="stable")]:
-        piece = windows[first]
-        if np.unique(piece).size == n and np.abs(piece).max() > REPEATED_SHARE and (piece == windows[second]).all():
+        if (windows[first] == windows[second]).all():
             yield notice("repeats", sample=int(second) + 1, first=int(first) + 1)
             return
 

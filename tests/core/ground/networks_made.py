@@ -212,6 +212,10 @@ def lvm(own="One", comma=False, mark="\t", units=("m/s^2",), segments: int = 1) 
     )
 
 
+UNLIKE_STEPS = lvm("No", units=("m/s^2", "m/s^2")).replace(
+    b"Delta_X\t0.010000\t0.010000", b"Delta_X\t0.010000\t0.005000"
+)
+
 EXACT = {
     "NSMN": (nsmn(), {"channel": "N-S"}),
     "NSMN with tabs": (nsmn("\t:\t"), {"channel": "N-S"}),
@@ -219,6 +223,7 @@ EXACT = {
     "UNAM, vertical first": (unam(("V", "N00E", "N90E")), {"channel": "N00E"}),
     "UNAM, the last row three times": (unam(extra=2), {"channel": "N00E"}),
     "CSMNC": (csmnc(), {}),
+    "CSMNC, free field": (csmnc(point="FREE FIELD"), {}),
     "CSMNC corrected": (csmnc("CORRECTED ACCELERATION"), {}),
     "CSMNC as printed": (csmnc("UNCORRECTED ACCCELERATION", "G"), {}),
     "USC volume 2": (usc_two(), {}),
@@ -248,6 +253,14 @@ REFUSED = {
     "LabVIEW, commas twice": (lvm(comma=True, mark=","), {}, "lvm_marks"),
     "LabVIEW, volts": (lvm(units=("Volts",)), {}, "unit_not_read"),
     "LabVIEW, no unit": (lvm(units=("",)), {}, "no_unit"),
+    "LabVIEW, another count": (lvm().replace(b"Samples\t40", b"Samples\t41"), {}, "count_differs"),
+    "LabVIEW, a spectrum": (lvm().replace(b"X0\t", b"X_Dimension\tFrequency\nX0\t"), {}, "lvm_abscissa"),
+    "LabVIEW, milliseconds": (lvm().replace(b"X0\t", b"X_Unit_Label\tms\nX0\t"), {}, "lvm_abscissa"),
+    "LabVIEW, steps of their own": (UNLIKE_STEPS, {"channel": "a1"}, "lvm_times"),
+    "CSMIP in tenths of g": (raw_in_g().replace(b"(UNITS: G)", b"(UNITS: G/10)"), {}, "unit_not_acceleration"),
+    "UNAM, unlike counts": (unam().replace(b"/40/40/40", b"/40/-5/40"), {"channel": "2"}, "head_lacks"),
+    "UNAM, another rate": (unam().replace(b"/100/100/100", b"/50/50/50"), {"channel": "2"}, "head_lacks"),
+    "CSMNC, no step": (csmnc().replace(b"OF:  0.01", b"OF:  0.0"), {}, "time_step"),
     "NSMN, another count": (nsmn(declared=N + 1), {"channel": "N-S"}, "count_differs"),
     "NSMN, no unit": (nsmn(unit="x"), {"channel": "N-S"}, "head_lacks"),
     "UNAM, another count": (unam(declared=N + 5), {"channel": "V"}, "count_differs"),

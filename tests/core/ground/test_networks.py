@@ -8,7 +8,7 @@ from core.units import G
 from tests.conftest import ROOT
 from tests.core.ground import dialects
 from tests.core.ground.dialects import DIALECTS, MOTION, STEP, N
-from tests.core.ground.networks_made import EXACT, REFUSED, TENTH, TENTHS, csmnc, film, unam
+from tests.core.ground.networks_made import EXACT, REFUSED, TENTH, TENTHS, csmnc, film, lvm, unam
 from tests.core.ground.test_dialects import read
 from tests.core.ground.test_signatures import MADE
 
@@ -71,6 +71,23 @@ def test_that_uneven_pairs_are_drawn_on_a_grid_and_doubted_as_they_stand_in_the_
     assert "drawn_on_grid" in {warning.code for warning in found.warnings}
 
 
+@pytest.mark.parametrize("step", [0.0, -0.01, 1e-320, 1e300])
+def test_that_a_step_no_record_has_is_refused_in_any_format(step):
+    for content, given in (
+        (dialects.peer(f"NPTS= 40, DT= {step:.3e} SEC"), {}),
+        (csmnc().replace(b"OF:  0.01", f"OF:  {step}".encode()), {}),
+        (lvm("No").replace(b"Delta_X\t0.010000", f"Delta_X\t{step}".encode()), {}),
+        ("\n".join(f"{a}" for a in MOTION).encode() + b"\n", {"unit": "g", "time_step": step}),
+    ):
+        with pytest.raises(RecordError):
+            read(content, **given)
+
+
+def test_that_long_blank_heads_are_read_in_linear_time():
+    """150 lines of 299 blanks took 5 s."""
+    read(unam().replace(b"=" * 80, b"=" * 80 + b"\n" + (b" " * 299 + b"x\n") * 100, 1), channel="V")
+
+
 def test_that_channels_keep_their_names_and_directions():
     with pytest.raises(RecordError) as caught:
         read(unam())
@@ -82,7 +99,8 @@ def test_that_channels_keep_their_names_and_directions():
 
 def test_that_a_point_on_a_structure_and_a_peak_elsewhere_are_named():
     assert "in_structure" in {warning.code for warning in read(csmnc(point="ROOF 12F")).warnings}
-    assert "in_structure" not in {warning.code for warning in read(csmnc()).warnings}
+    for point in ("GROUND", "G", "FREE FIELD"):
+        assert "in_structure" not in {warning.code for warning in read(csmnc(point=point)).warnings}
     assert "peak_elsewhere" in {warning.code for warning in read(csmnc(at=12.0)).warnings}
 
 

@@ -617,6 +617,36 @@ def test_that_an_outcome_that_rests_on_a_reason_says_so():
     raise AssertionError("no wall between 0.5 and 1")
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Circolare 7/2019, Tab. C8.5.I",
+        "NTC 2018 8.5.4",
+        "Test report 12/2023",
+        "relazione di prova n. 123/2024",
+        "Rimosso l'intonaco: ammorsamento visibile",
+        "la volta crollata nel 1976 fu ricostruita",
+        "tramezzi demoliti, muri di spina in opera",
+        "lesioni assenti",
+        "giunti mancanti di malta risarciti",
+    ],
+)
+def test_that_what_names_something_is_accepted(words):
+    """A citation with its number; what was taken away to see the masonry."""
+    wall = LONE | {"restraint_note": words}
+    demand = {**NTC_AG, "zeta_target": 0.6, "justification": {"zeta_target": words}}
+    assert found_of(wall, demand).walls[0].assessment.verdict.code
+
+
+def test_that_a_general_body_is_moved_once_and_its_row_says_what_it_is():
+    """About the hinge itself it is given: masonry and edge together move it by the larger of both."""
+    general = {key: value for key, value in LONE.items() if key not in ("height_m", "thickness_m")}
+    general |= {"radius_m": 2.0, "slenderness_deg": 5.0, "inertia_over_mass_m2": 5.4, "masonry": "solid_brick"}
+    rows = rows_of(found_of(general, {"ag_g": 0.02, "spectrum": NTC}))
+    assert rows["hinge_setback_m"]["text_en"].startswith("The body is given about its hinge")
+    assert rows["together"]["zeta"] == pytest.approx(rows["masonry"]["zeta"])
+
+
 @pytest.mark.parametrize("note", ["da definire", "non so", "muri trasversali crollati", "demolished in 1950"])
 def test_that_a_note_that_denies_what_holds_the_wall_is_refused(note):
     with pytest.raises(InputError, match="note"):
