@@ -12,6 +12,8 @@ from core.codes.risk import Risk, risk
 from core.codes.verdict import Verdict, passes_with_q2, verdict
 from core.codes.verdict_sentence import declared
 from core.errors import InputError
+from core.ground.ground_motion import GroundMotion
+from core.ground.record_folder import DOUBTED, ELSEWHERE
 from core.setting.floors import LOW_CODE, building_notes
 from core.setting.plan import MANY
 from core.setting.scene import Scene
@@ -122,13 +124,7 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
         ratio = scene.floor.code_over_records(kinematic)
     if ratio is not None and ratio < LOW_CODE:
         limits.append(sentence("reason", "code_below_records", ratio=ratio))
-    life = scene.asked.reference_period
-    if life is not None and life < ORDINARY_LIFE * (1.0 - 1e-9) and not demand.hazard:
-        limits.append(sentence("reason", "short_life", years=life, least=ORDINARY_LIFE))
-    if dynamic and scene.by_default:
-        limits.append(_by_default(found))
-    elif dynamic and any(motion.format == GENERATED for motion in scene.ground):
-        limits.append(sentence("reason", "generated_motions"))
+    limits += _of_life_and_records(found)
     limits += [*_of_bending(kinematic), *_of_ties_not_counted(found), *_of_ties_that_lower(found, cancelled)]
     limits += _of_a_thicker_wall(found)
     if found.zeta is not None and not made:
@@ -147,6 +143,26 @@ def _fails_whatever_is_assumed(found: Evaluation) -> bool:
     """Whether no row of the table of assumptions can change the outcome: the check that decides fails, and so does the
     one with q = 2, which a row may only make fail."""
     return not found.satisfied and not passes_with_q2(found.made("linear_q_code"), found.scene.demand.zeta_target)
+
+
+def _of_life_and_records(found: Evaluation) -> list[Sentence]:
+    """What a short life without the hazard, motions that are generated, and records that are doubted leave open."""
+    scene, dynamic, limits = found.scene, found.dynamic, []
+    life = scene.asked.reference_period
+    if life is not None and life < ORDINARY_LIFE * (1.0 - 1e-9) and not scene.demand.hazard:
+        limits.append(sentence("reason", "short_life", years=life, least=ORDINARY_LIFE))
+    if dynamic and scene.by_default:
+        limits.append(_by_default(found))
+    elif dynamic and any(motion.format == GENERATED for motion in scene.ground):
+        limits.append(sentence("reason", "generated_motions"))
+    if dynamic and (doubted := [motion.name for motion in scene.ground if _is_doubted(motion)]):
+        limits.append(sentence("reason", "records_doubted", n=len(doubted), names=", ".join(doubted[:3])))
+    return limits
+
+
+def _is_doubted(motion: GroundMotion) -> bool:
+    """Whether a notice of a record says that its samples are no motion of the ground in the open, or may not be."""
+    return any(notice.code in DOUBTED or notice.code in ELSEWHERE for notice in motion.warnings)
 
 
 def _by_default(found: Evaluation) -> Sentence:

@@ -48,10 +48,27 @@ def test_a_derivation_in_the_form_of_an_italian_note(verdict):
     assert "a_0* = α0/(e* FC) = 0,1186/(1,000 · 1,35) = 0,0878" in lines
 
 
-def test_that_each_line_of_a_derivation_gives_its_result(building, verdict):
+@pytest.fixture(scope="module")
+def held():
+    """A wall held at its top, with a load, on the ground of a building."""
+    load = {"kind": "vertical", "kn_m": 20.0, "h_m": 3.5, "d_m": 0.15, "mass": "none"}
+    wall = {"name": "v", "height_m": 3.5, "thickness_m": 0.3, "mechanism": "vertical_bending", "base_z_m": 0.0}
+    wall |= {
+        "unit_weight_kn_m3": 18.0,
+        "back_restraint": "tied_floors",
+        "restraint_evidence": "drawing",
+        "load": [load],
+    }
+    spectrum = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
+    building = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
+    case = parse_case({"wall": [wall], "building": building, "demand": {"ag_g": 0.3, "spectrum": spectrum}})
+    return run(case, base_dir=ROOT)
+
+
+def test_that_each_line_of_a_derivation_gives_its_result(building, verdict, held):
     """The numbers of a line, computed as they stand there, give the result to the digits they are written with."""
     counted = 0
-    for result in (building, verdict):
+    for result in (building, verdict, held):
         for step in steps_of(note(result, "en")):
             written = step.in_numbers("en")
             if not written or "κ" in step.formula:

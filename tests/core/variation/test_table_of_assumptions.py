@@ -651,3 +651,22 @@ def test_that_a_general_body_is_moved_once_and_its_row_says_what_it_is():
 def test_that_a_note_that_denies_what_holds_the_wall_is_refused(note):
     with pytest.raises(InputError, match="note"):
         found_of(LONE | {"restraint_note": note}, NTC_AG)
+
+
+def test_that_records_which_are_doubted_are_a_limit_of_the_verdict(fine, tmp_path):
+    rng = np.random.default_rng(4)
+    motion = np.convolve(rng.normal(size=1500), np.ones(6) / 6.0, "same") * np.hanning(1500)
+    motion -= motion.sum() * np.hanning(1500) / np.hanning(1500).sum()
+    kinds = {"sound": (motion, "garden"), "roof": (motion[::-1], "roof"), "twice": (np.tile(motion, 2), "garden")}
+    for name, (values, head) in kinds.items():
+        rows = "\n".join(f"{value:.6f}" for value in values)
+        (tmp_path / f"{name}.txt").write_text(f"station X, {head}; acceleration in m/s2, dt = 0.01 s\n{rows}\n")
+
+    def said(*names: str) -> list[str]:
+        records = [{"file": f"{name}.txt"} for name in names]
+        found = run(parse_case({"wall": [LONE], "demand": NTC_AG, "record": records}), base_dir=tmp_path)
+        return [one.text("en") for one in found.walls[0].assessment.verdict.limits if one.code == "records_doubted"]
+
+    assert said("sound") == []
+    (words,) = said("sound", "roof", "twice")
+    assert words.startswith("2 record(s) are doubted") and "roof, twice" in words
