@@ -119,38 +119,18 @@ def read_unam(lines: list[str], options: Options) -> Parsed:
     rules = [k for k in range(place + 1, min(place + 12, len(lines))) if _RULE.match(lines[k])]
     if len(rules) < 2:
         raise RecordError("head_lacks", label="DATOS DE ACELERACION")
-
-    def listed(label: str) -> list[str]:
-        said = next((value for key, value in head.items() if key.startswith(label)), "")
-        return [part.strip() for part in said.split("/") if part.strip()]
-
-    names, unit = listed("ORIENTACION C1-C6"), head.get("UNIDADES DE LOS DATOS", "")
-    if not unit.lower().startswith("gal"):
-        raise RecordError("unit_not_acceleration", unit=quoted(unit))
-    if head.get("FACTOR DE DECIMACION", "1") not in ("1", "1.0", ""):
-        raise RecordError("head_lacks", label="FACTOR DE DECIMACION 1")
-    steps = [one_number(text, "INTERVALO DE MUESTREO") for text in listed("INTERVALO DE MUESTREO, C1-C6")]
-    counts = [one_number(text, "NUM. TOTAL DE MUESTRAS") for text in listed("NUM. TOTAL DE MUESTRAS, C1-C6")]
-    peaks = [one_number(text, "ACEL. MAX.") for text in listed("ACEL. MAX.(Gal), C1-C6")]
-    if not names or len(set(names)) != len(names) or not len(names) == len(steps) == len(counts):
-        raise RecordError("head_lacks", label="ORIENTACION, INTERVALO DE MUESTREO, NUM. TOTAL DE MUESTRAS")
-    rows = [line for line in lines[rules[1] + 1 :] if line.strip()]
-    table = [fixed_width(line, UNAM_WIDTH) for line in rows]
-    if len(set(steps)) != 1 or any(row is None or len(row) != len(names) for row in table):
+    names, step, most, peaks = _unam_channels(head)
+    table = [fixed_width(line, UNAM_WIDTH) for line in lines[rules[1] + 1 :] if line.strip()]
+    if any(row is None or len(row) != len(names) for row in table):
         raise RecordError("columns_not", n=len(names))
-    rates = [one_number(text, "VEL. DE MUESTREO") for text in listed("VEL. DE MUESTREO, C1-C6")]
-    if len(set(counts)) != 1 or not (counts[0] >= 1 and counts[0].is_integer()):
-        raise RecordError("head_lacks", label="NUM. TOTAL DE MUESTRAS")
-    if any(abs(rate * steps[0] - 1.0) > 1e-3 for rate in rates):
-        raise RecordError("head_lacks", label="INTERVALO DE MUESTREO, VEL. DE MUESTREO")
-    most, warnings = int(counts[0]), ()
+    warnings: tuple[Sentence, ...] = ()
     if len(table) > most and all(row == table[most - 1] for row in table[most:]):
         warnings, table = (notice("surplus_dropped", count=len(table) - most),), table[:most]
     if len(table) != most:
         raise RecordError("count_differs", n=len(table), declared=most)
     values = np.array(table)
     details = (
-        ("event", " ".join(listed("MAGNITUD"))),
+        ("event", head.get("MAGNITUD(ES)", "").strip("/ ")),
         ("station", head.get("CLAVE DE LA ESTACION", "")),
         ("date", head.get("FECHA DEL SISMO [GMT]", "")),
         ("processing", "none"),
@@ -158,9 +138,37 @@ def read_unam(lines: list[str], options: Options) -> Parsed:
 
     def column(k: int) -> Parsed:
         peak = peaks[k] if len(peaks) == len(names) else None
-        return _channel(values[:, k], steps[0], peak, details, rules[1] + 1, warnings)
+        return _channel(values[:, k], step, peak, details, rules[1] + 1, warnings)
 
     return chosen([Channel(name, is_vertical(name), partial(column, k)) for k, name in enumerate(names)], options)
+
+
+def _unam_channels(head: dict[str, str]) -> tuple[list[str], float, int, list[float]]:
+    """(names of the channels, step [s], count of samples, peaks [gal]) by the labels of a head, one step and one count
+    for all. Raises RecordError."""
+
+    def listed(label: str) -> list[str]:
+        said = next((value for key, value in head.items() if key.startswith(label)), "")
+        return [part.strip() for part in said.split("/") if part.strip()]
+
+    def numbers_of(label: str) -> list[float]:
+        return [one_number(text, label) for text in listed(label)]
+
+    unit = head.get("UNIDADES DE LOS DATOS", "")
+    if not unit.lower().startswith("gal"):
+        raise RecordError("unit_not_acceleration", unit=quoted(unit))
+    if head.get("FACTOR DE DECIMACION", "1") not in ("1", "1.0", ""):
+        raise RecordError("head_lacks", label="FACTOR DE DECIMACION 1")
+    names = listed("ORIENTACION C1-C6")
+    steps, counts = numbers_of("INTERVALO DE MUESTREO, C1-C6"), numbers_of("NUM. TOTAL DE MUESTRAS, C1-C6")
+    if not names or len(set(names)) != len(names) or not len(names) == len(steps) == len(counts):
+        raise RecordError("head_lacks", label="ORIENTACION, INTERVALO DE MUESTREO, NUM. TOTAL DE MUESTRAS")
+    if len(set(counts)) != 1 or not (counts[0] >= 1 and counts[0].is_integer()):
+        raise RecordError("head_lacks", label="NUM. TOTAL DE MUESTRAS")
+    rates = numbers_of("VEL. DE MUESTREO, C1-C6")
+    if len(set(steps)) != 1 or any(abs(rate * steps[0] - 1.0) > 1e-3 for rate in rates):
+        raise RecordError("head_lacks", label="INTERVALO DE MUESTREO, VEL. DE MUESTREO")
+    return names, steps[0], int(counts[0]), numbers_of("ACEL. MAX.(Gal), C1-C6")
 
 
 def recognises_csmnc(lines: list[str]) -> bool:
