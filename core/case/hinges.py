@@ -74,14 +74,14 @@ def usual_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
     if wall.height_m is None or wall.thickness is None or wall.bends:
         return ()
     loads = (*(load.h_m for load in wall.load), *([] if wall.tie_height_m is None else [wall.tie_height_m]))
-    shape = [
-        min(z for _, z in part.polygon) for part in wall_body.parts_of(wall) if part.weight > 0.0 and not part.wedge
-    ]
+    parts = wall_body.parts_of(wall)
+    shape = [min(z for _, z in part.polygon) for part in parts if part.weight > 0.0 and not part.wedge]
+    shape += wall_body.face_jumps(parts)
     eaves = [wall_body.shoulder(wall)] if wall.gable_m else []
     heights = sorted({*loads, *shape, *eaves, *(storey_ends(wall, building) if building else ())})
     found: list[float] = []
     for height in heights:
-        faces = wall_body.faces_at(wall_body.parts_of(wall), height) if wall_body.has_shape(wall) else None
+        faces = wall_body.contact_at(parts, height) if wall_body.has_shape(wall) else None
         thickness = min(faces[1] - faces[0], wall.thickness) if faces else wall.thickness
         highest = wall.height_m - max(SLENDER_ABOVE * thickness, LEAST_ABOVE)
         if LEAST_ABOVE <= height <= highest + 1e-9 and (not found or height - found[-1] > SAME_HINGE):

@@ -6,7 +6,7 @@ from dataclasses import MISSING, dataclass
 from core.case.keys import choice_key, flag_key, key, number_key, path_key
 from core.errors import InputError, place
 from core.wall.body import cut_above
-from core.wall.wall_body import faces_at, has_shape, parts_of, shoulder
+from core.wall.wall_body import contact_at, has_shape, parts_of, shoulder
 
 
 @dataclass(frozen=True)
@@ -89,15 +89,15 @@ class Step:
 
 def above(wall, hinge: float) -> dict:
     """What changes of a wall above a hinge [m above its base], where it is no rectangle: the solids cut there, the base
-    between the faces at that height, and the wedges, whose crack begins at the hinge with the same inclination. Raises
-    InputError at a height without a solid."""
+    between the edges of what it rests on, and the wedges, whose crack begins at the hinge with the same inclination.
+    Raises InputError at a height without a solid."""
     if not has_shape(wall):
         return {}
     plain: dict = {"solid": (), "return_wedges": None, "gable_m": None, "openings": (), "steps": ()}
     parts = [part for part in parts_of(wall) if not part.wedge]
     if not parts:  # a rectangle written as solids
         return plain
-    faces = faces_at(parts, hinge)
+    faces = contact_at(parts, hinge)
     if faces is None:
         raise InputError("hinge_in_a_gap", place=(place("wall", name=wall.title),), key="hinge_heights", hinge=hinge)
     outer, inner = faces
@@ -128,6 +128,6 @@ def above(wall, hinge: float) -> dict:
 
 
 def outer_face(wall, hinge: float) -> float:
-    """x of the outer face of a wall at a height [m], from that of its base."""
-    faces = faces_at(parts_of(wall), hinge)
+    """x of the edge that the part of a wall above a height [m] turns about, from the outer face of its base."""
+    faces = contact_at(parts_of(wall), hinge)
     return faces[0] if faces else 0.0

@@ -16,6 +16,9 @@ RESTRAINT = "back_restraint"
 EDGE = "hinge_setback_m"
 """Key of the hinge at the edge: every wall has one, and its row is enough where it turns nothing."""
 
+SHOWN_ALONE = (EDGE, "unit_weight_kn_m3", "masonry")
+"""Keys whose row is enough where it turns nothing: no limit repeats it."""
+
 TOGETHER = "together"
 """Key of the last row: all others at their other ends."""
 

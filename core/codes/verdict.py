@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from core.capacity.bisection import BRACKET
-from core.codes.assumption import ASKED, DECLARED, EDGE, RESTRAINT, TOGETHER, WORDLESS, Assumption, table
+from core.codes.assumption import ASKED, DECLARED, RESTRAINT, SHOWN_ALONE, TOGETHER, WORDLESS, Assumption, table
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import ROUNDING, Check, Kinematic
@@ -200,7 +200,7 @@ def verdict(
     rests_on = [Key(row.key) for row in assumed if row.turns_q and row.open] if agrees else []
     code = outcome_of(seen, unfounded, bool(rests_on))
     limits = [*blocking, *own_limits]
-    quiet = [row for row in assumed if row.key == TOGETHER or (row.key == EDGE and not row.turns)]
+    quiet = [row for row in assumed if row.key == TOGETHER or (row.key in SHOWN_ALONE and not row.turns)]
     quiet += [row for row in assumed if row.key in ASKED and not row.raises]
     limits += [row.words for row in assumed if row.words not in limits and row not in quiet]
     if rests_on:

@@ -176,7 +176,7 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
         d0 = [_centroid_at_collapse(wall), Line(checks.d0_with_loads, kinematic.d0, note=SYMBOLS)]
     else:
         d0 = [Line(checks.D0_GIVEN, kinematic.d0, RUN, VALUE)]
-    largest = "largest between T_0 and T_{state}"
+    largest = "largest, T_0 to T_{state}"
     if kinematic.floor:
         s_de = Line(checks.S_DEZ_GIVEN, kinematic.s_de, RUN, VALUE, largest)
     elif isinstance(result.demand.target, CodeSpectrum):

@@ -313,6 +313,35 @@ def faces_at(parts, z: float) -> tuple[float, float] | None:
     return (min(found), max(found)) if found else None
 
 
+JUST_BELOW = 1e-4
+"""How far below a height the faces of what stands under it are taken [m]."""
+
+
+def contact_at(parts, z: float) -> tuple[float, float] | None:
+    """x of the outer and of the inner edge along which what stands above a height [m] rests on what is below it: the
+    faces that both share, not an overhang's. None where nothing is above, or nothing is shared."""
+    above, below = faces_at(parts, z), faces_at(parts, max(z - JUST_BELOW, 0.0))
+    if above is None or below is None:
+        return None
+    outer, inner = max(above[0], below[0]), min(above[1], below[1])
+    return (outer, inner) if inner > outer else None
+
+
+JUMP = 0.01
+"""How far a face moves at one height where the wall is said to step [m]."""
+
+
+def face_jumps(parts) -> list[float]:
+    """Heights [m] at which the outer or the inner face steps, between solids or within the outline of one."""
+    levels = sorted({z for part in parts if part.weight > 0.0 and not part.wedge for _, z in part.polygon if z > 0.0})
+    found = []
+    for z in levels:
+        above, below = faces_at(parts, z), faces_at(parts, z - JUST_BELOW)
+        if above and below and max(abs(a - b) for a, b in zip(above, below, strict=True)) > JUMP:
+            found.append(z)
+    return found
+
+
 @lru_cache(maxsize=256)
 def _sections_of(parts: tuple[Part, ...], length: float, top: float, count: int) -> tuple[Section, ...]:
     found = []

@@ -106,6 +106,7 @@ class Equation(Face):
     ):
         super().__init__(function)
         self.notation, self.leaf, self.point, self.language = notation, leaf, point, language
+        self.in_angle = False
 
     def within(self, node, least):
         pieces, precedence = self.of(node)
@@ -132,7 +133,9 @@ class Equation(Face):
         to, body = self.notation, self.inlined(name, arguments)
         if body is not None:
             return self.of(body)
+        outside, self.in_angle = self.in_angle, name in ("sin", "cos", "tan") and not isinstance(arguments[0], ast.Name)
         inner = ["".join(self.of(argument)[0]) for argument in arguments]
+        self.in_angle = outside
         if name == "sqrt":
             return [to.root(inner[0])], ATOM
         if name == "kilo":
@@ -148,7 +151,10 @@ class Equation(Face):
 
     def name(self, name):
         if (found := self.leaf(name)) is not None:
-            return [found], ATOM
+            degree = (
+                self.notation.run("°") if self.in_angle and name.endswith("_degrees") and self.point != THIN else ""
+            )
+            return [f"{found} {degree}" if degree else found], ATOM
         if name in CONSTANTS and (self.point == THIN or name == "pi"):
             return [self.notation.letter(CONSTANTS[name])], ATOM
         return self.constant(self.known(name))
