@@ -15,6 +15,7 @@ from core.ground.provenance import provenance, stations
 from core.ground.records.grammar import Options
 from tests.core.ground import dialects
 from tests.core.ground.dialects import DIALECTS, MOTION, STEP
+from tests.core.ground.networks_made import EXACT
 from tests.core.ground.test_records import ASKED
 from tests.core.ooxml.writers import WRITERS, Fault, Formula, Writer
 from tests.core.ooxml.writers import workbook as written_by
@@ -24,9 +25,9 @@ def read(content: bytes, **given):
     return records._motion(content, Path("x.txt"), Options(**given), 1.0, "x")
 
 
-@pytest.mark.parametrize("name", DIALECTS)
+@pytest.mark.parametrize("name", [*DIALECTS, *EXACT])
 def test_that_one_motion_is_the_same_bit_for_bit_in_every_dialect(name):
-    content, given = DIALECTS[name]
+    content, given = {**DIALECTS, **EXACT}[name]
     found = read(content, **given)
     assert np.array_equal(found.acceleration, MOTION)
     assert found.time_step == STEP

@@ -13,14 +13,6 @@ from tests.core.ground.test_dialects import read
 from tests.core.ground.test_signatures import MADE
 
 
-@pytest.mark.parametrize("name", EXACT)
-def test_that_the_motion_is_the_same_bit_for_bit_in_each_format(name):
-    content, given = EXACT[name]
-    found = read(content, **given)
-    assert np.array_equal(found.acceleration, MOTION)
-    assert found.time_step == STEP
-
-
 @pytest.mark.parametrize("name", TENTH)
 def test_that_parts_of_g_are_the_motion_in_g(name):
     content, given, factor = TENTH[name]
