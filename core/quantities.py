@@ -22,6 +22,7 @@ class Unit(NamedTuple):
 
 _KG = G
 _POUND, _FOOT, _INCH = 0.45359237 * G, 0.3048, 0.0254
+_METRES = ("metri", "metro", "metre", "metres", "meter", "meters")
 BASES = {
     **dict.fromkeys(("n", "newton"), Unit(1.0, force=1)),
     **dict.fromkeys(("dan",), Unit(10.0, force=1)),
@@ -32,23 +33,34 @@ BASES = {
     **dict.fromkeys(("gr", "grammi"), Unit(1e-3 * _KG, force=1)),
     **dict.fromkeys(("lb", "lbs", "lbf"), Unit(_POUND, force=1)),
     **dict.fromkeys(("kip", "kips"), Unit(1e3 * _POUND, force=1)),
-    **dict.fromkeys(("m", "mt", "ml", "metri", "metro", "metre", "metres", "meter", "meters"), Unit(1.0, length=1)),
+    **dict.fromkeys(("m", "mt", "ml", *_METRES), Unit(1.0, length=1)),
     **dict.fromkeys(("dm", "decimetri"), Unit(0.1, length=1)),
-    **dict.fromkeys(("cm", "centimetri", "centimetro", "centimetres", "centimeters"), Unit(0.01, length=1)),
-    **dict.fromkeys(("mm", "millimetri", "millimetro", "millimetres", "millimeters"), Unit(1e-3, length=1)),
+    **dict.fromkeys(
+        ("cm", "centimetri", "centimetro", "centimetre", "centimetres", "centimeter", "centimeters"),
+        Unit(0.01, length=1),
+    ),
+    **dict.fromkeys(
+        ("mm", "millimetri", "millimetro", "millimetre", "millimetres", "millimeter", "millimeters"),
+        Unit(1e-3, length=1),
+    ),
     **dict.fromkeys(("km", "chilometri"), Unit(1e3, length=1)),
     **dict.fromkeys(("ft", "foot", "feet", "piedi", "piede"), Unit(_FOOT, length=1)),
     **dict.fromkeys(("in", "inch", "inches", "pollici", "pollice"), Unit(_INCH, length=1)),
     **dict.fromkeys(("yd", "yard", "yards", "iarde"), Unit(3.0 * _FOOT, length=1)),
+    "um": Unit(1e-6, length=1),
+    "nm": Unit(1e-9, length=1),
     "mq": Unit(1.0, length=2),
     "cmq": Unit(1e-4, length=2),
     "mmq": Unit(1e-6, length=2),
     "mc": Unit(1.0, length=3),
     "cmc": Unit(1e-6, length=3),
-    **dict.fromkeys(("s", "sec", "secondi", "seconds"), Unit(1.0, time=1)),
-    **dict.fromkeys(("ms", "msec", "millisecondi"), Unit(1e-3, time=1)),
-    "min": Unit(60.0, time=1),
+    **dict.fromkeys(("s", "sec", "secs", "secondo", "secondi", "second", "seconds"), Unit(1.0, time=1)),
+    **dict.fromkeys(("ms", "msec", "millisecondo", "millisecondi", "millisecond", "milliseconds"), Unit(1e-3, time=1)),
+    **dict.fromkeys(("us", "usec", "microsecondi", "microseconds"), Unit(1e-6, time=1)),
+    **dict.fromkeys(("min", "minuti", "minutes"), Unit(60.0, time=1)),
+    **dict.fromkeys(("anno", "anni", "year", "years"), Unit(365.25 * 86400.0, time=1)),
     **dict.fromkeys(("hz", "hertz"), Unit(1.0, time=-1)),
+    "khz": Unit(1e3, time=-1),
     **dict.fromkeys(("pa", "pascal"), Unit(1.0, force=1, length=-2)),
     "kpa": Unit(1e3, force=1, length=-2),
     "mpa": Unit(1e6, force=1, length=-2),
@@ -64,14 +76,36 @@ BASES = {
     **dict.fromkeys(("mrad",), Unit(1e-3, angle=1)),
     **dict.fromkeys(("deg", "°", "gradi", "degrees", "degree"), Unit(0.017453292519943295, angle=1)),
     **dict.fromkeys(("gon", "gradicentesimali"), Unit(0.015707963267948967, angle=1)),
-    "g": Unit(G, length=1, time=-2),
-    "gal": Unit(0.01, length=1, time=-2),
+    **dict.fromkeys(("g", "g's", "gs", "gn"), Unit(G, length=1, time=-2)),
+    **dict.fromkeys(("mg", "millig"), Unit(1e-3 * G, length=1, time=-2)),
+    **dict.fromkeys(("ug", "microg"), Unit(1e-6 * G, length=1, time=-2)),
+    **dict.fromkeys(("%g", "%ofg"), Unit(0.01 * G, length=1, time=-2)),
+    **dict.fromkeys(("gal", "gals"), Unit(0.01, length=1, time=-2)),
+    **dict.fromkeys(("mgal", "mgals", "milligal", "milligals"), Unit(1e-5, length=1, time=-2)),
     "%": Unit(0.01),
     "‰": Unit(1e-3),
     **dict.fromkeys(("-", "–", "adim"), Unit(1.0)),
 }
 """Word -> unit, in small letters. A kilogram is one of force, as loads and unit weights are given in them; g alone is
 that of an acceleration. MN, and what small letters would confuse with something else, is in no list."""
+
+WRITTEN = {
+    "": "-, %",
+    "kN/m3": "kN/m3, kg/m3, t/m3",
+    "MPa": "MPa, N/mm2, GPa, kg/cm2",
+    "kN/m": "kN/m, N/m, daN/m, kg/m, t/m",
+    "deg": "deg, rad",
+    "m2": "m2, cm2",
+    "m": "m, cm, mm, ft",
+    "mm": "mm, cm",
+}
+"""Unit of a key -> units its numbers may have, as a refusal names them; others of its dimension are converted too."""
+
+
+def words_of(length: int = 0, time: int = 0) -> dict[str, float]:
+    """Word -> factor, of the units of a dimension without force."""
+    return {word: one.factor for word, one in BASES.items() if one[1:] == (0, length, time, 0)}
+
 
 _EXPONENTS = str.maketrans("²³⁻¹·×", "23-1**")
 _TOKEN = re.compile(r"([a-z°%‰–-]+)\^?(-?[0-9])?")

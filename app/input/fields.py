@@ -13,7 +13,7 @@ from app.look.language import FORM_NAMES, current_language, number, of_key, tr
 from app.look.whole_text import tell_whole
 from core.case.keys import unit_in_form
 from core.case.loads import Bars, Load, ReturnWalls
-from core.case.number import parse_number
+from core.case.number import parse_number, parse_quantity
 from core.case.place import Site
 from core.case.schema import Analysis, Report, Wall
 from core.case.site import Building, Demand, Spectrum
@@ -239,12 +239,20 @@ class NumberField(Field):
             self.refuse(tr("a number is needed here"))
             return
         try:
-            typed = parse_number(text)
-        except InputError:
-            self.refuse(tr("{text}: not a number", text=text.strip()))
+            typed = self._value_of(text)
+        except InputError as error:
+            said = error.text(current_language()) if error.code == "unit_of_number" else ""
+            self.refuse(said or tr("{text}: not a number", text=text.strip()))
             return
-        self.reading = self._read_as(text.strip(), typed)
-        self.offer(int(typed) if self.whole and typed == int(typed) else typed / self.factor)
+        self.reading = self._read_as(text.strip(), typed * self.factor)
+        self.offer(int(typed) if self.whole and typed == int(typed) else typed)
+
+    def _value_of(self, text: str) -> float:
+        """A text in the unit of the key: a number alone is in the unit of the field. Raises InputError."""
+        try:
+            return parse_number(text) / self.factor
+        except InputError:
+            return parse_quantity(text, self.entry.metadata.get("unit", ""))
 
     def _read_as(self, text: str, value: float) -> str:
         """How a number was read that may be one with a separator of thousands, "" for others: both marks are decimal
@@ -275,10 +283,10 @@ class NumberField(Field):
         if not text.strip() or value in (None, ""):  # a value still to be given is ""
             return not text.strip() and value in (None, "")
         try:
-            number = parse_number(text)
+            typed = self._value_of(text)
         except InputError:
             return False
-        return abs(number / self.factor - value) <= 1e-12 * abs(value)
+        return abs(typed - value) <= 1e-12 * abs(value)
 
 
 class RangeField(Field):

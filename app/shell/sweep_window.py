@@ -28,7 +28,7 @@ from app.work.running import progress_word
 from app.work.worker import Job
 from core.case.keys import unit_in_form
 from core.case.loads import ReturnWalls
-from core.case.number import parse_number
+from core.case.number import parse_quantity
 from core.case.schema import Case, Wall
 from core.case.site import Building
 from core.case.values import check_value, field_of
@@ -195,8 +195,9 @@ class SweepWindow(QDialog):
     def values(self) -> list[float]:
         """The values asked for, in the unit of the case file. Raises InputError."""
         key = self.keys[self.key.currentIndex()]
-        _, factor = unit_in_form(field_of(key.section, key.name))
-        ends = [parse_number(editor.text()) / factor for editor in (self.low, self.high)]
+        entry = field_of(key.section, key.name)
+        unit, bare = entry.metadata.get("unit", ""), 1.0 / unit_in_form(entry)[1]
+        ends = [parse_quantity(editor.text(), unit, bare) for editor in (self.low, self.high)]
         low, high = (check_value(key.section, key.name, end) for end in ends)
         n = self.count.value()
         return [low + (high - low) * k / (n - 1) for k in range(n)]

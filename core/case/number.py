@@ -1,9 +1,10 @@
-"""Numbers as people type them: decimal comma or point, in every locale."""
+"""Numbers as people type them: decimal comma or point, in every locale, with or without their unit."""
 
 import math
 import re
 
 from core.errors import InputError
+from core.quantities import WRITTEN, factor_to
 
 _NUMBER = re.compile(r"[+-]?([0-9]+([.,][0-9]*)?|[.,][0-9]+)([eE][+-]?[0-9]{1,3})?", re.ASCII)
 
@@ -25,3 +26,21 @@ def parse_number(text: str) -> float:
     if not math.isfinite(value):
         raise InputError("number_too_large", text=text)
     return value
+
+
+_WITH_UNIT = re.compile(r"([+−-]?[0-9.,]+(?:[eE][+-]?[0-9]{1,3})?)\s*([^\s0-9.,+−-].*)", re.ASCII)
+
+
+def parse_quantity(text: str, unit: str, bare: float = 1.0) -> float:
+    """A number in the unit of its key: `50 cm` of a length is 0.5. Raises InputError as `parse_number`, and for a word
+    behind it that names no unit of the key's dimension.
+
+    unit : of the key, empty for a number without one; bare : what a number without a unit is multiplied with
+    """
+    found = _WITH_UNIT.fullmatch(text.strip())
+    if found is None:
+        return parse_number(text) * bare
+    value, factor = parse_number(found[1]), factor_to(found[2], unit)
+    if factor is None:
+        raise InputError("unit_of_number", text=text.strip()[:SHOWN], known=WRITTEN.get(unit, unit))
+    return value * factor

@@ -11,13 +11,13 @@ from typing import NamedTuple
 from core.case.hinges import BASE, FLOORS
 from core.case.keys import NESTED
 from core.case.many_walls import ManyWalls
-from core.case.number import parse_number
+from core.case.number import parse_quantity
 from core.case.rules import parse_wall
 from core.case.schema import Wall
 from core.case.values import field_of
 from core.errors import InputError, place
 from core.ooxml.sheet import MAX_NAME, Limits, hidden_notes, read_sheet, refuse_cells, spoken
-from core.quantities import factor_to, unit_of
+from core.quantities import WRITTEN, factor_to, unit_of
 from core.text.catalogue import CATALOGUE
 from core.text.sentence import Sentence, notice
 
@@ -97,18 +97,6 @@ MECHANISMS = {
 }
 CHOICES = {"mechanism": MECHANISMS, "kind": LOAD_KINDS, "mass": LOAD_MASSES}
 """Key -> its words in a table; another choice is written as in the case file."""
-
-WRITTEN = {
-    "": "-, %",
-    "kN/m3": "kN/m3, kg/m3, t/m3",
-    "MPa": "MPa, N/mm2, GPa, kg/cm2",
-    "kN/m": "kN/m, N/m, daN/m, kg/m, t/m",
-    "deg": "deg, rad",
-    "m2": "m2, cm2",
-    "m": "m, cm, mm, ft",
-    "mm": "mm, cm",
-}
-"""Unit of a key -> units its column may have, as a refusal names them; others of its dimension are converted too."""
 
 MAY_BE_EMPTY = ("", "kN/m3", "kN/m", "deg", "m2")
 """Units of keys whose column may name none."""
@@ -444,11 +432,13 @@ def _cell(key: str, factor: float, cell: str, here: Sentence):
         return FLAGS[cell.lower()]
     try:
         if kind != "hinges":
-            value = parse_number(cell) * factor
+            value = parse_quantity(cell, entry.metadata.get("unit", ""), factor)
             return int(value) if kind == "int" and value == int(value) else value
         if cell.lower() in (FLOORS, "piani"):
             return FLOORS
-        return BASE if cell.lower() == BASE else [parse_number(part) * factor for part in re.split(r"[\s;]+", cell)]
+        if cell.lower() == BASE:
+            return BASE
+        return [parse_quantity(part, "m", factor) for part in re.split(r"\s*;\s*|\s+(?![a-z])", cell)]
     except InputError as error:
         raise error.at(here) from None
 

@@ -22,6 +22,7 @@ from core.case.schema import Analysis, Wall
 from core.case.site import Building, Demand, Spectrum
 from core.case.values import check_value
 from core.errors import InputError
+from core.quantities import factor_to
 from core.text.catalogue import CATALOGUE
 from tests.app.driving import settle, type_into
 
@@ -325,3 +326,20 @@ def test_that_an_a_g_beyond_any_of_italy_is_asked_about_where_it_is_typed_and_wi
     tab = CheckTab("en")
     tab.show_wall(result, result.walls[0])
     assert asked in tab.important.text()
+
+
+@pytest.mark.parametrize("key", sorted(["height_m", "thickness_m", "length_m", "unit_weight_kn_m3", "hinge_setback_m"]))
+def test_that_a_number_with_its_unit_means_that_unit(opened, key):
+    """50 cm in a field of metres, 0.5 m in one of centimetres; what is no unit of the key is refused."""
+    field, unit = opened.walls.fields[key], Wall.__dataclass_fields__[key].metadata["unit"]
+    before = {field.value}
+    for written in ("cm", "m", "mm", "piedi", "kN/m³", "kg/m3", "t/m", "s", "cmx"):
+        factor = factor_to(written, unit)
+        if factor is None:
+            type_into(field, f"2 {written}")
+            assert field.wrong and field.value in before
+            continue
+        target = 18.0 if unit == "kN/m3" else 0.07 if key == "hinge_setback_m" else 0.8
+        type_into(field, f"{target / factor:.10g} {written}")
+        assert not field.wrong and field.value == pytest.approx(target, rel=1e-9), written
+        before.add(field.value)

@@ -6,7 +6,7 @@ import unicodedata
 from collections.abc import Iterable
 
 from core.ground.records.grammar import HEAD_LINE, NUMBER
-from core.units import G
+from core.quantities import words_of
 
 _DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _POWER = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺]++")
@@ -65,32 +65,10 @@ FACTOR = rf"(?:{N}{_TEN}?+)"
 
 _SECOND = r"(?:s(?:ec(?:ond[oi]?s?|s)?)?)\.?(?![a-z])"
 
-TIME_UNITS = {
-    "s": 1.0,
-    "sec": 1.0,
-    "secs": 1.0,
-    "sec.": 1.0,
-    "second": 1.0,
-    "seconds": 1.0,
-    "secondo": 1.0,
-    "secondi": 1.0,
-    "ms": 1e-3,
-    "msec": 1e-3,
-    "millisecond": 1e-3,
-    "milliseconds": 1e-3,
-    "millisecondi": 1e-3,
-    "millisecondo": 1e-3,
-    "us": 1e-6,
-    "usec": 1e-6,
-    "microseconds": 1e-6,
-    "microsecondi": 1e-6,
-    "min": 60.0,
-    "minutes": 60.0,
-    "minuti": 60.0,
-}
+TIME_UNITS = {word: factor for word, factor in words_of(time=1).items() if factor <= 60.0} | {"sec.": 1.0}
 """Seconds of one unit."""
 
-RATE_UNITS = {"hz": 1.0, "hertz": 1.0, "khz": 1e3, "sps": 1.0, "cps": 1.0, "c/s": 1.0, "s/s": 1.0}
+RATE_UNITS = words_of(time=-1) | dict.fromkeys(("sps", "cps", "c/s", "s/s"), 1.0)
 SAMPLES = words("""
     samples | sample | samps | samp | pts | points | campioni | punti | letture | valori | values |
     readings | data points | dati
@@ -193,40 +171,7 @@ _OTHER_FACTORS = words("""
 NO_FACTOR = re.compile(rf"\b{any_of(_OTHER_FACTORS)}\b")
 """Words of a line whose factor or scale is not that of the samples."""
 
-LENGTHS = {
-    "m": 1.0,
-    "metre": 1.0,
-    "metres": 1.0,
-    "meter": 1.0,
-    "meters": 1.0,
-    "metro": 1.0,
-    "metri": 1.0,
-    "cm": 0.01,
-    "centimetre": 0.01,
-    "centimetres": 0.01,
-    "centimeter": 0.01,
-    "centimeters": 0.01,
-    "centimetri": 0.01,
-    "centimetro": 0.01,
-    "mm": 1e-3,
-    "millimetre": 1e-3,
-    "millimetres": 1e-3,
-    "millimeter": 1e-3,
-    "millimeters": 1e-3,
-    "millimetri": 1e-3,
-    "dm": 0.1,
-    "um": 1e-6,
-    "nm": 1e-9,
-    "km": 1e3,
-    "in": 0.0254,
-    "inch": 0.0254,
-    "inches": 0.0254,
-    "pollici": 0.0254,
-    "ft": 0.3048,
-    "foot": 0.3048,
-    "feet": 0.3048,
-    "piedi": 0.3048,
-}
+LENGTHS = words_of(length=1)
 BARE_LENGTHS = words("m | cm | mm | in | inch | inches")
 """Lengths that alone are the unit of a displacement."""
 
@@ -242,15 +187,12 @@ PER_SECONDS = (
 )
 """How a length stands over seconds: /s/s, per second squared, s-2, _s2."""
 
-_OF_ACCELERATION = {
-    G: words("g | g's | gs | gn | g units | units of g"),
-    0.01: words("gal | gals"),
-    1e-3 * G: words("mg | milli g | millig"),
-    1e-6 * G: words("micro g | ug"),
-    1e-5: words("mgal | mgals | milligal | milligals"),
-    0.01 * G: words("% of g | %g | % g | %"),
+_SPACED = words("milli g | micro g | g units | units of g | % of g | % g | %")
+_AS_ONE_WORD = {"g units": "g", "units of g": "g", "%": "%g"}
+_OF_ACCELERATION = words_of(length=1, time=-2) | {
+    one: words_of(length=1, time=-2)[_AS_ONE_WORD.get(one, one.replace(" ", ""))] for one in _SPACED
 }
-"""m/s2 in one -> how it is written."""
+"""How an acceleration is written -> m/s2 in one."""
 
 _OF_OTHERS = {
     "counts": words("""
@@ -272,7 +214,7 @@ _OF_OTHERS = {
     "force": words("kn | kgf | newton | newtons"),
 }
 NAMED_UNITS: dict[str, tuple[str, float | None]] = {
-    word: ("acceleration", si) for si, written in _OF_ACCELERATION.items() for word in written
+    word: ("acceleration", si) for word, si in _OF_ACCELERATION.items()
 } | {word: (quantity, None) for quantity, written in _OF_OTHERS.items() for word in written}
 """Unit -> (quantity, of an acceleration m/s2 of one)."""
 
