@@ -69,16 +69,14 @@ def storey_ends(wall: Wall, building: Building) -> tuple[float, ...]:
 
 def usual_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
     """Heights above the base of a wall at which it carries something, its tie to be designed too, a storey ends, its
-    thickness changes or its gable begins, and SLENDER_ABOVE times the thickness there is above [m]. A mechanism may
-    start at any of them (Circolare 7/2019 C8.7.1.2.1)."""
+    section changes (a step, a sill, a lintel, another masonry) or its gable begins, and SLENDER_ABOVE times the
+    thickness there is above [m]. A mechanism may start at any of them (Circolare 7/2019 C8.7.1.2.1)."""
     if wall.height_m is None or wall.thickness is None or wall.bends:
         return ()
     loads = (*(load.h_m for load in wall.load), *([] if wall.tie_height_m is None else [wall.tie_height_m]))
     parts = wall_body.parts_of(wall)
-    shape = [min(z for _, z in part.polygon) for part in parts if part.weight > 0.0 and not part.wedge]
-    shape += wall_body.face_jumps(parts)
     eaves = [wall_body.shoulder(wall)] if wall.gable_m else []
-    heights = sorted({*loads, *shape, *eaves, *(storey_ends(wall, building) if building else ())})
+    heights = sorted({*loads, *wall_body.changes(parts), *eaves, *(storey_ends(wall, building) if building else ())})
     found: list[float] = []
     for height in heights:
         faces = wall_body.contact_at(parts, height) if wall_body.has_shape(wall) else None

@@ -6,7 +6,7 @@ from dataclasses import MISSING, dataclass
 from core.case.keys import choice_key, flag_key, key, number_key, path_key
 from core.errors import InputError, place
 from core.wall.body import cut_above
-from core.wall.wall_body import contact_at, has_shape, parts_of, shoulder
+from core.wall.wall_body import Part, contact_at, has_shape, parts_of, shoulder
 
 
 @dataclass(frozen=True)
@@ -94,14 +94,15 @@ def above(wall, hinge: float) -> dict:
     if not has_shape(wall):
         return {}
     plain: dict = {"solid": (), "return_wedges": None, "gable_m": None, "openings": (), "steps": ()}
-    parts = [part for part in parts_of(wall) if not part.wedge]
+    parts = tuple(part for part in parts_of(wall) if not part.wedge)
     if not parts:  # a rectangle written as solids
         return plain
     faces = contact_at(parts, hinge)
     if faces is None:
         raise InputError("hinge_in_a_gap", place=(place("wall", name=wall.title),), key="hinge_heights", hinge=hinge)
     outer, inner = faces
-    cut = [(part, tuple(cut_above(part.polygon, hinge))) for part in parts]
+    face = min(inner, wall.thickness)
+    cut = [(part, above_crack(part, hinge, face)) for part in parts]
     solids = tuple(
         Solid(
             plane=part.plane,
@@ -125,6 +126,21 @@ def above(wall, hinge: float) -> dict:
             corners = ((base, start), (base + rest * wedges.length_at_top_m, top), (base, top))
             solids += (Solid("section", corners, wedges.number * wedges.thickness_m),)
     return plain | {"solid": solids, "thickness_m": base}
+
+
+def above_crack(part: Part, hinge: float, face: float) -> tuple[tuple[float, float], ...]:
+    """The polygon of a solid above a hinge [m]. What a section drags along behind the inner face, x [m], begins at the
+    hinge too, with the inclination of its own crack, as a wedge of return walls."""
+    polygon = cut_above(part.polygon, hinge)
+    behind = [(part.start + s - face, z) for s, z in part.polygon if part.start + s > face + 1e-9]
+    if part.plane != "section" or not behind or part.weight < 0.0:
+        return tuple(polygon)
+    foot = min(z for z, x in cut_above([(z, s) for s, z in part.polygon], face - part.start))
+    if min(z for _, z in behind) <= foot + 1e-9:  # it stands on something, or is a block
+        return tuple(polygon)
+    flat = max(x / (z - foot) for x, z in behind)
+    turned = [(z, face - part.start - s + flat * z) for s, z in polygon]
+    return tuple((face - part.start + flat * z - left, z) for z, left in cut_above(turned, 0.0))
 
 
 def outer_face(wall, hinge: float) -> float:

@@ -101,12 +101,17 @@ def together(bodies: Iterable[Body]) -> Body:
 def cut_above(polygon: Polygon, z: float) -> list[tuple[float, float]]:
     """The part of a polygon above a height, with that height as its zero; empty where there is none. Of a polygon that
     is not convex it may have edges along the cut twice, which no sum notices."""
+    return [(s, height - z) for s, height in clipped_above(polygon, z)]
+
+
+def clipped_above(polygon: Polygon, z: float) -> list[tuple[float, float]]:
+    """The same, with the heights of its corners as they are."""
     found: list[tuple[float, float]] = []
     for (s0, z0), (s1, z1) in zip(polygon, (*polygon[1:], polygon[0]), strict=True):
         if z0 > z:
-            found.append((s0, z0 - z))
+            found.append((s0, z0))
         if (z0 > z) != (z1 > z):
-            found.append((s0 + (s1 - s0) * (z - z0) / (z1 - z0), 0.0))
+            found.append((s0 + (s1 - s0) * (z - z0) / (z1 - z0), z))
     return found if len(found) > 2 else []
 
 
@@ -170,12 +175,12 @@ def point_within(polygon: Polygon) -> tuple[float, float]:
     return 0.5 * (first + last), z
 
 
-def spans(polygon: Polygon, z: float) -> list[tuple[float, float]]:
-    """From and to along s of each stretch of a polygon just above a height."""
+def spans(polygon: Polygon, z: float, below: bool = False) -> list[tuple[float, float]]:
+    """From and to along s of each stretch of a polygon just above a height, or just below it."""
     crossed = sorted(
         s0 + (s1 - s0) * (z - z0) / (z1 - z0)
         for (s0, z0), (s1, z1) in zip(polygon, (*polygon[1:], polygon[0]), strict=True)
-        if (z0 > z) != (z1 > z)
+        if ((z0 >= z) != (z1 >= z) if below else (z0 > z) != (z1 > z))
     )
     return list(zip(crossed[::2], crossed[1::2], strict=True))
 

@@ -4,8 +4,21 @@ import itertools
 import math
 
 from core.errors import InputError
-from core.wall.body import shared_area
-from core.wall.wall_body import LEAST_BASE, Part, base_length, faces_at, lies_behind, section_area, shoulder, top_of
+from core.wall.body import cut_above, shared_area
+from core.wall.plan import Bodies, area_of, cells_of, length_of, pieces_at
+from core.wall.wall_body import (
+    CARRIED,
+    FOOT,
+    FOOT_HEIGHT,
+    LEAST_BASE,
+    Part,
+    aligned,
+    base_length,
+    faces_at,
+    lies_behind,
+    shoulder,
+    top_of,
+)
 
 TOUCH = 1e-6
 """What two sizes may differ by and still be the same [m]."""
@@ -16,11 +29,11 @@ INTO = 1e-3
 LEAST_TOUCH = 0.01
 """Length along which two solids touch to be one body [m]."""
 
-FOOT_HEIGHT, FOOT = 0.05, 0.1
-"""At this share of the height the outer face is inward of the hinge by no more than this share of the thickness."""
+LEAVES = 0.25
+"""Share of the length of a wall over which a cavity from its foot to its top makes leaves of it: a flue does not."""
 
-CARRIED = 0.5
-"""Least share of the base that reaches the outer hinge."""
+SHARES = (0.02, 0.25, 0.5, 0.75, 0.98)
+"""Of the height between corners at which oblique solids are looked at."""
 
 STEEPEST = 1.0
 """Largest length of a wedge at its top over its height: a crack at 45 degrees."""
@@ -55,12 +68,85 @@ def check_one_body(wall, parts: tuple[Part, ...], here) -> None:
         for other in solids:
             if (one.plane, other.plane) == ("elevation", "section") and _reaches_into(other, one):
                 raise InputError("planes_overlap", place=here, key="solid")
-    if _pieces(solids) > 1:
-        raise InputError("body_in_pieces", place=here, key="solid")
-    if (level := _slot(parts, wall.thickness)) is not None:
-        raise InputError("body_cut_through", place=here, z=level)
+            if one is not other and one.plane == "oblique" and one.angle != other.angle and _share(one, other):
+                raise InputError("solids_overlap", place=here, key="solid")
+    _check_pieces(wall, parts, here)
+    _check_behind(wall, parts, here)
     if all(part.plane != "oblique" for part in parts):
         _check_foot(wall, parts, here)
+
+
+def _middles(parts) -> list[float]:
+    """A height between each two at which a solid has a corner [m]."""
+    levels = sorted({z for part in parts for _, z in part.polygon})
+    return [0.5 * (low + high) for low, high in itertools.pairwise(levels) if high - low > 2.0 * INTO]
+
+
+def _check_pieces(wall, parts: tuple[Part, ...], here) -> None:
+    """The wall is one body, also without what it drags along, and no two leaves."""
+    placed = aligned(parts)
+    dragged = [part for part in placed if lies_behind(part, wall.thickness)]
+    for kept in [placed, tuple(part for part in placed if part not in dragged)] if dragged else [placed]:
+        heights = _middles(kept)
+        sections = [cells_of(pieces_at(kept, z, grown=0.5 * INTO), same=2.0 * INTO) for z in heights]
+        empty = next((z for z, cells in zip(heights, sections, strict=True) if area_of(cells) <= LEAST_BASE), None)
+        if empty is not None and (kept is not placed or not dragged):
+            raise InputError("body_cut_through", place=here, z=empty)
+        if Bodies(sections, LEAST_TOUCH, 2.0 * INTO).count > 1:
+            raise InputError("body_in_pieces", place=here, key="solid")
+    cavity = None
+    for cells in sections:
+        gaps = [
+            one[:2]
+            for one, other in itertools.pairwise(cells)
+            if one[:2] == other[:2] and other.outer[1] - one.inner[1] > 2.0 * INTO
+        ]
+        cavity = gaps if cavity is None else _common(cavity, gaps)
+    if cavity and math.fsum(end - start for start, end in cavity) > LEAVES * max(map(length_of, sections)):
+        raise InputError("body_of_leaves", place=here, key="solid")
+
+
+def _common(one, other) -> list[tuple[float, float]]:
+    """What two lists of stretches share."""
+    both = ((max(a[0], b[0]), min(a[1], b[1])) for a in one for b in other)
+    return [(start, end) for start, end in both if end > start]
+
+
+def _share(one: Part, other: Part) -> bool:
+    """Whether two solids, of which one is oblique, have mass in common."""
+    levels = sorted({z for part in (one, other) for _, z in part.polygon})
+    for low, high in itertools.pairwise(levels):
+        for share in SHARES if high - low > 2.0 * INTO else ():
+            z = low + share * (high - low)
+            first, second = (pieces_at([part], z, grown=-INTO) for part in (one, other))
+            if area_of(cells_of(first, second)) > LEAST_BASE:
+                return True
+    return False
+
+
+def _check_behind(wall, parts: tuple[Part, ...], here) -> None:
+    """What solids hang behind the base is bound as wedges of return walls are: together no longer than the wall, none
+    farther behind it than it is high."""
+    solids = [part for part in parts if part.weight > 0.0 and not part.wedge]
+    behind = [part for part in solids if part.plane == "section" and lies_behind(part, wall.thickness)]
+    for part in solids:
+        if part.plane != "section":
+            continue
+        beyond = cut_above([(z, s) for s, z in part.polygon], wall.thickness - part.start)
+        if not beyond:
+            continue
+        far, high = max(x for _, x in beyond), max(z for z, _ in beyond) - min(z for z, _ in beyond)
+        if far > STEEPEST * high + TOUCH:
+            raise InputError("solid_too_far", place=here, key="solid", found=far, most=STEEPEST * high)
+    rest = [part for part in solids if part not in behind]
+    if not behind or not rest:
+        return
+    seen = [s for part in rest if part.plane == "elevation" for s, _ in part.polygon]
+    seen += [end for part in rest if part.plane == "section" for end in part.ends]
+    most = max(wall.length_m, max(seen) - min(seen)) if seen else wall.length_m
+    found = max(length_of(cells_of(pieces_at(behind, z))) for z in _middles(behind))
+    if found > most + TOUCH:
+        raise InputError("wedges_too_long", place=here, key="solid", found=found, most=most)
 
 
 def _box(part: Part) -> list[tuple[float, float]]:
@@ -83,63 +169,6 @@ def _reaches_into(section: Part, elevation: Part) -> bool:
     left, right, bottom, top = low + INTO, high - INTO, bottom + INTO, top - INTO
     inner = [(left, bottom), (right, bottom), (right, top), (left, top)]
     return shared_area(_in_section(section), inner) > TOUCH * (top - bottom)
-
-
-def _touch(one: Part, other: Part) -> bool:
-    """Whether two solids share more than a point; of oblique ones, whose place along the wall is free, whether x and z
-    of both meet."""
-    planes = {one.plane, other.plane}
-    if "oblique" in planes:
-        boxes = []
-        for part in (one, other):
-            x = [part.x_of(s, n) for s, _ in part.polygon for n in part.ends]
-            z = [z for _, z in part.polygon]
-            boxes.append(((min(x), max(x)), (min(z), max(z))))
-        return all(min(a[1], b[1]) - max(a[0], b[0]) > -INTO for a, b in zip(*boxes, strict=True))
-    if len(planes) == 2:
-        first, second = (_box(part) if part.plane == "elevation" else _in_section(part) for part in (one, other))
-    elif one.plane == "section":
-        apart = max(one.ends[0], other.ends[0]) - min(one.ends[1], other.ends[1])
-        if apart > INTO:
-            return False
-        first, second = _in_section(one), _in_section(other)
-        if apart > -INTO:
-            return shared_area(first, second) > INTO * LEAST_TOUCH
-    else:
-        apart = max(p.start + p.ends[0] for p in (one, other)) - min(p.start + p.ends[1] for p in (one, other))
-        if apart > INTO:
-            return False
-        first, second = list(one.polygon), list(other.polygon)
-        if apart > -INTO:
-            return shared_area(first, second) > INTO * LEAST_TOUCH
-    moves = ((0.0, 0.0), (INTO, 0.0), (-INTO, 0.0), (0.0, INTO), (0.0, -INTO))
-    return any(shared_area([(s + a, z + b) for s, z in first], second) > INTO * LEAST_TOUCH for a, b in moves)
-
-
-def _pieces(solids: list[Part]) -> int:
-    """Number of bodies that solids which touch form."""
-    left, count = list(solids), 0
-    while left:
-        count += 1
-        reached = [left.pop()]
-        while reached:
-            one = reached.pop()
-            beside = [other for other in left if _touch(one, other)]
-            left = [other for other in left if other not in beside]
-            reached += beside
-    return count
-
-
-def _slot(parts: tuple[Part, ...], thickness: float) -> float | None:
-    """A height at which openings leave nothing of the body but what it drags along; None of none."""
-    kept = [part for part in parts if not part.wedge and not (part.weight > 0.0 and lies_behind(part, thickness))]
-    top = max((part.top for part in kept if part.weight > 0.0), default=0.0)
-    levels = sorted({0.0, top, *(z for part in kept for _, z in part.polygon if z < top)})
-    for low, high in itertools.pairwise(levels):
-        z = 0.5 * (low + high)
-        if high - low > TOUCH and section_area(tuple(kept), z) <= LEAST_BASE * (high - low):
-            return z
-    return None
 
 
 def _check_foot(wall, parts: tuple[Part, ...], here) -> None:

@@ -63,6 +63,8 @@ def _check_base(wall, parts: tuple[Part, ...], here) -> None:
     """Both hinges are on the body, something stands there, and its loads act on the length it has: else it stands
     better than it does. Of oblique solids the engineer says where the inner hinge is, within the body."""
     faces = faces_at(parts, 0.0)
+    if faces is None and any(part.weight > 0.0 and part.spans_at(0.0) for part in parts):
+        raise InputError("nothing_at_base", place=here, key="solid")
     if faces is None or faces[0] > TOUCH:
         raise InputError("hinge_off_body", place=here, found=math.inf if faces is None else faces[0])
     oblique = any(part.plane == "oblique" for part in parts)

@@ -11,7 +11,8 @@ import numpy as np
 
 from core.errors import InputError, place
 from core.units import G
-from core.wall.body import Body, cut_above, directions, extruded, polygon_sums, spans, together
+from core.wall.body import Body, clipped_above, cut_above, directions, extruded, polygon_sums, spans, together
+from core.wall.plan import area_of, cells_of, edge_reached, pieces_at, section_at
 
 ROUND = 64
 """Sides of the polygon of a round opening, which has the area of the circle."""
@@ -57,17 +58,9 @@ class Part(NamedTuple):
         cosine, sine = directions(self.angle)
         return self.start + s * cosine + n * sine
 
-    def width_at(self, z: float) -> tuple[float, float] | None:
-        """Smallest and largest s just above a height [m]; None where the solid is not there."""
-        found = []
-        for (s0, z0), (s1, z1) in zip(self.polygon, (*self.polygon[1:], self.polygon[0]), strict=True):
-            if (z0 > z) != (z1 > z):
-                found.append(s0 + (s1 - s0) * (z - z0) / (z1 - z0))
-        return (min(found), max(found)) if len(found) > 1 else None
-
-    def spans_at(self, z: float) -> list[tuple[float, float]]:
-        """From and to along s of each stretch of the polygon just above a height [m]."""
-        return spans(self.polygon, z)
+    def spans_at(self, z: float, below: bool = False) -> list[tuple[float, float]]:
+        """From and to along s of each stretch of the polygon just above a height [m], or just below it."""
+        return spans(self.polygon, z, below)
 
     def widths_at(self, z: np.ndarray) -> np.ndarray:
         """Width of the polygon along s at heights [m]."""
@@ -88,16 +81,15 @@ def lies_behind(part: Part, thickness: float) -> bool:
 
 
 def clipped(part: Part, thickness: float) -> Part | None:
-    """A solid or an opening without what is beyond the base of this thickness [m], None where nothing is left; of an
-    oblique one the whole, or nothing where all of it is beyond."""
+    """A solid or an opening without what is beyond the base of this thickness [m], None where nothing is left;
+    an oblique one ends where its first corner is beyond."""
     if part.plane == "elevation":
         last = min(part.ends[1], thickness - part.start)
         if part.ends[1] <= last + 1e-6:
             return part
         return part._replace(ends=(part.ends[0], last)) if last > part.ends[0] + 1e-6 else None
-    if part.plane == "oblique":
-        return None if lies_behind(part._replace(weight=abs(part.weight)), thickness) else part
-    most = thickness - part.start
+    cosine, sine = directions(part.angle)
+    most = (thickness - part.start - max(end * sine for end in part.ends)) / cosine if sine else thickness - part.start
     if max(s for s, _ in part.polygon) <= most + 1e-6:
         return part
     left = cut_above([(z, -s) for s, z in part.polygon], -most)
@@ -189,11 +181,9 @@ def outline_of(opening) -> list[tuple[float, float]]:
 def _between(polygon, low: float, high: float) -> tuple[tuple[float, float], ...]:
     """The part of a polygon between two heights, where it is."""
     if low > 0.0:
-        polygon = [(s, z + low) for s, z in cut_above(polygon, low)]
-    top = max((z for _, z in polygon), default=0.0)
-    if top > high:
-        polygon = [(s, top - z) for s, z in polygon]
-        polygon = [(s, high - z) for s, z in cut_above(polygon, top - high)]
+        polygon = clipped_above(polygon, low)
+    if max((z for _, z in polygon), default=0.0) > high:
+        polygon = [(s, -z) for s, z in clipped_above([(s, -z) for s, z in polygon], -high)]
     return tuple(polygon)
 
 
@@ -301,45 +291,82 @@ class Section(NamedTuple):
     lever: float
 
 
-def faces_at(parts, z: float) -> tuple[float, float] | None:
-    """x of the outer and of the inner face of solids just above a height [m], their wedges left out."""
-    found = [
-        part.x_of(s, n)
-        for part in parts
-        if part.weight > 0.0 and not part.wedge and (width := part.width_at(z)) is not None
-        for s in width
-        for n in part.ends
-    ]
-    return (min(found), max(found)) if found else None
+def faces_at(parts, z: float, below: bool = False) -> tuple[float, float] | None:
+    """x of the outer and of the inner face of solids just above a height [m], or just below it, their wedges left
+    out."""
+    kept = [part for part in parts if not part.wedge]
+    if any(part.weight < 0.0 and part.spans_at(z, below) for part in kept):
+        edges = [x for cell in section_at(kept, z, below) for edge in (cell.outer, cell.inner) for x in edge]
+    else:
+        edges = [x for piece in pieces_at(kept, z, below) for x, _ in piece.corners]
+    return (min(edges), max(edges)) if edges else None
 
 
-JUST_BELOW = 1e-4
-"""How far below a height the faces of what stands under it are taken [m]."""
+def aligned(parts) -> tuple[Part, ...]:
+    """Solids beside each other along the wall, without its wedges: the place of sections along a wall is nominal beside
+    elevations, and where they are drawn beyond these they stand at their beginning."""
+    kept = [part for part in parts if not part.wedge]
+    seen = [s for part in kept if part.plane == "elevation" for s, _ in part.polygon]
+    ends = [end for part in kept if part.plane == "section" for end in part.ends]
+    if not seen or not ends or (min(seen) <= min(ends) and max(ends) <= max(seen)):
+        return tuple(kept)
+    by = min(seen) - min(ends)
+    return tuple(
+        part._replace(ends=(part.ends[0] + by, part.ends[1] + by)) if part.plane == "section" else part for part in kept
+    )
 
 
-def contact_at(parts, z: float) -> tuple[float, float] | None:
-    """x of the outer and of the inner edge along which what stands above a height [m] rests on what is below it: the
-    faces that both share, not an overhang's. None where nothing is above, or nothing is shared."""
-    above, below = faces_at(parts, z), faces_at(parts, max(z - JUST_BELOW, 0.0))
-    if above is None or below is None:
+FOOT_HEIGHT, FOOT = 0.05, 0.1
+"""At this share of the height the outer face is inward of the hinge by no more than this share of the thickness."""
+
+CARRIED = 0.5
+"""Least share of the base that reaches the outer hinge."""
+
+
+@lru_cache(maxsize=4096)
+def contact_at(parts: tuple[Part, ...], z: float) -> tuple[float, float] | None:
+    """x of the outer and of the inner edge along which what stands above a height [m] rests on what is below it: of
+    the section that both share, the lines that half of its length reaches; of oblique solids its extremes. What a foot
+    alone reaches is no edge. None where nothing is above, or nothing is shared."""
+    placed = aligned(parts)
+    above = pieces_at(placed, z)
+    shared = cells_of(above, pieces_at(placed, z, below=True)) if z > 0.0 else cells_of(above)
+    if area_of(shared) <= LEAST_BASE:
         return None
-    outer, inner = max(above[0], below[0]), min(above[1], below[1])
+    oblique = any(part.plane == "oblique" for part in placed)
+    share = 0.0 if oblique else CARRIED
+    outer, inner = edge_reached(shared, share), edge_reached(shared, share, inner=True)
+    if not oblique:
+        top = max(part.top for part in placed)
+        foot = faces_at(placed, z + FOOT_HEIGHT * (top - z))
+        if foot and outer + FOOT * (inner - outer) < foot[0] < inner:
+            outer = foot[0]
     return (outer, inner) if inner > outer else None
 
 
 JUMP = 0.01
-"""How far a face moves at one height where the wall is said to step [m]."""
+"""Area of a section that is on one side of a height alone where the wall is said to change there [m2]."""
 
 
-def face_jumps(parts) -> list[float]:
-    """Heights [m] at which the outer or the inner face steps, between solids or within the outline of one."""
-    levels = sorted({z for part in parts if part.weight > 0.0 and not part.wedge for _, z in part.polygon if z > 0.0})
+@lru_cache(maxsize=1024)
+def changes(parts: tuple[Part, ...]) -> tuple[float, ...]:
+    """Heights [m] at which the section of a wall changes, between solids or within the outline of one: steps of its
+    faces, sills and lintels of its openings, another masonry."""
+    placed = aligned(parts)
+    weights = {abs(part.weight) for part in placed}
+    alike = [[part for part in placed if abs(part.weight) == weight] for weight in weights]
     found = []
-    for z in levels:
-        above, below = faces_at(parts, z), faces_at(parts, z - JUST_BELOW)
-        if above and below and max(abs(a - b) for a, b in zip(above, below, strict=True)) > JUMP:
+    for z in sorted({z for part in placed for _, z in part.polygon if z > 0.0}):
+        changed = 0.0
+        for group in alike:
+            below, above = pieces_at(group, z, below=True), pieces_at(group, z)
+            if below and above and sorted(below) != sorted(above):
+                changed += area_of(cells_of(below)) + area_of(cells_of(above)) - 2.0 * area_of(cells_of(below, above))
+            elif below != above:
+                changed += area_of(cells_of(below or above))
+        if changed > JUMP:
             found.append(z)
-    return found
+    return tuple(found)
 
 
 @lru_cache(maxsize=256)

@@ -410,7 +410,7 @@ REFUSED = [
     ("crack_too_flat", [], {"return_wedges": {"number": 2, "thickness_m": 0.4, "length_at_top_m": 7.0}}),
     ("wedges_off_step", [], {"return_wedges": SHORT_WEDGES, "steps": [{"from_z_m": 3.0, "thickness_m": 0.3}]}),
     ("body_in_pieces", [RECTANGLE, section_of([[0.6, 0], [2.5, 6], [0.6, 6]], 0.8)], {}),
-    ("body_in_pieces", [LOW, {**RECTANGLE, "polygon_m": [[0, 4], [4, 4], [4, 6], [0, 6]]}], {}),
+    ("body_cut_through", [LOW, {**RECTANGLE, "polygon_m": [[0, 4], [4, 4], [4, 6], [0, 6]]}], {}),
     ("body_cut_through", [RECTANGLE, {**DOOR, "polygon_m": [[0, 2], [4, 2], [4, 3], [0, 3]]}], {}),
     ("body_cut_through", [], {"openings": [{"s_m": 0.0, "z_m": 2.0, "width_m": 4.0, "height_m": 1.0}]}),
     ("foot_alone", [section_of([[0, 0], [0.5, 0], [0.5, 6], [0.3, 6], [0.3, 0.1], [0, 0.1]], 4.0)], {}),
