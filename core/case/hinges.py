@@ -7,7 +7,7 @@ from core.case.schema import Case, Wall
 from core.case.site import Building
 from core.case.solids import above, outer_face
 from core.errors import InputError, place
-from core.wall import wall_body
+from core.wall import one_body, wall_body
 
 FLOORS, BASE = "floors", "base"
 """Hinges at every floor of the building between the base of the wall and its top; the one at its base alone."""
@@ -75,8 +75,7 @@ def usual_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
         return ()
     loads = (*(load.h_m for load in wall.load), *([] if wall.tie_height_m is None else [wall.tie_height_m]))
     parts = wall_body.parts_of(wall)
-    eaves = [wall_body.shoulder(wall)] if wall.gable_m else []
-    heights = sorted({*loads, *wall_body.changes(parts), *eaves, *(storey_ends(wall, building) if building else ())})
+    heights = sorted({*loads, *wall_body.changes(parts), *(storey_ends(wall, building) if building else ())})
     found: list[float] = []
     for height in heights:
         faces = wall_body.contact_at(parts, height) if wall_body.has_shape(wall) else None
@@ -133,7 +132,7 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
     assert wall.height_m is not None
     loads = loads_above(wall, hinge, outer_face(wall, hinge))
     changes = {"thickness_m": wall.thickness} | above(wall, hinge)
-    return replace(
+    part = replace(
         wall,
         **changes,
         name=name,
@@ -148,6 +147,11 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
         if wall.tie_height_m is None or wall.tie_height_m < hinge + LEAST_ABOVE
         else wall.tie_height_m - hinge,
     )
+    parts = wall_body.parts_of(part)
+    if parts and one_body.fault_of(parts, part.thickness) is not None:
+        here = (place("wall", name=wall.title),)
+        raise InputError("pieces_above", place=here, key="hinge_heights", hinge=hinge)
+    return part
 
 
 def shared(part: Part, mechanism: str) -> tuple[str, float, str]:

@@ -2,10 +2,11 @@
 
 import itertools
 import math
+from functools import lru_cache
 
 from core.errors import InputError
 from core.wall.body import cut_above, shared_area
-from core.wall.plan import Bodies, area_of, cells_of, length_of, pieces_at
+from core.wall.plan import Bodies, Cell, area_of, cells_of, length_of, pieces_at, section_at
 from core.wall.wall_body import (
     CARRIED,
     FOOT,
@@ -84,26 +85,37 @@ def _middles(parts) -> list[float]:
 
 def _check_pieces(wall, parts: tuple[Part, ...], here) -> None:
     """The wall is one body, also without what it drags along, and no two leaves."""
+    fault = fault_of(parts, wall.thickness)
+    if fault is not None:
+        code, z = fault
+        raise InputError(code, place=here, **({"z": z} if code == "body_cut_through" else {"key": "solid"}))
+
+
+@lru_cache(maxsize=1024)
+def fault_of(parts: tuple[Part, ...], thickness: float) -> tuple[str, float] | None:
+    """Why solids are not one body: the code of its error and the height [m] of a gap; None of one body."""
     placed = aligned(parts)
-    dragged = [part for part in placed if lies_behind(part, wall.thickness)]
-    for kept in [placed, tuple(part for part in placed if part not in dragged)] if dragged else [placed]:
+    borne = tuple(part for part in placed if not lies_behind(part, thickness))
+    sections: list[list[Cell]] = []
+    for kept in (placed, borne) if borne != placed else (placed,):
         heights = _middles(kept)
         sections = [cells_of(pieces_at(kept, z, grown=0.5 * INTO), same=2.0 * INTO) for z in heights]
         empty = next((z for z, cells in zip(heights, sections, strict=True) if area_of(cells) <= LEAST_BASE), None)
-        if empty is not None and (kept is not placed or not dragged):
-            raise InputError("body_cut_through", place=here, z=empty)
+        if empty is not None and kept == borne:
+            return "body_cut_through", empty
         if Bodies(sections, LEAST_TOUCH, 2.0 * INTO).count > 1:
-            raise InputError("body_in_pieces", place=here, key="solid")
-    cavity = None
-    for cells in sections:
+            return "body_in_pieces", 0.0
+    cavity: list[tuple[float, float]] = []
+    for n, cells in enumerate(sections):
         gaps = [
             one[:2]
             for one, other in itertools.pairwise(cells)
             if one[:2] == other[:2] and other.outer[1] - one.inner[1] > 2.0 * INTO
         ]
-        cavity = gaps if cavity is None else _common(cavity, gaps)
+        cavity = _common(cavity, gaps) if n else gaps
     if cavity and math.fsum(end - start for start, end in cavity) > LEAVES * max(map(length_of, sections)):
-        raise InputError("body_of_leaves", place=here, key="solid")
+        return "body_of_leaves", 0.0
+    return None
 
 
 def _common(one, other) -> list[tuple[float, float]]:
@@ -178,16 +190,8 @@ def _check_foot(wall, parts: tuple[Part, ...], here) -> None:
     if faces is None or faces[0] > most + TOUCH:
         found = math.inf if faces is None else faces[0]
         raise InputError("foot_alone", place=here, found=found, z=low, most=most)
-    carried = 0.0
-    for part in parts:
-        of_part = faces_at((part._replace(weight=abs(part.weight)),), 0.0)
-        if part.wedge or of_part is None or of_part[0] > most + TOUCH:
-            continue
-        if part.plane == "section":
-            along = part.ends[1] - part.ends[0]
-        else:
-            along = sum(end - start for start, end in part.spans_at(0.0))
-        carried += math.copysign(along, part.weight)
+    base = section_at(aligned(parts), 0.0)
+    carried = length_of(cell for cell in base if cell.outer[1] <= most + TOUCH)
     whole = base_length(wall)
     if carried < CARRIED * whole:
         raise InputError("foot_short", place=here, found=carried, whole=whole)

@@ -106,6 +106,8 @@ def _middle(edge: Edge) -> float:
 def cells_of(*groups: Sequence[Piece], same: float = SAME) -> list[Cell]:
     """Where there is masonry in each of these groups of pieces: of one its section, of two what both share. same :
     width of a strip that is none [m]"""
+    if not all(groups):
+        return []
     levels = _levels([piece for group in groups for piece in group], same)
     found = []
     for start, end in itertools.pairwise(levels):

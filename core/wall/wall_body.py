@@ -12,7 +12,7 @@ import numpy as np
 from core.errors import InputError, place
 from core.units import G
 from core.wall.body import Body, clipped_above, cut_above, directions, extruded, polygon_sums, spans, together
-from core.wall.plan import area_of, cells_of, edge_reached, pieces_at, section_at
+from core.wall.plan import area_of, cells_of, edge_reached, length_of, pieces_at, section_at
 
 ROUND = 64
 """Sides of the polygon of a round opening, which has the area of the circle."""
@@ -20,8 +20,10 @@ ROUND = 64
 ANGLES = {"elevation": 0.5 * math.pi, "section": 0.0}
 """Of the planes from the direction of motion [rad]."""
 
-SLICES = 2000
-"""Of a body over its height, for its period."""
+GAUSS = np.polynomial.legendre.leggauss(5)
+CANTILEVER = 104.0 / 405.0
+"""Points and weights between -1 and 1; mean square of the deflection of a cantilever under a constant load, over that
+of its end."""
 
 LEAST_BASE = 1e-6
 """Area of a base on which something stands [m2]."""
@@ -266,14 +268,17 @@ def leans_inward(wall) -> bool:
 
 def period_share(wall) -> float:
     """The square of T_0 of a body over that of its base section as a rectangle of the same height, by Rayleigh's
-    quotient with the deflection of a cantilever under a constant load."""
-    top = top_of(wall)
-    z = (np.arange(SLICES) + 0.5) * top / SLICES
-    eta = z / top
+    quotient with the deflection of a cantilever under a constant load: between corners of its solids the mass times
+    the square of the deflection is a polynomial of degree 9."""
+    parts, top = parts_of(wall), top_of(wall)
+    levels = np.array(sorted({0.0, top, *(z for part in parts for _, z in part.polygon if 0.0 < z < top)}))
+    nodes, shares = GAUSS
+    z = (0.5 * (levels[1:] + levels[:-1])[:, None] + 0.5 * np.diff(levels)[:, None] * nodes).ravel()
+    eta, step = z / top, (0.5 * np.diff(levels)[:, None] * shares).ravel()
     deflection = eta**2 * (6.0 - 4.0 * eta + eta**2) / 3.0
-    mass = sum(part.weight * (part.ends[1] - part.ends[0]) * part.widths_at(z) for part in parts_of(wall))
+    mass = sum(part.weight * (part.ends[1] - part.ends[0]) * part.widths_at(z) for part in parts)
     base = wall.unit_weight_kn_m3 * wall.thickness * base_length(wall)
-    return float((mass * deflection**2).sum() / (base * (deflection**2).sum()))
+    return float((mass * deflection**2 * step).sum() / (base * top * CANTILEVER))
 
 
 class Section(NamedTuple):
@@ -344,29 +349,45 @@ def contact_at(parts: tuple[Part, ...], z: float) -> tuple[float, float] | None:
     return (outer, inner) if inner > outer else None
 
 
-JUMP = 0.01
-"""Area of a section that is on one side of a height alone where the wall is said to change there [m2]."""
+JUMP, KINK = 0.01, 0.25
+"""Area of a section that is on one side of a height alone [m2], and how much faster a wall becomes shorter above it
+[m/m], where it is said to change there."""
 
 
 @lru_cache(maxsize=1024)
 def changes(parts: tuple[Part, ...]) -> tuple[float, ...]:
-    """Heights [m] at which the section of a wall changes, between solids or within the outline of one: steps of its
-    faces, sills and lintels of its openings, another masonry."""
+    """Heights [m] at which a wall changes, between solids or within the outline of one: its faces step, sills and
+    lintels, another masonry, the beginning of a gable."""
     placed = aligned(parts)
     weights = {abs(part.weight) for part in placed}
     alike = [[part for part in placed if abs(part.weight) == weight] for weight in weights]
+    levels = sorted({z for part in placed for _, z in part.polygon})
+    return tuple(
+        z
+        for below, z, above in zip(levels, levels[1:], (*levels[2:], math.inf), strict=False)
+        if math.fsum(_only_on_one_side(group, z) for group in alike) > JUMP or _shortens(placed, below, z, above)
+    )
+
+
+def _only_on_one_side(parts: list[Part], z: float) -> float:
+    """Area that a section of solids has on one side of a height alone [m2]."""
+    below, above = sorted(pieces_at(parts, z, below=True)), sorted(pieces_at(parts, z))
+    if below == above:
+        return 0.0
+    return area_of(cells_of(below)) + area_of(cells_of(above)) - 2.0 * area_of(cells_of(below, above))
+
+
+def _shortens(parts: tuple[Part, ...], below: float, z: float, above: float) -> bool:
+    """Whether a wall begins to become shorter at a height, its openings filled."""
+    solids = [part for part in parts if part.weight > 0.0]
     found = []
-    for z in sorted({z for part in placed for _, z in part.polygon if z > 0.0}):
-        changed = 0.0
-        for group in alike:
-            below, above = pieces_at(group, z, below=True), pieces_at(group, z)
-            if below and above and sorted(below) != sorted(above):
-                changed += area_of(cells_of(below)) + area_of(cells_of(above)) - 2.0 * area_of(cells_of(below, above))
-            elif below != above:
-                changed += area_of(cells_of(below or above))
-        if changed > JUMP:
-            found.append(z)
-    return tuple(found)
+    for end, beneath in ((below, True), (above, False)):
+        if not math.isfinite(end):
+            return False
+        half = 0.5 * (z - end)
+        lengths = [length_of(section_at(solids, *at)) for at in ((z, beneath), (z - half, False))]
+        found.append((lengths[0] - lengths[1]) / half)
+    return found[0] - found[1] > KINK
 
 
 @lru_cache(maxsize=256)

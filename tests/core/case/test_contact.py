@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from core.case.hinges import above_hinge, usual_hinges
-from core.case.rules import parse_wall
+from core.case.rules import parse_case, parse_wall
 from core.case.site import Building
+from core.errors import InputError
 
 BASE = {"name": "w", "mechanism": "one_sided", "base_z_m": 0.0, "height_m": 9.0, "thickness_m": 0.6, "length_m": 5.0}
 BASE |= {"unit_weight_kn_m3": 18.0, "back_restraint": "cross_walls", "restraint_evidence": "drawing"}
@@ -84,3 +85,134 @@ def test_that_steps_solids_and_one_outline_have_the_same_hinges_and_bodies(seed)
             assert block.slenderness == pytest.approx(blocks[0].slenderness, rel=1e-9)
             assert block.radius == pytest.approx(blocks[0].radius, rel=1e-9)
             assert block.inertia_over_mass == pytest.approx(blocks[0].inertia_over_mass, rel=1e-9)
+
+
+def checked(table: dict):
+    """A wall with every rule of its shape."""
+    return parse_case({"title": "t", "wall": [table]}).wall[0]
+
+
+def elevation(s0: float, s1: float, z0: float, z1: float, outer: float, inner: float, **more) -> dict:
+    corners = [[s0, z0], [s1, z0], [s1, z1], [s0, z1]]
+    return {"plane": "elevation", "polygon_m": corners, "from_m": outer, "to_m": inner} | more
+
+
+@pytest.mark.parametrize(("wide", "edge"), [(0.4, 0.0), (1.2, 0.0), (1.3, -0.3)])
+def test_that_pilasters_are_an_edge_where_half_of_the_length_stands_on_them(wide, edge):
+    """Two pilasters before a wall of 5 m that recedes above 3 m: they alone remain in front of it."""
+    solids = [elevation(0.0, 5.0, 0.0, 3.0, 0.0, 0.6), elevation(0.0, 5.0, 3.0, 9.0, 0.0, 0.5)]
+    solids += [elevation(s, s + wide, 0.0, 9.0, -0.3, 0.0) for s in (0.5, 3.0)]
+    found = above_hinge(parse_wall(BASE | {"solid": solids}), 3.0)
+    assert found.thickness == pytest.approx(0.5 if edge == 0.0 else 0.6)
+    assert min(solid.x0_m + solid.from_m for solid in found.solid) == pytest.approx(-0.3 - edge)
+
+
+def test_that_an_arm_that_overhangs_rests_on_what_is_below_it_alone():
+    """Above 4 m the wall goes on along itself and in front of nothing: what it stands on has its face at 0."""
+    solids = [elevation(0.0, 5.0, 0.0, 4.0, 0.0, 0.6), elevation(0.0, 5.0, 4.0, 9.0, 0.0, 0.6)]
+    solids += [elevation(5.0, 8.0, 4.0, 9.0, -0.25, 0.35), elevation(6.0, 6.5, 0.0, 3.0, -0.6, 0.0)]
+    with pytest.raises(InputError) as refused:  # the pier in front stands apart
+        checked(BASE | {"length_m": 5.0, "solid": solids})
+    assert refused.value.code == "body_in_pieces"
+    whole = parse_wall(BASE | {"length_m": 5.0, "solid": solids[:3]})
+    part, alone = above_hinge(whole, 4.0), BASE | {"height_m": 5.0, "length_m": 5.0, "base_z_m": 4.0}
+    own = [elevation(0.0, 5.0, 0.0, 5.0, 0.0, 0.6), elevation(5.0, 8.0, 0.0, 5.0, -0.25, 0.35)]
+    for solid in own:
+        solid["polygon_m"] = [[s, z] for s, z in solid["polygon_m"]]
+    expected = parse_wall(alone | {"solid": own})
+    assert part.block().slenderness == pytest.approx(expected.block().slenderness, rel=1e-12)
+    assert part.thickness == pytest.approx(0.6)
+
+
+def test_that_a_wedge_drawn_as_a_solid_begins_at_the_hinge_as_the_short_form_does():
+    wedge = section((0.6, 1.0), (2.6, 9.0), (0.6, 9.0)) | {"to_m": 0.8}
+    written = parse_wall(BASE | {"solid": [box(0.0, 0.6, 0.0, 9.0), wedge]})
+    one_polygon = parse_wall(
+        BASE | {"solid": [section((0, 0), (0.6, 0), (0.6, 1.0), (2.6, 9.0), (0, 9.0))], "length_m": 5.0}
+    )
+    short = BASE | {"return_wedges": {"number": 2, "thickness_m": 0.4, "length_at_top_m": 2.0, "from_z_m": 1.0}}
+    for hinge in (0.0, 0.5, 2.0, 5.0):
+        first, second = above_hinge(written, hinge).block(), above_hinge(parse_wall(short), hinge).block()
+        assert first.slenderness == pytest.approx(second.slenderness, rel=1e-12)
+        assert first.radius == pytest.approx(second.radius, rel=1e-12)
+        drawn, begun = above_hinge(one_polygon, hinge), max(1.0 - hinge, 0.0)
+        if hinge:
+            reach = (2.0 / 8.0) * (9.0 - hinge - begun)
+            assert max(s for solid in drawn.solid for s, _ in solid.polygon_m) == pytest.approx(0.6 + reach)
+
+
+CUT = BASE | {"thickness_m": 0.6}
+REFUSED = {
+    "a cavity from the foot to the top": (
+        "body_of_leaves",
+        [elevation(0.0, 5.0, 0.0, 9.0, 0.0, 0.6), elevation(0.2, 4.8, 0.0, 9.0, 0.2, 0.4, opening=True)],
+    ),
+    "two leaves with ties at their ends": (
+        "body_of_leaves",
+        [elevation(0.0, 5.0, 0.0, 9.0, 0.0, 0.2), elevation(0.0, 5.0, 0.0, 9.0, 0.4, 0.6)]
+        + [elevation(s, s + 0.3, 0.0, 9.0, 0.2, 0.4) for s in (0.0, 4.7)],
+    ),
+    "leaves apart": (
+        "body_in_pieces",
+        [elevation(0.0, 5.0, 0.0, 9.0, 0.0, 0.6), elevation(0.0, 5.0, 0.0, 9.0, 0.2, 0.4, opening=True)],
+    ),
+    "a slot from the foot to the top": (
+        "body_in_pieces",
+        [elevation(0.0, 5.0, 0.0, 9.0, 0.0, 0.6), elevation(2.0, 2.1, 0.0, 9.0, 0.0, 0.6, opening=True)],
+    ),
+    "two halves": (
+        "body_in_pieces",
+        [elevation(0.0, 2.0, 0.0, 9.0, 0.0, 0.6), elevation(2.1, 5.0, 0.0, 9.0, 0.0, 0.6)],
+    ),
+    "40 m of return walls": (
+        "wedges_too_long",
+        [elevation(0.0, 5.0, 0.0, 9.0, 0.0, 0.6), section((0.6, 0.0), (2.0, 9.0), (0.6, 9.0)) | {"to_m": 40.0}],
+    ),
+    "a flat crack": (
+        "solid_too_far",
+        [elevation(0.0, 5.0, 0.0, 9.0, 0.0, 0.6), section((0.6, 0.0), (12.0, 9.0), (0.6, 9.0)) | {"to_m": 1.0}],
+    ),
+    "an oblique wall within the wall": (
+        "solids_overlap",
+        [
+            elevation(0.0, 5.0, 0.0, 9.0, 0.0, 0.6),
+            {"plane": "oblique", "angle_deg": 45.0, "polygon_m": [[0, 0], [2, 0], [2, 9], [0, 9]], "to_m": 0.4},
+        ],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_that_what_is_no_body_or_weighs_twice_is_refused(name):
+    code, solids = REFUSED[name]
+    with pytest.raises(InputError) as refused:
+        checked(CUT | {"solid": solids})
+    assert refused.value.code == code
+
+
+def test_that_a_flue_a_slot_below_a_lintel_and_a_pair_of_return_walls_are_one_body():
+    wall = elevation(0.0, 5.0, 0.0, 9.0, 0.0, 0.6)
+    for more in (
+        elevation(1.0, 1.3, 0.0, 9.0, 0.2, 0.45, opening=True),
+        elevation(2.0, 2.1, 0.0, 8.5, 0.0, 0.6, opening=True),
+        section((0.6, 0.0), (2.6, 9.0), (0.6, 9.0)) | {"to_m": 0.8},
+        elevation(0.0, 0.5, 0.0, 9.0, 0.6, 3.0),
+    ):
+        assert checked(CUT | {"solid": [wall, more]}).block().slenderness > 0.0
+
+
+def test_that_pieces_above_a_hinge_are_walls_of_their_own():
+    """Two towers above 4 m: neither overturns with the other."""
+    solids = [elevation(0.0, 5.0, 0.0, 4.0, 0.0, 0.6)]
+    solids += [elevation(s, s + 1.0, 4.0, 9.0, 0.0, 0.6) for s in (0.0, 4.0)]
+    wall = checked(CUT | {"solid": solids})
+    with pytest.raises(InputError) as refused:
+        above_hinge(wall, 4.0)
+    assert refused.value.code == "pieces_above" and "4 m" in str(refused.value)
+    above_hinge(wall, 3.0)
+
+
+def test_that_sills_and_lintels_are_usual_hinges():
+    openings = [{"s_m": 1.0, "z_m": 1.0, "width_m": 1.2, "height_m": 1.5}]
+    found = usual_hinges(parse_wall(BASE | {"openings": openings}), None)
+    assert found == pytest.approx((1.0, 2.5))

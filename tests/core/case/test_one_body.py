@@ -1,0 +1,67 @@
+"""The same body written in every way has the same hinges, numbers and refusals (issue BO)."""
+
+import numpy as np
+import pytest
+
+from core.case.hinges import above_hinge, usual_hinges
+from core.case.rules import parse_case
+from core.case.site import Building
+from core.errors import InputError
+from core.wall import wall_body
+from tests.core.case.bodies import random_body, ways
+
+BUILDING = Building(9.0, 3, period_s=0.2)
+
+
+def judged(table: dict):
+    """Per hinge what every check is computed from, or the code of the refusal."""
+    try:
+        wall = parse_case({"title": "t", "wall": [table]}).wall[0]
+    except InputError as error:
+        return error.code
+    found = []
+    for hinge in (0.0, *usual_hinges(wall, BUILDING)):
+        try:
+            part = above_hinge(wall, hinge)
+            block, base = part.block(), wall_body.base_length(part)
+        except InputError as error:
+            found.append((hinge, error.code))
+            continue
+        sides = [block, part.inner_block() or block]
+        numbers = [x for one in sides for x in (one.slenderness, one.radius, one.inertia_over_mass)]
+        share = wall_body.period_share(part) if wall_body.parts_of(part) else 1.0
+        found.append((hinge, *numbers, part.thickness, base, part.weight, share))
+    return found
+
+
+def assert_alike(one, other, way: str):
+    if isinstance(one, str) or isinstance(other, str):
+        assert one == other, way
+        return
+    assert [hinge for hinge, *_ in one] == pytest.approx([hinge for hinge, *_ in other]), way
+    for first, second in zip(one, other, strict=True):
+        if isinstance(first[1], str) or isinstance(second[1], str):
+            assert first[1] == second[1], way
+        else:
+            assert first == pytest.approx(second, rel=2e-9), way
+
+
+def check(seed: int) -> str | list:
+    rng = np.random.default_rng(seed)
+    body = random_body(rng)
+    found = {way: judged(table) for way, table in ways(body, rng).items()}
+    first = found["elevations"]
+    for way, other in found.items():
+        assert_alike(first, other, way)
+    return first
+
+
+@pytest.mark.parametrize("seed", range(100))
+def test_that_a_body_is_judged_alike_however_it_is_written(seed):
+    check(seed)
+
+
+@pytest.mark.long
+def test_that_two_thousand_bodies_are_judged_alike_however_they_are_written():
+    found = [check(seed) for seed in range(100, 2100)]
+    assert sum(not isinstance(one, str) for one in found) > 1500
