@@ -11,7 +11,7 @@ from core.errors import InputError, place
 from core.quantities import foreign_unit
 
 KEYS = ("return_period_years", "ag_g", "f0", "tc_star_s")
-UNITS = ("anni", "years", "yr", "g", "s", "sec", "-", "–")
+UNITS = ("anni", "years", "yr", "g", "ag/g", "s", "sec", "-", "–")
 """Units of its columns, as they are written."""
 
 MAX_BYTES, MAX_ROWS = 100_000, 100

@@ -16,7 +16,7 @@ from core.case.rules import parse_wall
 from core.case.schema import Wall
 from core.case.values import field_of
 from core.errors import InputError, place
-from core.ooxml.sheet import MAX_NAME, Limits, hidden_notes, read_sheet, refuse_cells, spoken
+from core.ooxml.sheet import MAX_NAME, Limits, Sheet, hidden_notes, read_sheet, refuse_cells, spoken
 from core.quantities import WRITTEN, factor_to, unit_of
 from core.text.catalogue import CATALOGUE
 from core.text.sentence import Sentence, notice
@@ -98,6 +98,9 @@ MECHANISMS = {
 CHOICES = {"mechanism": MECHANISMS, "kind": LOAD_KINDS, "mass": LOAD_MASSES}
 """Key -> its words in a table; another choice is written as in the case file."""
 
+UNIT_WORDS = ("u.m.", "u.m", "unità", "unita", "unit", "units")
+"""What stands above or before a row of units."""
+
 MAY_BE_EMPTY = ("", "kN/m3", "kN/m", "deg", "m2")
 """Units of keys whose column may name none."""
 
@@ -119,6 +122,9 @@ FLAGS = {
     "falso": False,
     "0": False,
 }
+
+OF_A_SMALL_UNIT = 0.05
+"""Of a column in a unit that much smaller than that of its key `1.200` is more likely 1200 than 1.2: it is asked."""
 
 MAX_ROWS, MAX_COLUMNS, MAX_BYTES = 2000, 40, 20_000_000
 MAX_CELLS = MAX_ROWS * 4 * MAX_COLUMNS
@@ -190,13 +196,14 @@ def _mark(text: str) -> str:
 
 _SEPARATOR = re.compile(r"\s*sep=([;,\t])[;,\t]*\r?\n", re.IGNORECASE)
 _NUMBER = re.compile(r"^[+−-]?[\d.,]*\d[\d.,]*$")
-_COMMA = re.compile(r"[+−-]?\d+,\d+")
-_THOUSANDS = re.compile(r"[+−-]?[1-9]\d{0,2}(\.\d{3})+")
+_DIGIT = re.compile(r"\d")
+_COMMA = re.compile(r"[+−-]?\d+,\d+(?!\d|,).*")
+_THOUSANDS = re.compile(r"[+−-]?[1-9]\d{0,2}(\.\d{3})+(\s*[^\W\d].*)?")
 
 
 def text_rows(text: str) -> list[list[str]]:
     """Cells of a text with `;`, tab or `,` between them, as Excel saves and copies it; a line `sep=;` on top says
-    which. A row that begins with # and has no number is a comment."""
+    which. A row that begins with # is a comment where no other cell has a digit."""
     if said := _SEPARATOR.match(text):
         text, mark = "\n" + text[said.end() :], said[1]
     else:
@@ -208,19 +215,25 @@ def text_rows(text: str) -> list[list[str]]:
         rows = [[cell.strip() for cell in row] for row in table]
     except csv.Error as error:
         raise InputError("not_a_table", reason=error) from None
-    rows = [[] if row and row[0].startswith("#") and not any(map(_NUMBER.search, row)) else row for row in rows]
+    rows = [[] if _is_comment(row) else row for row in rows]
     heads = next((row for row in rows if any(row)), [])
     for n, row in enumerate(rows, start=1):
         _refuse_cut(heads, n, row)
-    if any(_COMMA.fullmatch(cell) for row in rows for cell in row):
-        _refuse_thousands(rows)
+    _refuse_thousands(rows)
     while rows and not any(rows[0]):  # the titles come first
         rows = rows[1:]
     return rows
 
 
+def _is_comment(row: list[str]) -> bool:
+    """Whether a row begins with # and no other cell of it has a digit: nothing of a wall is lost with it."""
+    return bool(row) and row[0].startswith("#") and not any(map(_DIGIT.search, row[1:]))
+
+
 def _refuse_thousands(rows: list[list[str]]) -> None:
     """Refuse `1.250` in a table with decimal commas: thousands, or a decimal point?"""
+    if not any(_COMMA.fullmatch(cell) for row in rows for cell in row):
+        return
     for n, row in enumerate(rows, start=1):
         for cell in row:
             if _THOUSANDS.fullmatch(cell):
@@ -245,12 +258,21 @@ def _xlsx_rows(content: bytes) -> tuple[list[list[str]], list[Sentence]]:
         refuse_cells({"merged_cells": sheet.merged, **found})
     except InputError as error:
         raise error.at(place("sheet", name=name)) from None
-    rows = [[text.strip() for text in sheet.texts(row)] for row in range(1, sheet.last_row + 1)]
+    rows = [_shown_cells(sheet, row) for row in range(1, sheet.last_row + 1)]
+    written = (sheet.rows.get(row, {}).values() for row in range(1, sheet.last_row + 1))
+    _refuse_thousands([[cell.text.strip() for cell in cells if not cell.is_number] for cells in written])
+    rows = [[] if _is_comment(row) else row for row in rows]
     notes = [notice("table_sheet", sheet=name), *hidden_notes(whole, are_read=False)]
     if sheet.other_sheets:
         names = [other[:MAX_NAME] for other in sheet.other_sheets]
         notes.append(notice("other_sheets", names=spoken(names)))
     return rows, notes
+
+
+def _shown_cells(sheet: Sheet, row: int) -> list[str]:
+    """The cells of a row as texts, with the unit that the format of a number shows behind it."""
+    units = {k: cell.shown for k, cell in sheet.rows.get(row, {}).items() if unit_of(cell.shown) is not None}
+    return [f"{text} {units.get(k, '')}".strip() for k, text in enumerate(sheet.texts(row), start=1)]
 
 
 def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
@@ -270,10 +292,17 @@ def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
 def _many_walls(text: str, with_demand: bool) -> ManyWalls:
     """The walls of `text_rows` of a text, each read when it is asked for. Raises InputError for its titles."""
     first: list[tuple[int, list[str]]] = []
-    walls = ManyWalls(text, _mark(text))
+    said = _SEPARATOR.match(text)
+    walls = ManyWalls("\n" + text[said.end() :], said[1]) if said else ManyWalls(text, _mark(text))
+    commas, thousands = False, (0, "")
     try:
         for number, row in walls.scan():
             row = [cell.strip() for cell in row]
+            if _is_comment(row):
+                continue
+            commas = commas or any(map(_COMMA.fullmatch, row))
+            if not thousands[0] and (cell := next(filter(_THOUSANDS.fullmatch, row), "")):
+                thousands = number, cell
             if len(first) < 2 and (number == 2 or any(row)):
                 first.append((number, row))
                 if len(first) == 1 or number != 2 or _is_units(row):
@@ -286,6 +315,8 @@ def _many_walls(text: str, with_demand: bool) -> ManyWalls:
                     raise InputError("table_too_large", rows=MANY_ROWS, columns=4 * MAX_COLUMNS)
     except csv.Error as error:
         raise InputError("not_a_table", reason=error) from None
+    if commas and thousands[0]:
+        raise InputError("thousands_or_decimals", text=thousands[1], place=(place("row", n=thousands[0]),))
     if len(first) < 2 or not len(walls):
         raise InputError("table_rows")
     if len(first[0][1]) > 4 * MAX_COLUMNS:
@@ -334,7 +365,7 @@ class _Head(NamedTuple):
 
 def _is_units(cells: list[str]) -> bool:
     """Whether this row has nothing but units, or nothing at all."""
-    return all(not cell or unit_of(cell) is not None for cell in cells)
+    return all(not cell or cell.lower() in UNIT_WORDS or unit_of(cell) is not None for cell in cells)
 
 
 def _column_of(error: InputError, keys: list) -> int | None:
@@ -382,6 +413,8 @@ def _heads(cells: list[str]) -> list[str]:
 
 _REMARK = re.compile(r"[^\W\d_]+([ '-][^\W\d_]+)*")
 _BRACKETS = re.compile(r"[\[(]\s*([^\[\]()]*)")
+_LETTER = re.compile(r"[^\W\d_]")
+_BRACKET = re.compile(r"[\[(][^\[\]()]*[\])]")
 
 
 def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
@@ -393,15 +426,18 @@ def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
         kind, metadata = columns()[key].entry.metadata["kind"], columns()[key].entry.metadata
         unit = "m" if kind in LENGTHS else metadata.get("unit", "")
         below = (cells[k] if k < len(cells) else "").strip()
+        below = "" if below.lower() in UNIT_WORDS else below
         named = [one.strip() for one in (below, *_BRACKETS.findall(heads[k])) if one.strip("[]() ") not in NO_UNIT]
         units = [one for one in named if unit_of(one) is not None]
         if kind in WORDS or (units and all(_REMARK.fullmatch(one) for one in named if one not in units)):
             named = units
+        if beside := _beside_unit(heads[k]):
+            raise _unknown_unit(beside, heads[k], unit)
         found = []
         for text in named:
             factor = factor_to(text, unit)
             if factor is None or (kind in (*WORDS, "polygon") and factor != 1.0):
-                raise _unknown_unit(text, heads[k], unit)
+                raise _unknown_unit(text, heads[k], unit, kind == "polygon")
             found.append(factor)
         if not found and kind not in LENGTHS and unit not in MAY_BE_EMPTY:
             raise _unknown_unit("", heads[k], unit)
@@ -411,9 +447,18 @@ def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
     return factors
 
 
-def _unknown_unit(text: str, head: str, unit: str) -> InputError:
-    """A text where the unit of a column stands, or should."""
-    return InputError("unknown_unit", unit=text[:40], column=head[:60], known=WRITTEN.get(unit, unit))
+def _beside_unit(head: str) -> str:
+    """What a title says behind its brackets and is no mere word: a factor, another unit; "" where it says nothing."""
+    behind = _BRACKET.split(head, maxsplit=1)[1:]
+    words = _BRACKET.sub(" ", " ".join(behind)).strip()
+    mere = _REMARK.fullmatch(words) and not any(unit_of(word) for word in words.split() if len(word) > 1)
+    return "" if mere else words
+
+
+def _unknown_unit(text: str, head: str, unit: str, alone: bool = False) -> InputError:
+    """A text where the unit of a column stands, or should. alone : no other one is taken"""
+    known = unit if alone else WRITTEN.get(unit, unit)
+    return InputError("unknown_unit", unit=text[:40], column=head[:60], known=known)
 
 
 def _cell(key: str, factor: float, cell: str, here: Sentence):
@@ -432,13 +477,18 @@ def _cell(key: str, factor: float, cell: str, here: Sentence):
         return FLAGS[cell.lower()]
     try:
         if kind != "hinges":
+            if factor < OF_A_SMALL_UNIT and _THOUSANDS.fullmatch(cell):
+                raise InputError("thousands_or_decimals", text=cell)
             value = parse_quantity(cell, entry.metadata.get("unit", ""), factor)
             return int(value) if kind == "int" and value == int(value) else value
         if cell.lower() in (FLOORS, "piani"):
             return FLOORS
         if cell.lower() == BASE:
             return BASE
-        return [parse_quantity(part, "m", factor) for part in re.split(r"\s*;\s*|\s+(?![a-z])", cell)]
+        parts = re.split(r"\s*;\s*|\s+(?![^\W\d])", cell)
+        if len({bool(_LETTER.search(part)) for part in parts}) > 1:  # the unit of one is that of all, or not
+            raise InputError("unit_of_number", text=cell[:60], known="m")
+        return [parse_quantity(part, "m", factor) for part in parts]
     except InputError as error:
         raise error.at(here) from None
 

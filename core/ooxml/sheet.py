@@ -38,6 +38,14 @@ _LITERAL = re.compile(r'"[^"]*"|\\.|_.|\*.|\[(?!(?:h+|m+|s+)\])[^\]]*\]', re.IGN
 """What a number format shows as it is: quoted texts, escaped letters, colours, languages, conditions."""
 
 
+_BEHIND = re.compile(r'[0#?]\s*"([^"]{1,20})"(?:;|\Z)')
+"""A text that a number format writes behind the number."""
+
+
+Formats = list[tuple[bool, str]]
+"""Of `_number_formats`."""
+
+
 class Limits(NamedTuple):
     """Rows, columns and cells with a content, and bytes unpacked, beyond which a sheet is refused."""
 
@@ -52,10 +60,12 @@ class Cell(NamedTuple):
 
     text : as it is written in a text file; numbers with every digit and a decimal point
     is_number : and not a date, which is a number in another format
+    shown : what its format writes behind the number
     """
 
     text: str
     is_number: bool
+    shown: str = ""
 
 
 @dataclass
@@ -138,7 +148,7 @@ def read_sheet(content: bytes, limits: Limits, choose: Callable[[list[str]], int
             if kind == "sharedStrings":
                 texts = _texts(package, target)
             elif kind == "styles":
-                formats = _date_formats(package, target)
+                formats = _number_formats(package, target)
         sheet = _Reader(package, limits, texts, formats, since_1904).read(part, name)
         sheet.other_sheets = [one for one, other, _ in sheets if other != part]
         sheet.hidden_sheets = [one for one, _, is_shown in sheets if not is_shown]
@@ -189,26 +199,28 @@ def _unescaped(text: str) -> str:
     return text.encode("utf-16-le", "surrogatepass").decode("utf-16-le", "replace")
 
 
-def _date_formats(package: Package, part: str) -> list[bool]:
-    """Whether the cells of each format show their number as a date or a time."""
-    own: dict[str, bool] = {}
+def _number_formats(package: Package, part: str) -> Formats:
+    """Of each format whether its cells show their number as a date or a time, and what they write behind it."""
+    own: dict[str, tuple[bool, str]] = {}
     formats: list[str] = []
 
     def start(parent: str, name: str, attributes: dict[str, str]) -> None:
         if (parent, name) == ("numFmts", "numFmt"):
             bare = _LITERAL.sub("", attributes["formatCode"])
-            own[attributes["numFmtId"]] = bool(re.search("[dmyhs]", bare, re.IGNORECASE))
+            behind = _BEHIND.search(attributes["formatCode"])
+            shown = behind[1].strip() if behind else ""
+            own[attributes["numFmtId"]] = bool(re.search("[dmyhs]", bare, re.IGNORECASE)), shown
         elif (parent, name) == ("cellXfs", "xf"):
             formats.append(attributes.get("numFmtId", "0"))
 
     package.parse(part, start)
-    return [own.get(one, int(one) in _DATE_FORMATS) for one in formats]
+    return [own.get(one) or (int(one) in _DATE_FORMATS, "") for one in formats]
 
 
 class _Reader:
     """Takes the elements of a sheet as they come."""
 
-    def __init__(self, package: Package, limits: Limits, texts: list[str], formats: list[bool], since_1904: bool):
+    def __init__(self, package: Package, limits: Limits, texts: list[str], formats: Formats, since_1904: bool):
         self.package, self.limits = package, limits
         self.shared, self.formats = texts, formats
         self.epoch = datetime.datetime(1904, 1, 1) if since_1904 else datetime.datetime(1899, 12, 30)
@@ -308,14 +320,15 @@ class _Reader:
         if not _NUMBER.fullmatch(digits) or not math.isfinite(float(digits)):
             raise ValueError("number")
         style = _index(self.cell.get("s", "0"))
-        if style < len(self.formats) and self.formats[style]:
+        is_date, shown = self.formats[style] if style < len(self.formats) else (False, "")
+        if is_date:
             try:
                 day = self.epoch + datetime.timedelta(days=float(digits))
             except OverflowError:
                 return Cell(f"{digits} d", False)
             return Cell(day.isoformat(" ", "seconds"), False)
         whole = digits.lstrip("+-").isdecimal()
-        return Cell(str(int(digits)) if whole else repr(float(digits)), True)
+        return Cell(str(int(digits)) if whole else repr(float(digits)), True, shown)
 
 
 def _index(digits: str) -> int:

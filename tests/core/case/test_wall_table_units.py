@@ -1,9 +1,12 @@
 """Units of a table of walls: in the heads, in the row below them, of the right quantity."""
 
+import re
+
+import openpyxl
 import pytest
 
 from core.case import wall_table
-from core.case.wall_table import text_rows, walls_of
+from core.case.wall_table import read_walls, text_rows, walls_of
 from core.errors import InputError
 
 
@@ -81,3 +84,58 @@ def test_that_a_unit_in_the_head_that_contradicts_the_row_of_units_is_refused(he
 def test_that_a_head_without_a_unit_still_asks_for_one():
     with pytest.raises(InputError, match="unit '' of the column H is not accepted"):
         wall_table.walls_of(wall_table.text_rows("Parete;H;t [m];Meccanismo\na;6;0,5;su un lato"))
+
+
+THRUST = ["nome", "meccanismo", "H (m)", "t (m)", "z (m)", "peso specifico", "carico 1", "{}", "carico 1 h (m)"]
+THRUST += ["carico 1 d (m)", "carico 1 massa"]
+OF_THRUST = ["a", "su un lato", "7", "0.83", "0", "18", "spinta", "{}", "6.9", "0.4", "nessuna"]
+
+
+def thrust(head: str, value: str, comma: bool = False) -> float:
+    row = [cell.format(value) for cell in OF_THRUST]
+    row = [cell.replace(".", ",") if comma and k != 7 else cell for k, cell in enumerate(row)]
+    text = "\n".join(";".join(one) for one in ([head_.format(head) for head_ in THRUST], row)) + "\n"
+    return walls_of(text_rows(text))[0].load[0].kn_m
+
+
+@pytest.mark.parametrize(
+    ("head", "value", "comma"),
+    [
+        ("carico 1 P (kg/m)", "1.200", False),
+        ("carico 1 P (kg/m)", "1.200", True),
+        ("carico 1 P", "1.200 kg/m", True),
+        ("carico 1 P (kN/m) x 10", "1.2", False),
+        ("carico 1 P (kN/m), valori in t/m", "1.2", False),
+        ("carico 1 P (kN/m) t/m", "1.2", False),
+    ],
+)
+def test_that_a_number_that_may_be_a_thousand_times_larger_is_asked_about(head, value, comma):
+    with pytest.raises(InputError) as refused:
+        thrust(head, value, comma)
+    assert refused.value.code in ("thousands_or_decimals", "unknown_unit")
+
+
+def test_that_units_of_cells_and_of_number_formats_count(tmp_path):
+    assert thrust("carico 1 P (kg/m)", "1200") == pytest.approx(11.76798)
+    assert thrust("carico 1 P", "1200 kg/m") == pytest.approx(11.76798)
+    assert thrust("carico 1 P (kN/m) stimato", "1.2") == pytest.approx(1.2)
+    book = openpyxl.Workbook()
+    sheet = book.active
+    sheet.append([head.format("carico 1 P") for head in THRUST])
+    cells = [cell.format("1.2") for cell in OF_THRUST]
+    sheet.append([float(cell) if re.fullmatch(r"[\d.]+", cell) else cell for cell in cells])
+    sheet["H2"].number_format = '0.0 "t/m"'
+    book.save(tmp_path / "t.xlsx")
+    (wall,) = read_walls(tmp_path / "t.xlsx")
+    assert wall.load[0].kn_m == pytest.approx(11.76798)
+
+
+def test_that_hinges_with_one_unit_and_a_row_that_begins_with_a_mark_are_not_guessed():
+    rows = "nome;meccanismo;H (m);t (m);hinge_heights\n{};su un lato;9;0,5;{}\n"
+    with pytest.raises(InputError):
+        walls_of(text_rows(rows.format("a", "3 6 ft")))
+    assert walls_of(text_rows(rows.format("a", "3 ft 6 ft")))[0].hinge_heights == pytest.approx([0.9144, 1.8288])
+    (wall,) = walls_of(text_rows("nome;meccanismo;H;t\n#1;su un lato;7 m;0,50 m\n".replace("H;t", "H (m);t (m)")))
+    assert wall.name == "#1"
+    (wall,) = walls_of(text_rows("nome;meccanismo;H;t\nu.m.;-;m;cm\n# nota del 2024;;;\na;su un lato;7;50\n"))
+    assert wall.thickness == 0.5

@@ -131,7 +131,7 @@ def workbook(writer: Writer, rows, merged=(), hidden_rows=(), hidden_columns=(),
         f"{relations}</Relationships>",
         f"{folder}/sharedStrings.xml": f"{head}<{p}sst {space}>{texts}</{p}sst>",
         f"{folder}/styles.xml": f'{head}<{p}styleSheet {space}><{p}numFmts><{p}numFmt numFmtId="164" '
-        f'formatCode="0.00&quot; m/s&quot;"/><{p}numFmt numFmtId="165" formatCode="[$-410]dd/mm/yyyy"/></{p}numFmts>'
+        f'formatCode="0.00&quot; m (s)&quot;"/><{p}numFmt numFmtId="165" formatCode="[$-410]dd/mm/yyyy"/></{p}numFmts>'
         f'<{p}cellXfs><{p}xf numFmtId="0"/><{p}xf numFmtId="164"/><{p}xf numFmtId="165"/><{p}xf numFmtId="14"/>'
         f"</{p}cellXfs></{p}styleSheet>",
     }
