@@ -148,7 +148,7 @@ def factor_to(text: str, unit: str) -> float | None:
     return given.factor / wanted.factor
 
 
-_BARE = re.compile(r"(?<![\w/])(%g|ms|hz|gal|[a-z]+/[a-z]+[\^]?[0-9²³]?)(?![\w/])")
+_BARE = re.compile(r"(?<![\w/])(%g|ms|mg|hz|gal|g ?/ ?[0-9]+|c?m ?s-2|[a-z]+/[a-z]+[\^]?[0-9²³]?)(?![\w/])")
 _REMARK = re.compile(r"[^\W\d_]+([ '-][^\W\d_]+)*|[0-9.,]+ ?%")
 
 

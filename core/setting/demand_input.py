@@ -2,6 +2,7 @@
 
 import functools
 import math
+import re
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
@@ -27,7 +28,7 @@ from core.ground.scattered import TIME_STEP, scattered_set
 from core.quantities import foreign_unit
 from core.units import CM, G
 
-SPECTRUM_UNITS = ("s", "sec", "secondi", "seconds", "g", "-", "–", "m/m")
+SPECTRUM_UNITS = ("t", "se/g", "sa/g", "s", "sec", "secondi", "seconds", "g", "-", "–", "m/m")
 """Units of a spectrum file, as they are written."""
 
 
@@ -67,9 +68,11 @@ def _rows(path: Path) -> list[tuple[float, float]]:
             period, ordinate = (parse_number(part) for part in parts)
         except (InputError, ValueError):
             wrong = foreign_unit(line, SPECTRUM_UNITS)
+            if not rows and re.search(r"\bfreq", line.lower()):
+                raise InputError("spectrum_units", unit="Hz", place=(path, place("line", n=k))) from None
             if wrong and not rows:
                 raise InputError("spectrum_units", unit=wrong[:40], place=(path, place("line", n=k))) from None
-            if rows and parts:
+            if parts and (rows or parts[0][:1].isdigit()):
                 raise InputError("spectrum_line", text=line.strip()[:60], place=(path, place("line", n=k))) from None
             continue
         rows.append((period, ordinate * G))

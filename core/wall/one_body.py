@@ -88,12 +88,16 @@ def _check_pieces(wall, parts: tuple[Part, ...], here) -> None:
     fault = fault_of(parts, wall.thickness)
     if fault is not None:
         code, z = fault
-        raise InputError(code, place=here, **({"z": z} if code == "body_cut_through" else {"key": "solid"}))
+        if code == "cut":
+            raise InputError("body_cut_through", place=here, z=z)
+        if code == "pieces":
+            raise InputError("body_in_pieces", place=here, key="solid")
+        raise InputError("body_of_leaves", place=here)
 
 
 @lru_cache(maxsize=1024)
 def fault_of(parts: tuple[Part, ...], thickness: float) -> tuple[str, float] | None:
-    """Why solids are not one body: the code of its error and the height [m] of a gap; None of one body."""
+    """Why solids are not one body: "cut", "pieces" or "leaves" and the height [m] of a gap; None of one body."""
     placed = aligned(parts)
     borne = tuple(part for part in placed if not lies_behind(part, thickness))
     sections: list[list[Cell]] = []
@@ -102,9 +106,9 @@ def fault_of(parts: tuple[Part, ...], thickness: float) -> tuple[str, float] | N
         sections = [cells_of(pieces_at(kept, z, grown=0.5 * INTO), same=2.0 * INTO) for z in heights]
         empty = next((z for z, cells in zip(heights, sections, strict=True) if area_of(cells) <= LEAST_BASE), None)
         if empty is not None and kept == borne:
-            return "body_cut_through", empty
+            return "cut", empty
         if Bodies(sections, LEAST_TOUCH, 2.0 * INTO).count > 1:
-            return "body_in_pieces", 0.0
+            return "pieces", 0.0
     cavity: list[tuple[float, float]] = []
     for n, cells in enumerate(sections):
         gaps = [
@@ -114,7 +118,7 @@ def fault_of(parts: tuple[Part, ...], thickness: float) -> tuple[str, float] | N
         ]
         cavity = _common(cavity, gaps) if n else gaps
     if cavity and math.fsum(end - start for start, end in cavity) > LEAVES * max(map(length_of, sections)):
-        return "body_of_leaves", 0.0
+        return "leaves", 0.0
     return None
 
 

@@ -1,6 +1,7 @@
 """Accelerogram files: one reader per format, recognised by content, in this explicit table."""
 
 import hashlib
+import os
 import re
 from dataclasses import replace
 from pathlib import Path

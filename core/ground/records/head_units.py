@@ -19,7 +19,9 @@ _NUMBER_AFTER = re.compile(r"[ \t]*+[:=]?[ \t]*+[+-]?[.0-9]")
 _BRACKETS = re.compile(r"[\[(]([^\[\]()]{1,40})[\])]")
 _FIELD = re.compile(r"[;,\t|]| {2,}")
 _EDGE = re.compile(r"\A[\s#%!/*'\"\[(<:]++|[\s'\"\])>:]++\Z")
+_CONVERTED = re.compile(r"\b(?:convert\w*|trasformat\w*|changed) +(?:to|into|in) +(?=\S)")
 _TIME_FIELD = re.compile(rf"(?:t|time|tempo)?[ _.]*{any_of(wordings.TIME_UNITS)}\.?")
+_TIME_NAME = re.compile(r"\W*(?:t|time|tempo)\b")
 _BESIDE_WORD = re.compile(rf"\b{wordings.ACCELERATION_WORD}[a-z]{{0,3}}[ ._:,-]*+(?=[a-z0-9%])")
 _BRACKET_END = re.compile(r" *+(?:[\])]|[,;])")
 _FIELD_END = re.compile(r" *+(?:\Z|[;,\t|)\"']|  )")
@@ -95,7 +97,7 @@ def factor_of(text: str) -> float | None:
         return None
 
 
-def _unit(match: re.Match, line: str) -> Iterator[Unit]:
+def units_of(match: re.Match, line: str) -> Iterator[Unit]:
     """The unit of a match of `wordings.UNIT`; none of a factor that is no number."""
     text = match[0].strip()
     if match["named"]:
@@ -155,7 +157,7 @@ def _said(line: str) -> Iterator[tuple[re.Match, bool, bool]]:
             continue
         before = line[max(0, match.start() - 40) : match.start()]
         yield unit, bool(_VALUE.search(before)), bool(_NUMBER_AFTER.match(line, match.end()))
-    for match in wordings.UNIT_SAID.finditer(line):
+    for match in (*wordings.UNIT_SAID.finditer(line), *_CONVERTED.finditer(line)):
         unit = wordings.UNIT.match(line, match.end())
         if unit and not (unit["length"] == "in" and not _power(unit)):
             yield unit, False, bool(_NUMBER_AFTER.match(line, unit.end()))
@@ -194,10 +196,10 @@ def _units(head: str) -> Iterator[tuple[Unit, str]]:
         line = folded(raw)
         label = _LABEL.search(line)
         for match, of_one, _ in _said(line):
-            yield from ((unit, "beside" if of_one or label else "said") for unit in _unit(match, raw))
+            yield from ((unit, "beside" if of_one or label else "said") for unit in units_of(match, raw))
         if not label:
             for match in _in_words(line):
-                yield from ((unit, "words") for unit in _unit(match, raw))
+                yield from ((unit, "words") for unit in units_of(match, raw))
 
 
 def stated_unit(head: str) -> Unit | None:
@@ -211,7 +213,8 @@ def stated_unit(head: str) -> Unit | None:
         if unit.quantity == "acceleration":
             found[how].append(unit)
     units = found["said"] or found["words"]
-    for other in [*units[1:], *found["beside"]] if units else ():
+    words = [one for one in found["words"] if units and one.line != units[0].line]
+    for other in [*units[1:], *words, *found["beside"]] if units else ():
         one = units[0]
         if abs(other.size / one.size - 1.0) > 1e-9:
             raise RecordError("two_units", one=one.name, first=one.line, other=other.name, second=other.line)
@@ -235,8 +238,10 @@ def refuse_other_quantity(head: str) -> None:
 
 def _other_of(line: str) -> str | None:
     """What a line that is no head of a table with an acceleration names instead of one."""
-    line = line.replace("_", " ")  # names of columns: raw_acc, vel_f
     fields = [field for field in re.split(r"[;,\t]| {2,}|(?<=[\])]) ", line) if field.strip()]
+    if len(fields) == 1 and _TIME_NAME.match(line):
+        fields = line.split()
+    line, fields = line.replace("_", " "), [field.replace("_", " ") for field in fields]  # raw_acc, vel_f
     if len(fields) > 1 and any(
         _ACCELERATION_WORD.search(field) and not _words_of_other(field) and not _units_of_other(field)
         for field in fields
@@ -259,7 +264,7 @@ def _units_of_other(line: str) -> str | None:
     said = [match for match, of_one, valued in _said(line) if not of_one and not valued]
     words = [] if _LABEL.search(line) else list(_in_words(line))
     for match in [*said, *words]:
-        for unit in _unit(match, line):
+        for unit in units_of(match, line):
             if unit.quantity not in ("acceleration", "counts", "voltage") and not (
                 match["length"] and not _power(match) and match["length"] not in wordings.BARE_LENGTHS
             ):

@@ -5,14 +5,18 @@ import re
 _NUMBERED = (
     r"(?:\d{1,3}\s*(?:st|nd|rd|th|°|º)|first|second|third|fourth|fifth|top|upper|last|ultimo|primo|secondo|terzo)"
 )
-IN_STRUCTURE = re.compile(
-    rf"\b(roof(?:top)?|penthouse|attic|copertura|sottotetto|basement|seminterrato|sub-?basement|mezzanine"
-    rf"|{_NUMBERED}\s+(?:floor|storey|story|piano|solaio|impalcato)"
-    r"|ground\s+floor|piano\s+terra|floor\s*#?\s*\d{1,3}\b|bridge\s+deck|deck\s+level|pier\s+cap"
-    r"|dam\s+crest|crest\s+of\s+(?:the\s+)?dam|coronamento|(?:left|right)\s+abutment|bent\s+\d+)",
-    re.IGNORECASE,
+_WORDS = (
+    r"roof(?:top)?|penthouse|attic|copertura|tetto|lastrico|sottotetto|basement|seminterrato|sub-?basement|mezzanine"
+    rf"|{_NUMBERED}[\s_]+(?:floor|fl\.?|storey|story|level|piano|solaio|impalcato)"
+    r"|ground\s+floor|piano\s+terra|(?:floor|piano|solaio)\s*[#:]?\s*\d{1,3}(?!\d)"
+    r"|location\s*[:=]?\s*level\s*\d{1,2}"
+    r"|bridge\s+deck|deck(?:\s+level)?|impalcato|pier\s+cap|foundation|fondazione"
+    r"|dam\s*\(?crest|\(crest\)|location\s*[:=]?\s*crest|crest\s+of\s+(?:the\s+)?dam|coronamento|abut(?:ment)?|bent\s+\d+"
+    r"|bore-?hole|down-?hole|in-?hole|pozzo|foro\s+di\s+sondaggio|SENSOR_DEPTH_M:\s*(?:[3-9]|[1-9]\d+)(?:\.\d+)?"
 )
-"""Words of a place in a building, on a bridge or on a dam; names of places that contain them are no such words."""
+IN_STRUCTURE = re.compile(rf"(?<![^\W_])(?:{_WORDS})(?![^\W\d_])", re.IGNORECASE)
+"""Words of a place in a building, on a bridge, on a dam or in a borehole; names of places that contain them are no such
+words."""
 
 LINES = 60
 """Lines of a file in which its head says where the sensor stood."""

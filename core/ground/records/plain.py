@@ -1,5 +1,6 @@
 """Plain text: one column, time and columns, `npts dt` headers, `#` comments, comma or point decimals."""
 
+import itertools
 import math
 import re
 from dataclasses import dataclass, field
@@ -93,7 +94,7 @@ class _Content:
 def read(lines: list[str], options: Options) -> Parsed:
     """Raises RecordError for spectra, uneven or unsorted time, several columns without a choice,
     and rows that are not numbers."""
-    content = _told_apart(lines, options.skip_lines or 0)
+    content = _told_apart(_with_points(lines), options.skip_lines or 0)
     if content.rows:
         above = zip(content.head_places, content.head[options.skip_lines or 0 :], strict=True)
         refuse_samples_in_head(list(above), content.first)
@@ -109,16 +110,35 @@ def read(lines: list[str], options: Options) -> Parsed:
     if plain_head.are_components(said, *table.shape) and not _rises(table[:, 0]):
         values, from_time, taken = _component(table, content.places, options)
     else:
-        values, from_time, taken = _columns(table, content.places, options, plain_head.seconds_of_time(said))
+        step = options.time_step or (declared[1] if declared else plain_head.first_step(said))
+        values, from_time, taken = _columns(table, content.places, options, plain_head.seconds_of_time(said), step)
     if taken != options.column:
         plain_head.refuse_column(said, table.shape[1], taken)
     parsed = Parsed(values, from_time, None, counted=declared is not None)
     take_unit(parsed, unit)
     plain_head.agree(parsed, said, declared[1] if declared else None, options.time_step)
+    parsed.stated_peak = plain_head.stated_peak(said, parsed.unit or options.unit)
     parsed.told = len(content.head), len(content.places)
     parsed.details = tuple((f"line {k + 1}", text) for k, text in enumerate(content.head[:6]))
     parsed.vertical = plain_head.vertical(said, table.shape[1], taken)
     return parsed
+
+
+_LONE_COMMA = re.compile(r"\s*[+-]?[0-9]+,[0-9]+(?:[Ee][+-]?[0-9]+)?\s*")
+
+
+def _with_points(lines: list[str]) -> list[str]:
+    """True minus signs as they are typed; lines of one column with decimal commas with points: where nearly all have
+    one comma between digits, and what stands before it does not rise as a time."""
+    lines = [line.replace("−", "-") if "−" in line else line for line in lines]
+    lone = [line for line in lines if _LONE_COMMA.fullmatch(line)]
+    if len(lone) < 20 or len(lone) < 0.8 * sum(1 for line in lines if line.strip()):
+        return lines
+    before = [float(line.split(",")[0]) for line in lone]
+    rising = sum(one < other for one, other in itertools.pairwise(before))
+    if rising > 0.5 * len(before):
+        return lines
+    return [line.replace(",", ".") if _LONE_COMMA.fullmatch(line) else line for line in lines]
 
 
 def _told_apart(lines: list[str], skip: int) -> _Content:
@@ -234,10 +254,10 @@ def _component(table, places, options: Options):
     return _without_gap(table[:, options.column - 1], places), None, options.column
 
 
-def _columns(table, places, options: Options, seconds: float):
+def _columns(table, places, options: Options, seconds: float, stated: float | None):
     """(the acceleration column, the time step of the time column or None, its number from 1). Columns that are empty
     throughout stay in their places and are none; an empty cell in the one taken is a gap. seconds : of one unit of
-    the time column."""
+    the time column; stated : time step that is given or stated [s]: then a first column that counts is no time."""
     filled = [k for k in range(table.shape[1]) if not np.isnan(table[:, k]).all()]
     if len(filled) == 1:
         if options.column not in (None, 1, filled[0] + 1):
@@ -260,6 +280,9 @@ def _columns(table, places, options: Options, seconds: float):
     if len(filled) > 2 and options.column is None:
         raise RecordError("which_column", n=len(filled), most=filled[-1] + 1)
     taken = options.column or filled[1] + 1
+    numbers = table[:, filled[0]]
+    if stated and stated != 1.0 and numbers[0] in (0.0, 1.0) and (np.diff(numbers) == 1.0).all():
+        return _without_gap(table[:, taken - 1], places), None, taken
     step = _even_step(times, places, options.time_step)
     return _without_gap(table[:, taken - 1], places), step, taken
 

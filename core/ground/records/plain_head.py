@@ -9,9 +9,10 @@ from dataclasses import dataclass
 from core.errors import RecordError
 from core.ground.records import wordings
 from core.ground.records.channels import is_vertical
-from core.ground.records.grammar import Parsed, head_lines, quoted
-from core.ground.records.head_units import factor_of, refuse_other_quantity
+from core.ground.records.grammar import UNITS, Parsed, head_lines, quoted
+from core.ground.records.head_units import factor_of, refuse_other_quantity, units_of
 from core.ground.records.wordings import FACTOR, TIMING, N, any_of, folded
+from core.quantities import unit_of
 from core.text.sentence import notice
 
 SAME = 1e-3
@@ -94,6 +95,16 @@ _LONE = re.compile(rf"(?<![a-z0-9.,/:_^*+-])({N})(?![a-z0-9/:_^*-]|[.,][0-9])(?!
 _MARKS = " \t#%!/*;,'\"<>|:-"
 
 
+_CELL = re.compile(r"\A([^0-9,;\t:=]*[a-z][^0-9,;\t:=]*)[,;\t] *(?=[+-]?[.,]?[0-9])")
+"""A label and its number in two cells of a line, read as `label: number`."""
+
+_DECIMATED = re.compile(r"\b(?:decimat\w*|down-?sampl\w*|sottocampion\w*|sfoltit\w*)")
+_PEAK = re.compile(
+    r"\b(?:pga|pha|peak (?:ground )?acc\w*|acc\w* (?:di picco|massima|max)|max(?:imum|\.)? acc\w*)\b"
+    rf"[^0-9+-]{{0,12}}(?P<peak>[+-]?{N}) *[\[(]?"
+)
+
+
 @dataclass(frozen=True)
 class Statement:
     """A number a head states. value : in the unit of its kind ([s], samples, -); line : where, quoted; span : (number
@@ -114,7 +125,8 @@ class Head:
 
 def head_of(text: str) -> Head:
     raw = head_lines(text)
-    return Head(raw, [_PAIR.sub(r"npts=\1 dt=\2", folded(line).strip(_MARKS)) for line in raw])
+    lines = (_CELL.sub(r"\1: ", folded(line).strip(_MARKS)) for line in raw)
+    return Head(raw, [_PAIR.sub(r"npts=\1 dt=\2", line) for line in lines])
 
 
 def _found(head: Head, pattern: re.Pattern) -> Iterator[tuple[re.Match, int]]:
@@ -256,6 +268,11 @@ def seconds_of_time(head: str) -> float:
     return 1.0
 
 
+def first_step(said: str) -> float | None:
+    """The time step a head states [s], None where it states none. Raises RecordError where two differ."""
+    return next((one.value for one in time_steps(head_of(said))), None)
+
+
 def are_components(said: str, n: int, width: int) -> bool:
     """Whether a table of n rows holds components side by side: the head counts the rows, or names each column in its
     last line. Values wrapped over lines are counted by all of them."""
@@ -266,7 +283,13 @@ def are_components(said: str, n: int, width: int) -> bool:
         return True
     last = said.rsplit("\n", 1)[-1].strip()
     fields = [one for one in re.split(r"[;,\t]| {2,}", last) if one.strip()]
+    if len(words := last.split()) == width and all(_DIRECTION.fullmatch(word) for word in words):
+        return True
     return len(fields) == width and not any(char.isdigit() for char in last)
+
+
+_DIRECTION = re.compile(r"(?:n-?s|e-?w|n-?o|u-?d|north|south|east|west|up|nord|sud|est|ovest|vert\w*|[xyz])\.?", re.I)
+"""A direction above a column."""
 
 
 def agree(parsed: Parsed, said: str, declared: float | None, given: float | None) -> None:
@@ -277,6 +300,8 @@ def agree(parsed: Parsed, said: str, declared: float | None, given: float | None
     head, n = head_of(said), parsed.values.size
     steps = time_steps(head)
     stated, line = (declared, "npts dt") if declared else (steps[0].value, steps[0].line) if steps else (None, "")
+    if stated and not parsed.time_step and not given and (at := next(_found(head, _DECIMATED), None)):
+        raise RecordError("decimated", line=quoted(head.raw[at[1]]))
     if stated and parsed.time_step and abs(parsed.time_step - stated) > SAME * stated:
         raise RecordError("two_time_steps", stated=stated, column_step=parsed.time_step, line=line)
     if declared and steps and abs(steps[0].value - declared) > SAME * declared:
@@ -296,6 +321,21 @@ def agree(parsed: Parsed, said: str, declared: float | None, given: float | None
     if lines:
         shown = ", ".join(dict.fromkeys(lines[:3]))
         parsed.warnings.append(notice("number_not_understood", lines=shown))
+
+
+def stated_peak(said: str, unit: str | None) -> float | None:
+    """The largest acceleration a head states with its unit, in the unit of the samples; None where it states none.
+    unit : of the samples, of `UNITS`"""
+    if unit is None:
+        return None
+    for match, k in _found(head_of(said), _PEAK):
+        line = head_of(said).lines[k]
+        of = wordings.UNIT.match(line, match.end())
+        found = next(units_of(of, line), None) if of else None
+        value = factor_of(match["peak"])
+        if value and found is not None and found.quantity == "acceleration":
+            return abs(value) * found.size / UNITS[unit]
+    return None
 
 
 def not_understood(head: Head, known: list[Statement], step: float | None, n: int) -> list[str]:
@@ -333,6 +373,7 @@ def _named(head: str, width: int, column: int) -> Iterator[str]:
             (re.split(r"[;,\t]", line), True),
             (re.split(r" {2,}", line.strip()), False),
             (line.split(), False),
+            (re.split(r"(?<=[\])]) +", line.strip()), False),
         ):
             named = len(fields) >= column if apart else len(fields) == width
             if len(fields) > 1 and named and 1 <= column <= len(fields):
@@ -350,6 +391,10 @@ def refuse_column(head: str, width: int, column: int) -> None:
     for field in _named(head, width, column):
         if _SHORT_NAME.fullmatch(field.strip(" \"'")):
             raise RecordError("other_quantity", quantity=field.strip(), line=quoted(field))
+        for text in re.findall(r"[\[(]([^\[\]()]{2,})", field):  # one letter is a direction
+            unit = unit_of(text)
+            if unit is not None and (unit.force or unit.angle or unit[1:] == (0, 1, -1, 0)):
+                raise RecordError("other_quantity", quantity=text.strip(), line=quoted(field))
         refuse_other_quantity(field)
 
 
@@ -361,8 +406,10 @@ def vertical(head: str, width: int, column: int) -> bool:
         if width > 1 and (len(fields) >= width or (width > 2 and len(line.split()) >= width)):
             continue  # the head of a table: the column says
         codes = [match[1] for match in wordings.DIRECTION_LABEL.finditer(line)]
+        if codes:  # of `dir 90 deg, UD` the last word
+            codes += [word for word in re.split(r"[ ,;()]+", line) if word in ("ud", "u-d", "up", "vert", "vertical")]
         if len(line.split()) <= 3:
-            codes += [line, *(word for word in re.split(r"[ .]+", line) if len(word) > 1)]
+            codes += [line, *(word for word in re.split(r"[ .]+", line) if len(word) > 1 and word != "su")]
         if wordings.VERTICAL_WORDS.search(line) or any(
             wordings.DIRECTION_CODES.fullmatch(code.strip("()[],.;'\"")) for code in codes
         ):

@@ -197,9 +197,9 @@ _OF_ACCELERATION = words_of(length=1, time=-2) | {
 _OF_OTHERS = {
     "counts": words("""
         counts | count | cts | raw counts | raw count | digital counts | adc counts | adc units |
-        digital units | digits | lsb | conteggi | bit | bits
+        digital units | digit | digits | lsb | conteggi | bit | bits
     """),
-    "voltage": words("v | volt | volts | mv | millivolt | millivolts | uv | microvolt | microvolts"),
+    "voltage": words("v | volt | volts | mv/g | v/g | mv | millivolt | millivolts | uv | microvolt | microvolts"),
     "velocity": words("kine | kines | mkine | millikine | knots | km/h | kmh | mph"),
     "jerk": words("g/s | g/sec | gal/s | gal/sec"),
     "rotation": words("""
@@ -281,7 +281,7 @@ _DIRECTION_OF = words("""
     orientation | orientazione | orientamento | stream | axis | asse | sensor | verso
 """)
 DIRECTION_LABEL = re.compile(
-    rf"\b{any_of(_DIRECTION_OF)}(?:[ _-]?(?:name|code|nome|codice))?[ .]*+[:= ] *+(\S{{1,20}})"
+    rf"\b{any_of(_DIRECTION_OF)}(?:[ _-]?(?:name|code|nome|codice))?\.?(?: *+[:=] *+| ++)(\S{{1,20}})"
 )
 DIRECTION_CODES = re.compile(
     r"(?:up|down|dwn|dn|ver|vert|vertical[ei]?|u-d|ud|u|z|v|h[a-z]z|[a-z]nz|[a-z]gz|[a-z]hz|[a-z]lz|su)\.?"

@@ -268,7 +268,7 @@ def test_that_a_vertical_is_named_wherever_the_head_says_it(head):
 SILENT = """
 Norcia, 30/10/2016 06:40:18 UTC|Event 2016-10-30T06:40:18|Mw 6.5|Magnitude: 6.5
 magnitudo 6,5, profondità 10 km|Lat. 42.83, Lon. 13.11|latitude 42.5000|longitudine 13.0000
-Epicentral distance 12 km|Vs30 = 500 m/s|Vs30 (m/s): 400|PGA = 0.31 g|PGA: 100 cm/s2|peak 0.5 at 4.2 s
+Epicentral distance 12 km|Vs30 = 500 m/s|Vs30 (m/s): 400|peak 0.5 at 4.2 s
 Filter: 0.1-25 Hz|bandpass 0.1 - 50 Hz|filtro passa banda 0.1-40 Hz|corner frequencies 0.05 and 40 Hz
 Butterworth order 4|High-pass 0.1 Hz|station 200|Stazione AMT, quota 100 m|Station code 1024
 Recording station: 090 CDMG STATION 24278|event id 20161030_000029|azimuth 250|Frequency range: 0.12-23.0 Hz

@@ -17,6 +17,8 @@ LIFTING = re.compile(
 """Inputs that lift zeta, and what is left out, in the English of a sentence; the Italian says the same."""
 
 STATES = {
+    "decimated",
+    "solid_too_far",
     "alone",
     "by_default",
     "elastic_branch",
