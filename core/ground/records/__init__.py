@@ -301,6 +301,7 @@ def expand(pattern: str, base_dir: Path) -> list[Path]:
     pattern = name_of(pattern)
     path = base_dir / pattern
     try:
+        os.fsencode(path)  # a name that this system cannot write is an error of the case
         if not any(letter in pattern for letter in "*?[") or path.exists():
             return [path]
         anchor = Path(path.anchor) if Path(pattern).is_absolute() else base_dir

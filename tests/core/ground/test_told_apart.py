@@ -76,19 +76,14 @@ READ = {
 }
 
 
-COLUMNS = {"directions above columns": 1, "names of columns": 2}
+COLUMNS = {"directions above columns": Options(column=1), "names of columns": Options(column=2, unit="g")}
 
 
 @pytest.mark.parametrize("name", READ)
 def test_that_what_is_said_is_taken(name, tmp_path):
     step, code, lines = READ[name]
     (tmp_path / "a.txt").write_text("\n".join(lines) + "\n", encoding="utf-8")
-    motion = read(
-        tmp_path / "a.txt",
-        Options(column=COLUMNS[name], unit="g" if name == "names of columns" else None)
-        if name in COLUMNS
-        else Options(),
-    )
+    motion = read(tmp_path / "a.txt", COLUMNS.get(name, Options()))
     assert motion.time_step == step
     np.testing.assert_allclose(motion.acceleration, VALUES * 9.80665, atol=1e-12)
     codes = {warning.code for warning in motion.warnings}
