@@ -27,13 +27,16 @@ from app.look import theme
 from app.look.language import described, number, tr
 from app.work.session import Session
 from core.case.drawing_file import UNITS, DxfFile, Shape, Sheet
-from core.case.drawn_solids import made_solids, sum_of_solids, with_solids
+from core.case.drawn_solids import made_solids, origin_of, sum_of_solids, with_solids
 from core.case.schema import Wall
 from core.case.solids import Drawing
 from core.errors import InputError
 from core.wall.body import holds, point_within, polygon_sums
 from core.wall.shape_rules import check_shape
 from core.wall.wall_body import has_shape
+
+SHOWN = 8
+"""Kinds of entities that are not read, named in the dialog."""
 
 WEIGHT = 18.0
 """Of a wall without a unit weight, for the mass that is shown [kN/m3]."""
@@ -69,7 +72,7 @@ class DrawingDialog(QDialog):
         self.made: Wall | None = None
         self.file: DxfFile | None = None
         self.failure = ""
-        self.sheet = Sheet((), (), (), None, "m")
+        self.sheet = Sheet((), (), (), (), None, "m")
         self.roles: list[str] = []
         self.areas: list[float] = []
         self.asked = {"unit": None, "plane": "elevation", "from_m": 0.0, "to_m": wall.thickness, "hinge_y_m": None}
@@ -238,7 +241,8 @@ class DrawingDialog(QDialog):
         asked = self.asked
         ends = (asked["from_m"] or 0.0, asked["to_m"])
         shapes = self._of(BODY), self._of(OPENING)
-        made = made_solids(*shapes, self.sheet.unit, asked["plane"], ends, asked["hinge_y_m"])
+        origin = origin_of(shapes[0], self.sheet.unit, asked["plane"], asked["hinge_y_m"])
+        made = made_solids(*shapes, self.sheet.unit, asked["plane"], ends, origin)
         return with_solids(self.wall, made, self.sizes.isChecked())
 
     def _preview(self, wall: Wall) -> str:
@@ -253,9 +257,14 @@ class DrawingDialog(QDialog):
         ]
         return "   ".join(found)
 
+    def _not_read(self) -> str:
+        """What the drawing holds besides and is not read: areas and references first."""
+        found = sorted(self.sheet.unread, key=lambda one: not one.is_ground)
+        return tr("Not read: {left}.", left=", ".join(map(str, found[:SHOWN]))) if found else ""
+
     def _open_outlines(self) -> str:
         if not self.sheet.gaps:
-            return ""
+            return self._not_read()
         gap = min(self.sheet.gaps, key=lambda one: one.size)
         x, y = (number(self.scale * value, ".3f") for value in gap.at)
         return tr(

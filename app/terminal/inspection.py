@@ -57,6 +57,8 @@ def _drawing_refused(path: Path) -> int:
             print(terminal(text, layer=layer, mm=1e3 * scale * gap.size, x=x, y=y))
         if len(gaps) > MOST_GAPS:
             print(terminal("  {layer}: open outlines {n}", layer=layer, n=len(gaps)))
+    for one in sheet.unread:
+        print(terminal("  {layer}: not read {n} {kind}", layer=one.layer, n=one.n, kind=one.kind))
     return 0
 
 

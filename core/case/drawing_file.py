@@ -5,11 +5,12 @@ import itertools
 import logging
 import math
 import struct
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from core.case.drawing_outlines import Gap, Point, gaps_of, joined, simple, with_bulges
+from core.case.drawing_outlines import MOST_CHORDS, Gap, Point, gaps_of, joined, simple, with_bulges
 from core.errors import InputError
 from core.packages import require
 
@@ -47,6 +48,21 @@ USUAL, FARTHEST = 8.0, 10.0
 BINARY = b"AutoCAD Binary DXF"
 
 
+ANNOTATIONS = {
+    *("TEXT", "MTEXT", "ATTRIB", "ATTDEF", "DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION", "LEADER"),
+    *("MULTILEADER", "MLEADER", "TOLERANCE", "POINT", "VIEWPORT", "ACAD_TABLE", "RAY", "XLINE", "IMAGE", "OLE2FRAME"),
+    *("SUN", "LIGHT", "GEODATA", "invisible", "hidden layer", "small CIRCLE"),
+}
+"""Entities that are no part of a body."""
+
+READ = ("LINE", "CIRCLE", "ARC", "ELLIPSE", "SPLINE", "LWPOLYLINE", "HATCH", "MPOLYGON")
+"""Entities that are read, besides flat polylines."""
+
+
+class Tilted(Exception):
+    """An entity that does not lie in the plane of the drawing."""
+
+
 class Shape(NamedTuple):
     """A closed outline. corners : each once, in the unit of the drawing"""
 
@@ -60,16 +76,33 @@ class Shape(NamedTuple):
         return min(xs), min(ys), max(xs), max(ys)
 
 
+class Unread(NamedTuple):
+    """Entities of a layer that are not read. kind : their type in DXF, or why: XREF, XCLIP, tilted, hidden"""
+
+    layer: str
+    kind: str
+    n: int
+
+    @property
+    def is_ground(self) -> bool:
+        """Whether they may be a part of a body: no text, mark or dimension."""
+        return self.kind not in ANNOTATIONS
+
+    def __str__(self) -> str:
+        return f"{self.layer}: {self.n} {self.kind}"
+
+
 class Sheet(NamedTuple):
     """What a drawing holds.
 
-    shapes, gaps : by layer, in the order of the drawing
+    shapes, gaps, unread : by layer, in the order of the drawing
     layers : names of all
     stated : unit of its header, None where it says none; unit : by which it was read, a guess where none is known
     """
 
     shapes: tuple[Shape, ...]
     gaps: tuple[Gap, ...]
+    unread: tuple[Unread, ...]
     layers: tuple[str, ...]
     stated: str | None
     unit: str
@@ -91,6 +124,9 @@ class DxfFile:
             if not content.startswith(BINARY) and not content.rstrip(b"\0\r\n\t \x1a").endswith(b"EOF"):
                 raise ValueError  # ezdxf reads what was cut off at the end of a tag
             self.document: Any = ezdxf.readfile(path)
+            self._unread: Counter[tuple[str, str]] = Counter()
+            hidden = [layer for layer in self.document.layers if layer.is_off() or layer.is_frozen()]
+            self._hidden = {layer.dxf.name.casefold() for layer in hidden}
             self._entities = tuple(self._opened(self.document.modelspace()))
             said = int(self.document.header.get("$INSUNITS", 0)) if b"$INSUNITS" in content else 0  # ezdxf says m
             self.stated = INSUNITS.get(said)
@@ -103,7 +139,7 @@ class DxfFile:
         self.path = path
 
     def _used(self) -> set[str]:
-        return {layer for layer, _ in self._entities}
+        return {layer for layer, _ in self._entities} | {layer for layer, _ in self._unread}
 
     def _opened(self, entities: Iterable) -> Iterator[tuple[str, Any]]:
         """(layer, entity), blocks opened: what is on layer 0 of a block is on that of the block."""
@@ -115,15 +151,47 @@ class DxfFile:
                     raise InputError("drawing_too_much", most=MOST_ENTITIES)
                 own = entity.dxf.get("layer", "0")
                 own = layer if own == "0" and layer is not None else own
+                why = self._left_out(entity, own)
                 if entity.dxftype() != "INSERT":
-                    yield own, entity
-                elif depth < DEEPEST:
+                    if why:
+                        self._unread[own, why] += 1
+                    else:
+                        yield own, entity
+                elif depth < DEEPEST and why != "XREF":
                     if entity.mcount > MOST_ENTITIES:
                         raise InputError("drawing_too_much", most=MOST_ENTITIES)
+                    if entity.dxf.get("zscale", 1.0) == 0.0:
+                        entity.dxf.zscale = 1.0  # flattened to the plane of the drawing
                     for one in entity.multi_insert() if entity.mcount > 1 else (entity,):
-                        yield from within(one.virtual_entities(), own, depth + 1)
+                        inner = within(one.virtual_entities(), own, depth + 1)
+                        if why:
+                            self._unread.update((place, why) for place, _ in inner)
+                        else:
+                            yield from inner
+                else:
+                    self._unread[own, why or "INSERT"] += 1
 
         return within(entities, None, 0)
+
+    def _left_out(self, entity: Any, layer: str) -> str:
+        """Why an entity is not read; "" where it is."""
+        kind = entity.dxftype()
+        if entity.dxf.get("invisible", 0):
+            return "invisible"
+        if layer.casefold() in self._hidden:
+            return "hidden layer"
+        if kind == "INSERT":
+            block = entity.block()
+            if block is None or block.block.is_xref or block.block.is_xref_overlay:
+                return "XREF"
+            from ezdxf.xclip import XClip
+
+            return "XCLIP" if XClip(entity).has_clipping_path else ""
+        if kind == "POLYLINE" and entity.get_mode() in ("AcDb2dPolyline", "AcDb3dPolyline"):
+            return ""
+        if kind == "POLYLINE":
+            return "MESH"
+        return "" if kind in READ else kind
 
     def sheet(self, unit: str | None = None) -> Sheet:
         """What it holds in this unit, else in that of its header, else in the likely one. Raises InputError."""
@@ -131,15 +199,26 @@ class DxfFile:
         if unit is None:
             shapes = self._shapes(0.1)[0]  # of any unit good enough for its size
             unit = likely_unit(largest(shapes)) or "m"
-        shapes, gaps = self._shapes(TOLERANCE / UNITS[unit])
-        return Sheet(tuple(shapes), tuple(gaps), self.layers, self.stated, unit)
+        shapes, gaps, unread = self._shapes(TOLERANCE / UNITS[unit])
+        ledger = tuple(Unread(layer, kind, unread[layer, kind]) for layer, kind in sorted(unread))
+        return Sheet(tuple(shapes), tuple(gaps), ledger, self.layers, self.stated, unit)
 
-    def _shapes(self, tolerance: float) -> tuple[list[Shape], list[Gap]]:
+    def _shapes(self, tolerance: float) -> tuple[list[Shape], list[Gap], Counter]:
+        import ezdxf
+
+        unread = self._unread.copy()
         pieces: dict[str, list[list[Point]]] = {}
         points = 0
         try:
             for layer, entity in self._entities:
-                for line in _lines(entity, tolerance):
+                try:
+                    lines = list(_lines(entity, tolerance))
+                except Tilted:
+                    unread[layer, f"tilted {entity.dxftype()}"] += 1
+                    continue
+                if not lines:
+                    unread[layer, f"small {entity.dxftype()}"] += 1
+                for line in lines:
                     points += len(line)
                     if points > MOST_POINTS:
                         raise InputError("drawing_too_much", most=MOST_ENTITIES)
@@ -149,7 +228,7 @@ class DxfFile:
                         pieces.setdefault(layer, []).append(line)
         except InputError as error:
             raise error.at(self.path) from None
-        except DAMAGED as error:
+        except (*DAMAGED, ezdxf.DXFError) as error:
             raise InputError("drawing_damaged", reason=str(error)[:120], place=(self.path,)) from None
         shapes, gaps, least = [], [], tolerance * SAME / TOLERANCE
         for layer, lines in pieces.items():
@@ -162,7 +241,7 @@ class DxfFile:
                     seen.add(known)
                     shapes.append(Shape(layer, corners))
             gaps += gaps_of(layer, loose)
-        return shapes, gaps
+        return shapes, gaps, unread
 
 
 DAMAGED = (
@@ -172,6 +251,7 @@ DAMAGED = (
     AttributeError,
     ArithmeticError,
     RecursionError,
+    StopIteration,
     AssertionError,
     OSError,
     struct.error,
@@ -194,15 +274,17 @@ def _lines(entity: Any, tolerance: float) -> Iterator[list[Point]]:
     """The lines of an entity: a closed one ends where it begins."""
     kind = entity.dxftype()
     if kind == "LINE":
-        yield _flat((entity.dxf.start, entity.dxf.end))
+        yield _flat((entity.dxf.start, entity.dxf.end), tolerance)
     elif kind in ("CIRCLE", "ARC"):
         if not tolerance < entity.dxf.radius < MOST_RADIUS * tolerance:  # a mark, or nothing of a wall
             return
-        yield _flat(entity.flattening(tolerance))
-    elif kind in ("ELLIPSE", "SPLINE"):
-        yield _flat(entity.flattening(tolerance))
+        yield _flat(entity.flattening(tolerance), tolerance)
+    elif kind == "ELLIPSE":
+        yield _flat(entity.flattening(tolerance), tolerance)
+    elif kind == "SPLINE":
+        yield _flat(_spline(entity, tolerance), tolerance)
     elif kind == "LWPOLYLINE":
-        yield _in_world(entity, with_bulges(entity.get_points("xyb"), entity.closed, tolerance))
+        yield _in_world(entity, with_bulges(entity.get_points("xyb"), entity.closed, tolerance), tolerance)
     elif kind == "POLYLINE" and entity.get_mode() in ("AcDb2dPolyline", "AcDb3dPolyline"):
         corners = [
             (vertex.dxf.location.x, vertex.dxf.location.y, vertex.dxf.get("bulge", 0.0))
@@ -210,11 +292,31 @@ def _lines(entity: Any, tolerance: float) -> Iterator[list[Point]]:
             if not vertex.dxf.get("flags", 0) & 16  # a control point of the curve through the others
         ]
         line = with_bulges(corners, entity.is_closed, tolerance)
-        yield _in_world(entity, line) if entity.is_2d_polyline else line
+        if not entity.is_2d_polyline:
+            _flat((vertex.dxf.location for vertex in entity.vertices), tolerance)
+        yield _in_world(entity, line, tolerance) if entity.is_2d_polyline else line
     elif kind in ("HATCH", "MPOLYGON"):
         for path in entity.paths:
             for line in _border(path, tolerance):
-                yield _in_world(entity, line)
+                yield _in_world(entity, line, tolerance)
+
+
+def _spline(entity: Any, tolerance: float) -> list:
+    """Points of a spline: of a periodic one, whose ends are no control points, within the knots on which it is
+    defined, divided until no chord is farther from it than a tolerance."""
+    curve = entity.construction_tool()
+    if curve.is_clamped:
+        return list(entity.flattening(tolerance))
+    knots, degree = curve.knots(), curve.degree
+    start, end, parts = knots[degree], knots[-degree - 1], 32
+    while True:
+        points = list(curve.points(start + (end - start) * k / (2 * parts) for k in range(2 * parts + 1)))
+        off = max(a.lerp(b).distance(m) for a, m, b in zip(points[::2], points[1::2], points[2::2], strict=False))
+        if off <= tolerance:
+            return points
+        if parts > MOST_CHORDS:
+            raise ValueError("spline")
+        parts *= 2
 
 
 def _border(path: Any, tolerance: float) -> Iterator[list[Point]]:
@@ -233,14 +335,20 @@ def _border(path: Any, tolerance: float) -> Iterator[list[Point]]:
     yield from loose
 
 
-def _flat(points: Iterable) -> list[Point]:
-    return [(float(point[0]), float(point[1])) for point in points]
+def _flat(points: Iterable, tolerance: float | None = None) -> list[Point]:
+    """Points in the plane of the drawing. Raises Tilted where their heights differ by more than a tolerance."""
+    corners = [(float(point[0]), float(point[1]), float(point[2]) if len(point) > 2 else 0.0) for point in points]
+    if tolerance is not None and corners:
+        heights = [z for _, _, z in corners]
+        if max(heights) - min(heights) > tolerance:
+            raise Tilted
+    return [(x, y) for x, y, _ in corners]
 
 
-def _in_world(entity: Any, points: list[Point]) -> list[Point]:
+def _in_world(entity: Any, points: list[Point], tolerance: float) -> list[Point]:
     """Points of the plane of an entity in that of the drawing: a mirrored one looks from behind."""
     ocs = entity.ocs()
-    return _flat(ocs.points_to_wcs((x, y, 0.0) for x, y in points)) if ocs.transform else points
+    return _flat(ocs.points_to_wcs((x, y, 0.0) for x, y in points), tolerance) if ocs.transform else points
 
 
 def largest(shapes: Iterable[Shape]) -> float:

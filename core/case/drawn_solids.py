@@ -43,41 +43,70 @@ def with_drawings(table: dict, folder: Path) -> tuple[dict, list[Drawn]]:
             whole.append(wall)
             continue
         name = str(wall.get("name", wall.get("variant_of", n)))
-        here = place("wall", name=name)
-        solids: list[dict] = []
-        for k, entry in enumerate(wall["drawing"], start=1):
-            try:
-                drawing = section_of(Drawing, entry, "drawing", section(f"[[drawing]] {k}"))
-                file = DxfFile(folder / name_of(drawing.file))
-                try:
-                    made = solids_of(file.sheet(drawing.unit), drawing)
-                except InputError as error:
-                    raise error.at(file.path) from None
-            except InputError as error:
-                raise error.at(here) from None
-            solids += made
-            openings = sum("opening" in solid for solid in made)
-            found.append(
-                Drawn(
-                    file.sha256,
-                    notice(
-                        "drawing_read",
-                        wall=name,
-                        file=shown(drawing.file),
-                        solids=len(made) - openings,
-                        openings=openings,
-                        sha256=file.sha256,
-                    ),
-                )
-            )
+        try:
+            views = [_view(entry, k, folder) for k, entry in enumerate(wall["drawing"], start=1)]
+            made = [_solids_of(view, views) for view in views]
+        except InputError as error:
+            raise error.at(place("wall", name=name)) from None
+        found += [_said(name, view, solids) for view, solids in zip(views, made, strict=True)]
         given = wall.get("solid", [])
         rest = {key: value for key, value in wall.items() if key != "drawing"}
+        solids = [solid for one in made for solid in one]
         whole.append({**rest, "solid": [*given, *solids] if isinstance(given, list) else given})
     return {**table, "wall": whole}, found
 
 
-def solids_of(sheet: Sheet, drawing: Drawing) -> list[dict]:
-    """The solids of a drawing as [[wall.solid]] has them. Raises InputError."""
+class View(NamedTuple):
+    """What a [[wall.drawing]] takes of a file. body, openings : its shapes"""
+
+    drawing: Drawing
+    file: DxfFile
+    sheet: Sheet
+    body: list[Shape]
+    openings: list[Shape]
+
+
+def _view(entry: Any, k: int, folder: Path) -> View:
+    """The k-th drawing of a wall. Raises InputError."""
+    drawing = section_of(Drawing, entry, "drawing", section(f"[[drawing]] {k}"))
+    file = DxfFile(folder / name_of(drawing.file))
+    try:
+        sheet = file.sheet(drawing.unit)
+        return View(drawing, file, sheet, *chosen_of(sheet, drawing))
+    except InputError as error:
+        raise error.at(file.path) from None
+
+
+def _solids_of(view: View, views: Sequence[View]) -> list[dict]:
+    """The solids of a drawing, placed by the origin that all views of the same plane of a wall share: the hinge line
+    one of them gives, else the lowest point of their bodies together. Raises InputError."""
+    plane = view.drawing.plane
+    beside = [one for one in views if one.drawing.plane == plane]
+    if len({one.file.sha256 for one in beside}) > 1:
+        raise InputError("drawing_two_files", plane=plane)
+    hinges = {one.drawing.hinge_y_m for one in beside} - {None}
+    if len(hinges) > 1 or len({one.sheet.unit for one in beside}) > 1:
+        raise InputError("drawing_two_origins", key="hinge_y_m" if len(hinges) > 1 else "unit")
+    ends = view.drawing.from_m, view.drawing.to_m
+    body = [shape for one in beside for shape in one.body]
+    try:
+        origin = origin_of(body, view.sheet.unit, plane, next(iter(hinges), None))
+        return made_solids(view.body, view.openings, view.sheet.unit, plane, ends, origin)
+    except InputError as error:
+        raise error.at(view.file.path) from None
+
+
+def _said(wall: str, view: View, made: list[dict]) -> Drawn:
+    openings = sum("opening" in solid for solid in made)
+    told = {"wall": wall, "file": shown(view.drawing.file), "solids": len(made) - openings, "openings": openings}
+    if not view.sheet.unread:
+        return Drawn(view.file.sha256, notice("drawing_read", sha256=view.file.sha256, **told))
+    left = ", ".join(map(str, view.sheet.unread[:MOST_NAMES]))
+    return Drawn(view.file.sha256, notice("drawing_read_in_part", sha256=view.file.sha256, left=left, **told))
+
+
+def chosen_of(sheet: Sheet, drawing: Drawing) -> tuple[list[Shape], list[Shape]]:
+    """(shapes of the body, of openings) on the layers a drawing names. Raises InputError."""
     names = {layer.casefold(): layer for layer in sheet.layers}
     for layer in (*drawing.layers, *drawing.opening_layers):
         if layer.casefold() not in names:
@@ -88,6 +117,9 @@ def solids_of(sheet: Sheet, drawing: Drawing) -> list[dict]:
         raise InputError("drawing_layer_twice", layer=names[min(both)])
     if sheet.stated is None and drawing.unit is None:
         raise InputError("drawing_unit", key="unit", likely=sheet.unit)
+    unread = [one for one in sheet.unread if one.is_ground and one.layer.casefold() in body | openings]
+    if unread:
+        raise InputError("drawing_unread", layer=unread[0].layer, n=unread[0].n, kind=unread[0].kind)
     scale = UNITS[sheet.unit]
     chosen = [[shape for shape in sheet.shapes if shape.layer.casefold() in layers] for layers in (body, openings)]
     if chosen[0]:
@@ -100,34 +132,31 @@ def solids_of(sheet: Sheet, drawing: Drawing) -> list[dict]:
     for layer in (*drawing.layers, *drawing.opening_layers):
         if not any(shape.layer.casefold() == layer.casefold() for shapes in chosen for shape in shapes):
             raise InputError("drawing_no_shape", layer=layer)
-    return made_solids(
-        chosen[0], chosen[1], sheet.unit, drawing.plane, (drawing.from_m, drawing.to_m), drawing.hinge_y_m
-    )
+    return chosen[0], chosen[1]
 
 
-def made_solids(
-    body: Sequence[Shape],
-    openings: Sequence[Shape],
-    unit: str,
-    plane: str,
-    ends: tuple[float, float],
-    hinge: float | None = None,
-) -> list[dict]:
-    """Shapes as [[wall.solid]] has them: z above the hinge, s from the left edge of the body, of a section from that of
-    its base; an opening within another one is a part of it. Raises InputError.
-
-    hinge : y of the drawing [m], None for the lowest point of the body; ends : along the normal of the plane [m]
-    """
+def origin_of(body: Sequence[Shape], unit: str, plane: str, hinge: float | None) -> Point:
+    """(s = 0, z = 0) [m] of a drawing: the left edge of its body, of a section that of its base, and its hinge line,
+    the lowest point without one. Raises InputError."""
     scale = UNITS[unit]
     _check_size(body, unit)
     base = min(shape.extent[1] for shape in body) * scale if hinge is None else hinge
-    polygons = [_above(shape, scale, base) for shape in body]
-    solid = [part for parts in polygons for part in parts]
+    solid = [part for shape in body for part in _above(shape, scale, base)]
     if not solid:
         top = max(shape.extent[3] for shape in body) * scale
         raise InputError("drawing_hinge", key="hinge_y_m", found=base, top=top)
-    low = SAME if plane == "section" else float("inf")
-    left = min((x for part in solid for x, y in part if y <= low), default=min(x for part in solid for x, _ in part))
+    low = SAME if plane == "section" else math.inf
+    leftmost = min(x for part in solid for x, _ in part)
+    return min((x for part in solid for x, y in part if y <= low), default=leftmost), base
+
+
+def made_solids(
+    body: Sequence[Shape], openings: Sequence[Shape], unit: str, plane: str, ends: tuple[float, float], origin: Point
+) -> list[dict]:
+    """Shapes as [[wall.solid]] has them, from an origin of `origin_of`; an opening within another one is a part of it.
+    Raises InputError. ends : along the normal of the plane [m]"""
+    scale, (left, base) = UNITS[unit], origin
+    solid = [part for shape in body for part in _above(shape, scale, base)]
     taken = [part for shape in openings for part in _above(shape, scale, base)]
     taken = [
         part

@@ -1,6 +1,7 @@
 """Random bodies, each written in as many ways as there are."""
 
 import itertools
+from pathlib import Path
 
 import numpy as np
 
@@ -137,8 +138,28 @@ def as_niches(body: dict) -> dict | None:
     return {"solid": solids}
 
 
-def ways(body: dict, rng: np.random.Generator) -> dict[str, dict]:
-    """Name -> the wall of a case, of each way in which a body can be written."""
+def as_drawing(body: dict, folder: Path) -> dict | None:
+    """A DXF file with a layer for each storey and one for its openings, a drawing of the wall for each."""
+    try:
+        import ezdxf
+    except ImportError:
+        return None
+    document = ezdxf.new("R2010", units=6)
+    drawings, at = [], (103.7, -12.4)
+    for k, storey in enumerate(body["storeys"]):
+        one = as_elevations(body | {"storeys": [storey]})["solid"]
+        for solid in one:
+            layer = {"layer": f"O{k}" if "opening" in solid else f"S{k}"}
+            corners = [(at[0] + s, at[1] + z) for s, z in solid["polygon_m"]]
+            document.modelspace().add_lwpolyline(corners, close=True, dxfattribs=layer)
+        view = {"file": "body.dxf", "layers": f"S{k}", "plane": "elevation", "from_m": storey[2], "to_m": storey[3]}
+        drawings.append(view | ({"opening_layers": f"O{k}"} if len(one) > 1 else {}))
+    document.saveas(folder / "body.dxf")
+    return {"drawing": drawings}
+
+
+def ways(body: dict, rng: np.random.Generator, folder: Path | None = None) -> dict[str, dict]:
+    """Name -> the wall of a case, of each way in which a body can be written. folder : for a drawing, None for none"""
     written = {
         "steps": as_steps(body),
         "elevations": as_elevations(body),
@@ -147,6 +168,7 @@ def ways(body: dict, rng: np.random.Generator) -> dict[str, dict]:
         "bricks in section": as_bricks(body, rng, "section"),
         "outline": as_outline(body),
         "niches": as_niches(body),
+        "drawing": as_drawing(body, folder) if folder else None,
     }
     base = BASE | {"thickness_m": body["storeys"][0][3], "length_m": body["length"]}
     return {name: base | more for name, more in written.items() if more is not None}

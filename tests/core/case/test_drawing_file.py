@@ -11,14 +11,17 @@ import pytest
 ezdxf = pytest.importorskip("ezdxf", reason="without the group dxf")
 shapely = pytest.importorskip("shapely", reason="no wheel of shapely")
 
+from ezdxf.xclip import XClip  # noqa: E402
 from hypothesis import given, settings  # noqa: E402
 from hypothesis import strategies as st  # noqa: E402
 from shapely.geometry import Polygon, box  # noqa: E402
 
 from app import __main__ as program  # noqa: E402
+from app.terminal.inspection import inspect  # noqa: E402
 from core.case import drawing_file  # noqa: E402
 from core.case.drawing_file import TOLERANCE, DxfFile  # noqa: E402
 from core.case.drawing_outlines import arc, joined, parts_above  # noqa: E402
+from core.case.drawn_solids import with_drawings  # noqa: E402
 from core.case.problems import problems  # noqa: E402
 from core.case.reader import read_case  # noqa: E402
 from core.case.rules import draft_case, parse_case  # noqa: E402
@@ -402,6 +405,8 @@ def test_that_hostile_files_are_refused_in_a_sentence(tmp_path, monkeypatch):
     assert code_of(b"AC1032" + chance.randbytes(3000)) == "drawing_dwg"
     assert all(code_of(chance.randbytes(chance.randrange(5000))) == "drawing_damaged" for _ in range(20))
     assert all(code_of(whole[: chance.randrange(len(whole) - 5)]) == "drawing_damaged" for _ in range(20))
+    ended = (whole[: chance.randrange(len(whole))] + b"\n0\nEOF\n" for _ in range(40))
+    assert {code_of(content) for content in ended} <= {None, "drawing_damaged"}
     binary = tmp_path / "b.dxf"
     ezdxf.readfile(tmp_path / "church.dxf").saveas(binary, fmt="bin")
     content = binary.read_bytes()
@@ -468,3 +473,153 @@ def test_that_inspect_lists_the_layers_of_a_drawing(tmp_path, capsys):
     (tmp_path / "x.dxf").write_bytes(b"no drawing")
     assert program.main(["--inspect", str(tmp_path / "x.dxf")]) == 1
     assert "refused" in capsys.readouterr().err
+
+
+def drawn(path, draw, layers="M", more=(), **keys):
+    """The wall of a drawing in metres that `draw(space, document)` makes."""
+    document = ezdxf.new("R2010")
+    document.units = ezdxf.units.M
+    draw(document.modelspace(), document)
+    document.saveas(path / "d.dxf")
+    own = {"file": "d.dxf", "layers": layers, "plane": "section", "to_m": 5.0} | keys
+    table = {"name": "w", "mechanism": "one_sided", "height_m": 6.0, "thickness_m": 0.6, "length_m": 5.0}
+    table |= {"unit_weight_kn_m3": 18.0, "drawing": [own, *more]}
+    whole, read = with_drawings({"title": "t", "wall": [table]}, path)
+    return parse_case(whole).wall[0], read[0].notice
+
+
+def area(space, x0, x1, y0, y1, layer="M"):
+    space.add_lwpolyline([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], close=True, dxfattribs={"layer": layer})
+
+
+def test_that_drawings_of_one_file_have_one_origin(tmp_path):
+    """A wall and its cornice on two layers, as two drawings: the cornice stays where it is drawn."""
+
+    def draw(space, document):
+        area(space, 10.0, 10.6, 3.0, 8.5)
+        area(space, 9.7, 10.6, 8.5, 9.0, "C")
+
+    cornice = {"file": "d.dxf", "layers": "C", "plane": "section", "to_m": 5.0}
+    apart, _ = drawn(tmp_path, draw, more=[cornice])
+    together, _ = drawn(tmp_path, draw, layers=["M", "C"])
+    assert sorted(s.polygon_m for s in apart.solid) == sorted(s.polygon_m for s in together.solid)
+    assert apart.block() == together.block()
+    with pytest.raises(InputError) as refused:
+        drawn(tmp_path, draw, more=[cornice | {"hinge_y_m": 8.5}], hinge_y_m=3.0)
+    assert refused.value.code == "drawing_two_origins"
+    given, _ = drawn(tmp_path, draw, more=[cornice], hinge_y_m=3.0)
+    assert given.block() == together.block()
+
+
+def test_that_drawings_of_two_files_have_no_common_origin(tmp_path):
+    other = ezdxf.new("R2010", units=6)
+    area(other.modelspace(), 0.0, 0.9, 0.0, 0.5)
+    other.saveas(tmp_path / "e.dxf")
+    with pytest.raises(InputError) as refused:
+        more = [{"file": "e.dxf", "layers": "M", "plane": "section", "to_m": 5.0}]
+        drawn(tmp_path, lambda space, document: area(space, 0.0, 0.6, 0.0, 6.0), more=more)
+    assert refused.value.code == "drawing_two_files"
+
+
+def _region(space, document):
+    space.add_region(dxfattribs={"layer": "M"}).sat = ("400 0 1 0",)
+
+
+def _mesh(space, document):
+    space.add_polyface(dxfattribs={"layer": "M"}) if hasattr(space, "add_polyface") else space.add_mesh(
+        dxfattribs={"layer": "M"}
+    )
+
+
+def _mline(space, document):
+    space.add_mline([(0, 0), (1, 0)], dxfattribs={"layer": "M"})
+
+
+def _tilted(space, document):
+    space.add_polyline3d([(0, 0, 0), (1, 0, 0), (1, 0, 2), (0, 0, 2)], close=True, dxfattribs={"layer": "M"})
+
+
+def _upright(space, document):
+    """A shape drawn in XZ."""
+    attributes = {"layer": "M", "extrusion": (0, -1, 0)}
+    space.add_lwpolyline([(0, 0), (1, 0), (1, 2), (0, 2)], close=True, dxfattribs=attributes)
+
+
+def _reference(space, document):
+    document.add_xref_def("other.dxf", "OTHER")
+    space.add_blockref("OTHER", (0, 0), dxfattribs={"layer": "M"})
+
+
+def _clipped(space, document):
+    block = document.blocks.new("B")
+    area(block, 0.0, 1.0, 0.0, 2.0)
+    insert = space.add_blockref("B", (3, 0), dxfattribs={"layer": "M"})
+    XClip(insert).set_block_clipping_path([(0, 0), (0.5, 1.0)])
+
+
+LEFT = {
+    "a region": _region,
+    "a solid": lambda space, document: space.add_solid([(0, 0), (1, 0), (0, 1), (1, 1)], dxfattribs={"layer": "M"}),
+    "a trace": lambda space, document: space.add_trace([(0, 0), (1, 0), (0, 1), (1, 1)], dxfattribs={"layer": "M"}),
+    "a face": lambda space, document: space.add_3dface([(0, 0), (1, 0), (1, 1)], dxfattribs={"layer": "M"}),
+    "a multiline": _mline,
+    "a mesh": _mesh,
+    "a tilted polyline": _tilted,
+    "a shape in XZ": _upright,
+    "a reference": _reference,
+    "a clipped block": _clipped,
+}
+
+
+@pytest.mark.parametrize("name", LEFT)
+def test_that_what_may_be_wall_and_is_not_read_is_refused_on_a_chosen_layer(name, tmp_path):
+    def draw(space, document):
+        area(space, 0.0, 0.6, 0.0, 6.0)
+        LEFT[name](space, document)
+
+    with pytest.raises(InputError) as refused:
+        drawn(tmp_path, draw)
+    assert refused.value.code == "drawing_unread", refused.value
+
+
+def test_that_what_is_hidden_is_not_read_and_all_that_is_not_read_is_named(tmp_path, capsys):
+    def draw(space, document):
+        area(space, 0.0, 0.6, 0.0, 6.0)
+        space.add_lwpolyline([(2, 0), (3, 0), (3, 6)], close=True, dxfattribs={"layer": "M", "invisible": 1})
+        document.layers.add("OFF").off()
+        area(space, 0.6, 2.0, 0.0, 6.0, "OFF")
+        space.add_text("H", dxfattribs={"layer": "M"})
+        space.add_solid([(0, 0), (1, 0), (0, 1), (1, 1)], dxfattribs={"layer": "R"})
+
+    wall, said = drawn(tmp_path, draw)
+    assert wall.block().slenderness == pytest.approx(math.atan(0.1))
+    for words in ("M: 1 invisible", "OFF: 1 hidden layer", "M: 1 TEXT", "R: 1 SOLID"):
+        assert words in str(dict(said.values)["left"])
+    assert inspect([tmp_path / "d.dxf"]) == 0
+    assert "R: not read 1 SOLID" in capsys.readouterr().out
+    with pytest.raises(InputError) as refused:
+        drawn(tmp_path, draw, layers=["M", "OFF"])
+    assert refused.value.code == "drawing_no_shape"
+
+
+def test_that_a_flattened_block_and_a_periodic_spline_are_read(tmp_path):
+    def draw(space, document):
+        block = document.blocks.new("B")
+        area(block, 0.0, 0.6, 0.0, 6.0)
+        space.add_blockref("B", (0, 0), dxfattribs={"layer": "M", "zscale": 0.0})
+        spline = space.add_spline(dxfattribs={"layer": "S"})
+        spline.set_closed([(5, 0, 0), (6, 0, 0), (6, 1, 0), (5, 1, 0)], degree=3)
+
+    wall, _ = drawn(tmp_path, draw)
+    assert wall.block().slenderness == pytest.approx(math.atan(0.1))
+    sheet = DxfFile(tmp_path / "d.dxf").sheet()
+    assert [shape.layer for shape in sheet.shapes] == ["M", "S"] and not sheet.unread
+    # a uniform cubic B-spline over a unit square, by its blending functions
+    corners = [(5.0, 0.0), (6.0, 0.0), (6.0, 1.0), (5.0, 1.0)]
+    points = []
+    for k in range(4):
+        p = [corners[(k + n) % 4] for n in range(4)]
+        for t in (n / 400 for n in range(400)):
+            share = ((1 - t) ** 3, 3 * t**3 - 6 * t**2 + 4, -3 * t**3 + 3 * t**2 + 3 * t + 1, t**3)
+            points.append(tuple(sum(w * q[axis] for w, q in zip(share, p, strict=True)) / 6.0 for axis in (0, 1)))
+    assert polygon_sums(sheet.shapes[1].corners).area == pytest.approx(Polygon(points).area, rel=3e-3)
