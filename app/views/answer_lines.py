@@ -33,7 +33,6 @@ LEADS = {
     "lift_confidence_factor": "reason:confidence_factor",
     "lift_q_code": "reason:q_code",
     "lift_velocity_ratio": "reason:velocity_ratio",
-    "lift_ratio_no_theory": "reason:velocity_ratio",
     "lift_law": "reason:law",
     "lift_return_walls": "reason:return_walls",
     "lift_return_wedges": "reason:return_wedges",

@@ -6,7 +6,7 @@ from dataclasses import MISSING, dataclass
 from core.case.keys import choice_key, flag_key, key, number_key, path_key
 from core.errors import InputError, place
 from core.wall.body import cut_above
-from core.wall.wall_body import Part, contact_at, has_shape, parts_of, shoulder
+from core.wall.wall_body import Part, contact_at, has_shape, parts_of, shoulder, snapped
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ def above(wall, hinge: float) -> dict:
         raise InputError("hinge_in_a_gap", place=(place("wall", name=wall.title),), key="hinge_heights", hinge=hinge)
     outer, inner = faces
     face = min(inner, wall.thickness)
-    cut = [(part, above_crack(part, hinge, face)) for part in parts]
+    cut = [(part, above_crack(part, hinge, face)) for part in snapped(parts, hinge)]
     solids = tuple(
         Solid(
             plane=part.plane,

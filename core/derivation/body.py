@@ -293,7 +293,7 @@ def sorrentino_experimental(e_base):
 
 @quantity("e", "–", "Eq. 6", name="velocity_ratio")
 def one_sided_theoretical(e_base, e_top):
-    return e_base**2 * e_top
+    return min(e_base**2 * e_top, 1)
 
 
 @quantity("e", "–", "Eq. 7, v = 0", name="velocity_ratio")

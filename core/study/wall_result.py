@@ -19,7 +19,7 @@ from core.text.sentence import Key, Sentence, notice, sentence
 from core.units import CM
 from core.wall import wall_body, wall_loads
 from core.wall.block import Block
-from core.wall.restitution import MODELS, housner_ratio
+from core.wall.restitution import MODELS, housner_ratio, one_sided_ratio
 from core.wall.rocking_model import RockingModel
 
 LARGE_SCALE = 10.0
@@ -168,6 +168,7 @@ def wall_result(part: Part, mechanism, model, runs, motions, search, demand, flo
         floor=floor,
         warnings=tuple(
             unusual_input(wall)
+            + _no_loss(wall, mechanism)
             + ([] if wall.bends else _model_notices(wall, block, mechanism, model, restitution, law))
             + _set_notices(runs, len(with_q), len(counted), incomplete, fragile, search)
             + _power_law_notices(wall, with_q, law_of_si)
@@ -201,6 +202,14 @@ def unusual_input(wall: Wall) -> list[Sentence]:
         if stress > HEAVY:
             notices.append(notice("heavy_load", stress=stress))
     return notices
+
+
+def _no_loss(wall: Wall, mechanism: str) -> list[Sentence]:
+    """Said of a body for which Eq. 6 gives more than 1."""
+    if wall.bends or wall.restitution_model(mechanism) != "one_sided_theoretical":
+        return []
+    ratio = one_sided_ratio(wall.block(), wall_loads.contact_of(wall))
+    return [notice("eq6_above_one", ratio=ratio)] if ratio > 1.0 else []
 
 
 def _unlike_its_masonry(wall: Wall) -> list[Sentence]:

@@ -66,29 +66,27 @@ def raised(found: Evaluation) -> Iterator[Raised]:
     if dynamic and not MODELS[model].by_theory:
         given = wall.restitution_of(scene.mechanism).ratio_at_rest
         more = min(given + MORE_RATIO, 1.0)
-        key, ratio = "velocity_ratio" if model == "user" else "restitution", _by_theory(wall, scene.mechanism)
-        if ratio is not None:
-            yield Raised(
-                key,
-                wall.justification,
-                given,
-                (
-                    End(of_wall(restitution=None, velocity_ratio=more), more),
-                    End(of_wall(restitution=None, velocity_ratio=None), ratio),
-                ),
-                lambda zetas, _: sentence(
-                    "reason",
-                    "lift_velocity_ratio",
-                    e=given,
-                    more=more,
-                    zeta_more=Number(zetas[0]),
-                    theory=ratio,
-                    zeta_theory=Number(zetas[1]),
-                ),
-            )
-        elif given < 1.0:
-            end = End(of_wall(restitution=None, velocity_ratio=1.0), 1.0)
-            yield one_end(key, "lift_ratio_no_theory", wall.justification, given, end, e=given)
+        key = "velocity_ratio" if model == "user" else "restitution"
+        ratio = replace(wall, restitution=None, velocity_ratio=None).restitution_of(scene.mechanism).ratio_at_rest
+        ends = (
+            End(of_wall(restitution=None, velocity_ratio=more), more),
+            End(of_wall(restitution=None, velocity_ratio=None), ratio),
+        )
+        yield Raised(
+            key,
+            wall.justification,
+            given,
+            ends,
+            lambda zetas, _: sentence(
+                "reason",
+                "lift_velocity_ratio",
+                e=given,
+                more=more,
+                zeta_more=Number(zetas[0]),
+                theory=ratio,
+                zeta_theory=Number(zetas[1]),
+            ),
+        )
     if dynamic:
         yield from _of_the_law(found)
     if demand.confidence_factor < FULL_FACTOR:
@@ -297,16 +295,6 @@ def _of_the_unit_weight(scene: Scene) -> Iterator[Raised]:
     words = worst_words("lift_unit_weight", ends)
     permitted = least <= given <= most
     yield Raised("unit_weight_kn_m3", wall.justification, given, ends, words, permitted=permitted)
-
-
-def _by_theory(wall: Wall, mechanism: str) -> float | None:
-    """Velocity ratio by theory; None where it is above 1, of a body that weighs behind its restraint."""
-    try:
-        return replace(wall, restitution=None, velocity_ratio=None).restitution_of(mechanism).ratio_at_rest
-    except InputError as error:
-        if error.code != "eq6_above_one":
-            raise
-        return None
 
 
 def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:

@@ -4,6 +4,7 @@ x is inward from the outer face of the base, z above it.
 """
 
 import math
+from collections.abc import Iterable
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -321,6 +322,21 @@ def aligned(parts) -> tuple[Part, ...]:
     )
 
 
+SNAP = 1e-6
+"""Corners nearer to a height than this are at it [m]: sums of sizes differ in their last digit."""
+
+
+def snapped(parts: Iterable[Part], z: float) -> tuple[Part, ...]:
+    """Solids whose corners near a height [m] are at it."""
+    near = [any(0.0 < abs(corner - z) < SNAP for _, corner in part.polygon) for part in parts]
+    return tuple(
+        part._replace(polygon=tuple((s, z if abs(corner - z) < SNAP else corner) for s, corner in part.polygon))
+        if moved
+        else part
+        for part, moved in zip(parts, near, strict=True)
+    )
+
+
 FOOT_HEIGHT, FOOT = 0.05, 0.1
 """At this share of the height the outer face is inward of the hinge by no more than this share of the thickness."""
 
@@ -333,7 +349,7 @@ def contact_at(parts: tuple[Part, ...], z: float) -> tuple[float, float] | None:
     """x of the outer and of the inner edge along which what stands above a height [m] rests on what is below it: of
     the section that both share, the lines that half of its length reaches; of oblique solids its extremes. What a foot
     alone reaches is no edge. None where nothing is above, or nothing is shared."""
-    placed = aligned(parts)
+    placed = snapped(aligned(parts), z)
     above = pieces_at(placed, z)
     shared = cells_of(above, pieces_at(placed, z, below=True)) if z > 0.0 else cells_of(above)
     if area_of(shared) <= LEAST_BASE:

@@ -553,18 +553,31 @@ def test_that_what_lies_beyond_the_base_is_left_out_also_of_one_polygon_and_with
     assert [clipped(part, 0.5) is not None for part in parts_of(wall)] == [True, False, False]
 
 
-@pytest.mark.parametrize("given", [1.0, 0.8])
-def test_that_a_body_whose_eq_6_exceeds_1_takes_a_given_ratio_and_says_that_it_leans_inward(given):
+def test_that_a_body_whose_eq_6_exceeds_1_loses_nothing_and_says_so_and_that_it_leans_inward():
     heavy = section_of([[0.5, 0], [1.5, 6], [0.5, 6]], 3.9)
     table = {**PLAIN_WALL, "height_m": 3.0, "thickness_m": 0.5, "length_m": 4.0, "hinge_heights": "base"}
     table |= {"solid": [RECTANGLE, {**heavy, "unit_weight_kn_m3": 36.0}]}
-    with pytest.raises(InputError) as refused:
-        study_of(table)
-    assert refused.value.code == "eq6_above_one"
-    (wall,) = study_of(table | {"velocity_ratio": given}).walls
-    codes = {one.code for one in wall.assessment.verdict.limits}
-    assert "leans_inward" in codes and "odd_weight" in {one.code for one in wall.warnings}
-    assert ("lift_ratio_no_theory" in codes) == (given < 1.0)
+    (free,) = study_of(table).walls
+    assert free.restitution.ratio_at_rest == 1.0 and "eq6_above_one" in {one.code for one in free.warnings}
+    (one,) = study_of(table | {"velocity_ratio": 1.0}).walls
+    assert one.assessment.verdict.zeta_e == free.assessment.verdict.zeta_e
+    (less,) = study_of(table | {"velocity_ratio": 0.8}).walls
+    codes = {one.code for one in less.assessment.verdict.limits}
+    assert {"leans_inward", "lift_velocity_ratio"} <= codes and "odd_weight" in {one.code for one in less.warnings}
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_that_no_corner_is_refused_for_its_velocity_ratio(seed):
+    """Two walls dragged along cracks, of random sizes (MECHANISMS 8)."""
+    rng = np.random.default_rng(seed)
+    high, t1, t2 = rng.uniform(3.0, 9.0), rng.uniform(0.4, 0.9), rng.uniform(0.4, 0.9)
+    l1, l2 = rng.uniform(1.2, 0.5 * high + 1.0, 2).tolist()
+    phi = math.degrees(math.atan2(l2, l1)) if seed % 2 else 45.0
+    first = {"plane": "oblique", "angle_deg": phi, "to_m": t1, "polygon_m": [[0, 0], [l1, high], [0, high]]}
+    polygon = [[t1, high * t1 / l2], [l2, high], [t1, high]]
+    second = {"plane": "oblique", "angle_deg": phi - 90.0, "from_m": -t2, "to_m": 0.0, "polygon_m": polygon}
+    wall = wall_of([first, second], high, min(t1, t2), 1.0)
+    assert 0.0 < wall.restitution_of("one_sided").ratio_at_rest <= 1.0
 
 
 def test_that_the_period_of_a_body_is_that_of_its_rectangle_where_it_is_nearly_one():

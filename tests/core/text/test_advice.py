@@ -49,7 +49,6 @@ STATES = {
     "solids_need",
     "tie_on_unlike_sides",
     "lift_velocity_ratio",
-    "lift_ratio_no_theory",
     "leans_inward",
     "ties_at_sld",
     "no_period",
@@ -76,7 +75,6 @@ STATES = {
 LOWERS = {
     "column_of_plain_text",
     "confidence_below_level",
-    "eq6_above_one",
     "eq7_above_one",
     "generate_needs_spectrum",
     "holds_one_side",
