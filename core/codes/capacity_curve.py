@@ -55,7 +55,7 @@ def capacity_curve(mechanism: Kinematic, demand: DemandResult) -> CapacityCurve 
         felt = mechanism.floor.acceleration(PERIODS, damping)
         floor = shown(felt * (PERIODS / (2.0 * np.pi)) ** 2, felt)
     # the friction of return walls is lost over a slip: none of it in the curve
-    sums, confidence = mechanism.chain, demand.confidence_factor
+    sums, confidence = mechanism.moved, demand.confidence_factor
     inside = [end for end in sums.ends_of_ties() if 0.0 < end < sums.d0]
     ends = [0.0, *(d for end in inside for d in (end, end * (1.0 + 1e-9))), sums.d0]
     if sums.bending is not None:

@@ -18,8 +18,9 @@ from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes import target_spectrum
 from core.codes.demand import DemandResult
 from core.codes.floor_spectrum import FloorSpectrum
-from core.codes.kinematic_chain import Chain, chain, elastic_period_of_loads
+from core.codes.kinematic_chain import Chain, chain, elastic_period_of_loads, of_bending
 from core.codes.target_spectrum import GivenSpectrum
+from core.codes.vertical_bending import Bending, weakest
 from core.errors import InputError, place
 from core.units import G
 from core.wall import wall_body, wall_loads
@@ -98,6 +99,8 @@ class Kinematic:
         these four of one body: the wall, or with the friction of return walls its upper part of `chain.friction_height`
     wall : as it is counted: at SLD without its ties, which pull only once it has moved
     chain : the sums these follow from, of the wall without the friction and of that part with it
+    moved : the sums of the displacement check, of a wall held at its top with a hinge of its own, where its zeta is
+        least; those of `chain` of others
     d0 : displacement of the centroid at which nothing holds the wall [m]
     free_element : free to vibrate, not restrained by transverse walls before it moves (clauses .3, .5, .7)
     period_0 : T_0 of a free element before it moves (C8.7.1.7) [s]; None where it is not known
@@ -123,6 +126,7 @@ class Kinematic:
     a0: float
     wall: Any
     chain: Chain
+    moved: Chain
     d0: float
     free_element: bool
     period_0: float | None
@@ -197,7 +201,7 @@ def kinematic(wall, mechanism: str, demand: DemandResult, floor: FloorSpectrum |
     if demand.limit_state == "SLD" and any(load.is_tie for load in wall.load):
         wall = wall_loads.without_ties(wall)
     free, sums = wall.is_free(mechanism), chain(wall, mechanism == "two_sided")
-    (alpha0, e_star, mass), d0 = sums.start, sums.d0
+    alpha0, e_star, mass = sums.start
     a0 = alpha0 * G / (e_star * demand.confidence_factor)
     # nothing of a_g,SLD counts for SLV that a tie has to stretch for, and no friction, which is lost over a slip
     without_friction = sums.alpha0_bare * G / (sums.e_star * demand.confidence_factor)
@@ -210,8 +214,9 @@ def kinematic(wall, mechanism: str, demand: DemandResult, floor: FloorSpectrum |
     if free:
         period_0, missing = elastic_period(wall), _missing(wall, demand)
         if period_0 is not None and not missing:
+            # elastic up to d_SLV: no rocking wall
             elastic = max(a0, without_friction) * (period_0 / (2.0 * math.pi)) ** 2
-            missing = ("period_0",) if elastic >= LIMIT_FRACTION["SLV"] * d0 else ()  # up to d_SLV: no rocking wall
+            missing = ("period_0",) if elastic >= LIMIT_FRACTION["SLV"] * sums.d0 else ()
         acceleration = None
         if period_0 is not None and demand.target is not None and not missing:
             spectra = [demand.target, *([] if floor is None else [floor])]
@@ -220,16 +225,31 @@ def kinematic(wall, mechanism: str, demand: DemandResult, floor: FloorSpectrum |
     zeta_sld = zeta_floor = None
     if acceleration is not None:
         zeta_sld, zeta_floor = a0 / acceleration, min(a0, without_friction) / acceleration
-    quantities = (alpha0, e_star, mass, a0, wall, sums, d0, free, period_0, acceleration, zeta_sld, zeta_floor, missing)
-    if demand.target is None or demand.limit_state not in LIMIT_FRACTION:
+    start, moved = 0.0 if missing or period_0 is None else period_0, sums
+    with_displacement = demand.target is not None and demand.limit_state in LIMIT_FRACTION
+    if with_displacement and sums.bending is not None:
+        moved = _weakest(sums, demand, floor, wall)
+    of_both = (alpha0, e_star, mass, a0, wall, sums, moved, moved.d0)
+    quantities = (*of_both, free, period_0, acceleration, zeta_sld, zeta_floor, missing)
+    if not with_displacement:
         return Kinematic(*quantities, floor=floor)
-    start = 0.0 if missing or period_0 is None else period_0
-    own = _displacement(sums, demand, floor, start, wall)
+    own = _displacement(moved, demand, floor, start, wall)
     bare = None
     if sums.ties:
         with contextlib.suppress(InputError):
             bare = _displacement(replace(sums, ties=()), demand, floor, start, wall)
     return Kinematic(*quantities, own.limit, own.capacity, own.period, own.demand, floor, bare)
+
+
+def _weakest(sums: Chain, demand: DemandResult, floor: FloorSpectrum | None, wall) -> Chain:
+    """The sums of a wall held at its top whose displacement check has the least zeta. Raises InputError where the
+    spectrum of a file ends before a period."""
+    assert sums.bending is not None
+
+    def zeta(found: Bending) -> float:
+        return _displacement(of_bending(wall, found), demand, floor, 0.0, wall).ratio
+
+    return of_bending(wall, weakest(sums.bending.strip, zeta))
 
 
 def _displacement(

@@ -125,9 +125,7 @@ class Chain:
 def chain(wall, two_sided: bool) -> Chain:
     """The sums; of a two-sided wall the smaller alpha_0 and d_0 of its two sides."""
     if wall.bends:
-        own, bare = bending(wall), wall.bare_block()
-        start = (own.alpha0, own.e_star, own.mass, own.d0, own.alpha0)
-        return Chain(bare.slenderness, bare.radius, *start, bending=own)
+        return of_bending(wall, bending(wall))
     found = [of_side(wall, side) for side in ((1.0, -1.0) if two_sided else (1.0,))]
     weaker = min(found, key=lambda side: side.d0)
     alpha0, bare = (min(getattr(side, name) for side in found) for name in ("alpha0", "alpha0_bare"))
@@ -139,6 +137,13 @@ def chain(wall, two_sided: bool) -> Chain:
     k = int(np.argmin(parts[0] / parts[1]))
     alpha, share, of_part, height = (float(values[k]) for values in parts)
     return replace(sums, alpha0_friction=alpha, e_star_friction=share, mass_friction=of_part, friction_height=height)
+
+
+def of_bending(wall, own: Bending) -> Chain:
+    """The sums of a wall held at its top that bends so."""
+    bare = wall.bare_block()
+    start = (own.alpha0, own.e_star, own.mass, own.d0, own.alpha0)
+    return Chain(bare.slenderness, bare.radius, *start, bending=own)
 
 
 def of_side(wall, side: float) -> Chain:

@@ -10,6 +10,7 @@ largest there is; the edge held at the top, which no weight crushes, stays at x 
 
 import functools
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -23,6 +24,10 @@ LEAST_SLENDERNESS = 3.0
 
 HEIGHTS = 400
 """Heights of the hinge among which the lowest multiplier is looked for, before its bracket is narrowed."""
+
+SEARCHED, SECTIONS, GOLDEN = 16, 12, 0.5 * (math.sqrt(5.0) - 1.0)
+"""Heights among which the least zeta of a check is looked for, and sections of the bracket around it: to 0.04 % of
+H."""
 
 BISECTIONS = 50
 """Of the bracket of a root, to its last digits."""
@@ -167,9 +172,10 @@ class Bending:
 
 
 @functools.lru_cache(maxsize=4096)
-def mechanism(strip: Strip) -> Bending:
-    """The mechanism of a strip, the hinge where alpha_0 is lowest. Raises ValueError where alpha_0 is not positive."""
-    h1 = lowest_hinge(strip)
+def mechanism(strip: Strip, h1: float | None = None) -> Bending:
+    """The mechanism of a strip with its hinge at h1 [m], None : where alpha_0 is lowest. Raises ValueError where
+    alpha_0 is not positive."""
+    h1 = lowest_hinge(strip) if h1 is None else h1
     alpha0 = start_multiplier(strip, h1)
     if not alpha0 > 0.0:
         raise ValueError(alpha0)
@@ -205,8 +211,25 @@ def strip_of(wall) -> Strip:
     return Strip(wall.height_m, wall.thickness, wall.setback, wall_loads.weight_per_metre(wall), loads)
 
 
+def weakest(strip: Strip, zeta: Callable[[Bending], float]) -> Bending:
+    """The mechanism of least zeta, where the hinge may be: the best of SEARCHED heights and of the one of the lowest
+    alpha_0, then the golden section between its neighbours."""
+    low, high = strip.thickness, strip.height - strip.thickness
+    heights = sorted({*(low + (high - low) * n / SEARCHED for n in range(SEARCHED + 1)), lowest_hinge(strip)})
+    zetas = [zeta(mechanism(strip, h1)) for h1 in heights]
+    best = min(range(len(heights)), key=lambda n: zetas[n])
+    low, high = heights[max(best - 1, 0)], heights[min(best + 1, len(heights) - 1)]
+    for _ in range(SECTIONS):
+        inside = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)]
+        found = [zeta(mechanism(strip, h1)) for h1 in inside]
+        heights, zetas = [*heights, *inside], [*zetas, *found]
+        low, high = (low, inside[1]) if found[0] <= found[1] else (inside[0], high)
+    return mechanism(strip, heights[min(range(len(heights)), key=lambda n: zetas[n])])
+
+
 def bending(wall) -> Bending:
-    """The mechanism of a wall of the case. Raises InputError for one that does not stand, or is too stocky."""
+    """The mechanism of a wall of the case with the lowest alpha_0. Raises InputError for one that does not stand, or is
+    too stocky."""
     here, ratio = (place("wall", name=wall.name),), wall.height_m / wall.thickness
     if not ratio >= LEAST_SLENDERNESS * (1.0 - 1e-9):
         raise InputError("bending_too_stocky", place=here, found=ratio, least=LEAST_SLENDERNESS)

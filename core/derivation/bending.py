@@ -94,9 +94,24 @@ def top_force_alone(alpha0, w, width, height):
 # where nothing holds it, and the limit of the displacement check
 
 
+H1_D = Given(
+    "h1_d", "h_1,d", "m", 3, "0.000", label="height h_1,d of the hinge, where ζ of the displacement check is least"
+)
+
+
+@quantity("W_1,d", "kN/m", "", 2, "0.000")
+def w1_d(w, h1_d, height):
+    return w * h1_d / height
+
+
+@quantity("W_2,d", "kN/m", "", 2, "0.000")
+def w2_d(w, w1_d):
+    return w - w1_d
+
+
 @quantity("d_C,0", "m", "C8.7.1.4", 4, label="d_C,0, of the hinge where α = 0")
-def d_c0(width, theta_0, h1):
-    return width * (1 - cos(theta_0)) + h1 * sin(theta_0)
+def d_c0(width, theta_0, h1_d):
+    return width * (1 - cos(theta_0)) + h1_d * sin(theta_0)
 
 
 @quantity("d_0", "m", "C8.7.1.4", 4, name="d0")
@@ -105,51 +120,51 @@ def d0(d_c0):
 
 
 @quantity("θ_d", "°", "", 3, label="θ_d of the lower block at d_{state}")
-def theta_d(width, h1, d_limit):
-    return arctan(width / h1) + arctan((2 * d_limit - width) / sqrt(width**2 + h1**2 - (2 * d_limit - width) ** 2))
+def theta_d(width, h1_d, d_limit):
+    return arctan(width / h1_d) + arctan((2 * d_limit - width) / sqrt(width**2 + h1_d**2 - (2 * d_limit - width) ** 2))
 
 
 @quantity("x_C", "m", "", 4, label="x_C of the hinge at d_{state}")
-def x_c(setback, width, theta_d, h1):
-    return setback + width * cos(theta_d) - h1 * sin(theta_d)
+def x_c(setback, width, theta_d, h1_d):
+    return setback + width * cos(theta_d) - h1_d * sin(theta_d)
 
 
 @quantity("φ_d", "°", "", 3, label="φ_d of the upper block at d_{state}")
-def phi_d(thickness, setback, height, h1, x_c):
-    return arctan((thickness - setback) / (height - h1)) - arctan(
-        x_c / sqrt((thickness - setback) ** 2 + (height - h1) ** 2 - x_c**2)
+def phi_d(thickness, setback, height, h1_d, x_c):
+    return arctan((thickness - setback) / (height - h1_d)) - arctan(
+        x_c / sqrt((thickness - setback) ** 2 + (height - h1_d) ** 2 - x_c**2)
     )
 
 
 @quantity("v_C", "m", "", 4, label="v_C, rise of the hinge by a unit of θ")
-def v_c(width, theta_d, h1):
-    return width * cos(theta_d) - h1 * sin(theta_d)
+def v_c(width, theta_d, h1_d):
+    return width * cos(theta_d) - h1_d * sin(theta_d)
 
 
 @quantity("s_C", "m", "", 4, label="s_C, way of the hinge outward by a unit of θ")
-def s_c(width, theta_d, h1):
-    return width * sin(theta_d) + h1 * cos(theta_d)
+def s_c(width, theta_d, h1_d):
+    return width * sin(theta_d) + h1_d * cos(theta_d)
 
 
 @quantity("μ", "–", "", 4, label="μ = φ'/θ' at d_{state}")
-def mu(s_c, thickness, setback, phi_d, height, h1):
-    return s_c / ((thickness - setback) * sin(phi_d) + (height - h1) * cos(phi_d))
+def mu(s_c, thickness, setback, phi_d, height, h1_d):
+    return s_c / ((thickness - setback) * sin(phi_d) + (height - h1_d) * cos(phi_d))
 
 
 @quantity("ΣW v", "kN m", "", 3, "0.000", label="ΣW v of both blocks by a unit of θ")
-def rise_of_wall(w1, w2, v_c, mu, width, phi_d, height, h1):
-    return w1 * v_c / 2 + w2 * (v_c + mu * (width * cos(phi_d) - (height - h1) * sin(phi_d)) / 2)
+def rise_of_wall(w1_d, w2_d, v_c, mu, width, phi_d, height, h1_d):
+    return w1_d * v_c / 2 + w2_d * (v_c + mu * (width * cos(phi_d) - (height - h1_d) * sin(phi_d)) / 2)
 
 
 @quantity("ΣW s", "kN m", "", 3, "0.000", label="ΣW s of both blocks by a unit of θ")
-def way_of_wall(w1, w2, s_c, mu, width, phi_d, height, h1):
-    return w1 * s_c / 2 + w2 * (s_c - mu * (width * sin(phi_d) + (height - h1) * cos(phi_d)) / 2)
+def way_of_wall(w1_d, w2_d, s_c, mu, width, phi_d, height, h1_d):
+    return w1_d * s_c / 2 + w2_d * (s_c - mu * (width * sin(phi_d) + (height - h1_d) * cos(phi_d)) / 2)
 
 
 @quantity("ΣN v", "kN m", "", 3, "0.000", label="ΣN v of the loads by a unit of θ")
-def rise_of_loads(v_c, mu, phi_d, height, h1, loads, thickness, setback):
+def rise_of_loads(v_c, mu, phi_d, height, h1_d, loads, thickness, setback):
     return sum(
-        load.n * (v_c + mu * ((thickness - setback - load.d) * cos(phi_d) - (height - h1) * sin(phi_d)))
+        load.n * (v_c + mu * ((thickness - setback - load.d) * cos(phi_d) - (height - h1_d) * sin(phi_d)))
         for load in loads
     )
 
@@ -210,9 +225,13 @@ def chain(wall: WallResult) -> list[Line]:
 
 
 def collapse(wall: WallResult) -> list[Line]:
-    """d_0 by the finite geometry."""
-    found = wall.assessment.kinematic.chain.bending
+    """d_0 by the finite geometry, with the hinge of the displacement check."""
+    found = wall.assessment.kinematic.moved.bending
+    lower = 1e-3 * found.strip.weight * found.h1 / found.strip.height
     return [
+        Line(H1_D, found.h1, RUN, VALUE, "sought; the linear check has its own"),
+        Line(w1_d, lower, note=VALUE),
+        Line(w2_d, 1e-3 * found.strip.weight - lower, note=VALUE),
         Line(THETA_0, math.degrees(found.theta0), RUN, VALUE, "finite geometry"),
         Line(d_c0, found.d_c0, note=FULL),
         Line(d0, found.d0, LIVE, FULL, "both centroids move half as far as the hinge"),
@@ -222,7 +241,7 @@ def collapse(wall: WallResult) -> list[Line]:
 def at_limit(wall: WallResult) -> list[Line]:
     """alpha at the limit of the displacement check, by the finite geometry: below the straight line to d_0."""
     kinematic = wall.assessment.kinematic
-    found = kinematic.chain.bending
+    found = kinematic.moved.bending
     strip, h1, theta = found.strip, found.h1, found.rotation(kinematic.d_limit)
     at = turned(strip, h1, theta)
     degrees = math.degrees(theta)

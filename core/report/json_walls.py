@@ -36,15 +36,17 @@ def loads(wall: WallResult) -> dict:
 
 
 def bending(mechanism: Kinematic) -> dict:
-    """The key bending of a wall held at its top: the hinge between, and where its multiplier is zero."""
-    found = mechanism.chain.bending
-    if found is None:
+    """The key bending of a wall held at its top: the hinge between, of each check, and where the
+    multiplier of the displacement check is zero."""
+    found, moved = mechanism.chain.bending, mechanism.moved.bending
+    if found is None or moved is None:
         return {}
     return {
         "bending": {
             "hinge_m": found.h1,
-            "d_c0_m": found.d_c0,
-            "theta_0_rad": found.theta0,
+            "hinge_of_displacement_m": moved.h1,
+            "d_c0_m": moved.d_c0,
+            "theta_0_rad": moved.theta0,
             "top_kn_m": 1e-3 * found.top_force,
         }
     }

@@ -135,7 +135,11 @@ def deciding(wall: WallResult) -> Check | None:
 
 def where(wall: WallResult) -> Sentence | str:
     """Where the hinge of a result is, in words."""
-    return at_hinge(wall.part.hinge, (wall.part.asked.base_z_m or 0.0))
+    height, kinematic = wall.part.hinge, wall.assessment.kinematic if wall.assessment else None
+    if kinematic is not None:
+        of_check = kinematic.moved if wall.assessed.verdict.governing == "nonlinear" else kinematic.chain
+        height = of_check.bending.h1 if of_check.bending is not None else height
+    return at_hinge(height, (wall.part.asked.base_z_m or 0.0))
 
 
 def zetas_of(result: StudyResult, wall: WallResult) -> list[tuple[float, float | None]]:

@@ -219,7 +219,8 @@ def _of_bending(kinematic: Kinematic) -> list[Sentence]:
     if found is None:
         return []
     limits = [sentence("reason", "no_histories", q=2), sentence("reason", "top_force", force=1e-3 * found.top_force)]
-    if found.highest:
+    moved = kinematic.moved.bending or found
+    if found.highest or moved.highest:
         limits.append(sentence("reason", "hinge_highest", height=found.h1))
     return limits
 
