@@ -81,7 +81,7 @@ def usual_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
         faces = wall_body.contact_at(parts, height) if wall_body.has_shape(wall) else None
         thickness = min(faces[1] - faces[0], wall.thickness) if faces else wall.thickness
         highest = wall.height_m - max(SLENDER_ABOVE * thickness, LEAST_ABOVE)
-        if LEAST_ABOVE <= height <= highest + 1e-9 and (not found or height - found[-1] > SAME_HINGE):
+        if LEAST_ABOVE <= height <= highest + 1e-9 and (not found or height - found[-1] > SAME_HINGE + wall_body.SNAP):
             found.append(height)
     return tuple(found)
 
