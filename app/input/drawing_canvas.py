@@ -8,7 +8,8 @@ from PySide6.QtWidgets import QWidget
 
 from app.look import theme
 from app.look.language import tr
-from core.case.drawing_file import Gap, Shape
+from core.case.drawing_file import Shape, Sheet
+from core.case.drawing_outlines import Gap, Point
 from core.wall.body import holds, polygon_sums
 
 BODY, OPENING, NOTHING = "body", "opening", "nothing"
@@ -25,16 +26,19 @@ MARGIN = 18.0
 class DrawingCanvas(QWidget):
     """Draws shapes, open outlines and the hinge line. The keys have the list and the fields of the dialog instead.
 
-    clicked(k) : a shape; hinge_moved(y) : where the line was dragged, in the unit of the drawing
+    clicked(k) : a shape; asked_around(x, y) : a place without one; hinge_moved(y) : where the line was dragged, in the
+        unit of the drawing
     """
 
     clicked = Signal(int)
+    asked_around = Signal(float, float)
     hinge_moved = Signal(float)
 
     def __init__(self):
         super().__init__()
         self.shapes: Sequence[Shape] = ()
         self.gaps: Sequence[Gap] = ()
+        self.lines: Sequence[tuple[str, Sequence[Point]]] = ()
         self.roles: list[str] = []
         self.chosen: set[int] = set()
         self.hinge: float | None = None
@@ -44,10 +48,16 @@ class DrawingCanvas(QWidget):
         self.setMinimumSize(QSize(320, 260))
         self.setMouseTracking(True)
         self.setAccessibleName(tr("Shapes of the drawing"))
-        self.setToolTip(tr("Click: body, opening, nothing. Drag the dashed line: the hinge. Wheel: nearer, farther."))
+        self.setToolTip(
+            tr(
+                "Click a shape: body, opening, nothing. Click between lines: the outline around it. "
+                "Drag the dashed line: the hinge. Wheel: nearer, farther."
+            )
+        )
 
-    def show_sheet(self, shapes: Sequence[Shape], gaps: Sequence[Gap]) -> None:
-        self.shapes, self.gaps = shapes, gaps
+    def show_sheet(self, sheet: Sheet) -> None:
+        """The shapes, lines and gaps of a drawing."""
+        self.shapes, self.gaps, self.lines = sheet.shapes, sheet.gaps, sheet.lines
         self.zoom, self.shift = 1.0, QPointF()
         self.update()
 
@@ -61,7 +71,11 @@ class DrawingCanvas(QWidget):
 
     def _frame(self) -> tuple[float, float, float]:
         """(pixels a unit of the drawing, x and y of the drawing in the middle of the widget)."""
-        extents = [shape.extent for shape in self.shapes] or [(0.0, 0.0, 1.0, 1.0)]
+        extents = [shape.extent for shape in self.shapes]
+        extents += [
+            (min(xs), min(ys), max(xs), max(ys)) for xs, ys in (zip(*line, strict=True) for _, line in self.lines)
+        ]
+        extents = extents or [(0.0, 0.0, 1.0, 1.0)]
         low_x, low_y, high_x, high_y = zip(*extents, strict=True)
         width, height = max(high_x) - min(low_x), max(high_y) - min(low_y)
         room_x, room_y = self.width() - 2 * MARGIN, self.height() - 2 * MARGIN
@@ -83,11 +97,15 @@ class DrawingCanvas(QWidget):
         return x, middle_y - (position.y() - 0.5 * self.height() - self.shift.y()) / scale
 
     def paintEvent(self, event) -> None:
+        """Lines below shapes, the body below its openings, crosses at gaps, the hinge line above all."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), QColor(theme.current.back))
         shade, back, quiet = (QColor(c) for c in (theme.current.curves[0], theme.current.back, theme.current.quiet))
         shade.setAlphaF(0.3)
+        painter.setPen(QPen(quiet, 0.8))
+        for _, line in self.lines:
+            painter.drawPolyline(QPolygonF([self.at(x, y) for x, y in line]))
         order = {BODY: 0, OPENING: 1, NOTHING: 2}
         for k in sorted(range(len(self.roles)), key=lambda k: order[self.roles[k]]):
             role = self.roles[k]
@@ -136,6 +154,8 @@ class DrawingCanvas(QWidget):
             self.update()
         elif (k := self.shape_at(press)) is not None:
             self.clicked.emit(k)
+        else:
+            self.asked_around.emit(*self._point(press))
 
     def wheelEvent(self, event) -> None:
         before = self._point(event.position())

@@ -26,14 +26,18 @@ from app.input.made_fields import make_field
 from app.look import theme
 from app.look.language import described, number, tr
 from app.work.session import Session
-from core.case.drawing_file import UNITS, DxfFile, Shape, Sheet
+from core.case.drawing_file import TOLERANCE, UNITS, DxfFile, Shape, Sheet
 from core.case.drawn_solids import made_solids, origin_of, sum_of_solids, with_solids
+from core.case.outline_inside import around
 from core.case.schema import Wall
 from core.case.solids import Drawing
 from core.errors import InputError
 from core.wall.body import holds, point_within, polygon_sums
 from core.wall.shape_rules import check_shape
 from core.wall.wall_body import has_shape
+
+CLOSE = 0.02
+"""How far the end of a line may be from the line it should meet, in an outline around a click [m]."""
 
 SHOWN = 8
 """Kinds of entities that are not read, named in the dialog."""
@@ -72,12 +76,14 @@ class DrawingDialog(QDialog):
         self.made: Wall | None = None
         self.file: DxfFile | None = None
         self.failure = ""
+        self.closed: list[float] = []
         self.sheet = Sheet((), (), (), (), None, "m")
         self.roles: list[str] = []
         self.areas: list[float] = []
         self.asked = {"unit": None, "plane": "elevation", "from_m": 0.0, "to_m": wall.thickness, "hinge_y_m": None}
         self.canvas = DrawingCanvas()
         self.canvas.clicked.connect(self._next_role)
+        self.canvas.asked_around.connect(self._around)
         self.canvas.hinge_moved.connect(self._drag_hinge)
         self.list = QListWidget()
         self.list.setAccessibleName(tr("Shapes"))
@@ -140,7 +146,7 @@ class DrawingDialog(QDialog):
         with QSignalBlocker(self.list):
             self.list.clear()
             self.list.addItems([""] * len(self.roles))
-        self.canvas.show_sheet(self.sheet.shapes, self.sheet.gaps)
+        self.canvas.show_sheet(self.sheet)
         self._show_roles()
         self.show_wall()
 
@@ -173,6 +179,25 @@ class DrawingDialog(QDialog):
         """What was clicked becomes the next thing."""
         self.roles[k] = ROLES[(ROLES.index(self.roles[k]) + 1) % len(ROLES)]
         self.list.setCurrentRow(k)
+        self._later()
+
+    def _around(self, x: float, y: float) -> None:
+        """The outline around a place between lines becomes a shape of the wall, what stands apart in it openings."""
+        close, same = CLOSE / self.scale, TOLERANCE / self.scale
+        try:
+            found = around(self.sheet.lines, (x, y), close, same)
+        except InputError as error:
+            self.words.setText(described(error))
+            return
+        made = [Shape(found.layer, corners) for corners in (found.outline, *found.holes)]
+        left = [gap for gap in self.sheet.gaps if gap.at not in {one.at for one in found.closed}]
+        self.sheet = self.sheet._replace(shapes=(*self.sheet.shapes, *made), gaps=tuple(left))
+        self.roles += [BODY, *(OPENING for _ in found.holes)]
+        self.areas += [self.scale**2 * polygon_sums(shape.corners).area for shape in made]
+        self.closed += [self.scale * gap.size for gap in found.closed]
+        with QSignalBlocker(self.list):
+            self.list.addItems([""] * len(made))
+        self.canvas.shapes, self.canvas.gaps = self.sheet.shapes, self.sheet.gaps
         self._later()
 
     def _give(self, role: str) -> None:
@@ -210,7 +235,9 @@ class DrawingDialog(QDialog):
                 check_shape(replace(self.made, unit_weight_kn_m3=self.weight))
             except InputError as error:  # a rule with the rest of the wall may be met in its form
                 wrong = described(error)
-        self.words.setText("\n".join(part for part in (words, wrong, self._open_outlines()) if part))
+        self.words.setText(
+            "\n".join(part for part in (words, wrong, self._gaps_closed(), self._open_outlines()) if part)
+        )
         self.words.setStyleSheet(f"color: {theme.current.bad};" if wrong else "")
         self._judge()
 
@@ -256,6 +283,17 @@ class DrawingDialog(QDialog):
             f"L {number(wall.length_m, '.2f')} m",
         ]
         return "   ".join(found)
+
+    def _gaps_closed(self) -> str:
+        """The gaps that outlines between lines have closed."""
+        if not self.closed:
+            return ""
+        return tr(
+            "Gaps closed between lines, up to {most} mm: {n}, the largest {mm} mm.",
+            most=number(1e3 * CLOSE, "g"),
+            n=len(self.closed),
+            mm=number(1e3 * max(self.closed), ".1f"),
+        )
 
     def _not_read(self) -> str:
         """What the drawing holds besides and is not read: areas and references first."""

@@ -98,6 +98,7 @@ class Sheet(NamedTuple):
     shapes, gaps, unread : by layer, in the order of the drawing
     layers : names of all
     stated : unit of its header, None where it says none; unit : by which it was read, a guess where none is known
+    lines : (layer, points) of all that is read
     """
 
     shapes: tuple[Shape, ...]
@@ -106,6 +107,7 @@ class Sheet(NamedTuple):
     layers: tuple[str, ...]
     stated: str | None
     unit: str
+    lines: tuple[tuple[str, tuple[Point, ...]], ...] = ()
 
 
 class DxfFile:
@@ -199,11 +201,11 @@ class DxfFile:
         if unit is None:
             shapes = self._shapes(0.1)[0]  # of any unit good enough for its size
             unit = likely_unit(largest(shapes)) or "m"
-        shapes, gaps, unread = self._shapes(TOLERANCE / UNITS[unit])
+        shapes, gaps, unread, lines = self._shapes(TOLERANCE / UNITS[unit])
         ledger = tuple(Unread(layer, kind, unread[layer, kind]) for layer, kind in sorted(unread))
-        return Sheet(tuple(shapes), tuple(gaps), ledger, self.layers, self.stated, unit)
+        return Sheet(tuple(shapes), tuple(gaps), ledger, self.layers, self.stated, unit, lines)
 
-    def _shapes(self, tolerance: float) -> tuple[list[Shape], list[Gap], Counter]:
+    def _shapes(self, tolerance: float) -> tuple[list[Shape], list[Gap], Counter, tuple]:
         import ezdxf
 
         unread = self._unread.copy()
@@ -241,7 +243,8 @@ class DxfFile:
                     seen.add(known)
                     shapes.append(Shape(layer, corners))
             gaps += gaps_of(layer, loose)
-        return shapes, gaps, unread
+        drawn = tuple((layer, tuple(line)) for layer, lines in pieces.items() for line in lines)
+        return shapes, gaps, unread, drawn
 
 
 DAMAGED = (

@@ -6,6 +6,7 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 pytest.importorskip("ezdxf", reason="without the group dxf")
 pytest.importorskip("shapely", reason="no wheel of shapely")
 
+import ezdxf
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QDialog, QDialogButtonBox, QFileDialog, QLineEdit, QMessageBox
@@ -237,3 +238,29 @@ def test_that_opening_a_case_takes_its_drawings_over_and_says_so(opened, tmp_pat
     assert opened.files.open(case)
     assert "there is no layer MURATURA" in said[2] and opened.session.case.wall[0].drawing
     assert any("church.dxf has not been read" in str(problem) for problem in opened.session.problems())
+
+
+def test_that_a_click_between_lines_finds_the_outline_and_names_the_gaps_it_closed(dialog, tmp_path):
+    """A facade of lines, as they are drawn: ends 5 and 12 mm short, a window and a line that leads nowhere."""
+    document = ezdxf.new("R2010", units=6)
+    space = document.modelspace()
+    for start, end in (
+        ((0, 0), (9, 0)),
+        ((9, 0.005), (9, 8)),
+        ((9, 8), (4.5, 11)),
+        ((4.5, 11), (0, 8)),
+        ((0, 7.988), (0, 0)),
+        ((6, 3), (7, 3)),
+    ):
+        space.add_line(start, end, dxfattribs={"layer": "LINEE"})
+    space.add_lwpolyline([(3, 2), (4, 2), (4, 4), (3, 4)], close=True, dxfattribs={"layer": "LINEE"})
+    document.saveas(tmp_path / "lines.dxf")
+    shown = dialog(tmp_path / "lines.dxf")
+    shown.roles = [NOTHING for _ in shown.roles]
+    click(shown, 8.0, 5.0)
+    assert shown.roles[-2:] == [BODY, OPENING]
+    give(shown.fields["to_m"], "0.6")
+    assert area_of(shown.made.solid).area == pytest.approx(72.0 + 13.5 - 2.0, abs=0.1)
+    assert "Gaps closed between lines, up to 20 mm: 2, the largest 12.0 mm" in shown.words.text()
+    click(shown, 20.0, 20.0)
+    assert "no outline closes" in shown.words.text()
