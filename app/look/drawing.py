@@ -12,7 +12,7 @@ from app.look import theme
 from app.look.body_drawing import BodyDrawing, complete, turned
 from app.look.language import number
 from core.case.schema import BENDS, Wall
-from core.codes.vertical_bending import Bending, Strip, bending, mechanism, outlines, shown_rotation
+from core.codes.vertical_bending import Bending, Strip, bending, hinges_of, mechanism, outlines, shown_rotation
 from core.errors import InputError
 from core.report.load_arrows import arrows
 from core.rocking.bar_state import BROKEN, SLACK, YIELDING
@@ -35,9 +35,9 @@ class Bent(NamedTuple):
 
 def bent_blocks(found: Bending) -> Bent:
     """A wall held at its top."""
-    strip, half = found.strip, 0.5 * found.strip.thickness
+    strip, half, at = found.strip, 0.5 * found.strip.thickness, hinges_of(found.strip, found.h1)
     blocks = outlines(strip, found.h1, shown_rotation(found))
-    hinges = ((strip.setback, 0.0), (strip.thickness - strip.setback, found.h1), (0.0, strip.height))
+    hinges = ((at.base, 0.0), (at.between, found.h1), (at.top, strip.height))
     return Bent(
         tuple([QPointF(half - x, z) for x, z in block] for block in blocks),
         tuple(QPointF(half - x, z) for x, z in hinges),

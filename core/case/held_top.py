@@ -1,11 +1,7 @@
 """What a wall held at its top (mechanism vertical_bending) needs, and what it cannot have."""
 
-from core.codes.vertical_bending import bending, bent_inward
+from core.codes.vertical_bending import ON_TOP, bending, bent_inward
 from core.errors import InputError, place
-from core.wall.wall_body import SHORT_FORMS
-
-ON_TOP = 1e-6
-"""How near to the top of the wall a load is on it [of H]."""
 
 OF_HISTORIES = ("restitution", "velocity_ratio")
 """Keys of what it has not."""
@@ -16,7 +12,7 @@ def check_held_top(wall) -> None:
     if not wall.bends:
         return
     here = (place("wall", name=wall.name),)
-    for key in ("solid", "return_wedges", *SHORT_FORMS):
+    for key in ("solid", "return_wedges", "gable_m"):
         if getattr(wall, key):
             raise InputError("bending_rectangle", place=here, key=key)
     for key in OF_HISTORIES:
@@ -41,7 +37,7 @@ def check_held_top(wall) -> None:
             raise InputError("bending_tie", place=on, key="kind")
         if load.kind != "vertical":
             raise InputError("bending_load", place=on, key="kind")
-        if abs(load.h_m - wall.height_m) > ON_TOP * wall.height_m:
+        if load.h_m > wall.height_m * (1.0 + ON_TOP):
             raise InputError("bending_load_height", place=on, key="h_m", found=load.h_m, height=wall.height_m)
     for moving in (wall, bent_inward(wall)):
         bending(moving)

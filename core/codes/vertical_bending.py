@@ -9,6 +9,7 @@ largest there is; the edge held at the top, which no weight crushes, stays at x 
 """
 
 import functools
+import itertools
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -18,12 +19,20 @@ from core.boundary import narrowed
 from core.errors import InputError, place
 from core.units import G
 from core.wall import wall_loads
+from core.wall.body import Body, cut_above, together
+from core.wall.wall_body import Part, changes, contact_at, faces_at, parts_of, sum_of
 
 LEAST_SLENDERNESS = 3.0
 """Smallest H/t: both blocks are at least as high as thick, and stockier walls do not bend."""
 
 HEIGHTS = 400
 """Heights of the hinge among which the lowest multiplier is looked for, before its bracket is narrowed."""
+
+BESIDE = 1e-4
+"""How far below and above a step a hinge is looked for too [m]."""
+
+ON_TOP = 1e-6
+"""How near to the top of the wall a load is on it [of H]."""
 
 SEARCHED, SECTIONS, GOLDEN = 16, 12, 0.5 * (math.sqrt(5.0) - 1.0)
 """Heights among which the least zeta of a check is looked for, and sections of the bracket around it: to 0.04 % of
@@ -32,7 +41,7 @@ H."""
 BISECTIONS = 50
 """Of the bracket of a root, to its last digits."""
 
-STEP = 2e-3
+STEP = 1e-2
 """Between two rotations at which the multiplier is looked at for a change of sign [rad]."""
 
 SHOWN = math.radians(4.0)
@@ -42,20 +51,47 @@ REACHED = 0.999
 """Sine up to which the upper block is followed: beyond it no longer reaches its support."""
 
 
+class Weight(NamedTuple):
+    """A weight on a block: force [N/m] at x, z [m]; pushed : its mass moves sideways with the block"""
+
+    force: float
+    x: float
+    z: float
+    pushed: bool = True
+
+
 class Strip(NamedTuple):
-    """A metre of wall. height, thickness, setback : H, t, u [m]; weight : W [N/m]
-    loads : (N [N/m], d inward of the outer face [m]) on its top, held there: their masses do not move sideways."""
+    """A metre of wall. height, thickness, setback : H, t at the base, u [m]; weight : W [N/m]
+    loads : (N [N/m], d inward of the outer face [m]) on its top, held there: their masses do not move sideways
+    below : the loads below it
+    parts, length : the solids of a wall with openings or steps, and its length [m]; none of a rectangle"""
 
     height: float
     thickness: float
     setback: float
     weight: float
     loads: tuple[tuple[float, float], ...] = ()
+    below: tuple[Weight, ...] = ()
+    parts: tuple[Part, ...] = ()
+    length: float = 1.0
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether it is a rectangle with loads on its top alone, of which all is in closed form."""
+        return not self.parts and not self.below
 
     @property
     def width(self) -> float:
-        """Between the hinges of the lower block [m]."""
+        """Between the hinges of the lower block of a rectangle [m]."""
         return self.thickness - 2.0 * self.setback
+
+
+class Hinges(NamedTuple):
+    """x of the hinge at the base, of the one between and of the edge held at the top [m]."""
+
+    base: float
+    between: float
+    top: float
 
 
 class Turned(NamedTuple):
@@ -71,14 +107,56 @@ class Turned(NamedTuple):
     moved: float
 
 
+def hinges_of(strip: Strip, h1: float) -> Hinges:
+    """Where a strip with its hinge at h1 [m] turns: within the faces that both blocks share there."""
+    inner, top = strip.thickness, 0.0
+    if strip.parts:
+        faces, highest = contact_at(strip.parts, h1), faces_at(strip.parts, strip.height, below=True)
+        inner, top = faces[1] if faces else inner, highest[0] if highest else top
+    return Hinges(strip.setback, inner - strip.setback, top)
+
+
+@functools.lru_cache(maxsize=4096)
+def blocks_of(strip: Strip, h1: float) -> tuple[tuple[Weight, ...], tuple[Weight, ...]]:
+    """The weights of the lower and of the upper block, its own first."""
+    height = strip.height
+    if strip.parts:
+        cut = ((part, cut_above(part.polygon, h1)) for part in strip.parts)
+        above = together(part._replace(polygon=tuple(polygon)).body for part, polygon in cut if polygon)
+        whole, per = sum_of(strip.parts), G / strip.length
+        lower = Body(*(all_of - of_upper for all_of, of_upper in zip(whole, _lifted(above, h1), strict=True)))
+        (x1, z1), (x2, z2) = lower.centroid, above.centroid
+        own = Weight(per * lower.mass, x1, z1), Weight(per * above.mass, x2, h1 + z2)
+    else:
+        first, middle = strip.weight * h1 / height, 0.5 * strip.thickness
+        own = Weight(first, middle, 0.5 * h1), Weight(strip.weight - first, middle, 0.5 * (h1 + height))
+    on_lower = tuple(load for load in strip.below if load.z <= h1)
+    on_upper = tuple(load for load in strip.below if load.z > h1)
+    held = tuple(Weight(n, d, height, False) for n, d in strip.loads)
+    return (own[0], *on_lower), (own[1], *on_upper, *held)
+
+
+def _lifted(body: Body, z: float) -> Body:
+    """A body whose zero is at a height, from the ground [m]."""
+    inertia = body.inertia + 2.0 * z * body.first_z + z * z * body.mass
+    return Body(body.mass, body.first_x, body.first_z + z * body.mass, inertia)
+
+
+def virtual(strip: Strip, h1: float) -> list[tuple[Weight, float, float]]:
+    """(weight, its rise, its way outward) by a unit of the rotation of the lower block, at the start."""
+    lower, upper = blocks_of(strip, h1)
+    at, k = hinges_of(strip, h1), h1 / (strip.height - h1)
+    found = [(one, one.x - at.base, one.z) for one in lower]
+    rise = at.between - at.base
+    return found + [(one, rise + k * (at.between - one.x), h1 - k * (one.z - h1)) for one in upper]
+
+
 def start_multiplier(strip: Strip, h1: float) -> float:
-    """alpha_0 with the hinge at h1 [m] (C8.7.1.1) [-]: [W1 b/2 + W2 (b + k b/2) + sum N (b + k (t - u - d))] over
-    (W1 + W2) h1/2, with k = h1/(H - h1) and b = t - 2 u."""
-    lower, k = strip.weight * h1 / strip.height, h1 / (strip.height - h1)
-    width, edge = strip.width, strip.thickness - strip.setback
-    holding = 0.5 * lower * width + (strip.weight - lower) * (1.0 + 0.5 * k) * width
-    holding += sum(n * (width + k * (edge - d)) for n, d in strip.loads)
-    return holding / (0.5 * strip.weight * h1)
+    """alpha_0 with the hinge at h1 [m] (C8.7.1.1) [-]: of a rectangle [W1 b/2 + W2 (b + k b/2) + sum N (b + k (t - u -
+    d))] over (W1 + W2) h1/2, with k = h1/(H - h1) and b = t - 2 u."""
+    found = virtual(strip, h1)
+    holding = math.fsum(one.force * rise for one, rise, _ in found)
+    return holding / math.fsum(one.force * way for one, _, way in found if one.pushed)
 
 
 def rises(strip: Strip, h1: float) -> bool:
@@ -92,31 +170,57 @@ def rises(strip: Strip, h1: float) -> bool:
     return slope * h1 > 0.5 * strip.weight * h1 * start_multiplier(strip, h1)
 
 
-def lowest_hinge(strip: Strip) -> float:
-    """h1 [m] of the lowest alpha_0, both blocks at least as high as thick: the best of HEIGHTS, then bisections of the
-    bracket around it. Without a load on the top, or with one near the inner face, it is as high as it may be."""
+def heights_of(strip: Strip, count: int) -> list[float]:
+    """Heights among which a hinge is looked for [m], both blocks at least as high as thick: evenly, and just below and
+    above those at which the wall changes or carries something."""
     low, high = strip.thickness, strip.height - strip.thickness
-    found = [low + (high - low) * n / HEIGHTS for n in range(HEIGHTS + 1)]
-    best = min(range(len(found)), key=lambda n: start_multiplier(strip, found[n]))
-    low, high = found[max(best - 1, 0)], found[min(best + 1, HEIGHTS)]
+    levels = [*(changes(strip.parts) if strip.parts else ()), *(load.z for load in strip.below)]
+    beside = (z + side for z in levels for side in (-BESIDE, 0.0, BESIDE))
+    return sorted({*(low + (high - low) * n / count for n in range(count + 1)), *(z for z in beside if low < z < high)})
+
+
+def lowest_hinge(strip: Strip) -> float:
+    """h1 [m] of the lowest alpha_0: the best of HEIGHTS, then bisections of the bracket around it, of a wall that is no
+    rectangle the golden section. Without a load on the top, or with one near the inner face, it is as high as it may
+    be."""
+    heights = heights_of(strip, HEIGHTS)
+    values = [start_multiplier(strip, h1) for h1 in heights]
+    best = min(range(len(heights)), key=lambda n: values[n])
+    low, high = heights[max(best - 1, 0)], heights[min(best + 1, len(heights) - 1)]
+    if not strip.is_plain:
+        return min((_golden(lambda h1: start_multiplier(strip, h1), low, high, 40), (values[best], heights[best])))[1]
     above, below, _ = narrowed(lambda h1: rises(strip, h1), high, low, steps=BISECTIONS)
-    return min((below, above, found[best]), key=lambda h1: start_multiplier(strip, h1))
+    return min((below, above, heights[best]), key=lambda h1: start_multiplier(strip, h1))
+
+
+def _golden(value: Callable[[float], float], low: float, high: float, steps: int) -> tuple[float, float]:
+    """(least value, its place) between two places, by the golden section."""
+    best = (math.inf, low)
+    for _ in range(steps):
+        inside = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+        found = [(value(place), place) for place in inside]
+        best = min(best, *found)
+        low, high = (low, inside[1]) if found[0] <= found[1] else (inside[0], high)
+    return best
 
 
 def turned(strip: Strip, h1: float, theta: float) -> Turned:
     """The blocks at a rotation [rad] of the lower one. Raises ValueError where the upper one no longer reaches."""
-    width, edge, above = strip.width, strip.thickness - strip.setback, strip.height - h1
+    at, above = hinges_of(strip, h1), strip.height - h1
+    width, edge = at.between - at.base, at.between - at.top
     cos, sin = math.cos(theta), math.sin(theta)
-    x, z = strip.setback + width * cos - h1 * sin, h1 * cos + width * sin
-    phi = math.atan2(edge, above) - math.asin(x / math.hypot(edge, above))
+    x, z = at.base + width * cos - h1 * sin, h1 * cos + width * sin
+    phi = math.atan2(edge, above) - math.asin((x - at.top) / math.hypot(edge, above))
     c, s = math.cos(phi), math.sin(phi)
     along, up = width * sin + h1 * cos, width * cos - h1 * sin  # of the hinge, by theta
     rate = along / (edge * s + above * c)  # of phi, by theta
-    lower = strip.weight * h1 / strip.height
-    upper = strip.weight - lower
-    risen = 0.5 * lower * up + upper * (up + 0.5 * rate * (width * c - above * s))
-    risen += sum(n * (up + rate * ((edge - d) * c - above * s)) for n, d in strip.loads)
-    moved = 0.5 * lower * along + upper * (along - 0.5 * rate * (width * s + above * c))
+    lower, upper = blocks_of(strip, h1)
+    risen = math.fsum(one.force * ((one.x - at.base) * cos - one.z * sin) for one in lower)
+    risen += math.fsum(one.force * (up + rate * ((at.between - one.x) * c - (one.z - h1) * s)) for one in upper)
+    moved = math.fsum(one.force * ((one.x - at.base) * sin + one.z * cos) for one in lower if one.pushed)
+    moved += math.fsum(
+        one.force * (along - rate * ((at.between - one.x) * s + (one.z - h1) * c)) for one in upper if one.pushed
+    )
     return Turned(phi, (x, z), risen, moved)
 
 
@@ -141,17 +245,24 @@ class Bending:
     share: float
 
     @property
+    def width(self) -> float:
+        """Between the hinges of the lower block [m]."""
+        at = hinges_of(self.strip, self.h1)
+        return at.between - at.base
+
+    @property
     def d0(self) -> float:
         """d of the equivalent oscillator at which alpha is zero [m]."""
         return self.share * self.d_c0
 
     @property
     def top_force(self) -> float:
-        """What holds the top takes as the mechanism starts [N/m]: alpha_0 W H/2 less the moments of the weights about
-        the base hinge, over H. The inertia of what stands on the wall is not in it."""
-        strip = self.strip
-        held = 0.5 * strip.weight * strip.width + sum(n * (d - strip.setback) for n, d in strip.loads)
-        return 0.5 * self.alpha0 * strip.weight - held / strip.height
+        """What holds the top takes as the mechanism starts [N/m]: alpha_0 times the moment of what is pushed about the
+        base, less the moments of the weights about its hinge, over H. The inertia of what stands on the top is not in
+        it."""
+        at, weights = hinges_of(self.strip, self.h1), [one for block in blocks_of(self.strip, self.h1) for one in block]
+        pushed = self.alpha0 * math.fsum(one.force * one.z for one in weights if one.pushed)
+        return (pushed - math.fsum(one.force * (one.x - at.base) for one in weights)) / self.strip.height
 
     @property
     def highest(self) -> bool:
@@ -161,7 +272,7 @@ class Bending:
 
     def rotation(self, d: float) -> float:
         """theta of the lower block [rad] at d of the equivalent oscillator [m]."""
-        width = self.strip.width
+        width = self.width
         sine = (d / self.share - width) / math.hypot(width, self.h1)
         return math.atan2(width, self.h1) + math.asin(sine)
 
@@ -179,20 +290,18 @@ def mechanism(strip: Strip, h1: float | None = None) -> Bending:
     alpha0 = start_multiplier(strip, h1)
     if not alpha0 > 0.0:
         raise ValueError(alpha0)
-    lower, k, above = strip.weight * h1 / strip.height, h1 / (strip.height - h1), strip.height - h1
-    moved = ((lower, 0.5 * h1), (strip.weight - lower, h1 - 0.5 * k * above))
-    first, second = (sum(weight * delta**power for weight, delta in moved) for power in (1, 2))
-    theta0 = _collapse(strip, h1)
-    d_c0 = strip.width * (1.0 - math.cos(theta0)) + h1 * math.sin(theta0)
-    return Bending(
-        strip, h1, alpha0, first**2 / (strip.weight * second), strip.weight / G, theta0, d_c0, second / (h1 * first)
-    )
+    moved = [(one.force, way) for one, _, way in virtual(strip, h1) if one.pushed]
+    total, first, second = (math.fsum(force * way**power for force, way in moved) for power in (0, 1, 2))
+    theta0, at = _collapse(strip, h1), hinges_of(strip, h1)
+    d_c0 = (at.between - at.base) * (1.0 - math.cos(theta0)) + h1 * math.sin(theta0)
+    return Bending(strip, h1, alpha0, first**2 / (total * second), total / G, theta0, d_c0, second / (h1 * first))
 
 
 def _collapse(strip: Strip, h1: float) -> float:
     """The smallest theta [rad] at which the weights no longer hold the wall."""
-    edge, above, width = strip.thickness - strip.setback, strip.height - h1, strip.width
-    sine = (REACHED * math.hypot(edge, above) + strip.setback) / math.hypot(width, h1)
+    at, above = hinges_of(strip, h1), strip.height - h1
+    width, edge = at.between - at.base, at.between - at.top
+    sine = (REACHED * math.hypot(edge, above) + at.base - at.top) / math.hypot(width, h1)
     last = math.atan2(width, h1) + math.asin(min(sine, 1.0))
     steps = math.ceil(last / STEP)
     low = 0.0
@@ -207,24 +316,23 @@ def _collapse(strip: Strip, h1: float) -> float:
 
 def strip_of(wall) -> Strip:
     """A metre of a wall of the case."""
-    loads = tuple((1e3 * load.kn_m, load.d_m) for load in wall.load)
-    return Strip(wall.height_m, wall.thickness, wall.setback, wall_loads.weight_per_metre(wall), loads)
+    on_top = [abs(load.h_m - wall.height_m) <= ON_TOP * wall.height_m for load in wall.load]
+    each = list(zip(wall.load, on_top, strict=True))
+    loads = tuple((1e3 * load.kn_m, load.d_m) for load, on in each if on)
+    below = tuple(Weight(1e3 * load.kn_m, load.d_m, load.h_m, load.pushes) for load, on in each if not on)
+    parts, length = parts_of(wall), wall.length_m or 1.0
+    weight = wall_loads.weight_per_metre(wall)
+    return Strip(wall.height_m, wall.thickness, wall.setback, weight, loads, below, parts, length if parts else 1.0)
 
 
 def weakest(strip: Strip, zeta: Callable[[Bending], float]) -> Bending:
     """The mechanism of least zeta, where the hinge may be: the best of SEARCHED heights and of the one of the lowest
     alpha_0, then the golden section between its neighbours."""
-    low, high = strip.thickness, strip.height - strip.thickness
-    heights = sorted({*(low + (high - low) * n / SEARCHED for n in range(SEARCHED + 1)), lowest_hinge(strip)})
-    zetas = [zeta(mechanism(strip, h1)) for h1 in heights]
-    best = min(range(len(heights)), key=lambda n: zetas[n])
-    low, high = heights[max(best - 1, 0)], heights[min(best + 1, len(heights) - 1)]
-    for _ in range(SECTIONS):
-        inside = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)]
-        found = [zeta(mechanism(strip, h1)) for h1 in inside]
-        heights, zetas = [*heights, *inside], [*zetas, *found]
-        low, high = (low, inside[1]) if found[0] <= found[1] else (inside[0], high)
-    return mechanism(strip, heights[min(range(len(heights)), key=lambda n: zetas[n])])
+    heights = sorted({*heights_of(strip, SEARCHED), lowest_hinge(strip)})
+    found = min((zeta(mechanism(strip, h1)), n) for n, h1 in enumerate(heights))
+    low, high = heights[max(found[1] - 1, 0)], heights[min(found[1] + 1, len(heights) - 1)]
+    best = min(_golden(lambda h1: zeta(mechanism(strip, h1)), low, high, SECTIONS), (found[0], heights[found[1]]))
+    return mechanism(strip, best[1])
 
 
 def bending(wall) -> Bending:
@@ -240,8 +348,11 @@ def bending(wall) -> Bending:
 
 
 def bent_inward(wall):
-    """The wall as it is for a motion inward: its loads as far from the inner face as they are from the outer one."""
-    return replace(wall, load=tuple(replace(load, d_m=wall.thickness - load.d_m) for load in wall.load))
+    """The wall as it is for a motion inward: mirrored, its loads as far from the inner face as they are from the outer
+    one; a step that keeps one face plumb keeps the other."""
+    mirrored = {"outer": "inner", "inner": "outer", "middle": "middle"}
+    loads = tuple(replace(load, d_m=wall.thickness - load.d_m) for load in wall.load)
+    return replace(wall, load=loads, steps=tuple(replace(step, flush=mirrored[step.flush]) for step in wall.steps))
 
 
 def shown_rotation(found: Bending) -> float:
@@ -251,18 +362,24 @@ def shown_rotation(found: Bending) -> float:
 
 def outlines(strip: Strip, h1: float, theta: float) -> list[list[tuple[float, float]]]:
     """Corners of the lower and of the upper block, closed, x inward and z up [m], for every drawing."""
-    at = turned(strip, h1, theta)
-    t, u, height = strip.thickness, strip.setback, strip.height
+    turn, at, height = turned(strip, h1, theta), hinges_of(strip, h1), strip.height
 
     def placed(x: float, z: float, about: tuple[float, float], to: tuple[float, float], angle: float):
         c, s = math.cos(angle), math.sin(angle)
         a, b = x - about[0], z - about[1]
         return to[0] + a * c - b * s, to[1] + b * c + a * s
 
-    lower = [(0.0, 0.0), (t, 0.0), (t, h1), (0.0, h1), (0.0, 0.0)]
-    upper = [(0.0, h1), (t, h1), (t, height), (0.0, height), (0.0, h1)]
-    hinge = (t - u, h1)
+    def block(low: float, high: float) -> list[tuple[float, float]]:
+        levels = [low, *(z for z in changes(strip.parts) if low < z < high), high] if strip.parts else [low, high]
+        rows = []
+        for below, above in itertools.pairwise(levels):
+            faces = faces_at(strip.parts, below), faces_at(strip.parts, above, below=True)
+            rows += [(z, pair or (0.0, strip.thickness)) for z, pair in zip((below, above), faces, strict=True)]
+        corners = [(pair[1], z) for z, pair in rows]
+        return [(rows[0][1][0], low), *corners, *((pair[0], z) for z, pair in reversed(rows))]
+
+    foot, hinge = (at.base, 0.0), (at.between, h1)
     return [
-        [placed(x, z, (u, 0.0), (u, 0.0), theta) for x, z in lower],
-        [placed(x, z, hinge, at.hinge, -at.phi) for x, z in upper],
+        [placed(x, z, foot, foot, theta) for x, z in block(0.0, h1)],
+        [placed(x, z, hinge, turn.hinge, -turn.phi) for x, z in block(h1, height)],
     ]

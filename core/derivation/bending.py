@@ -7,13 +7,13 @@ searches it.
 
 import math
 
-from core.codes.vertical_bending import turned
+from core.codes.vertical_bending import Bending, blocks_of, turned, virtual
 from core.derivation import body, checks
 from core.derivation.functions import arctan, cos, sin, sqrt
 from core.derivation.line import FULL, INPUT, LIVE, RUN, SYMBOLS, VALUE, Columns, Line, Section, Word
 from core.derivation.quantity import Given, quantity
 from core.study.results import WallResult
-from core.wall import wall_loads
+from core.wall import wall_body, wall_loads
 
 LOADS = {"load.n": "N", "load.d": "d"}
 """Columns of the loads on the top."""
@@ -89,6 +89,40 @@ def top_force_with_loads(alpha0, w, width, height, loads, setback):
 @quantity("R", "kN/m", "", 2, "0.000", name="top_force", label="R, of what holds the top as the mechanism starts")
 def top_force_alone(alpha0, w, width, height):
     return alpha0 * w / 2 - w * width / 2 / height
+
+
+# of a wall with openings, steps or loads below its top: what the blocks weigh and where is summed by the program
+
+WEIGHT = Given("w", "W", "kN/m", 2, "0.000", label="W of the wall, its openings left out")
+H1 = Given("h1", "h_1", "m", 3, "0.000", label="height h_1 of the hinge, of the lowest α0")
+WIDTH = Given("width", "b", "m", 3, "0.000", label="b between the hinges of the lower block")
+W1 = Given("w1", "W_1", "kN/m", 2, "0.000", label="W_1 of the lower block")
+W2 = Given("w2", "W_2", "kN/m", 2, "0.000", label="W_2 of the upper block")
+X1 = Given("x1", "x_1", "m", 4, label="x_1 of its centroid, from the outer face")
+Z1 = Given("z1", "z_1", "m", 4, label="z_1 of its centroid, above the base")
+X2 = Given("x2", "x_2", "m", 4, label="x_2 of its centroid, from the outer face")
+Z2 = Given("z2", "z_2", "m", 4, label="z_2 of its centroid, above the base")
+HOLDING = Given("holding", "ΣN v", "kN", 3, "0.000", label="ΣN v of the loads by a unit of θ")
+PUSHING = Given("pushing", "ΣQ s", "kN", 3, "0.000", label="ΣQ s of the loads that move sideways by a unit of θ")
+TOP_FORCE = Given("top_force", "R", "kN/m", 2, "0.000", label="R, of what holds the top as the mechanism starts")
+D0 = Given("d0", "d_0", "m", 4)
+E_STAR_D = Given("e_star_d", "e*_d", "–", 4, label="e* with the hinge of the displacement check")
+ALPHA_D = Given("alpha_d", "α(d_{state})", "–", 4)
+
+
+@quantity("ΣW v_0", "kN", "", 3, "0.000", label="ΣW v of both blocks by a unit of θ, at the start")
+def rise_of_blocks(w1, x1, setback, w2, width, k, x2):
+    return w1 * (x1 - setback) + w2 * (width + k * (width + setback - x2))
+
+
+@quantity("ΣW s_0", "kN", "", 3, "0.000", label="ΣW s of both blocks by a unit of θ, at the start")
+def way_of_blocks(w1, z1, w2, h1, k, z2):
+    return w1 * z1 + w2 * (h1 - k * (z2 - h1))
+
+
+@quantity("α0", "–", "C8.7.1.1", 4, name="alpha0")
+def alpha0_of_blocks(rise_of_blocks, holding, way_of_blocks, pushing):
+    return (rise_of_blocks + holding) / (way_of_blocks + pushing)
 
 
 # where nothing holds it, and the limit of the displacement check
@@ -184,6 +218,11 @@ def a_limit(alpha_d, gravity, e_star, demand_fc):
     return alpha_d * gravity / (e_star * demand_fc)
 
 
+@quantity("a(d_{state})", "m/s²", "C8.7.1.3", name="a_limit")
+def a_limit_of_blocks(alpha_d, gravity, e_star_d, demand_fc):
+    return alpha_d * gravity / (e_star_d * demand_fc)
+
+
 def geometry(wall: WallResult) -> Section:
     """Sizes, weight and what stands on the top."""
     asked = wall.wall
@@ -192,8 +231,10 @@ def geometry(wall: WallResult) -> Section:
         Line(body.THICKNESS, wall.thickness, INPUT),
         Line(body.SETBACK, asked.setback, RUN if asked.compressive_strength_mpa else INPUT),
         Line(body.UNIT_WEIGHT, asked.unit_weight_kn_m3, INPUT),
-        Line(body.w, 1e-3 * wall_loads.weight_per_metre(asked), note=FULL),
     ]
+    weight = 1e-3 * wall_loads.weight_per_metre(asked)
+    shaped = wall_body.body_of(asked) is not None
+    lines.append(Line(WEIGHT, weight, RUN, VALUE) if shaped else Line(body.w, weight, note=FULL))
     if asked.load:
         rows = [(Word(f"load_{load.kind}"), (load.kn_m, load.d_m)) for load in asked.load]
         lines.append(Columns("Loads on the top, from the outer face", LOADS, ("kN/m", "m"), rows, INPUT))
@@ -204,6 +245,8 @@ def chain(wall: WallResult) -> list[Line]:
     """alpha_0 and e*."""
     found = wall.assessment.kinematic.chain.bending
     strip, h1 = found.strip, found.h1
+    if not strip.is_plain:
+        return _of_blocks(found)
     lower = 1e-3 * strip.weight * h1 / strip.height
     edge, lines = strip.thickness - strip.setback, [Line(width, strip.width)]
     hinge, alpha0, top = h1_alone, alpha0_alone, top_force_alone
@@ -224,9 +267,39 @@ def chain(wall: WallResult) -> list[Line]:
     ]
 
 
+def _of_blocks(found: Bending) -> list[Line]:
+    """The same of a wall with openings, steps or loads below its top."""
+    h1, (lower, upper) = found.h1, blocks_of(found.strip, found.h1)
+    own = ((W1, X1, Z1, lower[0]), (W2, X2, Z2, upper[0]))
+    of_loads = [one for one in virtual(found.strip, h1) if one[0] not in (lower[0], upper[0])]
+    lines = [Line(H1, h1, RUN, VALUE, "where α0 is lowest"), Line(WIDTH, found.width, RUN, VALUE)]
+    lines.append(Line(k, h1 / (found.strip.height - h1), note=FULL))
+    for weight, x, z, one in own:
+        lines += [Line(weight, 1e-3 * one.force, RUN, VALUE), Line(x, one.x, RUN, VALUE), Line(z, one.z, RUN, VALUE)]
+    holding = 1e-3 * math.fsum(one.force * rise for one, rise, _ in of_loads)
+    pushing = 1e-3 * math.fsum(one.force * way for one, _, way in of_loads if one.pushed)
+    of_own = [one for one in virtual(found.strip, h1) if one[0] in (lower[0], upper[0])]
+    return [
+        *lines,
+        Line(rise_of_blocks, 1e-3 * math.fsum(one.force * rise for one, rise, _ in of_own)),
+        Line(way_of_blocks, 1e-3 * math.fsum(one.force * way for one, _, way in of_own)),
+        Line(HOLDING, holding, RUN, VALUE),
+        Line(PUSHING, pushing, RUN, VALUE),
+        Line(alpha0_of_blocks, found.alpha0, LIVE, FULL, "two blocks, three hinges"),
+        Line(TOP_FORCE, 1e-3 * found.top_force, RUN, VALUE, "on what holds the top, of the wall alone"),
+        Line(checks.E_STAR, found.e_star, RUN, VALUE, "over the virtual displacements of both blocks"),
+    ]
+
+
 def collapse(wall: WallResult) -> list[Line]:
     """d_0 by the finite geometry, with the hinge of the displacement check."""
     found = wall.assessment.kinematic.moved.bending
+    if not found.strip.is_plain:
+        return [
+            Line(H1_D, found.h1, RUN, VALUE, "sought; the linear check has its own"),
+            Line(THETA_0, math.degrees(found.theta0), RUN, VALUE, "finite geometry"),
+            Line(D0, found.d0, RUN, VALUE, "finite geometry"),
+        ]
     lower = 1e-3 * found.strip.weight * found.h1 / found.strip.height
     return [
         Line(H1_D, found.h1, RUN, VALUE, "sought; the linear check has its own"),
@@ -242,6 +315,12 @@ def at_limit(wall: WallResult) -> list[Line]:
     """alpha at the limit of the displacement check, by the finite geometry: below the straight line to d_0."""
     kinematic = wall.assessment.kinematic
     found = kinematic.moved.bending
+    if not found.strip.is_plain:
+        alpha = found.alpha(kinematic.d_limit)
+        return [
+            Line(ALPHA_D, alpha, RUN, VALUE, "finite geometry, below the straight line to d_0"),
+            Line(E_STAR_D, found.e_star, RUN, VALUE),
+        ]
     strip, h1, theta = found.strip, found.h1, found.rotation(kinematic.d_limit)
     at = turned(strip, h1, theta)
     degrees = math.degrees(theta)

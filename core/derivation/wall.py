@@ -194,7 +194,8 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
         held = sum(f * tie.bar.height for f, tie in zip(forces_at_limit(wall), ties, strict=True))
         of_ties = [Line(checks.th_limit, held, LIVE, SYMBOLS)]
     if kinematic.chain.bending is not None:
-        of_ties, a_limit = bending.at_limit(wall), bending.a_limit
+        plain = kinematic.moved.bending.strip.is_plain
+        of_ties, a_limit = bending.at_limit(wall), bending.a_limit if plain else bending.a_limit_of_blocks
     if kinematic.d_limit < LIMIT_FRACTION[state] * kinematic.d0 * (1.0 - 1e-12):
         d_limit = Line(checks.D_BREAK, kinematic.d_limit, RUN, VALUE, "where a tie breaks")
     lines: list[Line | Columns] = [

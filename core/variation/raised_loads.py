@@ -34,6 +34,11 @@ def _without(goes: Callable[[Wall, Load], bool]) -> Change:
     return _with_loads(lambda wall: tuple(load for load in wall.load if not goes(wall, load)))
 
 
+def _bent_inward(scene: Scene) -> Scene:
+    """The wall as it is for a motion inward."""
+    return scene.but(wall=bent_inward(scene.wall))
+
+
 MASSES = "none", "horizontal", "moving"
 """What the mass of a vertical load may do."""
 
@@ -162,7 +167,7 @@ def of_the_loads(scene: Scene, clauses: bool) -> Iterator[Raised]:
     if any(load.prestress for load in given):
         yield one_end("prestress", "lift_prestress", reasons, GIVEN_WORD, End(_of_ties(prestress=None), NONE_WORD))
     if wall.bends:
-        end = End(_with_loads(lambda there: bent_inward(there).load), sentence("word", "inward"))
+        end = End(_bent_inward, sentence("word", "inward"))
         yield one_end("load", "lift_bends_inward", reasons, sentence("word", "outward"), end)
     if any(map(_pulls_inward, wall.load)):
         end = End(_without(lambda _, load: _pulls_inward(load)), NONE_WORD)

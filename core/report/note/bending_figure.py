@@ -1,6 +1,6 @@
 """Figure of a wall held at its top: both blocks as they turn, and their three hinges."""
 
-from core.codes.vertical_bending import bending, outlines, shown_rotation
+from core.codes.vertical_bending import bending, hinges_of, outlines, shown_rotation
 from core.report.load_arrows import arrows
 from core.report.note.parts import Curve, Figure, Label, path
 from core.report.note.words import Words
@@ -12,15 +12,16 @@ def drawing(wall: WallResult, words: Words) -> Figure:
     """The wall to scale with its sizes, its hinges at rest, what holds its top and the blocks turned (dashed)."""
     asked, found = wall.wall, bending(wall.wall)
     h, t, u, h1 = wall.height, wall.thickness, asked.setback, found.h1
+    at = hinges_of(found.strip, h1)
 
     def outward(points):
         return [(t - x, z) for x, z in points]
 
     blocks = [outward(corners) for corners in outlines(found.strip, h1, shown_rotation(found))]
     curves = [
-        path([(0.0, 0.0), (t, 0.0), (t, h), (0.0, h), (0.0, 0.0)], "accent", width=1.8),
+        *(path(outward(corners), "accent", width=1.8) for corners in outlines(found.strip, h1, 0.0)),
         *(path(corners, "quiet", "dash", 0.9) for corners in blocks),
-        Curve("", (t - u, u, t), (0.0, h1, h), "bad", "points"),
+        Curve("", (t - at.base, t - at.between, t - at.top), (0.0, h1, h), "bad", "points"),
         Curve("", (-0.45 * h, t + 0.45 * h), (0.0, 0.0), "quiet", width=1.1),
     ]
     foot, wide = 0.03 * h, 0.05 * h  # the top is held outward, and free to rise

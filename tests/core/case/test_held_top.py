@@ -31,9 +31,12 @@ REFUSED = {
     "tie": ({"load": [{"kind": "tie", "kn_m": 5.0, "h_m": 3.0, "bar_length_m": 8.0}]}, "bending_tie"),
     "thrust": ({"load": [{"kind": "thrust", "kn_m": 5.0, "h_m": 3.0}]}, "bending_load"),
     "carried mass": ({"load": [{"kind": "carried_mass", "kn_m": 5.0, "h_m": 3.0, "d_m": 0.1}]}, "bending_load"),
-    "between": ({"load": [TOP | {"h_m": 1.5}]}, "bending_load_height"),
+    "above": ({"load": [TOP | {"h_m": 3.5}]}, "load_outside"),
     "gable": ({"length_m": 4.0, "gable_m": 1.0}, "bending_rectangle"),
-    "steps": ({"length_m": 4.0, "steps": [{"from_z_m": 1.5, "thickness_m": 0.2}]}, "bending_rectangle"),
+    "wedges": (
+        {"length_m": 4.0, "return_wedges": {"number": 1, "thickness_m": 0.4, "length_at_top_m": 0.5}},
+        "bending_rectangle",
+    ),
     "general block": (
         {"height_m": None, "thickness_m": None, "slenderness_deg": 6.0, "radius_m": 1.5, "inertia_over_mass_m2": 3.0},
         "bending_needs",

@@ -18,6 +18,8 @@ from core.codes.vertical_bending import (
     start_multiplier,
     weakest,
 )
+from core.derivation.line import Line
+from core.derivation.wall import checks_of
 from core.errors import InputError
 from core.units import G
 from tests.validation.circolare import case
@@ -234,3 +236,110 @@ def run_case(height: float, thickness: float, n: float, d: float):
     return run(
         parse_case({"title": "t", "wall": [wall], "demand": demand, "building": building}), base_dir=Path()
     ).walls
+
+
+def sliced(wall, h1: float, theta: float):
+    """(potential energy, work of the masses pushed outward) by slices of the wall and coordinates alone: the wall of
+    `stepped` below, its windows left out of each slice."""
+    h, u, found = wall.height_m, wall.setback, []
+    slices = 3000
+    thick = {0: (0.0, wall.thickness)} | {
+        step.from_z_m: (0.0, step.thickness_m)
+        if step.flush == "outer"
+        else (wall.thickness - step.thickness_m, wall.thickness)
+        for step in wall.steps
+    }
+    for n in range(slices):
+        z = (n + 0.5) * h / slices
+        outer, inner = thick[max(level for level in thick if level <= z)]
+        hole = sum(one.width_m for one in wall.openings if one.z_m <= z < one.z_m + one.height_m)
+        share = (wall.length_m - hole) / wall.length_m
+        found.append((18e3 * (inner - outer) * share * h / slices, 0.5 * (outer + inner), z, True))
+    found += [(1e3 * load.kn_m, load.d_m, load.h_m, load.pushes and load.h_m < h) for load in wall.load]
+    inner = min(thick[max(level for level in thick if level <= z)][1] for z in (h1 - 1e-9, h1 + 1e-9))
+    top = thick[max(thick)][0]
+    foot, hinge, edge = (u, 0.0), (inner - u, h1), (top, h)
+
+    def turn(point, about, to, angle):
+        c, s = math.cos(angle), math.sin(angle)
+        a, b = point[0] - about[0], point[1] - about[1]
+        return to[0] + c * a - s * b, to[1] + s * a + c * b
+
+    at = turn(hinge, foot, foot, theta)
+    phi = brentq(lambda angle: turn(edge, hinge, at, -angle)[0] - top, -0.2, 1.7, xtol=1e-15, rtol=1e-14)
+    energy = work = 0.0
+    for force, x, z, pushed in found:
+        place = turn((x, z), foot, foot, theta) if z <= h1 else turn((x, z), hinge, at, -phi)
+        energy += force * place[1]
+        work -= force * place[0] if pushed else 0.0
+    return energy, work
+
+
+SHAPED = {
+    "windows": {"openings": [{"s_m": 1.0, "z_m": 0.9, "width_m": 1.2, "height_m": 1.5}]},
+    "a step outside": {"steps": [{"from_z_m": 2.4, "thickness_m": 0.32}]},
+    "a step inside": {"steps": [{"from_z_m": 2.4, "thickness_m": 0.32, "flush": "inner"}]},
+    "a floor half way": {"load": [{"kind": "vertical", "kn_m": 9.0, "d_m": 0.3, "h_m": 2.8, "mass": "horizontal"}]},
+    "two storeys": {
+        "openings": [{"s_m": 1.0, "z_m": z, "width_m": 1.0, "height_m": 1.4} for z in (0.8, 3.6)],
+        "steps": [{"from_z_m": 2.8, "thickness_m": 0.35}],
+        "load": [
+            {"kind": "vertical", "kn_m": 9.0, "d_m": 0.3, "h_m": 2.8, "mass": "none"},
+            {"kind": "vertical", "kn_m": 6.0, "d_m": 0.2, "h_m": 5.6, "mass": "none"},
+        ],
+    },
+}
+
+
+def shaped(name: str):
+    more = {"length_m": 4.0, "height_m": 5.6, "thickness_m": 0.45} | SHAPED[name]
+    return held(**more)
+
+
+@pytest.mark.parametrize("name", SHAPED)
+def test_that_a_wall_with_openings_steps_and_loads_bends_as_its_slices(name):
+    wall = shaped(name)
+    found = bending(wall)
+
+    def of_slices(theta: float, h1: float = found.h1, step: float = 1e-5) -> float:
+        (risen, moved), (before, back) = sliced(wall, h1, theta + step), sliced(wall, h1, theta - step)
+        return (risen - before) / (moved - back)
+
+    assert found.alpha0 == pytest.approx(of_slices(0.0), rel=2e-3)
+    lowest = min(of_slices(0.0, h1) for h1 in np.linspace(0.45, 5.15, 25))
+    assert found.alpha0 <= lowest * 1.002
+    for share in (0.2, 0.4, 0.6):
+        d = share * found.d0
+        assert found.alpha(d) == pytest.approx(of_slices(found.rotation(d)), rel=3e-3)
+    assert of_slices(found.theta0) == pytest.approx(0.0, abs=2e-3 * found.alpha0)
+
+
+def test_that_a_wall_with_openings_of_nothing_bends_as_the_rectangle():
+    """A window over no height does not change it, nor does a step to the same thickness."""
+    plain, same = (held(length_m=4.0, height_m=5.6, thickness_m=0.45, **more) for more in ({}, {"steps": [
+        {"from_z_m": 2.0, "thickness_m": 0.45}
+    ]}))  # fmt: skip
+    first, second = bending(plain), bending(same)
+    assert second.alpha0 == pytest.approx(first.alpha0, rel=1e-9) and second.d0 == pytest.approx(first.d0, rel=1e-6)
+
+
+def test_that_a_step_that_keeps_the_outer_face_plumb_bends_less_well_inward():
+    wall = shaped("a step outside")
+    mirrored = bent_inward(wall)
+    assert mirrored.steps[0].flush == "inner" and bending(mirrored).alpha0 == bending(shaped("a step inside")).alpha0
+
+
+def test_that_a_shaped_wall_held_at_its_top_is_judged_and_written_down(tmp_path):
+    from core.case.rules import parse_case
+    from core.study.run import run
+
+    wall = {"name": "w", "mechanism": "vertical_bending", "height_m": 5.6, "thickness_m": 0.45, "length_m": 4.0}
+    wall |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "back_restraint": "floors"} | SHAPED["two storeys"]
+    demand = {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
+    building = {"height_m": 8.4, "storeys": 3, "period_s": 0.3}
+    result = run(parse_case({"title": "t", "wall": [wall], "demand": demand, "building": building}), base_dir=tmp_path)
+    (one,) = result.walls
+    assert {check.name for check in one.assessment.checks} == {"nonlinear", "linear_q_code"}
+    lines = [line for section in checks_of(result, one) for line in section.lines if isinstance(line, Line)]
+    values = {line.of.name: line.value for line in lines}
+    assert values["alpha0"] == pytest.approx(one.assessment.kinematic.alpha0)

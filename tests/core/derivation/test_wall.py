@@ -86,6 +86,12 @@ def held_at_top(draw, name):
     ]
     setback = draw.choice(({}, {"hinge_setback_m": 0.02}, {"compressive_strength_mpa": 2.0}))
     size |= setback | {"base_z_m": draw.choice((0.0, 3.0)), "unit_weight_kn_m3": 18.0}
+    if draw.random() < 0.4:
+        size |= {"length_m": 4.0, "openings": [{"s_m": 1.0, "z_m": 0.6, "width_m": 1.1, "height_m": 1.2}]}
+        if draw.random() < 0.5:
+            size["steps"] = [{"from_z_m": 2.0, "thickness_m": round(0.8 * thickness, 3)}]
+        loads = [load | {"h_m": round(draw.choice((0.5, 1.0)) * height, 3)} for load in loads]
+        loads = [load | {"d_m": round(0.5 * thickness, 3)} for load in loads]
     return size | ({"load": loads} if loads else {})
 
 
