@@ -8,6 +8,13 @@ from core.study.results import WallResult
 from core.wall.wall_loads import size_of
 
 
+def _clear(height: float, others: list[float], h: float) -> float:
+    """A height for a label near this one [m], below the labels of loads that would stand on it."""
+    while any(abs(height - other) < 0.06 * h for other in others):
+        height -= 0.02 * h
+    return height
+
+
 def drawing(wall: WallResult, words: Words) -> Figure:
     """The wall to scale with its sizes, its hinges at rest, what holds its top and the blocks turned (dashed)."""
     asked, found = wall.wall, bending(wall.wall)
@@ -32,12 +39,13 @@ def drawing(wall: WallResult, words: Words) -> Figure:
     beside, tick = t + 0.30 * h, 0.02 * h
     low, high = ([(beside - tick, z), (beside + tick, z), (beside, z)] for z in (0.0, h))
     curves.append(path([*low, *reversed(high)], "ink", width=0.7))
+    on = arrows(asked, h, t)
     labels = [
         Label(f"H {words.number(h, '.2f')} m", beside + 0.20 * h, 0.5 * h),
-        Label(f"h₁ {words.number(h1, '.2f')} m", -0.26 * h, h1),
+        Label(f"h₁ {words.number(h1, '.2f')} m", -0.26 * h, _clear(h1, [points[0][1] + 0.05 * h for points in on], h)),
         Label(f"t {words.number(t, '.2f')} m" + (f", u {words.number(u, '.3f')} m" if u else ""), 0.5 * t, -0.07 * h),
     ]
-    for load, points in zip(asked.load, arrows(asked, h, t), strict=True):
+    for load, points in zip(asked.load, on, strict=True):
         x, y = points[0]
         labels.append(Label(f"{words.number(1e-3 * size_of(load, asked), '.2f')} kN/m", x, y + 0.05 * h))
     caption = words.say("{wall}: sizes, hinges (red points) and mechanism (dashed), held at its top", wall=wall.name)
