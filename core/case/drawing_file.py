@@ -129,6 +129,7 @@ class DxfFile:
             self._unread: Counter[tuple[str, str]] = Counter()
             hidden = [layer for layer in self.document.layers if layer.is_off() or layer.is_frozen()]
             self._hidden = {layer.dxf.name.casefold() for layer in hidden}
+            self._frozen = {layer.dxf.name.casefold() for layer in hidden if layer.is_frozen()}
             self._entities = tuple(self._opened(self.document.modelspace()))
             said = int(self.document.header.get("$INSUNITS", 0)) if b"$INSUNITS" in content else 0  # ezdxf says m
             self.stated = INSUNITS.get(said)
@@ -180,7 +181,8 @@ class DxfFile:
         kind = entity.dxftype()
         if entity.dxf.get("invisible", 0):
             return "invisible"
-        if layer.casefold() in self._hidden:
+        hidden = self._frozen if kind == "INSERT" else self._hidden  # a block on a layer that is off is shown
+        if layer.casefold() in hidden:
             return "hidden layer"
         if kind == "INSERT":
             block = entity.block()
@@ -188,7 +190,8 @@ class DxfFile:
                 return "XREF"
             from ezdxf.xclip import XClip
 
-            return "XCLIP" if XClip(entity).has_clipping_path else ""
+            clip = XClip(entity)
+            return "XCLIP" if clip.has_clipping_path and clip.is_clipping_enabled else ""
         if kind == "POLYLINE" and entity.get_mode() in ("AcDb2dPolyline", "AcDb3dPolyline"):
             return ""
         if kind == "POLYLINE":

@@ -145,6 +145,8 @@ def origin_of(body: Sequence[Shape], unit: str, plane: str, hinge: float | None)
     if not solid:
         top = max(shape.extent[3] for shape in body) * scale
         raise InputError("drawing_hinge", key="hinge_y_m", found=base, top=top)
+    if plane == "section" and all(y > SAME for part in solid for _, y in part):
+        raise InputError("drawing_section_floats", key="hinge_y_m")
     low = SAME if plane == "section" else math.inf
     leftmost = min(x for part in solid for x, _ in part)
     return min((x for part in solid for x, y in part if y <= low), default=leftmost), base

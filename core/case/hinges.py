@@ -17,7 +17,7 @@ SLENDER_ABOVE = 3.0
 a parapet's or a sill's, which turns as a block of its own."""
 
 SAME_HINGE = 0.05
-"""Hinges nearer to each other than this [m] are one."""
+"""A load or a floor nearer than this to a step, or to another one, has no hinge of its own [m]."""
 
 LEAST_ABOVE = 0.1
 """Least height of the wall above a hinge [m], that of a wall."""
@@ -75,13 +75,16 @@ def usual_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
         return ()
     loads = (*(load.h_m for load in wall.load), *([] if wall.tie_height_m is None else [wall.tie_height_m]))
     parts = wall_body.parts_of(wall)
-    heights = sorted({*loads, *wall_body.changes(parts), *(storey_ends(wall, building) if building else ())})
+    shape = wall_body.changes(parts) if parts else ()
+    others = [*loads, *(storey_ends(wall, building) if building else ())]
+    apart = [height for height in others if all(abs(height - z) > SAME_HINGE + wall_body.SNAP for z in shape)]
     found: list[float] = []
-    for height in heights:
+    for height in sorted({*shape, *apart}):
         faces = wall_body.contact_at(parts, height) if wall_body.has_shape(wall) else None
         thickness = min(faces[1] - faces[0], wall.thickness) if faces else wall.thickness
         highest = wall.height_m - max(SLENDER_ABOVE * thickness, LEAST_ABOVE)
-        if LEAST_ABOVE <= height <= highest + 1e-9 and (not found or height - found[-1] > SAME_HINGE + wall_body.SNAP):
+        near = bool(found) and height - found[-1] <= SAME_HINGE + wall_body.SNAP and height not in shape
+        if LEAST_ABOVE <= height <= highest + 1e-9 and not near:
             found.append(height)
     return tuple(found)
 

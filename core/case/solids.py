@@ -1,12 +1,13 @@
 """The shape of a wall that is no rectangle: solids, and short forms of what is common."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import MISSING, dataclass
 
 from core.case.keys import choice_key, flag_key, key, number_key, path_key
 from core.errors import InputError, place
 from core.wall.body import cut_above
-from core.wall.wall_body import Part, contact_at, has_shape, parts_of, shoulder, snapped
+from core.wall.wall_body import Part, contact_at, has_shape, is_dragged, parts_of, shoulder, snapped
 
 
 @dataclass(frozen=True)
@@ -102,7 +103,8 @@ def above(wall, hinge: float) -> dict:
         raise InputError("hinge_in_a_gap", place=(place("wall", name=wall.title),), key="hinge_heights", hinge=hinge)
     outer, inner = faces
     face = min(inner, wall.thickness)
-    cut = [(part, above_crack(part, hinge, face)) for part in snapped(parts, hinge)]
+    there = snapped(parts, hinge)
+    cut = zip(there, above_cracks(there, hinge, face), strict=True)
     solids = tuple(
         Solid(
             plane=part.plane,
@@ -128,19 +130,27 @@ def above(wall, hinge: float) -> dict:
     return plain | {"solid": solids, "thickness_m": base}
 
 
-def above_crack(part: Part, hinge: float, face: float) -> tuple[tuple[float, float], ...]:
-    """The polygon of a solid above a hinge [m]. What a section drags along behind the inner face, x [m], begins at the
-    hinge too, with the inclination of its own crack, as a wedge of return walls."""
-    polygon = cut_above(part.polygon, hinge)
-    behind = [(part.start + s - face, z) for s, z in part.polygon if part.start + s > face + 1e-9]
-    if part.plane != "section" or not behind or part.weight < 0.0:
-        return tuple(polygon)
-    foot = min(z for z, x in cut_above([(z, s) for s, z in part.polygon], face - part.start))
+def above_cracks(parts: Sequence[Part], hinge: float, face: float) -> list[tuple[tuple[float, float], ...]]:
+    """The polygons of solids above a hinge [m]. What sections drag along behind the inner face, x [m], begins at the
+    hinge too, with the inclination of its own crack, as a wedge of return walls; what is there over half of the length
+    of the wall is the wall."""
+    cuts = [cut_above(part.polygon, hinge) for part in parts]
+    dragged = [part for part in parts if is_dragged(part, parts, face)]
+    corners = [(part.start + s - face, z) for part in dragged for s, z in part.polygon]
+    behind = [(x, z) for x, z in corners if x > 1e-9]
+    if not behind:
+        return [tuple(cut) for cut in cuts]
+    foot = min(z for x, z in corners if x > -1e-9)
     if min(z for _, z in behind) <= foot + 1e-9:  # it stands on something, or is a block
-        return tuple(polygon)
+        return [tuple(cut) for cut in cuts]
     flat = max(x / (z - foot) for x, z in behind)
-    turned = [(z, face - part.start - s + flat * z) for s, z in polygon]
-    return tuple((face - part.start + flat * z - left, z) for z, left in cut_above(turned, 0.0))
+    found = []
+    for part, cut in zip(parts, cuts, strict=True):
+        if part in dragged and cut:
+            turned = cut_above([(z, face - part.start - s + flat * z) for s, z in cut], 0.0)
+            cut = [(face - part.start + flat * z - left, z) for z, left in turned]
+        found.append(tuple(cut))
+    return found
 
 
 def outer_face(wall, hinge: float) -> float:

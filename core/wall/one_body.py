@@ -14,9 +14,9 @@ from core.wall.wall_body import (
     LEAST_BASE,
     Part,
     aligned,
-    base_length,
-    faces_at,
+    is_dragged,
     lies_behind,
+    reached_at,
     shoulder,
     top_of,
 )
@@ -35,6 +35,10 @@ LEAVES = 0.25
 
 SHARES = (0.02, 0.25, 0.5, 0.75, 0.98)
 """Of the height between corners at which oblique solids are looked at."""
+
+DRIFT, MOST_HEIGHTS, ROUND_FROM = 0.02, 200, 12
+"""How far an edge may move between two sections [m], so many at most between two corners; an opening with as many
+corners is round, and parts nothing between its lowest, widest and highest."""
 
 STEEPEST = 1.0
 """Largest length of a wedge at its top over its height: a crack at 45 degrees."""
@@ -73,14 +77,37 @@ def check_one_body(wall, parts: tuple[Part, ...], here) -> None:
                 raise InputError("solids_overlap", place=here, key="solid")
     _check_pieces(wall, parts, here)
     _check_behind(wall, parts, here)
-    if all(part.plane != "oblique" for part in parts):
-        _check_foot(wall, parts, here)
+    _check_foot(wall, parts, here)
 
 
 def _middles(parts) -> list[float]:
     """A height between each two at which a solid has a corner [m]."""
     levels = sorted({z for part in parts for _, z in part.polygon})
     return [0.5 * (low + high) for low, high in itertools.pairwise(levels) if high - low > 2.0 * INTO]
+
+
+def _heights(parts) -> list[tuple[float, bool]]:
+    """(height [m], whether just below it) at which a body is looked at: on both sides of each height at which it may
+    come apart, and between them so often that no edge moves farther than DRIFT."""
+    levels = set()
+    for part in parts:
+        zs = [z for _, z in part.polygon]
+        wide = [min(part.polygon)[1], max(part.polygon)[1]]
+        levels |= {*zs} if part.weight > 0.0 or len(zs) < ROUND_FROM else {min(zs), max(zs), *wide}
+    ordered = sorted(levels)
+    found = [(ordered[0], False)]
+    for low, high in itertools.pairwise(ordered):
+        if high - low <= 2.0 * INTO:
+            continue
+        moves = [0.0]
+        for part in parts:
+            for (s0, z0), (s1, z1) in zip(part.polygon, (*part.polygon[1:], part.polygon[0]), strict=True):
+                if part.weight > 0.0 and min(z0, z1) < high and max(z0, z1) > low and z0 != z1:
+                    moves.append(abs((s1 - s0) / (z1 - z0)) * (high - low))
+        count = min(2 + math.ceil(max(moves) / DRIFT), MOST_HEIGHTS)
+        found += [(low + (high - low) * k / count, False) for k in range(count)]
+        found.append((high, True))
+    return found[1:]
 
 
 def _check_pieces(wall, parts: tuple[Part, ...], here) -> None:
@@ -102,9 +129,11 @@ def fault_of(parts: tuple[Part, ...], thickness: float) -> tuple[str, float] | N
     borne = tuple(part for part in placed if not lies_behind(part, thickness))
     sections: list[list[Cell]] = []
     for kept in (placed, borne) if borne != placed else (placed,):
-        heights = _middles(kept)
-        sections = [cells_of(pieces_at(kept, z, grown=0.5 * INTO), same=2.0 * INTO) for z in heights]
-        empty = next((z for z, cells in zip(heights, sections, strict=True) if area_of(cells) <= LEAST_BASE), None)
+        heights = _heights(kept)
+        sections = [cells_of(pieces_at(kept, z, below, 0.5 * INTO), same=2.0 * INTO) for z, below in heights]
+        middles = zip(heights, sections, strict=True)
+        inside = ((z, cells) for k, ((z, _), cells) in enumerate(middles) if 0 < k < len(heights) - 1)
+        empty = next((z for z, cells in inside if area_of(cells) <= LEAST_BASE), None)
         if empty is not None and kept == borne:
             return "cut", empty
         if Bodies(sections, LEAST_TOUCH, 2.0 * INTO).count > 1:
@@ -146,7 +175,7 @@ def _check_behind(wall, parts: tuple[Part, ...], here) -> None:
     solids = [part for part in parts if part.weight > 0.0 and not part.wedge]
     behind = [part for part in solids if part.plane == "section" and lies_behind(part, wall.thickness)]
     for part in solids:
-        if part.plane != "section":
+        if not is_dragged(part, solids, wall.thickness):
             continue
         beyond = cut_above([(z, s) for s, z in part.polygon], wall.thickness - part.start)
         if not beyond:
@@ -188,14 +217,15 @@ def _reaches_into(section: Part, elevation: Part) -> bool:
 
 
 def _check_foot(wall, parts: tuple[Part, ...], here) -> None:
-    """The outer hinge carries the body, not a plinth or a foot alone."""
+    """The outer hinge carries the body, not a plinth or a foot alone; so does the inner one of a two-sided wall."""
     low, most = FOOT_HEIGHT * top_of(wall), FOOT * wall.thickness
-    faces = faces_at(parts, low)
+    placed = aligned(parts)
+    base, faces = section_at(placed, 0.0), reached_at(placed, low)
+    carried = length_of(cell for cell in base if cell.outer[1] <= most + TOUCH)
+    if carried < CARRIED * length_of(base) and all(part.plane != "oblique" for part in placed):
+        raise InputError("foot_short", place=here, found=carried, whole=length_of(base))
     if faces is None or faces[0] > most + TOUCH:
         found = math.inf if faces is None else faces[0]
         raise InputError("foot_alone", place=here, found=found, z=low, most=most)
-    base = section_at(aligned(parts), 0.0)
-    carried = length_of(cell for cell in base if cell.outer[1] <= most + TOUCH)
-    whole = base_length(wall)
-    if carried < CARRIED * whole:
-        raise InputError("foot_short", place=here, found=carried, whole=whole)
+    if "two_sided" in wall.mechanisms() and faces[1] < wall.thickness - most - TOUCH:
+        raise InputError("inner_foot_alone", place=here, found=wall.thickness - faces[1], z=low, most=most)

@@ -7,13 +7,16 @@ what two sections share and what is connected follow from cells without rounding
 
 import itertools
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from core.wall.body import directions, shared_area, spans
 
 SAME = 1e-9
 """Sizes below which a cell is none [m]."""
+
+TIP = 1e-3
+"""Area of sections, added up, below which a body is a tip of another one [m2]."""
 
 Point = tuple[float, float]
 Edge = tuple[float, ...]
@@ -109,14 +112,20 @@ def cells_of(*groups: Sequence[Piece], same: float = SAME) -> list[Cell]:
     if not all(groups):
         return []
     levels = _levels([piece for group in groups for piece in group], same)
+    each = [(k, piece, [y for _, y in piece.corners]) for k, group in enumerate(groups) for piece in group]
+    waiting = sorted(((min(ys), max(ys), k, piece) for k, piece, ys in each), key=lambda one: -one[0])
+    active: list = []
     found = []
     for start, end in itertools.pairwise(levels):
+        middle = 0.5 * (start + end)
+        while waiting and waiting[-1][0] < middle:
+            active.append(waiting.pop())
+        active = [one for one in active if one[1] > middle]
         changes = []  # (edge, group, by how much there is more from here inward)
-        for k, group in enumerate(groups):
-            for piece in group:
-                edges = _within(piece, start, end)
-                if edges is not None:
-                    changes += [(edges[0], k, piece.sign), (edges[1], k, -piece.sign)]
+        for _, _, k, piece in active:
+            edges = _within(piece, start, end)
+            if edges is not None:
+                changes += [(edges[0], k, piece.sign), (edges[1], k, -piece.sign)]
         changes.sort(key=lambda change: change[0][1])
         there, outer = [0] * len(groups), None
         for n, (edge, k, more) in enumerate(changes):
@@ -166,18 +175,22 @@ class Bodies:
 
     def __init__(self, sections: Sequence[list[Cell]], touch: float, least: float):
         """touch : least length of a contact in a section [m]; least : least size of one between two sections [m]"""
+        numbered = [(k, n, cell) for k, cells in enumerate(sections) for n, cell in enumerate(cells)]
+        self._sizes = {(k, n): cell.area for k, n, cell in numbered if cell.inner[1] - cell.outer[1] > 2.0 * least}
         self._of = {(k, n): (k, n) for k, cells in enumerate(sections) for n in range(len(cells))}
         for k, cells in enumerate(sections):
-            for (a, one), (b, other) in itertools.permutations(enumerate(cells), 2):
+            for a, b in _near(cells, cells, least):
+                one, other = cells[a], cells[b]
                 shared = min(one.inner[2], other.inner[0]) - max(one.outer[2], other.outer[0])
                 if abs(one.end - other.start) <= least and shared > touch:
                     self._join((k, a), (k, b))
-            for (a, one), (b, other) in itertools.product(enumerate(sections[k - 1]) if k else (), enumerate(cells)):
-                if _touch(one, other, least):
+            for a, b in _near(sections[k - 1], cells, 0.0) if k else ():
+                if _touch(sections[k - 1][a], cells[b], least):
                     self._join((k - 1, a), (k, b))
 
     def _root(self, key: tuple[int, int]) -> tuple[int, int]:
         while self._of[key] != key:
+            self._of[key] = self._of[self._of[key]]
             key = self._of[key]
         return key
 
@@ -186,7 +199,24 @@ class Bodies:
 
     @property
     def count(self) -> int:
-        return len({self._root(key) for key in self._of})
+        """Bodies, tips of a few square centimetres left out: what is above them joins them."""
+        whole: dict[tuple[int, int], float] = {}
+        for key, size in self._sizes.items():
+            root = self._root(key)
+            whole[root] = whole.get(root, 0.0) + size
+        return sum(size > TIP for size in whole.values())
+
+
+def _near(ones: Sequence[Cell], others: Sequence[Cell], least: float) -> Iterator[tuple[int, int]]:
+    """Numbers of cells, which follow each other along the wall, whose stretches meet."""
+    first = 0
+    for a, one in enumerate(ones):
+        while first < len(others) and others[first].end < one.start - least:
+            first += 1
+        for b in range(first, len(others)):
+            if others[b].start > one.end + least:
+                break
+            yield a, b
 
 
 def _touch(one: Cell, other: Cell, least: float) -> bool:

@@ -7,8 +7,9 @@ from core.wall.body import crossing, directions, polygon_sums, shared_area
 from core.wall.one_body import TOUCH, check_one_body, check_short_forms
 from core.wall.wall_body import SHORT_FORMS, Part, base_length, faces_at, has_shape, parts_of, shoulder, sum_of, top_of
 
-RIGHT_SLIP = 1.0
-"""Angle from a section or an elevation below which a plane is one of them, and not oblique [deg]."""
+RIGHT_SLIP, FLAT_SLIP = 1.0, 10.0
+"""Angle from a section, and from an elevation, below which a plane is one of them, and not oblique [deg]: whether the
+outer hinge carries a wall along it is judged of elevations."""
 
 LENGTH_SLIP = 0.01
 """Share by which length_m may be less than the body with loads, which act on length_m."""
@@ -131,7 +132,7 @@ def _check_solid(solid, here) -> None:
     """Rules of one solid."""
     if (solid.angle_deg is None) == (solid.plane == "oblique"):
         raise InputError("solid_angle", place=here, key="angle_deg")
-    if solid.plane == "oblique" and not RIGHT_SLIP < abs(solid.angle_deg) < 90.0 - RIGHT_SLIP:
+    if solid.plane == "oblique" and not RIGHT_SLIP < abs(solid.angle_deg) < 90.0 - FLAT_SLIP:
         # what elevations and sections are judged by would pass it over
         raise InputError("solid_angle_right", place=here, key="angle_deg", found=solid.angle_deg)
     if not solid.to_m > solid.from_m:

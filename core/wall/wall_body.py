@@ -4,7 +4,7 @@ x is inward from the outer face of the base, z above it.
 """
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -337,11 +337,37 @@ def snapped(parts: Iterable[Part], z: float) -> tuple[Part, ...]:
     )
 
 
+def is_dragged(part: Part, parts: Iterable[Part], face: float) -> bool:
+    """Whether a solid is a section that reaches behind a face [m] over less than half of the length of the wall."""
+    if part.plane != "section" or part.weight < 0.0 or part.wedge:
+        return False
+    if max(part.start + s for s, _ in part.polygon) <= face + SNAP:
+        return False
+    whole = [one for one in parts if one.weight > 0.0 and not one.wedge]
+    seen = [s for one in whole if one.plane == "elevation" for s, _ in one.polygon]
+    seen = seen or [end for one in whole if one.plane == "section" for end in one.ends]
+    return part.ends[1] - part.ends[0] < CARRIED * (max(seen) - min(seen))
+
+
 FOOT_HEIGHT, FOOT = 0.05, 0.1
 """At this share of the height the outer face is inward of the hinge by no more than this share of the thickness."""
 
 CARRIED = 0.5
 """Least share of the base that reaches the outer hinge."""
+
+
+def reached_at(placed: tuple[Part, ...], z: float) -> tuple[float, float] | None:
+    """x of the outer and of the inner face just above a height [m] as half of the length of the wall has them, of
+    oblique solids the extremes: a pilaster or a foot alone is none."""
+    cells = section_at(placed, z)
+    if area_of(cells) <= LEAST_BASE:
+        return None
+    share = 0.0 if any(part.plane == "oblique" for part in placed) else CARRIED
+    return edge_reached(cells, share), edge_reached(cells, share, inner=True)
+
+
+OPEN_JOINT = 2e-3
+"""How far two solids may be apart above one another and still touch [m]."""
 
 
 @lru_cache(maxsize=4096)
@@ -350,24 +376,23 @@ def contact_at(parts: tuple[Part, ...], z: float) -> tuple[float, float] | None:
     the section that both share, the lines that half of its length reaches; of oblique solids its extremes. What a foot
     alone reaches is no edge. None where nothing is above, or nothing is shared."""
     placed = snapped(aligned(parts), z)
-    above = pieces_at(placed, z)
-    shared = cells_of(above, pieces_at(placed, z, below=True)) if z > 0.0 else cells_of(above)
+    above = pieces_at(placed, z) or pieces_at(placed, z + OPEN_JOINT)
+    below = pieces_at(placed, z, below=True) or pieces_at(placed, z - OPEN_JOINT) if z > 0.0 else above
+    shared = cells_of(above, below)
     if area_of(shared) <= LEAST_BASE:
         return None
-    oblique = any(part.plane == "oblique" for part in placed)
-    share = 0.0 if oblique else CARRIED
+    share = 0.0 if any(part.plane == "oblique" for part in placed) else CARRIED
     outer, inner = edge_reached(shared, share), edge_reached(shared, share, inner=True)
-    if not oblique:
-        top = max(part.top for part in placed)
-        foot = faces_at(placed, z + FOOT_HEIGHT * (top - z))
-        if foot and outer + FOOT * (inner - outer) < foot[0] < inner:
-            outer = foot[0]
+    top = max(part.top for part in placed)
+    foot = reached_at(placed, z + FOOT_HEIGHT * (top - z))
+    if foot and outer + FOOT * (inner - outer) < foot[0] < inner:
+        outer = foot[0]
     return (outer, inner) if inner > outer else None
 
 
 JUMP, KINK = 0.01, 0.25
-"""Area of a section that is on one side of a height alone [m2], and how much faster a wall becomes shorter above it
-[m/m], where it is said to change there."""
+"""Area of a section that is on one side of a height alone [m2], and how much faster a wall becomes shorter above it,
+or thinner below it [m/m], where it is said to change there."""
 
 
 @lru_cache(maxsize=1024)
@@ -377,12 +402,22 @@ def changes(parts: tuple[Part, ...]) -> tuple[float, ...]:
     placed = aligned(parts)
     weights = {abs(part.weight) for part in placed}
     alike = [[part for part in placed if abs(part.weight) == weight] for weight in weights]
-    levels = sorted({z for part in placed for _, z in part.polygon})
-    return tuple(
-        z
-        for below, z, above in zip(levels, levels[1:], (*levels[2:], math.inf), strict=False)
-        if math.fsum(_only_on_one_side(group, z) for group in alike) > JUMP or _shortens(placed, below, z, above)
-    )
+    flat = {z for part in placed for z in _level_edges(part.polygon) if z > 0.0}
+    found = {z for z in flat if math.fsum(_only_on_one_side(group, z) for group in alike) > JUMP}
+    solids = [part for part in placed if part.weight > 0.0]
+    levels = sorted({z for part in solids for _, z in part.polygon})
+    found |= {
+        z for below, z, above in zip(levels, levels[1:], levels[2:], strict=False) if _bends(solids, below, z, above)
+    }
+    ordered = sorted(found)  # of an open joint its upper side
+    return tuple(z for z, after in zip(ordered, (*ordered[1:], math.inf), strict=True) if after - z > OPEN_JOINT)
+
+
+def _level_edges(polygon) -> Iterator[float]:
+    """Heights of the level edges of a polygon [m]: at others no section steps."""
+    for (_, z0), (_, z1) in zip(polygon, (*polygon[1:], polygon[0]), strict=True):
+        if abs(z0 - z1) < SNAP:
+            yield z0
 
 
 def _only_on_one_side(parts: list[Part], z: float) -> float:
@@ -393,17 +428,17 @@ def _only_on_one_side(parts: list[Part], z: float) -> float:
     return area_of(cells_of(below)) + area_of(cells_of(above)) - 2.0 * area_of(cells_of(below, above))
 
 
-def _shortens(parts: tuple[Part, ...], below: float, z: float, above: float) -> bool:
-    """Whether a wall begins to become shorter at a height, its openings filled."""
-    solids = [part for part in parts if part.weight > 0.0]
-    found = []
+def _bends(solids: list[Part], below: float, z: float, above: float) -> bool:
+    """Whether a wall, its openings filled, begins to become shorter at a height, or ends to become thinner: a gable,
+    a step that slopes. below, above : the corners next to it [m]"""
+    rates, length = [], 0.0
     for end, beneath in ((below, True), (above, False)):
-        if not math.isfinite(end):
-            return False
         half = 0.5 * (z - end)
-        lengths = [length_of(section_at(solids, *at)) for at in ((z, beneath), (z - half, False))]
-        found.append((lengths[0] - lengths[1]) / half)
-    return found[0] - found[1] > KINK
+        here, there = section_at(solids, z, beneath), section_at(solids, z - half)
+        length = length_of(here)
+        rates.append([(of(here) - of(there)) / half for of in (length_of, area_of)])
+    (shorter, thinner), (on_shorter, on_thinner) = rates
+    return shorter - on_shorter > KINK or on_thinner - thinner > KINK * length
 
 
 @lru_cache(maxsize=256)

@@ -127,18 +127,14 @@ def test_that_an_arm_that_overhangs_rests_on_what_is_below_it_alone():
 def test_that_a_wedge_drawn_as_a_solid_begins_at_the_hinge_as_the_short_form_does():
     wedge = section((0.6, 1.0), (2.6, 9.0), (0.6, 9.0)) | {"to_m": 0.8}
     written = parse_wall(BASE | {"solid": [box(0.0, 0.6, 0.0, 9.0), wedge]})
-    one_polygon = parse_wall(
-        BASE | {"solid": [section((0, 0), (0.6, 0), (0.6, 1.0), (2.6, 9.0), (0, 9.0))], "length_m": 5.0}
-    )
+    lower, upper = section((0.6, 1.0), (1.6, 5.0), (0.6, 5.0)), section((0.6, 5.0), (1.6, 5.0), (2.6, 9.0), (0.6, 9.0))
+    cut = parse_wall(BASE | {"solid": [box(0.0, 0.6, 0.0, 9.0), lower | {"to_m": 0.8}, upper | {"to_m": 0.8}]})
     short = BASE | {"return_wedges": {"number": 2, "thickness_m": 0.4, "length_at_top_m": 2.0, "from_z_m": 1.0}}
     for hinge in (0.0, 0.5, 2.0, 5.0):
         first, second = above_hinge(written, hinge).block(), above_hinge(parse_wall(short), hinge).block()
         assert first.slenderness == pytest.approx(second.slenderness, rel=1e-12)
         assert first.radius == pytest.approx(second.radius, rel=1e-12)
-        drawn, begun = above_hinge(one_polygon, hinge), max(1.0 - hinge, 0.0)
-        if hinge:
-            reach = (2.0 / 8.0) * (9.0 - hinge - begun)
-            assert max(s for solid in drawn.solid for s, _ in solid.polygon_m) == pytest.approx(0.6 + reach)
+        assert above_hinge(cut, hinge).block().slenderness == pytest.approx(first.slenderness, rel=1e-12)
 
 
 CUT = BASE | {"thickness_m": 0.6}
@@ -216,3 +212,93 @@ def test_that_sills_and_lintels_are_usual_hinges():
     openings = [{"s_m": 1.0, "z_m": 1.0, "width_m": 1.2, "height_m": 1.5}]
     found = usual_hinges(parse_wall(BASE | {"openings": openings}), None)
     assert found == pytest.approx((1.0, 2.5))
+
+
+# found by an audit
+
+
+def test_that_a_step_that_slopes_is_a_hinge_as_a_level_one():
+    found = []
+    for z in (2.0, 2.001, 2.2):
+        outline = section((0, 0), (1, 0), (1, 9), (0.3, 9), (0.3, z), (0, 2))
+        wall = checked(BASE | {"thickness_m": 1.0, "solid": [outline]})
+        found.append((usual_hinges(wall, None), above_hinge(wall, z).block().slenderness))
+        assert usual_hinges(wall, None)[-1] == pytest.approx(z)
+    assert found[1][1] == pytest.approx(found[0][1], rel=1e-3)
+
+
+def test_that_a_pilaster_before_a_plinth_does_not_make_it_a_foot_to_stand_on():
+    solids = [elevation(0.0, 10.0, 0.0, 0.09, 0.0, 0.9), elevation(0.0, 10.0, 0.09, 9.0, 0.3, 0.9)]
+    solids.append(elevation(4.0, 4.1, 0.09, 9.0, 0.0, 0.3))
+    with pytest.raises(InputError) as refused:
+        checked(BASE | {"thickness_m": 0.9, "length_m": 10.0, "solid": solids})
+    assert refused.value.code == "foot_alone"
+
+
+def test_that_a_load_just_below_a_step_does_not_take_its_hinge():
+    steps = [{"from_z_m": 5.0, "thickness_m": 0.4}]
+    wall = {key: value for key, value in BASE.items() if key != "unloaded_confirmed"} | {"thickness_m": 0.8}
+    for h in (4.94, 4.97, 5.0, 5.03):
+        load = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.2, "h_m": h, "mass": "none"}
+        assert 5.0 in usual_hinges(checked(wall | {"steps": steps, "load": [load]}), None)
+
+
+@pytest.mark.parametrize("hinge", [0.0, 3.0, 4.5, 6.0])
+def test_that_a_wedge_cut_level_in_two_is_the_wedge(hinge):
+    wall = [box(0.0, 1.2, 0.0, 3.0), box(0.6, 1.2, 3.0, 9.0)]
+    whole = section((1.2, 0.0), (3.2, 9.0), (1.2, 9.0)) | {"to_m": 0.8}
+    cut = [section((1.2, 0.0), (2.2, 4.5), (1.2, 4.5)), section((1.2, 4.5), (2.2, 4.5), (3.2, 9.0), (1.2, 9.0))]
+    blocks = [
+        above_hinge(checked(BASE | {"thickness_m": 1.2, "solid": [*wall, *more]}), hinge).block()
+        for more in ([whole], [one | {"to_m": 0.8} for one in cut])
+    ]
+    assert blocks[0].slenderness == pytest.approx(blocks[1].slenderness, rel=1e-9)
+
+
+def test_that_a_wall_that_leans_or_widens_inward_is_no_wedge():
+    leaning = section((0, 0), (0.6, 0), (0.9, 9), (0.3, 9))
+    part = above_hinge(checked(BASE | {"solid": [leaning]}), 4.0)
+    face = 0.3 * 4.0 / 9.0
+    own = section((0, 0), (0.6, 0), (0.9 - face, 5.0), (0.3 - face, 5.0))
+    alone = checked(BASE | {"height_m": 5.0, "base_z_m": 4.0, "solid": [own]})
+    assert part.block().slenderness == pytest.approx(alone.block().slenderness, rel=1e-9)
+
+
+def test_that_a_corbel_behind_the_wall_that_ends_at_a_hinge_is_cut_away():
+    corbel = section((0.6, 3.6), (0.9, 4.0), (0.6, 4.0)) | {"to_m": 1.0}
+    wall = checked(BASE | {"solid": [box(0.0, 0.6, 0.0, 9.0), corbel]})
+    for hinge in (3.0, 3.8, 4.0, 6.0):
+        assert above_hinge(wall, hinge).block().slenderness > 0.0
+
+
+def test_that_a_raking_gap_parts_a_body_and_a_frame_of_one_polygon_is_one():
+    def slab(*corners):
+        return {"plane": "elevation", "polygon_m": [list(c) for c in corners], "to_m": 0.6}
+
+    apart = [slab((0, 0), (5, 0), (5, 6), (0, 3)), slab((0, 3.3), (5, 6.3), (5, 9), (0, 9))]
+    with pytest.raises(InputError) as refused:
+        checked(BASE | {"solid": apart})
+    assert refused.value.code == "body_in_pieces"
+    frame = slab((0, 0), (0.8, 0), (2.5, 7), (4.2, 0), (5, 0), (3.1, 9), (1.9, 9))
+    assert checked(BASE | {"solid": [frame]}).block().slenderness > 0.0
+
+
+def test_that_storeys_drawn_a_millimetre_apart_have_their_hinge():
+    solids = [elevation(0.0, 5.0, 0.0, 4.0, 0.0, 0.6), elevation(0.0, 5.0, 4.0008, 9.0, 0.0, 0.5)]
+    wall = checked(BASE | {"solid": solids})
+    for hinge in usual_hinges(wall, BUILDING):
+        assert above_hinge(wall, hinge).block().slenderness > 0.0
+
+
+def test_that_a_ledge_inside_is_one_body_however_it_is_drawn():
+    wall = elevation(0.0, 5.0, 0.0, 9.0, 0.0, 0.6)
+    first = checked(BASE | {"solid": [wall, elevation(0.0, 5.0, 4.0, 4.2, 0.6, 0.9)]})
+    second = checked(BASE | {"solid": [wall, section((0.6, 4.0), (0.9, 4.0), (0.9, 4.2), (0.6, 4.2))]})
+    assert first.block().slenderness == pytest.approx(second.block().slenderness, rel=1e-12)
+
+
+def test_that_a_foot_inside_of_a_wall_that_rocks_both_ways_is_none_to_stand_on():
+    foot = section((0, 0), (0.6, 0), (0.6, 0.2), (0.4, 0.2), (0.4, 9), (0, 9))
+    with pytest.raises(InputError) as refused:
+        checked(BASE | {"mechanism": "two_sided", "solid": [foot]})
+    assert refused.value.code == "inner_foot_alone"

@@ -623,3 +623,30 @@ def test_that_a_flattened_block_and_a_periodic_spline_are_read(tmp_path):
             share = ((1 - t) ** 3, 3 * t**3 - 6 * t**2 + 4, -3 * t**3 + 3 * t**2 + 3 * t + 1, t**3)
             points.append(tuple(sum(w * q[axis] for w, q in zip(share, p, strict=True)) / 6.0 for axis in (0, 1)))
     assert polygon_sums(sheet.shapes[1].corners).area == pytest.approx(Polygon(points).area, rel=3e-3)
+
+
+def test_that_a_block_on_a_layer_that_is_off_is_shown_and_on_a_frozen_one_not(tmp_path):
+    def draw(space, document):
+        area(space, 0.0, 0.6, 0.0, 6.0)
+        block = document.blocks.new("B")
+        area(block, 0.0, 0.3, 0.0, 0.5, "M")
+        area(block, 0.3, 0.6, 0.0, 0.5, "0")
+        for name, x in (("OFF", 0.6), ("ICE", 2.0)):
+            layer = document.layers.add(name)
+            layer.off() if name == "OFF" else layer.freeze()
+            space.add_blockref("B", (x, 0), dxfattribs={"layer": name})
+
+    wall, said = drawn(tmp_path, draw)
+    assert len(wall.solid) == 2 and "OFF: 1 hidden layer" in str(dict(said.values)["left"])
+
+
+def test_that_a_section_that_stands_on_nothing_has_no_outer_face(tmp_path):
+    more = [{"file": "d.dxf", "layers": "C", "plane": "section", "to_m": 5.0}]
+
+    def draw(space, document):
+        area(space, 0.0, 5.0, 30.0, 39.0)
+        area(space, 19.6, 20.6, 39.0, 39.5, "C")
+
+    with pytest.raises(InputError) as refused:
+        drawn(tmp_path, draw, plane="elevation", to_m=0.6, more=[more[0] | {"hinge_y_m": 30.0}])
+    assert refused.value.code == "drawing_section_floats"
