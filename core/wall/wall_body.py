@@ -409,6 +409,7 @@ def changes(parts: tuple[Part, ...]) -> tuple[float, ...]:
     found |= {
         z for below, z, above in zip(levels, levels[1:], levels[2:], strict=False) if _bends(solids, below, z, above)
     }
+    found |= {z for part in placed if part.weight < 0.0 for z in _ends_of(part.polygon)}
     ordered = sorted(found)  # of an open joint its upper side
     return tuple(z for z, after in zip(ordered, (*ordered[1:], math.inf), strict=True) if after - z > OPEN_JOINT)
 
@@ -426,6 +427,12 @@ def _only_on_one_side(parts: list[Part], z: float) -> float:
     if below == above:
         return 0.0
     return area_of(cells_of(below)) + area_of(cells_of(above)) - 2.0 * area_of(cells_of(below, above))
+
+
+def _ends_of(polygon) -> list[float]:
+    """Heights of the sill and of the lintel of an opening [m] that are no level edge: sloped, pointed or round."""
+    level, heights = set(_level_edges(polygon)), [z for _, z in polygon]
+    return [z for z in (min(heights), max(heights)) if z > 0.0 and z not in level]
 
 
 def _bends(solids: list[Part], below: float, z: float, above: float) -> bool:

@@ -212,6 +212,11 @@ def test_that_sills_and_lintels_are_usual_hinges():
     openings = [{"s_m": 1.0, "z_m": 1.0, "width_m": 1.2, "height_m": 1.5}]
     found = usual_hinges(parse_wall(BASE | {"openings": openings}), None)
     assert found == pytest.approx((1.0, 2.5))
+    window = {"plane": "elevation", "polygon_m": [[1, 1], [3, 1.05], [3, 2], [2, 3], [1, 2]], "to_m": 0.6}
+    pointed = checked(BASE | {"solid": [elevation(0.0, 5.0, 0.0, 9.0, 0.0, 0.6), window | {"opening": True}]})
+    assert usual_hinges(pointed, None) == pytest.approx((1.0, 3.0))
+    rose = [{"s_m": 2.5, "z_m": 4.0, "diameter_m": 2.0}]
+    assert usual_hinges(checked(BASE | {"openings": rose}), None) == pytest.approx((3.0, 5.0), abs=0.01)
 
 
 # found by an audit
