@@ -1,5 +1,7 @@
 """What a wall held at its top (mechanism vertical_bending) needs, and what it cannot have."""
 
+from dataclasses import replace
+
 from core.codes.vertical_bending import ON_TOP, bending, bent_inward
 from core.errors import InputError, place
 
@@ -41,3 +43,12 @@ def check_held_top(wall) -> None:
             raise InputError("bending_load_height", place=on, key="h_m", found=load.h_m, height=wall.height_m)
     for moving in (wall, bent_inward(wall)):
         bending(moving)
+
+
+def with_top_loads(was, wall):
+    """A wall held at its top whose height changed: what stood on the top of the wall as it was stands on its top."""
+    if not wall.bends or was.height_m is None or wall.height_m is None or was.height_m == wall.height_m:
+        return wall
+    near = ON_TOP * was.height_m
+    on = (replace(load, h_m=wall.height_m) if abs(load.h_m - was.height_m) <= near else load for load in wall.load)
+    return replace(wall, load=tuple(on))

@@ -5,6 +5,7 @@ from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any
 
+from core.case.held_top import with_top_loads
 from core.case.loads import Bars, Load, ReturnWalls
 from core.case.rules import parse_case
 from core.case.schema import Case, Wall
@@ -107,7 +108,7 @@ def with_value(case: Case, k: int, key: SweepKey, value: float) -> Case:
     if key.section is Wall:
         others = next((keys for keys in ALTERNATIVES if key.name in keys), ())
         empty: dict[str, Any] = {one: 0.0 if one == "hinge_setback_m" else None for one in others if one != key.name}
-        wall = replace(changed, **empty)
+        wall = with_top_loads(wall, replace(changed, **empty))
     elif key.load is not None:
         load = changed if key.section is Load else replace(wall.load[key.load], bar=changed)
         wall = replace(wall, load=(*wall.load[: key.load], load, *wall.load[key.load + 1 :]))

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from core.boundary import Edge, edge
+from core.case.held_top import with_top_loads
 from core.case.schema import Wall
 from core.errors import InputError
 from core.setting.demand_input import with_ag
@@ -60,7 +61,8 @@ def _of_ag(setting: Setting, ag_g: float) -> Setting:
 
 
 def _of_height(setting: Setting, height: float) -> Setting:
-    return with_wall(setting, replace(setting.case.wall[0], height_m=height))
+    wall = setting.case.wall[0]
+    return with_wall(setting, with_top_loads(wall, replace(wall, height_m=height)))
 
 
 def _of_loads(setting: Setting, factor: float) -> Setting:

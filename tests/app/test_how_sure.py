@@ -231,7 +231,7 @@ def test_that_the_window_follows_the_case_and_closes_without_a_trace(application
     assert plain.session.listeners == listeners
 
 
-def test_that_a_height_which_the_loads_refuse_has_no_slider(application, plain):
+def test_that_a_load_on_the_top_of_a_wall_held_there_stays_on_it_as_the_height_moves(application, plain):
     table = table_of(plain.session.case)
     (wall,) = table["wall"]
     held = {key: value for key, value in wall.items() if key not in ("back_restraint", "free_element")}
@@ -240,7 +240,9 @@ def test_that_a_height_which_the_loads_refuse_has_no_slider(application, plain):
     plain.session.edit(parse_case(table | {"wall": [held]}))
     sliders = sliders_of(plain)
     settle(application, lambda: bool(sliders.sliders))
-    assert "height_m" not in sliders.sliders and "thickness_m" in sliders.sliders
+    sliders.sliders["height_m"].setValue(100)
+    (wall,) = sliders._setting().case.wall
+    assert wall.height_m > 6.0 and wall.load[0].h_m == wall.height_m
     sliders.reject()
 
 
