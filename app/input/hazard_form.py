@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QFileDialog, QGroupBox, QHBoxLayout, QLabel, QMess
 
 from app.look.language import quoted_from_file, tr
 from app.work.session import Session
-from core.case.hazard_table import parse_hazard
+from core.case.hazard_table import parse_hazard, read_hazard
 from core.case.site import HazardRow
 from core.errors import InputError
 from core.setting.demand_input import hazard_of
@@ -69,7 +69,7 @@ class HazardForm(QGroupBox):
         if not name:
             return
         try:
-            parse_hazard(Path(name).read_text(encoding="utf-8-sig", errors="replace"))
+            read_hazard(Path(name))
         except (InputError, OSError) as error:
             said = quoted_from_file(error) if isinstance(error, InputError) else str(error)
             QMessageBox.warning(self, tr("Hazard not read"), said)

@@ -1,6 +1,5 @@
 """File in, files out: the headless run of a case, with progress, exit codes and a journal."""
 
-import contextlib
 import sys
 import threading
 from dataclasses import replace
@@ -34,7 +33,6 @@ from core.setting.plan import is_large
 from core.study.case_parts import FINISHED, merged, part_journal, part_path
 from core.study.journal import Journal, Memory
 from core.study.results import StudyResult
-from core.study.run import journal_key
 from core.study.run import run as run_study
 
 
@@ -73,7 +71,7 @@ def run(
 
     folders = (folder, report.parent) if report else (folder,)
     with made(case_path, *folders), interrupts(cancel), progress(quiet) as show:
-        export.refuse_overwriting(case, case_path, folder, stem)
+        export.refuse_overwriting(case, case_path, folder, stem, report)
         made_so_far = export.Report(case, raise_if(cancel))
         try:
             result = run_study(
@@ -91,8 +89,12 @@ def run(
             place = folder / f"{stem}.journal"
             tell("cancelled: finished runs are in {path}; go on with --resume", path=place)
             return CANCELLED
-        for book in books:
-            book.remove()
+        else:
+            for book in books:
+                book.remove()
+        finally:  # the lock is held until the results are in their places
+            for book in books:
+                book.close()
     for note in case.table_notes[1:]:
         print(f"{case.table}: {note.text(current_language())}", file=sys.stderr)
     for warning in result.demand.warnings if result.demand else ():
@@ -121,18 +123,23 @@ def run_part(case_path: Path, output: Path | None, jobs: int, quiet: bool, k: in
     folder, stem = results_of(case_path, output)
     cancel = threading.Event()
 
+    books: list[Journal] = []
+
     def journal(key: str) -> Journal:
-        return part_journal(folder, stem, case, key, k, n)
+        books.append(part_journal(folder, stem, case, key, k, n))
+        return books[0]
 
     with made(case_path, folder), interrupts(cancel), progress(quiet) as show:
         try:
             asked = {"journal": journal, "on_progress": show.runs, "cancelled": cancel.is_set, "share": (k - 1, n)}
             result = run_study(case, base_dir=case_path.parent, jobs=jobs, **asked)
+            books[0].add(FINISHED, {})
         except Cancelled:
             tell("cancelled: finished runs are in {path}; start this part again", path=part_path(folder, stem, k, n))
             return CANCELLED
-    with contextlib.closing(journal(journal_key())) as book:
-        book.add(FINISHED, {})
+        finally:
+            for book in books:
+                book.close()
     if not quiet:
         walls = len({wall.part.origin for wall in result.walls})
         path = part_path(folder, stem, k, n)

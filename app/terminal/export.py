@@ -14,6 +14,7 @@ from core.errors import InputError, OutputError, place
 from core.file_names import name_of
 from core.ground import records
 from core.packages import require
+from core.regular_file import first_bytes
 from core.report.steps import Steps
 from core.study.governing import collapse_histories
 from core.study.results import CollapseHistories, StudyResult
@@ -25,13 +26,21 @@ WALLS, NOTE = 53, 90
 """Hundredths of the writing of what is made a wall at a time; the note as a document is beyond the hundred."""
 
 
-def refuse_overwriting(case: Case, case_path: Path, folder: Path, stem: str) -> None:
-    """Raise InputError where a result would take the place of the case or of a file it reads."""
+def refuse_overwriting(case: Case, case_path: Path, folder: Path, stem: str, note: Path | None = None) -> None:
+    """Raise InputError where a result would take the place of the case or of a file it reads. note : the calculation
+    note, where one is asked for"""
     results = {(folder / (stem + end)).resolve() for end in (".xlsx", ".json", ".journal", ".parquet")}
+    results |= {note.resolve()} if note else set()
+    base, demand = case_path.parent, case.demand
     sources = {case_path.resolve()}
-    for name in (case.table, case.demand.spectrum_file if case.demand else None):
+    of_demand = (demand.spectrum_file, demand.hazard_file) if demand else ()
+    for name in (case.table, case.report.logo, *of_demand):
         if name:
-            sources.add((case_path.parent / name_of(name)).resolve())
+            sources.add((base / name_of(name)).resolve())
+    if case.select:  # any file there may be a record
+        inside = (base / name_of(case.select.folder)).resolve()
+        there = {path for path in results if path.exists() and inside in path.parents}
+        sources |= there if not _ours(folder / f"{stem}.json") else set()
     for k, entry in enumerate(case.record, start=1):
         try:
             paths = records.expand(entry.file, case_path.parent)
@@ -40,6 +49,13 @@ def refuse_overwriting(case: Case, case_path: Path, folder: Path, stem: str) -> 
         sources |= {path.resolve() for path in paths}
     for path in results & sources:
         raise InputError("would_overwrite", path=path)
+
+
+def _ours(path: Path) -> bool:
+    """Whether results of this program are in a file, so that those beside it are its own too."""
+    with contextlib.suppress(OSError):
+        return first_bytes(path, 60).split()[:2] == [b"{", b'"program":']
+    return False
 
 
 def check_note(path: Path | None, case_path: Path, case: Case | None = None) -> None:

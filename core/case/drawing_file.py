@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 from core.case.drawing_outlines import MOST_CHORDS, Gap, Point, gaps_of, joined, simple, with_bulges
 from core.errors import InputError
 from core.packages import require
+from core.regular_file import TooLarge, read_regular
 
 UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}
 """Unit of a drawing -> [m]."""
@@ -269,9 +270,9 @@ def _content(path: Path) -> bytes:
     try:
         if not path.is_file():
             raise InputError("no_drawing", place=(path,))
-        if path.stat().st_size > MAX_BYTES:
-            raise InputError("drawing_too_large", mb=path.stat().st_size / 1e6, most=MAX_BYTES / 1e6, place=(path,))
-        return path.read_bytes()
+        return read_regular(path, MAX_BYTES)
+    except TooLarge as error:
+        raise InputError("drawing_too_large", mb=error.size / 1e6, most=MAX_BYTES / 1e6, place=(path,)) from None
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
 

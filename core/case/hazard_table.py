@@ -9,6 +9,7 @@ from core.case.site import HazardRow
 from core.case.values import check_value
 from core.errors import InputError, place
 from core.quantities import foreign_unit
+from core.regular_file import TooLarge, read_regular
 
 KEYS = ("return_period_years", "ag_g", "f0", "tc_star_s")
 UNITS = ("anni", "years", "yr", "g", "ag/g", "s", "sec", "-", "–")
@@ -64,9 +65,9 @@ def read_hazard(path: Path) -> tuple[HazardRow, ...]:
     try:
         if not path.is_file():
             raise InputError("no_hazard_file")
-        if path.stat().st_size > MAX_BYTES:
-            raise InputError("hazard_too_large")
-        return parse_hazard(path.read_text(encoding="utf-8-sig", errors="replace"))
+        return parse_hazard(read_regular(path, MAX_BYTES).decode("utf-8-sig", "replace"))
+    except TooLarge:
+        raise InputError("hazard_too_large", place=(path,)) from None
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
     except InputError as error:

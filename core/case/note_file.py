@@ -6,6 +6,7 @@ from pathlib import Path
 from core import atomic_write
 from core.errors import InputError
 from core.packages import require
+from core.regular_file import TooLarge, read_regular
 
 CASE = "case.toml"
 NAMES = (CASE, "results.json", "records.csv")
@@ -26,12 +27,12 @@ def files_within(path: Path) -> dict[str, bytes]:
     import pypdf
 
     try:
-        if path.stat().st_size > MOST:
-            raise InputError("case_too_large", mb=path.stat().st_size / 1e6, place=(path,))
-        reader = pypdf.PdfReader(io.BytesIO(path.read_bytes()))
+        reader = pypdf.PdfReader(io.BytesIO(read_regular(path, MOST)))
         found = {name: contents[0] for name, contents in reader.attachments.items() if name in NAMES}
     except FileNotFoundError:
         raise InputError("no_case_file", place=(path,)) from None
+    except TooLarge as error:
+        raise InputError("case_too_large", mb=error.size / 1e6, place=(path,)) from None
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
     except InputError:

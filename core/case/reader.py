@@ -10,11 +10,13 @@ from core.case.drawn_solids import with_drawings
 from core.case.hazard_table import read_hazard
 from core.case.many_walls import ManyWalls, with_many
 from core.case.note_file import CASE, files_within, is_note
+from core.case.note_file import MOST as MOST_OF_NOTE
 from core.case.rules import parse_case, with_walls
 from core.case.schema import Case
-from core.case.wall_table import read_table
+from core.case.wall_table import MANY_BYTES, read_table
 from core.errors import InputError
 from core.file_names import name_of
+from core.regular_file import TooLarge, first_bytes, read_regular
 
 MAX_DOTS = 50
 _DOTTED = re.compile(rf"^[ \t]*+\[*+(?:[ \t]*+[A-Za-z0-9_\"'-]++[ \t]*+\.){{{MAX_DOTS}}}", re.MULTILINE)
@@ -33,13 +35,16 @@ def read_toml(path: Path) -> tuple[dict, bytes]:
     try:
         if path.exists() and not path.is_file():
             raise InputError("case_not_a_file", place=(path,))
-        if path.stat().st_size > MAX_BYTES:
-            raise InputError("case_too_large", mb=path.stat().st_size / 1e6, place=(path,))
-        content = path.read_bytes()
-        if is_note(content):
+        of_note = is_note(first_bytes(path, 5))  # it holds its case, and is larger than one
+        content = read_regular(path, MOST_OF_NOTE if of_note else MAX_BYTES)
+        if of_note:
             content = files_within(path)[CASE]
+        if len(content) > MAX_BYTES:
+            raise TooLarge(len(content))
     except FileNotFoundError:
         raise InputError("no_case_file", place=(path,)) from None
+    except TooLarge as error:
+        raise InputError("case_too_large", mb=error.size / 1e6, place=(path,)) from None
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
     try:
@@ -71,14 +76,14 @@ def read_case(path: Path, many: bool = False) -> Case:
         if case.walls is not None:
             source = path.parent / name_of(case.walls)
             walls, notes = read_table(source, case.demand is not None, many)
-            digest.update(source.read_bytes())
+            digest.update(read_regular(source, MANY_BYTES))
             table = case.walls
             case = with_many(case, walls) if isinstance(walls, ManyWalls) else with_walls(case, [*case.wall, *walls])
             case = replace(case, table=table, table_notes=tuple(notes))
         if case.demand and case.demand.hazard_file:
             source = path.parent / name_of(case.demand.hazard_file)
             read_hazard(source)
-            digest.update(source.read_bytes())
+            digest.update(read_regular(source, MAX_BYTES))
         return replace(case, sha256=digest.hexdigest(), drawings=tuple(drawing.notice for drawing in drawings))
     except InputError as error:
         raise error.at(path) from None

@@ -18,6 +18,7 @@ from core.case.values import field_of
 from core.errors import InputError, place
 from core.ooxml.sheet import MAX_NAME, Limits, Sheet, hidden_notes, read_sheet, refuse_cells, spoken
 from core.quantities import WRITTEN, factor_to, unit_of
+from core.regular_file import TooLarge, read_regular
 from core.text.catalogue import CATALOGUE
 from core.text.sentence import Sentence, notice
 
@@ -149,10 +150,8 @@ def read_table(
     try:
         if path.exists() and not path.is_file():
             raise InputError("table_not_a_file")
-        size, is_text = path.stat().st_size, path.suffix.lower() in (".csv", ".txt")
-        if size > (MANY_BYTES if many and is_text else MAX_BYTES):
-            raise InputError("table_too_many_mb", mb=size / 1e6)
-        content, notes = path.read_bytes(), []
+        is_text, notes = path.suffix.lower() in (".csv", ".txt"), []
+        content = read_regular(path, MANY_BYTES if many and is_text else MAX_BYTES)
         if path.suffix.lower() == ".xlsx":
             rows, notes = _xlsx_rows(content)
             try:
@@ -171,6 +170,8 @@ def read_table(
         return walls_of(text_rows(text), with_demand), notes
     except FileNotFoundError:
         raise InputError("no_table", place=(path,)) from None
+    except TooLarge as error:
+        raise InputError("table_too_many_mb", mb=error.size / 1e6, place=(path,)) from None
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
     except InputError as error:

@@ -26,7 +26,11 @@ from core.ground.artificial import compatible_motion
 from core.ground.ground_motion import GroundMotion
 from core.ground.scattered import TIME_STEP, scattered_set
 from core.quantities import foreign_unit
+from core.regular_file import TooLarge, read_regular
 from core.units import CM, G
+
+MOST_OF_SPECTRUM = 1_000_000
+"""Bytes of the file of a spectrum."""
 
 SPECTRUM_UNITS = ("t", "se/g", "sa/g", "s", "sec", "secondi", "seconds", "g", "-", "–", "m/m")
 """Units of a spectrum file, as they are written."""
@@ -56,9 +60,9 @@ def _rows(path: Path) -> list[tuple[float, float]]:
     try:
         if not path.is_file():
             raise InputError("no_spectrum_file", place=(path,))
-        if path.stat().st_size > 1_000_000:
-            raise InputError("spectrum_too_large", place=(path,))
-        lines = path.read_text(encoding="utf-8-sig", errors="replace").splitlines()
+        lines = read_regular(path, MOST_OF_SPECTRUM).decode("utf-8-sig", "replace").splitlines()
+    except TooLarge:
+        raise InputError("spectrum_too_large", place=(path,)) from None
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
     rows = []

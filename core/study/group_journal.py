@@ -10,8 +10,9 @@ from pathlib import Path
 from typing import BinaryIO
 
 from core.errors import InputError, OutputError
+from core.regular_file import refuse_irregular
 from core.study.case_parts import FINISHED, parts_in
-from core.study.journal import HEAD, lock, ours, parsed, valid
+from core.study.journal import HEAD, lock, ours, parsed, remove_held, valid
 
 
 class GroupJournal:
@@ -30,6 +31,7 @@ class GroupJournal:
         try:
             self._stream = open(path, "a+b")  # noqa: SIM115  (held to the end of the batch)
             try:
+                refuse_irregular(self._stream)
                 self._begin(key, resume)
             except (OSError, OutputError):
                 self._stream.close()
@@ -101,11 +103,7 @@ class GroupJournal:
 
     def remove(self) -> None:
         """The batch is done."""
-        if os.name == "nt":
-            self.close()
-        with contextlib.suppress(OSError):
-            self.path.unlink(missing_ok=True)
-        self.close()
+        remove_held(self._stream, self.path)
 
 
 def _scanned(stream: BinaryIO) -> tuple[bytes, int, list[tuple[str, int]]]:

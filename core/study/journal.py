@@ -16,6 +16,7 @@ from types import NoneType, UnionType
 from typing import Any, get_args, get_origin, get_type_hints
 
 from core.errors import InputError, OutputError
+from core.regular_file import refuse_irregular
 
 SYNC_SECONDS = 1.0
 """Least time between two calls that bring the journal to the disk: they hold up the threads, a tenth of the time of
@@ -42,6 +43,7 @@ class Journal:
         try:
             self._stream = open(path, "a+b", buffering=0)  # noqa: SIM115  (held to the end of the batch)
             try:
+                refuse_irregular(self._stream)
                 self._begin(key, resume)
             except (OSError, OutputError):
                 self._stream.close()
@@ -126,12 +128,20 @@ class Journal:
         self._stream.close()
 
     def remove(self) -> None:
-        """The batch is done; where the system can, the file goes while nobody else can hold it."""
-        if os.name == "nt":
-            self.close()
-        with contextlib.suppress(OSError):
-            self.path.unlink(missing_ok=True)
-        self.close()
+        """The batch is done: where the system can, the file goes while nobody else can hold it, and only while it is
+        the one that was opened."""
+        remove_held(self._stream, self.path)
+
+
+def remove_held(stream, path: Path) -> None:
+    """Remove a file that is held open, unless another one has its name, and let it go."""
+    mine = _is_at(stream, path)
+    if os.name == "nt":
+        stream.close()
+    with contextlib.suppress(OSError):
+        if mine:
+            path.unlink(missing_ok=True)
+    stream.close()
 
 
 def entries_of(path: Path) -> tuple[dict, dict[str, dict]]:

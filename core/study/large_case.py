@@ -16,6 +16,8 @@ from core.codes.record_compatibility import compliance, period_range
 from core.errors import Cancelled
 from core.file_names import name_of
 from core.jit import cache
+from core.regular_file import read_regular
+from core.setting.demand_input import MOST_OF_SPECTRUM
 from core.setting.plan import Floors, Inputs, plan_of, read_inputs, with_chosen
 from core.setting.record_selection import Selection
 from core.study.progress import OnProgress, Progress, costs_of
@@ -55,7 +57,7 @@ class LargeCase(NamedTuple):
         _, motions, kinds = self.inputs
         spectrum = b""
         if self.case.demand and self.case.demand.spectrum_file:
-            spectrum = (self.base_dir / name_of(self.case.demand.spectrum_file)).read_bytes()
+            spectrum = read_regular(self.base_dir / name_of(self.case.demand.spectrum_file), MOST_OF_SPECTRUM)
         read = [
             (repr(m), m.samples_sha256, m.warnings, m.details, kind) for m, kind in zip(motions, kinds, strict=True)
         ]

@@ -51,8 +51,9 @@ def run(
 
     base_dir : folder record paths start from
     jobs : threads, which change no result
-    journal : makes the Journal of finished runs from the study's key; on_progress(done, planned, left) and cancelled()
-        are called from this thread, the latter from the workers as well
+    journal : makes the Journal of finished runs from the study's key, which stays open: until its results are
+        written no other batch may begin
+    on_progress(done, planned, left), cancelled() : called from this thread, the latter from the workers as well
     on_wall : called from this thread with each hinge and mechanism that has its checks
     on_finished : called from this thread with the results of each wall of the case alone, in its order, once nothing is
         added to them
@@ -96,7 +97,7 @@ def result_of(
     threads : that do the tasks
     started : when
     progress : told of each task
-    book : of finished searches and checks, closed at the end
+    book : of finished searches and checks
     selection : of [select]
     whole : all walls of the case are in it, so that they have verdicts
     Raises as `run` does.
@@ -135,8 +136,6 @@ def result_of(
         threads.run_works(works(given, threads.jobs), ended)
     finally:
         cache.record(cache.folder())
-        if book:
-            book.close()
     elapsed = (datetime.datetime.now(datetime.UTC) - started).total_seconds()
     return replace(head, walls=tuple(results), verdicts=tuple(verdicts) if whole else (), elapsed=elapsed)
 

@@ -31,6 +31,7 @@ from core.ground.records.grammar import UNITS, Options, Parsed, decode, quoted
 from core.ground.records.placement import in_structure
 from core.ground.records.signatures import refuse_signature
 from core.ooxml.package import is_workbook
+from core.regular_file import TooLarge, read_regular
 from core.text.sentence import Sentence, notice
 from core.units import G
 
@@ -84,12 +85,13 @@ def read(path: Path, options: Options = Options(), scale: float = 1.0, name: str
     try:
         if path.exists() and not path.is_file():
             raise RecordError("record_not_a_file")
-        if path.stat().st_size > MAX_BYTES:
-            raise RecordError("record_too_large", mb=path.stat().st_size / 1e6, most=MAX_BYTES // 1_000_000)
-        content = path.read_bytes()
+        content = read_regular(path, MAX_BYTES)
         return _motion(content, path, options, scale, name or shown(path.stem))
     except FileNotFoundError:
         raise RecordError("no_record", place=(path,)) from None
+    except TooLarge as error:
+        most = MAX_BYTES // 1_000_000
+        raise RecordError("record_too_large", mb=error.size / 1e6, most=most, place=(path,)) from None
     except (OSError, ValueError) as error:
         if isinstance(error, RecordError):
             raise error.at(path) from None
@@ -281,9 +283,8 @@ def channels(path: Path, options: Options = Options()) -> tuple[str, ...]:
         names = tuple(error.values["names"])
     else:
         return ()
-    with open(path, "rb") as stream:
-        if not is_zip(stream.read(4)):
-            return names
+    if not is_zip(read_regular(path, MAX_BYTES)[:4]):
+        return names
     found: list[str] = []
     for name in names:  # a member may have channels of its own
         try:

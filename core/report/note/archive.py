@@ -12,6 +12,7 @@ from core.case.schema import Report
 from core.case.writer import dumps
 from core.errors import InputError, section
 from core.file_names import name_of, shown
+from core.regular_file import TooLarge, read_regular
 from core.report import json_report
 from core.report.note.content import note
 from core.report.note.pdf import Attachment, Note, Office
@@ -62,9 +63,9 @@ def office_of(report: Report, base_dir: Path) -> Office:
     path = base_dir / name_of(report.logo)
     here = (section("[report]"),)
     try:
-        if path.stat().st_size > MOST_LOGO:
-            raise InputError("logo_too_large", place=here, key="logo", path=path, mb=MOST_LOGO / 1e6)
-        content = path.read_bytes()
+        content = read_regular(path, MOST_LOGO)
+    except TooLarge:
+        raise InputError("logo_too_large", place=here, key="logo", path=path, mb=MOST_LOGO / 1e6) from None
     except OSError as error:
         raise InputError("logo_unreadable", place=here, key="logo", path=path, reason=error.strerror) from None
     if not content.lstrip().startswith(PICTURES):

@@ -1,0 +1,53 @@
+"""The one door by which a file that the user names is read: a regular file, not more of it than is meant."""
+
+import errno
+import os
+import stat
+from pathlib import Path
+from typing import BinaryIO
+
+PIECE = 1 << 20
+"""Bytes read at a time of a file that has more than it says."""
+
+
+class TooLarge(OSError):
+    """A file above its bound. size : [bytes], at least"""
+
+    def __init__(self, size: int):
+        super().__init__(errno.EFBIG, os.strerror(errno.EFBIG))
+        self.size = size
+
+
+def refuse_irregular(stream: BinaryIO) -> os.stat_result:
+    """What the system says of an open file. Raises OSError for a device, a pipe, a socket: they have no end."""
+    found = os.fstat(stream.fileno())
+    if not stat.S_ISREG(found.st_mode):
+        raise OSError(errno.EINVAL, "not a regular file")
+    return found
+
+
+def read_regular(path: Path, most: int) -> bytes:
+    """The bytes of a file. most : bytes it may have
+
+    Raises OSError as `open` does and for what is no regular file, TooLarge above the bound: also of one that grows, or
+    says that it is empty.
+    """
+    flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
+    descriptor = os.open(path, flags)  # a pipe without a writer does not hold it up
+    with os.fdopen(descriptor, "rb") as stream:
+        size = refuse_irregular(stream).st_size
+        if size > most:
+            raise TooLarge(size)
+        content = stream.read(size + 1)
+        while size < len(content) <= most and (more := stream.read(PIECE)):  # it grows, or says that it is empty
+            content += more
+    if len(content) > most:
+        raise TooLarge(len(content))
+    return content
+
+
+def first_bytes(path: Path, count: int) -> bytes:
+    """So many bytes of the beginning of a regular file. Raises OSError."""
+    with open(os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)), "rb") as stream:
+        refuse_irregular(stream)
+        return stream.read(count)

@@ -1,0 +1,135 @@
+"""Doors of a batch: what is no file where one is named, results over inputs, two batches in one folder."""
+
+import json
+import os
+import random
+import subprocess
+import sys
+import time
+
+import pytest
+
+from app import __main__ as program
+from core.errors import OutputError
+from core.study.journal import Journal
+from tests.core.test_regular_file import ENDLESS, endless, within
+from tests.test_boundaries import ROOT
+
+CASE = """
+title = "t"
+[[wall]]
+name = "w"
+mechanism = "one_sided"
+height_m = 3.0
+thickness_m = 0.4
+unit_weight_kn_m3 = 18.0
+length_m = 4.0
+base_z_m = 0.0
+unloaded_confirmed = true
+{wall}
+{top}
+"""
+SPECTRUM = '[demand.spectrum]\ncode = "EN1998"\ntype = 1\nsoil = "B"\n[generate]\ncount = 2\nscatter = 0.0\n'
+DEMAND = "[demand]\nag_g = 0.2\n" + SPECTRUM
+
+KINDS = {
+    "the case": ("case.toml", {}),
+    "records": ("x", {"top": '[[record]]\nfile = "x"\nunit = "g"\n'}),
+    "a spectrum": ("x", {"top": '[demand]\nag_g = 0.2\nsoil_factor = 1.0\nspectrum_file = "x"\n'}),
+    "a hazard": ("x", {"top": '[demand]\nag_g = 0.2\nhazard_file = "x"\n'}),
+    "a drawing": ("x.dxf", {"wall": '[[wall.drawing]]\nfile = "x.dxf"\nlayers = "M"\nplane = "section"\nto_m = 4.0\n'}),
+    "a logo": ("x.png", {"top": DEMAND + '[report]\nlogo = "x.png"\n'}),
+    "a journal": ("case.journal", {"top": DEMAND}),
+}
+
+
+@pytest.mark.skipif(os.name == "nt", reason="no pipes with names")
+@pytest.mark.parametrize("kind", ENDLESS)
+@pytest.mark.parametrize("name", KINDS)
+def test_that_a_thing_without_an_end_is_refused_in_a_sentence(name, kind, tmp_path, capsys):
+    file, parts = KINDS[name]
+    if name != "the case":
+        (tmp_path / "case.toml").write_text(CASE.format(**{"wall": "", "top": ""} | parts), encoding="utf-8")
+    endless(kind, tmp_path, file)
+    case = tmp_path / "case.toml"
+    asked = ["--batch", str(case), "--quiet", *(["--report", str(tmp_path / "n.pdf")] if name == "a logo" else [])]
+    assert within(60.0, lambda: program.main(asked)) == 1
+    err = capsys.readouterr().err.strip()
+    assert err and "Traceback" not in err and len(err.splitlines()) <= 2
+    assert not (tmp_path / "case.xlsx").exists()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="no pipes with names")
+@pytest.mark.parametrize("kind", ENDLESS)
+def test_that_nothing_is_extracted_from_a_thing_without_an_end(kind, tmp_path, capsys):
+    path = endless(kind, tmp_path, "note.pdf")
+    assert within(20.0, lambda: program.main(["--extract", str(path)])) == 1
+    assert capsys.readouterr().err.strip()
+
+
+@pytest.mark.parametrize(
+    ("parts", "output"),
+    [
+        ({"top": DEMAND}, "case.toml"),
+        ({"top": DEMAND + '[report]\nlogo = "n.pdf"\n'}, "n.pdf"),
+        ({"top": '[demand]\nag_g = 0.2\nhazard_file = "n.pdf"\n' + SPECTRUM}, "n.pdf"),
+    ],
+)
+def test_that_a_note_never_takes_the_place_of_an_input(parts, output, tmp_path, capsys):
+    (tmp_path / "case.toml").write_text(CASE.format(**{"wall": ""} | parts), encoding="utf-8")
+    target = tmp_path / output
+    if output != "case.toml":
+        target.write_bytes(b"30 0.05 2.4 0.28\n475 0.19 2.5 0.33\n" if "hazard" in parts["top"] else b"%PDF-1.4 ")
+    before = target.read_bytes()
+    target_name = str(target) if output != "case.toml" else str(target.with_suffix(".toml"))
+    assert program.main(["--batch", str(tmp_path / "case.toml"), "--quiet", "--report", target_name]) != 0
+    assert target.read_bytes() == before and capsys.readouterr().err.strip()
+
+
+def test_that_no_other_batch_begins_while_the_results_are_written(tmp_path, monkeypatch):
+    from app.terminal import export
+
+    case = tmp_path / "case.toml"
+    case.write_text(CASE.format(wall="", top=DEMAND), encoding="utf-8")
+    written, refused = export.Report.write, []
+
+    def writes(self, *given, **named):
+        with pytest.raises(OutputError) as second:
+            Journal(tmp_path / "case.journal", "another", resume=False)
+        refused.append(second.value.code)
+        written(self, *given, **named)
+
+    monkeypatch.setattr(export.Report, "write", writes)
+    assert program.main(["--batch", str(case), "--quiet"]) == 0
+    assert refused == ["batch_running"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["case.json", "case.toml", "case.xlsx"]
+
+
+def test_that_a_journal_is_removed_only_while_it_is_the_one_that_was_opened(tmp_path):
+    path = tmp_path / "case.journal"
+    first = Journal(path, "key", resume=False)
+    path.unlink()
+    other = Journal(path, "key", resume=False)
+    other.add("run", {"q": 1.0})
+    first.remove()
+    assert path.exists()
+    other.remove()
+    assert not path.exists()
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("count", [2, 3, 10])
+def test_that_batches_in_one_folder_at_random_times_leave_whole_results(count, tmp_path):
+    case = tmp_path / "case.toml"
+    case.write_text(CASE.format(wall="", top=DEMAND), encoding="utf-8")
+    chance, started = random.Random(count), []
+    for _ in range(count):
+        command = [sys.executable, "-m", "app", "--batch", str(case), "--quiet"]
+        started.append(subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL))
+        time.sleep(chance.uniform(0.0, 4.0))
+    ended = [(process.communicate()[1].decode(), process.returncode) for process in started]
+    assert any(code == 0 for _, code in ended)
+    for said, code in ended:
+        assert code in (0, 1) and "Traceback" not in said and (code == 0 or len(said.strip().splitlines()) == 1), said
+    assert json.loads((tmp_path / "case.json").read_bytes())["walls"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["case.json", "case.toml", "case.xlsx"]
