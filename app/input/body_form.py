@@ -4,13 +4,14 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtWidgets import QGridLayout, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QGroupBox, QPushButton, QVBoxLayout, QWidget
 
 from app.input.drawing_dialog import drawing_button
 from app.input.editors import Line
 from app.input.entries_form import EntriesForm
 from app.input.fields import Field, blank, connect
 from app.input.made_fields import make_fields
+from app.look.labels import Plain
 from app.look.language import FORM_NAMES, current_language, number, tr
 from app.work.session import Session
 from core.case.number import parse_number
@@ -135,18 +136,18 @@ class BodyForm(QWidget):
         self.bricks = QWidget()
         grid = QGridLayout(self.bricks)
         grid.setContentsMargins(0, 0, 0, 0)
-        words = QLabel(tr("Crack from the bricks: tan = length/(2 height)"))
+        words = Plain(tr("Crack from the bricks: tan = length/(2 height)"))
         words.setWordWrap(True)
         grid.addWidget(words, 0, 0, 1, 3)
         self.brick_length, self.brick_height = (Line(lambda: False, lambda: None) for _ in range(2))
         lines = ((self.brick_length, tr("Brick length")), (self.brick_height, tr("Brick height")))
         for row, (line, title) in enumerate(lines, start=1):
-            label = QLabel(title)
+            label = Plain(title)
             label.setBuddy(line)
             line.setAccessibleName(f"{title} [cm]")
             line.setAlignment(Qt.AlignmentFlag.AlignRight)
             line.textEdited.connect(lambda _: self._show_offer())
-            for column, widget in enumerate((label, line, QLabel("cm"))):
+            for column, widget in enumerate((label, line, Plain("cm"))):
                 grid.addWidget(widget, row, column)
         self.fill = QPushButton()
         self.fill.clicked.connect(self._fill_length)

@@ -2,10 +2,11 @@
 
 from dataclasses import replace
 
-from PySide6.QtWidgets import QGroupBox, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGroupBox, QVBoxLayout, QWidget
 
 from app.input.fields import blank, connect
 from app.input.made_fields import make_fields
+from app.look.labels import Plain
 from app.look.language import tr
 from app.work.session import Session
 from core.case.site import Building
@@ -25,7 +26,7 @@ class BuildingForm(QWidget):
         self.given.toggled.connect(self._toggled)
         self.fields = make_fields(Building)
         connect(self.fields, self._changed)
-        self.summary = QLabel()
+        self.summary = Plain()
         self.summary.setWordWrap(True)
         inside = QVBoxLayout(self.given)
         for field in self.fields:

@@ -4,7 +4,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFileDialog, QGroupBox, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QGroupBox, QPushButton, QVBoxLayout, QWidget
 
 from app.input.building_form import BuildingForm
 from app.input.editors import Choice
@@ -16,6 +16,7 @@ from app.input.note_form import title_field, with_button
 from app.input.place_form import PlaceForm
 from app.input.reasons_form import reasons_of_demand
 from app.look import theme
+from app.look.labels import Plain
 from app.look.language import current_language, described, named, number, tr
 from app.look.parts import Parts
 from app.look.section import Section
@@ -116,7 +117,7 @@ class DemandForm(QWidget):
 
     def _make_spectrum(self) -> None:
         """How the spectrum is given, with what is said of it."""
-        self.hint, self.summary = QLabel(), QLabel()
+        self.hint, self.summary = Plain(), Plain()
         self.hint.setWordWrap(True)
         self.summary.setWordWrap(True)
         self.kind = Choice()

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QFileDialog,
     QHBoxLayout,
-    QLabel,
     QListWidget,
     QPushButton,
     QToolButton,
@@ -24,6 +23,7 @@ from app.input.drawing_canvas import BODY, NOTHING, OPENING, ROLES, DrawingCanva
 from app.input.fields import connect
 from app.input.made_fields import make_field
 from app.look import theme
+from app.look.labels import Plain
 from app.look.language import described, number, tr
 from app.work.session import Session
 from core.case.drawing_file import TOLERANCE, UNITS, DxfFile, Shape, Sheet
@@ -104,7 +104,7 @@ class DrawingDialog(QDialog):
         self.sizes = QCheckBox(tr("Height, base and length of the wall from here too"))
         self.sizes.setChecked(not has_shape(wall))
         self.sizes.toggled.connect(self._later)
-        self.words = QLabel()
+        self.words = Plain()
         self.words.setWordWrap(True)
         self.words.setMinimumHeight(4 * self.fontMetrics().height())
         ok, cancel = QDialogButtonBox.StandardButton.Ok, QDialogButtonBox.StandardButton.Cancel

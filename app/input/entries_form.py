@@ -5,10 +5,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from PySide6.QtCore import QSignalBlocker
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QListWidget, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QListWidget, QToolButton, QVBoxLayout, QWidget
 
 from app.input.fields import Field, connect
 from app.input.made_fields import make_fields
+from app.look.labels import Plain
 from app.look.language import tr
 from app.work.session import Session
 from core.case.schema import Wall
@@ -78,7 +79,7 @@ class EntriesForm(QWidget):
 
     def set_title(self, title: str) -> None:
         """What it edits, before its buttons and for a reader of the screen."""
-        self.buttons.insertWidget(0, QLabel(title))
+        self.buttons.insertWidget(0, Plain(title))
         self.list.setAccessibleName(title)
         for button in self.findChildren(QToolButton):
             button.setAccessibleName(f"{button.text()}: {title}")

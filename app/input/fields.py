@@ -5,10 +5,11 @@ import re
 from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QLineEdit, QSizePolicy, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLineEdit, QSizePolicy, QWidget
 
 from app.input.editors import Choice, Line
 from app.look import theme
+from app.look.labels import Plain
 from app.look.language import FORM_NAMES, current_language, number, of_key, tr
 from app.look.whole_text import tell_whole
 from core.case.keys import unit_in_form
@@ -67,7 +68,7 @@ class Field(QWidget):
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(6)
         grid.setVerticalSpacing(0)
-        self.caption = QLabel(label)
+        self.caption = Plain(label)
         self.caption.setMinimumWidth(116)
         self.caption.setMaximumWidth(190)
         self.caption.setWordWrap(True)
@@ -76,13 +77,13 @@ class Field(QWidget):
         self.editor.setToolTip(tip)
         self.setToolTip(tip)
         self.caption.setBuddy(self.editor)
-        self.message = QLabel()
+        self.message = Plain()
         self.message.setWordWrap(True)
         self.message.hide()
         grid.addWidget(self.caption, 0, 0)
         grid.addWidget(self.editor, 0, 1)
         if self.unit:
-            grid.addWidget(QLabel(self.unit), 0, 2)
+            grid.addWidget(Plain(self.unit), 0, 2)
         grid.addWidget(self.message, 1, 0, 1, 3)
         grid.setColumnStretch(1, 1)
         self.setFocusProxy(self.editor)

@@ -3,8 +3,9 @@
 from pathlib import Path
 
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QFileDialog, QGroupBox, QHBoxLayout, QLabel, QMessageBox, QPushButton, QVBoxLayout
+from PySide6.QtWidgets import QFileDialog, QGroupBox, QHBoxLayout, QMessageBox, QPushButton, QVBoxLayout
 
+from app.look.labels import Plain
 from app.look.language import quoted_from_file, tr
 from app.work.session import Session
 from core.case.hazard_table import parse_hazard, read_hazard
@@ -19,7 +20,7 @@ class HazardForm(QGroupBox):
     def __init__(self, session: Session):
         super().__init__(tr("Hazard of the site"))
         self.session = session
-        self.words = QLabel()
+        self.words = Plain()
         self.words.setWordWrap(True)
         column, buttons = QVBoxLayout(self), QHBoxLayout()
         column.addWidget(self.words)

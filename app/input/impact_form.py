@@ -4,11 +4,12 @@ import math
 import re
 from collections.abc import Callable
 
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from app.input.editors import Choice
 from app.input.fields import ChoiceField, NumberField, blank
 from app.input.law_curve import LawCurve
+from app.look.labels import Plain
 from app.look.language import current_language, described, named, number, tr
 from app.work.session import Session
 from core.case.schema import Wall
@@ -123,7 +124,7 @@ class ImpactForm(QWidget):
         self.last.edited.connect(lambda value: self._law_end("plateau_end", value))
         self.model.edited.connect(self._model_chosen)
         self.velocity_ratio.edited.connect(lambda value: self._edit(("velocity_ratio",), velocity_ratio=value))
-        self.formula = QLabel()
+        self.formula = Plain()
         self.formula.setWordWrap(True)
         for widget in (self.model, self.velocity_ratio, self.formula):
             column.addWidget(widget)

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QHBoxLayout,
-    QLabel,
     QListWidget,
     QListWidgetItem,
     QVBoxLayout,
@@ -22,6 +21,7 @@ from PySide6.QtWidgets import (
 from app.input.fields import connect
 from app.input.made_fields import make_field, make_fields
 from app.look import theme
+from app.look.labels import Plain
 from app.look.language import described, number, tr
 from app.views.chart import Chart
 from core.case.schema import Record
@@ -98,7 +98,7 @@ class ImportDialog(QDialog):
         self.list.addItems([named_row(path) for path in self.paths])
         self.list.itemChanged.connect(lambda _: self._judge())
         self.list.currentRowChanged.connect(lambda _: self._other_file())
-        self.words = QLabel()
+        self.words = Plain()
         self.words.setWordWrap(True)
         self.chart = Chart("t [s]", "u'' [g]", tr("Preview"), live=True)
         self.fields = [*make_fields(Record, "file"), make_field(Record, "scale")]
@@ -121,7 +121,7 @@ class ImportDialog(QDialog):
         if len(paths) > MAX_FILES:
             left = tr("{n} more files are not shown: add them in parts.", n=len(paths) - MAX_FILES)
             hint += " " + left
-        self.hint = QLabel(hint)
+        self.hint = Plain(hint)
         layout = QVBoxLayout(self)
         layout.addWidget(self.hint)
         layout.addLayout(row, 1)

@@ -3,13 +3,14 @@
 from dataclasses import replace
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGroupBox, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGroupBox, QVBoxLayout, QWidget
 
 from app.input.fields import connect
 from app.input.made_fields import make_field
 from app.input.place_fields import CoordinatesField, MunicipalityField
 from app.input.place_map import PlaceMap
 from app.look import theme
+from app.look.labels import Plain, Rich
 from app.look.language import described, number, tr
 from app.work.placed_demand import restored
 from app.work.session import Session
@@ -38,14 +39,13 @@ class PlaceForm(QWidget):
         self.coordinates.edited.connect(self._pointed)
         self.fields = [make_field(Site, key) for key in ("nominal_life_years", "use_class")]
         connect(self.fields, self._changed)
-        self.words, self.states = QLabel(), QLabel()
+        self.words, self.states = Plain(), Rich()
         self.words.setWordWrap(True)
-        self.states.setTextFormat(Qt.TextFormat.RichText)
         self.states.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.map = PlaceMap()
         self.map.chosen.connect(lambda *at: self._edit(("site", "point"), latitude=at[0], longitude=at[1]))
         inside = QVBoxLayout(self.given)
-        source = QLabel(tr("Grid: D.M. 14/01/2008, Annex B. Municipalities: ISTAT, GeoNames (CC BY 4.0)."))
+        source = Plain(tr("Grid: D.M. 14/01/2008, Annex B. Municipalities: ISTAT, GeoNames (CC BY 4.0)."))
         source.setWordWrap(True)
         source.setStyleSheet(f"color: {theme.current.quiet};")
         self.inside = (

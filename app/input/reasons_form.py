@@ -3,9 +3,10 @@
 from collections.abc import Callable
 from dataclasses import fields, replace
 
-from PySide6.QtWidgets import QGroupBox, QLabel, QVBoxLayout
+from PySide6.QtWidgets import QGroupBox, QVBoxLayout
 
 from app.input.fields import TextField, connect
+from app.look.labels import Plain
 from app.look.language import named, tr
 from app.work.session import Session
 from core.case.schema import Case, Generate, Wall, WallJustification
@@ -131,7 +132,7 @@ class ReasonsForm(QGroupBox):
         super().__init__(tr("Reasons of the engineer"))
         self.section, self.raised, self.given, self.change = section, raised, given, change
         column = QVBoxLayout(self)
-        hint = QLabel(tr("State why each of these values holds; without a reason the verdict may be only indicative."))
+        hint = Plain(tr("State why each of these values holds; without a reason the verdict may be only indicative."))
         hint.setWordWrap(True)
         column.addWidget(hint)
         self.fields = []

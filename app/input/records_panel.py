@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QFileDialog,
     QHBoxLayout,
-    QLabel,
     QMenu,
     QMessageBox,
     QSizePolicy,
@@ -25,6 +24,7 @@ from app.input.import_dialog import Row as FileRow
 from app.input.record_rows import Row, cells, heads, read_rows, state_of
 from app.input.selection_dialog import choose_for
 from app.look import theme
+from app.look.labels import Plain
 from app.look.language import described, tr
 from app.views.table import Table
 from app.work.session import Session
@@ -59,7 +59,7 @@ class RecordsPanel(QWidget):
         self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.table.customContextMenuRequested.connect(self._menu)
         self.one_set = tr("Generated motions are one set: Remove takes them all, Generate… makes others.")
-        self.words = QLabel(tr("Drop accelerograms or folders here."))
+        self.words = Plain(tr("Drop accelerograms or folders here."))
         self.words.setWordWrap(True)
         bar = QHBoxLayout()
         for label, tip, slot in (

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QFileDialog,
     QFormLayout,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QProgressBar,
     QPushButton,
@@ -22,6 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.look import theme
+from app.look.labels import Plain
 from app.look.language import current_language, described, number, tr
 from app.views.chart import Chart
 from app.views.table import Table
@@ -100,7 +100,7 @@ class SelectionDialog(QDialog):
         running = QHBoxLayout()
         for widget in (self.search_button, self.stop_button, self.bar):
             running.addWidget(widget)
-        self.words = QLabel(self._limits_in_words())
+        self.words = Plain(self._limits_in_words())
         self.words.setWordWrap(True)
         heads = [tr("Rule"), tr("Deviation"), tr("Least"), tr("Most"), tr("Records")]
         self.table = Table(tr("Sets of records"), heads)

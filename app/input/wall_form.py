@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QFont, QFontMetrics, QGuiApplication
-from PySide6.QtWidgets import QFileDialog, QGridLayout, QLabel, QMessageBox, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QGridLayout, QMessageBox, QToolButton, QVBoxLayout, QWidget
 
 from app.input.body_form import BodyForm
 from app.input.editors import Choice
@@ -26,6 +26,7 @@ from app.input.wall_words import (
 )
 from app.look import theme
 from app.look.drawing import WallDrawing, mechanism_icon
+from app.look.labels import Plain
 from app.look.language import FORM_NAMES, current_language, described, named, number, quoted_from_file, tr
 from app.look.parts import Parts
 from app.look.section import Section, unfold_to
@@ -62,9 +63,9 @@ class WallForm(QWidget):
         self.drawing = WallDrawing()
         self.drawing.picked.connect(self._picked_in_drawing)
         self.drawing.moved.connect(self._moved_in_drawing)
-        self.summary = QLabel()
+        self.summary = Plain()
         self.summary.setWordWrap(True)
-        self.differs = QLabel()
+        self.differs = Plain()
         self.differs.setWordWrap(True)
         self.impact = ImpactForm(session, lambda: self.current)
         self.loads = LoadsForm(session, lambda: self.current)

@@ -3,9 +3,10 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from app.look import theme
+from app.look.labels import Plain
 
 
 class Head(QPushButton):
@@ -14,7 +15,7 @@ class Head(QPushButton):
     def __init__(self, title: str):
         super().__init__()
         self.setCheckable(True)
-        self.sign, self.title, self.content = QLabel("▸"), QLabel(title), QLabel()
+        self.sign, self.title, self.content = Plain("▸"), Plain(title), Plain()
         self.title.setStyleSheet("font-weight: 600;")
         self.content.setStyleSheet(f"color: {theme.current.quiet};")
         self.content.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)

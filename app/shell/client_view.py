@@ -1,6 +1,7 @@
 """For the client (F11): the wall before and after, side by side, under the same record in real time; how much of the
 required earthquake each withstands. No symbols."""
 
+import html
 import io
 from dataclasses import dataclass
 from pathlib import Path
@@ -8,11 +9,12 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QBuffer, QElapsedTimer, QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QFont, QImage, QKeySequence, QPainter, QPen, QShortcut
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QMessageBox, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QHBoxLayout, QMessageBox, QPushButton, QVBoxLayout, QWidget
 
 from app.look import theme
 from app.look.drawing import WallDrawing
 from app.look.file_dialogs import path_to_write, plain_name
+from app.look.labels import Plain, Rich
 from app.look.language import described, named, tr
 from app.views.runs import before_motion
 from core import atomic_write
@@ -138,10 +140,10 @@ class ClientView(QDialog):
         self.title, self.sides = title, sides
         self.begin = min(before_motion(side.rotation, side.time_step) for side in sides)
         self.drawings: list[WallDrawing] = []
-        heading = QLabel(title)
+        heading = Plain(title)
         heading.setWordWrap(True)
         heading.setStyleSheet(f"{theme.points(2.2)} font-weight: 700;")
-        leave = QLabel(tr("Esc leaves"))
+        leave = Plain(tr("Esc leaves"))
         top = QHBoxLayout()
         top.addWidget(heading, 1)
         top.addWidget(leave)
@@ -152,7 +154,7 @@ class ClientView(QDialog):
             drawing.one_sided = side.wall.mechanism == "one_sided"
             drawing.bars = [(load.h_m, 0) for load in side.wall.wall.load if load.is_tie]
             drawing.setAccessibleName(f"{side.title}: {words_of(side)}")
-            label = QLabel(f"<span style='{theme.points(1.65)} font-weight:600'>{side.title}</span>")
+            label = Rich(f"<span style='{theme.points(1.65)} font-weight:600'>{html.escape(side.title)}</span>")
             column = QVBoxLayout()
             column.addWidget(label)
             column.addWidget(drawing, 1)

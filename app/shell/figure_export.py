@@ -7,9 +7,9 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QLabel
 
 from app.look.file_dialogs import plain_name
+from app.look.labels import Plain
 from app.look.language import named, tr
 from app.shell.pages import Page, delete
 from app.views.axis import SPARE, plot_widget
@@ -101,7 +101,7 @@ class FigureExport(QObject):
         """Qt lays nothing out that was not once in front: each page is, behind a picture of the stage as it was."""
         window, stages = self.window, self.window.stages
         shown, stage = window.page, stages.front
-        cover = QLabel(stages.stack)
+        cover = Plain(parent=stages.stack)
         cover.setPixmap(stages.stack.grab())
         cover.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)  # what is behind it is not painted
         cover.setGeometry(stages.stack.rect())

@@ -4,9 +4,10 @@ from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QCommandLinkButton, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCommandLinkButton, QVBoxLayout, QWidget
 
 from app.look import theme
+from app.look.labels import Plain
 from app.look.language import tr
 from app.shell.files import EXAMPLE
 from core.case.site import Demand
@@ -22,7 +23,7 @@ class FirstRun(QWidget):
         super().__init__()
         column = QVBoxLayout(self)
         column.setContentsMargins(60, 30, 60, 30)
-        heading = QLabel(tr("What do you have?"))
+        heading = Plain(tr("What do you have?"))
         heading.setStyleSheet(f"{theme.points(1.9)} font-weight: 700;")
         column.addWidget(heading)
         self.buttons = {}
@@ -39,7 +40,7 @@ class FirstRun(QWidget):
             column.addWidget(button)
             self.buttons[name] = button
         if recent:
-            column.addWidget(QLabel(tr("Opened of late")))
+            column.addWidget(Plain(tr("Opened of late")))
         for name in recent[:4]:
             button = QCommandLinkButton(Path(name).name, str(Path(name).parent))
             button.clicked.connect(lambda _=False, name=name: self.opened.emit(name))

@@ -2,9 +2,10 @@
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QLabel, QMenu, QPushButton, QSizePolicy, QToolButton
+from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QMenu, QPushButton, QSizePolicy, QToolButton
 
 from app.look import theme
+from app.look.labels import Plain
 from app.look.language import tr
 
 STAGES = ("input", "answer", "why", "report")
@@ -33,7 +34,7 @@ class Header(QFrame):
         self.menu = QMenu(self.menu_button)
         self.menu_button.setMenu(self.menu)
         QShortcut(QKeySequence("F10"), self, activated=self.menu_button.showMenu)
-        self.title = QLabel()
+        self.title = Plain()
         self.title.setStyleSheet(f"font-weight: 600; {theme.points(1.2)}")
         self.title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.title.setMinimumWidth(110)

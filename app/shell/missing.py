@@ -5,10 +5,11 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QLabel, QVBoxLayout
+from PySide6.QtWidgets import QFrame, QVBoxLayout
 
 from app.input.fields import Field
 from app.look import theme
+from app.look.labels import Plain, Rich
 from app.look.language import called, described, tr
 from app.look.section import unfold_to
 from app.shell.pointing import first_empty, point_at
@@ -39,7 +40,7 @@ class Missing(QFrame):
         super().__init__()
         self.window_of = window
         self.problems: list[Problem] = []
-        self.heading, self.lines = QLabel(), QLabel()
+        self.heading, self.lines = Plain(), Rich()
         self.heading.setStyleSheet(f"color: {theme.current.amber}; font-weight: 600;")
         self.lines.setWordWrap(True)
         self.lines.setTextInteractionFlags(

@@ -4,9 +4,10 @@ import html
 
 from PySide6.QtCore import QCoreApplication, QEvent, Qt, Signal
 from PySide6.QtGui import QColor, QPainter
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app.look import theme
+from app.look.labels import Rich
 
 
 class Veil(QWidget):
@@ -44,7 +45,7 @@ class Page(QWidget):
     def __init__(self, maker):
         super().__init__()
         self.maker, self.made = maker, None
-        self.word = QLabel()
+        self.word = Rich()
         self.word.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.word.setWordWrap(True)
         self.word.linkActivated.connect(lambda _: self.asked.emit())

@@ -21,6 +21,7 @@ from app.input.demand_form import AnalysisForm, DemandForm
 from app.input.note_form import NoteForm
 from app.input.records_panel import RecordsPanel
 from app.input.wall_form import WallForm
+from app.look.labels import Plain
 from app.look.language import FORM_NAMES, current_language, named, tr
 from app.shell.header import STAGES
 from app.shell.missing import Missing
@@ -105,10 +106,10 @@ class InputStage(QSplitter):
         column.setContentsMargins(4, 4, 4, 4)
         column.addWidget(self.walls.summary)
         column.addWidget(self.walls.drawing, 1)
-        hint = QLabel(tr("Click a load, a hinge or a size for its field; drag a load to another height."))
+        hint = Plain(tr("Click a load, a hinge or a size for its field; drag a load to another height."))
         hint.setWordWrap(True)
         column.addWidget(hint)
-        self.nothing = QLabel()
+        self.nothing = Plain()
         self.of_kind = {"wall": drawing, "demand": self.demand.view}
         for view in (*self.of_kind.values(), self.nothing):
             self.views.addWidget(view)
@@ -233,7 +234,7 @@ def remove(window) -> None:
 
 def build_status(window) -> QLabel:
     """Make the status line of a window: a word."""
-    word = QLabel()
+    word = Plain()
     word.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
     window.statusBar().addWidget(word, 1)
     window.statusBar().setSizeGripEnabled(False)

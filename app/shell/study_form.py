@@ -2,10 +2,11 @@
 
 from pathlib import Path
 
-from PySide6.QtWidgets import QCheckBox, QDialog, QDialogButtonBox, QFormLayout, QLabel, QLineEdit, QWidget
+from PySide6.QtWidgets import QCheckBox, QDialog, QDialogButtonBox, QFormLayout, QLineEdit, QWidget
 
 from app.input.editors import Choice
 from app.look.file_dialogs import path_to_write
+from app.look.labels import Plain
 from app.look.language import current_language, described, named, number, tr
 from core import atomic_write
 from core.case.keys import pretty
@@ -58,7 +59,7 @@ class StudyForm(QDialog):
         self.lines |= {key: QLineEdit(number(one, "g")) for key, (_, one) in NUMBERS.items()}
         self.choices = {key: self._choice(section, key) for key, section in CHOICES.items()}
         self.records = QCheckBox(tr("Natural records beside the generated ones"))
-        self.word = QLabel()
+        self.word = Plain()
         self.word.setWordWrap(True)
         form = QFormLayout(self)
         form.addRow(tr("Title"), self.title)

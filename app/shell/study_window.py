@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QFileDialog,
     QFormLayout,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QListWidget,
     QMessageBox,
@@ -25,6 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.look.labels import Plain
 from app.look.language import tr
 from app.shell.study_form import StudyForm
 from app.terminal import study
@@ -65,7 +65,7 @@ class StudyWindow(QDialog):
         self.cancel_button.clicked.connect(self.cancel)
         self.cancel_button.setEnabled(False)
         self.bar = QProgressBar()
-        self.word = QLabel()
+        self.word = Plain()
         self.word.setWordWrap(True)
         self.tabs = QTabWidget()
         self.tabs.setTabBarAutoHide(True)  # without a tab it would take the focus, and keep it

@@ -8,7 +8,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QFormLayout,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QProgressBar,
     QPushButton,
@@ -21,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.input.editors import Choice
 from app.look import theme
+from app.look.labels import Plain
 from app.look.language import FORM_NAMES, called, current_language, described, named, number, of_key, tr
 from app.views.chart import Chart
 from app.views.study_tabs import figure_chart, table_view
@@ -117,7 +117,7 @@ class SweepWindow(QDialog):
         self.run_button, self.cancel_button = QPushButton(tr("&Run")), QPushButton(tr("Cancel"))
         self.run_button.setDefault(True)
         self.cancel_button.setAutoDefault(False)
-        self.bar, self.word, self.tabs = QProgressBar(), QLabel(), QTabWidget()
+        self.bar, self.word, self.tabs = QProgressBar(), Plain(), QTabWidget()
         self.word.setWordWrap(True)
         self.word.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         layout = QVBoxLayout(self)
@@ -137,7 +137,7 @@ class SweepWindow(QDialog):
         left.addRow(tr("Value"), self.key)
         limits, buttons = QHBoxLayout(), QHBoxLayout()
         for words, editor in ((tr("from"), self.low), (tr("to"), self.high), (tr("values"), self.count)):
-            label = QLabel(words)
+            label = Plain(words)
             label.setBuddy(editor)
             editor.setAccessibleName(words)
             limits.addWidget(label)

@@ -1,10 +1,12 @@
 """The window What if: sizes, loads, ties and a_g of a wall by sliders, zeta of every check redrawn as they move."""
 
+import html
 from dataclasses import replace
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QDialog, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSlider, QVBoxLayout, QWidget
 
+from app.look.labels import Plain, Rich
 from app.look.language import current_language, described, number, tr
 from app.views.ladder import Ladder, Rung
 from app.work.worker import Job
@@ -86,7 +88,7 @@ class WhatIfWindow(QDialog):
         self.sliders: dict[str, QSlider] = {}
         self.values_shown: dict[str, QLabel] = {}
         self.given: dict[str, float] = {}
-        self.heading, self.still, self.word, self.ladder = QLabel(), QLabel(), QLabel(), Ladder()
+        self.heading, self.still, self.word, self.ladder = Rich(), Plain(), Plain(), Ladder()
         self.timer, self.told = QTimer(self), QTimer(self)
         for timer, slot in ((self.timer, self.follow), (self.told, self._take_again)):
             timer.setSingleShot(True)
@@ -105,7 +107,7 @@ class WhatIfWindow(QDialog):
             button.clicked.connect(slot)
             buttons.addWidget(button)
         layout = QVBoxLayout(self)
-        told = QLabel(tr("ζ of the checks as the sliders move; the verdict is that of a run (F5)."))
+        told = Plain(tr("ζ of the checks as the sliders move; the verdict is that of a run (F5)."))
         for label in (self.still, told, self.word):
             label.setWordWrap(True)
         for part in (self.heading, self.board, self.still, self.ladder, told, self.word):
@@ -131,7 +133,7 @@ class WhatIfWindow(QDialog):
             self.heading.setText(tr("No demand: no check.") if problem is None else described(problem))
             self.word.setText(notice)
             return
-        self.heading.setText(f"<b>{self.case.wall[self.row].title}</b>")
+        self.heading.setText(f"<b>{html.escape(self.case.wall[self.row].title)}</b>")
         case, base, session = self.case, self.base_dir, self.owner.session
 
         def arrived(inputs: Inputs) -> None:
@@ -189,7 +191,7 @@ class WhatIfWindow(QDialog):
         self.still.setVisible(bool(self.still.text()))
         names = captions()
         for row, key in enumerate(self.given):
-            slider, value = QSlider(Qt.Orientation.Horizontal), QLabel()
+            slider, value = QSlider(Qt.Orientation.Horizontal), Plain()
             slider.setRange(-STEPS, STEPS)
             slider.setTickPosition(QSlider.TickPosition.TicksBelow)
             slider.setTickInterval(STEPS)  # the middle is the value at hand
@@ -197,7 +199,7 @@ class WhatIfWindow(QDialog):
             slider.valueChanged.connect(self._moved)
             value.setMinimumWidth(value.fontMetrics().horizontalAdvance("0000.000 (0000.000)"))
             self.sliders[key], self.values_shown[key] = slider, value
-            for column, part in enumerate((QLabel(names[key]), slider, value)):
+            for column, part in enumerate((Plain(names[key]), slider, value)):
                 self.grid.addWidget(part, row, column)
         self._say_values()
 

@@ -6,9 +6,10 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from app.look import theme
+from app.look.labels import Plain
 from app.look.language import named, number, tr
 from app.look.whole_text import tell_whole
 from app.views.chart import Chart
@@ -42,7 +43,7 @@ class CapacityTab(QWidget):
         self.strips.column = tr("outcome (0 stands, 1 overturned, 2 and 3 none)")
         self.fragility = Chart("q [-]", tr("share collapsed [-]"), tr("Fragility"))
         choices, top = QHBoxLayout(), QHBoxLayout()
-        self.title = QLabel()
+        self.title = Plain()
         self.title.setWordWrap(True)
         for box in (self.record, self.other):
             box.setMinimumWidth(60)

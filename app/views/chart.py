@@ -5,9 +5,10 @@ from collections.abc import Callable, Sequence
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QSizePolicy, QToolButton, QVBoxLayout
+from PySide6.QtWidgets import QHBoxLayout, QMenu, QSizePolicy, QToolButton, QVBoxLayout
 
 from app.look import theme
+from app.look.labels import Plain
 from app.look.language import current_language, tr
 from app.views.axis import LEGEND_LETTERS, SPARE, elided, ends_of, number_axes, numbers, plot_widget
 from app.views.axis_names import show_names
@@ -51,7 +52,7 @@ class Chart(ChartOutput):
         self.found = pg.ScatterPlotItem(size=9, pen=pg.mkPen(None))
         self.found.setZValue(50)
         self.plot.addItem(self.found, ignoreBounds=True)
-        self.reason = QLabel(self.view)
+        self.reason = Plain(parent=self.view)
         self.reason.setWordWrap(True)
         self.reason.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.reason.hide()
@@ -64,7 +65,7 @@ class Chart(ChartOutput):
         self.lines: list[tuple[float, str]] = []
         self.is_figure = False
         self.data: list[tuple[str, np.ndarray, np.ndarray]] = []
-        self.read = QLabel()
+        self.read = Plain()
         self.read.setMinimumWidth(10)
         self.read.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         layout = QVBoxLayout(self)

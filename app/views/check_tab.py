@@ -8,7 +8,6 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
-    QLabel,
     QPushButton,
     QScrollArea,
     QSizePolicy,
@@ -20,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.look import theme
 from app.look.drawing import WallDrawing
+from app.look.labels import Plain, Rich
 from app.look.language import called, number, tr
 from app.views.answer_lines import assumption_rows, limits, link, no_dynamic_check, to_do
 from app.views.capacity_curve_chart import CapacityCurveChart
@@ -120,8 +120,7 @@ class CheckTab(QWidget):
         self.split.setStretchFactor(2, 1)
         # what the words above leave, else the page scrolls by the chart's wish
         self.split.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
-        self.facts = QLabel()
-        self.facts.setTextFormat(Qt.TextFormat.RichText)
+        self.facts = Rich()
         self.facts.setWordWrap(True)
         self.facts.setAccessibleName(tr("Why the result may be trusted"))
         page = Whole()
@@ -141,21 +140,19 @@ class CheckTab(QWidget):
 
     def _make_banner(self) -> None:
         """The verdict, what is to be done, what limits it and notes, in a frame."""
-        self.heading, self.sentence = QLabel(), QLabel(tr("No result yet: press F5."))
-        self.important, self.reasons = QLabel(), QLabel()
+        self.heading, self.sentence = Plain(), Plain(tr("No result yet: press F5."))
+        self.important, self.reasons = Rich(), Plain()
         for label in (self.heading, self.sentence, self.important, self.reasons):
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         links = Qt.TextInteractionFlag.LinksAccessibleByMouse | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
-        self.no_peaks = QLabel()
-        self.others = QLabel()
+        self.no_peaks = Rich()
+        self.others = Rich()
         self.others.setWordWrap(True)
-        self.assumed = QLabel()
-        self.assumed.setTextFormat(Qt.TextFormat.RichText)
+        self.assumed = Rich()
         self.assumed.setWordWrap(True)
         self.all_limits = self._opener(self.others.setVisible)
         for label in (self.important, self.others, self.no_peaks):
-            label.setTextFormat(Qt.TextFormat.RichText)
             label.setTextInteractionFlags(label.textInteractionFlags() | links)
             label.linkActivated.connect(self.asked)
         self.no_peaks.setWordWrap(True)

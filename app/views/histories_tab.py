@@ -8,7 +8,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QHBoxLayout,
-    QLabel,
     QPushButton,
     QSlider,
     QSplitter,
@@ -18,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.look.drawing import WallDrawing
+from app.look.labels import Plain
 from app.look.language import current_language, named, number, tr
 from app.look.whole_text import tell_whole
 from app.views.chart import Chart
@@ -67,7 +67,7 @@ class HistoriesTab(QWidget):
         self.preset.activated.connect(self._set_to)
         self.chosen_q: float | None = None
         self.strength_factor = 1.0
-        self.words = QLabel()
+        self.words = Plain()
         self.words.setMinimumWidth(120)
         self.words.setToolTip(
             tr(

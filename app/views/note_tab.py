@@ -11,7 +11,6 @@ from PySide6.QtGui import QColor, QImage, QKeySequence, QPainter, QShortcut
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QPushButton,
     QScrollArea,
@@ -21,6 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.look import theme
+from app.look.labels import Plain
 from app.look.language import current_language, tr
 from app.work.worker import Job
 from core.study.results import StudyResult, WallResult
@@ -143,7 +143,7 @@ class NoteTab(QWidget):
         self.search.setClearButtonEnabled(True)
         self.search.returnPressed.connect(self.find_next)
         QShortcut(QKeySequence.StandardKey.Find, self, self.search.setFocus)
-        self.word = QLabel()
+        self.word = Plain()
         self.word.setWordWrap(True)  # a sentence that the note is not set by is long
         self.word.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         export = QPushButton(tr("Export…"))

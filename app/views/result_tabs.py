@@ -3,9 +3,10 @@
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QSplitter, QVBoxLayout, QWidget
 
 from app.look import theme
+from app.look.labels import Plain
 from app.look.language import number, tr
 from app.views.chart import Chart
 from app.views.check_tab import digits
@@ -32,7 +33,7 @@ class IntensityTab(QWidget):
         self.log.toggled.connect(lambda on: self.show_wall(*self.shown) if self.shown else None)
         self.chart = Chart("SI [cm]", "q_eff [-]", tr("q against SI"))
         self.scale_free = Chart("Π = p² SI/PGA [-]", "q [-]", tr("q against Π"))
-        self.words = QLabel()
+        self.words = Plain()
         self.words.setWordWrap(True)
         layout = QVBoxLayout(self)
         row = QHBoxLayout()
@@ -115,7 +116,7 @@ class SpectraTab(QWidget):
         self.language = language
         self.chart = Chart("T [s]", "S_a [g]", tr("Spectra"), live=True)
         self.table = Table(tr("Compatibility"), [tr("Rule"), tr("Clause"), tr("Value"), tr("Limit"), tr("Outcome")])
-        self.words = QLabel()
+        self.words = Plain()
         self.floor = Chart("T [s]", "S_a [g]", tr("Floor spectra"))
         charts = QSplitter(Qt.Orientation.Horizontal)
         charts.addWidget(self.chart)

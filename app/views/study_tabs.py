@@ -1,7 +1,8 @@
 """Figures, tables and claims of a parametric study as widgets."""
 
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from app.look.labels import Plain
 from app.look.language import number, tr
 from app.views.chart import Chart
 from app.views.table import Table
@@ -74,7 +75,7 @@ def _with_note(content: QWidget, note: str) -> QWidget:
     layout.setContentsMargins(0, 0, 0, 0)
     layout.addWidget(content, 1)
     if note:
-        words = QLabel(note)
+        words = Plain(note)
         words.setWordWrap(True)
         layout.addWidget(words)
     return page

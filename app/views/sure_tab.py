@@ -4,9 +4,10 @@ from collections.abc import Callable
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSplitter, QVBoxLayout, QWidget
 
 from app.look import theme
+from app.look.labels import Plain
 from app.look.language import number, tr
 from app.views.chart import Chart
 from app.views.table import Table
@@ -27,7 +28,7 @@ class SureTab(QWidget):
     def __init__(self, language: str):
         super().__init__()
         self.language = language
-        self.words = QLabel()
+        self.words = Plain()
         self.words.setWordWrap(True)
         self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.button = QPushButton(tr("Move each input"))

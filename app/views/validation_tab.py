@@ -4,8 +4,9 @@ import math
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
+from app.look.labels import Plain
 from app.look.language import named, number, tr
 from app.views.chart import Chart
 from app.views.runs import title_of
@@ -24,7 +25,7 @@ class ValidationTab(QWidget):
         super().__init__()
         self.button = QPushButton(tr("State the accuracy for this wall (some seconds)"))
         self.button.clicked.connect(self.asked)
-        self.words = QLabel(
+        self.words = Plain(
             tr("What the solver leaves, and the spread of q by definition, for this wall and its governing record.")
         )
         self.words.setWordWrap(True)

@@ -1,8 +1,9 @@
 """The tab Overview: every wall of the study, the lowest zeta first, and walls before beside walls after."""
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QLabel, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
 
+from app.look.labels import Plain
 from app.look.language import called, number, tr
 from app.views.check_tab import digits, verdict_color
 from app.views.table import Table
@@ -51,7 +52,7 @@ class WallsTab(QWidget):
         self.order: list[int] = []
         self.shown: tuple[StudyResult, WallResult] | None = None
         self.by, self.falling = ZETA, False
-        self.words = QLabel(tr("No result yet: press F5.") + "\n\n" + "\n".join(steps()))
+        self.words = Plain(tr("No result yet: press F5.") + "\n\n" + "\n".join(steps()))
         self.words.setWordWrap(True)
         self.table = Table(
             tr("Walls of the study"),
@@ -82,7 +83,7 @@ class WallsTab(QWidget):
                 tr("changed"),
             ],
         )
-        self.pairs_title = QLabel(tr("Before and after"))
+        self.pairs_title = Plain(tr("Before and after"))
         below = QWidget()
         inside = QVBoxLayout(below)
         inside.setContentsMargins(0, 0, 0, 0)

@@ -3,7 +3,9 @@ in each language."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 
+from core.file_names import shown
 from core.text.catalogue import CATALOGUE
 
 LANGUAGES = {"en": "English", "it": "Italiano"}
@@ -124,6 +126,8 @@ def in_words(value, language: str, form: FormNames = FILE_NAMES, comma: bool = F
         return ", ".join(str(in_words(part, language, form, comma)) for part in value)
     if isinstance(value, float) and comma:
         return CommaFloat(value)
+    if isinstance(value, (str, Path)):  # no letter of a name moves the cursor or begins a line
+        return shown(str(value))
     return value
 
 
