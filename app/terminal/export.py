@@ -79,10 +79,11 @@ class Report:
 
     case : of the study
     check : called at every part, to cancel
+    source : text of the file of the case as it was run, whose comments the note keeps; None : as it is at the end
     """
 
-    def __init__(self, case: Case, check: Callable[[], None] = lambda: None):
-        self.case, self.check = case, check
+    def __init__(self, case: Case, check: Callable[[], None] = lambda: None, source: str | None = None):
+        self.case, self.check, self.source = case, check, source
         self._histories: list[CollapseHistories] = []
 
     @functools.cached_property
@@ -131,7 +132,7 @@ class Report:
         files = {folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text.content(result)}
         if note is not None:
             steps.take(NOTE)
-            files[note] = note_content(result, note, case_path, steps)
+            files[note] = note_content(result, note, case_path, steps, self.source)
         ready()
         atomic_write.write(files)
 
@@ -157,21 +158,29 @@ def write(
     report.write(result, folder, stem, ready, steps=steps)
 
 
-def note_content(result: StudyResult, path: Path, case_path: Path | None, steps: Steps | None = None) -> bytes:
-    """The calculation note as the ending of its path asks. case_path : of the case, also where nothing lies there yet.
+def note_content(
+    result: StudyResult, path: Path, case_path: Path | None, steps: Steps | None = None, source: str | None = None
+) -> bytes:
+    """The calculation note as the ending of its path asks. case_path : of the case, also where nothing lies there yet;
+    source : its text, None : as it lies there
     Raises InputError, OutputError."""
     if path.suffix.lower() == ".pdf":
         from core.report.note.archive import note_as_pdf
 
-        source = ""
-        with contextlib.suppress(OSError, UnicodeDecodeError, AttributeError):
-            source = case_path.read_text("utf-8-sig")
-        return note_as_pdf(result, case_path.parent if case_path else Path(), steps, source)
+        text = source_of(case_path) if source is None else source
+        return note_as_pdf(result, case_path.parent if case_path else Path(), steps, text)
     from core.report.note.content import note
     from core.report.note.document import document
 
     language = result.case.report.language
     return document(note(result, language), language, steps)
+
+
+def source_of(case_path: Path | None) -> str:
+    """The text of the file of a case; "" where there is none, or it is a note."""
+    with contextlib.suppress(OSError, UnicodeDecodeError, AttributeError):
+        return case_path.read_text("utf-8-sig")
+    return ""
 
 
 @contextlib.contextmanager

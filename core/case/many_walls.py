@@ -15,6 +15,9 @@ from core.case.schema import Case, Wall
 from core.errors import InputError
 from core.wall.wall_loads import check_loads
 
+LONGEST_ROW = 1_000_000
+"""Letters of a row."""
+
 
 class ManyWalls(Sequence):
     """The walls of a text with one row a wall: of each only where its row begins is kept.
@@ -50,6 +53,8 @@ class ManyWalls(Sequence):
         while end < len(text):
             start, end = end, text.find("\n", end) + 1 or len(text)
             self._end = end
+            if end - start > LONGEST_ROW:  # all its cells would be made at once
+                raise InputError("row_too_long", most=LONGEST_ROW)
             yield text[start:end]
 
     def __len__(self) -> int:

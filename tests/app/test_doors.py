@@ -133,3 +133,40 @@ def test_that_batches_in_one_folder_at_random_times_leave_whole_results(count, t
         assert code in (0, 1) and "Traceback" not in said and (code == 0 or len(said.strip().splitlines()) == 1), said
     assert json.loads((tmp_path / "case.json").read_bytes())["walls"]
     assert sorted(path.name for path in tmp_path.iterdir()) == ["case.json", "case.toml", "case.xlsx"]
+
+
+def test_that_a_case_edited_during_its_run_leaves_the_note_that_of_the_run(tmp_path, monkeypatch):
+    """Its comments are those of what was run, beside the hash of that."""
+    pytest.importorskip("pypdf", reason="without the group report")
+    from app.terminal import batch
+    from core.case.note_file import CASE as NAME
+    from core.case.note_file import files_within
+
+    case = tmp_path / "case.toml"
+    case.write_text("# before\n" + CASE.format(wall="", top=DEMAND), encoding="utf-8")
+    ran = batch.run_study
+
+    def edited(*given, **named):
+        result = ran(*given, **named)
+        case.write_text("# after\n" + CASE.format(wall="", top=DEMAND), encoding="utf-8")
+        return result
+
+    monkeypatch.setattr(batch, "run_study", edited)
+    assert program.main(["--batch", str(case), "--quiet", "--report", str(tmp_path / "n.pdf")]) == 0
+    within_note = files_within(tmp_path / "n.pdf")[NAME]
+    assert b"# before" in within_note and b"# after" not in within_note
+    # the note holds its case, and is run again however large it is
+    grown = tmp_path / "again.pdf"
+    grown.write_bytes((tmp_path / "n.pdf").read_bytes() + b"\n%" + b"x" * 3_000_000 + b"\n")
+    assert program.main(["--batch", str(grown), "--quiet", "--output", str(tmp_path / "out")]) == 0
+
+
+def test_that_a_row_without_an_end_of_a_large_table_is_refused_before_its_cells_are_made(tmp_path):
+    from core.case.wall_table import read_table
+    from core.errors import InputError
+
+    path = tmp_path / "t.csv"
+    path.write_text("nome;H (m)\n" + "a;5\n" * 2100 + ";" * 3_000_000 + "\n", encoding="utf-8")
+    with pytest.raises(InputError) as refused:
+        read_table(path, many=True)
+    assert refused.value.code in ("row_too_long", "table_too_large")

@@ -17,6 +17,7 @@ from core.report import json_report
 from core.report.note.content import note
 from core.report.note.pdf import Attachment, Note, Office
 from core.report.note.words import Words
+from core.report.plain_cell import plain_cell
 from core.report.steps import Steps
 from core.study.results import StudyResult
 from core.version import line
@@ -82,7 +83,8 @@ def attached(result: StudyResult, source: str = "") -> tuple[Attachment, ...]:
     writer = csv.writer(rows, lineterminator="\n")
     writer.writerow(("name", "file", "file_sha256", "samples_sha256"))
     for motion in result.motions:
-        writer.writerow((motion.name, shown(motion.file), motion.file_sha256, motion.samples_sha256))
+        named = plain_cell(motion.name), plain_cell(shown(motion.file))
+        writer.writerow((*named, motion.file_sha256, motion.samples_sha256))
     kept = source if result.case.walls is None else ""
     results = json.dumps(table, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
     return (
