@@ -16,6 +16,7 @@ from core.regular_file import TooLarge, read_regular
 from core.report import json_report
 from core.report.note.content import note
 from core.report.note.pdf import Attachment, Note, Office
+from core.report.note.picture import MOST_SIDE, fault_of
 from core.report.note.words import Words
 from core.report.plain_cell import plain_cell
 from core.report.steps import Steps
@@ -71,6 +72,11 @@ def office_of(report: Report, base_dir: Path) -> Office:
         raise InputError("logo_unreadable", place=here, key="logo", path=path, reason=error.strerror) from None
     if not content.lstrip().startswith(PICTURES):
         raise InputError("logo_no_picture", place=here, key="logo", path=path)
+    fault = fault_of(content)
+    if fault == "large":
+        raise InputError("logo_too_many_pixels", place=here, key="logo", path=path, side=MOST_SIDE)
+    if fault:
+        raise InputError("logo_cut", place=here, key="logo", path=path)
     return Office(report.author, lines, content)
 
 

@@ -195,7 +195,7 @@ def test_that_logo_letterhead_and_font_are_of_the_office_or_refused(whole_buildi
     for report, code in (
         ({"logo": "none.png"}, "logo_unreadable"),
         ({"logo": "text.png"}, "logo_no_picture"),
-        ({"logo": "broken.png"}, "note_not_set"),
+        ({"logo": "broken.png"}, "logo_cut"),
         ({"font": "No Such Font"}, "no_font"),
     ):
         with pytest.raises(InputError) as refused:
