@@ -145,9 +145,12 @@ class StudyWindow(QDialog):
 
         def work(job: Job):
             made = study.results(asked, folder, records, os.cpu_count() or 1, quick, True, job.progress, job.cancelled)
-            report = report_of(made.result)
-            study.write(made.result, report, folder, made.stem, job.check, job.commit, job.progress)
-            made.book.remove()
+            try:
+                report = report_of(made.result)
+                study.write(made.result, report, folder, made.stem, job.check, job.commit, job.progress)
+                made.book.remove()
+            finally:
+                made.book.close()
             return made.result, report, folder
 
         job = self.job = Job(work)

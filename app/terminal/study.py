@@ -118,8 +118,10 @@ def results(
             on_progress=on_progress,
             cancelled=cancelled,
         )
-    except (InputError, Cancelled):
-        for new in made:  # a folder that holds a journal stays
+    except BaseException as error:
+        for book in books:
+            book.close()
+        for new in made if isinstance(error, (InputError, Cancelled)) else ():  # a folder that holds a journal stays
             with contextlib.suppress(OSError):
                 new.rmdir()
         raise
@@ -137,7 +139,7 @@ def run(
     """
     path = study_file(asked)
     folder = output or (Path() if path.parent == STUDIES else path.parent)
-    cancel = threading.Event()
+    cancel, made = threading.Event(), None
     with interrupts(cancel), progress(quiet) as show:
         try:
             made = results(asked, folder, records, jobs, quick, resume, show.runs, cancel.is_set)
@@ -150,7 +152,11 @@ def run(
             else:
                 tell("stopped")
             return CANCELLED
-    made.book.remove()
+        else:
+            made.book.remove()
+        finally:  # the lock is held until the results are in their places
+            if made is not None:
+                made.book.close()
     if not quiet:
         say(summary(made.result, report, folder, made.stem))
     without = [row for row in made.result.rows if row.q is None]

@@ -201,8 +201,6 @@ def run(
         rows, restored = _rows(study, motions, threads, book, on_progress)
     finally:
         cache.record(cache.folder())
-        if book:
-            book.close()
     elapsed = (datetime.datetime.now(datetime.UTC) - started).total_seconds()
     return ParametricResult(
         study,

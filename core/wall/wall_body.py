@@ -3,6 +3,7 @@
 x is inward from the outer face of the base, z above it.
 """
 
+import itertools
 import math
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
@@ -411,7 +412,7 @@ def changes(parts: tuple[Part, ...]) -> tuple[float, ...]:
     }
     found |= {z for part in placed if part.weight < 0.0 for z in _ends_of(part.polygon)}
     ordered = sorted(found)  # of an open joint its upper side
-    return tuple(z for z, after in zip(ordered, (*ordered[1:], math.inf), strict=True) if after - z > OPEN_JOINT)
+    return tuple(z for z, after in itertools.zip_longest(ordered, ordered[1:]) if not after or after - z > OPEN_JOINT)
 
 
 def _level_edges(polygon) -> Iterator[float]:

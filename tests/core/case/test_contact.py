@@ -307,3 +307,11 @@ def test_that_a_foot_inside_of_a_wall_that_rocks_both_ways_is_none_to_stand_on()
     with pytest.raises(InputError) as refused:
         checked(BASE | {"mechanism": "two_sided", "solid": [foot]})
     assert refused.value.code == "inner_foot_alone"
+
+
+def test_that_a_body_in_the_making_has_no_hinges_and_no_error():
+    """Two corners of a polygon, as a form has them: nothing stands yet."""
+    from core.wall.wall_body import Part, changes
+
+    half = Part(((0.0, 0.0), (4.0, 0.0)), (0.0, 0.5), 0.5 * np.pi, 0.0, 18.0, "elevation")
+    assert changes((half,)) == ()

@@ -94,7 +94,9 @@ def test_that_threads_and_finished_runs_change_no_digit(tmp_path):
 
     with pytest.raises(Cancelled):
         run(content, journal=journal, cancelled=cancelled)
+    books[0].close()
     again = run(content, jobs=2, journal=journal, on_progress=lambda done, of, left: count.append(done))
+    books[1].close()
     assert count[0] >= 3
     assert again.rows == once.rows
     assert len(once.rows) == 2 * 1 + 2 * 2

@@ -24,6 +24,23 @@ from tests.core.report import whole_workbook
 from tests.core.study.cases import case
 
 
+def run(asked, journal=None, **named):
+    """`study.run`; journal : (file, whether an earlier start is gone on with), closed at the end as a batch does."""
+    if journal is None:
+        return study.run(asked, **named)
+    books = []
+
+    def made(key):
+        books.append(Journal(journal[0], key, journal[1]))
+        return books[0]
+
+    try:
+        return study.run(asked, journal=made, **named)
+    finally:
+        for book in books:
+            book.close()
+
+
 def numbers(result) -> str:
     """The JSON without what names the moment of the run."""
     content = json_report.results(result)
@@ -33,7 +50,7 @@ def numbers(result) -> str:
 
 def test_that_threads_and_their_number_change_no_digit(folder, result):
     for jobs in (2, 5):
-        assert numbers(study.run(case(), base_dir=folder, jobs=jobs)) == numbers(result)
+        assert numbers(run(case(), base_dir=folder, jobs=jobs)) == numbers(result)
 
 
 def test_that_a_wall_with_both_mechanisms_gives_two_entries(result):
@@ -67,7 +84,7 @@ def test_that_an_impact_limit_makes_the_set_incomplete(folder, monkeypatch):
         return found
 
     monkeypatch.setattr(wall_work, "incremental_dynamic_analyses", limited)
-    wall = study.run(case(), base_dir=folder).walls[0]
+    wall = run(case(), base_dir=folder).walls[0]
     assert wall.set_rule == "incomplete"
     assert wall.q_set is None and wall.q_robust_set is None
     assert wall.code_check[2] is None
@@ -80,13 +97,13 @@ def test_that_the_intensity_of_the_demand_is_given_or_from_the_records(folder, r
     scaled = [m.housner_intensity * demand.pga / m.pga for m in result.motions]
     assert demand.intensity == pytest.approx(np.mean(scaled), rel=1e-14)
     assert any(notice.code == "si_from_records" for notice in result.walls[0].warnings)
-    given = study.run(case(demand={"ag_g": 0.2, "housner_intensity_cm": 80.0}), base_dir=folder)
+    given = run(case(demand={"ag_g": 0.2, "housner_intensity_cm": 80.0}), base_dir=folder)
     assert given.demand.intensity == 80.0 * CM
     assert given.demand.intensity_source == "given"
 
 
 def test_that_a_case_without_records_gives_closed_forms_and_code_only(folder):
-    found = study.run(case(record=[], demand={"ag_g": 0.2, "housner_intensity_cm": 80.0}), base_dir=folder)
+    found = run(case(record=[], demand={"ag_g": 0.2, "housner_intensity_cm": 80.0}), base_dir=folder)
     wall = found.walls[0]
     assert wall.runs == () and wall.set_rule is None and wall.q_set is None
     assert wall.closed_form_q == pytest.approx(wall.closed_form_q_eff * 0.2)
@@ -95,12 +112,12 @@ def test_that_a_case_without_records_gives_closed_forms_and_code_only(folder):
 
 def test_that_a_new_title_or_demand_keeps_the_finished_runs(folder, tmp_path, result):
     path = tmp_path / "case.journal"
-    study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, False))
+    run(case(), base_dir=folder, journal=(path, False))
     first = []
-    study.run(
+    run(
         case(title="other", demand={"ag_g": 0.1}),
         base_dir=folder,
-        journal=lambda key: Journal(path, key, True),
+        journal=(path, True),
         on_progress=lambda d, p, left: first.append((d, p)),
     )
     assert first[0] == (12, 15)  # three walls are assessed again
@@ -119,24 +136,19 @@ def test_that_a_resume_with_every_run_done_makes_no_analysis(folder, tmp_path, r
         demand={"ag_g": 0.2, "spectrum": spectrum},
     )
     path = tmp_path / "case.journal"
-    first = study.run(asked, base_dir=folder, journal=lambda key: Journal(path, key, False))
+    first = run(asked, base_dir=folder, journal=(path, False))
     assert first.walls[0].assessment.tie and first.walls[1].assessment.sensitivity
     monkeypatch.setattr(dynamic_check, "scan_records", lambda *_: pytest.fail("checked again"))
     monkeypatch.setattr(wall_work, "incremental_dynamic_analyses", lambda *_: pytest.fail("run again"))
     told = []
-    again = study.run(
-        asked,
-        base_dir=folder,
-        journal=lambda key: Journal(path, key, True),
-        on_progress=lambda *state: told.append(state),
-    )
+    again = run(asked, base_dir=folder, journal=(path, True), on_progress=lambda *state: told.append(state))
     assert numbers(again) == numbers(first)
     assert told[-1] == (told[0][1], told[0][1], 0.0)
 
 
 def test_that_runs_checks_and_statements_are_all_counted_from_the_beginning(folder):
     told = []
-    study.run(
+    run(
         case(analysis={"q_step": 0.02, "accuracy": True}),
         base_dir=folder,
         on_progress=lambda *state: told.append(state),
@@ -146,12 +158,12 @@ def test_that_runs_checks_and_statements_are_all_counted_from_the_beginning(fold
 
 def test_that_a_damaged_line_of_a_journal_is_run_again(folder, tmp_path, result):
     path = tmp_path / "case.journal"
-    study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, False))
+    run(case(), base_dir=folder, journal=(path, False))
     lines = path.read_bytes().split(b"\n")
     lines[2] = lines[2].replace(b'"status"', b'"stat"')
     lines.insert(4, b"5")
     path.write_bytes(b"\n".join(lines))
-    again = study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, True))
+    again = run(case(), base_dir=folder, journal=(path, True))
     assert numbers(again) == numbers(result)
 
 
@@ -170,13 +182,7 @@ def test_that_a_cancelled_run_keeps_its_journal_and_resumes_bit_identical(folder
         state["done"] = done
 
     with pytest.raises(Cancelled):
-        study.run(
-            case(),
-            base_dir=folder,
-            journal=lambda key: Journal(path, key, False),
-            on_progress=progress,
-            cancelled=lambda: state["done"] >= 4,
-        )
+        run(case(), base_dir=folder, journal=(path, False), on_progress=progress, cancelled=lambda: state["done"] >= 4)
     lines = path.read_bytes().count(b"\n")
     assert lines >= 5
     # a line cut by a kill
@@ -186,27 +192,27 @@ def test_that_a_cancelled_run_keeps_its_journal_and_resumes_bit_identical(folder
     def resumed(done, planned, left):
         first.append(done)
 
-    again = study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, True), on_progress=resumed)
+    again = run(case(), base_dir=folder, journal=(path, True), on_progress=resumed)
     assert first[0] >= 4
     assert numbers(again) == numbers(result)
 
 
 def test_that_a_start_without_resume_sets_finished_runs_aside(folder, tmp_path):
     path = tmp_path / "case.journal"
-    study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, False))
+    run(case(), base_dir=folder, journal=(path, False))
     kept = path.read_bytes()
-    study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, False))
+    run(case(), base_dir=folder, journal=(path, False))
     assert (tmp_path / "case.journal.old").read_bytes() == kept
 
 
 def test_that_a_journal_of_another_case_is_not_used(folder, tmp_path):
     path = tmp_path / "case.journal"
-    study.run(case(), base_dir=folder, journal=lambda key: Journal(path, key, False))
+    run(case(), base_dir=folder, journal=(path, False))
     first = []
-    study.run(
+    run(
         case(analysis={"q_step": 0.03}),
         base_dir=folder,
-        journal=lambda key: Journal(path, key, True),
+        journal=(path, True),
         on_progress=lambda d, p, left: first.append(d),
     )
     assert first[0] == 0
@@ -214,7 +220,7 @@ def test_that_a_journal_of_another_case_is_not_used(folder, tmp_path):
 
 def test_that_a_large_a_g_is_questioned(tmp_path):
     asked = case(record=[], demand={"ag_g": 0.61, "soil_factor": 1.2})
-    assert study.run(asked, base_dir=tmp_path).demand.warnings[0].code == "large_ag"
+    assert run(asked, base_dir=tmp_path).demand.warnings[0].code == "large_ag"
 
 
 NAMES = [
@@ -267,7 +273,7 @@ def renamed(folder, tmp_path_factory):
             "analysis": {"q_step": 0.05, "map_span": 1.0, "polarity": "as_recorded"},
             "demand": {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}},
         }
-        found.append(study.run(parse_case(table), base_dir=place))
+        found.append(run(parse_case(table), base_dir=place))
     return found
 
 
@@ -302,12 +308,12 @@ def test_that_a_file_of_a_generated_motion_is_refused_beside_it(folder, tmp_path
         "demand": {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}},
         "generate": {"scatter": 0.0, "count": 1},
     }
-    made = study.run(case(record=[], **asked), base_dir=folder).motions[0]
+    made = run(case(record=[], **asked), base_dir=folder).motions[0]
     lines = [f"{value:.17e}\n" for value in made.acceleration]
     (tmp_path / "copy.txt").write_text("".join(lines))
     entry = {"file": "copy.txt", "unit": "m/s2", "time_step_s": 0.01}
     with pytest.raises(InputError, match="copy.txt is in the case twice"):
-        study.run(case(record=[entry], **asked), base_dir=tmp_path)
+        run(case(record=[entry], **asked), base_dir=tmp_path)
 
 
 def test_that_a_batch_needs_no_package_that_is_not_installed_with_the_program(tmp_path):
