@@ -69,6 +69,7 @@ SHOWN_BY = {
     "variation/swings": "tests/core/variation/test_sensitivity.py",
     "report/sure_words": "tests/core/report/test_certainty.py",
     "report/certainty_sheet": "tests/core/report/test_certainty.py",
+    "report/note/picture": "tests/core/report/test_picture.py",
     "report/note/certainty": "tests/core/report/test_certainty.py",
     "variation/evaluate": "tests/core/variation/test_written_is_the_run.py",
     "setting/scene": "tests/core/variation/test_written_is_the_run.py",

@@ -20,6 +20,7 @@ from core.case.schema import AS_IS, DESIGNED
 from core.case.site import Building, Demand, Spectrum
 from tests.app.driving import run, settle
 from tests.conftest import ROOT
+from tests.core.report.test_picture import png
 
 CASES = ROOT / "resources" / "cases"
 
@@ -408,7 +409,7 @@ def test_that_no_first_page_covers_a_case_that_is_open(opened, monkeypatch):
 def test_that_a_logo_is_chosen_and_one_that_is_not_there_is_said(opened, monkeypatch, tmp_path):
     picture = tmp_path / "logos" / "l.png"
     picture.parent.mkdir()
-    picture.write_bytes(b"\x89PNG\r\n\x1a\n")
+    picture.write_bytes(png(30, 20))
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(picture), ""))
     logo = next(field for field in opened.stages.note_form.fields if field.key == "logo")
     logo.findChild(QPushButton).click()
