@@ -23,7 +23,7 @@ from core.units import CM
 from core.wall.wall_body import shoulder
 
 SIZES = ("width_m", "height_m", "diameter_m")
-"""Of an opening."""
+"""What an opening is given by."""
 
 
 def _m(value) -> str:

@@ -43,7 +43,7 @@ def whole(demand: Demand) -> bool:
 
 
 def make_by(fields: list[Field], group: str) -> list[Field]:
-    """Of these fields those of a group of the form."""
+    """Those of these fields that stand in a group of the form."""
     return [field for field in fields if field.entry.metadata.get("form") == group]
 
 

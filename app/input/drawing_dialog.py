@@ -43,7 +43,7 @@ SHOWN = 8
 """Kinds of entities that are not read, named in the dialog."""
 
 WEIGHT = 18.0
-"""Of a wall without a unit weight, for the mass that is shown [kN/m3]."""
+"""What a wall without a unit weight is taken to weigh, for the mass that is shown [kN/m3]."""
 
 MOST_ROWS = 2000
 """Shapes of a drawing that are looked at for what they may be: of more none is."""
@@ -152,7 +152,7 @@ class DrawingDialog(QDialog):
 
     @property
     def scale(self) -> float:
-        """Of the unit of the drawing [m]."""
+        """How long the unit of the drawing is [m]."""
         return UNITS[self.sheet.unit]
 
     @property

@@ -118,14 +118,15 @@ def results(
             on_progress=on_progress,
             cancelled=cancelled,
         )
-    except BaseException as error:
-        for book in books:
-            book.close()
-        for new in made if isinstance(error, (InputError, Cancelled)) else ():  # a folder that holds a journal stays
+        return Made(result, stem, books.pop())
+    except (InputError, Cancelled):
+        for new in made:  # a folder that holds a journal stays
             with contextlib.suppress(OSError):
                 new.rmdir()
         raise
-    return Made(result, stem, books[0])
+    finally:  # of a study that did not end
+        for book in books:
+            book.close()
 
 
 def run(
