@@ -32,10 +32,8 @@ def read_regular(path: Path, most: int) -> bytes:
     Raises OSError as `open` does and for what is no regular file, TooLarge above the bound: also of one that grows, or
     says that it is empty.
     """
-    flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
-    descriptor = os.open(path, flags)  # a pipe without a writer does not hold it up
-    with os.fdopen(descriptor, "rb") as stream:
-        size = refuse_irregular(stream).st_size
+    with open_regular(path) as stream:
+        size = os.fstat(stream.fileno()).st_size
         if size > most:
             raise TooLarge(size)
         content = stream.read(size + 1)
@@ -46,8 +44,19 @@ def read_regular(path: Path, most: int) -> bytes:
     return content
 
 
+def open_regular(path: Path) -> BinaryIO:
+    """Open a regular file to be read. Raises OSError as `open` does and for a device, a pipe, a socket."""
+    flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
+    stream = os.fdopen(os.open(path, flags), "rb")  # a pipe without a writer does not hold it up
+    try:
+        refuse_irregular(stream)
+    except OSError:
+        stream.close()
+        raise
+    return stream
+
+
 def first_bytes(path: Path, count: int) -> bytes:
     """So many bytes of the beginning of a regular file. Raises OSError."""
-    with open(os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)), "rb") as stream:
-        refuse_irregular(stream)
+    with open_regular(path) as stream:
         return stream.read(count)

@@ -69,7 +69,7 @@ def run(
         try:
             large = in_order(case, case_path.parent, cancel.is_set)
             if merge:
-                book = MergedGroups(folder, stem, lambda k, n: part_key(_key(large), case, k, n))
+                book = MergedGroups(folder, stem, lambda k, n: part_key(_key(large), case, k, n), len(large.groups))
             else:
                 book = announced(GroupJournal(folder / f"{stem}.journal", _key(large), resume))
                 _work(large, book, range(len(large.groups)), jobs, show, cancel)

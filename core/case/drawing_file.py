@@ -28,8 +28,8 @@ masonry is good for. Of a rose window of 4 m it leaves out 0.07 % of the area.""
 SAME = 1e-6
 """Corners nearer than this are one [m]."""
 
-MAX_BYTES = 50_000_000
-"""Of a file: sheets of a building have a tenth; ezdxf takes some 20 times as much memory."""
+MAX_BYTES = 20_000_000
+"""Of a file: sheets of a building have a quarter; ezdxf takes a second and some 20 times the memory for each MB."""
 
 MOST_ENTITIES, MOST_POINTS = 100_000, 400_000
 """Of a drawing with its blocks opened, and of all its lines divided."""
@@ -287,7 +287,7 @@ def _lines(entity: Any, tolerance: float) -> Iterator[list[Point]]:
             return
         yield _flat(entity.flattening(tolerance), tolerance)
     elif kind == "ELLIPSE":
-        yield _flat(entity.flattening(tolerance), tolerance)
+        yield _flat(_few(entity.flattening(tolerance)), tolerance)
     elif kind == "SPLINE":
         yield _flat(_spline(entity, tolerance), tolerance)
     elif kind == "LWPOLYLINE":
@@ -313,7 +313,7 @@ def _spline(entity: Any, tolerance: float) -> list:
     defined, divided until no chord is farther from it than a tolerance."""
     curve = entity.construction_tool()
     if curve.is_clamped:
-        return list(entity.flattening(tolerance))
+        return _few(entity.flattening(tolerance))
     knots, degree = curve.knots(), curve.degree
     start, end, parts = knots[degree], knots[-degree - 1], 32
     while True:
@@ -326,6 +326,14 @@ def _spline(entity: Any, tolerance: float) -> list:
         parts *= 2
 
 
+def _few(points: Iterable) -> list:
+    """Points of a curve, no more of them than a drawing may have."""
+    few = list(itertools.islice(points, MOST_POINTS + 1))
+    if len(few) > MOST_POINTS:
+        raise InputError("drawing_too_much", most=MOST_ENTITIES)
+    return few
+
+
 def _border(path: Any, tolerance: float) -> Iterator[list[Point]]:
     """The lines of a border of a hatch."""
     if hasattr(path, "vertices"):
@@ -336,7 +344,7 @@ def _border(path: Any, tolerance: float) -> Iterator[list[Point]]:
         if edge.EDGE_TYPE == "LineEdge":
             lines.append(_flat((edge.start, edge.end)))
         else:
-            lines.append(_flat(edge.construction_tool().flattening(tolerance)))
+            lines.append(_flat(_few(edge.construction_tool().flattening(tolerance))))
     closed, loose = joined(lines, tolerance)
     yield from ([*outline, outline[0]] for outline in closed)
     yield from loose

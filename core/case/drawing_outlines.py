@@ -12,6 +12,9 @@ LOOSE = 200
 """Loose ends of a layer of which the nearest other one is sought: of more, the other end of their line is named."""
 
 
+CROWD = 32
+"""Ends around a point within three gaps: of more none goes on, as of three that meet."""
+
 MOST_CHORDS = 20_000
 """Of an arc: a circle with a radius of 80 km has as many."""
 
@@ -74,7 +77,10 @@ def joined(pieces: Sequence[list[Point]], join: float) -> tuple[list[list[Point]
 
     def following(line: list[Point], last: tuple[int, int]) -> list[tuple[int, int]]:
         (i, j), tip = cell(line[-1]), line[-1]
-        around = [end for a in (-1, 0, 1) for b in (-1, 0, 1) for end in ends.get((i + a, j + b), ())]
+        cells = [ends.get((i + a, j + b), []) for a in (-1, 0, 1) for b in (-1, 0, 1)]
+        around = itertools.chain(*cells)
+        if sum(map(len, cells)) > CROWD:
+            return list(itertools.islice(around, 2))
         return [(k, end) for k, end in around if (k, end) != last and math.dist(pieces[k][end], tip) <= join]
 
     while free:

@@ -1,6 +1,8 @@
 """The files within a calculation note (PDF/A-3): the case it is of, its results, the list of its records."""
 
 import io
+import logging
+from collections.abc import Collection
 from pathlib import Path
 
 from core import atomic_write
@@ -12,7 +14,10 @@ CASE = "case.toml"
 NAMES = (CASE, "results.json", "records.csv")
 """Of the files the program puts into a note; others are left alone."""
 
-MOST = 500_000_000
+PACKED = (None, "/FlateDecode", ["/FlateDecode"])
+"""Filters of a file within a note: of others, which no note has, pypdf unpacks a megabyte in a second."""
+
+MOST = 100_000_000
 """Largest note that is read [bytes]."""
 
 
@@ -21,18 +26,30 @@ def is_note(content: bytes) -> bool:
     return content[:5] == b"%PDF-"
 
 
-def files_within(path: Path) -> dict[str, bytes]:
-    """Name -> content of the files of NAMES within a note. Raises InputError for what is no note of this program."""
+def files_within(path: Path, names: Collection[str] = NAMES) -> dict[str, bytes]:
+    """Name -> content of these files within a note, none but them decoded. Raises InputError for what is no note of
+    this program."""
     require("report")
     import pypdf
 
+    logging.getLogger("pypdf").addHandler(logging.NullHandler())  # else it writes to the terminal
     try:
-        reader = pypdf.PdfReader(io.BytesIO(read_regular(path, MOST)))
-        found = {name: contents[0] for name, contents in reader.attachments.items() if name in NAMES}
+        content = read_regular(path, MOST)
+        if b"%%EOF" not in content[-1024:]:
+            raise ValueError("cut off")
+        # strict: of a damaged file pypdf would search all bytes for what is left, for minutes, and warn on stderr
+        reader = pypdf.PdfReader(io.BytesIO(content), strict=True)
+        found = {}
+        for file in reader.attachment_list:
+            if file.name in names and file.name not in found:
+                packed = file.pdf_object["/EF"]["/F"].get_object().get("/Filter")
+                if packed not in PACKED:
+                    raise ValueError(f"{file.name}: {packed}")
+                found[file.name] = file.content
     except FileNotFoundError:
         raise InputError("no_case_file", place=(path,)) from None
     except TooLarge as error:
-        raise InputError("case_too_large", mb=error.size / 1e6, place=(path,)) from None
+        raise InputError("case_too_large", mb=error.size / 1e6, most=MOST / 1e6, place=(path,)) from None
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
     except InputError:

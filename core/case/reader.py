@@ -38,13 +38,13 @@ def read_toml(path: Path) -> tuple[dict, bytes]:
         of_note = is_note(first_bytes(path, 5))  # it holds its case, and is larger than one
         content = read_regular(path, MOST_OF_NOTE if of_note else MAX_BYTES)
         if of_note:
-            content = files_within(path)[CASE]
+            content = files_within(path, (CASE,))[CASE]
         if len(content) > MAX_BYTES:
             raise TooLarge(len(content))
     except FileNotFoundError:
         raise InputError("no_case_file", place=(path,)) from None
     except TooLarge as error:
-        raise InputError("case_too_large", mb=error.size / 1e6, place=(path,)) from None
+        raise InputError("case_too_large", mb=error.size / 1e6, most=MAX_BYTES / 1e6, place=(path,)) from None
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
     try:

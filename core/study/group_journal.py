@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from core.errors import InputError, OutputError
-from core.regular_file import refuse_irregular
+from core.regular_file import open_regular, refuse_irregular
 from core.study.case_parts import FINISHED, parts_in
 from core.study.journal import HEAD, lock, ours, parsed, remove_held, valid
 
@@ -129,20 +129,22 @@ def _read(stream: BinaryIO, place: int) -> dict:
 class MergedGroups:
     """The rows of all groups of a large case from its parts, read when they are asked for."""
 
-    def __init__(self, folder: Path, stem: str, keys):
-        """keys(k, n) : what the first line of the k-th of n parts says. Raises InputError for a part that is missing,
-        not finished, of another division, or of another case or program."""
+    def __init__(self, folder: Path, stem: str, keys, groups: int):
+        """keys(k, n) : what the first line of the k-th of n parts says; groups : of the case. Raises InputError for a
+        part that is missing, not finished, damaged, of another division, or of another case or program."""
         self.streams, self.places = [], []
         try:
             for k, n, path in parts_in(folder, stem):
                 self._add(path, k, n, keys(k, n))
+                if not {str(g) for g in range(k - 1, groups, n)} <= set(self.places[-1]):
+                    raise InputError("part_damaged", k=k, n=n, path=path)
         except BaseException:
             self.close()
             raise
 
     def _add(self, path: Path, k: int, n: int, key: str) -> None:
         try:
-            self.streams.append(open(path, "rb"))  # noqa: SIM115  (closed by `close`)
+            self.streams.append(open_regular(path))
         except OSError as error:
             raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
         head, _, lines = _scanned(self.streams[-1])

@@ -16,7 +16,7 @@ from types import NoneType, UnionType
 from typing import Any, get_args, get_origin, get_type_hints
 
 from core.errors import InputError, OutputError
-from core.regular_file import refuse_irregular
+from core.regular_file import open_regular, refuse_irregular
 
 SYNC_SECONDS = 1.0
 """Least time between two calls that bring the journal to the disk: they hold up the threads, a tenth of the time of
@@ -148,7 +148,8 @@ def entries_of(path: Path) -> tuple[dict, dict[str, dict]]:
     """(first line, results by key) of a journal that nobody writes any more; its damaged lines are left out. Raises
     InputError for a file that cannot be read or is no journal."""
     try:
-        content = path.read_bytes()
+        with open_regular(path) as stream:
+            content = stream.read()
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
     if not ours(content):

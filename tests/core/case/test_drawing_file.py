@@ -5,6 +5,7 @@ import itertools
 import json
 import math
 import random
+import tracemalloc
 
 import pytest
 
@@ -650,3 +651,30 @@ def test_that_a_section_that_stands_on_nothing_has_no_outer_face(tmp_path):
     with pytest.raises(InputError) as refused:
         drawn(tmp_path, draw, plane="elevation", to_m=0.6, more=[more[0] | {"hinge_y_m": 30.0}])
     assert refused.value.code == "drawing_section_floats"
+
+
+HOSTILE = {
+    "a curve of a thousand points a span": lambda model, at: setattr(
+        model.add_spline(), "control_points", [(*at(), 0.0) for _ in range(2_000)]
+    ),
+    "lines that meet at one point": lambda model, at: [model.add_line(at(), (1.0, 1.0)) for _ in range(1_000)],
+    "lines within a gap": lambda model, at: [
+        model.add_line(*([c * 3e-6 for c in at()] for _ in range(2))) for _ in range(1_000)
+    ],
+}
+
+
+@pytest.mark.parametrize("kind", HOSTILE)
+def test_that_a_hostile_drawing_takes_no_more_than_its_size(kind, tmp_path):
+    random.seed(1)
+    document = ezdxf.new()
+    HOSTILE[kind](document.modelspace(), lambda: (1e3 * random.random(), 1e3 * random.random()))
+    document.saveas(tmp_path / "a.dxf")
+    tracemalloc.start()
+    try:
+        DxfFile(tmp_path / "a.dxf").sheet("m")
+    except InputError as error:
+        assert error.code == "drawing_too_much"
+    most = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert most < 300 * (tmp_path / "a.dxf").stat().st_size

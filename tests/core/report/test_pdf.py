@@ -23,6 +23,7 @@ from core.report.note.words import Words
 from tests.conftest import ROOT
 
 pypdf = pytest.importorskip("pypdf")
+NameObject = pypdf.generic.NameObject
 pytest.importorskip("typst")
 
 ALPHABET = (
@@ -163,13 +164,34 @@ def test_that_a_note_of_pdf_a_1b_has_no_files_within(whole_building, tmp_path):
 
 def test_that_a_file_that_is_no_note_is_refused_in_one_sentence(tmp_path, capsys):
     path = tmp_path / "n.pdf"
-    for damaged in (b"%PDF-1.7\n", b"%PDF-1.7\n" + b"\x00\xff" * 500, b"hello"):
+    packed = with_file(b"00>", NameObject("/ASCIIHexDecode"))
+    for damaged in (b"%PDF-1.7\n", b"%PDF-1.7\n" + b"\x00\xff" * 500, b"hello", packed, packed[:-300] + b"%%EOF"):
         path.write_bytes(damaged)
         assert program.main(["--extract", str(path), "--output", str(tmp_path / "x")]) == 1
         said = capsys.readouterr().err
         assert said.startswith("error:") and said.count("\n") == 1 and "Traceback" not in said
     assert not (tmp_path / "x").exists()
     assert program.main(["--extract", str(tmp_path / "none.pdf")]) == 1
+
+
+def with_file(data: bytes, packing, name: str = note_file.CASE) -> bytes:
+    """A PDF with a file within."""
+    writer = pypdf.PdfWriter()
+    writer.add_blank_page(100, 100)
+    file = writer.add_attachment(name, data).pdf_object["/EF"]["/F"].get_object()
+    file[NameObject("/Filter")] = packing
+    stream = io.BytesIO()
+    writer.write(stream)
+    return stream.getvalue()
+
+
+def test_that_files_of_others_within_a_note_are_not_unpacked(tmp_path, monkeypatch):
+    path = tmp_path / "n.pdf"
+    path.write_bytes(with_file(b"41" * 1000 + b">", NameObject("/ASCIIHexDecode"), "photographs.zip"))
+    monkeypatch.setattr(pypdf.filters.ASCIIHexDecode, "decode", lambda *_, **__: pytest.fail("unpacked"))
+    with pytest.raises(InputError) as refused:
+        note_file.files_within(path)
+    assert refused.value.code == "note_without_case"
 
 
 def test_that_a_note_is_a_case_for_the_batch(verdict, tmp_path, capsys):

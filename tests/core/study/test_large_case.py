@@ -188,6 +188,11 @@ def test_that_a_part_that_does_not_belong_is_refused(case, few, tmp_path):
 
     refused("part_of_another", part_path(tmp_path, "many", 1, 2).read_bytes())
     refused("part_not_finished", b"\n".join(whole.split(b"\n")[:-2]) + b"\n")
+    lines = whole.split(b"\n")
+    refused("part_damaged", b"\n".join([lines[0], lines[1][:-9] + b"7" + lines[1][-8:], *lines[2:]]))
+    batch.run_part(case, tmp_path, 2, True, 2, 2)
+    assert batch.run(case, tmp_path, 1, True, False, merge=True) in (batch.DONE, batch.WITHOUT_NUMBER)
+    (tmp_path / "many.parquet").unlink()
     part_path(tmp_path, "many", 2, 2).unlink()
     with pytest.raises(InputError) as caught:
         batch.run(case, tmp_path, 1, True, False, merge=True)
