@@ -179,11 +179,19 @@ def drop_damaged(folder: Path) -> None:
             (folder / name).unlink(missing_ok=True)
 
 
+_recorded: dict[Path, int] = {}
+"""Folder -> its time when its hashes were found written: a file that comes to it changes that."""
+
+
 def record(folder: Path) -> None:
     """Write the hashes of the cache's files, atomically."""
     try:
+        changed = folder.stat().st_mtime_ns if folder.exists() else None
+        if changed is None or _recorded.get(folder) == changed:
+            return
         content = json.dumps(_hashes(folder)).encode()
-        if not folder.exists() or content == _content(folder / MANIFEST):
+        if content == _content(folder / MANIFEST):
+            _recorded[folder] = changed
             return
         temporary = folder / f"{MANIFEST}.{os.getpid()}"
         temporary.write_bytes(content)
