@@ -236,11 +236,12 @@ def test_that_the_test_of_each_module_is_found_by_its_name():
 
 
 def test_that_the_mutants_have_their_tests_and_their_fixed_stamp():
-    from tests.mutation.mutate import FIXED_STAMP, TESTS
+    from tests.mutation.mutate import BESIDE, FIXED_STAMP, deciding_modules, tests_of
 
-    for name in [*TESTS, *(file for files in TESTS.values() for file in files)]:
-        path, _, fact = name.partition("::")
-        assert f"def {fact}" in (ROOT / path).read_text(encoding="utf-8"), name
+    modules = deciding_modules()
+    assert set(BESIDE) <= set(modules)
+    for name in {*modules, *(file for module in modules for file in tests_of(module))}:
+        assert (ROOT / name).exists(), name
     assert FIXED_STAMP[0] in (ROOT / "core" / "jit" / "cache.py").read_text()
 
 

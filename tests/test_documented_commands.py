@@ -113,7 +113,7 @@ def small_words(words: tuple[str, ...], folder: Path) -> list[str]:
         case ("fuzz", *_):
             return ["fuzz", "--inputs", "20", "--seed", "1", "case"]
         case ("mutate", *_):
-            return ["mutate", "--each", "1", "core/codes/eq9.py"]
+            return ["mutate", "--faults", "1", "core/codes/eq9.py"]
         case ("package", *_):
             return ["package", "--help"]
         case ("bench", *rest):
