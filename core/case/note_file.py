@@ -4,6 +4,7 @@ import io
 import logging
 from collections.abc import Collection
 from pathlib import Path
+from typing import Any
 
 from core import atomic_write
 from core.errors import InputError
@@ -40,7 +41,8 @@ def files_within(path: Path, names: Collection[str] = NAMES) -> dict[str, bytes]
         # strict: of a damaged file pypdf would search all bytes for what is left, for minutes, and warn on stderr
         reader = pypdf.PdfReader(io.BytesIO(content), strict=True)
         found = {}
-        for file in reader.attachment_list:
+        files: Any = reader.attachment_list
+        for file in files:
             if file.name in names and file.name not in found:
                 packed = file.pdf_object["/EF"]["/F"].get_object().get("/Filter")
                 if packed not in PACKED:

@@ -1,6 +1,5 @@
 """A parametric study: every cell of its grids under its motions, one row a run."""
 
-import datetime
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -21,7 +20,7 @@ from core.rocking.methods import METHODS
 from core.setting.record_input import read_records
 from core.study.journal import Journal
 from core.study.kept_checks import run_key
-from core.study.progress import OnProgress, Progress, run_cost
+from core.study.progress import OnProgress, Progress, Started, run_cost
 from core.threads import Threads
 from core.units import G
 from core.version import VERSION
@@ -190,7 +189,7 @@ def run(
     journal, on_progress, cancelled : as of `core.study.run.run`
     Raises InputError for what the user can mend, Cancelled when cancelled() is true.
     """
-    started = datetime.datetime.now(datetime.UTC)
+    started = Started()
     threads = Threads(jobs, cancelled)
     spectra = spectra_of(study)
     natural, refused = natural_motions(study, base_dir, records_from)
@@ -201,18 +200,17 @@ def run(
         rows, restored = _rows(study, motions, threads, book, on_progress)
     finally:
         cache.record(cache.folder())
-    elapsed = (datetime.datetime.now(datetime.UTC) - started).total_seconds()
     return ParametricResult(
         study,
         sha256,
         quick,
-        started.isoformat(timespec="seconds"),
+        started.utc,
         tuple(entry for entry, _ in spectra),
         tuple(motions),
         rows,
         tuple(refused),
         restored,
-        elapsed,
+        started.elapsed,
     )
 
 

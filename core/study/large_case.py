@@ -1,7 +1,6 @@
 """A case of more walls than a workbook holds: worked in groups, each a study of its own walls with what is said of all
 of them, so that its numbers are those of the undivided run (resources/docs/scale.md)."""
 
-import datetime
 import hashlib
 import time
 from collections.abc import Callable, Iterable, Iterator
@@ -20,7 +19,7 @@ from core.regular_file import read_regular
 from core.setting.demand_input import MOST_OF_SPECTRUM
 from core.setting.plan import Floors, Inputs, plan_of, read_inputs, with_chosen
 from core.setting.record_selection import Selection
-from core.study.progress import OnProgress, Progress, costs_of
+from core.study.progress import OnProgress, Progress, Started, costs_of
 from core.study.results import StudyResult
 from core.study.run import begin_compiling, result_of
 from core.threads import Threads
@@ -102,8 +101,7 @@ def without_walls(large: LargeCase) -> StudyResult:
         demand = with_records(demand, motions)
         rules = compliance(motions, kinds, demand, large.longest)
         demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, demands_of(case, large.base_dir))))
-    now = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
-    result = StudyResult(case, now, plan.method, plan.search, demand, tuple(motions), tuple(kinds), (), rules)
+    result = StudyResult(case, Started().utc, plan.method, plan.search, demand, tuple(motions), tuple(kinds), (), rules)
     return replace(result, selection=large.selection)
 
 
@@ -136,6 +134,5 @@ def group_results(
         plan = _plan(large.case, large.base_dir, large.inputs, large.groups[g], large.longest, floors)
         if g == todo[0]:
             begin_compiling(plan)
-        started = datetime.datetime.now(datetime.UTC)
-        yield g, result_of(plan, large.base_dir, threads, started, None, Progress(costs_of(plan), told))
+        yield g, result_of(plan, large.base_dir, threads, Started(), None, Progress(costs_of(plan), told))
         before += large.tasks[g]

@@ -1,5 +1,6 @@
 """How many runs and checks of a study are done, and the time left in proportion to what they cost."""
 
+import datetime
 import math
 import time
 from collections.abc import Callable, Hashable, Iterable, Mapping
@@ -8,6 +9,20 @@ from typing import Any
 from core.capacity.ida import Search
 from core.ground.ground_motion import GroundMotion
 from core.setting.plan import Plan
+
+
+class Started:
+    """When work began: utc by the clock of the system, which may be set meanwhile, elapsed by one that only runs."""
+
+    def __init__(self) -> None:
+        self.utc = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
+        self._ticks = time.monotonic()
+
+    @property
+    def elapsed(self) -> float:
+        """Time since then [s]."""
+        return time.monotonic() - self._ticks
+
 
 OnProgress = Callable[[int, int, float | None], None]
 """Called with what is done, what is planned, and the time left [s], None while nothing tells it."""

@@ -1,7 +1,6 @@
 """The one call that makes results: a case in, a frozen StudyResult out. Window, batch, tests use it."""
 
 import contextlib
-import datetime
 import sys
 from collections.abc import Callable
 from concurrent.futures import BrokenExecutor, Executor, Future, wait
@@ -26,7 +25,7 @@ from core.setting.scene import model_of
 from core.study import precompile
 from core.study.how_sure import ag_of
 from core.study.journal import Journal, Memory
-from core.study.progress import OnProgress, Progress, costs_of
+from core.study.progress import OnProgress, Progress, Started, costs_of
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_work import Finished, Given, works
 from core.threads import Threads
@@ -62,7 +61,7 @@ def run(
         what one of them loses is made here
     Raises InputError for what the user can mend, Cancelled when cancelled() is true.
     """
-    started = datetime.datetime.now(datetime.UTC)
+    started = Started()
     refuse_large(case)
     cache.proven()
     book: Journal | Memory | None = None
@@ -82,7 +81,7 @@ def result_of(
     plan: Plan,
     base_dir: Path,
     threads: Threads,
-    started: datetime.datetime,
+    started: Started,
     book: Journal | Memory | None,
     progress: Progress,
     on_wall: Callable[[WallResult], None] = lambda wall: None,
@@ -110,7 +109,7 @@ def result_of(
         rules = compliance(plan.motions, plan.kinds, demand, plan.longest_period) if demand else None
         head = StudyResult(
             plan.case,
-            started.isoformat(timespec="seconds"),
+            started.utc,
             plan.method,
             plan.search,
             demand,
@@ -136,8 +135,7 @@ def result_of(
         threads.run_works(works(given, threads.jobs), ended)
     finally:
         cache.record(cache.folder())
-    elapsed = (datetime.datetime.now(datetime.UTC) - started).total_seconds()
-    return replace(head, walls=tuple(results), verdicts=tuple(verdicts) if whole else (), elapsed=elapsed)
+    return replace(head, walls=tuple(results), verdicts=tuple(verdicts) if whole else (), elapsed=started.elapsed)
 
 
 def _demand(plan: Plan, base_dir: Path) -> tuple[DemandResult | None, dict[str, DemandResult]]:
@@ -171,7 +169,7 @@ def wall_alone(case: Case, base_dir: Path, k: int) -> dict[str, dict]:
     plan, book = plan_of(case, base_dir, _kept[place], (k, len(case.wall))), Memory(EVERYTHING)
     begin_compiling(plan)
     progress = Progress(costs_of(plan), lambda done, planned, left: None)
-    result_of(plan, base_dir, Threads(1, lambda: False), datetime.datetime.now(datetime.UTC), book, progress)
+    result_of(plan, base_dir, Threads(1, lambda: False), Started(), book, progress)
     return book.found
 
 

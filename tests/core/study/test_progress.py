@@ -2,6 +2,7 @@
 
 import pytest
 
+from core.study import progress as module
 from core.study.progress import Progress
 
 
@@ -42,3 +43,10 @@ def test_that_what_an_earlier_start_did_tells_nothing_of_the_rest():
         clock.now += seconds
         progress.done(task, seconds > 0.0)
     assert told[-1] == (3, 4, pytest.approx(2.0))
+
+
+def test_that_a_clock_that_is_set_back_changes_no_elapsed_time(monkeypatch):
+    ticks = iter([5.0, 7.5])
+    monkeypatch.setattr(module.time, "monotonic", lambda: next(ticks))
+    monkeypatch.setattr(module.time, "time", lambda: 0.0)
+    assert module.Started().elapsed == 2.5
