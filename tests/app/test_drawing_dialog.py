@@ -1,5 +1,7 @@
 """A wall from a drawing in the window: clicks, keys, hinge, preview, sentences, what OK writes."""
 
+import random
+
 import pytest
 
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
@@ -19,6 +21,7 @@ from core.case.reader import read_case
 from core.case.schema import Wall
 from tests.core.case import sheets
 from tests.core.case.test_drawing_file import area_of, sheet, written
+from tests.fuzz.fuzz import changed, drawing
 
 EMPTY = Wall("w", "one_sided", unit_weight_kn_m3=20.0)
 
@@ -180,6 +183,17 @@ def test_that_a_file_that_is_no_drawing_is_a_sentence_in_the_dialog(dialog, tmp_
         shown = dialog(tmp_path / "x.dxf")
         assert not ok(shown).isEnabled() and shown.words.text()
     assert words in shown.words.text()
+
+
+@pytest.mark.parametrize("seeds", [range(8), pytest.param(range(8, 300), marks=pytest.mark.long)], ids=str)
+def test_that_a_damaged_drawing_is_a_sentence_or_a_sheet_one_can_click_through(dialog, tmp_path, seeds):
+    good = [drawing()]
+    for seed in seeds:
+        (tmp_path / "x.dxf").write_bytes(changed(random.Random(seed), good))
+        shown = dialog(tmp_path / "x.dxf")
+        middle = QPoint(shown.canvas.width() // 2, shown.canvas.height() // 2)
+        QTest.mouseClick(shown.canvas, Qt.MouseButton.LeftButton, pos=middle)
+        assert shown.words.text() or shown.sheet.shapes, seed
 
 
 def test_that_every_control_has_a_name_and_is_reached_by_tab(dialog, tmp_path):

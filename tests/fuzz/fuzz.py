@@ -24,6 +24,7 @@ from pathlib import Path
 
 import numpy as np
 
+from core.case.drawing_file import DxfFile
 from core.case.hazard_table import parse_hazard
 from core.case.reader import read_case
 from core.case.rules import draft_case, parse_case
@@ -209,12 +210,55 @@ def _hazard(content: bytes, folder: Path) -> None:
     assert len(rows) >= 2 and all(0.0 < row.ag_g <= 5.0 for row in rows)
 
 
+def _drawing(content: bytes, folder: Path) -> None:
+    path = folder / "x.dxf"
+    path.write_bytes(content)
+    for shape in DxfFile(path).sheet().shapes:
+        assert len(shape.corners) > 2 and all(math.isfinite(number) for corner in shape.corners for number in corner)
+
+
+def _note(content: bytes, folder: Path) -> None:
+    path = folder / "x.pdf"
+    path.write_bytes(content)
+    read_case(path)
+
+
 def _draft(content: bytes, folder: Path) -> None:
     try:
         table = tomllib.loads(content.decode())
     except (ValueError, RecursionError):
         return
     draft_case(table)
+
+
+def drawing() -> bytes:
+    """A wall with a window, an arch, a bay from a block, a spline and a hatch, in DXF."""
+    import ezdxf
+
+    document = ezdxf.new("R2000")
+    for name in ("MATERIAL", "ACAD_MLEADERSTYLE", "ACAD_SCALELIST", "ACAD_VISUALSTYLE"):
+        document.rootdict.discard(name)
+    space, block = document.modelspace(), document.blocks.new("bay")
+    space.add_lwpolyline([(0, 0), (6, 0), (6, 5), (3, 7), (0, 5)], close=True, dxfattribs={"layer": "wall"})
+    space.add_lwpolyline([(2, 1), (3, 1), (3, 2, 0, 0, 1.0), (2, 2)], format="xyseb", close=True)
+    block.add_circle((0, 0), 0.4)
+    space.add_blockref("bay", (4, 3), {"xscale": 1.5, "rotation": 30})
+    space.add_spline([(1, 3, 0), (2, 4, 0), (3, 3, 0), (1, 3, 0)])
+    space.add_hatch().paths.add_polyline_path([(4, 0), (5, 0), (5, 2), (4, 2)])
+    stream = io.StringIO()
+    document.write(stream)
+    return stream.getvalue().encode()
+
+
+def note(case: bytes) -> bytes:
+    """A PDF with a case within, as a calculation note has it."""
+    import pypdf
+
+    writer, stream = pypdf.PdfWriter(), io.BytesIO()
+    writer.add_blank_page(100, 100)
+    writer.add_attachment("case.toml", case)
+    writer.write(stream)
+    return stream.getvalue()
 
 
 def seeds(folder: Path) -> dict[str, list[bytes]]:
@@ -288,6 +332,8 @@ def seeds(folder: Path) -> dict[str, list[bytes]]:
         "journal": [(folder / "seed.journal").read_bytes()],
         "swap": [json.dumps({"path": None, "base_dir": ".", "case": case.decode()}).encode() for case in cases],
         "spectrum": [spectrum.encode()],
+        "drawing": [drawing()],
+        "note": [note(case) for case in cases],
         "usc": [usc()],
         **{name: [DIALECTS[one][0] for one in names] for name, names in DIALECT_TARGETS.items()},
         **{name: [NETWORKS[one] for one in names] for name, names in NETWORK_TARGETS.items()},
@@ -305,6 +351,8 @@ TARGETS: dict[str, Callable[[bytes, Path], None]] = {
     "swap": _swap,
     "spectrum": _spectrum,
     "hazard": _hazard,
+    "drawing": _drawing,
+    "note": _note,
     "usc": _record,
     **dict.fromkeys((*DIALECT_TARGETS, *NETWORK_TARGETS), _record),
 }
