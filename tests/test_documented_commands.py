@@ -31,18 +31,9 @@ FIRST_WORD = re.compile(
 )
 """How a command of ours begins; those of the system (apt) are not ours to try."""
 
-LONG = (
-    "bench --window",
-    "bench --screenshots --guide",
-    "bench --noise --explain",
-    "bench --compile",
-    "bench --sure",
-    "bench --work-precision",
-    "bench --tolerances",
-    "mutate",
-)
-"""Commands that compile kernels anew, open one more window or start pytest, a minute together: with `-m long` they are
-tried, in every run their words are read."""
+LONG = ("bench", "mutate", "--study law")
+"""Commands that measure, start pytest or a second study, two minutes together: with `-m long` they are tried, in every
+run their words are read."""
 
 WINDOWED = ("window", "screenshots", "records")
 """Benchmarks that open a window: each in a process of its own."""

@@ -93,6 +93,7 @@ def test_that_the_numbers_of_the_first_trial_come_out(first_trial, name):
     assert str(sum(run.ida.analyses for wall in first_trial.walls for run in wall.runs)) in text
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["guide/7_bodies.md", "guida/7_corpi.md"])
 def test_that_the_numbers_of_the_facade_come_out(facade, name):
     text, rows = text_of(f"resources/docs/{name}"), []

@@ -364,7 +364,7 @@ CASES = sorted(path.stem for path in (ROOT / "resources" / "cases").glob("*.toml
     ("name", "motions"),
     [
         *((name, None) for name in CASES if name not in ("building", "facade")),
-        ("facade", 3),
+        pytest.param("facade", 3, marks=pytest.mark.long),
         *(pytest.param(name, None, marks=pytest.mark.long) for name in ("building", "facade")),
     ],
 )

@@ -167,7 +167,8 @@ def test_that_a_case_edited_during_its_run_leaves_the_note_that_of_the_run(tmp_p
     assert b"# before" in within_note and b"# after" not in within_note
     # the note holds its case, and is run again however large it is
     grown = tmp_path / "again.pdf"
-    grown.write_bytes((tmp_path / "n.pdf").read_bytes() + b"\n%" + b"x" * 3_000_000 + b"\n")
+    note = (tmp_path / "n.pdf").read_bytes()
+    grown.write_bytes(note + b"\n%" + b"x" * 3_000_000 + b"\n" + note[note.rindex(b"startxref") :])
     assert program.main(["--batch", str(grown), "--quiet", "--output", str(tmp_path / "out")]) == 0
 
 

@@ -28,6 +28,7 @@ def alive(application) -> Counter:
     return found + Counter(f"in Python: {type(one).__name__}" for one in known)
 
 
+@pytest.mark.long
 def test_that_four_changes_of_theme_and_language_leave_no_more_alive_than_one(opened, application):
     run(application, opened)
 

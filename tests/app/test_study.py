@@ -148,8 +148,7 @@ def test_that_a_title_may_change_and_figures_of_an_earlier_run_go(small, tmp_pat
     [
         'restitution = ["default"]',
         "velocity_ratio = [0.9]",
-        'motions = "records"',
-        pytest.param('method = ["rk4"]', marks=pytest.mark.long),
+        *(pytest.param(grid, marks=pytest.mark.long) for grid in ('motions = "records"', 'method = ["rk4"]')),
     ],
 )
 def test_that_every_report_is_made_of_any_grid(report, grid, tmp_path):
@@ -312,6 +311,7 @@ def test_that_a_study_without_its_packages_is_refused_before_it_computes(small, 
     assert sorted(tmp_path.iterdir()) == before
 
 
+@pytest.mark.long
 def test_that_a_figure_that_fails_takes_no_number_along(small, tmp_path, monkeypatch, capsys):
     assert call("--study", small, "--output", tmp_path / "right", "--quiet") == 0
 

@@ -15,7 +15,7 @@ from core.ground import records
 from core.ground.records.grammar import Options
 from core.study.journal import Journal
 
-SLOWLY = settings(deadline=None, max_examples=60, suppress_health_check=list(HealthCheck))
+SLOWLY = settings(deadline=None, max_examples=25, suppress_health_check=list(HealthCheck))
 
 samples = st.lists(st.integers(-99999, 99999), min_size=12, max_size=60).filter(lambda values: any(values))
 steps = st.sampled_from([0.002, 0.005, 0.01, 0.02])

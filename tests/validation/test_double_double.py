@@ -40,10 +40,14 @@ def test_that_sums_products_quotients_sines_and_cosines_have_thirty_digits(seed)
             assert abs(exact(found) - expected) < mp.mpf(10) ** -30 * (1 + abs(expected))
 
 
+SLOW = 4
+"""Kind whose histories take mpmath the longest."""
+
+
 @pytest.mark.parametrize(
     "seed",
     [
-        pytest.param(kind + len(KINDS) * turn, marks=[pytest.mark.long] if turn else [])
+        pytest.param(kind + len(KINDS) * turn, marks=[pytest.mark.long] if turn or kind == SLOW else [])
         for turn in range(4)
         for kind in range(TIES)
     ],
@@ -78,7 +82,7 @@ def test_that_a_history_is_that_of_thirty_digits(seed):
     assert found.impacts == len(impacts) or not stands
 
 
-@pytest.mark.parametrize("count", [12, pytest.param(40, marks=pytest.mark.long)])
+@pytest.mark.parametrize("count", [8, pytest.param(40, marks=pytest.mark.long)])
 def test_that_a_tied_wall_turns_back_where_small_steps_say(count):
     """The residual elongations hold every turn of a yielding bar; the record is followed by four seconds of rest."""
     rng, yielded, broken = np.random.default_rng(17), 0, 0
@@ -99,4 +103,4 @@ def test_that_a_tied_wall_turns_back_where_small_steps_say(count):
                 yielded += residuals[k] > bar.slack
         broken += int(gone.sum())
         assert 0.9 * both <= np.abs(found.rotation).max() <= both + 1e-6 * model.slenderness
-    assert yielded > 5 and broken > 5
+    assert yielded > count // 8 and broken > count // 8

@@ -47,7 +47,7 @@ def test_that_dop853_gives_the_same_history(reference, make_model, one_sided, re
 @pytest.mark.parametrize(
     "one_sided, law, samples",
     [
-        (False, "al_shawa", 160),
+        (False, "al_shawa", 110),
         *(
             pytest.param(one_sided, law, 400, marks=pytest.mark.long)
             for law in ("al_shawa", (0.005, 0.28))

@@ -136,7 +136,7 @@ def differ(model, found, small_steps) -> str:
 
 @pytest.mark.parametrize(
     "seed, count",
-    [(5, 50), pytest.param(5, 150, marks=pytest.mark.long), pytest.param(6, 2000, marks=pytest.mark.long)],
+    [(5, 20), pytest.param(5, 150, marks=pytest.mark.long), pytest.param(6, 2000, marks=pytest.mark.long)],
 )
 def test_random_walls_against_an_integrator_of_small_steps(seed, count):
     rng = np.random.default_rng(seed)

@@ -199,7 +199,7 @@ def wall_of(k: int):
     return model, motions, (1, -1) if one_sided else (1,), demand_of(case(**table), None)
 
 
-@pytest.mark.parametrize("walls", [range(0, 100, 7), pytest.param(range(100), marks=pytest.mark.long)])
+@pytest.mark.parametrize("walls", [range(0, 100, 20), pytest.param(range(100), marks=pytest.mark.long)])
 def test_that_zeta_of_a_hundred_walls_is_that_of_every_point_of_the_grid(walls):
     """From below the multiplier at which the wall begins to move on, no point left out. What is found is at a point of
     the grid, or, of a sharp limit, within the step that ends there."""

@@ -367,6 +367,7 @@ def test_that_a_changed_input_is_stated_and_moves_what_follows_from_it(building,
     assert shown[sheet][place].value == pytest.approx(1.1 * building.demand.pga / G)
 
 
+@pytest.mark.long
 def test_that_a_changed_sheet_agrees_with_a_new_run_or_stays_that_of_the_run(verdict, tmp_path):
     """The thickness of the first wall and a_g changed in the workbook, against the case run with both."""
     made = whole_workbook.build(verdict, []).workbook

@@ -188,7 +188,7 @@ def with_file(data: bytes, packing, name: str = note_file.CASE) -> bytes:
 def test_that_files_of_others_within_a_note_are_not_unpacked(tmp_path, monkeypatch):
     path = tmp_path / "n.pdf"
     path.write_bytes(with_file(b"41" * 1000 + b">", NameObject("/ASCIIHexDecode"), "photographs.zip"))
-    monkeypatch.setattr(pypdf.filters.ASCIIHexDecode, "decode", lambda *_, **__: pytest.fail("unpacked"))
+    monkeypatch.setattr("pypdf.filters.ASCIIHexDecode.decode", lambda *_, **__: pytest.fail("unpacked"))
     with pytest.raises(InputError) as refused:
         note_file.files_within(path)
     assert refused.value.code == "note_without_case"

@@ -239,6 +239,7 @@ def test_that_an_empty_folder_is_said_without_an_example(tmp_path):
     assert str(caught.value).endswith("add files or ask for fewer")
 
 
+@pytest.mark.long
 def test_that_a_folder_of_real_records_gives_a_compatible_set(shelf, tmp_path):
     """The shelf itself, from its case file to the keys of the results, with every file accounted for."""
     text = f"""

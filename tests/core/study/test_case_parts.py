@@ -179,7 +179,8 @@ STARTERS = {"parallel": ("parallel", "-j2"), "xargs": ("xargs", "-P", "2", "-I{}
 """Programs that only start others, as scale.md has them."""
 
 
-@pytest.mark.parametrize("starter", ["xargs", pytest.param("parallel", marks=pytest.mark.long)])
+@pytest.mark.long
+@pytest.mark.parametrize("starter", ["xargs", "parallel"])
 def test_that_a_scheduler_that_only_starts_programs_makes_the_parts(case, whole, tmp_path, starter):
     if not shutil.which(starter):
         pytest.skip(f"no {starter}")

@@ -316,6 +316,7 @@ def test_that_a_file_of_a_generated_motion_is_refused_beside_it(folder, tmp_path
         run(case(record=[entry], **asked), base_dir=tmp_path)
 
 
+@pytest.mark.long
 def test_that_a_batch_needs_no_package_that_is_not_installed_with_the_program(tmp_path):
     """scipy, there in the tests, is not on a fresh machine: generated sets that scatter ended there in an error."""
     case = tmp_path / "c.toml"

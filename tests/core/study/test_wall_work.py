@@ -56,7 +56,7 @@ def test_that_the_first_walls_end_before_the_last_begin(folder):
 
 def test_that_files_made_while_walls_finish_are_those_of_the_whole_result(tmp_path):
     """A table of walls; every cell and name of the workbook."""
-    path = CASES / "verdict.toml"
+    path = ROOT / "tests" / "cases" / "verdict.toml"
     asked = read_case(path)
     asked = replace(asked, wall=tuple(asked.wall))
     report = export.Report(asked)

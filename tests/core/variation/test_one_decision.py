@@ -35,9 +35,10 @@ def rank(code):
     return list(OUTCOMES).index(code)
 
 
-def test_that_a_wall_has_the_worst_outcome_of_its_hinges_and_the_least_zeta():
+@pytest.mark.parametrize("walls", [12, pytest.param(40, marks=pytest.mark.long)])
+def test_that_a_wall_has_the_worst_outcome_of_its_hinges_and_the_least_zeta(walls):
     milder = 0
-    for table in random_tables(40):
+    for table in random_tables(walls):
         result = made(table)
         if result is None:
             continue
@@ -51,7 +52,7 @@ def test_that_a_wall_has_the_worst_outcome_of_its_hinges_and_the_least_zeta():
         milder += any(one.zeta_e is not None and hinges[0].zeta_e and one.zeta_e < hinges[0].zeta_e for one in hinges)
         if wall.risk is not None:
             assert wall.risk.pga == pytest.approx(wall.zeta_least * result.demand.pga)
-    assert milder > 1  # the hinge with the lowest zeta is not always the one that decides
+    assert milder > walls // 20  # the hinge with the lowest zeta is not always the one that decides
 
 
 def test_that_a_hinge_of_worse_outcome_decides_though_another_has_the_lower_zeta():
@@ -88,7 +89,7 @@ def check_left_out(table) -> int:
 
 
 def test_that_leaving_a_key_out_never_makes_an_outcome_milder():
-    assert sum(map(check_left_out, random_tables(20, first=500))) > 15
+    assert sum(map(check_left_out, random_tables(8, first=500))) > 5
 
 
 @pytest.mark.long

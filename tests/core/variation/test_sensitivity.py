@@ -112,6 +112,7 @@ def test_that_each_move_of_the_building_is_the_run_of_the_changed_case():
         assert zeta == pytest.approx(zeta_of(moved(table, ("building", "damping"), damping)), rel=1e-12)
 
 
+@pytest.mark.long
 def test_that_each_move_with_records_is_the_run_of_the_changed_case(tmp_path):
     """The motions as files, so that they follow a_g by the factor of their entries."""
     wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa", "free_element")}

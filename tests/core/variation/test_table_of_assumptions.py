@@ -396,10 +396,11 @@ def test_that_a_moment_of_inertia_above_a_rectangle_is_shown_with_that_of_one():
     assert row["other_end"] == pytest.approx(4.0 / 3.0 * 3.0104**2) and row["source"] == "given"
 
 
-def test_that_a_seed_is_not_chosen_by_what_comes_of_it():
+@pytest.mark.parametrize("seeds", [4, pytest.param(12, marks=pytest.mark.long)])
+def test_that_a_seed_is_not_chosen_by_what_comes_of_it(seeds):
     demand, wall = {"ag_g": 0.135, "spectrum": NTC | {"f0": 2.4}}, READER | {"unloaded_confirmed": True}
     seen = set()
-    for seed in range(1, 13):
+    for seed in range(1, seeds + 1):
         found = found_of(wall, demand, generate={"count": 7, "seed": seed})
         row = rows_of(found).get("seed")
         if seed == 1:
@@ -567,8 +568,9 @@ def test_that_what_is_left_out_or_named_without_a_proof_does_not_hide_the_weakes
         assert rows["hinge_setback_m"]["other_end"] == pytest.approx(setback)
 
 
-def test_that_more_motions_than_the_usual_ones_are_shown_with_the_usual(whole_set, fine):
-    found = [rows_of(found_of(LONE, {"ag_g": 0.12, "spectrum": NTC}, generate={"count": n})) for n in (15, 17, 20)]
+@pytest.mark.parametrize("counts", [(17,), pytest.param((15, 17, 20), marks=pytest.mark.long)])
+def test_that_more_motions_than_the_usual_ones_are_shown_with_the_usual(whole_set, fine, counts):
+    found = [rows_of(found_of(LONE, {"ag_g": 0.12, "spectrum": NTC}, generate={"count": n})) for n in counts]
     lifted = [rows["count"] for rows in found if "count" in rows]
     assert all(row["other_end"] == 14.0 for row in lifted)
 

@@ -44,6 +44,7 @@ def test_that_each_check_asks_of_the_church_what_the_hand_does():
     assert set(found["forces_kn_m"]) == set(NAMES)
 
 
+@pytest.mark.long
 def test_that_the_force_named_is_the_largest_of_histories_displacement_and_thrust():
     found, _ = church(tie_bar_length_m=8.0, tie_elongation_m=0.4, tie_spacing_m=1.5)
     forces = found["forces_kn_m"]
@@ -60,6 +61,7 @@ def test_that_the_force_named_is_the_largest_of_histories_displacement_and_thrus
     assert heights[-1] == pytest.approx(11.0) and asked == sorted(asked, reverse=True)
 
 
+@pytest.mark.long
 def test_that_a_bar_that_stands_nothing_beyond_yield_must_not_come_to_it():
     """d_SLV ends where it breaks: a larger force makes the wall stiff enough to stay below."""
     found, _ = church(tie_bar_length_m=8.0)
@@ -91,6 +93,7 @@ def test_that_no_tie_is_needed_or_none_is_enough_is_said():
 
 
 @pytest.mark.parametrize("state", ["SLD", "SLC"])
+@pytest.mark.long
 def test_that_the_force_at_another_state_is_of_the_checks_of_that_state(state):
     wall = {**WALL, "load": [ROOF], "tie_height_m": 2.9}
     demand = {**DEMAND, "ag_g": 0.2 if state == "SLD" else 0.3, "limit_state": state}
@@ -121,6 +124,7 @@ def hinged(tmp_path, **changes):
     return study.run(parse_case(table), base_dir=tmp_path).walls
 
 
+@pytest.mark.long
 def test_that_the_design_is_of_all_hinges_together_and_stands_at_the_base(tmp_path):
     base, upper = hinged(tmp_path)
     tie = base.assessment.tie
@@ -136,6 +140,7 @@ def test_that_the_design_is_of_all_hinges_together_and_stands_at_the_base(tmp_pa
         assert linear("linear_q_code", found, demand, 2.0).zeta >= 1.0 - 1e-9
 
 
+@pytest.mark.long
 def test_that_no_tie_below_a_hinge_that_fails_is_enough(tmp_path):
     base, upper = hinged(tmp_path, tie_height_m=2.0)
     assert upper.assessment.verdict.zeta_e < 1.0
@@ -144,6 +149,7 @@ def test_that_no_tie_below_a_hinge_that_fails_is_enough(tmp_path):
 
 
 @pytest.mark.parametrize("seconds", [4.0, pytest.param(None, marks=pytest.mark.long)])
+@pytest.mark.long
 def test_that_the_tie_found_in_a_study_brings_the_dynamic_check_to_its_target(tmp_path, seconds):
     """seconds : of three records scaled to the demand, in place of three compatible motions of 25 s"""
     wall = {**WALL, "load": [ROOF, {**THRUST, "kn_m": 2.5}], "tie_height_m": 2.9, "back_restraint": "cross walls"}

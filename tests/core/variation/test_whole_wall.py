@@ -30,6 +30,7 @@ def test_that_zeta_of_all_hinges_is_that_of_the_run():
     assert found.zeta == verdict.zeta_least and found.sure == (verdict.zeta_least >= 1.0)
 
 
+@pytest.mark.long
 def test_that_every_point_of_the_grid_gives_zeta_of_the_run():
     from core.case.reader import read_case
 
