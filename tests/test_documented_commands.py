@@ -31,7 +31,7 @@ FIRST_WORD = re.compile(
 )
 """How a command of ours begins; those of the system (apt) are not ours to try."""
 
-LONG = ("bench", "mutate", "--study law")
+LONG = ("bench", "mutate", "robustness")
 """Commands that measure, start pytest or a second study, two minutes together: with `-m long` they are tried, in every
 run their words are read."""
 
@@ -105,6 +105,9 @@ def small_words(words: tuple[str, ...], folder: Path) -> list[str]:
             return ["fuzz", "--inputs", "20", "--seed", "1", "case"]
         case ("mutate", *_):
             return ["mutate", "--faults", "1", "core/codes/eq9.py"]
+        case ("robustness", *_):
+            kept, page = str(folder / "robustness.journal"), str(folder / "robustness.md")
+            return ["robustness", "--share", "0.001", "--journal", kept, "--output", page, "kills"]
         case ("package", *_):
             return ["package", "--help"]
         case ("bench", *rest):
@@ -182,14 +185,14 @@ def is_long(command: str) -> bool:
 @pytest.mark.parametrize("command", [command for command in COMMANDS if is_long(command)])
 def test_that_the_words_of_a_long_command_are_read(command):
     """As run.py takes them, with the small form that is tried: the script is there and knows each option."""
-    words = shlex.split(re.sub(r"[\[\]…]", "", command))[2:]
+    words = shlex.split(re.sub(r"[\[\]…]", "", command).partition("run.py ")[2])
     script = Path(handed_over(words)[2])
     assert script.is_file() and words[0] in script.stem
     small = small_words(tuple(words), ROOT)
     if words[0] == "bench":
         assert bench.options_of(small[1:]).small
-        chosen = words[1].removeprefix("--").replace("-", "_")
-        assert callable(importlib.import_module(f"tests.benchmarks.{bench.BENCHMARKS[chosen]}").main)
+        chosen = words[1].removeprefix("--").replace("-", "_") if words[1:] else "speed"
+        assert callable(importlib.import_module(f"tests.benchmarks.{bench.BENCHMARKS.get(chosen, chosen)}").main)
     assert small[0] == words[0]
 
 
