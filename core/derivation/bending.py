@@ -243,7 +243,7 @@ def geometry(wall: WallResult) -> Section:
 
 def chain(wall: WallResult) -> list[Line]:
     """alpha_0 and e*."""
-    found = wall.assessment.kinematic.chain.bending
+    found = wall.mechanics.chain.bending
     strip, h1 = found.strip, found.h1
     if not strip.is_plain:
         return _of_blocks(found)
@@ -293,7 +293,7 @@ def _of_blocks(found: Bending) -> list[Line]:
 
 def collapse(wall: WallResult) -> list[Line]:
     """d_0 by the finite geometry, with the hinge of the displacement check."""
-    found = wall.assessment.kinematic.moved.bending
+    found = wall.mechanics.moved.bending
     if not found.strip.is_plain:
         return [
             Line(H1_D, found.h1, RUN, VALUE, "sought; the linear check has its own"),
@@ -313,7 +313,7 @@ def collapse(wall: WallResult) -> list[Line]:
 
 def at_limit(wall: WallResult) -> list[Line]:
     """alpha at the limit of the displacement check, by the finite geometry: below the straight line to d_0."""
-    kinematic = wall.assessment.kinematic
+    kinematic = wall.mechanics
     found = kinematic.moved.bending
     if not found.strip.is_plain:
         alpha = found.alpha(kinematic.d_limit)

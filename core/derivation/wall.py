@@ -22,13 +22,13 @@ from core.wall import wall_body, wall_loads
 
 def sides_agree(wall: WallResult) -> bool:
     """Whether the side that lifts first is the one whose d_0 is the smaller one, so that it is of the same formulas."""
-    asked = wall.assessment.kinematic.wall
-    return of_side(asked, governing_side(wall)).d0 == wall.assessment.kinematic.d0
+    asked = wall.mechanics.wall
+    return of_side(asked, governing_side(wall)).d0 == wall.mechanics.d0
 
 
 def chain(wall: WallResult) -> Section:
     """The start of the motion: alpha_0, e*, M*, a_0*."""
-    kinematic, asked = wall.assessment.kinematic, wall.assessment.kinematic.wall
+    kinematic, asked = wall.mechanics, wall.mechanics.wall
     sums, where = kinematic.chain, "about the outer hinge"
     lines: list[Line | Columns] = []
     if sums.bending is not None:
@@ -73,7 +73,7 @@ def chain(wall: WallResult) -> Section:
 
 def linear(result: StudyResult, wall: WallResult) -> Section:
     """a_g,SLD over a_g, and that times q."""
-    kinematic, demand = wall.assessment.kinematic, result.demand
+    kinematic, demand = wall.mechanics, result.required
     if kinematic.zeta_sld is None:
         return Section("Linear check", [])
     lines, zeta_sld = _demand_at(wall), checks.zeta_sld
@@ -85,9 +85,9 @@ def linear(result: StudyResult, wall: WallResult) -> Section:
         zeta_sld = checks.zeta_sld_on_floor
     else:
         lines.append(against)
-    sld = next((check for check in wall.assessment.checks if check.label == "linear_sld"), None)
+    sld = next((check for check in wall.assessed.checks if check.label == "linear_sld"), None)
     lines.append(Line(zeta_sld, kinematic.zeta_sld, note=FULL, passed=sld.passed if sld else None))
-    for check in wall.assessment.checks:
+    for check in wall.assessed.checks:
         if not check.name.startswith("linear") or check is sld or check.zeta is None:
             continue
         if check.name == "linear_q_slv":
@@ -107,7 +107,7 @@ def linear(result: StudyResult, wall: WallResult) -> Section:
 
 def _q_slv(wall: WallResult):
     """How q SLV is counted: from the uplift of the wall without its ties and without friction."""
-    friction = wall.assessment.kinematic.chain.alpha0_friction is not None
+    friction = wall.mechanics.chain.alpha0_friction is not None
     if any(load.is_tie for load in wall.wall.load):
         return checks.linear_q_slv_with_ties_and_friction if friction else checks.linear_q_slv_with_ties
     return checks.linear_q_slv_with_friction if friction else checks.linear_q_slv
@@ -121,7 +121,7 @@ def _zeta(of, check) -> Line:
 
 def _demand_at(wall: WallResult) -> list[Line | Columns]:
     """Above the ground the modes of the building and a_Z."""
-    kinematic = wall.assessment.kinematic
+    kinematic = wall.mechanics
     if not kinematic.floor:
         return []
     rows = []
@@ -134,7 +134,7 @@ def _demand_at(wall: WallResult) -> list[Line | Columns]:
 
 def _free(wall: WallResult, target: CodeSpectrum | None) -> list[Line | Columns]:
     """T_0 and S_e(T_0) of an element free to vibrate."""
-    kinematic, asked = wall.assessment.kinematic, wall.wall
+    kinematic, asked = wall.mechanics, wall.wall
     lines: list[Line | Columns] = [Line(checks.MODULUS, asked.elastic_modulus_mpa, INPUT)]
     if wall_body.body_of(asked) is not None:
         note = "of the section at the base, by Rayleigh's quotient over the mass of the body"
@@ -161,8 +161,8 @@ def _branch(target: CodeSpectrum, period: float) -> int:
 
 def displacement(result: StudyResult, wall: WallResult) -> Section:
     """d_limit against S_De."""
-    kinematic, state = wall.assessment.kinematic, result.demand.limit_state
-    check = next((one for one in wall.assessment.checks if one.name == "nonlinear"), None)
+    kinematic, state = wall.mechanics, result.required.limit_state
+    check = next((one for one in wall.assessed.checks if one.name == "nonlinear"), None)
     title = "Displacement check"
     if check is None:
         return Section(title, [])
@@ -179,8 +179,8 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
     largest = "largest, T_0 to T_{state}"
     if kinematic.floor:
         s_de = Line(checks.S_DEZ_GIVEN, kinematic.s_de, RUN, VALUE, largest)
-    elif isinstance(result.demand.target, CodeSpectrum):
-        branch = checks.S_DE_BRANCHES[_branch(result.demand.target, kinematic.period)]
+    elif isinstance(result.required.target, CodeSpectrum):
+        branch = checks.S_DE_BRANCHES[_branch(result.required.target, kinematic.period)]
         s_de = Line(checks.s_de, kinematic.s_de, LIVE, FULL, largest, shown_by=branch)
     else:
         s_de = Line(checks.S_DE_GIVEN, kinematic.s_de, RUN, VALUE, largest)
@@ -240,7 +240,7 @@ def _without_ties(bare: Displacement, s_de: Line) -> list[Line]:
 
 def dynamic(wall: WallResult) -> Section:
     """The time histories."""
-    check, title = wall.assessment.dynamic, "Time histories"
+    check, title = wall.assessed.dynamic, "Time histories"
     if check is None:
         return Section(title, [])
     rule = "mean of the peaks" if check.set_rule == "mean" else "largest peak"
@@ -273,10 +273,10 @@ def _centroid_at_collapse(wall: WallResult) -> Line:
 def risk(result: StudyResult, wall: WallResult) -> Section:
     """PGA_C, T_R,C by both exponents, IS-V of this mechanism, from the zeta of the check that decides: of histories it
     is that of the run, and so are the demand and T_R."""
-    found, demand, title = wall.assessment.risk, result.demand, "What the mechanism withstands"
+    found, demand, title = wall.assessed.risk, result.required, "What the mechanism withstands"
     if found is None:
         return Section(title, [])
-    of_histories = wall.assessment.verdict.governing == "dynamic"
+    of_histories = wall.assessed.verdict.governing == "dynamic"
     other = {"zeta": deciding(wall, demand), "demand_pga": "demand_pga_run" if of_histories else "demand_pga"}
     note = "of the run" if of_histories else ""
     lines: list[Line | Columns] = [Line(checks.pga_c, found.pga / G, LIVE, FULL, note, other=other)]
@@ -298,7 +298,7 @@ def risk(result: StudyResult, wall: WallResult) -> Section:
 
 def deciding(wall: WallResult, demand) -> str:
     """Name of the zeta of the check that decides."""
-    governing = wall.assessment.verdict.governing
+    governing = wall.assessed.verdict.governing
     return "zeta_sld" if demand.limit_state == "SLD" and governing == "linear_q_code" else f"{governing}_zeta"
 
 

@@ -15,6 +15,7 @@ from core.case.schema import Case, Wall
 from core.codes.collapse_rate import StateRate
 from core.codes.demand import DemandResult
 from core.codes.eq9 import Inequality
+from core.codes.kinematic import Kinematic
 from core.codes.record_compatibility import Compliance
 from core.codes.record_sample import SampleInterval
 from core.codes.risk import Risk
@@ -121,6 +122,13 @@ class WallResult:
         return self.assessment
 
     @property
+    def mechanics(self) -> Kinematic:
+        """Its closed-form checks, of a study with a demand."""
+        found = self.assessed.kinematic
+        assert found is not None
+        return found
+
+    @property
     def pair(self) -> tuple[str, float, str]:
         """What it shares with its other variant alone."""
         return shared(self.part, self.mechanism)
@@ -209,6 +217,12 @@ class StudyResult:
     verdicts: tuple[WallVerdict, ...] = ()
     selection: Selection | None = None
     first: int = 0
+
+    @property
+    def required(self) -> DemandResult:
+        """What the walls have to withstand, of a study with a demand."""
+        assert self.demand is not None
+        return self.demand
 
     def of_wall(self, walls: Sequence[WallResult], verdicts: tuple[WallVerdict, ...], first: int) -> "StudyResult":
         """The results of one wall alone.

@@ -466,14 +466,14 @@ def test_that_a_second_batch_on_the_same_output_is_refused(case, tmp_path, capsy
     held.close()
 
 
-def test_that_a_batch_without_any_stream_says_nothing_and_opens_no_dialog(tmp_path, monkeypatch):
+def test_that_a_batch_without_any_stream_says_nothing_and_opens_no_dialog(case, tmp_path, monkeypatch):
     for name in ("stdin", "stdout", "stderr"):
         monkeypatch.setattr(sys, name, None)
     monkeypatch.setitem(sys.modules, "app.shell.start", None)  # an import of it raises
-    assert call("--batch", ROOT / "resources" / "cases" / "verdict.toml", "--output", tmp_path) == 0
+    assert call("--batch", case) == 0
     assert call("--batch", tmp_path / "missing.toml") == 1
     sys.stderr.close()
-    assert (tmp_path / "verdict.xlsx").exists()
+    assert (tmp_path / "case.xlsx").exists()
 
 
 def test_that_the_results_of_an_example_land_where_one_stands(tmp_path, monkeypatch, capsys):

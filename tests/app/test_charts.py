@@ -60,7 +60,7 @@ def shows_everything(chart) -> bool:
     return True
 
 
-@pytest.mark.parametrize("wall", [0, 1])
+@pytest.mark.parametrize("wall", [0, pytest.param(1, marks=pytest.mark.long)])
 def test_that_reset_shows_everything_in_every_chart(shared, application, wall):
     shared.pick(wall)
     names = []

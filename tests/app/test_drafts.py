@@ -128,7 +128,7 @@ def held(case) -> dict[str, float]:
     return {key: value for key, value in values.items() if value is not None} | {"thickness_m": wall.thickness}
 
 
-@pytest.mark.parametrize("seed", [0, 1, 2])
+@pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.long) for seed in (1, 2))])
 def test_that_the_draft_holds_the_last_valid_value_of_every_field_on_a_walk_with_refused_texts(
     opened, application, tmp_path, seed
 ):

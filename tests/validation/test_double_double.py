@@ -82,7 +82,7 @@ def test_that_a_history_is_that_of_thirty_digits(seed):
     assert found.impacts == len(impacts) or not stands
 
 
-@pytest.mark.parametrize("count", [8, pytest.param(40, marks=pytest.mark.long)])
+@pytest.mark.parametrize("count", [pytest.param(count, marks=pytest.mark.long) for count in (8, 40)])
 def test_that_a_tied_wall_turns_back_where_small_steps_say(count):
     """The residual elongations hold every turn of a yielding bar; the record is followed by four seconds of rest."""
     rng, yielded, broken = np.random.default_rng(17), 0, 0

@@ -1,6 +1,5 @@
 """The description of a derivation is an independent way to the numbers of core/codes and core/wall."""
 
-import functools
 import math
 import random
 from pathlib import Path
@@ -169,8 +168,7 @@ def result_of(demand, walls):
     return run(parse_case({"wall": walls, "building": building, "demand": demand}), base_dir=Path())
 
 
-@functools.cache
-def results(which, count=60):
+def results(which, count):
     """Results of so many random walls, one by one: some are refused (a stocky block, a strong force)."""
     draw, found = random.Random(which), []
     for k in range(count):
@@ -216,17 +214,7 @@ def evaluate(sections):
 
 
 @pytest.mark.parametrize("walls", [60, pytest.param(90, marks=pytest.mark.long)])
-@pytest.mark.parametrize("which", DEMANDS)
-def test_that_every_description_gives_the_number_of_the_program(which, walls):
-    compared, found = 0, results(which, walls)
-    for result in found:
-        for wall in result.walls:
-            compared += evaluate(sections_of(result, wall))
-    assert len(found) > 0.6 * walls and compared > 15 * len(found)
-
-
-def test_that_every_quantity_is_one_of_a_wall():
-    """None is described for nothing."""
+def test_that_every_description_gives_the_number_of_the_program_and_none_is_of_nothing(walls):
     described = {
         value.function.__name__
         for module in (bending, body, checks, closed_forms, demand)
@@ -237,11 +225,15 @@ def test_that_every_quantity_is_one_of_a_wall():
     seen |= {"intensity_of_records", "linear_q_slv", "linear_q_slv_with_friction", "linear_q_slv_zeta"}  # with records
     seen |= {"linear_q_slv_with_ties", "linear_q_slv_with_ties_and_friction", "zeta_floor_with_ties_and_friction"}
     for which in DEMANDS:
-        for result in results(which):
+        compared, found = 0, results(which, walls)
+        for result in found:
             for wall in result.walls:
-                lines = [line for section in sections_of(result, wall) for line in section.lines]
+                sections = sections_of(result, wall)
+                compared += evaluate(sections)
+                lines = [line for section in sections for line in section.lines]
                 seen |= {line.quantity.function.__name__ for line in lines if getattr(line, "quantity", None)}
                 seen |= {line.shown_by.function.__name__ for line in lines if getattr(line, "shown_by", None)}
+        assert len(found) > 0.6 * walls and compared > 15 * len(found), which
     branches = {one.function.__name__ for one in (*checks.SE_BRANCHES, *checks.S_DE_BRANCHES)}
     assert described - seen - branches == set()
 

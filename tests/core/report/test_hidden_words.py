@@ -58,9 +58,8 @@ def one_wall(verdict):
     return run(case, base_dir=ROOT / "resources" / "cases")
 
 
-@pytest.mark.parametrize(
-    "which", ["verdict", *(pytest.param(name, marks=pytest.mark.long) for name in ("one_wall", "whole_building"))]
-)
+@pytest.mark.long
+@pytest.mark.parametrize("which", ["one_wall", "verdict", "whole_building"])
 def test_that_no_word_of_the_workbook_is_hidden(which, request, tmp_path):
     result = request.getfixturevalue(which)
     drawn = [found for wall in result.walls if (found := collapse_histories(result, wall))]

@@ -290,11 +290,14 @@ def test_that_no_equation_is_wider_than_its_column(which, request):
 
 def test_that_the_batch_writes_the_document_or_refuses_before_the_run(tmp_path, monkeypatch, capsys):
     pytest.importorskip("docx")
-    case = ROOT / "resources" / "cases" / "example.toml"
-    out = tmp_path / "new"
+    case, out = tmp_path / "one.toml", tmp_path / "new"
+    case.write_text(
+        '[[wall]]\nname = "w"\nheight_m = 5.0\nthickness_m = 0.5\nbase_z_m = 0\nmechanism = "two_sided"\n'
+        "[demand]\nag_g = 0.2\nsoil_factor = 1.2\n"
+    )
     for name in ("n.docx", "n.pdf"):
         assert program.main(["--batch", str(case), "--output", str(out), "--quiet", "--report", str(out / name)]) == 0
-    assert {path.name for path in out.iterdir()} == {"example.xlsx", "example.json", "n.docx", "n.pdf"}
+    assert {path.name for path in out.iterdir()} == {"one.xlsx", "one.json", "n.docx", "n.pdf"}
     assert program.main(["--batch", str(case), "--output", str(tmp_path / "b"), "--report", "x.odt"]) == 1
     assert ".docx" in capsys.readouterr().err and not (tmp_path / "b").exists()
     with pytest.raises(SystemExit) as usage:

@@ -151,6 +151,7 @@ def test_that_two_reasons_of_the_loads_change_the_wall_together():
     assert [(load.kn_m, load.elongation_m) for load in both] == [(0.9, None)]
 
 
+@pytest.mark.long
 def test_that_every_reason_reads_in_both_languages(fine):
     by_bar = {"kind": "tie", "h_m": 2.9, "bar_length_m": 6.0, "elongation": 0.05, "bar": BAR}
     slack, drawn = {**LONG, "kn_m": 0.1, "slack_mm": 2.0}, {**TIE, "kn_m": 0.1, "prestress": 0.5}

@@ -93,7 +93,7 @@ def test_that_a_check_satisfied_throughout_has_no_value_and_a_refused_one_is_no_
     from core.case.reader import read_case
 
     case = read_case(CASES / "facade.toml")
-    case = replace(case, generate=replace(case.generate, scatter=0.0))
+    case = replace(case, generate=replace(case.generate, scatter=0.0, count=3))
     wedges = setting_of(case, 1, CASES, read_inputs(case, CASES))
     found = reach_of(wedges, "thickness_m", 0.9)
     assert found.by_check["nonlinear"] is None and found.by_check["dynamic"] is None

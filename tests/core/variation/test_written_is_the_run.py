@@ -221,6 +221,7 @@ def test_that_forty_walls_under_records_are_written_as_they_run(kind):
 
 @pytest.mark.long
 @pytest.mark.long
+@pytest.mark.long
 def test_that_the_wall_with_the_tie_designed_has_the_zeta_written_of_it():
     """The tie of the force named, as a load of the case."""
     wall = {"name": "w", "height_m": 6.0, "thickness_m": 0.5, "mechanism": "one_sided", "base_z_m": 0.0}
