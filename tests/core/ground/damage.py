@@ -276,10 +276,10 @@ def outcome(intact: np.ndarray, dt: float, damaged: Damaged, known: frozenset[st
     return "visible" if visible(intact, damaged) else "hidden"
 
 
-def motions(folder: Path) -> list[GroundMotion]:
-    """Every motion of a folder of records that is read without an option, or with g for its unit."""
+def motions(folder: Path, every: int = 1) -> list[GroundMotion]:
+    """The motions of every so many-th file of a folder of records, read without an option or with g for their unit."""
     found = []
-    for path in sorted(entry for entry in folder.rglob("*") if entry.is_file()):
+    for path in sorted(entry for entry in folder.rglob("*") if entry.is_file())[::every]:
         for channel in records.channels(path) or (None,):
             for unit in (None, "g"):
                 try:
