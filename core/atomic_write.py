@@ -127,9 +127,11 @@ def _list_moves(moves: dict[str, str], old: dict[str, str | None], made: list[st
     hash of the file that is replaced, so that a late start takes back nothing that was written since.
     """
     first, *others = _folders(moves)
-    entries = [
-        [os.path.basename(part) if os.path.dirname(target) == first else part for part in (name, target)]
-        + [_hash_of(target) if old[target] else None]
+    entries: list[list[str | None]] = [
+        [
+            *(os.path.basename(part) if os.path.dirname(target) == first else part for part in (name, target)),
+            _hash_of(target) if old[target] else None,
+        ]
         for name, target in moves.items()
     ]
     unnamed = _beside(os.path.join(first, "x"), json.dumps(entries).encode())

@@ -102,7 +102,7 @@ def strip(folder: Path) -> None:
                     shutil.copy2(kept[broken], broken)
     for file in libraries:
         if re.search(r"R(UN)?PATH +/", _dynamic(str(file))):
-            subprocess.run([tool("patchelf"), "--remove-rpath", file], check=True)
+            subprocess.run([str(tool("patchelf")), "--remove-rpath", file], check=True)
     if lost := before - _loaded(libraries, folder):
         raise OSError(f"no more to be loaded: {', '.join(lost)}")
 

@@ -71,6 +71,7 @@ def main(folder: str) -> int:
     def shown(window) -> None:
         show(window)
         application = QApplication.instance()
+        assert application is not None
         application.processEvents()
         times["window"] = time.time() - float(os.environ["RIBALTA_SMOKE_START"])
         QTimer.singleShot(0, lambda: _or_end(drive, application, window, Path(folder), times))

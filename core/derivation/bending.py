@@ -12,6 +12,7 @@ from core.derivation import body, checks
 from core.derivation.functions import arctan, cos, sin, sqrt
 from core.derivation.line import FULL, INPUT, LIVE, RUN, SYMBOLS, VALUE, Columns, Line, Section, Word
 from core.derivation.quantity import Given, quantity
+from core.known import known
 from core.study.results import WallResult
 from core.wall import wall_body, wall_loads
 
@@ -236,14 +237,14 @@ def geometry(wall: WallResult) -> Section:
     shaped = wall_body.body_of(asked) is not None
     lines.append(Line(WEIGHT, weight, RUN, VALUE) if shaped else Line(body.w, weight, note=FULL))
     if asked.load:
-        rows = [(Word(f"load_{load.kind}"), (load.kn_m, load.d_m)) for load in asked.load]
+        rows = [(Word(f"load_{load.kind}"), (known(load.kn_m), known(load.d_m))) for load in asked.load]
         lines.append(Columns("Loads on the top, from the outer face", LOADS, ("kN/m", "m"), rows, INPUT))
     return Section("The wall, held at its top", lines)
 
 
 def chain(wall: WallResult) -> list[Line]:
     """alpha_0 and e*."""
-    found = wall.mechanics.chain.bending
+    found = known(wall.mechanics.chain.bending)
     strip, h1 = found.strip, found.h1
     if not strip.is_plain:
         return _of_blocks(found)
@@ -293,7 +294,7 @@ def _of_blocks(found: Bending) -> list[Line]:
 
 def collapse(wall: WallResult) -> list[Line]:
     """d_0 by the finite geometry, with the hinge of the displacement check."""
-    found = wall.mechanics.moved.bending
+    found = known(wall.mechanics.moved.bending)
     if not found.strip.is_plain:
         return [
             Line(H1_D, found.h1, RUN, VALUE, "sought; the linear check has its own"),
@@ -314,14 +315,14 @@ def collapse(wall: WallResult) -> list[Line]:
 def at_limit(wall: WallResult) -> list[Line]:
     """alpha at the limit of the displacement check, by the finite geometry: below the straight line to d_0."""
     kinematic = wall.mechanics
-    found = kinematic.moved.bending
+    found, limit = known(kinematic.moved.bending), known(kinematic.d_limit)
     if not found.strip.is_plain:
-        alpha = found.alpha(kinematic.d_limit)
+        alpha = found.alpha(limit)
         return [
             Line(ALPHA_D, alpha, RUN, VALUE, "finite geometry, below the straight line to d_0"),
             Line(E_STAR_D, found.e_star, RUN, VALUE),
         ]
-    strip, h1, theta = found.strip, found.h1, found.rotation(kinematic.d_limit)
+    strip, h1, theta = found.strip, found.h1, found.rotation(limit)
     at = turned(strip, h1, theta)
     degrees = math.degrees(theta)
     rise, way = strip.width * cos(degrees) - h1 * sin(degrees), strip.width * sin(degrees) + h1 * cos(degrees)

@@ -5,6 +5,7 @@ import math
 from core.derivation import bending, body
 from core.derivation.line import FULL, INPUT, LIVE, RUN, SYMBOLS, VALUE, Columns, Line, Section, Word
 from core.derivation.quantity import Given
+from core.known import known
 from core.study.results import WallResult
 from core.units import G
 from core.wall import ties, wall_body, wall_loads
@@ -90,7 +91,7 @@ def _sizes(wall: WallResult) -> list[Line | Columns]:
 
 def _body(wall: WallResult) -> list[Line | Columns]:
     """The solids of a body, and its centroid from the hinge the formulas are about."""
-    asked, found = wall.wall, wall_body.body_of(wall.wall)
+    asked, found = wall.wall, known(wall_body.body_of(wall.wall))
     (x, z), rows, cells = found.centroid, [], []
     parts = wall_body.parts_of(asked)
     for k, part in enumerate(parts, start=1):
@@ -98,7 +99,7 @@ def _body(wall: WallResult) -> list[Line | Columns]:
         rows.append((solid_name(part, k), (own.mass, *own.centroid, own.inertia)))
         cells.append([f"solid{k}_{key}" for key in "mxzi"])
     inward = governing_side(wall) < 0.0
-    at_hinge = asked.thickness - asked.setback - x if inward else x - asked.setback
+    at_hinge = known(asked.thickness) - asked.setback - x if inward else x - asked.setback
     solids = Columns(
         "Solids, from the outer face of the base", body.SOLIDS, ("kg", "m", "m", "kg m²"), rows, RUN, {}, cells
     )
@@ -128,7 +129,7 @@ def _loaded(wall: WallResult) -> list[Line | Columns]:
     where = "Loads, about the outer hinge" if side > 0.0 else "Loads, about the inner hinge"
     rows = []
     tied, at_limit = any(load.is_tie for load in asked.load), forces_at_limit(wall)
-    counted = wall.assessment.kinematic.wall if wall.assessment and wall.assessment.kinematic else asked
+    counted = wall.assessed.kinematic.wall if wall.assessment and wall.assessed.kinematic else asked
     for load in asked.load:
         force = wall_loads.as_force(load, asked, side)
         pushed = load.kn_m if load.pushes else 0.0
@@ -173,7 +174,7 @@ def _loaded(wall: WallResult) -> list[Line | Columns]:
 
 def forces_at_limit(wall: WallResult) -> list[float]:
     """What the displacement check counts of each tie at its limit [kN/m]."""
-    kinematic = wall.assessment.kinematic if wall.assessment else None
+    kinematic = wall.assessed.kinematic if wall.assessment else None
     given = [load for load in wall.wall.load if load.is_tie]
     if not (kinematic and kinematic.d_limit is not None and kinematic.chain.ties):
         return [0.0 for _ in given]

@@ -10,6 +10,8 @@ import textwrap
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from core.known import known
+
 
 @dataclass(frozen=True)
 class Given:
@@ -48,7 +50,7 @@ def expression(function: Callable) -> ast.expr:
     found = body[-1]
     if not isinstance(found, ast.Return) or any(not isinstance(line, ast.Expr) for line in body[:-1]):
         raise ValueError(f"{function.__name__} is more than one expression")
-    return found.value
+    return known(found.value)
 
 
 def quantity(

@@ -47,5 +47,5 @@ def rows_of(result: StudyResult, wall: WallResult, language: str) -> list[tuple[
 
 def tabled(wall: WallResult, language: str) -> set[str]:
     """Lines of what limits the verdict of a result that are rows of the table of its wall."""
-    rows = wall.assessment.verdict.assumptions if wall.assessment else ()
+    rows = wall.assessed.verdict.assumptions if wall.assessment else ()
     return {f"{word('limits', language)}: {row.words.text(language, names_in(language))}" for row in rows}

@@ -3,6 +3,7 @@
 from openpyxl.chart import BarChart, Reference
 from openpyxl.chart.shapes import GraphicalProperties
 
+from core.known import known
 from core.report import sure_words
 from core.report.cells import ACCENT, BAD, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text, title
 from core.report.plots import DATA, rows_below
@@ -36,7 +37,7 @@ def certainty(book: Book, result: StudyResult) -> None:
 
 def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, row: int) -> int:
     say, language = book.say, book.language
-    zeta = book.digits(result.walls[verdict.governing].assessment.verdict.zeta_e, ".2f")
+    zeta = book.digits(result.walls[verdict.governing].assessed.verdict.zeta_e, ".2f")
     title(sheet, row, f"{verdict.title}: ζ_E {zeta}", 12)
     row += 1
     if line := sure_words.interval_line(say, verdict, language):
@@ -44,7 +45,7 @@ def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, 
     if verdict.sensitivity and verdict.sensitivity.swings:
         row = _moved(book, sheet, result, verdict, n, row)
     if verdict.rates:
-        header(sheet, row, sure_words.rate_heads(say, result.case.demand.nominal_life_years), 1, 30)
+        header(sheet, row, sure_words.rate_heads(say, known(result.case.demand).nominal_life_years), 1, 30)
         for rate in verdict.rates:
             row += 1
             for column, cell in enumerate(sure_words.rate_row(say, rate, language), start=1):
@@ -58,7 +59,7 @@ def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, 
 
 def _moved(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, row: int) -> int:
     """The moves, the largest first, with their chart; what zeta required asks for."""
-    say, language, found = book.say, book.language, verdict.sensitivity
+    say, language, found = book.say, book.language, known(verdict.sensitivity)
     header(sheet, row, [say("Input"), say("moved to"), "ζ_E", say("moved to"), "ζ_E"], 1, 18)
     first, rows = row + 1, sure_words.moved_rows(found, language)
     data = DATA + 4 * n

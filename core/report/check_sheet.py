@@ -11,6 +11,7 @@ from core.derivation.closed_forms import closed
 from core.derivation.faces import formula
 from core.derivation.geometry import geometry
 from core.derivation.site import demand_section
+from core.known import known
 from core.report.cells import (
     ACCELERATION,
     BAD,
@@ -166,7 +167,7 @@ def _records(rows: Rows, wall: WallResult, row: int) -> int:
         32,
     )
     first = row + 1
-    scale = {(run.motion, run.polarity): run.scale for run in wall.runs}
+    scale: dict[tuple[int, int | None], float] = {(run.motion, run.polarity): run.scale for run in wall.runs}
     for entry in wall.per_record:
         row += 1
         _record_row(rows, wall, entry, scale.get((entry.motion, entry.polarity)), row)
@@ -200,7 +201,7 @@ def _record_row(rows: Rows, wall, entry: PerRecord, scale, row: int) -> None:
         words = book.say("no number")
         text(sheet, row, 5, words, color=BAD)
     else:
-        ln_si, ln_q = math.log(entry.intensity / CM), math.log(entry.q_eff)
+        ln_si, ln_q = math.log(entry.intensity / CM), math.log(known(entry.q_eff))
         book.formula(sheet.cell(row, 5), formula(eq.q, cells), entry.q, RATIO)
         number(sheet, row, 6, entry.q, RATIO, color=QUIET)
         book.formula(sheet.cell(row, 7), formula(eq.q_eff, cells), entry.q_eff, RATIO)
@@ -281,7 +282,7 @@ def _inequality(rows: Rows, result: StudyResult, wall: WallResult, row: int) -> 
         )
         number(sheet, row, 2, estimate.q, RATIO, color=QUIET)
         book.formula(sheet.cell(row, 3), f"={name}a_rm", wall.block.threshold_acceleration / G, ACCELERATION)
-        demand = result.demand.pga / G / estimate.q
+        demand = result.required.pga / G / estimate.q
         book.formula(sheet.cell(row, 4), formula(eq.demand_over_q, rows.cells | {"q": f"B{row}"}), demand, ACCELERATION)
         book.formula(
             sheet.cell(row, 6),

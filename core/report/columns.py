@@ -94,12 +94,12 @@ def _limits(row: Row) -> list[str] | None:
     if row.wall.assessment is None:
         return None
     extra = row.verdict.extra if row.verdict and row.decides else ()
-    return _codes((*row.wall.assessment.verdict.limits, *extra))
+    return _codes((*row.wall.assessed.verdict.limits, *extra))
 
 
 def _of_the_wall(row: Row):
     """The Verdict of the wall, of its worst hinge."""
-    return row.result.walls[row.verdict.governing].assessment.verdict if row.verdict else None
+    return row.result.walls[row.verdict.governing].assessed.verdict if row.verdict else None
 
 
 COLUMNS = (

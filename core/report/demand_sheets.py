@@ -6,6 +6,7 @@ from openpyxl.chart import ScatterChart
 from openpyxl.chart.legend import LegendEntry
 
 from core.codes.multiplier_search import STEP
+from core.known import known
 from core.report.cells import (
     ACCELERATION,
     ACCENT,
@@ -41,7 +42,7 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
     widths = [34, 12, 12, 12, 13, 13, 14]
     sheet = book.sheet("Dynamic check", widths)
     title(sheet, 1, say("Dynamic check, Circolare 7/2019 C8.7.1.2.1.9"))
-    walls = [wall for wall in result.walls if wall.assessment and wall.assessment.dynamic]
+    walls = [wall for wall in result.walls if wall.assessment and wall.assessed.dynamic]
     if not walls:
         text(sheet, 3, 1, say("Not made: it needs records, a demand at SLV or SLC, and a wall on the ground."))
         return
@@ -63,7 +64,7 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
         color=QUIET,
     )
     for wall in book.steps.each(walls):
-        row = _wall(book, sheet, wall, wall.assessment.dynamic, row + 1)
+        row = _wall(book, sheet, wall, wall.assessed.dynamic, row + 1)
         verdict = verdict_of(result, wall)
         line = interval_line(say, verdict, book.language) if verdict else ""
         row = paragraph(sheet, row, line, 7, 105, color=QUIET) if line else row
@@ -178,10 +179,10 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
     if compliance is None:
         text(sheet, 3, 1, say("Not shown: it needs records and a target spectrum, from a code or a file."))
         return
+    target = result.required.target
+    name = target.name if target else ""
     verdict = say("The set is compatible") if compliance.compatible else say("The set is not compatible")
-    text(
-        sheet, 2, 1, f"{verdict}: {result.demand.target.name}", bold=True, color=GOOD if compliance.compatible else BAD
-    )
+    text(sheet, 2, 1, f"{verdict}: {name}", bold=True, color=GOOD if compliance.compatible else BAD)
     header(sheet, 4, [say("Rule"), say("Clause"), say("Value"), say("Limit"), say("Unit"), say("Outcome")], 1, 18)
     row = 4
     for item in compliance.rules:
@@ -221,7 +222,7 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
 
 
 def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:
-    compliance, say = result.compliance, book.say
+    compliance, say = known(result.compliance), book.say
     text(sheet, 2, DATA, "T [s]", size=8)
     names = [say("target"), say("mean"), *(motion.name for motion in result.motions[:DRAWN_SPECTRA])]
     curves = [compliance.target, compliance.mean, *compliance.spectra[:DRAWN_SPECTRA]]

@@ -98,7 +98,7 @@ def record_keys(result: StudyResult) -> list[dict]:
 
 def demand_keys(result: StudyResult) -> dict:
     """The key demand of a study that has one."""
-    demand = result.demand
+    demand = result.required
     return {
         "limit_state": demand.limit_state,
         "ag_g": demand.ag / G,
@@ -219,18 +219,18 @@ def _assessment(assessment: Assessment | None, confidence: float) -> dict:
 
 def _risk(wall: WallResult) -> dict:
     """The key risk of a wall that has a zeta."""
-    found = wall.assessment.risk if wall.assessment else None
+    found = wall.assessed.risk if wall.assessment else None
     if found is None:
         return {}
-    dynamic = wall.assessment.dynamic
-    of_histories = wall.assessment.verdict.governing == "dynamic"
+    decides = wall.assessed.verdict.governing == "dynamic"
+    dynamic = wall.assessed.dynamic if decides else None
     return {
         "risk": {
             "pga_c_g": found.pga / G,
             "return_period_c_years": found.return_period,
             "other_return_period_c_years": found.other_return_period,
-            "zeta_16": dynamic.zeta_16 if of_histories else None,
-            "zeta_first": dynamic.zeta_first if of_histories else None,
+            "zeta_16": dynamic.zeta_16 if dynamic else None,
+            "zeta_first": dynamic.zeta_first if dynamic else None,
             "return_period_c_shown": found.years,
             "is_v": found.index,
             "is_v_letter": found.letter,
@@ -411,7 +411,7 @@ def _wall(wall: WallResult, result: StudyResult) -> dict:
         **ties(wall),
         **tie_design(wall),
         **limit_states(wall),
-        **_assessment(wall.assessment, result.demand.confidence_factor if result.demand else 1.0),
+        **_assessment(wall.assessment, result.required.confidence_factor if result.demand else 1.0),
         **_floor(wall),
         **_risk(wall),
         **_uncertainty(wall.accuracy),

@@ -54,7 +54,7 @@ def bending(mechanism: Kinematic) -> dict:
 
 def tie_design(wall: WallResult) -> dict:
     """The key tie_design of the base hinge of a wall for which one is asked."""
-    tie = wall.assessment.tie if wall.assessment else None
+    tie = wall.assessed.tie if wall.assessment else None
     if tie is None:
         return {}
 
@@ -107,7 +107,7 @@ def ties(wall: WallResult) -> dict:
 
 def limit_states(wall: WallResult) -> dict:
     """The key limit_states of a wall of a site whose hazard is given."""
-    if not wall.assessment or not wall.assessment.states:
+    if not wall.assessment or not wall.assessed.states:
         return {}
     return {
         "limit_states": [
@@ -119,7 +119,7 @@ def limit_states(wall: WallResult) -> dict:
                 "zeta": one.zeta,
                 "code": one.code,
             }
-            for one in wall.assessment.states
+            for one in wall.assessed.states
         ]
     }
 
@@ -187,7 +187,7 @@ def _assumption(row: Assumption) -> dict:
 
 def _verdict(one: WallVerdict, result: StudyResult) -> dict:
     wall = result.walls[one.governing]
-    found, check = wall.assessment.verdict, deciding(wall)
+    found, check = wall.assessed.verdict, deciding(wall)
     return {
         "wall": one.wall.name,
         "variant": one.wall.variant,
@@ -214,9 +214,9 @@ def _verdict(one: WallVerdict, result: StudyResult) -> dict:
             {
                 "hinge_m": result.walls[k].part.hinge,
                 "mechanism": result.walls[k].mechanism,
-                "code": result.walls[k].assessment.verdict.code,
-                "zeta_e": result.walls[k].assessment.verdict.zeta_e,
-                "check": result.walls[k].assessment.verdict.governing,
+                "code": result.walls[k].assessed.verdict.code,
+                "zeta_e": result.walls[k].assessed.verdict.zeta_e,
+                "check": result.walls[k].assessed.verdict.governing,
             }
             for k in one.results
         ],
@@ -272,7 +272,7 @@ def _sensitivity(found: Sensitivity) -> dict:
 def _compared(result: StudyResult, one: WallVerdict) -> dict:
     wall = result.walls[one.governing]
     code, check = outcome_of(result, one)
-    zeta = wall.assessment.verdict.zeta_e if wall.assessment else None
+    zeta = wall.assessed.verdict.zeta_e if wall.assessment else None
     return {"code": code, "zeta_e": zeta, "zeta_least": one.zeta_least, "check": check, "q_set": wall.q_set}
 
 

@@ -1,6 +1,7 @@
 """The loads of a wall as arrows, for every drawing of it."""
 
 from core.case.schema import Wall
+from core.known import known
 from core.wall.wall_loads import size_of
 
 LONGEST, SHORTEST = 0.22, 0.08
@@ -29,7 +30,7 @@ def arrows(wall: Wall, height: float, thickness: float) -> list[list[tuple[float
             found.append([(-LONGEST * height, y), (x, y), (x, y + PLATE * height), (x, y - PLATE * height)])
             continue
         # a thrust ends where it pushes outward
-        outward = load.kind == "thrust" and load.kn_m > 0.0
+        outward = load.kind == "thrust" and known(load.kn_m) > 0.0
         start, end = (x - size, x) if outward else (x, x - size)
         back = end - head if outward else end + head
         found.append([(start, y), (end, y), (back, y + head), (end, y), (back, y - head)])

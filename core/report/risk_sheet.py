@@ -1,6 +1,7 @@
 """The sheet Risk: every wall with what it withstands, the lowest first; limit states, ties, variants."""
 
 from core.codes.outcomes import least
+from core.known import known
 from core.report.cells import ACCELERATION, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text, title
 from core.report.tie_words import tie_words
 from core.report.verdict_words import in_order, outcome_of
@@ -70,7 +71,7 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
     text(sheet, row, 1, say("smallest"), bold=True)
     number(sheet, row, 3, least(w.assessment.verdict.zeta_e for w in result.walls if w.assessment), RATIO)
     for column, state in enumerate(STATES, start=9):
-        states = [one for wall in result.walls for one in (wall.assessment.states if wall.assessment else ())]
+        states = [one for wall in result.walls for one in (wall.assessed.states if wall.assessment else ())]
         if there := [one.zeta for one in states if one.state == state]:
             number(sheet, row, column, least(there), RATIO)
     rule(sheet, row, 1, LAST)
@@ -88,7 +89,7 @@ def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
     verdict = found.verdict
     number(sheet, row, 3, verdict.zeta_e, RATIO)
     if verdict.governing == "dynamic":
-        number(sheet, row, 4, found.dynamic.zeta_16, RATIO)
+        number(sheet, row, 4, known(found.dynamic).zeta_16, RATIO)
     label = next((c.label for c in found.checks if c.name == verdict.governing), None)
     text(sheet, row, 5, word(label, language) if label else "–", wrap=True)
     if found.risk:
@@ -104,7 +105,7 @@ def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
 def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
     """The force of each tie asked for, by every check, and what it does to its bar."""
     say = book.say
-    designed = [wall for wall in result.walls if wall.assessment and wall.assessment.tie]
+    designed = [wall for wall in result.walls if wall.assessment and wall.assessed.tie]
     if not designed:
         return row
     title(sheet, row, say("Tie for the ζ required"), 12)
@@ -113,7 +114,7 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
     header(sheet, row + 1, [say("Wall"), "h [m]", *heads, say("named"), say("ultimate [mm]")], 1, 45)
     row += 1
     for wall in designed:
-        tie = wall.assessment.tie
+        tie = known(wall.assessed.tie)
         row += 1
         text(sheet, row, 1, wall.name, wrap=True)
         number(sheet, row, 2, tie.height, RATIO)

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from core.codes.collapse_rate import BEYOND, StateRate
 from core.codes.risk import Risk
+from core.known import known
 from core.report.verdict_words import names_in
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.text.sentence import Number, numeral, sentence, word
@@ -33,7 +34,7 @@ def risk_of(result: StudyResult, wall: WallResult) -> Risk | None:
     verdict = verdict_of(result, wall)
     if verdict is not None:
         return verdict.risk
-    return wall.assessment.risk if wall.assessment else None
+    return wall.assessed.risk if wall.assessment else None
 
 
 def has_certainty(result: StudyResult) -> bool:
@@ -80,8 +81,8 @@ def swing_name(swing: Swing, language: str) -> str:
 def still_lines(say: Say, result: StudyResult, verdict: WallVerdict, language: str) -> list[str]:
     """What the moves are to be read with: whether the verdict is one, the inputs that do not move zeta, those that
     cannot be moved so."""
-    found, lines = verdict.sensitivity, []
-    code = result.walls[verdict.governing].assessment.verdict.code
+    found, lines = known(verdict.sensitivity), []
+    code = result.walls[verdict.governing].assessed.verdict.code
     if code in ("indicative", "undetermined"):
         lines.append(say("The verdict is indicative, and so are these values: none of them verifies the wall."))
     if found.still:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 
+from core.known import known
 from core.study.results import WallResult
 from core.text.sentence import localized, numeral, word
 from core.variation.tie_design import NAMES, TieDesign
@@ -18,9 +19,9 @@ def force_words(tie: TieDesign, name: str, language: str) -> str:
 
 def tie_words(say: Callable[..., str], wall: WallResult, language: str) -> str:
     """What a tie must hold, in some sentences; of a wall for which one is designed."""
-    tie = wall.assessment.tie
-    known = [name for name in NAMES if tie.forces[name] is not None]
-    forces = "; ".join(f"{word(f'tie_{name}', language)} {force_words(tie, name, language)}" for name in known)
+    tie = known(wall.assessed.tie)
+    found = [name for name in NAMES if tie.forces[name] is not None]
+    forces = "; ".join(f"{word(f'tie_{name}', language)} {force_words(tie, name, language)}" for name in found)
     values = {"h": tie.height, "forces": forces, "largest": 1e-3 * tie.largest}
     if tie.at_least is not None:
         words = [
@@ -83,7 +84,7 @@ def tie_lines(wall: WallResult, language: str) -> list[str]:
     def say(english: str, /, **values) -> str:
         return localized("report", english, language, **values)
 
-    tie = wall.assessment.tie if wall.assessment else None
+    tie = wall.assessed.tie if wall.assessment else None
     asked = wall.part.asked.tie_height_m is not None and wall.part.hinge == 0.0 and wall.mechanism == "one_sided"
     if tie is None and wall.assessment and asked:
         return [
@@ -164,8 +165,8 @@ def of_ties(say: Callable[..., str], wall: WallResult, language: str) -> list[st
 def elongations(wall: WallResult, bar: TieBar) -> dict[str, float | None]:
     """Elongation of a bar at the largest peak of the histories, at the limit of the displacement check and at d_0 [m];
     None where that is not made, or a wall overturns."""
-    kinematic = wall.assessment.kinematic if wall.assessment else None
-    dynamic = wall.assessment.dynamic if wall.assessment else None
+    kinematic = wall.assessed.kinematic if wall.assessment else None
+    dynamic = wall.assessed.dynamic if wall.assessment else None
     rotations: dict[str, float | None] = {"demand": None, "d_limit": None, "d_0": wall.model.collapse_rotation}
     if kinematic and kinematic.d_limit is not None:
         rotations["d_limit"] = kinematic.chain.rotation(kinematic.d_limit)

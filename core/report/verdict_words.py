@@ -34,7 +34,7 @@ def in_order(result: StudyResult) -> list[tuple[WallResult, bool]]:
 
 def sentence_of(result: StudyResult, wall: WallResult, language: str) -> str:
     """The verdict of a result in words: of its wall where it decides about it, else of its hinge."""
-    return wall.assessment.verdict.text(language, wall.part.asked.title, where(wall), names_in(language))
+    return wall.assessed.verdict.text(language, wall.part.asked.title, where(wall), names_in(language))
 
 
 def outcome_of(result: StudyResult, verdict: WallVerdict) -> tuple[str, str | None]:
@@ -53,7 +53,7 @@ def lines_of(
     result: StudyResult, wall: WallResult, language: str, kinds: tuple[str, ...] = (*KINDS, "reason")
 ) -> list[str]:
     """What follows the sentence, each kind with its word: what to do, what limits the result, notes, reasons given."""
-    verdict = wall.assessment.verdict
+    verdict = wall.assessed.verdict
     extra = [one.extra for one in result.verdicts if result.walls[one.governing] is wall]
     said = (verdict.to_do, (*verdict.limits, *(extra[0] if extra else ())), verdict.notes)
     lines = [
@@ -83,5 +83,5 @@ def tone_of(result: StudyResult, wall: WallResult) -> str:
     """good, amber or bad; good only where nothing is left to read; "" without a verdict."""
     if wall.assessment is None:
         return ""
-    tone = OUTCOMES[wall.assessment.verdict.code].tone
+    tone = OUTCOMES[wall.assessed.verdict.code].tone
     return "amber" if tone == "good" and result.left_to_read(wall) else tone

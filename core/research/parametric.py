@@ -16,6 +16,7 @@ from core.ground import records
 from core.ground.artificial import compatible_motion
 from core.ground.ground_motion import GroundMotion
 from core.jit import cache
+from core.known import known
 from core.rocking.methods import METHODS
 from core.setting.record_input import read_records
 from core.study.journal import Journal
@@ -90,10 +91,11 @@ class ParametricResult:
 def target_of(shape: Shape, pga: float) -> CodeSpectrum:
     """The spectrum of this shape with a_g S = pga [m/s2]. Raises InputError where no a_g gives it."""
     if shape.code == "EN1998":
-        soil = target_spectrum.en1998(G, shape.type, shape.soil).soil
-        return target_spectrum.en1998(pga / soil, shape.type, shape.soil)
+        kind = known(shape.type)
+        soil = target_spectrum.en1998(G, kind, shape.soil).soil
+        return target_spectrum.en1998(pga / soil, kind, shape.soil)
     # S falls with a_g: from below, the fixed point comes to the smallest a_g
-    rock = (shape.f0, shape.tc_star_s, shape.soil, shape.topography)
+    rock = (known(shape.f0), known(shape.tc_star_s), shape.soil, known(shape.topography))
     ag = pga / target_spectrum.ntc2018(1e-6 * G, *rock).soil
     for _ in range(2000):
         target = target_spectrum.ntc2018(ag, *rock)

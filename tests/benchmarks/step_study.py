@@ -67,8 +67,9 @@ RECORDS_APART = 30
 def motions_apart():
     """Records of the shelf that are not among REAL, as many as RECORDS_APART, those of the largest PGA."""
     shelf, found = shelf_folder(), {}
-    index = csv.DictReader((shelf / "INDEX.csv").open(encoding="utf-8")) if shelf else ()
-    for row in index:
+    if shelf is None:
+        return []
+    for row in csv.DictReader((shelf / "INDEX.csv").open(encoding="utf-8")):
         path = shelf / row["file"]
         if not row["pga_g"] or path.stem in REAL:
             continue

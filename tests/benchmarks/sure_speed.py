@@ -69,7 +69,7 @@ def main(options: argparse.Namespace) -> None:
     )
     for name, k, label in walls[:1] if options.small else walls:
         case = read_case(CASES / name)
-        nothing = dict.fromkeys(("tie_height_m", "tie_bar_length_m", "tie_elongation_m", "tie_spacing_m"))
+        nothing: dict = dict.fromkeys(("tie_height_m", "tie_bar_length_m", "tie_elongation_m", "tie_spacing_m"))
         case = replace(case, wall=(replace(case.wall[k], **nothing),))
         moves, (clauses, histories) = beside(case, repeats), under_the_hand(case, repeats)
         print(f"{label:44} {moves:10.2f} {1e3 * clauses:13.1f} {1e3 * histories:15.0f}", flush=True)

@@ -238,7 +238,7 @@ def main(options: argparse.Namespace) -> None:
             settle(application, lambda: window.bar.maximum() > 0 or window.job is None)
             if window.job is job:
                 break
-        assert window.job is job, "the study was finished before it could be cancelled"
+        assert job is not None and window.job is job, "the study was finished before it could be cancelled"
         start = time.perf_counter()
         window.cancel()
         settle(application, lambda: window.job is None)

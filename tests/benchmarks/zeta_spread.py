@@ -12,6 +12,7 @@ import math
 import random
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 
@@ -25,6 +26,7 @@ from core.ground import records
 from core.ground.artificial import compatible_motion
 from core.ground.ground_motion import GroundMotion
 from core.ground.records.grammar import Options
+from core.known import known
 from core.rocking.methods import AUTO
 from core.setting.demand_input import demand_of
 from core.setting.scene import model_of
@@ -90,7 +92,7 @@ def draw(k: int, shelf: list[GroundMotion], small: bool = False):
             GroundMotion(f"{n}", compatible_motion(target, 7 * k + n), 0.01, format="generated") for n in range(7)
         ]
     signs = (1,) if mechanism == "two_sided" else (1, -1)
-    return model_of(case.wall[0], mechanism), motions, signs, demand_of(case, None)
+    return model_of(case.wall[0], mechanism), motions, signs, known(demand_of(case, Path()))
 
 
 def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
@@ -102,7 +104,7 @@ def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
     rough = search_zeta(work.failures, work.rest, 1.0)
     if rough.half is None or rough.half >= MAX_MULTIPLIER:
         return {}
-    low = math.floor(math.log(0.85 * min(rough.first, rough.sixteen)) / math.log1p(fine))
+    low = math.floor(math.log(0.85 * min(known(rough.first), known(rough.sixteen))) / math.log1p(fine))
     high = math.ceil(math.log(1.5 * rough.half) / math.log1p(fine))
     flags = np.concatenate(
         [work.failures((1.0 + fine) ** np.arange(start, min(start + 256, high)))[0] for start in range(low, high, 256)]
@@ -110,8 +112,8 @@ def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
 
     def looked_up(multipliers):
         place = np.rint(np.log(multipliers) / math.log1p(fine)).astype(int) - low
-        known = flags[np.clip(place, 0, flags.size - 1)] & (place >= 0)
-        return known | (place >= flags.size), np.zeros(known.size, bool), np.ones(known.size, bool)
+        fails = flags[np.clip(place, 0, flags.size - 1)] & (place >= 0)
+        return fails | (place >= flags.size), np.zeros(fails.size, bool), np.ones(fails.size, bool)
 
     def searched(every: int, target: float) -> Zeta:
         return search_zeta(looked_up, work.rest, target, every)
@@ -122,7 +124,7 @@ def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
         first_with_share(flags, half, ROBUST_SHARE),
         int(np.argmax(flags)),
     )
-    truth = np.array([(1.0 + fine) ** (low + place) for place in places])
+    truth = np.array([(1.0 + fine) ** (low + known(place)) for place in places])
     found = {}
     for factor in STEPS:
         step = (1.0 + STEP) ** factor - 1.0
@@ -130,8 +132,8 @@ def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
         found[factor] = [
             (
                 *(np.array([one.half, one.sixteen, one.first]) / truth - 1.0),
-                one.spread[0] * (1.0 - step) <= truth[0] <= one.spread[1] * (1.0 + step),
-                math.log(one.spread[1] / one.spread[0]),
+                known(one.spread)[0] * (1.0 - step) <= truth[0] <= known(one.spread)[1] * (1.0 + step),
+                math.log(known(one.spread)[1] / known(one.spread)[0]),
             )
             for one in tries
         ]

@@ -202,7 +202,7 @@ def _swap(content: bytes, folder: Path) -> None:
 def _spectrum(content: bytes, folder: Path) -> None:
     (folder / "s.txt").write_bytes(content)
     target = target_of(Demand(0.26, soil_factor=1.2, spectrum_file="s.txt"), folder)
-    assert np.isfinite(target.acceleration(np.linspace(0.0, 9.0, 50))).all()
+    assert target is not None and np.isfinite(target.acceleration(np.linspace(0.0, 9.0, 50))).all()
 
 
 def _hazard(content: bytes, folder: Path) -> None:

@@ -1,5 +1,6 @@
 """What a note says beside the verdict of a wall: another sample of records, moved inputs, the rates of limit states."""
 
+from core.known import known
 from core.report import sure_words
 from core.report.note.parts import Curve, Figure, Figures, Heading, Item, Part, Table, path
 from core.report.note.words import Words
@@ -29,7 +30,7 @@ def certainty(result: StudyResult, words: Words) -> list[Part]:
         if verdict.sensitivity:
             parts += _moved(result, verdict, words)
         if verdict.rates:
-            life = result.case.demand.nominal_life_years
+            life = known(result.case.demand).nominal_life_years
             rows = [sure_words.rate_row(say, rate, language) for rate in verdict.rates]
             parts.append(Table(sure_words.rate_heads(say, life), rows, (1.1, 1.4, 0.7, 2.0, 1.0, 1.2, 1.1, 1.6)))
         parts += [Item(line, "quiet") for line in sure_words.rate_lines(say, result, verdict.rates, language)]
@@ -40,7 +41,7 @@ def _moved(result: StudyResult, verdict: WallVerdict, words: Words) -> list[Part
     """The inputs that move zeta: figure and table; what zeta required asks of thickness, ties and a_g."""
     say, language = words.say, words.language
     parts: list[Part] = []
-    found, target = verdict.sensitivity, result.demand.zeta_target
+    found, target = known(verdict.sensitivity), result.required.zeta_target
     rows = sure_words.moved_rows(found, language)
     if rows:
         cells = []

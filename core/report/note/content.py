@@ -4,6 +4,7 @@ from itertools import groupby
 
 from core.case.site import FULL_FACTOR
 from core.ground.provenance import provenance
+from core.known import known
 from core.report import assumption_table
 from core.report.confirmed import assumptions_of
 from core.report.derived import cell_prefix
@@ -149,7 +150,7 @@ def works(result: StudyResult, words: Words) -> list[tuple[str, str]]:
 def _demand(result: StudyResult, words: Words) -> list[Part]:
     say, demand, asked = words.say, result.demand, result.case.demand
     parts: list[Part] = [Heading(say("Site and demand"), new_page=True)]
-    if demand is None:
+    if demand is None or asked is None:
         return [*parts, Paragraph(say("No demand given: no check."), "strong")]
     steps = []
     for symbol, value, unit in (("V_N", asked.nominal_life_years, say("years")), ("C_U", asked.use_class_factor, "–")):
@@ -163,7 +164,7 @@ def _demand(result: StudyResult, words: Words) -> list[Part]:
 
 def _confidence(result: StudyResult, words: Words) -> str:
     """Why FC is what it is."""
-    demand = result.case.demand
+    demand = known(result.case.demand)
     fc = words.number(demand.confidence_factor, ".2f")
     if demand.confidence_factor >= FULL_FACTOR:
         return words.say(
@@ -219,7 +220,7 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
     rows = []
     for motion, kind in zip(result.motions, result.kinds, strict=True):
         where = provenance(motion)
-        at_demand = result.demand.scaling(motion) if result.demand else 1.0
+        at_demand = result.required.scaling(motion) if result.demand else 1.0
         scale = motion.scale * at_demand
         station = ", ".join(part for part in (where.event, where.station) if part)
         cells = [
@@ -295,7 +296,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     kinematic, language = found.kinematic, words.language
     held = say("element free to vibrate") if kinematic.free_element else say("not free to vibrate")
     if kinematic.floor:
-        held = say("wall at {z:g} m, {kind}", z=float(wall.wall.felt_z_m), kind=held)
+        held = say("wall at {z:g} m, {kind}", z=float(known(wall.wall.felt_z_m)), kind=held)
     parts.append(Paragraph(sentence_of(result, wall, language), tone_of(result, wall)))
     reasons = lines_of(result, wall, language)
     parts += [Item(line) for line in reasons[:REASONS]]
@@ -322,7 +323,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
 
 def _checks(result: StudyResult, wall: WallResult, words: Words) -> Bars:
     """zeta of each check of a wall over the zeta required."""
-    found = wall.assessment
+    found = wall.assessed
     rows = [
         (
             words.short(check),
@@ -333,7 +334,7 @@ def _checks(result: StudyResult, wall: WallResult, words: Words) -> Bars:
         )
         for check in found.checks
     ]
-    target = result.demand.zeta_target
+    target = result.required.zeta_target
     caption = words.say(
         "ζ of each check; the mark is the ζ required, {zeta}; bold: the check that decides",
         zeta=words.number(target, ".2f"),
@@ -368,7 +369,7 @@ def _closing(result: StudyResult, words: Words) -> list[Part]:
         ticks.append(Item(localized("assumption", code, words.language), sign="☑" if ticked else "☐"))
     shared = [(motion.name, warning.text(words.language)) for motion in result.motions for warning in motion.warnings]
     if result.demand:
-        shared += [(say("demand"), warning.text(words.language)) for warning in result.demand.warnings]
+        shared += [(say("demand"), warning.text(words.language)) for warning in result.required.warnings]
     parts: list[Part] = []
     if shared:
         parts = [

@@ -3,6 +3,7 @@
 from core.case.loads import Load
 from core.case.schema import Wall
 from core.codes.floor_spectrum import LONG, SHORT, estimated_period
+from core.known import known
 from core.report.note.parts import Derivation, Heading, Paragraph, Part, Step, Table
 from core.report.note.words import Words
 from core.report.place_lines import place_of, states_of
@@ -20,7 +21,7 @@ def hazard(result: StudyResult, words: Words) -> list[Part]:
     demand = result.demand
     if demand is None or not demand.hazard:
         return []
-    shapes = {row.return_period_years: row for row in result.case.demand.hazard}
+    shapes = {row.return_period_years: row for row in known(result.case.demand).hazard}
     rows = []
     for years, ag in demand.hazard:
         row = shapes.get(years)
@@ -56,7 +57,7 @@ def building(result: StudyResult, words: Words) -> list[Part]:
     floors = {wall.floor.z: wall.floor for wall in result.walls if wall.floor is not None}
     if asked is None or not floors:
         return []
-    factor, damping = damaged(asked, result.demand.limit_state if result.demand else "SLV")
+    factor, damping = damaged(asked, result.required.limit_state if result.demand else "SLV")
     period = asked.period_s or estimated_period(asked.height_m)
     steps = [Step("H_b", asked.height_m, ".2f", "m"), Step("n", asked.storeys, ".0f", "–", label=say("storeys"))]
     if not asked.modes:
@@ -73,7 +74,7 @@ def building(result: StudyResult, words: Words) -> list[Part]:
             words.number(mode.period, ".3f"),
             words.number(mode.damping, ".3f"),
             words.number(mode.participation, ".3f"),
-            words.number(float(floor.spectrum.ground.acceleration([mode.period], mode.damping)[0]) / G, ".3f"),
+            words.number(float(known(floor.spectrum).ground.acceleration([mode.period], mode.damping)[0]) / G, ".3f"),
         ]
         for z, floor in sorted(floors.items())
         for k, mode in enumerate(floor.modes, start=1)

@@ -7,6 +7,7 @@ import numpy as np
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.capacity_curve import capacity_curve
 from core.codes.dynamic_check import at_demand
+from core.known import known
 from core.report.load_arrows import arrows
 from core.report.note import bending_figure
 from core.report.note.parts import Curve, Figure, Label, path
@@ -156,14 +157,14 @@ def _corners(h: float, t: float, u: float, angle: float) -> list[tuple[float, fl
 
 def capacity(result: StudyResult, wall: WallResult, words: Words) -> Figure | None:
     """The capacity curve over the demand; None where the nonlinear check is not made."""
-    mechanism, state = wall.assessment.kinematic, result.demand.limit_state
-    curve = capacity_curve(mechanism, result.demand)
+    mechanism, state = wall.mechanics, result.required.limit_state
+    curve = capacity_curve(mechanism, result.required)
     if curve is None:
         return None
     percent = words.number(100.0 * curve.damping, "g")
     along, across = zip(*curve.capacity, strict=True)
     a0 = max(across)
-    d, a, s_de = mechanism.d_limit, mechanism.a_limit, mechanism.s_de
+    d, a, s_de, period = map(known, (mechanism.d_limit, mechanism.a_limit, mechanism.s_de, mechanism.period))
     curves = [
         Curve(words.say("demand {percent} %", percent=percent), curve.demand_d / CM, curve.demand_a / G, "bad"),
         Curve(words.say("capacity"), tuple(d / CM for d in along), tuple(a / G for a in across), "accent", width=1.8),
@@ -173,7 +174,7 @@ def capacity(result: StudyResult, wall: WallResult, words: Words) -> Figure | No
             1, Curve(words.say("floor {percent} %", percent=percent), curve.floor_d / CM, curve.floor_a / G, "amber")
         )
     high = 1.1 * max(a0, *curve.demand_a, *curve.floor_a) / G
-    slope = (2.0 * math.pi / mechanism.period) ** 2
+    slope = (2.0 * math.pi / period) ** 2
     end = max(1.15 * d, s_de)
     curves += [
         Curve(f"T_{state}", (0.0, end / CM), (0.0, slope * end / G), "quiet", "dash", 0.9),
@@ -186,14 +187,13 @@ def capacity(result: StudyResult, wall: WallResult, words: Words) -> Figure | No
 
 def histories(result: StudyResult, wall: WallResult, words: Words) -> Figure | None:
     """Displacement of the control point under the records that decide; None without a dynamic check."""
-    mechanism = wall.assessment.kinematic
     deciding = demand_histories(result, wall)
     if not deciding:
         return None
-    d0, curves, last = mechanism.d0 / CM, [], 0.0
+    d0, curves, last = wall.mechanics.d0 / CM, [], 0.0
     for one, color in zip(deciding, ("bad", "accent"), strict=False):
         size = min(one.displacement.size, one.motion.acceleration.size)
-        overturned = np.nonzero(np.abs(one.displacement) > 1.5 * mechanism.d0)[0]
+        overturned = np.nonzero(np.abs(one.displacement) > 1.5 * wall.mechanics.d0)[0]
         if overturned.size:  # it overturned: what follows is no part of the check
             size = min(size, int(overturned[0]) + 1)
         moved = one.displacement[:size]
@@ -202,7 +202,7 @@ def histories(result: StudyResult, wall: WallResult, words: Words) -> Figure | N
         times = [k * one.motion.time_step for k in chosen]
         curves.append(Curve(f"{one.run.record} ({sign})", times, (moved[chosen] / CM).tolist(), color, width=0.9))
         last = max(last, times[-1])
-    state = result.demand.limit_state
+    state = result.required.limit_state
     limit = LIMIT_FRACTION[state] * d0
     both_ways = wall.model.one_sided == 0.0
     for level, name, color in ((limit, f"d_{state}", "amber"), (d0, "d_0", "ink")):
@@ -221,7 +221,7 @@ def forces_of_ties(result: StudyResult, wall: WallResult, words: Words) -> Figur
     if not deciding:
         return None
     worst, curves, last = deciding[0], [], 0.0
-    weakened, _ = at_demand(wall.model, result.demand, wall.assessment.dynamic.confidence_on, worst.motion)
+    weakened, _ = at_demand(wall.model, result.required, known(wall.assessed.dynamic).confidence_on, worst.motion)
     found = bar_histories(wall.wall, worst.history, wall.model.p2 / weakened.p2)
     for one, color in zip(found, ("accent", "bad", "amber", "ink") * 9, strict=False):
         size = min(one.force.size, worst.motion.acceleration.size)
@@ -237,11 +237,11 @@ def forces_of_ties(result: StudyResult, wall: WallResult, words: Words) -> Figur
 
 def tie_heights(wall: WallResult, words: Words) -> Figure | None:
     """Force the displacement check asks of a tie, by its height; None where no tie is designed or none does it."""
-    tie = wall.assessment.tie
-    known = [(h, 1e-3 * force) for h, force in tie.curve if force is not None] if tie else []
-    if len(known) < 2 or not any(force for _, force in known):
+    tie = wall.assessed.tie
+    asked = [(h, 1e-3 * force) for h, force in tie.curve if force is not None] if tie else []
+    if tie is None or len(asked) < 2 or not any(force for _, force in asked):
         return None
-    heights, forces = zip(*known, strict=True)
+    heights, forces = zip(*asked, strict=True)
     curves = [Curve(words.say("displacement check"), heights, forces, "accent", width=1.4)]
     if tie.force:
         curves.append(Curve(words.say("tie to be designed"), (tie.height,), (1e-3 * tie.force,), "bad", "points"))
@@ -252,7 +252,7 @@ def tie_heights(wall: WallResult, words: Words) -> Figure | None:
 
 def peaks(wall: WallResult, words: Words) -> Figure | None:
     """Largest rotation of each record at the demand; None without a dynamic check."""
-    check = wall.assessment.dynamic
+    check = wall.assessed.dynamic
     if check is None:
         return None
     both = len({run.polarity for run in check.runs}) > 1
