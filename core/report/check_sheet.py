@@ -167,7 +167,7 @@ def _records(rows: Rows, wall: WallResult, row: int) -> int:
         32,
     )
     first = row + 1
-    scale: dict[tuple[int, int | None], float] = {(run.motion, run.polarity): run.scale for run in wall.runs}
+    scale: dict[tuple[int, int | None], float | None] = {(run.motion, run.polarity): run.scale for run in wall.runs}
     for entry in wall.per_record:
         row += 1
         _record_row(rows, wall, entry, scale.get((entry.motion, entry.polarity)), row)
