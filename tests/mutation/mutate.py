@@ -12,6 +12,7 @@ with its reason. With a journal a run that was stopped goes on where it ended.
 import argparse
 import ast
 import json
+import math
 import os
 import queue
 import random
@@ -73,7 +74,7 @@ REPLACED = {
     ast.BitAnd: ast.BitOr,
     ast.BitOr: ast.BitAnd,
 }
-SECONDS = 300
+SECONDS = 120
 FIXED_STAMP = ('return build().get("kernels") or', 'return os.environ.get("MUTANT_KERNELS") or')
 """Replaced in core/jit/cache.py: kernels are compiled once for all faults but those put into one."""
 
@@ -153,10 +154,15 @@ def put(node: Any, attribute: str) -> None:
 
 
 def drawn(modules: list[str], count: int) -> list[Fault]:
-    """So many faults of these modules, by the seed; all where there are fewer."""
-    trees = {module: ast.parse((ROOT / module).read_text(encoding="utf-8")) for module in modules}
-    places = [Fault(module, k) for module, tree in trees.items() for k in range(len(faults(tree)))]
-    return sorted(random.Random(SEED).sample(places, min(count, len(places))))
+    """At least so many faults of these modules, in each by its share of the places and the seed: a change of another
+    module draws no others. All places where there are fewer."""
+    places = {module: len(faults(ast.parse((ROOT / module).read_text(encoding="utf-8")))) for module in modules}
+    share = count / max(1, sum(places.values()))
+    return [
+        Fault(module, place)
+        for module, n in places.items()
+        for place in sorted(random.Random(f"{SEED} {module}").sample(range(n), min(n, math.ceil(n * share))))
+    ]
 
 
 def with_fault(fault: Fault) -> tuple[str, str]:
