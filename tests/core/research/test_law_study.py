@@ -1,5 +1,6 @@
 """The scale-free law: a planted one comes back, its limits, its range, and motions it has never seen."""
 
+import re
 from itertools import product
 from types import SimpleNamespace
 
@@ -14,6 +15,7 @@ from core.research.set_means import MotionValue
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS, MomentLaw
 from core.wall.restitution import restitution
+from tests.conftest import ROOT
 
 PLANTED = (-0.1, 3.8, 1.6, -1.1)
 NOISE = 0.05
@@ -101,3 +103,30 @@ def test_that_an_estimate_is_scale_free_and_says_where_it_does_not_hold():
     assert law.estimates(block, impact, MomentLaw(0.1, 0.3), False, 1.2, 3.0) == ()
     drop = restitution(block, "one_sided_experimental")
     assert law.loss_ratio(block, drop) == pytest.approx(drop.ratio_at_rest * (1.18 - 0.473) / 1.18, rel=1e-12)
+
+
+def test_that_the_fits_are_those_of_the_page():
+    """resources/docs/paper.md, section 3: coefficients to two digits, scatters to three."""
+    page = (ROOT / "resources" / "docs" / "paper.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (two-sided|one-sided) \| (\w+) \| (q|q_slv) \| (.*) \|$", page, re.M)
+    written = {(side.replace("-", "_"), moment, name): cells.split(" | ") for side, moment, name, cells in rows}
+    assert set(written) == set(law.FITTED)
+    for key, fitted in law.FITTED.items():
+        coefficients = [float(cell.split(" ")[0]) for cell in written[key][:4]]
+        assert list(fitted.coefficients) == pytest.approx(coefficients, abs=0.0051), key
+        of_page = [float(cell) for cell in written[key][5:7]]
+        assert [fitted.scatter_set, fitted.scatter_record] == of_page, key
+        assert fitted.pi_range == ((0.13, 2.5) if key[0] == "two_sided" and key[1] != "rigid" else (0.13, 10.5))
+    ranges = {key[:2]: fitted.loss_range for key, fitted in law.FITTED.items()}
+    assert ranges["two_sided", "rigid"] == (0.042, 0.466) and ranges["one_sided", "rigid"] == (0.042, 0.919)
+    assert ranges["two_sided", "al_shawa"] == (0.042, 0.419) and ranges["one_sided", "al_shawa"] == (0.709, 0.883)
+
+
+def test_that_the_law_is_its_formula_and_holds_up_to_the_ends_of_its_range():
+    expected = 0.72 + np.exp(0.1 + 2.0 * 0.6 - (0.5 + 0.3 * 0.6) * np.log(2.0))
+    assert law.law_value((0.1, 2.0, 0.5, 0.3), 0.72, 2.0, 0.6) == pytest.approx(expected, rel=1e-14)
+    assert law.dimensionless_intensity(2.0, 0.6, 3.0) == pytest.approx(0.4)
+    fitted = law.ScaleFreeLaw((0.1, 2.0, 0.5, 0.3), 1.0, 0.1, 0.2, (0.5, 4.0), (0.0, 0.5))
+    ends = [(pi, e) for pi in (0.5, 4.0) for e in (0.75, 1.0)]
+    assert all(fitted.holds(*end) for end in ends)
+    assert not any(fitted.holds(*end) for end in ((0.499, 0.8), (4.01, 0.8), (1.0, 0.74)))
