@@ -74,7 +74,9 @@ REPLACED = {
     ast.BitAnd: ast.BitOr,
     ast.BitOr: ast.BitAnd,
 }
-SECONDS = 120
+SECONDS, SECONDS_WITHOUT = 120, 400
+"""Of the tests of a module with a fault, which may have no end, and without one."""
+
 FIXED_STAMP = ('return build().get("kernels") or', 'return os.environ.get("MUTANT_KERNELS") or')
 """Replaced in core/jit/cache.py: kernels are compiled once for all faults but those put into one."""
 
@@ -200,7 +202,8 @@ class Trees:
                 (tree / module).write_text(source, encoding="utf-8")
             command = [sys.executable, "-m", "pytest", "-x", "-q", *tests]
             variables = {**self.environment, "PYTHONPATH": str(tree), "MUTANT_KERNELS": kernels}
-            found = subprocess.run(command, cwd=tree, env=variables, capture_output=True, timeout=SECONDS)
+            seconds = SECONDS if module else SECONDS_WITHOUT
+            found = subprocess.run(command, cwd=tree, env=variables, capture_output=True, timeout=seconds)
             return found.returncode == 0
         except subprocess.TimeoutExpired:
             return False
