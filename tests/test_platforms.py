@@ -177,6 +177,8 @@ def test_that_project_launchers_and_workflow_name_the_pythons_of_the_table():
     assert f"in {newest_first};" in text_of("packaging/Ribalta.command")
     for version in re.findall(r'python-version: "([\d.]+)"', text_of(".github/workflows/package.yml")):
         assert version in WINDOWED and platforms.PYTHONS[version]["run"]
+    matrix = re.search(r"python: \[(.*)\]", text_of(".github/workflows/tests.yml"))
+    assert re.findall(r'"([\d.]+)"', matrix[1]) == [*WINDOWED]
 
 
 DOCUMENTS = [

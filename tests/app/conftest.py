@@ -12,7 +12,7 @@ SIZE = 1280, 800
 """Of the window [px]; the screen of the tests is smaller."""
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def application():
     """The Qt application; tests that need it are skipped where Qt cannot start."""
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
@@ -54,7 +54,7 @@ def faults():
 
 @pytest.fixture
 def opened(shared_window, tmp_path, monkeypatch, faults):
-    """The window that the tests of a module share, on a small copy of the example; message boxes answer Discard."""
+    """The window that the tests of a process share, on a small copy of the example; message boxes answer Discard."""
     quiet(monkeypatch, faults)
     made = shared_window.lend(tmp_path)
     yield made
@@ -108,9 +108,9 @@ def of_verdict(application, tmp_path_factory, of_seven, accuracy):
         next(made, None)
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def shared_window(application):
-    """Lends the window of a module: see `SharedWindow`."""
+    """Lends the window of this process: see `SharedWindow`."""
     shared = SharedWindow(application)
     yield shared
     shared.give_up()
@@ -255,7 +255,9 @@ class SharedWindow:
         made.activateWindow()
 
     def take_back(self) -> None:
-        """End what the test began, and the window where it cannot be put back."""
+        """End what the test began, and the window where it cannot be put back: in another language or theme."""
+        from app.look import theme
+        from app.look.language import current_language
         from app.views.chart_output import ChartOutput
         from app.views.table import Table
 
@@ -267,6 +269,8 @@ class SharedWindow:
         delete_now(self.application)
         self.application.processEvents()
         ChartOutput.stale = Table.stale = False
+        if (current_language(), theme.current) != ("en", theme.THEMES["light"]):
+            self.give_up()
 
     def is_idle(self) -> bool:
         made = self.made
