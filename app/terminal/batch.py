@@ -53,7 +53,6 @@ def run(
     Raises InputError for what the user can mend; nothing is written then.
     """
     export.check_note(report, case_path)
-    source = export.source_of(case_path) if report else ""  # as it is run: it may be edited while it runs
     case = _read(case_path)
     if is_large(case):
         return large_batch.run(case, case_path, output, jobs, quiet, resume, report, merge)
@@ -73,7 +72,7 @@ def run(
     folders = (folder, report.parent) if report else (folder,)
     with made(case_path, *folders), interrupts(cancel), progress(quiet) as show:
         export.refuse_overwriting(case, case_path, folder, stem, report)
-        made_so_far = export.Report(case, raise_if(cancel), source)
+        made_so_far = export.Report(case, raise_if(cancel))
         try:
             result = run_study(
                 case,

@@ -13,6 +13,7 @@ from app.look.language import terminal
 from core.errors import InputError
 from core.ooxml.package import DAMAGED
 from core.packages import MOST_WALLS
+from core.regular_file import open_regular, read_regular
 
 STUDIES = Path(__file__).resolve().parents[2] / "resources" / "studies"
 """Studies that come with the program, asked for by name."""
@@ -180,10 +181,13 @@ def is_drawing(path: Path) -> bool:
 def _states(case: Path, asked: Callable[[dict], bool]) -> bool:
     """Whether a case asks for something; False also for one that cannot be read."""
     try:
-        return asked(tomllib.loads(case.read_text("utf-8-sig")))
+        return asked(tomllib.loads(read_regular(case, MOST_OF_CASE).decode("utf-8-sig")))
     except (OSError, ValueError, LookupError, TypeError, RecursionError):
         return False
 
+
+MOST_OF_CASE, LONGEST_HEAD, MOST_OF_SHEET = 2_000_000, 1_000_000, 500_000_000
+"""Bytes looked at before packages are there: of a case, of the first row of a table, of a sheet."""
 
 HINGES, LISTED, MECHANISMS = 6, 14, 2
 """A row of a table has hinges at its base, its loads and its tie, beside those of the storeys; most that are listed;
@@ -194,7 +198,7 @@ def _may_be_large(case: Path) -> bool:
     """Whether a case can have more results than a workbook holds, by the rows of its files alone; False also for one
     that cannot be read."""
     try:
-        text = case.read_text("utf-8-sig")
+        text = read_regular(case, MOST_OF_CASE).decode("utf-8-sig")
         content = tomllib.loads(text)
         walls, head = text.count("[[wall]]"), text
         if "walls" in content:
@@ -210,8 +214,8 @@ def _may_be_large(case: Path) -> bool:
 
 def _rows_of_text(table: Path) -> tuple[int, str]:
     """(rows, the first in small letters) of a table of walls as text. Raises OSError."""
-    with open(table, "rb") as stream:
-        first = stream.readline()
+    with open_regular(table) as stream:
+        first = stream.readline(LONGEST_HEAD)
         rows = sum(piece.count(b"\n") for piece in iter(lambda: stream.read(1 << 20), b"")) + 1
     return rows, first.decode("utf-8", "replace").lower()
 
@@ -220,13 +224,14 @@ def _rows_of_workbook(table: Path) -> tuple[int, str]:
     """(rows of all sheets, up to those that tell, what stands for the heads: hinges may be listed) of a workbook, of
     which no package is needed. Raises what a damaged one does."""
     rows = 0
-    with zipfile.ZipFile(table) as package:
+    with open_regular(table) as stream, zipfile.ZipFile(stream) as package:
         for name in package.namelist():
             if "sheet" not in name.lower() or not name.lower().endswith(".xml"):
                 continue
             with package.open(name) as part:
-                end = b""
-                while rows <= MOST_WALLS and (piece := part.read(1 << 16)):
+                end, left = b"", MOST_OF_SHEET
+                while rows <= MOST_WALLS and left > 0 and (piece := part.read(1 << 16)):
+                    left -= len(piece)
                     rows += len(re.findall(rb"<(?:\w+:)?row[\s>]", end + piece))
                     end = piece[-8:]  # of a tag cut in two; one that is whole there counts twice, on the safe side
     return rows, "hinge"

@@ -30,24 +30,25 @@ def refuse_overwriting(case: Case, case_path: Path, folder: Path, stem: str, not
     """Raise InputError where a result would take the place of the case or of a file it reads. note : the calculation
     note, where one is asked for"""
     results = {(folder / (stem + end)).resolve() for end in (".xlsx", ".json", ".journal", ".parquet")}
-    results |= {note.resolve()} if note else set()
     base, demand = case_path.parent, case.demand
     sources = {case_path.resolve()}
     of_demand = (demand.spectrum_file, demand.hazard_file) if demand else ()
-    for name in (case.table, case.report.logo, *of_demand):
+    for name in (case.table, case.report.logo, *of_demand, *case.drawn_from):
         if name:
             sources.add((base / name_of(name)).resolve())
     if case.select:  # any file there may be a record
         inside = (base / name_of(case.select.folder)).resolve()
-        there = {path for path in results if path.exists() and inside in path.parents}
-        sources |= there if not _ours(folder / f"{stem}.json") else set()
+        taken = [] if _ours(folder / f"{stem}.json") else [*results]  # else it is beside results of its own
+        for path in [*taken, *([note.resolve()] if note else [])]:
+            if path.exists() and inside in (path, *path.parents):
+                sources.add(path)
     for k, entry in enumerate(case.record, start=1):
         try:
             paths = records.expand(entry.file, case_path.parent)
         except InputError as error:
             raise error.at(place("record", n=k)) from None
         sources |= {path.resolve() for path in paths}
-    for path in results & sources:
+    for path in (results | ({note.resolve()} if note else set())) & sources:
         raise InputError("would_overwrite", path=path)
 
 
@@ -79,11 +80,10 @@ class Report:
 
     case : of the study
     check : called at every part, to cancel
-    source : text of the file of the case as it was run, whose comments the note keeps; None : as it is at the end
     """
 
-    def __init__(self, case: Case, check: Callable[[], None] = lambda: None, source: str | None = None):
-        self.case, self.check, self.source = case, check, source
+    def __init__(self, case: Case, check: Callable[[], None] = lambda: None):
+        self.case, self.check = case, check
         self._histories: list[CollapseHistories] = []
 
     @functools.cached_property
@@ -132,7 +132,7 @@ class Report:
         files = {folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text.content(result)}
         if note is not None:
             steps.take(NOTE)
-            files[note] = note_content(result, note, case_path, steps, self.source)
+            files[note] = note_content(result, note, case_path, steps)
         ready()
         atomic_write.write(files)
 
@@ -158,29 +158,18 @@ def write(
     report.write(result, folder, stem, ready, steps=steps)
 
 
-def note_content(
-    result: StudyResult, path: Path, case_path: Path | None, steps: Steps | None = None, source: str | None = None
-) -> bytes:
-    """The calculation note as the ending of its path asks. case_path : of the case, also where nothing lies there yet;
-    source : its text, None : as it lies there
+def note_content(result: StudyResult, path: Path, case_path: Path | None, steps: Steps | None = None) -> bytes:
+    """The calculation note as the ending of its path asks. case_path : of the case, also where nothing lies there yet
     Raises InputError, OutputError."""
     if path.suffix.lower() == ".pdf":
         from core.report.note.archive import note_as_pdf
 
-        text = source_of(case_path) if source is None else source
-        return note_as_pdf(result, case_path.parent if case_path else Path(), steps, text)
+        return note_as_pdf(result, case_path.parent if case_path else Path(), steps)
     from core.report.note.content import note
     from core.report.note.document import document
 
     language = result.case.report.language
     return document(note(result, language), language, steps)
-
-
-def source_of(case_path: Path | None) -> str:
-    """The text of the file of a case; "" where there is none, or it is a note."""
-    with contextlib.suppress(OSError, UnicodeDecodeError, AttributeError):
-        return case_path.read_text("utf-8-sig")
-    return ""
 
 
 @contextlib.contextmanager

@@ -17,6 +17,7 @@ from core.case.study_file import Study, read_record_list, read_study, shortened
 from core.errors import Cancelled, InputError, place
 from core.ground import records as accelerograms
 from core.packages import require
+from core.regular_file import first_bytes
 from core.research import parametric
 from core.research.figures import StudyReport
 from core.research.parametric import ParametricResult
@@ -74,8 +75,7 @@ def refuse_overwriting(study: Study, path: Path, records: Path | None, folder: P
 def ours(target: Path) -> bool:
     """Whether this file was written by a study: a record would not be."""
     try:
-        with open(target, "rb") as stream:
-            start = stream.read(200)
+        start = first_bytes(target, 200)
     except OSError:
         return False
     heads = (",".join(COLUMNS[:4]).encode(), b'{\n "program"', b"PK", b'{"Ribalta journal"')

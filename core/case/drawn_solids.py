@@ -25,8 +25,9 @@ MOST_NAMES = 20
 
 
 class Drawn(NamedTuple):
-    """A drawing that was read for a wall. sha256 : of its file"""
+    """A drawing that was read for a wall. file : as the case names it; sha256 : of it"""
 
+    file: str
     sha256: str
     notice: Sentence
 
@@ -98,11 +99,12 @@ def _solids_of(view: View, views: Sequence[View]) -> list[dict]:
 
 def _said(wall: str, view: View, made: list[dict]) -> Drawn:
     openings = sum("opening" in solid for solid in made)
-    told = {"wall": wall, "file": shown(view.drawing.file), "solids": len(made) - openings, "openings": openings}
+    told: dict[str, Any] = {"wall": wall, "file": shown(view.drawing.file), "sha256": view.file.sha256}
+    told |= {"solids": len(made) - openings, "openings": openings}
     if not view.sheet.unread:
-        return Drawn(view.file.sha256, notice("drawing_read", sha256=view.file.sha256, **told))
+        return Drawn(view.drawing.file, view.file.sha256, notice("drawing_read", **told))
     left = ", ".join(map(str, view.sheet.unread[:MOST_NAMES]))
-    return Drawn(view.file.sha256, notice("drawing_read_in_part", sha256=view.file.sha256, left=left, **told))
+    return Drawn(view.drawing.file, view.file.sha256, notice("drawing_read_in_part", left=left, **told))
 
 
 def chosen_of(sheet: Sheet, drawing: Drawing) -> tuple[list[Shape], list[Shape]]:

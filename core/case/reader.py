@@ -84,6 +84,8 @@ def read_case(path: Path, many: bool = False) -> Case:
             source = path.parent / name_of(case.demand.hazard_file)
             read_hazard(source)
             digest.update(read_regular(source, MAX_BYTES))
-        return replace(case, sha256=digest.hexdigest(), drawings=tuple(drawing.notice for drawing in drawings))
+        case = replace(case, sha256=digest.hexdigest(), source=content.decode("utf-8-sig"))
+        notices, files = (tuple(getattr(one, name) for one in drawings) for name in ("notice", "file"))
+        return replace(case, drawings=notices, drawn_from=files)
     except InputError as error:
         raise error.at(path) from None

@@ -385,7 +385,7 @@ def sections() -> dict[str, type]:
     return dict([*found, *inside("sensitivity", Ranges, False)])
 
 
-OWN_FIELDS = ("sha256", "given", "table", "table_notes", "drawings")
+OWN_FIELDS = ("sha256", "given", "table", "table_notes", "drawings", "drawn_from", "source")
 """Fields of a Case that are no keys of a file."""
 
 
@@ -397,7 +397,8 @@ class Case:
     given : places (section, index, key) the user wrote
     table : of walls they came from, "" if none
     table_notes : Notices on it
-    drawings : Notices of the drawings its solids come from
+    drawings : Notices of the drawings its solids come from; drawn_from : their files
+    source : text of the file it was read from, whose comments the note keeps
     """
 
     title: str = text_key("Ribalta")
@@ -417,6 +418,8 @@ class Case:
     table: str = field(default="", compare=False)
     table_notes: tuple = field(default=(), compare=False)
     drawings: tuple = field(default=(), compare=False)
+    drawn_from: tuple[str, ...] = field(default=(), compare=False)
+    source: str = field(default="", compare=False, repr=False)
 
     @property
     def default_histories(self) -> bool:

@@ -12,7 +12,7 @@ from typing import BinaryIO
 from core.errors import InputError, OutputError
 from core.regular_file import open_regular, refuse_irregular
 from core.study.case_parts import FINISHED, parts_in
-from core.study.journal import HEAD, lock, ours, parsed, remove_held, valid
+from core.study.journal import HEAD, is_at, lock, ours, parsed, remove_held, valid
 
 
 class GroupJournal:
@@ -46,6 +46,8 @@ class GroupJournal:
             if error.errno not in (errno.EAGAIN, errno.EACCES, errno.EWOULDBLOCK, errno.EDEADLK):
                 raise
             raise OutputError("batch_running", place=(self.path,)) from None
+        if not is_at(self._stream, self.path):
+            raise OutputError("batch_just_ended", place=(self.path,))
         head, end, lines = _scanned(self._stream)
         if not ours(head):
             raise OutputError("not_a_journal", place=(self.path,))

@@ -58,7 +58,7 @@ class Journal:
             if error.errno not in (errno.EAGAIN, errno.EACCES, errno.EWOULDBLOCK, errno.EDEADLK):
                 raise
             raise OutputError("batch_running", place=(self.path,)) from None
-        if not _is_at(self._stream, self.path):
+        if not is_at(self._stream, self.path):
             raise OutputError("batch_just_ended", place=(self.path,))
         self._stream.seek(0)
         content = self._stream.readall()
@@ -135,7 +135,7 @@ class Journal:
 
 def remove_held(stream, path: Path) -> None:
     """Remove a file that is held open, unless another one has its name, and let it go."""
-    mine = _is_at(stream, path)
+    mine = is_at(stream, path)
     if os.name == "nt":
         stream.close()
     with contextlib.suppress(OSError):
@@ -169,7 +169,7 @@ def ours(content: bytes) -> bool:
     return content[: len(start)] == start[: len(content)]
 
 
-def _is_at(stream, path: Path) -> bool:
+def is_at(stream, path: Path) -> bool:
     """Whether this name still is the file that was opened: another batch may have removed it in between."""
     try:
         return os.path.samestat(os.fstat(stream.fileno()), path.stat())

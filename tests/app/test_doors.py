@@ -6,6 +6,7 @@ import random
 import subprocess
 import sys
 import time
+import zipfile
 
 import pytest
 
@@ -67,23 +68,49 @@ def test_that_nothing_is_extracted_from_a_thing_without_an_end(kind, tmp_path, c
     assert capsys.readouterr().err.strip()
 
 
-@pytest.mark.parametrize(
-    ("parts", "output"),
-    [
-        ({"top": DEMAND}, "case.toml"),
-        ({"top": DEMAND + '[report]\nlogo = "n.pdf"\n'}, "n.pdf"),
-        ({"top": '[demand]\nag_g = 0.2\nhazard_file = "n.pdf"\n' + SPECTRUM}, "n.pdf"),
-    ],
-)
-def test_that_a_note_never_takes_the_place_of_an_input(parts, output, tmp_path, capsys):
-    (tmp_path / "case.toml").write_text(CASE.format(**{"wall": ""} | parts), encoding="utf-8")
-    target = tmp_path / output
-    if output != "case.toml":
-        target.write_bytes(b"30 0.05 2.4 0.28\n475 0.19 2.5 0.33\n" if "hazard" in parts["top"] else b"%PDF-1.4 ")
+HAZARD = b"30 0.05 2.4 0.28\n475 0.19 2.5 0.33\n"
+SVG = b'<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><path d="M0 0H9V9z"/></svg>'
+OF_A_FILE = '[demand]\nag_g = 0.2\nhazard_file = "x"\n' + SPECTRUM
+OF_A_DRAWING = '[[wall.drawing]]\nfile = "x"\nlayers = "0"\nplane = "elevation"\nto_m = 0.4\nunit = "m"\n'
+OF_A_FOLDER = DEMAND.partition("[generate]")[0] + '[select]\nfolder = "x.zip"\ncount = 1\n'
+
+
+def drawn(path):
+    """A wall of 4 x 3 m in DXF."""
+    ezdxf = pytest.importorskip("ezdxf", reason="without the group dxf")
+    document = ezdxf.new()
+    document.modelspace().add_lwpolyline([(0, 0), (4, 0), (4, 3), (0, 3)], close=True)
+    document.saveas(path)
+
+
+def zipped(path):
+    """Records in an archive."""
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("a.txt", (ROOT / "tests" / "motions" / "noise_1.txt").read_bytes())
+
+
+INPUTS = {
+    "case.toml": ({"top": DEMAND}, lambda path: None),
+    "x": ({"top": DEMAND + '[report]\nlogo = "x"\n'}, lambda path: path.write_bytes(SVG)),
+    "./x": ({"top": OF_A_FILE}, lambda path: path.write_bytes(HAZARD)),
+    "././x": ({"top": DEMAND, "wall": OF_A_DRAWING}, drawn),
+    "x.zip": ({"top": OF_A_FOLDER}, zipped),
+}
+"""Name of an input -> (what names it: the case, a logo, a hazard, a drawing, a folder of records; what makes it)."""
+
+
+@pytest.mark.parametrize("name", INPUTS)
+def test_that_a_note_never_takes_the_place_of_an_input(name, tmp_path, capsys):
+    """The note is asked for under another name of the input, a link that ends as a note does."""
+    parts, make = INPUTS[name]
+    case, note, target = tmp_path / "case.toml", tmp_path / "n.pdf", tmp_path / name
+    case.write_text(CASE.format(**{"wall": ""} | parts), encoding="utf-8")
+    make(target)
+    note.symlink_to(target)
     before = target.read_bytes()
-    target_name = str(target) if output != "case.toml" else str(target.with_suffix(".toml"))
-    assert program.main(["--batch", str(tmp_path / "case.toml"), "--quiet", "--report", target_name]) != 0
-    assert target.read_bytes() == before and capsys.readouterr().err.strip()
+    assert program.main(["--batch", str(case), "--quiet", "--report", str(note)]) == 1
+    assert target.read_bytes() == before
+    assert f"the results would overwrite {target}" in capsys.readouterr().err
 
 
 def test_that_no_other_batch_begins_while_the_results_are_written(tmp_path, monkeypatch):

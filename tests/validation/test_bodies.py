@@ -15,7 +15,7 @@ from core.rocking.methods import METHODS
 from core.rocking.outcome import STABLE
 from core.setting.scene import model_of
 from core.study.run import run
-from core.wall.body import extruded, together
+from core.wall.body import Body, extruded, polygon_sums, together
 from core.wall.rocking_model import OtherSide, RockingModel
 from core.wall.wall_body import base_length, body_of, clipped, parts_of
 from core.wall.wall_loads import inner_of
@@ -605,3 +605,17 @@ def test_that_the_outlines_are_those_of_the_solids():
     assert sorted(in_section(wall)[0].points) == [(0.0, 0.0), (0.0, 7.0), (0.5, 0.0), (0.5, 7.0)]
     wedges = wall_of((), return_wedges={"number": 2, "thickness_m": 0.4, "length_at_top_m": 2.0})
     assert in_section(wedges)[1] == ([(0.5, 0.0), (2.5, 6.0), (0.5, 6.0)], "wedge")
+
+
+@pytest.mark.parametrize("hinge", [0.0, 0.05, 0.12])
+def test_that_a_block_about_a_hinge_is_that_of_its_rectangle(hinge):
+    """A rectangle of 0.6 x 4 m about a line inside its edge: angle, radius and inertia by hand."""
+    corners = ((0.0, 0.0), (0.6, 0.0), (0.6, 4.0), (0.0, 4.0))
+    sums = polygon_sums(corners)
+    body = Body(sums.area, sums.s, sums.z, sums.ss + sums.zz)
+    block = body.about(hinge)
+    lever = 0.3 - hinge
+    assert block.slenderness == pytest.approx(math.atan2(lever, 2.0), rel=1e-14)
+    assert block.radius == pytest.approx(math.hypot(lever, 2.0), rel=1e-14)
+    own = (0.6**2 + 4.0**2) / 12.0  # about the centroid, over the mass
+    assert block.inertia_over_mass == pytest.approx(own + lever**2 + 4.0, rel=1e-13)

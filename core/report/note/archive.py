@@ -36,25 +36,23 @@ HASH = 16
 """Letters of the hash of a case at the foot of a page."""
 
 
-def note_of(
-    result: StudyResult, base_dir: Path, steps: Steps | None = None, source: str = "", within: bool = True
-) -> Note:
+def note_of(result: StudyResult, base_dir: Path, steps: Steps | None = None, within: bool = True) -> Note:
     """The note of a result, ready to be set.
 
-    base_dir : folder of the case, which the name of the logo is relative to; source : the text of its file
+    base_dir : folder of the case, which the name of the logo is relative to
     within : with its files
     Raises InputError for a logo or a font that is not there, OutputError without the packages of the group `report`.
     """
     report = result.case.report
     parts = list((steps or Steps()).each(note(result, report.language)))
     foot = f"{line()}   SHA-256 {result.case.sha256[:HASH]}"
-    office, files = office_of(report, base_dir), attached(result, source) if within else ()
+    office, files = office_of(report, base_dir), attached(result) if within else ()
     return Note(parts, report.language, foot, report.date, office, files, report.font)
 
 
-def note_as_pdf(result: StudyResult, base_dir: Path, steps: Steps | None = None, source: str = "") -> bytes:
+def note_as_pdf(result: StudyResult, base_dir: Path, steps: Steps | None = None) -> bytes:
     """The file of `note_of`."""
-    return note_of(result, base_dir, steps, source).pdf(result.case.report.pdf_standard)
+    return note_of(result, base_dir, steps).pdf(result.case.report.pdf_standard)
 
 
 def office_of(report: Report, base_dir: Path) -> Office:
@@ -80,8 +78,8 @@ def office_of(report: Report, base_dir: Path) -> Office:
     return Office(report.author, lines, content)
 
 
-def attached(result: StudyResult, source: str = "") -> tuple[Attachment, ...]:
-    """The files within the note. source : text of the file of the case, whose comments stay"""
+def attached(result: StudyResult) -> tuple[Attachment, ...]:
+    """The files within the note."""
     case = replace(result.case, walls=None)  # those of a table stand in the case itself
     table = _settled(json_report.results(result))
     say = Words(result.case.report.language).say
@@ -91,7 +89,7 @@ def attached(result: StudyResult, source: str = "") -> tuple[Attachment, ...]:
     for motion in result.motions:
         named = plain_cell(motion.name), plain_cell(shown(motion.file))
         writer.writerow((*named, motion.file_sha256, motion.samples_sha256))
-    kept = source if result.case.walls is None else ""
+    kept = result.case.source if result.case.walls is None else ""
     results = json.dumps(table, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
     return (
         Attachment(CASE, dumps(case, kept), "application/toml", "source", say("The case as it was run")),
