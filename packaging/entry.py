@@ -9,7 +9,11 @@ if sys.platform.startswith("linux"):  # plugins of the desktop's own Qt are of a
     # of the platforms only these two are packed
     if os.environ.get("QT_QPA_PLATFORM") != "offscreen":
         os.environ["QT_QPA_PLATFORM"] = "xcb"
-if "RIBALTA_SECOND_PROCESS" in os.environ:
+if "RIBALTA_CHILD" in os.environ:
+    from core import child
+
+    child.main()
+elif "RIBALTA_SECOND_PROCESS" in os.environ:
     from core.study import precompile
 
     precompile.main()

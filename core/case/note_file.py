@@ -1,12 +1,12 @@
 """The files within a calculation note (PDF/A-3): the case it is of, its results, the list of its records."""
 
 import io
-import logging
 from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
 from core import atomic_write
+from core.child import Refused, bounded
 from core.errors import InputError
 from core.packages import require
 from core.regular_file import TooLarge, read_regular
@@ -15,8 +15,8 @@ CASE = "case.toml"
 NAMES = (CASE, "results.json", "records.csv")
 """Of the files the program puts into a note; others are left alone."""
 
-PACKED = (None, "/FlateDecode", ["/FlateDecode"])
-"""Filters of a file within a note: of others, which no note has, pypdf unpacks a megabyte in a second."""
+SECONDS, MEGABYTES = 20.0, 2000
+"""That a note may take: one of 70 MB takes half a second."""
 
 MOST = 100_000_000
 """Largest note that is read [bytes]."""
@@ -31,35 +31,43 @@ def files_within(path: Path, names: Collection[str] = NAMES) -> dict[str, bytes]
     """Name -> content of these files within a note, none but them decoded. Raises InputError for what is no note of
     this program."""
     require("report")
-    import pypdf
-
-    logging.getLogger("pypdf").addHandler(logging.NullHandler())  # else it writes to the terminal
     try:
         content = read_regular(path, MOST)
-        if b"%%EOF" not in content[-1024:]:
-            raise ValueError("cut off")
-        # strict: of a damaged file pypdf would search all bytes for what is left, for minutes, and warn on stderr
-        reader = pypdf.PdfReader(io.BytesIO(content), strict=True)
-        found = {}
-        files: Any = reader.attachment_list
-        for file in files:
-            if file.name in names and file.name not in found:
-                packed = file.pdf_object["/EF"]["/F"].get_object().get("/Filter")
-                if packed not in PACKED:
-                    raise ValueError(f"{file.name}: {packed}")
-                found[file.name] = file.content
+        found = bounded(unpacked, content, tuple(names), seconds=SECONDS, megabytes=MEGABYTES)
     except FileNotFoundError:
         raise InputError("no_case_file", place=(path,)) from None
     except TooLarge as error:
         raise InputError("case_too_large", mb=error.size / 1e6, most=MOST / 1e6, place=(path,)) from None
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
-    except InputError:
-        raise
-    except Exception as error:  # pypdf raises whatever a damaged file makes it raise
-        raise InputError("not_a_note", reason=str(error)[:100] or type(error).__name__, place=(path,)) from None
+    except Refused as error:
+        if not error.reason:
+            raise InputError("note_too_much", seconds=SECONDS, gb=1e-3 * MEGABYTES, place=(path,)) from None
+        raise InputError("not_a_note", reason=error.reason[:100], place=(path,)) from None
     if CASE not in found:
         raise InputError("note_without_case", place=(path,))
+    return found
+
+
+def unpacked(content: bytes, names: Collection[str]) -> dict[str, bytes]:
+    """`files_within` of the bytes of a note. Raises what pypdf raises of a damaged file, ValueError of another's."""
+    import pypdf
+
+    if b"%%EOF" not in content[-1024:]:
+        raise ValueError("cut off")
+    # strict: of a damaged file pypdf would search all bytes for what is left, for minutes
+    reader = pypdf.PdfReader(io.BytesIO(content), strict=True)
+    if reader.is_encrypted:
+        raise ValueError("encrypted")
+    found: dict[str, bytes] = {}
+    files: Any = reader.attachment_list
+    for file in files:
+        if file.name in found:
+            raise ValueError(f"two files {file.name}")
+        if file.name in names:
+            found[file.name] = file.content
+            if file.size is not None and file.size != len(found[file.name]):  # pypdf takes what is left of it
+                raise ValueError(f"{file.name} is damaged")
     return found
 
 

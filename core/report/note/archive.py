@@ -15,8 +15,8 @@ from core.file_names import name_of, shown
 from core.regular_file import TooLarge, read_regular
 from core.report import json_report
 from core.report.note.content import note
-from core.report.note.pdf import Attachment, Note, Office
-from core.report.note.picture import MOST_SIDE, fault_of
+from core.report.note.pdf import STANDARDS, Attachment, Note, Office
+from core.report.note.picture import MEGABYTES, SECONDS, TOO_MUCH, fault_of
 from core.report.note.words import Words
 from core.report.plain_cell import plain_cell
 from core.report.steps import Steps
@@ -28,9 +28,6 @@ MEASURED = ("started_utc", "seconds")
 
 MOST_LOGO = 2_000_000
 """Size of a picture [bytes]."""
-
-PICTURES = (b"\x89PNG\r\n\x1a\n", b"\xff\xd8\xff", b"<svg", b"<?xml", b"GIF8")
-"""How a picture begins that the note can show."""
 
 HASH = 16
 """Letters of the hash of a case at the foot of a page."""
@@ -68,13 +65,11 @@ def office_of(report: Report, base_dir: Path) -> Office:
         raise InputError("logo_too_large", place=here, key="logo", path=path, mb=MOST_LOGO / 1e6) from None
     except OSError as error:
         raise InputError("logo_unreadable", place=here, key="logo", path=path, reason=error.strerror) from None
-    if not content.lstrip().startswith(PICTURES):
-        raise InputError("logo_no_picture", place=here, key="logo", path=path)
-    fault = fault_of(content)
-    if fault == "large":
-        raise InputError("logo_too_many_pixels", place=here, key="logo", path=path, side=MOST_SIDE)
+    fault = fault_of(content, tuple(STANDARDS[report.pdf_standard]))
+    if fault == TOO_MUCH:
+        raise InputError("logo_too_much", place=here, key="logo", path=path, seconds=SECONDS, gb=1e-3 * MEGABYTES)
     if fault:
-        raise InputError("logo_cut", place=here, key="logo", path=path)
+        raise InputError("logo_not_set", place=here, key="logo", path=path, reason=fault)
     return Office(report.author, lines, content)
 
 

@@ -23,7 +23,7 @@ from core.report.note.words import Words
 from tests.conftest import ROOT
 
 pypdf = pytest.importorskip("pypdf")
-NameObject = pypdf.generic.NameObject
+NameObject, NumberObject = pypdf.generic.NameObject, pypdf.generic.NumberObject
 pytest.importorskip("typst")
 
 ALPHABET = (
@@ -164,7 +164,7 @@ def test_that_a_note_of_pdf_a_1b_has_no_files_within(whole_building, tmp_path):
 
 def test_that_a_file_that_is_no_note_is_refused_in_one_sentence(tmp_path, capsys):
     path = tmp_path / "n.pdf"
-    packed = with_file(b"00>", NameObject("/ASCIIHexDecode"))
+    packed = with_file(b"\x78\x9c\x00", NameObject("/FlateDecode"), size=9)
     for damaged in (b"%PDF-1.7\n", b"%PDF-1.7\n" + b"\x00\xff" * 500, b"hello", packed, packed[:-300] + b"%%EOF"):
         path.write_bytes(damaged)
         assert program.main(["--extract", str(path), "--output", str(tmp_path / "x")]) == 1
@@ -174,12 +174,14 @@ def test_that_a_file_that_is_no_note_is_refused_in_one_sentence(tmp_path, capsys
     assert program.main(["--extract", str(tmp_path / "none.pdf")]) == 1
 
 
-def with_file(data: bytes, packing, name: str = note_file.CASE) -> bytes:
+def with_file(data: bytes, packing, name: str = note_file.CASE, size: int | None = None) -> bytes:
     """A PDF with a file within."""
     writer = pypdf.PdfWriter()
     writer.add_blank_page(100, 100)
     file = writer.add_attachment(name, data).pdf_object["/EF"]["/F"].get_object()
     file[NameObject("/Filter")] = packing
+    if size is not None:
+        file[NameObject("/Params")] = pypdf.generic.DictionaryObject({NameObject("/Size"): NumberObject(size)})
     stream = io.BytesIO()
     writer.write(stream)
     return stream.getvalue()
@@ -189,9 +191,16 @@ def test_that_files_of_others_within_a_note_are_not_unpacked(tmp_path, monkeypat
     path = tmp_path / "n.pdf"
     path.write_bytes(with_file(b"41" * 1000 + b">", NameObject("/ASCIIHexDecode"), "photographs.zip"))
     monkeypatch.setattr("pypdf.filters.ASCIIHexDecode.decode", lambda *_, **__: pytest.fail("unpacked"))
+    assert note_file.unpacked(path.read_bytes(), note_file.NAMES) == {}
+
+
+def test_that_what_unpacks_without_an_end_is_refused_after_its_time(tmp_path, monkeypatch):
+    monkeypatch.setattr(note_file, "SECONDS", 1.0)
+    path = tmp_path / "n.pdf"
+    path.write_bytes(with_file(b"z" * 30_000_000 + b"~>", NameObject("/ASCII85Decode")))
     with pytest.raises(InputError) as refused:
         note_file.files_within(path)
-    assert refused.value.code == "note_without_case"
+    assert refused.value.code == "note_too_much"
 
 
 def test_that_a_note_is_a_case_for_the_batch(verdict, tmp_path, capsys):
@@ -216,8 +225,8 @@ def test_that_logo_letterhead_and_font_are_of_the_office_or_refused(whole_buildi
     (tmp_path / "broken.png").write_bytes(b"\x89PNG\r\n\x1a\n" + b"\x00" * 40)
     for report, code in (
         ({"logo": "none.png"}, "logo_unreadable"),
-        ({"logo": "text.png"}, "logo_no_picture"),
-        ({"logo": "broken.png"}, "logo_cut"),
+        ({"logo": "text.png"}, "logo_not_set"),
+        ({"logo": "broken.png"}, "logo_not_set"),
         ({"font": "No Such Font"}, "no_font"),
     ):
         with pytest.raises(InputError) as refused:
