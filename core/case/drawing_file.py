@@ -10,7 +10,17 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from core.case.drawing_outlines import MOST_CHORDS, Gap, Point, gaps_of, joined, simple, with_bulges
+from core.case.drawing_outlines import (
+    MOST_CHORDS,
+    MOST_POINTS,
+    Gap,
+    Point,
+    gaps_of,
+    joined,
+    refuse_many,
+    simple,
+    with_bulges,
+)
 from core.errors import InputError
 from core.packages import require
 from core.regular_file import TooLarge, read_regular
@@ -31,8 +41,9 @@ SAME = 1e-6
 MAX_BYTES = 20_000_000
 """Of a file: sheets of a building have a quarter; ezdxf takes a second and some 20 times the memory for each MB."""
 
-MOST_ENTITIES, MOST_POINTS = 100_000, 400_000
-"""Of a drawing with its blocks opened, and of all its lines divided."""
+MOST_ENTITIES, INSERTED, IN_BLOCK = 100_000, 5, 20_000
+"""Of a drawing with its blocks opened; for how many an inserted block counts, which takes as long to place; corners of
+one line of a block, which ezdxf places in the square of their number."""
 
 MOST_RADIUS = 1e7
 """Of a circle, in tolerances: 10 km."""
@@ -147,12 +158,23 @@ class DxfFile:
 
     def _opened(self, entities: Iterable) -> Iterator[tuple[str, Any]]:
         """(layer, entity), blocks opened: what is on layer 0 of a block is on that of the block."""
-        count = itertools.count(1)
+        entities_seen, corners_seen, placed = 0, 0, set[str]()
+
+        def counted(entity: Any) -> None:
+            nonlocal entities_seen, corners_seen
+            entities_seen += INSERTED if entity.dxftype() == "INSERT" else 1
+            if entities_seen > MOST_ENTITIES:
+                raise InputError("drawing_too_much", most=MOST_ENTITIES)
+            corners_seen += _corners(entity)
+            refuse_many(corners_seen)
+            if entity.dxftype() == "INSERT" and (block := entity.block()) is not None and block.name not in placed:
+                if max(map(_corners, block), default=0) > IN_BLOCK:
+                    raise InputError("drawing_too_many_points", most=IN_BLOCK)
+                placed.add(block.name)
 
         def within(entities: Iterable, layer: str | None, depth: int) -> Iterator[tuple[str, Any]]:
             for entity in entities:
-                if next(count) > MOST_ENTITIES:
-                    raise InputError("drawing_too_much", most=MOST_ENTITIES)
+                counted(entity)
                 own = entity.dxf.get("layer", "0")
                 own = layer if own == "0" and layer is not None else own
                 why = self._left_out(entity, own)
@@ -226,8 +248,7 @@ class DxfFile:
                     unread[layer, f"small {entity.dxftype()}"] += 1
                 for line in lines:
                     points += len(line)
-                    if points > MOST_POINTS:
-                        raise InputError("drawing_too_much", most=MOST_ENTITIES)
+                    refuse_many(points)
                     if not all(math.isfinite(number) and abs(number) < 1e12 for point in line for number in point):
                         raise ValueError("coordinates")
                     if len(line) > 1:
@@ -329,9 +350,22 @@ def _spline(entity: Any, tolerance: float) -> list:
 def _few(points: Iterable) -> list:
     """Points of a curve, no more of them than a drawing may have."""
     few = list(itertools.islice(points, MOST_POINTS + 1))
-    if len(few) > MOST_POINTS:
-        raise InputError("drawing_too_much", most=MOST_ENTITIES)
+    refuse_many(len(few))
     return few
+
+
+def _corners(entity: Any) -> int:
+    """How many corners an entity has before its curves are divided."""
+    kind = entity.dxftype()
+    if kind == "LWPOLYLINE":
+        return len(entity)
+    if kind == "POLYLINE":
+        return len(entity.vertices)
+    if kind == "SPLINE":
+        return len(entity.control_points) + len(entity.fit_points)
+    if kind in ("HATCH", "MPOLYGON"):
+        return sum(len(getattr(path, "vertices", None) or path.edges) for path in entity.paths)
+    return 1
 
 
 def _border(path: Any, tolerance: float) -> Iterator[list[Point]]:
@@ -345,6 +379,7 @@ def _border(path: Any, tolerance: float) -> Iterator[list[Point]]:
             lines.append(_flat((edge.start, edge.end)))
         else:
             lines.append(_flat(_few(edge.construction_tool().flattening(tolerance))))
+        refuse_many(sum(map(len, lines)))
     closed, loose = joined(lines, tolerance)
     yield from ([*outline, outline[0]] for outline in closed)
     yield from loose

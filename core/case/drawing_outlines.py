@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from core.errors import InputError
+
 Point = tuple[float, float]
 
 LOOSE = 200
@@ -14,6 +16,9 @@ LOOSE = 200
 
 CROWD = 32
 """Ends around a point within three gaps: of more none goes on, as of three that meet."""
+
+MOST_POINTS = 400_000
+"""Of all lines of a drawing divided."""
 
 MOST_CHORDS = 20_000
 """Of an arc: a circle with a radius of 80 km has as many."""
@@ -55,7 +60,14 @@ def with_bulges(corners: Sequence[tuple[float, float, float]], closed: bool, tol
     follow = [*corners[1:], *(corners[:1] if closed else ())]
     for (x, y, bulge), (next_x, next_y, _) in zip(corners, follow, strict=False):
         points += arc((x, y), (next_x, next_y), bulge, tolerance)
+        refuse_many(len(points))
     return points
+
+
+def refuse_many(points: int) -> None:
+    """Raise InputError for more points than a drawing may have."""
+    if points > MOST_POINTS:
+        raise InputError("drawing_too_many_points", most=MOST_POINTS)
 
 
 def joined(pieces: Sequence[list[Point]], join: float) -> tuple[list[list[Point]], list[list[Point]]]:
