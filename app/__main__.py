@@ -12,6 +12,7 @@ from pathlib import Path
 from app.look.language import quoted_from_file, set_language, terminal
 from app.terminal.command_line import parse, refuse_missing
 from core.errors import InputError
+from core.file_names import shown
 from core.jit import trial
 from core.packages import way_to_get
 from core.text.start import system_language
@@ -57,7 +58,7 @@ def extract(note: Path, folder: Path | None) -> int:
     from core.case import note_file
 
     for path in note_file.extract(note, folder or note.parent):
-        print(path)
+        print(shown(str(path)))
     return 0
 
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLineEdit, QSiz
 
 from app.input.editors import Choice, Line
 from app.look import theme
-from app.look.labels import Plain
+from app.look.labels import Plain, plain
 from app.look.language import FORM_NAMES, current_language, number, of_key, tr
 from app.look.whole_text import tell_whole
 from core.case.keys import unit_in_form
@@ -74,8 +74,8 @@ class Field(QWidget):
         self.caption.setWordWrap(True)
         self.editor = self.make_editor()
         self.editor.setAccessibleName(label)
-        self.editor.setToolTip(tip)
-        self.setToolTip(tip)
+        self.editor.setToolTip(plain(tip))
+        self.setToolTip(plain(tip))
         self.caption.setBuddy(self.editor)
         self.message = Plain()
         self.message.setWordWrap(True)

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 from app.input.fields import connect
 from app.input.made_fields import make_field, make_fields
 from app.look import theme
-from app.look.labels import Plain
+from app.look.labels import Plain, plain
 from app.look.language import described, number, tr
 from app.views.chart import Chart
 from core.case.schema import Record
@@ -150,7 +150,7 @@ class ImportDialog(QDialog):
         item = self.list.item(row)
         item.setText(f"{name}  ✕" if bad else name)
         item.setForeground(QColor(theme.current.bad if bad else theme.current.ink))
-        item.setToolTip(motion if bad else "" if isinstance(self.paths[row], Path) else name)
+        item.setToolTip(plain(motion if bad else "" if isinstance(self.paths[row], Path) else name))
 
     def _split(self, row: int) -> bool:
         """Put the channels of a file of several in its place, each with a box to tick."""

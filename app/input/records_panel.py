@@ -24,7 +24,7 @@ from app.input.import_dialog import Row as FileRow
 from app.input.record_rows import Row, cells, heads, read_rows, state_of
 from app.input.selection_dialog import choose_for
 from app.look import theme
-from app.look.labels import Plain
+from app.look.labels import Plain, plain
 from app.look.language import described, tr
 from app.views.table import Table
 from app.work.session import Session
@@ -76,7 +76,7 @@ class RecordsPanel(QWidget):
         ):
             button = QToolButton()
             button.setText(label)
-            button.setToolTip(tip)
+            button.setToolTip(plain(tip))
             button.clicked.connect(slot)
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             bar.addWidget(button)
@@ -112,7 +112,7 @@ class RecordsPanel(QWidget):
         case = self.session.case
         why = self._why_no_scaling()
         self.scale_button.setEnabled(not why)
-        self.scale_button.setToolTip(why or tr("Scale all to the spectrum"))
+        self.scale_button.setToolTip(plain(why or tr("Scale all to the spectrum")))
         demand = case.demand if case.generate or case.select else None
         walls = case.wall if case.select else ()  # the periods of their mechanisms decide with it
         key = (case.record, case.generate, case.select, walls, demand, self.session.base_dir)
@@ -161,12 +161,12 @@ class RecordsPanel(QWidget):
             on = k is None or case.record[k].include
             tick.setCheckState(Qt.CheckState.Checked if on else Qt.CheckState.Unchecked)
             if k is None:
-                tick.setToolTip(self.one_set)
+                tick.setToolTip(plain(self.one_set))
             else:
                 tick.setFlags(tick.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             self.table.setItem(row, 0, tick)
             tips = [*told_of(motion), *([twins[row]] if row in twins else []), motion.file]
-            self.table.item(row, 1).setToolTip("\n".join(tips))
+            self.table.item(row, 1).setToolTip(plain("\n".join(tips)))
         self.table.blockSignals(False)
         count = len(self.motions)
         words = tr("{n} records in use. Drop accelerograms or folders here.", n=count)

@@ -26,7 +26,7 @@ from app.input.wall_words import (
 )
 from app.look import theme
 from app.look.drawing import WallDrawing, mechanism_icon
-from app.look.labels import Plain
+from app.look.labels import Plain, plain
 from app.look.language import FORM_NAMES, current_language, described, named, number, quoted_from_file, tr
 from app.look.parts import Parts
 from app.look.section import Section, unfold_to
@@ -143,7 +143,7 @@ class WallForm(QWidget):
             button.setIconSize(QSize(44, 44))
             lines = label.split(" ") if name == BENDS else [label]
             button.setText("\n".join(lines))
-            button.setToolTip(tip)
+            button.setToolTip(plain(tip))
             button.setAccessibleName(label)
             FORM_NAMES.captions[name] = FORM_NAMES.captions[f"mechanism={name}"] = label
             button.setCheckable(True)
@@ -404,13 +404,13 @@ class WallForm(QWidget):
             self._take(read)
             if len(notes) > 1:
                 lines = "\n".join(note.text(current_language()) for note in notes)
-                QMessageBox.information(self, tr("Read walls"), lines)
+                QMessageBox.information(self, tr("Read walls"), plain(lines))
 
     def _take(self, read) -> None:
         try:
             walls = read()
         except InputError as error:
-            QMessageBox.warning(self, tr("Walls not read"), quoted_from_file(error))
+            QMessageBox.warning(self, tr("Walls not read"), plain(quoted_from_file(error)))
             return
         first = len(self.session.case.wall)
         self.session.add_walls(walls)

@@ -1,7 +1,14 @@
 """Labels: plain text, so that no name of a wall is read as markup, and the few that are written as HTML."""
 
+import html
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QWidget
+
+
+def plain(text: str) -> str:
+    """A text for what shows HTML where it sees some, a message box or a tip: as it is, whatever it holds."""
+    return f"<qt>{html.escape(text)}</qt>".replace("\n", "<br>") if Qt.mightBeRichText(text) else text
 
 
 class Plain(QLabel):

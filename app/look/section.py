@@ -6,7 +6,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from app.look import theme
-from app.look.labels import Plain
+from app.look.labels import Plain, plain
 
 
 class Head(QPushButton):
@@ -40,7 +40,7 @@ class Head(QPushButton):
     def say(self, words: str) -> None:
         self.words = words
         self.setAccessibleName(f"{self.title.text()}: {words}" if words else self.title.text())
-        self.setToolTip(words)
+        self.setToolTip(plain(words))
         self._cut()
 
     def resizeEvent(self, event) -> None:

@@ -2,13 +2,15 @@
 
 from PySide6.QtWidgets import QComboBox
 
+from app.look.labels import plain
+
 
 def tell_whole(box: QComboBox) -> None:
     """Have the tool tip of a list say what is chosen, below what it said before."""
     tip = box.toolTip()
 
     def tell(words: str) -> None:
-        box.setToolTip(f"{tip}\n{words}".strip())
+        box.setToolTip(plain(f"{tip}\n{words}".strip()))
 
     box.currentTextChanged.connect(tell)
     tell(box.currentText())

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QDialog, QHBoxLayout, QMessageBox, QPushButton, QV
 from app.look import theme
 from app.look.drawing import WallDrawing
 from app.look.file_dialogs import path_to_write, plain_name
-from app.look.labels import Plain, Rich
+from app.look.labels import Plain, Rich, plain
 from app.look.language import described, named, tr
 from app.views.runs import before_motion
 from core import atomic_write
@@ -284,7 +284,7 @@ class ClientView(QDialog):
         try:
             atomic_write.write({path: self.content(path.suffix.lower())})
         except (InputError, OutputError) as error:
-            QMessageBox.warning(self, tr("Not saved"), described(error))
+            QMessageBox.warning(self, tr("Not saved"), plain(described(error)))
 
 
 def show(window) -> None:

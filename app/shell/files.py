@@ -6,6 +6,7 @@ from PySide6.QtCore import QSettings, QStandardPaths
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from app.look.file_dialogs import path_to_write
+from app.look.labels import plain
 from app.look.language import current_language, described, quoted_from_file, tr
 from app.work.session import Session
 from core import atomic_write
@@ -34,7 +35,7 @@ class Files:
         try:
             self.session.open(path)
         except InputError as error:
-            QMessageBox.warning(self.window, tr("Not opened"), quoted_from_file(error))
+            QMessageBox.warning(self.window, tr("Not opened"), plain(quoted_from_file(error)))
             return False
         if path != EXAMPLE:
             self.remember(path)
@@ -43,7 +44,7 @@ class Files:
             lines = [described(one) if isinstance(one, InputError) else one.text(current_language()) for one in said]
             text = tr("What is saved or run from here are these solids; the drawing is read again with --batch.")
             words = lines if isinstance(said[0], InputError) else [*lines, text]
-            QMessageBox.information(self.window, tr("Shapes of a drawing"), "\n\n".join(words))
+            QMessageBox.information(self.window, tr("Shapes of a drawing"), plain("\n\n".join(words)))
         return True
 
     @property
@@ -106,20 +107,20 @@ class Files:
         try:
             self.session.save(path)
         except InputError as error:
-            QMessageBox.warning(self.window, tr("Not saved"), described(error))
+            QMessageBox.warning(self.window, tr("Not saved"), plain(described(error)))
             return False
         self.remember(self.session.path)
         if self.session.left_out:
             lines = "\n".join(described(error) for error in self.session.left_out)
             text = tr("Saved without these values, which no case file may hold:\n{lines}", lines=lines)
-            QMessageBox.warning(self.window, tr("Save the case"), text)
+            QMessageBox.warning(self.window, tr("Save the case"), plain(text))
         if any(field.wrong for field in self.window.fields):
             self.window.show_word(tr("Saved without the content of the red field."))
         return True
 
     def _agreed(self, title: str, question: str) -> bool:
         button = QMessageBox.StandardButton
-        return QMessageBox.question(self.window, title, question) == button.Yes
+        return QMessageBox.question(self.window, title, plain(question)) == button.Yes
 
     def ask_export(self) -> None:
         """Workbook and JSON to a place the user names; the JSON of another program is not taken unasked."""
@@ -149,7 +150,7 @@ class Files:
         try:
             export.check_note(path, self.session.base_dir / "case.toml", self.session.result.case)
         except InputError as error:
-            QMessageBox.warning(self.window, tr("Nothing exported"), described(error))
+            QMessageBox.warning(self.window, tr("Nothing exported"), plain(described(error)))
             return
         result, case_path = self.session.result, self.session.path or self.session.base_dir / "case.toml"
 
@@ -191,7 +192,7 @@ class Files:
         stale = self.session.result is None or self.session.stale
         if stale or changed or self.window.job is not None:
             reason = tr("The results are not of this input: run it first (F5).")
-            QMessageBox.information(self.window, tr("Nothing exported"), reason)
+            QMessageBox.information(self.window, tr("Nothing exported"), plain(reason))
             return True
         return False
 
@@ -204,7 +205,7 @@ class Files:
             here = self.session.path or self.session.base_dir / "case.toml"
             export.refuse_overwriting(case, here, path.parent, path.stem)
         except InputError as error:
-            QMessageBox.warning(self.window, tr("Nothing exported"), described(error))
+            QMessageBox.warning(self.window, tr("Nothing exported"), plain(described(error)))
             return
         self.window.start(
             lambda job: export.write(result, path.parent, path.stem, job.check, job.commit, tell=job.progress),

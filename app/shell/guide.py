@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from app.input.fields import Field
 from app.look.file_dialogs import path_to_write
+from app.look.labels import plain
 from app.look.language import current_language, of_key, tr
 
 DOCS = Path(__file__).resolve().parents[2] / "resources" / "docs"
@@ -90,7 +91,7 @@ def show_shortcuts(window) -> None:
         keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
         if keys:
             lines.append(f"{keys}\t{action.text().replace('&', '').replace('…', '')}")
-    QMessageBox.information(window, tr("Shortcuts"), "\n".join(lines))
+    QMessageBox.information(window, tr("Shortcuts"), plain("\n".join(lines)))
 
 
 def save_template(window) -> None:
@@ -102,4 +103,4 @@ def save_template(window) -> None:
     try:
         shutil.copyfile(TEMPLATE, path)
     except OSError as error:
-        QMessageBox.warning(window, title, f"{path}: {error.strerror}")
+        QMessageBox.warning(window, title, plain(f"{path}: {error.strerror}"))

@@ -5,7 +5,7 @@ from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QMenu, QPushButton, QSizePolicy, QToolButton
 
 from app.look import theme
-from app.look.labels import Plain
+from app.look.labels import Plain, plain
 from app.look.language import tr
 
 STAGES = ("input", "answer", "why", "report")
@@ -69,7 +69,7 @@ class Header(QFrame):
             (self.help_button, "?", tr("What is this field? (F1)")),
         ):
             button.setText(label)
-            button.setToolTip(tip)
+            button.setToolTip(plain(tip))
             button.setAccessibleName(tip)
             button.setAutoRaise(True)
         row = QHBoxLayout(self)
@@ -81,7 +81,7 @@ class Header(QFrame):
         for number, (name, label) in enumerate(stage_names().items(), start=1):
             button = QPushButton(f"{number} {label}")
             button.setCheckable(True)
-            button.setToolTip(f"{label} (Alt+{number})")
+            button.setToolTip(plain(f"{label} (Alt+{number})"))
             button.setStyleSheet(
                 f"QPushButton {{ border: 1px solid {edge}; border-radius: 11px; padding: 4px 14px;"
                 f" background: {back}; color: {theme.current.ink}; font-weight: 600; }}"
@@ -102,7 +102,7 @@ class Header(QFrame):
     def say(self, title: str) -> None:
         """The title of the case, cut where the room is short."""
         self.words = title
-        self.title.setToolTip(title)
+        self.title.setToolTip(plain(title))
         self._cut()
 
     def show_stage(self, name: str) -> None:
@@ -110,7 +110,7 @@ class Header(QFrame):
 
     def show_notice(self, words: str, tip: str = "") -> None:
         self.notice_words = words
-        self.notice.setToolTip(tip or words)
+        self.notice.setToolTip(plain(tip or words))
         self.notice.setAccessibleName(words)
         self.notice.setVisible(bool(words))
         self._cut()

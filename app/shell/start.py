@@ -14,6 +14,7 @@ from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app.look import language, theme
+from app.look.labels import plain
 from app.look.language import quoted_from_file, tr
 from app.shell import menus
 from app.shell.files import EXAMPLE
@@ -35,7 +36,7 @@ def offer_recovery(window: MainWindow) -> None:
         answer = QMessageBox.question(
             window,
             tr("Autosaved case found"),
-            tr("The program ended without saving. Restore the unsaved case?") + f"\n{recovery.describe(file)}",
+            plain(tr("The program ended without saving. Restore the unsaved case?") + f"\n{recovery.describe(file)}"),
             button.Yes | button.Discard | button.Cancel,
             button.Yes,
         )
@@ -45,7 +46,7 @@ def offer_recovery(window: MainWindow) -> None:
                 window.start_afresh()
                 return
             except InputError as error:
-                QMessageBox.warning(window, tr("Not opened"), quoted_from_file(error))
+                QMessageBox.warning(window, tr("Not opened"), plain(quoted_from_file(error)))
         elif answer == button.Discard:
             recovery.drop(file)
         # anything else, Esc among it, is no order to discard: asked again at the next start
@@ -151,7 +152,7 @@ def show(window: MainWindow) -> None:
 def refuse(text: str) -> None:
     """A sentence in a dialog before there is a window."""
     application = QApplication.instance() or QApplication([])
-    QMessageBox.critical(application.activeWindow(), NAME, text)
+    QMessageBox.critical(application.activeWindow(), NAME, plain(text))
 
 
 def main(path: Path | None) -> int:

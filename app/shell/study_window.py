@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.look.labels import Plain
+from app.look.labels import Plain, plain
 from app.look.language import tr
 from app.shell.study_form import StudyForm
 from app.terminal import study
@@ -188,7 +188,7 @@ class StudyWindow(QDialog):
         if log:
             sentence += "\n" + tr("Details are in {log}", log=log)
         self.word.setText(tr("Not done."))
-        QMessageBox.warning(self, tr("Not done"), sentence)
+        QMessageBox.warning(self, tr("Not done"), plain(sentence))
 
     def reject(self) -> None:
         """Esc closes, as a click on the cross does, which comes here too."""

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.input.wall_words import differences
 from app.look import theme
+from app.look.labels import plain
 from app.look.language import named, number, tr, variant_word
 from core.case.problems import wall_of
 from core.case.schema import Case
@@ -269,7 +270,7 @@ class ProjectTree(QFrame):
         for label, tip, slot in buttons:
             button = QToolButton()
             button.setText(label)
-            button.setToolTip(tip)
+            button.setToolTip(plain(tip))
             button.setAutoRaise(True)
             button.clicked.connect(lambda _=False, slot=slot: slot())
             made.append(button)
@@ -333,7 +334,7 @@ class ProjectTree(QFrame):
         item.setText(
             0, f"{row.text} {theme.marked(row.tone, row.chip)}".strip()
         )  # for a screen reader; the delegate paints
-        item.setToolTip(0, row.text)
+        item.setToolTip(0, plain(row.text))
         item.setData(0, Qt.ItemDataRole.UserRole, row)
 
     def _items(self) -> list[QTreeWidgetItem]:

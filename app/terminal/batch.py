@@ -25,6 +25,7 @@ from app.terminal.terminal_progress import progress, tell
 from core.case.reader import read_case
 from core.case.schema import Case
 from core.errors import Cancelled
+from core.file_names import shown
 from core.jit import cache
 from core.packages import require
 from core.report.steps import Steps
@@ -100,7 +101,7 @@ def run(
     for warning in result.demand.warnings if result.demand else ():
         print(f"[demand]: {warning.text(current_language())}", file=sys.stderr)
     if not quiet:
-        say(summary(result, folder, stem) + (f"\n{report}" if report else ""))
+        say(summary(result, folder, stem) + (f"\n{shown(str(report))}" if report else ""))
         if _never_explained():
             say(explanation(folder / f"{stem}.xlsx", bool(result.demand)))
     for wall, record, polarity, status in result.without_number:
@@ -182,7 +183,7 @@ def summary(result: StudyResult, folder: Path, stem: str) -> str:
             seconds=result.elapsed,
         )
     )
-    lines.append(f"{folder / (stem + '.xlsx')}\n{folder / (stem + '.json')}")
+    lines += [shown(str(folder / (stem + end))) for end in (".xlsx", ".json")]
     return "\n".join(lines)
 
 

@@ -7,6 +7,7 @@ from app.look.language import current_language, described, terminal
 from app.terminal.command_line import files_of, is_drawing
 from core.case.drawing_file import UNITS, DxfFile
 from core.errors import InputError, RecordError
+from core.file_names import shown
 from core.ground import records
 from core.ground.ground_motion import GroundMotion
 from core.ground.records.grammar import Options
@@ -64,7 +65,7 @@ def _drawing_refused(path: Path) -> int:
 
 def _refused(path: Path, channel: str | None = None) -> int:
     """Say what a file or each of its channels holds; returns how many were refused."""
-    name = str(path) if channel is None else f'{path}, channel = "{channel}"'
+    name = shown(str(path) if channel is None else f'{path}, channel = "{channel}"')
     try:
         _say(name, records.read(path, Options(channel=channel)))
     except RecordError as error:

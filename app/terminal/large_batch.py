@@ -26,6 +26,7 @@ from app.terminal.terminal_progress import progress, tell
 from core import atomic_write
 from core.case.schema import Case
 from core.errors import Cancelled, InputError
+from core.file_names import shown
 from core.packages import require
 from core.report import large_report, parquet_file
 from core.report.columns import columns_of
@@ -172,4 +173,4 @@ def summary(tally: Tally, folder: Path, stem: str) -> str:
     lines = aligned(table, (2, 3))
     counts = ", ".join(f"{coded(code)} {n}" for code, n in sorted(tally.verdicts.items()))
     lines.append(terminal("{walls} walls, the worst above", walls=tally.walls) + (f": {counts}" if counts else ""))
-    return "\n".join([*lines, str(_table(folder, stem)), str(folder / f"{stem}.json")])
+    return "\n".join([*lines, shown(str(_table(folder, stem))), shown(str(folder / f"{stem}.json"))])

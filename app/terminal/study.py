@@ -15,6 +15,7 @@ from app.terminal.terminal_progress import progress, tell
 from core import atomic_write
 from core.case.study_file import Study, read_record_list, read_study, shortened
 from core.errors import Cancelled, InputError, place
+from core.file_names import shown
 from core.ground import records as accelerograms
 from core.packages import require
 from core.regular_file import first_bytes
@@ -237,5 +238,5 @@ def summary(result: ParametricResult, report: StudyReport, folder: Path, stem: s
             seconds=result.elapsed,
         )
     )
-    lines += [f"{folder / stem}{end}" for end in (".xlsx", ".json", ".csv", "_figures")]
+    lines += [shown(f"{folder / stem}{end}") for end in (".xlsx", ".json", ".csv", "_figures")]
     return "\n".join(lines)

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QMessageBox, QWidget
 
 from app.look import theme
 from app.look.file_dialogs import path_to_write
+from app.look.labels import plain
 from app.look.language import current_language, described, tr
 from core import atomic_write
 from core.errors import OutputError
@@ -120,4 +121,4 @@ class ChartOutput(QWidget):
         try:
             atomic_write.write(files())
         except OutputError as error:
-            QMessageBox.warning(self, title, described(error))
+            QMessageBox.warning(self, title, plain(described(error)))

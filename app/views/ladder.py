@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.look import theme
+from app.look.labels import plain
 from app.look.language import number, tr
 
 
@@ -42,7 +43,7 @@ class Ladder(QWidget):
         self.rungs, self.target = list(rungs), target
         said = [f"{one.name} ({one.clause}) ζ {_zeta_of(one)}, {one.values}" for one in self.rungs]
         self.setAccessibleName("; ".join([tr("Checks, ζ required {zeta:.2f}", zeta=target), *said]))
-        self.setToolTip("\n".join(said))
+        self.setToolTip(plain("\n".join(said)))
         self.updateGeometry()
         self.update()
 

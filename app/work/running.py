@@ -7,6 +7,7 @@ from dataclasses import replace
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QMainWindow, QMessageBox
 
+from app.look.labels import plain
 from app.look.language import tr
 from app.work.worker import Job
 from core.case.hinges import hinges_of
@@ -44,7 +45,7 @@ class RunningWindow(QMainWindow):
     def show_word(self, text: str, kind: str = "message") -> None:
         """The word of the status line. kind : what it is about, for who may take it away again."""
         self.word.setText(text)
-        self.word.setToolTip(text)
+        self.word.setToolTip(plain(text))
         self.word_kind = kind
 
     def show_running(self, on: bool) -> None:
@@ -170,7 +171,7 @@ class RunningWindow(QMainWindow):
         self.closing = False
         self.refused = (self.session.case, self.job.error if self.job else None)
         self.show_word(tr("Not done."))
-        QMessageBox.warning(self, tr("Not done"), sentence)
+        QMessageBox.warning(self, tr("Not done"), plain(sentence))
 
     def cancel(self) -> None:
         """Stop what runs: at once here, its thread ends when it can. What is being written is written."""

@@ -49,11 +49,11 @@ class ManyWalls(Sequence):
 
     def _lines(self, start: int) -> Iterator[str]:
         """The lines of the text from a place on, and how far they were taken."""
-        text, end = self.text, start
+        text, first, end = self.text, start, start
         while end < len(text):
             start, end = end, text.find("\n", end) + 1 or len(text)
             self._end = end
-            if end - start > LONGEST_ROW:  # all its cells would be made at once
+            if end - max(first, self._from) > LONGEST_ROW:  # all its cells would be made at once, lines in quotes too
                 raise InputError("row_too_long", most=LONGEST_ROW)
             yield text[start:end]
 

@@ -49,14 +49,16 @@ def parts_in(folder: Path, stem: str) -> Iterator[tuple[int, int, Path]]:
 
 def merged(folder: Path, stem: str, case: Case, key: str) -> Memory:
     """What all parts of a case found. Raises InputError for a part that is missing, not finished, of another division,
-    or of another case or program."""
+    damaged, or of another case or program."""
     book = Memory(EVERYTHING)
     for k, n, path in parts_in(folder, stem):
-        head, entries = entries_of(path)
+        head, entries, damaged = entries_of(path)
         if head.get(HEAD) != part_key(key, case, k, n):
             raise InputError("part_of_another", path=path)
         if FINISHED not in entries:
             raise InputError("part_not_finished", k=k, n=n, path=path)
+        if damaged:
+            raise InputError("part_damaged", k=k, n=n, path=path)
         book.found |= entries
     del book.found[FINISHED]
     return book

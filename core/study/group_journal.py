@@ -14,6 +14,9 @@ from core.regular_file import open_regular, refuse_irregular
 from core.study.case_parts import FINISHED, parts_in
 from core.study.journal import HEAD, is_at, lock, ours, parsed, remove_held, valid
 
+LONGEST_LINE = 200_000_000
+"""Bytes of the rows of a group; what is longer has no end."""
+
 
 class GroupJournal:
     """Rows of finished groups, on the disk before the next; started anew where its key is another.
@@ -111,9 +114,9 @@ class GroupJournal:
 def _scanned(stream: BinaryIO) -> tuple[bytes, int, list[tuple[str, int]]]:
     """(first line, end of the last whole line, (group, place) of each other line, no group of one that is damaged)."""
     stream.seek(0)
-    head, lines = stream.readline(), []
+    head, lines = stream.readline(LONGEST_LINE), []
     place = end = len(head) if head.endswith(b"\n") else 0
-    for line in stream:
+    for line in iter(lambda: stream.readline(LONGEST_LINE), b""):
         if not line.endswith(b"\n"):
             break
         entry = parsed(line)

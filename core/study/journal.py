@@ -61,9 +61,10 @@ class Journal:
         if not is_at(self._stream, self.path):
             raise OutputError("batch_just_ended", place=(self.path,))
         self._stream.seek(0)
-        content = self._stream.readall()
-        if not ours(content):
+        if not ours(self._stream.read(HEAD_BYTES)) or os.fstat(self._stream.fileno()).st_size > MOST_BYTES:
             raise OutputError("not_a_journal", place=(self.path,))
+        self._stream.seek(0)
+        content = self._stream.readall()
         head, *lines = content.split(b"\n")
         mine = parsed(head) == {HEAD: key}
         good, kept = [], 0
@@ -144,20 +145,25 @@ def remove_held(stream, path: Path) -> None:
     stream.close()
 
 
-def entries_of(path: Path) -> tuple[dict, dict[str, dict]]:
-    """(first line, results by key) of a journal that nobody writes any more; its damaged lines are left out. Raises
-    InputError for a file that cannot be read or is no journal."""
+def entries_of(path: Path) -> tuple[dict, dict[str, dict], int]:
+    """(first line, results by key, count of damaged lines) of a journal that nobody writes any more. Raises InputError
+    for a file that cannot be read or is no journal."""
     try:
         with open_regular(path) as stream:
-            content = stream.read()
+            own = ours(stream.read(HEAD_BYTES)) and os.fstat(stream.fileno()).st_size <= MOST_BYTES
+            stream.seek(0)
+            content = stream.read() if own else b""
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
-    if not ours(content):
+    if not own:
         raise InputError("part_of_another", path=path)
-    head, *lines = map(parsed, content.split(b"\n"))
+    head, *lines = map(parsed, content.removesuffix(b"\n").split(b"\n"))
     good = [line for line in lines if line and line.get("hash") == hash_of(line)]
-    return head or {}, {line["run"]: line["result"] for line in good}
+    return head or {}, {line["run"]: line["result"] for line in good}, len(lines) - len(good)
 
+
+HEAD_BYTES, MOST_BYTES = 200, 1_000_000_000
+"""Looked at first of what should be a journal; beyond the largest, of the walls of a case that is held at once."""
 
 HEAD = "Ribalta journal"
 """The key of the first line: no other program's file begins with it."""

@@ -51,3 +51,39 @@ def test_that_no_name_makes_a_line_or_a_colour_of_a_sentence(name):
         for language in ("en", "it"):
             text = error.text(language)
             assert text.isprintable() and len(text.splitlines()) == 1
+
+
+BOXES = ("warning", "critical", "question", "information")
+
+
+def test_that_message_boxes_and_tips_take_no_name_as_markup():
+    """What they say is a text of the program without values, or goes through `plain`."""
+    import ast
+
+    bare, seen = [], 0
+    for path in sorted((ROOT / "app").rglob("*.py")):
+        for node in ast.walk(tree_of(path)):
+            if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute):
+                continue
+            of_box = node.func.attr in BOXES and ast.unparse(node.func.value) == "QMessageBox" and len(node.args) > 2
+            if not of_box and node.func.attr != "setToolTip":
+                continue
+            said, seen = node.args[2] if of_box else node.args[-1], seen + 1
+            made = ast.unparse(said.func) if isinstance(said, ast.Call) else ""
+            if not (isinstance(said, ast.Constant) or made == "plain" or (made == "tr" and not said.keywords)):
+                bare.append(f"{path.name}: {ast.unparse(node)}")
+    assert seen > 40 and bare == []
+
+
+@pytest.mark.parametrize("text", [EVIL, "/tmp/<b>verified</b>.toml: not read", "a < b\nc > d", "plain words"])
+def test_that_plain_shows_every_letter_of_a_text(application, text):
+    from PySide6.QtGui import QTextDocument
+
+    from app.look.labels import plain
+
+    shown, document = plain(text), QTextDocument()
+    if Qt.mightBeRichText(shown):
+        document.setHtml(shown)
+        assert document.toPlainText() == text
+    else:
+        assert shown == text

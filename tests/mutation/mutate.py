@@ -174,7 +174,8 @@ def with_fault(fault: Fault) -> tuple[str, str]:
     node, attribute = faults(tree)[fault.place]
     line, before = source.splitlines()[node.lineno - 1].strip(), ast.unparse(node)
     put(node, attribute)
-    return f"{fault.module}: {before} -> {ast.unparse(node)} in {line}", ast.unparse(ast.fix_missing_locations(tree))
+    words = f"{fault.module}: {before} -> {ast.unparse(node)} in {line}"
+    return words, ast.unparse(ast.fix_missing_locations(tree))
 
 
 class Trees:

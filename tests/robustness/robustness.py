@@ -70,7 +70,7 @@ def lines_counted(said: str) -> tuple[int, int]:
 
 
 def mutants(share: float, journal: Path) -> tuple[list[str], dict[str, str]]:
-    kept = journal.with_suffix(".mutants")
+    kept = journal.with_suffix(f".mutants-{VERSION}")
     return ["tests/mutation/mutate.py", "--faults", str(max(1, round(600 * share))), "--journal", str(kept)], {}
 
 
@@ -141,6 +141,8 @@ def made(name: str, share: float, journal: Path) -> dict[str, Any]:
     done = subprocess.run([sys.executable, *arguments], cwd=ROOT, env=variables, capture_output=True, text=True)
     try:
         tried, found = campaign.counted(done.stdout)
+        if tried == 0 or (done.returncode != 0 and found == 0):
+            raise ValueError(f"exit code {done.returncode}")
     except (IndexError, ValueError):
         sys.exit(f"{name}: says no numbers\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
     minutes = round((time.monotonic() - begun) / 60.0, 1)

@@ -102,6 +102,13 @@ def test_that_a_part_that_does_not_belong_is_refused(case, tmp_path):
     for k in (1, 2):
         batch.run_part(case, tmp_path, 1, True, k, 2)
     refused("part_of_another", key="another program")
+    whole = part_path(tmp_path, "five", 1, 2).read_bytes()
+    lines = whole.split(b"\n")
+    part_path(tmp_path, "five", 1, 2).write_bytes(
+        b"\n".join([lines[0], lines[1][:-9] + b"~" + lines[1][-8:], *lines[2:]])
+    )
+    refused("part_damaged")
+    part_path(tmp_path, "five", 1, 2).write_bytes(whole)
     other = case.with_name("other.toml")
     other.write_text(case.read_text().replace("0.22", "0.23"))
     refused("part_of_another", case=read_case(other))
