@@ -199,12 +199,13 @@ def test_that_a_case_edited_during_its_run_leaves_the_note_that_of_the_run(tmp_p
     assert program.main(["--batch", str(grown), "--quiet", "--output", str(tmp_path / "out")]) == 0
 
 
-def test_that_a_row_without_an_end_of_a_large_table_is_refused_before_its_cells_are_made(tmp_path):
+@pytest.mark.parametrize("end", [";" * 3_000_000 + "\n", '"ab\n";' * 600_000], ids=["marks", "lines in quotes"])
+def test_that_a_row_without_an_end_of_a_large_table_is_refused_before_its_cells_are_made(end, tmp_path):
     from core.case.wall_table import read_table
     from core.errors import InputError
 
     path = tmp_path / "t.csv"
-    path.write_text("nome;H (m)\n" + "a;5\n" * 2100 + ";" * 3_000_000 + "\n", encoding="utf-8")
+    path.write_text("nome;H (m)\n" + "a;5\n" * 2100 + end, encoding="utf-8")
     with pytest.raises(InputError) as refused:
         read_table(path, many=True)
     assert refused.value.code in ("row_too_long", "table_too_large")

@@ -104,9 +104,8 @@ def test_that_a_part_that_does_not_belong_is_refused(case, tmp_path):
     refused("part_of_another", key="another program")
     whole = part_path(tmp_path, "five", 1, 2).read_bytes()
     lines = whole.split(b"\n")
-    part_path(tmp_path, "five", 1, 2).write_bytes(
-        b"\n".join([lines[0], lines[1][:-9] + b"~" + lines[1][-8:], *lines[2:]])
-    )
+    lines[1] = lines[1][:-9] + b"~" + lines[1][-8:]
+    part_path(tmp_path, "five", 1, 2).write_bytes(b"\n".join(lines))
     refused("part_damaged")
     part_path(tmp_path, "five", 1, 2).write_bytes(whole)
     other = case.with_name("other.toml")
