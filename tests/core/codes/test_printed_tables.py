@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from core.case.rules import parse_wall
 from core.case.site import FULL_FACTOR, KNOWLEDGE
 from core.codes import kinematic, limits, national_hazard, record_compatibility, risk, target_spectrum
 from core.codes.floor_spectrum import FloorSpectrum, estimated_period, first_participation
@@ -140,3 +141,28 @@ def test_that_a_floor_amplifies_as_c7_2_6_and_c7_2_7(damping, amplification):
     assert at / a_z == pytest.approx([max(one, 0.0) for one in expected], rel=2e-3)
     assert first_participation(3) == pytest.approx(9.0 / 7.0, rel=1e-15)  # C7.2.10
     assert estimated_period(9.0) == pytest.approx(0.05 * 9.0**0.75, rel=1e-15)
+
+
+def test_that_beyond_the_first_period_a_floor_moves_no_less_than_at_it():
+    """C8.7.1.12: S_DeZ is not below S_eZ(T_1) (1.1 T_1 / 2 pi)^2."""
+    floor = FloorSpectrum(target_spectrum.en1998(0.2 * G, 1, "A"), (Mode(0.3, 0.01, 1.2),))
+    first = floor.acceleration([0.3], 0.08)[0] * (0.33 / (2.0 * math.pi)) ** 2
+    for period in (0.2, 0.33, 0.36, 0.4, 1.5):
+        own = floor.acceleration([period], 0.08)[0] * (period / (2.0 * math.pi)) ** 2
+        expected = max(own, first) if period > 0.33 else own
+        assert floor.displacement(period, 0.08) == pytest.approx(expected, rel=1e-12)
+    assert floor.displacement(0.4, 0.08) > 1.3 * floor.acceleration([0.4], 0.08)[0] * (0.4 / (2 * math.pi)) ** 2
+
+
+def test_that_the_period_of_a_wall_with_masses_is_that_of_both():
+    """T_0^2 is the sum of that of the wall alone, C8.7.1.7, and of what moves with it."""
+    wall = {"name": "w", "mechanism": "one_sided", "height_m": 3.0, "thickness_m": 0.4, "unit_weight_kn_m3": 18.0}
+    wall |= {"elastic_modulus_mpa": 900.0}
+    roof = {"kind": "vertical", "kn_m": 8.0, "h_m": 3.0, "d_m": 0.2, "mass": "moving"}
+    bare, loaded = parse_wall(wall), parse_wall(wall | {"load": [roof]})
+    alone = kinematic.elastic_period(bare)
+    by_hand = 6.2 * (3.0 / 0.4) * 3.0 * math.sqrt(18e3 / (9e8 * 9.80665))
+    assert alone == pytest.approx(by_hand, rel=1e-12)
+    together = kinematic.elastic_period(loaded)
+    assert together**2 == pytest.approx(alone**2 + kinematic.elastic_period_of_loads(loaded), rel=1e-12)
+    assert together > 1.02 * alone
