@@ -208,7 +208,7 @@ SHOWN_BY = {
     **{f"report/note/{name}": "tests/core/report/test_pdf.py" for name in ("archive", "figure_geometry", "pdf")},
     "report/note/bending_figure": "tests/core/report/test_bending_figure.py",
     **dict.fromkeys(
-        ("codes/assumption", "codes/elastic_branch", "codes/masonry_types", "report/assumption_table"),
+        ("codes/assumption", "codes/masonry_types", "report/assumption_table"),
         "tests/core/variation/test_table_of_assumptions.py",
     ),
     "report/confirmed": "tests/core/report/test_note.py",

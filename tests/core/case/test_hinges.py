@@ -42,6 +42,11 @@ def test_that_the_floors_are_those_between_base_and_top():
     assert [wall.base_z_m for wall in upper] == [3.0, 6.0, 9.0]
 
 
+def test_that_a_tie_that_is_designed_stands_at_its_height_above_each_hinge_below_it():
+    found = walls_of(case([3.0, 6.0], unit_weight_kn_m3=18.0, tie_height_m=5.5))
+    assert [wall.tie_height_m for wall in found] == [5.5, 2.5, None]
+
+
 def test_that_given_heights_are_taken_in_order_and_once():
     found = walls_of(case([4.5, 1.0, 4.5], slenderness_deg=4.0, thickness_m=None))
     assert [wall.height_m for wall in found] == [9.0, 8.0, 4.5]
