@@ -2,13 +2,14 @@
 
 import html
 
+from PySide6 import QtGui
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QWidget
 
 
 def plain(text: str) -> str:
     """A text for what shows HTML where it sees some, a message box or a tip: as it is, whatever it holds."""
-    return f"<qt>{html.escape(text)}</qt>".replace("\n", "<br>") if Qt.mightBeRichText(text) else text
+    return f"<qt>{html.escape(text)}</qt>".replace("\n", "<br>") if QtGui.Qt.mightBeRichText(text) else text
 
 
 class Plain(QLabel):

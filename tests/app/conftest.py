@@ -209,6 +209,8 @@ class SharedWindow:
 
     def lend(self, folder):
         """The window on the small case of this folder."""
+        from app.look.language import FORM_NAMES
+
         if self.made is not None:
             if self.is_idle():
                 put_back_attributes(self.made, self.known)
@@ -217,8 +219,9 @@ class SharedWindow:
         if self.made is None:
             self.made = new_window(folder)
             self.centre, self.known = self.made.centralWidget(), attributes_of(self.made)
-            self.folds = folds_of(self.made)
+            self.folds, self.captions = folds_of(self.made), dict(FORM_NAMES.captions)
         else:
+            FORM_NAMES.captions.update(self.captions)  # a window in Italian has come between
             self.put_back(folder)
         open_small(self.application, self.made, folder)
         self.made.show_input("wall", 0)

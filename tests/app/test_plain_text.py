@@ -9,6 +9,7 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
+from PySide6 import QtGui
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 
@@ -82,7 +83,7 @@ def test_that_plain_shows_every_letter_of_a_text(application, text):
     from app.look.labels import plain
 
     shown, document = plain(text), QTextDocument()
-    if Qt.mightBeRichText(shown):
+    if QtGui.Qt.mightBeRichText(shown):
         document.setHtml(shown)
         assert document.toPlainText() == text
     else:
