@@ -68,7 +68,8 @@ def test_that_no_word_of_the_workbook_is_hidden(which, request, tmp_path):
     assert_seen(printed(path, tmp_path), result)
 
 
-@pytest.mark.parametrize("which", ["verdict", pytest.param("whole_building", marks=pytest.mark.long)])
+@pytest.mark.long
+@pytest.mark.parametrize("which", ["verdict", "whole_building"])
 def test_that_no_word_of_the_document_is_hidden(which, request, tmp_path):
     pytest.importorskip("docx")
     result = request.getfixturevalue(which)
