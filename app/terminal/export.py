@@ -1,8 +1,10 @@
 """Workbook and JSON of a result, for the batch and the window alike."""
 
 import contextlib
+import errno
 import functools
 import gc
+import os
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
@@ -48,8 +50,12 @@ def refuse_overwriting(case: Case, case_path: Path, folder: Path, stem: str, not
         except InputError as error:
             raise error.at(place("record", n=k)) from None
         sources |= {path.resolve() for path in paths}
-    for path in (results | ({note.resolve()} if note else set())) & sources:
+    asked = results | ({note.resolve()} if note else set())
+    for path in asked & sources:
         raise InputError("would_overwrite", path=path)
+    for path in sorted(asked):
+        if path.exists() and not path.is_file():
+            raise OutputError("file_not_writable", reason=os.strerror(errno.EISDIR), place=(path,))
 
 
 def _ours(path: Path) -> bool:

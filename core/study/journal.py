@@ -91,8 +91,8 @@ class Journal:
 
     def _rewrite(self, content: bytes) -> None:
         """The whole lines in a file of their own, which takes the place of the damaged one."""
-        place = self.path.with_name(f"{self.path.name}.new")
-        with open(place, "wb") as stream:
+        place = self.path.with_name(f"{self.path.name}.{os.getpid()}.new")
+        with open(place, "xb") as stream:  # nobody else's
             stream.write(content)
             stream.flush()
             os.fsync(stream.fileno())

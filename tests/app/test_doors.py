@@ -113,6 +113,18 @@ def test_that_a_note_never_takes_the_place_of_an_input(name, tmp_path, capsys):
     assert f"the results would overwrite {target}" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("name", ["case.xlsx", "case.json", "n.pdf"])
+def test_that_a_folder_under_the_name_of_a_result_is_said_before_the_run(name, tmp_path, capsys, monkeypatch):
+    from app.terminal import batch
+
+    monkeypatch.setattr(batch, "run_study", lambda *_, **__: pytest.fail("run"))
+    case = tmp_path / "case.toml"
+    case.write_text(CASE.format(wall="", top=DEMAND), encoding="utf-8")
+    (tmp_path / name).mkdir()
+    assert program.main(["--batch", str(case), "--quiet", "--report", str(tmp_path / "n.pdf")]) == 1
+    assert name in capsys.readouterr().err
+
+
 def test_that_no_other_batch_begins_while_the_results_are_written(tmp_path, monkeypatch):
     from app.terminal import export
 
