@@ -70,3 +70,12 @@ def test_that_a_file_is_read_and_a_missing_or_large_one_refused(tmp_path):
         with pytest.raises(InputError) as caught:
             read_hazard(tmp_path / name)
         assert caught.value.code == code and name in str(caught.value)
+
+
+@pytest.mark.parametrize("line", [2, 3, 5])
+def test_that_the_line_that_is_named_is_the_one_that_is_wrong(line):
+    rows = ["TR ag F0 TC", "30 0.05 2.4 0.28", "101 0.1 2.4 0.3", "475 0.19 2.5 0.33", "975 0.3 2.5 0.34"]
+    rows[line - 1] = "30 o 2.4 0.28"
+    with pytest.raises(InputError) as refused:
+        parse_hazard("\n".join(rows))
+    assert str(refused.value).startswith(f"line {line}:")

@@ -3,7 +3,7 @@
 import pytest
 
 from core.case.reader import read_case
-from core.case.rules import parse_case
+from core.case.rules import parse_case, parse_wall
 from core.errors import InputError
 from tests.core.case.tables import WALL, case, without
 
@@ -161,3 +161,13 @@ def test_that_the_height_of_the_base_is_never_guessed(tmp_path):
 def test_that_a_demand_that_contradicts_itself_is_refused(demand, words):
     with pytest.raises(InputError, match=words):
         parse_case(case(demand={"ag_g": 0.2, **demand}))
+
+
+@pytest.mark.parametrize("k", [1, 2, 3])
+def test_that_the_load_that_is_named_is_the_one_that_is_wrong(k):
+    loads = [{"kind": "vertical", "kn_m": 2.0, "h_m": 2.0, "d_m": 0.2} for _ in range(3)]
+    loads[k - 1]["kn_m"] = "two"
+    wall = {"name": "w", "mechanism": "one_sided", "height_m": 3.0, "thickness_m": 0.4, "unit_weight_kn_m3": 18.0}
+    with pytest.raises(InputError) as refused:
+        parse_wall(wall | {"load": loads})
+    assert f"[[load]] {k}:" in str(refused.value)

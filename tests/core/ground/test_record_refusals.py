@@ -324,3 +324,16 @@ def test_that_a_text_that_is_no_number_is_a_record_error(text):
 )
 def test_that_a_number_of_the_grammar_is_read(text, value):
     assert to_float(text) == value
+
+
+@pytest.mark.parametrize("line", [5, 8, 20])
+def test_that_the_line_and_the_sample_that_are_named_are_those_that_are_wrong(line, tmp_path):
+    head = ["PEER NGA", "Northridge", "ACCELERATION TIME SERIES IN UNITS OF G", "NPTS=  100, DT= .0100 SEC"]
+    path = tmp_path / "a.AT2"
+    for word, named in (("zz", f"line {line}:"), ("nan", f"sample {5 * (line - 5) + 3} ")):
+        lines = [*head, *["  .1E-01  .2E-01  -.3E-01  .1E-01  .0E+00"] * 20]
+        lines[line - 1] = f"  .1E-01  .2E-01  {word}  .1E-01  .0E+00"
+        path.write_text("\n".join([*lines, ""]))
+        with pytest.raises(RecordError) as refused:
+            records.read(path)
+        assert named in str(refused.value)
