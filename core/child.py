@@ -6,12 +6,14 @@ import os
 import pickle
 import subprocess
 import sys
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 CHILD = "RIBALTA_CHILD"
-"""Variable that tells the frozen program that it is a child (packaging/entry.py)."""
+"""Variable that names to the child the folder of its work and its answer (packaging/entry.py): a program of Windows
+without a terminal has no streams."""
 
 
 class Refused(Exception):
@@ -27,46 +29,47 @@ def bounded(work: Callable, *given: Any, seconds: float, megabytes: int) -> Any:
     root = str(Path(__file__).absolute().parents[1])
     module = [] if getattr(sys, "frozen", False) else ["-P", "-m", "core.child"]
     path = os.pathsep.join([root, *filter(None, [os.environ.get("PYTHONPATH")])])
-    try:
-        done = subprocess.run(
-            [sys.executable, *module],
-            input=pickle.dumps((work, given, megabytes)),
-            capture_output=True,
-            timeout=seconds,
-            cwd=root,
-            env={**os.environ, CHILD: "1", "PYTHONPATH": path},
-            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
-        )
-    except subprocess.TimeoutExpired:
-        raise Refused from None
-    except OSError as error:
-        raise Refused(error.strerror or type(error).__name__) from None
-    if done.returncode != 0:
-        raise Refused
-    found, reason = pickle.loads(done.stdout)
+    with tempfile.TemporaryDirectory(prefix="ribalta-child-", ignore_cleanup_errors=True) as folder:
+        try:
+            (Path(folder) / "work").write_bytes(pickle.dumps((work, given, megabytes)))
+            done = subprocess.run(
+                [sys.executable, *module],
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+                timeout=seconds,
+                cwd=root,
+                env={**os.environ, CHILD: folder, "PYTHONPATH": path},
+                creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+            )
+            if done.returncode != 0:
+                raise Refused
+            found, reason = pickle.loads((Path(folder) / "answer").read_bytes())
+        except subprocess.TimeoutExpired:
+            raise Refused from None
+        except OSError as error:
+            raise Refused(error.strerror or type(error).__name__) from None
     if reason is not None:
         raise Refused(reason)
     return found
 
 
 def main() -> None:
-    """The child: work from its input, (result, None) or (None, what was raised) to its output."""
-    answer = os.fdopen(os.dup(1), "wb")
-    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what a library says is no part of it
-    work, given, megabytes = pickle.loads(sys.stdin.buffer.read())
+    """The child: its work, and as its answer (result, None) or (None, what was raised)."""
+    folder = Path(os.environ[CHILD])
+    work, given, megabytes = pickle.loads((folder / "work").read_bytes())
     with contextlib.suppress(ImportError, ValueError, OSError):  # Windows has the bound of time alone
         import resource
 
         resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     try:
-        found = pickle.dumps((work(*given), None))
+        answer = pickle.dumps((work(*given), None))
     except MemoryError:
         sys.exit(1)
     except Exception as error:  # whatever a damaged file makes a library raise
-        found = pickle.dumps((None, str(error)[:200] or type(error).__name__))
-    with answer:
-        answer.write(found)
+        answer = pickle.dumps((None, str(error)[:200] or type(error).__name__))
+    (folder / "answer").write_bytes(answer)
 
 
 if __name__ == "__main__":
