@@ -1,7 +1,9 @@
 """Are the records compatible with the target spectrum? NTC 2018 3.2.3.6 and EN 1998-1 3.2.3.1.2."""
 
+import functools
+import hashlib
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -136,9 +138,37 @@ def common_factor(motions: list[GroundMotion], demand: DemandResult) -> float:
     low, high = demand.period_range or RANGE
     count = math.ceil(math.log(high / low) / math.log1p(PERIOD_STEP)) + 1
     periods = np.geomspace(low, high, count)
-    spectra = [demand.scaling(m) * pseudo_acceleration_spectrum(m.acceleration, m.time_step, periods) for m in motions]
+    spectra = [demand.scaling(m) * kept_spectrum(m.acceleration, m.time_step, periods) for m in motions]
     ratio = demand.target.acceleration(periods) / np.mean(spectra, axis=0)
     return float(np.exp(np.log(ratio).mean()))
+
+
+KEPT = 128
+"""Spectra that are kept: those of a generated set serve all walls of a case, and all that is changed in them."""
+
+
+@dataclass(frozen=True)
+class _Samples:
+    """Samples [m/s2], told apart by their hash."""
+
+    digest: bytes
+    time_step: float
+    acceleration: np.ndarray = field(compare=False)
+
+
+def kept_spectrum(ground: np.ndarray, dt: float, periods: np.ndarray) -> np.ndarray:
+    """`pseudo_acceleration_spectrum` [m/s2] of 5 % damping; of the last KEPT motions and periods it is not made again,
+    and none may change it. ground [m/s2], dt, periods [s]"""
+    samples = np.ascontiguousarray(ground)
+    key = _Samples(hashlib.blake2b(samples.tobytes(), digest_size=20).digest(), dt, samples)
+    return _spectrum(key, tuple(periods.tolist()))
+
+
+@functools.lru_cache(KEPT)
+def _spectrum(samples: _Samples, periods: tuple[float, ...]) -> np.ndarray:
+    found = pseudo_acceleration_spectrum(samples.acceleration, samples.time_step, np.array(periods))
+    found.flags.writeable = False
+    return found
 
 
 def compliance(
@@ -153,7 +183,7 @@ def compliance(
     factors = [demand.scaling(motion) for motion in motions]
     spectra = np.array(
         [
-            factor * pseudo_acceleration_spectrum(m.acceleration, m.time_step, periods)
+            factor * kept_spectrum(m.acceleration, m.time_step, periods)
             for m, factor in zip(motions, factors, strict=True)
         ]
     )

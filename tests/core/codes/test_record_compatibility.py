@@ -154,3 +154,25 @@ def _reads(path) -> bool:
         return bool(records.read(path))
     except RecordError:
         return False
+
+
+def test_that_a_spectrum_that_is_kept_is_that_of_its_own_samples_step_and_periods():
+    from core.codes.record_compatibility import kept_spectrum
+    from core.ground.response_spectrum import pseudo_acceleration_spectrum
+
+    chance = np.random.default_rng(5)
+    first = chance.normal(size=400)
+    other = first.copy()
+    other[200] += 1e-9
+    periods = np.geomspace(0.1, 2.0, 9)
+    for _ in range(2):
+        for ground, dt, asked in (
+            (first, 0.01, periods),
+            (other, 0.01, periods),
+            (first, 0.02, periods),
+            (first, 0.01, periods[:5]),
+        ):
+            found = kept_spectrum(ground, dt, asked)
+            assert (found == pseudo_acceleration_spectrum(ground, dt, asked)).all()
+    with pytest.raises(ValueError):
+        found[0] = 0.0
