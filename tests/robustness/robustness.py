@@ -166,7 +166,10 @@ def sheet(rows: dict[str, dict[str, Any]]) -> str:
             row = rows[name]
             cells = (row["tried"], row["found"], row["version"], row["date"], row["minutes"])
             lines.append(f"| {campaign.title} | {' | '.join(map(str, cells))} |")
-    lines += ["", "Faults that no test finds are named in tests/mutation/survivors.txt, each with its reason."]
+    lines += [
+        "",
+        "Faults that no test finds are in tests/mutation/survivors.txt with their reasons, those not judged yet in open.txt.",
+    ]
     return "\n".join([*lines, ""])
 
 
