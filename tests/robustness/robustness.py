@@ -168,8 +168,8 @@ def sheet(rows: dict[str, dict[str, Any]]) -> str:
             lines.append(f"| {campaign.title} | {' | '.join(map(str, cells))} |")
     lines += [
         "",
-        "Faults that no test finds are in tests/mutation/survivors.txt with their reasons, those that nobody has judged yet",
-        "in tests/mutation/open.txt.",
+        "Faults that no test finds are in tests/mutation/survivors.txt with their reasons, those that nobody has",
+        "judged yet in tests/mutation/open.txt.",
     ]
     return "\n".join([*lines, ""])
 
