@@ -264,7 +264,8 @@ def _beside(target: str, content: Content, end: str = "") -> str:
     handle, name = tempfile.mkstemp(
         dir=os.path.dirname(target), prefix=f"{PREFIX}{machine()}-{os.getpid()}-", suffix=end
     )
-    try:
+    with contextlib.ExitStack() as unfinished:
+        unfinished.callback(_remove, name)
         with os.fdopen(handle, "wb") as stream:
             if callable(content):
                 content(stream)
@@ -272,9 +273,7 @@ def _beside(target: str, content: Content, end: str = "") -> str:
                 stream.write(content)
             stream.flush()
             os.fsync(stream.fileno())
-    except BaseException:
-        _remove(name)
-        raise
+        unfinished.pop_all()
     return name
 
 

@@ -13,7 +13,7 @@ CODES = {FLOORS: FLOORS, BASE: BASE}
 
 
 def hinge_words() -> dict[str, str]:
-    """The same in the language of the window."""
+    """Words that stand for hinges, as the window shows them in its language."""
     return {FLOORS: tr("floors"), BASE: tr("base")}
 
 

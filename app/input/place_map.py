@@ -20,10 +20,10 @@ CELL = 0.052
 """Size of a node on the map [degrees of latitude]."""
 
 OF_475 = 6
-"""Of the return periods of the grid."""
+"""Place of 475 years among the return periods of the grid."""
 
 HEIGHT = 300
-"""Of the map [px]: one that a layout cannot take from it."""
+"""Height that the map keeps, which a layout cannot take from it [px]."""
 
 STEP = 0.01
 """Degrees an arrow key moves the point."""

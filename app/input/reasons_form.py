@@ -55,7 +55,7 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
 
 
 def raised_by_demand(case: Case) -> set[str]:
-    """The same of the demand and of the building."""
+    """Keys of the demand and of the building whose values lift zeta: each asks for a reason."""
     demand, building = case.demand, case.building
     if demand is None:
         return set()

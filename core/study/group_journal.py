@@ -138,14 +138,13 @@ class MergedGroups:
         """keys(k, n) : what the first line of the k-th of n parts says; groups : of the case. Raises InputError for a
         part that is missing, not finished, damaged, of another division, or of another case or program."""
         self.streams, self.places = [], []
-        try:
+        with contextlib.ExitStack() as opened:
+            opened.callback(self.close)
             for k, n, path in parts_in(folder, stem):
                 self._add(path, k, n, keys(k, n))
                 if not {str(g) for g in range(k - 1, groups, n)} <= set(self.places[-1]):
                     raise InputError("part_damaged", k=k, n=n, path=path)
-        except BaseException:
-            self.close()
-            raise
+            opened.pop_all()  # all are there, and stay open
 
     def _add(self, path: Path, k: int, n: int, key: str) -> None:
         try:
