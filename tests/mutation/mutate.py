@@ -1,12 +1,13 @@
 """Are the tests awake? Small faults put into the modules that decide, one at a time; each must fail a test.
 
-    python3 run.py mutate [--faults N] [--journal FILE] [MODULE ...]
+    python3 run.py mutate [--faults N] [--journal FILE] [--open] [MODULE ...]
 
 A tool of our own, since mutmut and cosmic-ray run the whole suite for each fault: here a module knows its tests, the
 file that mirrors it or shows its facts (tests/test_boundaries.py), and compiled kernels are kept for all runs but those
 of faults in a kernel. Faults are drawn by a fixed seed from all places of all modules: comparisons at their limit,
 signs, factors, limits moved by a tenth, conditions turned. Those that change nothing are named in `survivors.txt`, each
-with its reason. With a journal a run that was stopped goes on where it ended.
+with its reason, and those that nobody has judged in `open.txt`, which `--open` tries again. With a journal a run that was stopped
+goes on where it ended.
 """
 
 import argparse
@@ -176,16 +177,29 @@ def put(node: Any, attribute: str) -> None:
         node.value = node.value + 1 if isinstance(node.value, int) else node.value * 1.1 or 0.1
 
 
+def parsed(module: str) -> ast.Module:
+    """Syntax tree of a module."""
+    return ast.parse((ROOT / module).read_text(encoding="utf-8"))
+
+
 def drawn(modules: list[str], count: int) -> list[Fault]:
     """At least so many faults of these modules, in each by its share of the places and the seed: a change of another
     module draws no others. All places where there are fewer."""
-    places = {module: len(faults(ast.parse((ROOT / module).read_text(encoding="utf-8")))) for module in modules}
+    places = {module: len(faults(parsed(module))) for module in modules}
     share = count / max(1, sum(places.values()))
     return [
         Fault(module, place)
         for module, n in places.items()
         for place in sorted(random.Random(f"{SEED} {module}").sample(range(n), min(n, math.ceil(n * share))))
     ]
+
+
+def still_open(modules: list[str]) -> list[Fault]:
+    """The faults of these modules that open.txt names, where their lines still stand."""
+    listed = set((Path(__file__).parent / "open.txt").read_text(encoding="utf-8").splitlines())
+    named = [module for module in modules if any(line.startswith(f"{module}: ") for line in listed)]
+    places = [Fault(module, place) for module in named for place in range(len(faults(parsed(module))))]
+    return [fault for fault in places if with_fault(fault)[0] in listed]
 
 
 def with_fault(fault: Fault) -> tuple[str, str]:
@@ -258,11 +272,13 @@ def main() -> int:
     words = argparse.ArgumentParser()
     words.add_argument("modules", nargs="*")
     words.add_argument("--faults", type=int, default=600, help="drawn from all places of the modules")
+    words.add_argument("--open", action="store_true", help="in place of drawn ones the faults that open.txt names")
     words.add_argument("--journal", type=Path, help="what was found so far; a run that was stopped goes on with it")
     words.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     options = words.parse_args()
     known = (Path(__file__).parent / "survivors.txt").read_text(encoding="utf-8").splitlines()
-    asked = drawn(options.modules or deciding_modules(), options.faults)
+    modules = options.modules or deciding_modules()
+    asked = still_open(modules) if options.open else drawn(modules, options.faults)
     done: dict[str, bool] = {}
     if options.journal and options.journal.exists():
         done = dict(json.loads(line) for line in options.journal.read_text(encoding="utf-8").splitlines())
