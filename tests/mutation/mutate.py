@@ -6,8 +6,8 @@ A tool of our own, since mutmut and cosmic-ray run the whole suite for each faul
 file that mirrors it or shows its facts (tests/test_boundaries.py), and compiled kernels are kept for all runs but those
 of faults in a kernel. Faults are drawn by a fixed seed from all places of all modules: comparisons at their limit,
 signs, factors, limits moved by a tenth, conditions turned. Those that change nothing are named in `survivors.txt`, each
-with its reason, and those that nobody has judged in `open.txt`, which `--open` tries again. With a journal a run that was stopped
-goes on where it ended.
+with its reason, and those that nobody has judged in `open.txt`, which `--open` tries again. With a journal a run that
+was stopped goes on where it ended.
 """
 
 import argparse
