@@ -5,9 +5,13 @@ import os
 import re
 import subprocess
 import sys
+from dataclasses import fields
 
 import pytest
 
+from core.case.loads import Bars, Load, ReturnWalls
+from core.case.solids import Opening, Solid, Step, Wedges
+from core.case.wall import Wall
 from tests.conftest import ROOT
 from tests.trees import tree_of
 
@@ -87,9 +91,11 @@ SHOWN_BY = {
     "case/drawn_solids": "tests/core/case/test_drawing_file.py",
     "report/place_lines": "tests/core/case/test_place.py",
     "wall/body": BODIES,
-    "wall/shape_rules": BODIES,
-    "wall/one_body": BODIES,
-    "wall/wall_body": BODIES,
+    "wall/solids": BODIES,
+    "case/shape": BODIES,
+    "case/shape_rules": BODIES,
+    "case/above_hinge": "tests/core/case/test_hinges.py",
+    "case/wall": "tests/core/case/test_schema.py",
     "rocking/taylor_two_hinges": BODIES,
     **dict.fromkeys(
         ("ground/records/networks", "ground/records/film", "ground/records/labview"),
@@ -348,3 +354,22 @@ def test_that_every_function_the_page_of_the_architecture_names_is_where_it_says
 )
 def test_that_the_page_of_the_architecture_says_where(subject):
     assert re.search(rf"^\| [^|]*{re.escape(subject)}[^|]* \| core/", PAGE, re.MULTILINE)
+
+
+BELOW_THE_CASE = ("wall", "codes", "ground", "capacity", "rocking")
+"""Of core: what knows a wall by its SI quantities alone."""
+
+
+def test_that_the_mechanics_read_no_key_of_a_wall_of_the_case_and_take_nothing_untyped():
+    """A wall in SI is built once, by core/case/wall.py: whoever reads a key below it sees a unit the types do not."""
+    of_walls = (Wall, Load, Bars, ReturnWalls, Solid, Opening, Step, Wedges)
+    keys = {one.name for of in of_walls for one in fields(of) if one.metadata.get("unit")}
+    found = []
+    for path in (path for name in BELOW_THE_CASE for path in (ROOT / "core" / name).rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Attribute) and node.attr in keys:
+                found.append(f"{path.name}:{node.lineno}: .{node.attr}")
+            if isinstance(node, ast.FunctionDef):
+                untyped = [arg.arg for arg in node.args.args if arg.annotation is None]
+                found += [f"{path.name}:{node.lineno}: {name}" for name in untyped if name in ("wall", "load", "solid")]
+    assert found == []

@@ -15,12 +15,11 @@ from app.look.labels import Plain
 from app.look.language import FORM_NAMES, current_language, number, tr
 from app.work.session import Session
 from core.case.number import parse_number
-from core.case.schema import Wall
 from core.case.solids import Opening, Solid, Step, Wedges
+from core.case.wall import Wall
 from core.errors import InputError
 from core.text.sentence import choice
 from core.units import CM
-from core.wall.wall_body import shoulder
 
 SIZES = ("width_m", "height_m", "diameter_m")
 """What an opening is given by."""
@@ -185,7 +184,7 @@ class BodyForm(QWidget):
         """Length of the wedge at the top [m] by the bricks, as far as they and the height are known."""
         try:
             length, height = (parse_number(line.text()) for line in (self.brick_length, self.brick_height))
-            crack = shoulder(self.wall) - self.wall.return_wedges.from_z_m
+            crack = self.wall.shoulder - self.wall.return_wedges.from_z_m
             found = crack * length / (2.0 * height)
         except (InputError, TypeError, AttributeError, ZeroDivisionError):
             return None

@@ -29,12 +29,11 @@ from app.work.session import Session
 from core.case.drawing_file import TOLERANCE, UNITS, DxfFile, Shape, Sheet
 from core.case.drawn_solids import made_solids, origin_of, sum_of_solids, with_solids
 from core.case.outline_inside import around
-from core.case.schema import Wall
+from core.case.shape_rules import check_shape
 from core.case.solids import Drawing
+from core.case.wall import Wall
 from core.errors import InputError
 from core.wall.body import holds, point_within, polygon_sums
-from core.wall.shape_rules import check_shape
-from core.wall.wall_body import has_shape
 
 CLOSE = 0.02
 """How far the end of a line may be from the line it should meet, in an outline around a click [m]."""
@@ -102,7 +101,7 @@ class DrawingDialog(QDialog):
         for field in self.fields.values():
             field.judged.connect(self._judge)
         self.sizes = QCheckBox(tr("Height, base and length of the wall from here too"))
-        self.sizes.setChecked(not has_shape(wall))
+        self.sizes.setChecked(not wall.has_shape)
         self.sizes.toggled.connect(self._later)
         self.words = Plain()
         self.words.setWordWrap(True)

@@ -12,8 +12,8 @@ from app.input.made_fields import make_fields
 from app.look.labels import Plain
 from app.look.language import tr
 from app.work.session import Session
-from core.case.schema import Wall
 from core.case.values import field_of
+from core.case.wall import Wall
 from core.errors import InputError
 from core.text.sentence import Sentence
 

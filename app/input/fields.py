@@ -16,9 +16,10 @@ from core.case.keys import unit_in_form
 from core.case.loads import Bars, Load, ReturnWalls
 from core.case.number import parse_number, parse_quantity
 from core.case.place import Site
-from core.case.schema import Analysis, Report, Wall
+from core.case.schema import Analysis, Report
 from core.case.site import Building, Demand, Spectrum
 from core.case.values import check_value, field_of
+from core.case.wall import Wall
 from core.errors import InputError
 from core.text.sentence import Sentence, choice
 

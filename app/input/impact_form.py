@@ -12,9 +12,8 @@ from app.input.law_curve import LawCurve
 from app.look.labels import Plain
 from app.look.language import current_language, described, named, number, tr
 from app.work.session import Session
-from core.case.schema import Wall
+from core.case.wall import Wall
 from core.errors import InputError
-from core.wall import wall_loads
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import MODELS, Contact, impact_ratio
@@ -165,7 +164,7 @@ class ImpactForm(QWidget):
             try:
                 model_used = wall.restitution_of(mechanism)
                 word = named(mechanism)
-                formula = formula_of(model_used.model, wall.block(), wall_loads.contact_of(wall))
+                formula = formula_of(model_used.model, wall.block(), wall.in_si.contact)
                 lines.append(f"{word}: {formula} = {number(model_used.ratio_at_rest, '.4f')}")
                 if model_used.model in self.scopes:
                     lines.append(f"({self.scopes[model_used.model]})")

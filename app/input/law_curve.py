@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 
 from app.look import theme
 from app.views.axis import Axis
-from core.case.schema import Wall
+from core.case.wall import Wall
 from core.errors import InputError
 from core.units import G
 from core.wall.moment_rotation import moment
@@ -74,7 +74,7 @@ class LawCurve(SmallCurve):
     def show_wall(self, wall: Wall) -> None:
         """Draw the law of this wall, nothing while it is not complete."""
         try:
-            block, law, loads = wall.block(), wall.moment_law(), wall.restoring()
+            block, law, loads = wall.block(), wall.moment_law(), wall.in_si.restoring
         except (InputError, TypeError):
             self.curve.setData([], [])
             return

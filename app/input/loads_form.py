@@ -11,11 +11,11 @@ from app.input.hinges_field import HingesField
 from app.input.made_fields import make_fields
 from app.look.language import named, number, tr
 from app.work.session import Session
+from core.case.load_rules import COMBINED, OF_A_TIE
 from core.case.loads import Bars, Load, ReturnWalls
-from core.case.schema import Wall
 from core.case.values import field_of
+from core.case.wall import Wall
 from core.text.catalogue import CATALOGUE
-from core.wall.wall_loads import COMBINED, OF_A_TIE
 
 KINDS = field_of(Load, "kind").metadata["names"]
 

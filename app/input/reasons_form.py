@@ -9,8 +9,9 @@ from app.input.fields import TextField, connect
 from app.look.labels import Plain
 from app.look.language import named, tr
 from app.work.session import Session
-from core.case.schema import Case, Generate, Wall, WallJustification
+from core.case.schema import Case, Generate
 from core.case.site import FULL_FACTOR, Building, Demand, DemandJustification
+from core.case.wall import Wall, WallJustification
 from core.codes.limits import ORDINARY_LIFE
 from core.codes.national_hazard import national_range
 from core.codes.verdict import CODE_Q

@@ -31,8 +31,8 @@ from app.look.language import FORM_NAMES, current_language, described, named, nu
 from app.look.parts import Parts
 from app.look.section import Section, unfold_to
 from app.work.session import Session
-from core.case.schema import AS_IS, BENDS, DESIGNED, Wall
 from core.case.values import check_value
+from core.case.wall import AS_IS, BENDS, DESIGNED, Wall
 from core.case.wall_table import read_table, text_rows, walls_of
 from core.codes.masonry_types import TYPES
 from core.codes.vertical_bending import bending

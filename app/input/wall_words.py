@@ -12,8 +12,9 @@ from core.case.hinges import hinges_of
 from core.case.keys import unit_in_form
 from core.case.loads import Load
 from core.case.rules import TESTED_STRENGTH
-from core.case.schema import AS_IS, DESIGNED, Case, Wall
+from core.case.schema import Case
 from core.case.values import field_of
+from core.case.wall import AS_IS, DESIGNED, Wall
 from core.errors import InputError
 from core.setting.demand_input import demand_of
 from core.study import wall_result

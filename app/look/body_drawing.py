@@ -9,10 +9,10 @@ from PySide6.QtGui import QColor, QPainterPath, QPen, QPolygonF
 
 from app.look import theme
 from app.look.language import number
-from core.case.schema import Wall
 from core.case.solids import Opening, Solid
+from core.case.wall import Wall
 from core.report.outlines import Outline, in_elevation, in_section
-from core.wall.wall_body import faces_at, has_shape, parts_of
+from core.wall.solids import faces_at
 
 
 def turned(corners: Sequence[tuple[float, float]], hinge: float, rotation: float) -> list[QPointF]:
@@ -35,7 +35,7 @@ def complete(wall: Wall) -> Wall:
             return False
         return "" not in values
 
-    if not has_shape(wall):
+    if not wall.has_shape:
         return wall
     kept = {key: tuple(filter(is_given, getattr(wall, key))) for key in ("openings", "steps", "solid")}
     wedges = wall.return_wedges if wall.return_wedges and is_given(wall.return_wedges) else None
@@ -56,7 +56,7 @@ class BodyDrawing:
         points = [point for one in self.section for point in one.points]
         self.ends = (min([-half, *(x for x, _ in points)]), max([half, *(x for x, _ in points)]))
         self.top = max((z for _, z in points), default=0.0)
-        self.parts, self.half = parts_of(wall) if wall else (), half
+        self.parts, self.half = wall.parts if wall else (), half
         self.length = wall.length_m if wall and any(part.plane == "oblique" for part in self.parts) else None
 
     @property

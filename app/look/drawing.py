@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 from app.look import theme
 from app.look.body_drawing import BodyDrawing, complete, turned
 from app.look.language import number
-from core.case.schema import BENDS, Wall
+from core.case.wall import BENDS, Wall
 from core.codes.vertical_bending import Bending, Strip, bending, hinges_of, mechanism, outlines, shown_rotation
 from core.errors import InputError
 from core.report.load_arrows import arrows

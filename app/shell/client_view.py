@@ -18,7 +18,7 @@ from app.look.labels import Plain, Rich, plain
 from app.look.language import described, named, tr
 from app.views.runs import before_motion
 from core import atomic_write
-from core.case.schema import AS_IS
+from core.case.wall import AS_IS
 from core.codes.outcomes import OUTCOMES
 from core.errors import InputError, OutputError
 from core.report.verdict_words import tone_of

@@ -5,8 +5,8 @@ from PySide6.QtWidgets import QGroupBox, QLineEdit, QWidget
 from app.input.fields import Field
 from app.input.reasons_form import ReasonField
 from app.look.section import Section, unfold_to
+from core.case.load_rules import OF_A_TIE
 from core.case.loads import Bars, Load
-from core.wall.wall_loads import OF_A_TIE
 
 
 def point_at(window, widget: QWidget) -> None:

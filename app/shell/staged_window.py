@@ -13,8 +13,8 @@ from app.shell.pages import Page
 from app.shell.pointing import point_at_key
 from app.shell.tree import ProjectTree, Row
 from app.work.running import RunningWindow
-from core.case.schema import Wall
 from core.case.sensitivity import Ranges
+from core.case.wall import Wall
 from core.errors import InputError
 from core.setting.demand_input import target_of
 from core.study.results import StudyResult, WallResult

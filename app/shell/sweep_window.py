@@ -29,9 +29,10 @@ from app.work.worker import Job
 from core.case.keys import unit_in_form
 from core.case.loads import ReturnWalls
 from core.case.number import parse_quantity
-from core.case.schema import Case, Wall
+from core.case.schema import Case
 from core.case.site import Building
 from core.case.values import check_value, field_of
+from core.case.wall import Wall
 from core.errors import InputError
 from core.research.figures import DASHED, LINE_POINTS, Figure, Series, Table
 from core.study.sweep import MOST_VALUES, SweepKey, SweepPoint, sweep, sweep_keys, value_at

@@ -20,7 +20,8 @@ from core.case.drawn_solids import with_drawings
 from core.case.problems import problems
 from core.case.reader import read_case, read_toml
 from core.case.rules import draft_case, parse_case
-from core.case.schema import Case, Record, Report, Wall
+from core.case.schema import Case, Record, Report
+from core.case.wall import Wall
 from core.case.writer import dumps, table_of
 from core.errors import InputError, OutputError
 from core.file_names import key_of, name_of

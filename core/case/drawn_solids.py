@@ -8,14 +8,15 @@ from typing import Any, NamedTuple
 
 from core.case.drawing_file import LARGEST, SAME, SMALLEST, UNITS, DxfFile, Shape, Sheet, largest, likely_unit
 from core.case.drawing_outlines import Point, parts_above
-from core.case.schema import Wall
+from core.case.shape import ANGLES
 from core.case.solids import Drawing, Solid
 from core.case.values import MOST_CORNERS, section_of
+from core.case.wall import Wall
 from core.errors import InputError, place, section
 from core.file_names import name_of, shown
 from core.text.sentence import Sentence, notice
 from core.wall.body import Body, crossing, holds, polygon_sums
-from core.wall.wall_body import ANGLES, Part, sum_of
+from core.wall.solids import Part, sum_of
 
 DIGITS = 6
 """Of a corner [m]: what is drawn at one place is at one place."""
@@ -237,7 +238,7 @@ def with_solids(wall: Wall, made: Sequence[dict], sizes: bool) -> Wall:
 def sum_of_solids(solids: Sequence[Solid], weight: float) -> tuple[float, Body]:
     """Area [m2] and sums of solids in elevation or section. weight : [kN/m3]"""
     parts = [
-        Part(s.polygon_m, (s.from_m, s.to_m), ANGLES[s.plane], s.x0_m, -weight if s.opening else weight, s.plane)
+        Part(s.polygon_m, (s.from_m, s.to_m), ANGLES[s.plane], s.x0_m, (-1e3 if s.opening else 1e3) * weight, s.plane)
         for s in solids
     ]
     body = sum_of(tuple(parts))

@@ -2,14 +2,16 @@
 
 from dataclasses import replace
 
-from core.codes.vertical_bending import ON_TOP, bending, bent_inward
+from core.case.wall import Wall
+from core.codes.vertical_bending import ON_TOP, bending
 from core.errors import InputError, place
+from core.known import known
 
 OF_HISTORIES = ("restitution", "velocity_ratio")
 """Keys of what it has not."""
 
 
-def check_held_top(wall) -> None:
+def check_held_top(wall: Wall) -> None:
     """Raise InputError for a wall held at its top that is not complete, or has what does not go with it."""
     if not wall.bends:
         return
@@ -39,13 +41,21 @@ def check_held_top(wall) -> None:
             raise InputError("bending_tie", place=on, key="kind")
         if load.kind != "vertical":
             raise InputError("bending_load", place=on, key="kind")
-        if load.h_m > wall.height_m * (1.0 + ON_TOP):
+        if load.h_m > known(wall.height_m) * (1.0 + ON_TOP):
             raise InputError("bending_load_height", place=on, key="h_m", found=load.h_m, height=wall.height_m)
     for moving in (wall, bent_inward(wall)):
-        bending(moving)
+        bending(moving.in_si)
 
 
-def with_top_loads(was, wall):
+def bent_inward(wall: Wall) -> Wall:
+    """The wall as it is for a motion inward: mirrored, its loads as far from the inner face as they are from the outer
+    one; a step that keeps one face plumb keeps the other."""
+    mirrored = {"outer": "inner", "inner": "outer", "middle": "middle"}
+    loads = tuple(replace(load, d_m=known(wall.thickness) - known(load.d_m)) for load in wall.load)
+    return replace(wall, load=loads, steps=tuple(replace(step, flush=mirrored[step.flush]) for step in wall.steps))
+
+
+def with_top_loads(was: Wall, wall: Wall) -> Wall:
     """A wall held at its top whose height changed: what stood on the top of the wall as it was stands on its top."""
     if not wall.bends or was.height_m is None or wall.height_m is None or was.height_m == wall.height_m:
         return wall

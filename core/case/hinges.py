@@ -1,13 +1,14 @@
 """The hinges of a wall of several storeys: one wall for each, from the hinge up."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-from core.case.schema import Case, Wall
+from core.case.above_hinge import LEAST_HEIGHT, above_hinge, named_above
+from core.case.schema import Case
 from core.case.site import Building
-from core.case.solids import above, outer_face
+from core.case.wall import Wall
 from core.errors import InputError, place
-from core.wall import one_body, wall_body
+from core.wall.solids import SNAP, changes, contact_at
 
 FLOORS, BASE = "floors", "base"
 """Hinges at every floor of the building between the base of the wall and its top; the one at its base alone."""
@@ -18,9 +19,6 @@ a parapet's or a sill's, which turns as a block of its own."""
 
 SAME_HINGE = 0.05
 """A load or a floor nearer than this to a step, or to another one, has no hinge of its own [m]."""
-
-LEAST_ABOVE = 0.1
-"""Least height of the wall above a hinge [m], that of a wall."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +62,7 @@ def storey_ends(wall: Wall, building: Building) -> tuple[float, ...]:
         return ()
     storey, base = building.height_m / building.storeys, wall.base_z_m or 0.0
     heights = (storey * floor - base for floor in range(1, building.storeys + 1))
-    return tuple(h for h in heights if LEAST_ABOVE <= h <= wall.height_m - LEAST_ABOVE)
+    return tuple(h for h in heights if LEAST_HEIGHT <= h <= wall.height_m - LEAST_HEIGHT)
 
 
 def usual_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
@@ -74,17 +72,16 @@ def usual_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
     if wall.height_m is None or wall.thickness is None or wall.bends:
         return ()
     loads = (*(load.h_m for load in wall.load), *([] if wall.tie_height_m is None else [wall.tie_height_m]))
-    parts = wall_body.parts_of(wall)
-    shape = wall_body.changes(parts) if parts else ()
+    shape = changes(wall.parts) if wall.parts else ()
     others = [*loads, *(storey_ends(wall, building) if building else ())]
-    apart = [height for height in others if all(abs(height - z) > SAME_HINGE + wall_body.SNAP for z in shape)]
+    apart = [height for height in others if all(abs(height - z) > SAME_HINGE + SNAP for z in shape)]
     found: list[float] = []
     for height in sorted({*shape, *apart}):
-        faces = wall_body.contact_at(parts, height) if wall_body.has_shape(wall) else None
+        faces = contact_at(wall.parts, height) if wall.parts else None
         thickness = min(faces[1] - faces[0], wall.thickness) if faces else wall.thickness
-        highest = wall.height_m - max(SLENDER_ABOVE * thickness, LEAST_ABOVE)
-        near = bool(found) and height - found[-1] <= SAME_HINGE + wall_body.SNAP and height not in shape
-        if LEAST_ABOVE <= height <= highest + 1e-9 and not near:
+        highest = wall.height_m - max(SLENDER_ABOVE * thickness, LEAST_HEIGHT)
+        near = bool(found) and height - found[-1] <= SAME_HINGE + SNAP and height not in shape
+        if LEAST_HEIGHT <= height <= highest + 1e-9 and not near:
             found.append(height)
     return tuple(found)
 
@@ -103,58 +100,10 @@ def check_hinges(wall: Wall, building: Building | None) -> None:
             raise InputError("hinges_need_building", place=here, key="hinge_heights")
         return
     highest = max(wall.hinge_heights)
-    if highest > wall.height_m - LEAST_ABOVE:
+    if highest > wall.height_m - LEAST_HEIGHT:
         raise InputError(
-            "hinge_above_wall", place=here, key="hinge_heights", hinge=highest, most=wall.height_m - LEAST_ABOVE
+            "hinge_above_wall", place=here, key="hinge_heights", hinge=highest, most=wall.height_m - LEAST_HEIGHT
         )
-
-
-def named_above(name: str, hinge: float) -> str:
-    """What the part of a wall above a hinge [m] is called; the whole wall keeps its name."""
-    return f"{name} (+{hinge:.4g} m)" if hinge else name
-
-
-def numbers_above(wall, hinge: float) -> tuple[int, ...]:
-    """Numbers of the loads of the part of a wall above a hinge [m above its base]."""
-    return tuple(n for n, load in enumerate(wall.load, start=1) if load.h_m > hinge + 1e-9)
-
-
-def loads_above(wall, hinge: float, face: float = 0.0) -> tuple:
-    """These loads. face : x of the outer face of the wall there [m]"""
-    kept = (wall.load[n - 1] for n in numbers_above(wall, hinge))
-    return tuple(
-        replace(load, h_m=load.h_m - hinge, d_m=None if load.d_m is None else load.d_m - face) for load in kept
-    )
-
-
-def above_hinge(wall: Wall, hinge: float) -> Wall:
-    """The part of a wall above a hinge [m above its base], with its variant and its height in its name."""
-    name = named_above(wall.title, hinge)
-    if hinge == 0.0:
-        return replace(wall, name=name, hinge_heights=None)
-    assert wall.height_m is not None
-    loads = loads_above(wall, hinge, outer_face(wall, hinge))
-    changes = {"thickness_m": wall.thickness} | above(wall, hinge)
-    part = replace(
-        wall,
-        **changes,
-        name=name,
-        height_m=wall.height_m - hinge,
-        slenderness_deg=None,
-        height_over_thickness=None,
-        base_z_m=None if wall.base_z_m is None else wall.base_z_m + hinge,
-        hinge_heights=None,
-        load=loads,
-        unloaded_confirmed=wall.unloaded_confirmed or (bool(wall.load) and not loads),
-        tie_height_m=None
-        if wall.tie_height_m is None or wall.tie_height_m < hinge + LEAST_ABOVE
-        else wall.tie_height_m - hinge,
-    )
-    parts = wall_body.parts_of(part)
-    if parts and one_body.fault_of(parts, part.thickness) is not None:
-        here = (place("wall", name=wall.title),)
-        raise InputError("pieces_above", place=here, key="hinge_heights", hinge=hinge)
-    return part
 
 
 def shared(part: Part, mechanism: str) -> tuple[str, float, str]:

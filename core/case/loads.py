@@ -3,7 +3,9 @@
 from dataclasses import MISSING, dataclass
 
 from core.case.keys import choice_key, flag_key, key, number_key
-from core.wall import ties
+from core.errors import InputError
+from core.known import known
+from core.wall import masonry, ties
 
 
 @dataclass(frozen=True)
@@ -28,12 +30,24 @@ class Bars:
     @property
     def strength(self) -> float:
         """f_y [MPa]."""
-        return self.fy_mpa or ties.DEFAULT_STRENGTH
+        return self.fy_mpa or 1e-6 * ties.DEFAULT_STRENGTH
 
     @property
     def tensile(self) -> float:
         """f_u [MPa]."""
-        return self.fu_mpa or ties.DEFAULT_TENSILE
+        return self.fu_mpa or 1e-6 * ties.DEFAULT_TENSILE
+
+    def in_si(self) -> ties.Steel:
+        """The bars in SI."""
+        return ties.Steel(
+            self.number,
+            1e-3 * self.diameter_mm,
+            1e6 * self.strength,
+            1e6 * self.tensile,
+            None if self.thread_mm is None else 1e-3 * self.thread_mm,
+            self.existing,
+            None if self.anchorage_kn is None else 1e3 * self.anchorage_kn,
+        )
 
 
 @dataclass(frozen=True)
@@ -90,6 +104,31 @@ class Load:
         return self.kind == "tie"
 
     @property
+    def stated_elongation(self) -> float | None:
+        """What the bar of a tie stands before it breaks, as stated [m]; None where nothing is."""
+        if self.elongation_m is not None or self.elongation is None:
+            return self.elongation_m
+        return self.elongation * known(self.bar_length_m)
+
+    def tie(self, wall_length: float | None) -> ties.Tie:
+        """The tie of a load that is one, for a metre of a wall of this length [m]."""
+        length, slack, prestress = known(self.bar_length_m), 1e-3 * (self.slack_mm or 0.0), self.prestress or 0.0
+        stands = self.stated_elongation or 0.0
+        if self.bar is not None:
+            return ties.tie_of_bars(self.h_m, self.bar.in_si(), length, known(wall_length), stands, slack, prestress)
+        strength = ties.DEFAULT_STRENGTH if self.fy_mpa is None else 1e6 * self.fy_mpa
+        at_yield = ties.elongation_at_yield(length, strength)
+        return ties.tie_of_force(self.h_m, 1e3 * known(self.kn_m), at_yield, stands, slack, prestress)
+
+    def in_si(self, wall_length: float | None) -> masonry.Load:
+        """The load in SI, on a wall of this length [m]. Raises InputError where it has no size yet."""
+        tie = self.tie(wall_length) if self.is_tie else None
+        if tie is None and self.kn_m in (None, ""):
+            raise InputError("load_size_missing", key="kn_m")
+        force = 1e3 * known(self.kn_m) if tie is None else tie.bar.strength
+        return masonry.Load(self.kind, force, self.d_m or 0.0, self.h_m, self.pushes, tie)
+
+    @property
     def pushes(self) -> bool:
         """Whether its mass is moved by the wall: Q of C8.7.1.1, and part of the moving block."""
         return self.kind == "carried_mass" or self.mass in ("horizontal", "moving")
@@ -108,3 +147,8 @@ class ReturnWalls:
     brick_height_m: float = number_key(0.02, 1.0, MISSING, unit="m", form_unit="cm")
     brick_length_m: float = number_key(0.05, 2.0, MISSING, unit="m", form_unit="cm")
     friction: float = number_key(0.1, 1.0, 0.577)
+
+    def in_si(self) -> masonry.ReturnWalls:
+        return masonry.ReturnWalls(
+            self.number, self.thickness_m, self.brick_height_m, self.brick_length_m, self.friction
+        )

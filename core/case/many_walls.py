@@ -9,11 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from core.case.hinges import numbers_above, parts_of
+from core.case.above_hinge import numbers_above
+from core.case.hinges import parts_of
+from core.case.load_rules import check_loads
 from core.case.rules import check_wall, refuse_modes
-from core.case.schema import Case, Wall
+from core.case.schema import Case
+from core.case.wall import Wall
 from core.errors import InputError
-from core.wall.wall_loads import check_loads
 
 LONGEST_ROW = 1_000_000
 """Letters of a row."""

@@ -6,7 +6,8 @@ from typing import Any
 
 from core.case.keys import NESTED
 from core.case.rules import parse_case
-from core.case.schema import Analysis, Case, Report, Wall
+from core.case.schema import Analysis, Case, Report
+from core.case.wall import Wall
 from core.case.writer import table_of
 from core.errors import InputError
 

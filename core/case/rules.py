@@ -5,23 +5,25 @@ import json
 import math
 from dataclasses import fields, replace
 
+from core.case.above_hinge import numbers_above
 from core.case.back_restraint import names_something, says_gone
 from core.case.hazard_table import check_rising
 from core.case.held_top import check_held_top
-from core.case.hinges import check_hinges, numbers_above, parts
+from core.case.hinges import check_hinges, parts
 from core.case.keys import is_required
+from core.case.load_rules import check_given, check_loads
 from core.case.place import HERE, Site, filled, placed
-from core.case.schema import Analysis, Case, Generate, Record, Report, Wall
+from core.case.schema import Analysis, Case, Generate, Record, Report
 from core.case.select import Select
 from core.case.sensitivity import Ranges
 from core.case.shape_memory import check_known_shape
 from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
 from core.case.values import SHOWN, are_ends, corners_of, field_of, refuse_unknown, repeated, section_of, value_of
 from core.case.variant_of import expanded
+from core.case.wall import Wall
 from core.codes.limits import check_return_period
 from core.errors import InputError, place, section
 from core.text.sentence import Key, Quantity, sentence
-from core.wall.wall_loads import check_given, check_loads
 
 SECTIONS = ("wall", "record", "report", "analysis", "site", "demand", "generate", "select", "building", "sensitivity")
 """Whose keys the user writes."""

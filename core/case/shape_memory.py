@@ -5,10 +5,9 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
-from core.case.schema import Wall
+from core.case.shape_rules import check_shape
+from core.case.wall import Wall
 from core.errors import InputError, place
-from core.wall.shape_rules import check_shape
-from core.wall.wall_body import has_shape
 
 BESIDE: dict[str, Any] = {
     "name": "",
@@ -31,7 +30,7 @@ BESIDE: dict[str, Any] = {
 
 def check_known_shape(wall: Wall) -> None:
     """`check_shape`, once for equal shapes. Raises InputError."""
-    if not has_shape(wall):
+    if not wall.has_shape:
         return
     try:
         found = _found(replace(wall, **BESIDE))

@@ -1,13 +1,12 @@
 """The shape of a wall that is no rectangle: solids, and short forms of what is common."""
 
 import math
-from collections.abc import Sequence
 from dataclasses import MISSING, dataclass
 
 from core.case.keys import choice_key, flag_key, key, number_key, path_key
-from core.errors import InputError, place
-from core.wall.body import cut_above
-from core.wall.wall_body import Part, contact_at, has_shape, is_dragged, parts_of, shoulder, snapped
+
+ROUND = 64
+"""Sides of the polygon of a round opening, which has the area of the circle."""
 
 
 @dataclass(frozen=True)
@@ -64,6 +63,18 @@ class Opening:
     height_m: float | None = number_key(0.05, 60.0, unit="m")
     diameter_m: float | None = number_key(0.05, 60.0, unit="m")
 
+    @property
+    def corners(self) -> list[tuple[float, float]]:
+        """(s, z) of its outline [m]."""
+        s, z = self.s_m, self.z_m
+        if self.diameter_m is None:
+            assert self.width_m is not None and self.height_m is not None
+            right, top = s + self.width_m, z + self.height_m
+            return [(s, z), (right, z), (right, top), (s, top)]
+        turn = 2.0 * math.pi / ROUND
+        radius = 0.5 * self.diameter_m * math.sqrt(turn / math.sin(turn))
+        return [(s + radius * math.cos(turn * k), z + radius * math.sin(turn * k)) for k in range(ROUND)]
+
 
 @dataclass(frozen=True)
 class Wedges:
@@ -86,74 +97,3 @@ class Step:
     from_z_m: float = number_key(0.0, 60.0, MISSING, unit="m", exclusive=True)
     thickness_m: float = number_key(0.05, 20.0, MISSING, unit="m", form_unit="cm")
     flush: str = choice_key("outer", "inner", "middle", default="outer")
-
-
-def above(wall, hinge: float) -> dict:
-    """What changes of a wall above a hinge [m above its base], where it is no rectangle: the solids cut there, the base
-    between the edges of what it rests on, and the wedges, whose crack begins at the hinge with the same inclination.
-    Raises InputError at a height without a solid."""
-    if not has_shape(wall):
-        return {}
-    plain: dict = {"solid": (), "return_wedges": None, "gable_m": None, "openings": (), "steps": ()}
-    parts = tuple(part for part in parts_of(wall) if not part.wedge)
-    if not parts:  # a rectangle written as solids
-        return plain
-    faces = contact_at(parts, hinge)
-    if faces is None:
-        raise InputError("hinge_in_a_gap", place=(place("wall", name=wall.title),), key="hinge_heights", hinge=hinge)
-    outer, inner = faces
-    face = min(inner, wall.thickness)
-    there = snapped(parts, hinge)
-    cut = zip(there, above_cracks(there, hinge, face), strict=True)
-    solids = tuple(
-        Solid(
-            plane=part.plane,
-            polygon_m=polygon,
-            to_m=part.ends[1],
-            from_m=part.ends[0],
-            opening=part.weight < 0.0,
-            x0_m=part.start - outer,
-            angle_deg=math.degrees(part.angle) if part.plane == "oblique" else None,
-            unit_weight_kn_m3=abs(part.weight),
-        )
-        for part, polygon in cut
-        if polygon
-    )
-    base = min(inner - outer, wall.thickness)
-    wedges = wall.return_wedges
-    if wedges is not None:
-        top, start = shoulder(wall) - hinge, max(wedges.from_z_m - hinge, 0.0)
-        rest = (top - start) / (shoulder(wall) - wedges.from_z_m)
-        if rest > 0.0:
-            corners = ((base, start), (base + rest * wedges.length_at_top_m, top), (base, top))
-            solids += (Solid("section", corners, wedges.number * wedges.thickness_m),)
-    return plain | {"solid": solids, "thickness_m": base}
-
-
-def above_cracks(parts: Sequence[Part], hinge: float, face: float) -> list[tuple[tuple[float, float], ...]]:
-    """The polygons of solids above a hinge [m]. What sections drag along behind the inner face, x [m], begins at the
-    hinge too, with the inclination of its own crack, as a wedge of return walls; what is there over half of the length
-    of the wall is the wall."""
-    cuts = [cut_above(part.polygon, hinge) for part in parts]
-    dragged = [part for part in parts if is_dragged(part, parts, face)]
-    corners = [(part.start + s - face, z) for part in dragged for s, z in part.polygon]
-    behind = [(x, z) for x, z in corners if x > 1e-9]
-    if not behind:
-        return [tuple(cut) for cut in cuts]
-    foot = min(z for x, z in corners if x > -1e-9)
-    if min(z for _, z in behind) <= foot + 1e-9:  # it stands on something, or is a block
-        return [tuple(cut) for cut in cuts]
-    flat = max(x / (z - foot) for x, z in behind)
-    found = []
-    for part, cut in zip(parts, cuts, strict=True):
-        if part in dragged and cut:
-            turned = cut_above([(z, face - part.start - s + flat * z) for s, z in cut], 0.0)
-            cut = [(face - part.start + flat * z - left, z) for z, left in turned]
-        found.append(tuple(cut))
-    return found
-
-
-def outer_face(wall, hinge: float) -> float:
-    """x of the edge that the part of a wall above a height [m] turns about, from the outer face of its base."""
-    faces = contact_at(parts_of(wall), hinge)
-    return faces[0] if faces else 0.0

@@ -8,8 +8,9 @@ from pathlib import Path
 from core.case.keys import choice_key, flag_key, number_key, text_key
 from core.case.reader import read_toml
 from core.case.rules import check_code_keys, parse_wall
-from core.case.schema import Record, Wall
+from core.case.schema import Record
 from core.case.values import refuse_unknown, section_of
+from core.case.wall import Wall
 from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
 from core.errors import InputError, place
 from core.rocking.methods import METHODS

@@ -10,8 +10,9 @@ from types import SimpleNamespace
 from core.case.hinges import BASE, FLOORS
 from core.case.keys import is_required
 from core.case.number import parse_number
-from core.case.schema import MIN_ELASTIC, OWN_FIELDS
+from core.case.schema import OWN_FIELDS
 from core.case.sensitivity import GREATEST_FACTOR, LEAST_FACTOR, MOST_ADDED
+from core.case.wall import MIN_ELASTIC
 from core.errors import InputError, section
 from core.file_names import is_text, name_of
 from core.text.sentence import Key, Sentence, sentence

@@ -13,8 +13,8 @@ from core.case.keys import NESTED
 from core.case.many_walls import ManyWalls
 from core.case.number import parse_quantity
 from core.case.rules import parse_wall
-from core.case.schema import Wall
 from core.case.values import field_of
+from core.case.wall import Wall
 from core.errors import InputError, place
 from core.ooxml.sheet import MAX_NAME, Limits, Sheet, hidden_notes, read_sheet, refuse_cells, spoken
 from core.quantities import WRITTEN, factor_to, unit_of

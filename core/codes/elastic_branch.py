@@ -10,14 +10,14 @@ from core.codes.kinematic import elastic_period
 from core.codes.kinematic_chain import chain
 from core.codes.masonry_types import moduli
 from core.units import G
+from core.wall.masonry import Masonry
 from core.wall.rocking_model import RockingModel, with_branch
-from core.wall.wall_loads import sides_are_alike
 
 ELASTIC, AUTO = "elastic", "auto"
 """Laws with the branch: always, and of an element free to vibrate alone."""
 
-WEIGHTS = 13.0, 22.0
-"""Unit weights of Table C8.5.I [kN/m3], where none is given."""
+WEIGHTS = 13e3, 22e3
+"""Unit weights of Table C8.5.I [N/m3], where none is given."""
 
 MOST_LIMIT = 0.4
 """D from which a wall is elastic up to d_SLV: it does not rock."""
@@ -32,7 +32,7 @@ ROUNDS = 60
 class Branch:
     """The elastic branch of a wall.
 
-    modulus : E it follows from [MPa]; assumed : where none is given, an end of the table's range
+    modulus : E it follows from [Pa]; assumed : where none is given, an end of the table's range
     period : T_0 of C8.7.1.7 [s]
     limit : D, its end over theta_c [-]
     own_period : that of small rotations by the equation of motion with this D [s]
@@ -49,31 +49,31 @@ class Branch:
         return with_branch(model, self.limit)
 
 
-def wants_branch(wall, mechanism: str) -> bool:
+def wants_branch(wall: Masonry, mechanism: str) -> bool:
     """Whether the clause asks for the branch, or the case does."""
-    return wall.law == ELASTIC or (wall.law == AUTO and not wall.bends and wall.is_free(mechanism))
+    return wall.branch == ELASTIC or (wall.branch == AUTO and not wall.bends and wall.is_free(mechanism))
 
 
-def can_have_branch(wall, mechanism: str) -> bool:
+def can_have_branch(wall: Masonry, mechanism: str) -> bool:
     """Whether the kernels and the formula of T_0 know it: a wall without ties, alike on both sides if it rocks both
     ways, of a height and a thickness."""
-    if wall.bends or wall.height_m is None or wall.thickness is None or any(load.is_tie for load in wall.load):
+    if wall.bends or wall.height is None or wall.thickness is None or wall.ties:
         return False
-    return mechanism == "one_sided" or sides_are_alike(wall)
+    return mechanism == "one_sided" or wall.sides_are_alike
 
 
-def branches_of(wall, mechanism: str, model: RockingModel) -> tuple[Branch, ...]:
+def branches_of(wall: Masonry, mechanism: str, model: RockingModel) -> tuple[Branch, ...]:
     """The branches of a wall, the worst of which decides: D by the curve, and D for which the equation of motion has
     T_0 itself; without a modulus D by the curve at both ends of its range in Table C8.5.I. Empty where there is none,
     and where the wall would be elastic up to d_SLV. model : rigid"""
     if not can_have_branch(wall, mechanism):
         return ()
-    given, weight = wall.elastic_modulus_mpa, wall.unit_weight_kn_m3
-    ends = moduli(wall.masonry) if given is None else (given, given)
+    given, weight = wall.modulus, wall.unit_weight
+    ends = tuple(1e6 * end for end in moduli(wall.kind)) if given is None else (given, given)
     heavy, light = (WEIGHTS[1], WEIGHTS[0]) if weight is None else (weight, weight)
     found = []
     for modulus, heaviness in dict.fromkeys(((ends[0], heavy), (ends[1], light))):
-        there = replace(wall, elastic_modulus_mpa=modulus, unit_weight_kn_m3=heaviness)
+        there = replace(wall, modulus=modulus, unit_weight=heaviness)
         sums = chain(wall if weight is not None else there, mechanism == "two_sided")
         period = elastic_period(there)
         assert period is not None

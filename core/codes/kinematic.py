@@ -12,7 +12,6 @@ floor is taken below that of the ground, a_g S, S_e(T_0) and S_De: a rule of our
 import contextlib
 import math
 from dataclasses import dataclass, replace
-from typing import Any
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes import target_spectrum
@@ -23,7 +22,8 @@ from core.codes.target_spectrum import GivenSpectrum
 from core.codes.vertical_bending import Bending, weakest
 from core.errors import InputError, place
 from core.units import G
-from core.wall import wall_body, wall_loads
+from core.wall.masonry import Masonry, period_share
+from core.wall.wall_loads import without_ties
 
 PERIOD_FACTOR = {"SLV": 1.68 * math.pi, "SLC": 1.56 * math.pi}
 DAMPING = {"SLV": 0.08, "SLC": 0.10}
@@ -124,7 +124,7 @@ class Kinematic:
     e_star: float
     m_star: float | None
     a0: float
-    wall: Any
+    wall: Masonry
     chain: Chain
     moved: Chain
     d0: float
@@ -158,28 +158,26 @@ class Kinematic:
         return bare if bare is not None and bare.ratio > own.ratio else own
 
 
-def elastic_period(wall) -> float | None:
+def elastic_period(wall: Masonry) -> float | None:
     """T_0 = kappa lambda L sqrt(W / (E g)) [s], C8.7.1.7, of the wall as a cantilever of length L = H,
-    lambda = L / t, W the unit weight, of a body by its base and `wall_body.period_share`, and the masses that move with
+    lambda = L / t, W the unit weight, of a body by its base and `period_share`, and the masses that move with
     it (a rule of ours, `elastic_period_of_loads`); None where E, the unit weight or the rectangle is not given."""
-    if None in (wall.elastic_modulus_mpa, wall.unit_weight_kn_m3, wall.height_m):
+    height, thickness = wall.top, wall.thickness
+    if wall.modulus is None or wall.unit_weight is None or height is None or thickness is None:
         return None
-    weight, modulus = 1e3 * wall.unit_weight_kn_m3, 1e6 * wall.elastic_modulus_mpa
-    height = wall_body.top_of(wall) if wall_body.has_shape(wall) else wall.height_m
-    alone = CANTILEVER * height / wall.thickness * height * math.sqrt(weight / (modulus * G))
-    if wall_body.body_of(wall) is not None:
-        alone *= math.sqrt(wall_body.period_share(wall))
-    return math.sqrt(alone**2 + elastic_period_of_loads(wall)) if wall.load else alone
+    alone = CANTILEVER * height / thickness * height * math.sqrt(wall.unit_weight / (wall.modulus * G))
+    if wall.parts:
+        alone *= math.sqrt(period_share(wall))
+    return math.sqrt(alone**2 + elastic_period_of_loads(wall)) if wall.loads else alone
 
 
-def _missing(wall, demand: DemandResult) -> tuple[str, ...]:
-    """Keys a free element lacks for S_e(T_0)."""
-    keys = ("elastic_modulus_mpa", "unit_weight_kn_m3", "height_m")
-    absent = [key for key in keys if getattr(wall, key) is None]
-    return (*absent, *(["spectrum"] if demand.target is None else []))
+def _missing(wall: Masonry, demand: DemandResult) -> tuple[str, ...]:
+    """What a free element lacks for S_e(T_0), by the keys that give it."""
+    of_wall = {"elastic_modulus_mpa": wall.modulus, "unit_weight_kn_m3": wall.unit_weight, "height_m": wall.height}
+    return tuple(name for name, value in (of_wall | {"spectrum": demand.target}).items() if value is None)
 
 
-def _covers(target, period: float, name: str, wall) -> None:
+def _covers(target, period: float, name: str, wall: Masonry) -> None:
     """Raise InputError where the spectrum of a file ends before a period [s] it is read at."""
     if isinstance(target, GivenSpectrum) and target.periods[-1] < period:
         raise InputError(
@@ -192,14 +190,14 @@ def _covers(target, period: float, name: str, wall) -> None:
         )
 
 
-def kinematic(wall, mechanism: str, demand: DemandResult, floor: FloorSpectrum | None = None) -> Kinematic:
+def kinematic(wall: Masonry, mechanism: str, demand: DemandResult, floor: FloorSpectrum | None = None) -> Kinematic:
     """The mechanism of a wall.
 
     floor : above the ground the spectrum of its floor; None there means that the demand has none
     Raises InputError where the spectrum of a file ends before T_SLV, T_SLC or T_0.
     """
-    if demand.limit_state == "SLD" and any(load.is_tie for load in wall.load):
-        wall = wall_loads.without_ties(wall)
+    if demand.limit_state == "SLD" and wall.ties:
+        wall = without_ties(wall)
     free, sums = wall.is_free(mechanism), chain(wall, mechanism == "two_sided")
     alpha0, e_star, mass = sums.start
     a0 = alpha0 * G / (e_star * demand.confidence_factor)
@@ -241,7 +239,7 @@ def kinematic(wall, mechanism: str, demand: DemandResult, floor: FloorSpectrum |
     return Kinematic(*quantities, own.limit, own.capacity, own.period, own.demand, floor, bare)
 
 
-def _weakest(sums: Chain, demand: DemandResult, floor: FloorSpectrum | None, wall) -> Chain:
+def _weakest(sums: Chain, demand: DemandResult, floor: FloorSpectrum | None, wall: Masonry) -> Chain:
     """The sums of a wall held at its top whose displacement check has the least zeta. Raises InputError where the
     spectrum of a file ends before a period."""
     assert sums.bending is not None
@@ -253,7 +251,7 @@ def _weakest(sums: Chain, demand: DemandResult, floor: FloorSpectrum | None, wal
 
 
 def _displacement(
-    sums: Chain, demand: DemandResult, floor: FloorSpectrum | None, period_0: float, wall
+    sums: Chain, demand: DemandResult, floor: FloorSpectrum | None, period_0: float, wall: Masonry
 ) -> Displacement:
     """The displacement check by these sums. period_0 : T_0 [s]. Raises InputError where the spectrum of a file ends
     before the period."""

@@ -11,9 +11,11 @@ from typing import NamedTuple
 import numpy as np
 
 from core.codes.vertical_bending import Bending, bending
+from core.known import known
 from core.units import G
-from core.wall import ties, wall_body, wall_loads
 from core.wall.bars import TieBar
+from core.wall.masonry import MOST_COLLAPSE, Masonry, as_force, base_length, inner_of
+from core.wall.wall_loads import restoring_with_ties, start_multiplier
 
 DRAGGED = 0.4
 """Factor of the friction of the return walls (C8.7.1.2.1.1, literature of masonry of regular courses)."""
@@ -21,7 +23,7 @@ DRAGGED = 0.4
 LOST = 0.5
 """Share of the largest capacity of whose loss d_SLV is the end (C8.7.1.2.1.6)."""
 
-FARTHEST = math.sin(wall_loads.MOST_COLLAPSE)
+FARTHEST = math.sin(MOST_COLLAPSE)
 """Sine of the largest rotation a wall comes to."""
 
 HEIGHTS = 2000
@@ -41,13 +43,13 @@ class Chain:
 
     slenderness, reach : of the wall alone [rad], and the control point: d = reach [sin(alpha) - sin(alpha - theta)]
         (C8.7.1.4) [m]
-    alpha0 : C8.7.1.1, with its ties (`wall_loads.as_force`), without friction [-]
+    alpha0 : C8.7.1.1, with its ties (`as_force`), without friction [-]
     alpha0_bare : the same without its ties [-]
     e_star : C8.7.1.5 [-]
     mass : sum of (P + Q) / g per metre of wall [kg/m]; None without a unit weight
     d0 : displacement of the control point at which nothing but a tie holds the wall (C8.7.1.4) [m]: "azioni di cui è
         verificata la presenza fino al collasso" are its loads (C8.7.1.2.1.6), no tie, which yields and breaks
-    ties : those counted (`ties.counted`), of a wall that turns outward only
+    ties : those counted (none with slack), of a wall that turns outward only
     d0_with_ties : the other reading, in which each tie pulls at yield up to collapse; shown, never taken [m]
     alpha0_friction, e_star_friction, mass_friction : the same with the friction of the return walls, of the part of the
         wall whose alpha_0 over e* is least; None without them, and of a two-sided wall
@@ -122,7 +124,7 @@ class Chain:
         return d
 
 
-def chain(wall, two_sided: bool) -> Chain:
+def chain(wall: Masonry, two_sided: bool) -> Chain:
     """The sums; of a two-sided wall the smaller alpha_0 and d_0 of its two sides."""
     if wall.bends:
         return of_bending(wall, bending(wall))
@@ -131,7 +133,7 @@ def chain(wall, two_sided: bool) -> Chain:
     alpha0, bare = (min(getattr(side, name) for side in found) for name in ("alpha0", "alpha0_bare"))
     # the side that no tie holds decides
     sums = replace(weaker, alpha0=alpha0, alpha0_bare=bare, ties=()) if two_sided else weaker
-    if wall.return_walls is None or two_sided:  # they hold a wall that turns outward
+    if wall.across is None or two_sided:  # they hold a wall that turns outward
         return sums
     parts = multipliers_with_friction(wall)
     k = int(np.argmin(parts[0] / parts[1]))
@@ -139,42 +141,38 @@ def chain(wall, two_sided: bool) -> Chain:
     return replace(sums, alpha0_friction=alpha, e_star_friction=share, mass_friction=of_part, friction_height=height)
 
 
-def of_bending(wall, own: Bending) -> Chain:
+def of_bending(wall: Masonry, own: Bending) -> Chain:
     """The sums of a wall held at its top that bends so."""
-    bare = wall.bare_block()
+    bare = wall.bare
     start = (own.alpha0, own.e_star, own.mass, own.d0, own.alpha0)
     return Chain(bare.slenderness, bare.radius, *start, bending=own)
 
 
-def of_side(wall, side: float) -> Chain:
+def of_side(wall: Masonry, side: float) -> Chain:
     """The sums about one hinge, 1.0 the outer one, without the friction of return walls."""
-    bare = wall.bare_block()
+    bare = wall.bare
     if side < 0.0:
-        bare = wall_loads.inner_of(wall, bare) or bare
-    if not wall.load:
+        bare = inner_of(wall, bare) or bare
+    if not wall.loads:
         alpha0, d0 = math.tan(bare.slenderness), bare.radius * math.sin(bare.slenderness)
-        mass = None
-        if wall.unit_weight_kn_m3 is not None and wall.height_m is not None:
-            mass = wall_loads.weight_per_metre(wall) / G
+        mass = None if wall.unit_weight is None or wall.height is None else wall.weight / G
         return Chain(bare.slenderness, bare.radius, alpha0, 1.0, mass, d0, alpha0)
-    weight, (x, y) = wall_loads.weight_per_metre(wall), bare.centroid
-    pushed = wall_loads.masses(wall)
+    weight, (x, y) = wall.weight, bare.centroid
+    pushed = wall.masses
     first = weight * y + sum(mass.mass * G * mass.height for mass in pushed)
     second = weight * y**2 + sum(mass.mass * G * mass.height**2 for mass in pushed)
     total = weight + sum(mass.mass * G for mass in pushed)
-    own = [wall_loads.as_force(load, wall, side) for load in wall.load if not load.is_tie]
-    forces = [wall_loads.as_force(load, wall, side) for load in wall.load]
-    alpha0, alpha0_bare = (wall_loads.start_multiplier(weight, x, y, all_of, pushed) for all_of in (forces, own))
-    block, lean = wall.block(), wall.restoring()[0 if side > 0.0 else 1].lean
-    if side < 0.0:
-        block = wall.inner_block() or block
+    own = [as_force(load, wall, side) for load in wall.loads if load.tie is None]
+    forces = [as_force(load, wall, side) for load in wall.loads]
+    alpha0, alpha0_bare = (start_multiplier(weight, x, y, all_of, pushed) for all_of in (forces, own))
+    block, restoring = wall.sides[0 if side > 0.0 else 1]
     e_star, reach = first**2 / (total * second), bare.radius * second / (y * first)
     found = Chain(bare.slenderness, reach, alpha0, e_star, total / G, 0.0, alpha0_bare)
-    found = replace(found, d0=float(found.displacement(block.slenderness + lean)))
-    bars = ties.counted(wall)
+    found = replace(found, d0=float(found.displacement(block.slenderness + restoring.lean)))
+    bars = [tie.bar for tie in wall.ties if not tie.is_slack]
     if not bars or side < 0.0:
         return found
-    with_ties = block.slenderness + wall_loads.restoring_with_ties(wall, block).lean
+    with_ties = block.slenderness + restoring_with_ties(wall).lean
     return replace(
         found,
         ties=tuple(HeldBy(bar.height / first, bar) for bar in bars),
@@ -182,47 +180,47 @@ def of_side(wall, side: float) -> Chain:
     )
 
 
-def friction(wall, height):
+def friction(wall: Masonry, height):
     """F = 0.4 n (n + 1) phi mu l^2 t_s w of each return wall [N], n courses of it being dragged (C8.7.1.2.1.1).
 
     height : of the part that turns, of n courses [m], a number or an array
     phi = h_b / l is the shape of a unit, w the unit weight.
     """
-    across = wall.return_walls
-    n = height / across.brick_height_m
-    shape = across.brick_height_m / across.brick_length_m
-    weight = 1e3 * wall.unit_weight_kn_m3
-    return DRAGGED * n * (n + 1.0) * shape * across.friction * across.brick_length_m**2 * across.thickness_m * weight
+    across, weight = known(wall.across), known(wall.unit_weight)
+    n, shape = height / across.course, across.course / across.unit
+    return DRAGGED * n * (n + 1.0) * shape * across.friction * across.unit**2 * across.thickness * weight
 
 
-def multipliers_with_friction(wall) -> tuple[np.ndarray, ...]:
+def multipliers_with_friction(wall: Masonry) -> tuple[np.ndarray, ...]:
     """(alpha_0 with the friction of the return walls at a third of its height [-], e* [-], sum of (P + Q) / g [kg/m],
     height [m]) of every part of the wall from its top down; shape (HEIGHTS,) each. The friction acts on the length of
     the wall."""
-    heights = wall.height_m * np.arange(1, HEIGHTS + 1) / HEIGHTS
-    weight = wall_loads.weight_per_metre(wall) * heights / wall.height_m
-    x = 0.5 * wall.thickness - wall.setback
-    dragged = wall.return_walls.number * friction(wall, heights) / wall.length_m
+    height, across = known(wall.height), known(wall.across)
+    heights = height * np.arange(1, HEIGHTS + 1) / HEIGHTS
+    weight = wall.weight * heights / height
+    x = 0.5 * known(wall.thickness) - wall.setback
+    dragged = across.number * friction(wall, heights) / known(wall.length)
     holding = weight * x + dragged * heights / 3.0
     pushing, second, total = 0.5 * weight * heights, 0.25 * weight * heights**2, weight.copy()
-    for load in wall.load:
-        force = wall_loads.as_force(load, wall, 1.0)
-        lever = np.maximum(load.h_m - (wall.height_m - heights), 0.0)
+    for load in wall.loads:
+        force = as_force(load, wall, 1.0)
+        lever = np.maximum(load.height - (height - heights), 0.0)
         on_part = lever > 0.0
         holding += on_part * force.vertical * force.distance + force.horizontal * lever
         if load.pushes:
-            pushed = 1e3 * load.kn_m * on_part
+            pushed = load.force * on_part
             total += pushed
             pushing += pushed * lever
             second += pushed * lever**2
     return holding / pushing, pushing**2 / (total * second), total / G, heights
 
 
-def elastic_period_of_loads(wall) -> float:
+def elastic_period_of_loads(wall: Masonry) -> float:
     """Sum of T_i^2 = 4 pi^2 m_i h_i^3 / (3 E I) [s2] of the masses that move with a cantilever wall, I = t^3 / 12 per
     metre, of a body on its base without openings: Dunkerley's rule adds it to the square of the period of the wall
     alone."""
-    stiffness = 1e6 * wall.elastic_modulus_mpa * wall.thickness**3 / 12.0
-    if wall_body.has_shape(wall):
-        stiffness *= wall_body.base_length(wall) / wall.length_m
-    return sum(4.0 * math.pi**2 * mass.mass * mass.height**3 / (3.0 * stiffness) for mass in wall_loads.masses(wall))
+    thickness = known(wall.thickness)
+    stiffness = known(wall.modulus) * thickness**3 / 12.0
+    if wall.parts:
+        stiffness *= base_length(wall.parts, known(wall.length), thickness) / known(wall.length)
+    return sum(4.0 * math.pi**2 * mass.mass * mass.height**3 / (3.0 * stiffness) for mass in wall.masses)

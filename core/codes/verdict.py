@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from core.capacity.bisection import BRACKET
 from core.codes.assumption import ASKED, DECLARED, RESTRAINT, SHOWN_ALONE, TOGETHER, WORDLESS, Assumption, table
@@ -15,9 +15,10 @@ from core.codes.outcomes import OUTCOMES, PASSES
 from core.codes.record_compatibility import Compliance
 from core.codes.target_spectrum import displacement_fall
 from core.codes.verdict_sentence import CODE_Q, measured, outcome
+from core.codes.vertical_bending import uplift_multiplier
 from core.text.sentence import FILE_NAMES, FormNames, Key, Number, Sentence, sentence
 from core.units import G
-from core.wall.wall_body import leans_inward
+from core.wall.masonry import Masonry
 
 STOCKY_DEG = 20.0
 
@@ -126,7 +127,7 @@ def passes_with_q2(check: Check | None, target: float) -> bool:
 class Evidence(NamedTuple):
     """What a verdict is judged by.
 
-    wall : of the case; mechanism : two_sided, one_sided or vertical_bending
+    mechanism : two_sided, one_sided or vertical_bending
     demand : what is required
     checks : those that were made, the most refined first
     dynamic : the check by histories, None where there is none
@@ -135,7 +136,7 @@ class Evidence(NamedTuple):
     circumstances : what else it must know
     """
 
-    wall: Any
+    wall: Masonry
     mechanism: str
     demand: DemandResult
     checks: tuple[Check, ...]
@@ -176,7 +177,7 @@ def outcome_of(seen: Evidence, unfounded: Sequence[Sentence] = (), q_unfounded: 
 
 def _threshold(seen: Evidence) -> float:
     """a_RM [m/s2]."""
-    return G * seen.wall.uplift_multiplier(seen.mechanism)
+    return G * uplift_multiplier(seen.wall, seen.mechanism)
 
 
 def verdict(
@@ -267,7 +268,7 @@ def _limits_of_the_number(seen: Evidence, code: str) -> list[Sentence]:
         limits.append(_reason("no_period", missing=keys))
     if seen.demand.target is None and not seen.dynamic and OUTCOMES[code].judgement == PASSES:
         limits.append(_reason("linear_alone"))
-    if not seen.wall.bends and leans_inward(seen.wall):
+    if not seen.wall.bends and seen.wall.leans_inward:
         limits.append(_reason("leans_inward"))
     if fall := displacement_fall(seen.demand.target):
         earlier, later, share = fall
@@ -294,7 +295,7 @@ def _missing(seen: Evidence) -> Sentence | None:
     if seen.wall.above_ground and seen.kinematic is None:
         keys = {"height": "height_m", "storeys": "storeys", "period": "period_s", "building": "[building]"}
         keys = {name: Key(key) for name, key in keys.items()}
-        return _reason("upper_middle" if seen.wall.bends else "upper_floor", z=seen.wall.felt_z_m, **keys)
+        return _reason("upper_middle" if seen.wall.bends else "upper_floor", z=seen.wall.felt, **keys)
     if seen.governing is None:
         keys = {"spectrum": "spectrum", "modulus": "elastic_modulus_mpa", "weight": "unit_weight_kn_m3"}
         return _reason("no_check", **{name: Key(key) for name, key in keys.items()})
@@ -374,8 +375,8 @@ def _activated(seen: Evidence, threshold: float) -> bool:
         return True
     strongest = _strongest(seen) * max(1.0, demand.zeta_target)
     at_rest = demand.confidence_factor * strongest <= threshold
-    rigid = seen.wall.moment_law().is_rigid
-    unheld = seen.wall.bends and not seen.wall.back_restraint  # what is not held at its top overturns before
+    rigid = seen.wall.law.is_rigid
+    unheld = seen.wall.bends and not seen.wall.declared.restraint  # what is not held at its top overturns before
     return unheld or not rigid or not at_rest or any(check.passed is False for check in seen.checks)
 
 
@@ -419,13 +420,13 @@ def _limits(seen: Evidence) -> list[Sentence]:
             reasons.append(_reason(circumstances.unbranched))
     if circumstances.period_estimated:
         reasons.append(_reason("period_estimated"))
-    if seen.mechanism == "one_sided" and not seen.wall.back_restraint:
+    if seen.mechanism == "one_sided" and not seen.wall.declared.restraint:
         reasons.append(_reason("no_restraint"))
-    if seen.wall.bends and not seen.wall.back_restraint:
+    if seen.wall.bends and not seen.wall.declared.restraint:
         reasons.append(_reason("no_top_restraint"))
     if not demand.soil_factor_stated:
         reasons.append(_reason("no_soil_factor"))
-    alpha = math.degrees(seen.wall.block().slenderness)
+    alpha = math.degrees(seen.wall.block.slenderness)
     if alpha > STOCKY_DEG:
         reasons.append(_reason("stocky", alpha=alpha))
     return reasons

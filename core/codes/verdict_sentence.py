@@ -6,6 +6,7 @@ from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import Check
 from core.text.sentence import Key, Number, Sentence, apart, sentence
 from core.units import G
+from core.wall.masonry import Declared, Masonry
 
 CODE_Q = 2.0
 """q of C8.7.1.2.1.7."""
@@ -19,12 +20,12 @@ def at_hinge(height: float, z: float) -> Sentence | str:
     return sentence("added", "at_base", z=z) if z > 0.0 else ""
 
 
-def declared(wall) -> Sentence:
+def declared(said: Declared) -> Sentence:
     """What stands behind a wall or holds its top, as the engineer declares it, and what shows it."""
-    named = sentence("word", f"choice_{wall.back_restraint}") if wall.back_restraint else sentence("word", "unnamed")
-    evidence = sentence("word", f"evidence_{wall.restraint_evidence or 'unstated'}")
-    if wall.restraint_note:
-        return sentence("added", "declared_note", restraint=named, note=wall.restraint_note, evidence=evidence)
+    named = sentence("word", f"choice_{said.restraint}") if said.restraint else sentence("word", "unnamed")
+    evidence = sentence("word", f"evidence_{said.evidence or 'unstated'}")
+    if said.note:
+        return sentence("added", "declared_note", restraint=named, note=said.note, evidence=evidence)
     return sentence("added", "declared", restraint=named, evidence=evidence)
 
 
@@ -102,7 +103,7 @@ def outcome(
     dynamic,
     by,
     largest: float,
-    wall,
+    wall: Masonry,
     permitted: tuple[Assumption, ...] = (),
     reasoned: tuple[Key, ...] = (),
 ) -> tuple[str, dict]:
@@ -117,7 +118,6 @@ def outcome(
     dynamic : DemandCheck, None where there are no histories
     by : Sentence of what the check that decides compares
     largest : acceleration under the wall at the demand, FC apart [m/s2]
-    wall : of the case
     permitted : defaults that a clause permits, and whose other ends turn the outcome
     reasoned : keys whose other ends would turn it, but for the engineer's reason
     """
@@ -130,15 +130,15 @@ def outcome(
     fails = _failing(checks, governing, dynamic, demand) if governing and code != "not_activated" else ()
     tail = sentence("added", "not_by", checks=fails) if fails else ""
     beside = any(check.name == "linear_q_code" for check in checks)
-    alone = target < 1.0 or any(load.is_tie for load in wall.load)  # q = 2 says nothing of these
+    alone = target < 1.0 or wall.ties  # q = 2 says nothing of these
     if code == "verified" and beside and not fails and governing.name != "linear_q_code" and not alone:
         tail = sentence("added", "q_agrees", q=CODE_Q)
     elif code == "q2_unsafe":
         tail = sentence("added", "q_would_pass", q=CODE_Q, tail=tail)
     elif code == "verified_refined" and not beside:
         tail = sentence("added", "no_q_check", q=CODE_Q, tail=tail)
-    if code in ("verified", "verified_refined") and wall.back_restraint:
-        tail = sentence("added", "rests_on", tail=tail, restraint=declared(wall))
+    if code in ("verified", "verified_refined") and wall.declared.restraint:
+        tail = sentence("added", "rests_on", tail=tail, restraint=declared(wall.declared))
     tail = _carried_by(code, tail, permitted, reasoned, target)
     low, high = dynamic.zeta_spread if code == "at_limit" else (None, None)
     return way, {
@@ -153,6 +153,6 @@ def outcome(
         "demand": demand.confidence_factor * largest / G,
         "a_rm": threshold / G,
         "unloaded": ""
-        if code == "undetermined" or wall.unloaded_confirmed or wall.load
+        if code == "undetermined" or wall.declared.unloaded or wall.loads
         else sentence("added", "unloaded"),
     }

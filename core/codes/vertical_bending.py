@@ -12,15 +12,16 @@ import functools
 import itertools
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import NamedTuple
 
 from core.boundary import narrowed
 from core.errors import InputError, place
+from core.known import known
 from core.units import G
-from core.wall import wall_loads
 from core.wall.body import Body, cut_above, together
-from core.wall.wall_body import Part, changes, contact_at, faces_at, parts_of, sum_of
+from core.wall.masonry import Masonry
+from core.wall.solids import Part, changes, contact_at, faces_at, sum_of
 
 LEAST_SLENDERNESS = 3.0
 """Smallest H/t: both blocks are at least as high as thick, and stockier walls do not bend."""
@@ -314,15 +315,14 @@ def _collapse(strip: Strip, h1: float) -> float:
     return 0.5 * (held + lost)
 
 
-def strip_of(wall) -> Strip:
-    """A metre of a wall of the case."""
-    on_top = [abs(load.h_m - wall.height_m) <= ON_TOP * wall.height_m for load in wall.load]
-    each = list(zip(wall.load, on_top, strict=True))
-    loads = tuple((1e3 * load.kn_m, load.d_m) for load, on in each if on)
-    below = tuple(Weight(1e3 * load.kn_m, load.d_m, load.h_m, load.pushes) for load, on in each if not on)
-    parts, length = parts_of(wall), wall.length_m or 1.0
-    weight = wall_loads.weight_per_metre(wall)
-    return Strip(wall.height_m, wall.thickness, wall.setback, weight, loads, below, parts, length if parts else 1.0)
+def strip_of(wall: Masonry) -> Strip:
+    """A metre of a wall."""
+    height, thickness = known(wall.height), known(wall.thickness)
+    on_top = [load for load in wall.loads if abs(load.height - height) <= ON_TOP * height]
+    loads = tuple((load.force, load.depth) for load in on_top)
+    below = tuple(Weight(load.force, load.depth, load.height, load.pushes) for load in wall.loads if load not in on_top)
+    length = known(wall.length) if wall.parts else 1.0
+    return Strip(height, thickness, wall.setback, wall.weight, loads, below, wall.parts, length)
 
 
 def weakest(strip: Strip, zeta: Callable[[Bending], float]) -> Bending:
@@ -335,10 +335,10 @@ def weakest(strip: Strip, zeta: Callable[[Bending], float]) -> Bending:
     return mechanism(strip, best[1])
 
 
-def bending(wall) -> Bending:
-    """The mechanism of a wall of the case with the lowest alpha_0. Raises InputError for one that does not stand, or is
+def bending(wall: Masonry) -> Bending:
+    """The mechanism of a wall with the lowest alpha_0. Raises InputError for one that does not stand, or is
     too stocky."""
-    here, ratio = (place("wall", name=wall.name),), wall.height_m / wall.thickness
+    here, ratio = (place("wall", name=wall.name),), known(wall.height) / known(wall.thickness)
     if not ratio >= LEAST_SLENDERNESS * (1.0 - 1e-9):
         raise InputError("bending_too_stocky", place=here, found=ratio, least=LEAST_SLENDERNESS)
     try:
@@ -347,12 +347,9 @@ def bending(wall) -> Bending:
         raise InputError("bending_unstable", place=here) from None
 
 
-def bent_inward(wall):
-    """The wall as it is for a motion inward: mirrored, its loads as far from the inner face as they are from the outer
-    one; a step that keeps one face plumb keeps the other."""
-    mirrored = {"outer": "inner", "inner": "outer", "middle": "middle"}
-    loads = tuple(replace(load, d_m=wall.thickness - load.d_m) for load in wall.load)
-    return replace(wall, load=loads, steps=tuple(replace(step, flush=mirrored[step.flush]) for step in wall.steps))
+def uplift_multiplier(wall: Masonry, mechanism: str) -> float:
+    """a_RM / g [-] (Eq. 2), of a two-sided wall the smaller one of its sides; of one held at its top alpha_0."""
+    return bending(wall).alpha0 if wall.bends else wall.uplift_multiplier(mechanism)
 
 
 def shown_rotation(found: Bending) -> float:

@@ -14,7 +14,6 @@ from core.derivation.line import FULL, INPUT, LIVE, RUN, SYMBOLS, VALUE, Columns
 from core.derivation.quantity import Given, quantity
 from core.known import known
 from core.study.results import WallResult
-from core.wall import wall_body, wall_loads
 
 LOADS = {"load.n": "N", "load.d": "d"}
 """Columns of the loads on the top."""
@@ -233,8 +232,8 @@ def geometry(wall: WallResult) -> Section:
         Line(body.SETBACK, asked.setback, RUN if asked.compressive_strength_mpa else INPUT),
         Line(body.UNIT_WEIGHT, asked.unit_weight_kn_m3, INPUT),
     ]
-    weight = 1e-3 * wall_loads.weight_per_metre(asked)
-    shaped = wall_body.body_of(asked) is not None
+    weight = 1e-3 * asked.in_si.weight
+    shaped = bool(asked.parts)
     lines.append(Line(WEIGHT, weight, RUN, VALUE) if shaped else Line(body.w, weight, note=FULL))
     if asked.load:
         rows = [(Word(f"load_{load.kind}"), (known(load.kn_m), known(load.d_m))) for load in asked.load]

@@ -8,10 +8,11 @@ from core.derivation.quantity import Given
 from core.known import known
 from core.study.results import WallResult
 from core.units import G
-from core.wall import ties, wall_body, wall_loads
 from core.wall.block import Block
+from core.wall.masonry import as_force
 from core.wall.restitution import MODELS, housner_ratio, one_sided_ratio
 from core.wall.rocking_model import seen_from
+from core.wall.solids import Part
 
 
 def governing_side(wall: WallResult) -> float:
@@ -25,7 +26,7 @@ def governing_side(wall: WallResult) -> float:
 
 def shown_block(wall: WallResult) -> Block:
     """The block about the hinge the formulas are written about."""
-    return wall.block if governing_side(wall) > 0.0 else wall.wall.inner_block() or wall.block
+    return wall.block if governing_side(wall) > 0.0 else wall.wall.in_si.inner_block or wall.block
 
 
 def geometry(wall: WallResult) -> Section:
@@ -37,7 +38,7 @@ def geometry(wall: WallResult) -> Section:
     lines: list[Line | Columns] = []
     if asked.load:
         lines = _loaded(wall)
-    elif wall_body.body_of(asked) is not None:
+    elif asked.parts:
         lines = _body(wall)
         lines += [
             Line(body.slenderness_of_body, math.degrees(block.slenderness), note=SYMBOLS),
@@ -82,18 +83,18 @@ def _sizes(wall: WallResult) -> list[Line | Columns]:
     """What the case gives."""
     asked = wall.wall
     lines: list[Line | Columns] = [Line(body.HEIGHT, wall.height, INPUT)]
-    if asked.slenderness_deg is None or asked.setback or asked.load or wall_body.has_shape(asked):
+    if asked.slenderness_deg is None or asked.setback or asked.load or asked.has_shape:
         lines.append(Line(body.THICKNESS, wall.thickness, INPUT))
-    if asked.setback or asked.load or wall_body.has_shape(asked):
+    if asked.setback or asked.load or asked.has_shape:
         lines.append(Line(body.SETBACK, asked.setback, RUN if asked.compressive_strength_mpa else INPUT))
     return lines
 
 
 def _body(wall: WallResult) -> list[Line | Columns]:
     """The solids of a body, and its centroid from the hinge the formulas are about."""
-    asked, found = wall.wall, known(wall_body.body_of(wall.wall))
+    asked, found = wall.wall, known(wall.wall.in_si.body)
     (x, z), rows, cells = found.centroid, [], []
-    parts = wall_body.parts_of(asked)
+    parts = asked.parts
     for k, part in enumerate(parts, start=1):
         own = part.body
         rows.append((solid_name(part, k), (own.mass, *own.centroid, own.inertia)))
@@ -116,7 +117,7 @@ def _body(wall: WallResult) -> list[Line | Columns]:
     ]
 
 
-def solid_name(part: wall_body.Part, k: int) -> str:
+def solid_name(part: Part, k: int) -> str:
     """What the k-th solid of a wall, from 1, is called: a number where a word would be a private one."""
     return f"{k} –" if part.weight < 0.0 else f"{k}"
 
@@ -124,24 +125,24 @@ def solid_name(part: wall_body.Part, k: int) -> str:
 def _loaded(wall: WallResult) -> list[Line | Columns]:
     """A wall with loads up to a_RM, about the governing hinge."""
     asked, block, model, side = wall.wall, shown_block(wall), wall.model, governing_side(wall)
-    bare, restoring = asked.bare_block(), model.restoring if side > 0.0 else model.mirrored
-    of_body = wall_body.body_of(asked) is not None
+    bare, restoring = asked.in_si.bare, model.restoring if side > 0.0 else model.mirrored
+    of_body = asked.parts
     where = "Loads, about the outer hinge" if side > 0.0 else "Loads, about the inner hinge"
     rows = []
     tied, at_limit = any(load.is_tie for load in asked.load), forces_at_limit(wall)
-    counted = wall.assessed.kinematic.wall if wall.assessment and wall.assessed.kinematic else asked
-    for load in asked.load:
-        force = wall_loads.as_force(load, asked, side)
-        pushed = load.kn_m if load.pushes else 0.0
+    counted = wall.assessed.kinematic.wall if wall.assessment and wall.assessed.kinematic else asked.in_si
+    for load in asked.in_si.loads:
+        force = as_force(load, asked.in_si, side)
+        pushed = 1e-3 * load.force if load.pushes else 0.0
         distance = force.distance + asked.setback  # entered from the face of this hinge: the formulas take off u
-        held = 1e-3 * force.horizontal if load.is_tie and load in counted.load else 0.0
-        constant = 0.0 if load.is_tie else 1e-3 * force.horizontal
+        held = 1e-3 * force.horizontal if load.tie and load in counted.loads else 0.0
+        constant = 0.0 if load.tie else 1e-3 * force.horizontal
         values = (1e-3 * force.vertical, constant, distance, force.height, pushed)
-        of_tie = (held, at_limit.pop(0) if load.is_tie else 0.0) if tied else ()
+        of_tie = (held, at_limit.pop(0) if load.tie else 0.0) if tied else ()
         rows.append((Word(f"load_{load.kind}"), (*values, *of_tie)))
     units = ("kN/m", "kN/m", "m", "m", "kN/m", *(("kN/m", "kN/m") if tied else ()))
     symbols = body.LOADS | body.TIES if tied else body.LOADS
-    weight = 1e-3 * wall_loads.weight_per_metre(asked)
+    weight = 1e-3 * asked.in_si.weight
     alone: list[Line | Columns] = [
         *_sizes(wall),
         Line(body.UNIT_WEIGHT, asked.unit_weight_kn_m3, INPUT),
@@ -179,7 +180,7 @@ def forces_at_limit(wall: WallResult) -> list[float]:
     if not (kinematic and kinematic.d_limit is not None and kinematic.chain.ties):
         return [0.0 for _ in given]
     theta = kinematic.chain.rotation(kinematic.d_limit)
-    forces = [tie.bar.force_at(theta) for tie in ties.ties_of(wall.wall)]
+    forces = [tie.bar.force_at(theta) for tie in wall.wall.in_si.ties]
     return [0.0 if load.slack_mm else 1e-3 * force for load, force in zip(given, forces, strict=True)]
 
 
@@ -194,7 +195,7 @@ def _impacts(wall: WallResult) -> list[Line]:
         of = body.VELOCITY_RATIO
         label = "velocity ratio of an impact: given" if model == "user" else label
         return [Line(of, e, INPUT if model == "user" else RUN, VALUE, label, words=words)]
-    contact = wall_loads.contact_of(wall.wall)
+    contact = wall.wall.in_si.contact
     if contact:
         base, top = body.e_base_with_loads, body.e_top_with_loads
         label = "velocity ratio of an impact: {model}, derived of the body and what moves with it"

@@ -18,7 +18,8 @@ from core.derivation.quantity import Given
 from core.known import known
 from core.study.results import StudyResult, WallResult
 from core.units import G
-from core.wall import wall_body, wall_loads
+from core.wall.masonry import inner_of
+from core.wall.wall_loads import start_moments
 
 
 def sides_agree(wall: WallResult) -> bool:
@@ -34,11 +35,11 @@ def chain(wall: WallResult) -> Section:
     lines: list[Line | Columns] = []
     if sums.bending is not None:
         lines = [*bending.chain(wall)]
-    elif asked.load:
+    elif asked.loads:
         where = where if governing_side(wall) > 0.0 else "about the inner hinge"
-        moments = wall_loads.start_moments(asked, governing_side(wall))
+        moments = start_moments(asked, governing_side(wall))
         parts = (checks.wx, checks.nd, checks.fh, checks.th, checks.wy, checks.qh)
-        tied = any(load.is_tie for load in asked.load)
+        tied = bool(asked.ties)
         found = zip(parts, moments, strict=True)
         lines = [Line(of, 1e-3 * moment) for of, moment in found if tied or of is not checks.th]
         if tied:
@@ -49,11 +50,11 @@ def chain(wall: WallResult) -> Section:
         lines.append(Line(checks.e_star_with_loads, sums.e_star, LIVE, SYMBOLS))
     else:
         alpha0 = checks.alpha0
-        if wall_body.body_of(asked) is not None:
+        if asked.parts:
             pass
-        elif asked.height_m and asked.setback:
+        elif asked.height and asked.setback:
             alpha0 = checks.alpha0_with_setback
-        elif asked.height_m and asked.slenderness_deg is None:
+        elif asked.height and wall.wall.slenderness_deg is None:
             alpha0 = checks.alpha0_of_sizes
         lines.append(Line(alpha0, sums.alpha0, note=FULL))
         lines.append(Line(checks.E_STAR, sums.e_star, RUN, VALUE, "one block, no other mass pushes it"))
@@ -137,7 +138,7 @@ def _free(wall: WallResult, target: CodeSpectrum | None) -> list[Line | Columns]
     """T_0 and S_e(T_0) of an element free to vibrate."""
     kinematic, asked = wall.mechanics, wall.wall
     lines: list[Line | Columns] = [Line(checks.MODULUS, asked.elastic_modulus_mpa, INPUT)]
-    if wall_body.body_of(asked) is not None:
+    if asked.parts:
         note = "of the section at the base, by Rayleigh's quotient over the mass of the body"
         lines.append(Line(checks.T0_GIVEN, kinematic.period_0, RUN, VALUE, note))
     elif asked.load:
@@ -263,10 +264,10 @@ def dynamic(wall: WallResult) -> Section:
 
 def _centroid_at_collapse(wall: WallResult) -> Line:
     """Displacement of the centroid where nothing holds the wall any more."""
-    bare, model = wall.wall.bare_block(), wall.model
+    bare, model = wall.wall.in_si.bare, wall.model
     restoring = model.restoring
     if governing_side(wall) < 0.0:
-        bare, restoring = wall_loads.inner_of(wall.wall, bare) or bare, model.mirrored
+        bare, restoring = inner_of(wall.wall.in_si, bare) or bare, model.mirrored
     turned = bare.slenderness - (shown_block(wall).slenderness + restoring.lean)
     return Line(checks.d_c, bare.radius * (math.sin(bare.slenderness) - math.sin(turned)), note=SYMBOLS)
 

@@ -9,14 +9,14 @@ from core.report.derived import cell_prefix
 from core.report.rows import heads, live_row
 from core.study.results import StudyResult, WallResult
 from core.units import G
-from core.wall.wall_body import Part, parts_of
+from core.wall.solids import Part
 
 LENGTH, CROSS = "0.0000", "0.000000"
 
 
 def has_bodies(result: StudyResult) -> bool:
     """Whether a wall is no rectangle."""
-    return any(parts_of(wall.wall) for wall in result.walls)
+    return any(wall.wall.parts for wall in result.walls)
 
 
 def bodies(book: Book, result: StudyResult) -> None:
@@ -30,7 +30,7 @@ def bodies(book: Book, result: StudyResult) -> None:
     )
     row = paragraph(sheet, 2, words, 8, 120, color=QUIET)
     for wall in result.walls:
-        if parts := parts_of(wall.wall):
+        if parts := wall.wall.parts:
             row = heads(book, sheet, row + 1, wall.name)
             for k, part in enumerate(parts, start=1):
                 row = _solid(book, sheet, result, wall, part, k, row + 1)
@@ -74,7 +74,7 @@ def _sums(book: Book, sheet, part: Part, name: str, first: int, last: int, row: 
         ("n2", "m", part.ends[1]),
         ("x0", "m", part.start),
         (say("plan angle"), "°", math.degrees(part.angle)),
-        (say("unit weight"), "kN/m³", part.weight),
+        (say("unit weight"), "kN/m³", 1e-3 * part.weight),
     )
     at = {}
     for (label, unit, value), key in zip(given, ("n1", "n2", "x0", "angle", "weight"), strict=True):

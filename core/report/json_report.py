@@ -134,7 +134,15 @@ def _demand_check(check: DemandCheck | None) -> dict | None:
     runs = [asdict(run) for run in check.runs]
     for run in runs:
         del run["motion"]  # the file names its records
-    return {**asdict(check), "runs": runs}
+    branch = check.branch
+    stated = branch and {
+        "modulus_mpa": 1e-6 * branch.modulus,
+        "assumed": branch.assumed,
+        "period_s": branch.period,
+        "limit": branch.limit,
+        "own_period_s": branch.own_period,
+    }
+    return {**asdict(check), "runs": runs, "branch": stated}
 
 
 def _without_friction(mechanism: Kinematic, confidence: float) -> dict | None:

@@ -14,8 +14,6 @@ from core.text.sentence import Sentence
 from core.units import G
 from core.variation.limit_states import STATES
 from core.variation.swings import Sensitivity, move_words
-from core.wall.ties import ties_of
-from core.wall.wall_body import body_of, parts_of
 
 
 def loads(wall: WallResult) -> dict:
@@ -85,7 +83,7 @@ def tie_design(wall: WallResult) -> dict:
 
 def ties(wall: WallResult) -> dict:
     """The key ties of a wall that has some: what each holds and stands, and how far it is stretched."""
-    found = ties_of(wall.wall) if wall.wall.load else ()
+    found = wall.wall.in_si.ties
     if not found:
         return {}
     return {
@@ -126,7 +124,7 @@ def limit_states(wall: WallResult) -> dict:
 
 def body(wall: WallResult) -> dict:
     """The key body of a wall that is no rectangle: about the outer edge of its base, without what it carries."""
-    found = body_of(wall.wall)
+    found = wall.wall.in_si.body
     if found is None:
         return {}
     x, z = found.centroid
@@ -140,10 +138,10 @@ def body(wall: WallResult) -> dict:
             "to_m": part.ends[1],
             "x0_m": part.start,
             "angle_deg": math.degrees(part.angle),
-            "unit_weight_kn_m3": abs(part.weight),
+            "unit_weight_kn_m3": 1e-3 * abs(part.weight),
             "mass_kg": part.body.mass,
         }
-        for part in parts_of(wall.wall)
+        for part in wall.wall.parts
     ]
     about: dict[str, object] = {"mass_kg": found.mass, "x_g_m": x, "z_g_m": z, "i_o_kgm2": found.inertia}
     if wall.model.other is not None:

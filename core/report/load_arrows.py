@@ -1,8 +1,7 @@
 """The loads of a wall as arrows, for every drawing of it."""
 
-from core.case.schema import Wall
+from core.case.wall import Wall
 from core.known import known
-from core.wall.wall_loads import size_of
 
 LONGEST, SHORTEST = 0.22, 0.08
 """Length of the arrow of the strongest load and of a vanishing one, of the height of the wall."""
@@ -17,7 +16,7 @@ HEAD = 0.2
 def arrows(wall: Wall, height: float, thickness: float) -> list[list[tuple[float, float]]]:
     """An arrow to each load at its place, as long as it is strong: the corners of a line [m], x from the inner face
     outward, y up. height, thickness : of the wall [m]."""
-    sizes = [abs(size_of(load, wall)) for load in wall.load]
+    sizes = [abs(load.force) for load in wall.in_si.loads]
     strongest = max(sizes, default=0.0)
     found = []
     for load, one in zip(wall.load, sizes, strict=True):

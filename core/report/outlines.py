@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from core.wall.wall_body import Part, parts_of
+from core.wall.solids import Part
 
 Points = list[tuple[float, float]]
 
@@ -22,7 +22,7 @@ def in_section(wall) -> list[Outline]:
     """The outline of each solid seen along the wall: x inward from the outer face of the base [m]; of one that is not
     extruded along the wall the hull of what is seen."""
     found = []
-    for part in parts_of(wall):
+    for part in wall.parts:
         if part.plane == "section":
             points = [(part.x_of(s, 0.0), z) for s, z in part.polygon]
         else:
@@ -52,7 +52,7 @@ def _hull(points: Points) -> Points:
 def in_elevation(wall) -> list[Outline]:
     """The outline of each solid seen from outside: s along the wall [m]; of one in another plane its extent."""
     found = []
-    for part in parts_of(wall):
+    for part in wall.parts:
         if part.plane == "elevation":
             points = list(part.polygon)
         else:

@@ -8,7 +8,6 @@ from core.study.results import WallResult
 from core.text.sentence import localized, numeral, word
 from core.variation.tie_design import NAMES, TieDesign
 from core.wall.bars import TieBar
-from core.wall.ties import ties_of
 
 
 def force_words(tie: TieDesign, name: str, language: str) -> str:
@@ -125,7 +124,7 @@ def of_ties(say: Callable[..., str], wall: WallResult, language: str) -> list[st
     """A sentence for each tie of a wall: what it holds, how far it is stretched, and what governs."""
     given = [load for load in wall.wall.load if load.is_tie]
     found = []
-    for load, tie in zip(given, ties_of(wall.wall) if given else (), strict=True):
+    for load, tie in zip(given, wall.wall.in_si.ties if given else (), strict=True):
         bar = tie.bar
         values = {
             "h": bar.height,

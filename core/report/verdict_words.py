@@ -3,8 +3,8 @@
 import functools
 from dataclasses import fields
 
-from core.case.schema import WallJustification
 from core.case.site import DemandJustification
+from core.case.wall import WallJustification
 from core.codes.outcomes import OUTCOMES
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import by_severity, where

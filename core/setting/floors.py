@@ -6,8 +6,8 @@ from functools import cached_property
 
 import numpy as np
 
-from core.case.schema import Wall
 from core.case.site import Building
+from core.case.wall import Wall
 from core.codes.demand import DemandResult
 from core.codes.floor_spectrum import FloorSpectrum, estimated_period, first_mode
 from core.codes.kinematic import DAMPING, Kinematic

@@ -9,8 +9,9 @@ from typing import NamedTuple
 
 from core.capacity.ida import Search
 from core.case.hinges import Part, hinges_of, parts_of, shared
-from core.case.schema import Case, Wall
+from core.case.schema import Case
 from core.case.site import Building
+from core.case.wall import Wall
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
 from core.codes.kinematic import Kinematic, kinematic
@@ -219,7 +220,7 @@ def plan_of(
         for mechanism in wall.mechanisms():
             model, found = model_of(wall, mechanism), None
             if demand and (floor or not wall.above_ground):
-                found = kinematic(wall, mechanism, demand, floor.spectrum if floor else None)
+                found = kinematic(wall.in_si, mechanism, demand, floor.spectrum if floor else None)
             signs, felt = polarities_of(model, chosen.polarity), list(floor.motions) if floor else motions
             felt = [] if wall.bends else felt  # no time histories of it
             entries.append(Entry(part, mechanism, model, signs, floor, felt, found))

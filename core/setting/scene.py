@@ -5,8 +5,9 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from core.case.schema import Generate, Wall
+from core.case.schema import Generate
 from core.case.site import Building, Demand
+from core.case.wall import Wall
 from core.codes.demand import DemandResult, with_records
 from core.codes.dynamic_check import demand_check
 from core.codes.elastic_branch import Branch, branches_of, wants_branch
@@ -26,8 +27,8 @@ ESTIMATES = 0.5, 1.0, 2.0
 def model_of(wall: Wall, mechanism: str) -> RockingModel:
     """The rocking model of a wall."""
     one_sided, restitution = mechanism == "one_sided", wall.restitution_of(mechanism)
-    blocks, law = (wall.block(), wall.inner_block()), wall.moment_law()
-    return rocking_model(blocks[0], one_sided, restitution, law, wall.restoring(), wall.bars(), blocks[1])
+    own = wall.in_si
+    return rocking_model(own.block, one_sided, restitution, own.law, own.restoring, own.bars, own.inner_block)
 
 
 def polarities_of(model: RockingModel, asked: str) -> tuple[int, ...]:
@@ -86,9 +87,9 @@ class Scene:
     @cached_property
     def branches(self) -> tuple[Branch, ...]:
         """Elastic branches of an element free to vibrate, of which the worst decides; empty of another wall."""
-        if not wants_branch(self.wall, self.mechanism) or not self.wall.moment_law().is_rigid:
+        if not wants_branch(self.wall.in_si, self.mechanism) or not self.wall.moment_law().is_rigid:
             return ()
-        return branches_of(self.wall, self.mechanism, self.model)
+        return branches_of(self.wall.in_si, self.mechanism, self.model)
 
     @property
     def signs(self) -> tuple[int, ...]:
@@ -107,7 +108,7 @@ class Scene:
         """Its mechanism; None above the ground where the building is not known. Raises InputError."""
         if self.wall.above_ground and self.floor is None:
             return None
-        return kinematic(self.wall, self.mechanism, self.demand, self.floor.spectrum if self.floor else None)
+        return kinematic(self.wall.in_si, self.mechanism, self.demand, self.floor.spectrum if self.floor else None)
 
     def but(self, **changes: Any) -> "Scene":
         """With some of its parts changed: q of the searches goes, and the floor is that of the changed building, height

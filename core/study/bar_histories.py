@@ -4,10 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.case.schema import Wall
+from core.case.wall import Wall
 from core.rocking.bar_state import BROKEN, SLACK, TAUT, YIELDING
 from core.rocking.history import History
-from core.wall import ties
 from core.wall.bars import TieBar, forces
 from core.wall.rocking_model import RockingModel
 
@@ -33,7 +32,7 @@ class BarHistory:
 def bar_histories(wall: Wall, history: History, strength_factor: float = 1.0) -> list[BarHistory]:
     """Of each tie of a wall. strength_factor : FC, where the history has it on the strength: forces are over it"""
     found = []
-    for tie, sines in zip(ties.ties_of(wall), history.residual, strict=True):
+    for tie, sines in zip(wall.in_si.ties, history.residual, strict=True):
         bar, gone = tie.bar, np.isinf(sines)
         force = forces(bar, history.rotation, sines)
         elongation = bar.height * np.sin(np.maximum(history.rotation, 0.0))
@@ -57,5 +56,5 @@ def work_of_impacts(wall: Wall, model: RockingModel, history: History) -> float 
     ratio = model.ratio_at_rest
     if model.ratio_drop or not ratio:
         return None
-    inertia = ties.moment_of_weight(wall, wall.block()) / model.p2
+    inertia = wall.in_si.moment_of_weight / model.p2
     return float(0.5 * inertia * (1.0 / ratio**2 - 1.0) * np.sum(history.impact_velocity**2))

@@ -11,7 +11,8 @@ from core.capacity.fragility import Fragility
 from core.capacity.ida import Ida, Search
 from core.capacity.scale_free_law import Estimate
 from core.case.hinges import Part, shared
-from core.case.schema import Case, Wall
+from core.case.schema import Case
+from core.case.wall import Wall
 from core.codes.collapse_rate import StateRate
 from core.codes.demand import DemandResult
 from core.codes.eq9 import Inequality
@@ -19,6 +20,7 @@ from core.codes.kinematic import Kinematic
 from core.codes.record_compatibility import Compliance
 from core.codes.record_sample import SampleInterval
 from core.codes.risk import Risk
+from core.codes.vertical_bending import uplift_multiplier
 from core.ground.ground_motion import GroundMotion
 from core.rocking.history import History
 from core.rocking.methods import AUTO, Method, resolve_auto
@@ -136,7 +138,7 @@ class WallResult:
     @property
     def threshold(self) -> float:
         """Acceleration that starts the motion [m/s2]: a_RM, of a wall held at its top alpha_0 g."""
-        return G * self.wall.uplift_multiplier(self.mechanism) if self.wall.bends else self.model.threshold
+        return G * uplift_multiplier(self.wall.in_si, self.mechanism) if self.wall.bends else self.model.threshold
 
     @property
     def height(self) -> float:

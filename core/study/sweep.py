@@ -8,9 +8,10 @@ from typing import Any
 from core.case.held_top import with_top_loads
 from core.case.loads import Bars, Load, ReturnWalls
 from core.case.rules import parse_case
-from core.case.schema import Case, Wall
+from core.case.schema import Case
 from core.case.site import Building, Demand, Spectrum
 from core.case.variant_of import ALTERNATIVES
+from core.case.wall import Wall
 from core.case.writer import table_of
 from core.errors import InputError
 from core.setting.plan import with_chosen

@@ -3,7 +3,7 @@
 from collections.abc import Container
 from dataclasses import dataclass, fields, replace
 
-from core.case.schema import AS_IS, DESIGNED, Wall
+from core.case.wall import AS_IS, DESIGNED, Wall
 from core.study.results import WallResult, WallVerdict
 from core.text.sentence import notice
 

@@ -7,7 +7,7 @@ from core.capacity.fragility import fragility
 from core.capacity.ida import TRILINEAR_FLOOR, Ida, multiplier_of, threshold_of
 from core.capacity.scale_free_law import estimates
 from core.case.hinges import Part
-from core.case.schema import Wall
+from core.case.wall import Wall
 from core.codes.eq9 import inequality
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM, set_rule, set_value
 from core.codes.masonry_types import TYPES
@@ -17,10 +17,10 @@ from core.study.governing import lowest_of
 from core.study.results import Q_SOURCES, PerRecord, Run, WallResult
 from core.text.sentence import Key, Sentence, notice, sentence
 from core.units import CM
-from core.wall import wall_body, wall_loads
 from core.wall.block import Block
 from core.wall.restitution import MODELS, housner_ratio, one_sided_ratio
 from core.wall.rocking_model import RockingModel
+from core.wall.solids import LEAST_BASE, section_area
 
 LARGE_SCALE = 10.0
 
@@ -193,12 +193,12 @@ def unusual_input(wall: Wall) -> list[Sentence]:
     if wall.masonry:
         notices += _unlike_its_masonry(wall)
     if wall.load and t is not None:
-        weight = wall_loads.weight_per_metre(wall) + wall_loads.vertical_loads(wall)
+        weight = wall.in_si.weight + wall.in_si.vertical_loads
         stress = 1e-6 * weight / (t - 2.0 * wall.setback)
-        if parts := wall_body.parts_of(wall):
+        if parts := wall.parts:
             assert wall.length_m is not None
-            area = wall_body.section_area(parts, 0.0, 0.0, t)  # none under a corner of oblique solids
-            stress = stress * wall.length_m * t / area if area > wall_body.LEAST_BASE else 0.0
+            area = section_area(parts, 0.0, 0.0, t)  # none under a corner of oblique solids
+            stress = stress * wall.length_m * t / area if area > LEAST_BASE else 0.0
         if stress > HEAVY:
             notices.append(notice("heavy_load", stress=stress))
     return notices
@@ -208,7 +208,7 @@ def _no_loss(wall: Wall, mechanism: str) -> list[Sentence]:
     """Said of a body for which Eq. 6 gives more than 1."""
     if wall.bends or wall.restitution_model(mechanism) != "one_sided_theoretical":
         return []
-    ratio = one_sided_ratio(wall.block(), wall_loads.contact_of(wall))
+    ratio = one_sided_ratio(wall.block(), wall.in_si.contact)
     return [notice("eq6_above_one", ratio=ratio)] if ratio > 1.0 else []
 
 
@@ -232,9 +232,7 @@ def _unlike_its_masonry(wall: Wall) -> list[Sentence]:
 
 def _model_notices(wall, block, mechanism, model, restitution, law) -> list[Sentence]:
     notices = []
-    if restitution.model == "costa_upper" and restitution.ratio_at_rest > housner_ratio(
-        block, wall_loads.contact_of(wall)
-    ):
+    if restitution.model == "costa_upper" and restitution.ratio_at_rest > housner_ratio(block, wall.in_si.contact):
         notices.append(notice("costa_above_housner", alpha=float(np.degrees(block.slenderness))))
     if mechanism == "one_sided" and not (MODELS[restitution.model].one_sided or restitution.model == "user"):
         notices.append(notice("hogan", model=restitution.model))

@@ -1,8 +1,9 @@
 """One verdict for each wall: the worst of its hinges and mechanisms, at every limit state."""
 
 from core.case.hinges import usual_hinges
-from core.case.schema import Case, Wall
+from core.case.schema import Case
 from core.case.site import Demand
+from core.case.wall import Wall
 from core.codes.assumption import TOGETHER, Assumption, table
 from core.codes.kinematic import Check
 from core.codes.outcomes import FAILS, NO_HAZARD, OUTCOMES, PASSES, least, worst

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
+from core.case.load_rules import carries
 from core.codes.assumption import DECLARED, LEFT_OUT, RESTRAINT, Assumption
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import SLD_CLAUSE, Check, Kinematic, with_and_without_ties
@@ -23,7 +24,6 @@ from core.variation.assumptions import assumptions
 from core.variation.changes import thinner
 from core.variation.evaluate import Evaluation, evaluate, histories
 from core.variation.tie_design import TieDesign
-from core.wall.wall_loads import carries, rocks_both_ways, without_ties
 
 OF_THE_FLOOR = ("other_building", "at_centroid")
 """Codes of what lifts zeta above the ground."""
@@ -180,7 +180,7 @@ def _of_the_restraint(found: Evaluation, free: Evaluation) -> Assumption:
     code = "top_fails" if wall.bends else "restraint_fails"
     return Assumption(
         RESTRAINT,
-        sentence("reason", code, zeta=Number(free.zeta), restraint=declared(wall)),
+        sentence("reason", code, zeta=Number(free.zeta), restraint=declared(wall.in_si.declared)),
         sentence("word", f"choice_{wall.back_restraint}") if named else sentence("accepted", "missing"),
         sentence("accepted", "none"),
         DECLARED if named else LEFT_OUT,
@@ -194,7 +194,7 @@ def _of_the_restraint(found: Evaluation, free: Evaluation) -> Assumption:
 def _without_restraint(scene: Scene, dynamic: DemandCheck | None, cancelled: Callable[[], bool]) -> Evaluation | None:
     """A one-sided wall with histories as it rocks both ways where what restrains it fails; None of another wall."""
     wall = scene.wall
-    if dynamic is None or wall.mechanism != "one_sided" or not rocks_both_ways(wall):
+    if dynamic is None or wall.mechanism != "one_sided" or not wall.in_si.rocks_both_ways:
         return None
     free = replace(wall, mechanism="two_sided", restitution=None, velocity_ratio=None)
     return evaluate(scene.but(wall=free, mechanism="two_sided"), other=False, cancelled=cancelled)
@@ -231,7 +231,7 @@ def _of_ties_not_counted(found: Evaluation) -> list[Sentence]:
     if kinematic is None or not any(load.is_tie for load in wall.load):
         return []
     if found.scene.demand.limit_state == "SLD" and kinematic.zeta_sld is not None:
-        alpha, share, _ = chain(wall, found.scene.mechanism == "two_sided").start
+        alpha, share, _ = chain(wall.in_si, found.scene.mechanism == "two_sided").start
         zeta = kinematic.zeta_sld * (alpha / share) / (kinematic.alpha0 / kinematic.e_star)
         return [sentence("reason", "ties_at_sld", zeta=Number(zeta))]
     if any(load.slack_mm for load in wall.load) and any(check.name != "dynamic" for check in found.checks):
@@ -250,7 +250,7 @@ def _of_ties_that_lower(found: Evaluation, cancelled: Callable[[], bool]) -> lis
         said.append(sentence("reason", "ties_displacement", tied=Number(pair[0]), bare=Number(pair[1])))
     if found.dynamic is None or found.dynamic.zeta is None:
         return said
-    bare = histories(scene.but(wall=without_ties(scene.wall)), cancelled=cancelled)
+    bare = histories(scene.but(wall=scene.wall.without_ties()), cancelled=cancelled)
     if bare is not None and bare.zeta is not None and round(bare.zeta, 2) > round(found.dynamic.zeta, 2):
         values = {"tied": Number(found.dynamic.zeta), "bare": Number(bare.zeta)}
         said.append(sentence("reason", "ties_histories", **values))

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import Any
 
-from core.case.schema import Wall
+from core.case.wall import Wall
 
 APART: dict[str, Any] = {"g_kn_m": None, "q_kn_m": None, "psi_2": None}
 """A weight that is moved is no longer the sum of its parts."""

@@ -11,6 +11,7 @@ from core.codes.kinematic import Check, Kinematic, checks_of, linear
 from core.codes.limits import counted_stations
 from core.codes.outcomes import FAILS, OPEN, PASSES, severity, worst
 from core.codes.verdict import Circumstances, Evidence, governing_check, outcome_of
+from core.codes.vertical_bending import uplift_multiplier
 from core.errors import InputError
 from core.setting.scene import Scene
 from core.text.sentence import Sentence, sentence
@@ -96,14 +97,14 @@ class Evaluation:
             unbranched=self._unbranched(),
         )
         parts = (self.checks, self.dynamic, self.kinematic, scene.compliance, circumstances)
-        return Evidence(scene.wall, scene.mechanism, demand, *parts)
+        return Evidence(scene.wall.in_si, scene.mechanism, demand, *parts)
 
     def _unbranched(self) -> str:
         """Code of the reason why the histories have not the elastic branch the clause asks for."""
         scene = self.scene
-        if scene.branches or not wants_branch(scene.wall, scene.mechanism):
+        if scene.branches or not wants_branch(scene.wall.in_si, scene.mechanism):
             return ""
-        return "does_not_rock" if can_have_branch(scene.wall, scene.mechanism) else "rigid_free"
+        return "does_not_rock" if can_have_branch(scene.wall.in_si, scene.mechanism) else "rigid_free"
 
     @cached_property
     def outcome(self) -> str:
@@ -144,7 +145,7 @@ def evaluate(
             (evaluate(one, precision, other, cancelled) for one in readings),
             lambda one: (one.outcome, one.zeta, one.scene.demand.zeta_target),
         )
-    if (threshold := scene.wall.uplift_multiplier(scene.mechanism)) <= 0.0:  # of no case, but of a value moved
+    if (threshold := uplift_multiplier(scene.wall.in_si, scene.mechanism)) <= 0.0:  # of no case, but of a value moved
         raise InputError("unstable_under_loads", threshold=threshold)
     kinematic = scene.kinematic
     if kinematic is None:

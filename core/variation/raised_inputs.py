@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from core.capacity.limit_states import LIMIT_FRACTION
-from core.case.schema import Wall, WallJustification
 from core.case.site import FULL_FACTOR
+from core.case.wall import Wall, WallJustification
 from core.codes.assumption import DECLARED, DEFAULT, GIVEN
 from core.codes.elastic_branch import ELASTIC, Branch, can_have_branch
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM
@@ -18,6 +18,7 @@ from core.codes.masonry_types import least_strength, moduli, weights
 from core.codes.verdict_sentence import CODE_Q
 from core.errors import InputError
 from core.ground.scattered import SPREAD
+from core.known import known
 from core.setting import demand_input
 from core.setting.demand_input import default_motions, set_of
 from core.setting.scene import Scene
@@ -37,8 +38,8 @@ from core.variation.raised import (
 )
 from core.variation.raised_loads import of_the_loads, of_the_weights
 from core.variation.raised_site import of_the_building, of_what_is_required
-from core.wall import wall_body
 from core.wall.restitution import MODELS
+from core.wall.solids import clipped
 
 LOWER = 0.999
 """Height of the restraint, of the top of the body, below which what it lifts is shown."""
@@ -111,7 +112,7 @@ def raised(found: Evaluation) -> Iterator[Raised]:
     yield from _of_the_set(found)
     yield from of_the_loads(scene, not dynamic)
     yield from of_the_weights(scene)
-    if wall.free_element is not None and wall.free_element != replace(wall, free_element=None).is_free(scene.mechanism):
+    if wall.free_element is not None and wall.free_element != replace(wall.in_si, free=None).is_free(scene.mechanism):
         code = "lift_one_sided_free" if wall.free_element else "lift_free_element"
         end = End(of_wall(free_element=None), _free(not wall.free_element))
         yield Raised(
@@ -183,8 +184,8 @@ def _of_the_law(found: Evaluation) -> Iterator[Raised]:
         yield one_end("law", "lift_law", wall.justification, _law_named(wall.law), end)
     if found.dynamic is not None and found.dynamic.branch is not None:
         yield _of_the_branch(found.dynamic.branch)
-    given = wall.law == "rigid" and wall.is_free(scene.mechanism) and found.satisfied
-    if given and can_have_branch(wall, scene.mechanism):  # of a wall that fails without it the branch is not asked for
+    given = wall.law == "rigid" and wall.in_si.is_free(scene.mechanism) and found.satisfied
+    if given and can_have_branch(wall.in_si, scene.mechanism):  # a wall that fails without it is not asked
         end = End(of_wall(law=ELASTIC), sentence("word", "with_branch"))
         yield one_end("law", "lift_rigid", wall.justification, sentence("word", "choice_rigid"), end)
 
@@ -194,7 +195,7 @@ def _of_the_branch(branch: Branch) -> Raised:
     also where the rigid wall fares worse."""
     said = {
         "period": Number(branch.period, ".3f"),
-        "modulus": branch.modulus,
+        "modulus": 1e-6 * branch.modulus,
         "assumed": sentence("added", "assumed_modulus" if branch.assumed else "nothing"),
         "limit": Number(branch.limit, ".2g"),
         "own": Number(branch.own_period, ".3f"),
@@ -299,11 +300,11 @@ def _of_the_unit_weight(scene: Scene) -> Iterator[Raised]:
 
 def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
     """What a body drags along behind its base, and a restraint that it meets below its top."""
-    if not wall_body.has_shape(wall):
+    if not wall.has_shape:
         return
     assert wall.thickness is not None and wall.height_m is not None
-    parts = wall_body.parts_of(wall)
-    kept = [wall_body.clipped(part, wall.thickness) for part in parts]
+    parts = wall.parts
+    kept = [clipped(part, wall.thickness) for part in parts]
     if any(kept) and any(one is not part for one, part in zip(kept, parts, strict=True)):
         left = zip(wall.solid, kept, strict=False)  # the wedges come last
         solids = tuple(
@@ -311,7 +312,7 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
         )
         end = End(of_wall(return_wedges=None, solid=solids), NONE_WORD)
         yield one_end("return_wedges", "lift_return_wedges", wall.justification, GIVEN_WORD, end)
-    top = wall_body.top_of(wall)
+    top = known(wall.top)
     if mechanism == "one_sided" and MODELS[wall.restitution_model(mechanism)].one_sided and wall.height_m < LOWER * top:
         end = End(of_wall(height_m=top), top)
         yield one_end("contact", "lift_contact", wall.justification, wall.height_m, end, h=wall.height_m, top=top)
@@ -325,7 +326,7 @@ def _of_the_body(scene: Scene) -> Iterator[Raised]:
         end = End(of_wall(inertia_over_mass_m2=RECTANGLE * radius**2), RECTANGLE * radius**2)
         yield one_end("inertia_over_mass_m2", "lift_inertia", None, given, end, given=given, least=end.value)
     modulus, (least, most) = wall.elastic_modulus_mpa, moduli(wall.masonry)
-    if modulus is not None and wall.is_free(scene.mechanism) and modulus > least:
+    if modulus is not None and wall.in_si.is_free(scene.mechanism) and modulus > least:
         end = End(of_wall(elastic_modulus_mpa=least), least)
         said = {"given": modulus, "least": least, "most": most}
         permitted = modulus <= most

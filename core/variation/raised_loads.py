@@ -6,18 +6,18 @@ from dataclasses import replace
 from functools import partial
 
 from core.capacity.limit_states import LIMIT_FRACTION
+from core.case.held_top import bent_inward
+from core.case.load_rules import check_loads
 from core.case.loads import Load
-from core.case.schema import Wall
+from core.case.wall import Wall
 from core.codes.assumption import LEFT_OUT
 from core.codes.kinematic_chain import chain
-from core.codes.vertical_bending import bent_inward
 from core.errors import InputError
 from core.setting.scene import Scene
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.variation.evaluate import evaluate
 from core.variation.raised import GIVEN_WORD, NONE_WORD, Change, End, Raised, named, one_end, worst_words
-from core.wall import ties
-from core.wall.wall_loads import COUNTED, check_loads
+from core.wall.masonry import COUNTED
 
 
 def _with_loads(change: Callable[[Wall], tuple[Load, ...]]) -> Change:
@@ -146,7 +146,7 @@ def of_the_loads(scene: Scene, clauses: bool) -> Iterator[Raised]:
     """What of the ties, and of forces that always pull inward, raises zeta. clauses : no histories are made"""
     wall, reasons = scene.wall, scene.wall.justification
     given = [load for load in wall.load if load.is_tie]
-    if any(tie.stands_more for tie in (ties.ties_of(wall) if given else ())):
+    if any(tie.stands_more for tie in (wall.in_si.ties if given else ())):
         end = End(_of_ties(elongation_m=None, elongation=None), NONE_WORD)
         yield one_end("elongation_m", "lift_elongation", reasons, GIVEN_WORD, end)
     if any(_breaks(wall, load, scene) for load in given):  # no clause follows a bar that breaks
@@ -192,7 +192,7 @@ def _breaks(wall: Wall, load: Load, scene: Scene) -> bool:
     """Whether a tie breaks before the rotation up to which a check of the clauses counts on it."""
     if not load.is_tie:
         return False
-    sums, block = chain(wall, scene.mechanism == "two_sided"), wall.block()
+    sums, block = chain(wall.in_si, scene.mechanism == "two_sided"), wall.block()
     share = LIMIT_FRACTION.get(scene.demand.limit_state, COUNTED)
-    far = max(sums.rotation(share * sums.d0), COUNTED * (block.slenderness + wall.restoring()[0].lean))
-    return ties.tie_of(load, wall).bar.breaks_at <= load.h_m * math.sin(far) * (1.0 + 1e-9)
+    far = max(sums.rotation(share * sums.d0), COUNTED * (block.slenderness + wall.in_si.restoring[0].lean))
+    return load.tie(wall.length_m).bar.breaks_at <= load.h_m * math.sin(far) * (1.0 + 1e-9)

@@ -21,7 +21,6 @@ from core.setting.scene import ESTIMATES, Scene
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.units import G
 from core.variation.raised import Change, End, Raised, of_demand, of_wall, one_end, worst_words, worth
-from core.wall import wall_body
 
 
 def of_what_is_required(scene: Scene) -> Iterator[Raised]:
@@ -181,8 +180,8 @@ def of_the_building(scene: Scene, building: Building) -> Iterator[Raised]:
         source = GIVEN if given else DEFAULT
         yield Raised("building", asked.justification, value, there, words, source, permitted=not given)
     half = 0.5 * (wall.height_m or wall.block().height)
-    if wall_body.has_shape(wall):
-        half = wall.bare_block().centroid[1]
+    if wall.has_shape:
+        half = wall.in_si.bare.centroid[1]
     centroid = min(base + half, building.height_m)
     if not building.modes and centroid > felt:
         end = End(of_wall(base_z_m=centroid), centroid)

@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 
 from core.case.hinges import parts_of
-from core.case.schema import Wall
 from core.case.sensitivity import Ranges
 from core.case.site import Building
+from core.case.wall import Wall
 from core.codes.floor_spectrum import estimated_period
 from core.codes.outcomes import OUTCOMES, PASSES, least
 from core.codes.record_sample import RecordPeaks, one_left_out

@@ -13,15 +13,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from core.boundary import edge, written_up
+from core.case.load_rules import carries
 from core.case.loads import Load
-from core.case.schema import Wall
+from core.case.wall import Wall
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import ROUNDING
 from core.codes.outcomes import least
 from core.errors import InputError
 from core.setting.scene import Scene, model_of
 from core.variation.evaluate import GLANCE, RUN, Evaluation, Precision, evaluate
-from core.wall import ties, wall_loads
+from core.wall import ties
+from core.wall.masonry import as_force
 
 NAMES = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code", "linear_q_1", "thrust")
 """Of the forces: of the checks, with q = 1 in place of that of the code, and of the thrust at rest."""
@@ -152,7 +154,7 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
         if asked.tie_spacing_m is not None:
             bars = ties.bars_for(force, asked.tie_spacing_m)
     if asked.tie_bar_length_m is not None:
-        tie = ties.tie_of(with_tie(below[0].scene.wall, 1.0, height).load[-1], asked)
+        tie = with_tie(below[0].scene.wall, 1.0, height).load[-1].tie(asked.length_m)
         stands, more = tie.bar.stands, tie.stands_more
     curve = tuple((float(h), _at_height(hinges, float(h))) for h in np.linspace(LEAST_HEIGHT * top, top, CURVE))
     return TieDesign(
@@ -192,8 +194,8 @@ def _made(name: str, scene: Scene) -> bool:
 def _largest(hinge: Hinge, height: float) -> float:
     """Force [N/m] up to which the part above a hinge turns about it as one block."""
     wall, above = hinge.scene.wall, hinge.raised(height)
-    weight = wall_loads.weight_per_metre(wall) + wall_loads.vertical_loads(wall)
-    found = edge(lambda force: wall_loads.carries(with_tie(wall, force, above)), weight, (UNIT, MOST), False, 2.0, 1e-9)
+    weight = wall.in_si.weight + wall.in_si.vertical_loads
+    found = edge(lambda force: carries(with_tie(wall, force, above)), weight, (UNIT, MOST), False, 2.0, 1e-9)
     return found.good or 0.0
 
 
@@ -229,7 +231,7 @@ def _reaches(zeta: float | None, target: float) -> bool:
 def _thrust(hinge: Hinge, height: float) -> float:
     """Force at rest that balances the thrusts on the part above a hinge [N/m]."""
     wall = hinge.scene.wall
-    outward = [wall_loads.as_force(load, wall, 1.0) for load in wall.load if load.kind == "thrust"]
+    outward = [as_force(load, wall.in_si, 1.0) for load in wall.in_si.loads if load.kind == "thrust"]
     return max(0.0, -sum(force.horizontal * force.height for force in outward) / hinge.raised(height))
 
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from core.boundary import Edge, edge
 from core.case.held_top import with_top_loads
-from core.case.schema import Wall
+from core.case.wall import Wall
 from core.errors import InputError
 from core.setting.demand_input import with_ag
 from core.variation.changes import loaded, thinner

@@ -7,8 +7,9 @@ from pathlib import Path
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.rules import with_walls
-from core.case.schema import Case, Wall
+from core.case.schema import Case
 from core.case.site import FULL_FACTOR
+from core.case.wall import Wall
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
 from core.codes.outcomes import FAILS, OPEN, least

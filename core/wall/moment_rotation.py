@@ -37,7 +37,9 @@ WITH_BRANCH = ("auto", "elastic")
 """Laws of the case that are rigid but for the elastic branch of the check at the demand
 (core/codes/elastic_branch.py)."""
 
-LAWS = {"rigid": MomentLaw(), "doherty": MomentLaw(0.06, 0.28), "al_shawa": MomentLaw(0.02, 0.28)}
+RIGID = MomentLaw()
+
+LAWS = {"rigid": RIGID, "doherty": MomentLaw(0.06, 0.28), "al_shawa": MomentLaw(0.02, 0.28)}
 """Named laws: Doherty et al. (2002), Al Shawa et al. (2015), as quoted by the paper, sect. 4.3."""
 
 

@@ -9,17 +9,15 @@ Circolare 7/2019 (C8.7.4.1 has none): the engineer gives the resistance of the a
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from core.wall.bars import Bar, TieBar
-from core.wall.block import Block
-from core.wall.wall_body import weight_per_metre
+from core.wall.bars import TieBar
 
 MODULUS = 205e9
 """Of steel bars [Pa]."""
 
-DEFAULT_STRENGTH, DEFAULT_TENSILE = 235.0, 360.0
-"""f_y and f_u of a bar of which none is given [MPa]."""
+DEFAULT_STRENGTH, DEFAULT_TENSILE = 235e6, 360e6
+"""f_y and f_u of a bar of which none is given [Pa]."""
 
 GAMMA_M0, GAMMA_M2 = 1.05, 1.25
 """Partial factors of the gross section (Tab. 4.2.VII) and of a thread (Tab. 4.2.XIV)."""
@@ -50,87 +48,89 @@ class Tie:
     stands_more: bool = False
 
     @property
+    def is_slack(self) -> bool:
+        """Whether it does nothing before the wall has moved."""
+        return self.bar.slack > 0.0
+
+    @property
     def weakest(self) -> str:
         """Name of the part that governs, "" where the bars are not given."""
         return min(self.parts, key=lambda part: part[1])[0] if self.parts else ""
 
 
+@dataclass(frozen=True)
+class Steel:
+    """The bars of a tie, over the length of the wall.
+
+    diameter, thread : of a bar and of the thread at its ends [m]
+    strength, tensile : f_y and f_u [Pa]; existing : these are mean values of an existing building, without gamma
+    anchorage : least resistance of the anchorage of a bar [N]; None : not known, the elongation is not counted on
+    """
+
+    number: int
+    diameter: float
+    strength: float = DEFAULT_STRENGTH
+    tensile: float = DEFAULT_TENSILE
+    thread: float | None = None
+    existing: bool = False
+    anchorage: float | None = None
+
+    @property
+    def area(self) -> float:
+        """[m2]."""
+        return 0.25 * math.pi * self.diameter**2
+
+    @property
+    def parts(self) -> tuple[tuple[str, float], ...]:
+        """Resistance of each part of a bar [N]."""
+        steel = self.area * self.strength / (1.0 if self.existing else GAMMA_M0)
+        threaded = stress_area(self.thread or self.diameter)
+        parts = [("steel", steel), ("thread", 0.9 * threaded * self.tensile / GAMMA_M2)]
+        return (*parts, *([] if self.anchorage is None else [("anchorage", self.anchorage)]))
+
+    @property
+    def is_ductile(self) -> bool:
+        """Whether the steel yields before anything else goes: thread [4.2.8], and an anchorage that stands the bar at
+        its tensile strength."""
+        (_, steel), (_, thread), *anchorage = self.parts
+        return steel <= thread and any(held >= self.area * self.tensile for _, held in anchorage)
+
+
 def stress_area(diameter: float) -> float:
-    """A_res of a coarse metric thread [mm2], as Tab. 4.2.XVI: pi/4 (d - 0.9382 P)^2. diameter : [mm]"""
-    pitch = next((pitch for least, pitch in reversed(PITCHES) if diameter >= least), 0.2 * diameter)
-    return 0.25 * math.pi * (diameter - 0.9382 * pitch) ** 2
-
-
-def parts_of(bars) -> tuple[tuple[str, float], ...]:
-    """Resistance of each part of a bar [N]. bars : Bars of a case"""
-    area = 0.25 * math.pi * bars.diameter_mm**2
-    threaded = stress_area(bars.thread_mm or bars.diameter_mm)
-    steel = area * bars.strength / (1.0 if bars.existing else GAMMA_M0)
-    parts = [("steel", steel), ("thread", 0.9 * threaded * bars.tensile / GAMMA_M2)]
-    if bars.anchorage_kn is not None:
-        parts.append(("anchorage", 1e3 * bars.anchorage_kn))
-    return tuple(parts)
-
-
-def is_ductile(bars) -> bool:
-    """Whether the steel yields before anything else goes: thread [4.2.8], and an anchorage that stands the bar at its
-    tensile strength."""
-    (_, steel), (_, thread), *anchorage = parts_of(bars)
-    area = 0.25 * math.pi * bars.diameter_mm**2
-    return steel <= thread and any(held >= area * bars.tensile for _, held in anchorage)
+    """A_res of a coarse metric thread [m2], as Tab. 4.2.XVI: pi/4 (d - 0.9382 P)^2. diameter : [m]"""
+    millimetres = 1e3 * diameter
+    pitch = next((pitch for least, pitch in reversed(PITCHES) if millimetres >= least), 0.2 * millimetres)
+    return 0.25e-6 * math.pi * (millimetres - 0.9382 * pitch) ** 2
 
 
 def elongation_at_yield(length: float, strength: float = DEFAULT_STRENGTH) -> float:
-    """u_y = f_y L / E [m]. length : [m]; strength : f_y [MPa]"""
-    return 1e6 * strength * length / MODULUS
+    """u_y = f_y L / E [m]. length : [m]; strength : f_y [Pa]"""
+    return strength * length / MODULUS
 
 
-def stated_elongation(load) -> float | None:
-    """What the bar of a tie stands before it breaks, as stated [m]; None where nothing is."""
-    if load.elongation_m is not None or load.elongation is None:
-        return load.elongation_m
-    return load.elongation * load.bar_length_m
+def tie_of_force(
+    height: float, force: float, at_yield: float, stands: float, slack: float = 0.0, prestress: float = 0.0
+) -> Tie:
+    """A tie of which the force at yield is known, and not its bars.
+
+    height : above the hinge [m]; force : [N/m]; at_yield : its elongation there [m]
+    stands : elongation beyond which it is gone [m], at yield where it is less; slack : [m]; prestress : share of force
+    """
+    more = stands > at_yield
+    return Tie(
+        TieBar(height, force, at_yield, slack - prestress * at_yield, stands if more else at_yield), None, (), more
+    )
 
 
-def tie_of(load, wall) -> Tie:
-    """The tie of a load of a wall. Both are of a case that has been checked."""
-    length, slack = load.bar_length_m, 1e-3 * (load.slack_mm or 0.0)
-    bars = load.bar
-    if bars is None:
-        strength = 1e3 * load.kn_m
-        at_yield = elongation_at_yield(length, load.fy_mpa or DEFAULT_STRENGTH)
-        per_bar, parts, more = None, (), True
-    else:
-        parts, more = parts_of(bars), is_ductile(bars)
-        per_bar = min(held for _, held in parts)
-        strength = bars.number * per_bar / wall.length_m
-        at_yield = per_bar * length / (MODULUS * 0.25e-6 * math.pi * bars.diameter_mm**2)
-    stands = stated_elongation(load) or 0.0
-    more = more and stands > at_yield
-    slack -= (load.prestress or 0.0) * at_yield
-    bar = TieBar(load.h_m, strength, at_yield, slack, stands if more else at_yield)
-    return Tie(bar, per_bar, parts, more)
-
-
-def ties_of(wall) -> tuple[Tie, ...]:
-    """The ties of a wall, in the order of its loads."""
-    return tuple(tie_of(load, wall) for load in wall.load if load.is_tie)
-
-
-def counted(wall) -> tuple[TieBar, ...]:
-    """The bars that a check of the clauses counts: none with slack, which does nothing before the wall has moved."""
-    return tuple(tie_of(load, wall).bar for load in wall.load if load.is_tie and not load.slack_mm)
-
-
-def moment_of_weight(wall, block: Block) -> float:
-    """m g R of what moves [N m/m]. block : the wall and what moves with it"""
-    return (weight_per_metre(wall) + sum(1e3 * load.kn_m for load in wall.load if load.pushes)) * block.radius
-
-
-def scaled(wall, block: Block) -> tuple[Bar, ...]:
-    """The bars of a wall as the kernels take them. block : as `moment_of_weight`"""
-    found = ties_of(wall)
-    return tuple(tie.bar.scaled(moment_of_weight(wall, block)) for tie in found) if found else ()
+def tie_of_bars(
+    height: float, bars: Steel, bar_length: float, wall_length: float, stands: float, slack: float, prestress: float
+) -> Tie:
+    """A tie of bars over the length of a wall [m]; as `tie_of_force`."""
+    per_bar = min(held for _, held in bars.parts)
+    at_yield = per_bar * bar_length / (MODULUS * bars.area)
+    force = bars.number * per_bar / wall_length
+    found = tie_of_force(height, force, at_yield, stands if bars.is_ductile else 0.0, slack, prestress)
+    return replace(found, per_bar=per_bar, parts=bars.parts)
 
 
 def bars_for(force: float, spacing: float) -> tuple[int | None, int | None]:
@@ -139,9 +139,9 @@ def bars_for(force: float, spacing: float) -> tuple[int | None, int | None]:
 
     force : [N/m]; spacing : of the bars along the wall [m]
     """
-    threads = {d: 0.9 * stress_area(d) * DEFAULT_TENSILE / GAMMA_M2 for d in (*DIAMETERS, 42, 45, 48)}
+    threads = {d: 0.9 * stress_area(1e-3 * d) * DEFAULT_TENSILE / GAMMA_M2 for d in (*DIAMETERS, 42, 45, 48)}
     for diameter in DIAMETERS:
-        steel = 0.25 * math.pi * diameter**2 * DEFAULT_STRENGTH / GAMMA_M0
+        steel = 0.25e-6 * math.pi * diameter**2 * DEFAULT_STRENGTH / GAMMA_M0
         if steel >= force * spacing:
             return diameter, next(thread for thread, held in threads.items() if held >= steel)
     return None, None

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QMessageBox
 
 from app.work.session import Session
 from core.case.loads import Load
-from core.case.schema import Wall
+from core.case.wall import Wall
 from tests.app.driving import type_into
 
 

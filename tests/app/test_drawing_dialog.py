@@ -18,7 +18,7 @@ from app.input.drawing_dialog import DrawingDialog
 from app.input.wall_form import WallForm
 from app.look.language import set_language
 from core.case.reader import read_case
-from core.case.schema import Wall
+from core.case.wall import Wall
 from tests.core.case import sheets
 from tests.core.case.test_drawing_file import area_of, sheet, written
 from tests.fuzz.fuzz import changed, drawing

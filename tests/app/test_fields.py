@@ -18,9 +18,10 @@ from PySide6.QtTest import QTest
 from app.look.language import FORM_NAMES, described
 from core.case.loads import Load
 from core.case.rules import parse_case
-from core.case.schema import Analysis, Wall
+from core.case.schema import Analysis
 from core.case.site import Building, Demand, Spectrum
 from core.case.values import check_value
+from core.case.wall import Wall
 from core.errors import InputError
 from core.quantities import factor_to
 from core.text.catalogue import CATALOGUE

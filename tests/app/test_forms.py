@@ -16,8 +16,8 @@ from app.input.loads_form import LoadsForm
 from app.look.language import current_language, set_language
 from app.work.session import Session
 from core.case.loads import Load
-from core.case.schema import Wall
 from core.case.site import Demand, Spectrum
+from core.case.wall import Wall
 from core.rocking.methods import METHODS
 from core.text.catalogue import CATALOGUE
 from core.wall import restitution as of_restitution

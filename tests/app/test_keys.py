@@ -15,12 +15,13 @@ from app.shell import guide
 from core.case import wall_table
 from core.case.keys import NESTED, number_key
 from core.case.place import Site
-from core.case.schema import Generate, Record, Wall, sections
+from core.case.schema import Generate, Record, sections
 from core.case.select import Select
 from core.case.sensitivity import Ranges
 from core.case.site import BuildingMode, Demand, HazardRow, Spectrum
 from core.case.solids import Drawing
 from core.case.values import field_of, section_of
+from core.case.wall import Wall
 from core.errors import InputError, place
 from core.text.catalogue import CATALOGUE
 

@@ -13,9 +13,9 @@ from PySide6.QtTest import QTest
 from app.input.reasons_form import raised_by_demand, raised_by_wall
 from core.case.loads import Bars, Load, ReturnWalls
 from core.case.rules import draft_case, parse_case
-from core.case.schema import WallJustification
 from core.case.site import Building, BuildingMode, DemandJustification, HazardRow, Spectrum
 from core.case.solids import Wedges
+from core.case.wall import WallJustification
 from core.case.writer import dumps
 from core.study.run import run
 from tests.app.driving import type_into

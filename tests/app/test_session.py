@@ -19,8 +19,9 @@ from app.work.session import Session
 from core.case.loads import Load, ReturnWalls
 from core.case.reader import read_case
 from core.case.rules import draft_case, parse_case
-from core.case.schema import Record, Wall
+from core.case.schema import Record
 from core.case.site import Building, BuildingMode, Demand, HazardRow, Spectrum
+from core.case.wall import Wall
 from core.case.writer import table_of
 from core.errors import InputError
 from tests.conftest import ROOT

@@ -18,8 +18,8 @@ from app.look import theme
 from app.shell import client_view, finder, first_run
 from core.case.loads import Load
 from core.case.reader import read_case
-from core.case.schema import AS_IS, DESIGNED
 from core.case.site import Demand
+from core.case.wall import AS_IS, DESIGNED
 from tests.app.driving import run, settle
 
 

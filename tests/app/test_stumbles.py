@@ -15,8 +15,9 @@ from app.look import language
 from app.shell import client_view, finder
 from app.views.runs import before_motion
 from core.case.loads import Bars, Load
-from core.case.schema import DESIGNED, Generate
+from core.case.schema import Generate
 from core.case.site import Spectrum
+from core.case.wall import DESIGNED
 from core.codes.national_hazard import municipality
 from core.codes.outcomes import OUTCOMES
 from core.errors import InputError

@@ -11,8 +11,8 @@ from app.shell import menus
 from app.shell.sweep_window import SweepWindow
 from app.views.chart import Chart
 from app.views.table import Table
-from core.case.schema import Wall
 from core.case.site import Demand
+from core.case.wall import Wall
 from core.study.sweep import SweepKey
 from tests.app.driving import Held, settle
 

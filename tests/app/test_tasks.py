@@ -16,8 +16,8 @@ from app.input.reasons_form import ReasonField
 from app.shell import client_view, files, finder
 from app.shell.pointing import point_at
 from core.case.loads import Bars, Load
-from core.case.schema import AS_IS, DESIGNED
 from core.case.site import Building, Demand, Spectrum
+from core.case.wall import AS_IS, DESIGNED
 from tests.app.driving import run, settle
 from tests.conftest import ROOT
 from tests.core.report.test_picture import png

@@ -16,7 +16,7 @@ from app.look import theme
 from app.shell import first_run
 from core.case.loads import Load
 from core.case.rules import parse_case
-from core.case.schema import Wall
+from core.case.wall import Wall
 from core.study.run import run as run_study
 from tests.app.driving import type_into
 

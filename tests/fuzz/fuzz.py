@@ -151,9 +151,9 @@ def _case(content: bytes, folder: Path) -> None:
     for wall in case.wall:
         assert math.isfinite(wall.block().p2)
         if wall.load:
-            found = chain(wall, "two_sided" in wall.mechanisms())
+            found = chain(wall.in_si, "two_sided" in wall.mechanisms())
             assert found.alpha0 > 0.0 and 0.0 < found.e_star <= 1.0 + 1e-12 and found.d0 > 0.0
-            assert all(side.sine > 0.0 for side in wall.restoring()[: len(wall.mechanisms())])
+            assert all(side.sine > 0.0 for side in wall.in_si.restoring[: len(wall.mechanisms())])
     again = parse_case(tomllib.loads(dumps(case))) if not case.table else case
     assert again == case
 

@@ -41,7 +41,7 @@ PRINTED = "tests/core/codes/test_printed_tables.py"
 KEYS = "tests/test_documents.py::test_that_the_page_of_the_case_has_every_key_as_it_is"
 CONTACT = "tests/core/case/test_contact.py"
 TIES = "tests/core/codes/test_ties_in_the_clauses.py"
-LOADS = "tests/core/wall/test_wall_loads.py"
+LOADS = "tests/core/case/test_load_rules.py"
 
 BESIDE: dict[str, tuple[str, ...]] = {
     **dict.fromkeys(
@@ -57,8 +57,10 @@ BESIDE: dict[str, tuple[str, ...]] = {
     ),
     "core/codes/target_spectrum.py": (PRINTED,),
     "core/codes/kinematic_chain.py": (TIES, LOADS),
-    "core/wall/wall_body.py": (CONTACT,),
-    "core/wall/one_body.py": (CONTACT,),
+    "core/wall/solids.py": (CONTACT,),
+    "core/case/one_body.py": (CONTACT,),
+    "core/case/wall.py": (KEYS, LOADS, "tests/core/wall/test_masonry.py"),
+    "core/case/above_hinge.py": (CONTACT,),
     "core/codes/kinematic.py": (HAND, DISPLACEMENT, PRINTED, TIES),
     "core/codes/dynamic_check.py": (HAND, "tests/core/codes/test_verdict.py", "tests/core/study/test_run.py"),
     "core/codes/verdict.py": (HAND,),

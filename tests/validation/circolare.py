@@ -31,7 +31,7 @@ def case(wall=None, demand=None, **more):
 def mechanism_of(asked):
     """(mechanism, demand) of a case of one wall."""
     demand = demand_of(asked, None)
-    return kinematic(asked.wall[0], asked.wall[0].mechanism, demand), demand
+    return kinematic(asked.wall[0].in_si, asked.wall[0].mechanism, demand), demand
 
 
 FREE = {"free_element": True, "elastic_modulus_mpa": 600.0, "unit_weight_kn_m3": 18.0}

@@ -16,9 +16,9 @@ from core.rocking.outcome import STABLE
 from core.setting.scene import model_of
 from core.study.run import run
 from core.wall.body import Body, extruded, polygon_sums, together
+from core.wall.masonry import base_length, inner_of
 from core.wall.rocking_model import OtherSide, RockingModel
-from core.wall.wall_body import base_length, body_of, clipped, parts_of
-from core.wall.wall_loads import inner_of
+from core.wall.solids import clipped
 from tests.conftest import ROOT
 from tests.validation import loaded_walls
 
@@ -130,9 +130,9 @@ def test_that_the_worked_values_come_out_to_their_digits(wall, outer, inner):
     for number, value, digits in zip(found, outer, (1, 5, 5, 4, 5, 5, 5), strict=True):
         assert abs(number - value) <= 0.50001 * 10.0**-digits
     if inner is None:
-        assert inner_of(wall, block) is None
+        assert inner_of(wall.in_si, block) is None
         return
-    other, both = wall.inner_block() or block, wall.restitution_of("two_sided")
+    other, both = wall.in_si.inner_block or block, wall.restitution_of("two_sided")
     ratios = both.ratio_at_rest, both.ratio_at_rest if both.ratio_inward is None else both.ratio_inward
     found = (math.degrees(other.slenderness), other.p2, *ratios)
     for number, value, digits in zip(found, inner, (4, 5, 5, 5), strict=True):
@@ -157,7 +157,7 @@ SHORT = [
 
 @pytest.mark.parametrize(("short", "sizes", "solids"), SHORT)
 def test_that_a_short_form_is_the_same_body_as_its_solids(short, sizes, solids):
-    found, written = body_of(wall_of((), *sizes, **short)), body_of(wall_of(solids, *sizes))
+    found, written = wall_of((), *sizes, **short).in_si.body, wall_of(solids, *sizes).in_si.body
     assert tuple(found) == pytest.approx(tuple(written), rel=1e-14)
 
 
@@ -165,8 +165,8 @@ def test_that_an_opening_through_a_step_is_cut_with_it():
     opening = {"s_m": 1.0, "z_m": 3.0, "width_m": 1.0, "height_m": 2.0}
     wall = wall_of((), 8.0, 0.6, 5.0, steps=[{"from_z_m": 4.0, "thickness_m": 0.45}], openings=[opening])
     lost = 18e3 / G * (1.0 * 0.6 + 1.0 * 0.45)
-    whole = body_of(wall_of(STEPPED, 8.0, 0.6, 5.0))
-    assert whole.mass - body_of(wall).mass == pytest.approx(lost, rel=1e-12)
+    whole = wall_of(STEPPED, 8.0, 0.6, 5.0).in_si.body
+    assert whole.mass - wall.in_si.body.mass == pytest.approx(lost, rel=1e-12)
 
 
 def test_that_a_round_opening_has_the_area_of_its_circle():
@@ -235,7 +235,7 @@ def test_that_a_body_cut_in_two_is_the_whole_body():
 )
 def test_that_a_rectangle_written_as_a_solid_is_the_rectangle_bit_for_bit(solid):
     plain, written = wall_of(mechanism="both"), wall_of([solid], mechanism="both")
-    assert parts_of(written) == ()
+    assert written.parts == ()
     for mechanism in ("one_sided", "two_sided"):
         assert model_of(plain, mechanism) == model_of(written, mechanism)
 
@@ -272,7 +272,7 @@ def test_that_a_body_turned_round_is_its_mirror():
 def lumps(wall):
     """(mass, x, z, inertia about its own centroid) of each solid."""
     found = []
-    for part in parts_of(wall):
+    for part in wall.parts:
         mass, first_x, first_z, inertia = quadrature(
             part.polygon, part.ends, part.angle, part.start, 1e3 * part.weight / G
         )
@@ -335,7 +335,7 @@ def test_that_many_analyses_are_single_histories():
 
 def test_that_energy_is_kept_between_impacts_and_angular_momentum_across_them():
     wall = wall_of([BATTERED], 5.0, 0.8, 1.0, "two_sided")
-    model, body = model_of(wall, "two_sided"), body_of(wall)
+    model, body = model_of(wall, "two_sided"), wall.in_si.body
     still = np.zeros(400)
     swing = history(still, 0.01, 1.0, model, start=(0.1, 0.0))
     outer = body.about(0.0)
@@ -372,7 +372,7 @@ def test_that_the_base_is_the_area_of_its_section_over_the_thickness(solids, len
     whole = max(max(s for s, _ in solid["polygon_m"]) for solid in solids)
     sizes = (8.0, 0.6, 5.0) if solids is STEPPED else (7.0, 0.5, 6.0) if whole == 6 else (6.0, 0.5, 4.0)
     wall = wall_of(solids, *sizes, compressive_strength_mpa=2.0)
-    assert base_length(wall) == pytest.approx(length, rel=1e-12)
+    assert base_length(wall.parts, wall.length_m, wall.thickness) == pytest.approx(length, rel=1e-12)
     assert wall.setback == pytest.approx(2.0 * wall.weight / (3.0 * 2e6 * length), rel=1e-12)
 
 
@@ -461,11 +461,11 @@ def test_that_the_part_above_a_hinge_is_the_body_cut_there():
     whole, low, high = found.walls
     assert [wall.part.hinge for wall in found.walls] == [0.0, 2.0, 4.0]
     # above the step a rectangle of 4 x 0.45 m is left, with what rests on it
-    assert high.wall.thickness == 0.45 and body_of(high.wall) is None
+    assert high.wall.thickness == 0.45 and high.wall.in_si.body is None
     assert high.block.is_rectangle and high.wall.weight == pytest.approx(18e3 * 4.0 * 0.45 * 5.0, rel=1e-12)
     rest = extruded([(0, 0), (0.6, 0), (0.6, 2), (0, 2)], (0.0, 5.0), 0.0, 0.0, 18e3 / G)
     top = extruded([(0, 2), (0.45, 2), (0.45, 6), (0, 6)], (0.0, 5.0), 0.0, 0.0, 18e3 / G)
-    assert tuple(body_of(low.wall)) == pytest.approx(tuple(together((rest, top))), rel=1e-13)
+    assert tuple(low.wall.in_si.body) == pytest.approx(tuple(together((rest, top))), rel=1e-13)
     assert whole.q_set and low.q_set and high.q_set
 
 
@@ -524,7 +524,7 @@ def test_that_a_stepped_wall_that_rocks_both_ways_has_q_by_the_exact_method_alon
 def test_that_the_checks_are_those_of_the_whole_body():
     """alpha_0, e*, M*, d_0 by hand: one body, W x_G / (W z_G) and the displacement of its centroid."""
     (wall,) = study_of(STEPPED_WALL | {"hinge_heights": "base"}).walls
-    kinematic, (x, z) = wall.assessment.kinematic, body_of(wall.wall).centroid
+    kinematic, (x, z) = wall.assessment.kinematic, wall.wall.in_si.body.centroid
     assert kinematic.alpha0 == pytest.approx(x / z, rel=1e-13) and kinematic.e_star == 1.0
     assert kinematic.d0 == pytest.approx(x, rel=1e-13)
     assert kinematic.m_star == pytest.approx(38545.3 / 5.0, rel=1e-6)
@@ -545,12 +545,12 @@ def test_that_wedges_and_a_low_restraint_are_shown_with_zeta_without_them():
 
 
 def test_that_what_lies_beyond_the_base_is_left_out_also_of_one_polygon_and_with_its_openings():
-    kept = clipped(parts_of(wall_of([section_of([[0, 0], [0.5, 0], [2.5, 6], [0, 6]], 4.0)]))[0], 0.5)
+    kept = clipped(wall_of([section_of([[0, 0], [0.5, 0], [2.5, 6], [0, 6]], 4.0)]).parts[0], 0.5)
     assert kept.body.mass == pytest.approx(18e3 / G * 0.5 * 6.0 * 4.0, rel=1e-12)
     behind = {**RECTANGLE, "from_m": 0.5, "to_m": 1.0}
     opening = {**DOOR, "from_m": 0.5, "to_m": 1.0}
     wall = wall_of([RECTANGLE, behind, opening])
-    assert [clipped(part, 0.5) is not None for part in parts_of(wall)] == [True, False, False]
+    assert [clipped(part, 0.5) is not None for part in wall.parts] == [True, False, False]
 
 
 def test_that_a_body_whose_eq_6_exceeds_1_loses_nothing_and_says_so_and_that_it_leans_inward():
@@ -587,15 +587,15 @@ def test_that_the_period_of_a_body_is_that_of_its_rectangle_where_it_is_nearly_o
     whole = wall_of(
         [section_of([[0, 0], [0.6, 0], [0.6, 8], [0, 8.0001]], 5.0)], 8.0, 0.6, 5.0, elastic_modulus_mpa=1000.0
     )
-    assert elastic_period(whole) == pytest.approx(elastic_period(rectangle), rel=1e-4)
+    assert elastic_period(whole.in_si) == pytest.approx(elastic_period(rectangle.in_si), rel=1e-4)
     # flexibility of a cantilever of constant section, masses of the slices
     n, z = 200, (np.arange(200) + 0.5) * 8.0 / 200
     mass = 18e3 / G * 8.0 / n * np.where(z < 4.0, 0.6, 0.45)
     low, high = np.minimum.outer(z, z), np.maximum.outer(z, z)
     flexibility = low**2 * (3.0 * high - low) / (6.0 * 1e9 * 0.6**3 / 12.0)
     largest = np.linalg.eigvals(flexibility * mass[None, :]).real.max()
-    assert elastic_period(wall) == pytest.approx(2.0 * np.pi * math.sqrt(largest), rel=0.01)
-    assert elastic_period(wall) < elastic_period(rectangle)
+    assert elastic_period(wall.in_si) == pytest.approx(2.0 * np.pi * math.sqrt(largest), rel=0.01)
+    assert elastic_period(wall.in_si) < elastic_period(rectangle.in_si)
 
 
 def test_that_the_outlines_are_those_of_the_solids():

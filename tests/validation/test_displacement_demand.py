@@ -81,7 +81,7 @@ def test_that_a_spectrum_that_ends_before_t_slv_is_refused(tmp_path):
     )
     wall = case({"height_m": 9.0, "thickness_m": 0.9}).wall[0]
     with pytest.raises(InputError, match=r'wall "w".*ends at 3.00 s, before T_SLV = 3.39 s'):
-        kinematic(wall, "two_sided", demand)
+        kinematic(wall.in_si, "two_sided", demand)
 
 
 def test_that_a_wall_elastic_up_to_d_slv_has_no_linear_check():

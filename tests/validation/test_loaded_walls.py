@@ -77,7 +77,7 @@ def test_that_a_loaded_wall_is_the_worked_example(row):
     assert model.threshold / G == pytest.approx(uplift, abs=6e-6)
     assert model.collapse_rotation == pytest.approx(collapse, abs=6e-7)
     demand = demand_of(case, Path())
-    found = kinematic(case.wall[0], "one_sided", demand)
+    found = kinematic(case.wall[0].in_si, "one_sided", demand)
     assert found.alpha0 == pytest.approx(alpha0, abs=6e-6)
     assert found.e_star == pytest.approx(e_star, abs=6e-6)
     assert found.d0 == pytest.approx(d0, abs=6e-6)

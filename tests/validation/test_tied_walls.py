@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from core.case.loads import Load
-from core.case.schema import Wall
+from core.case.wall import Wall
 from core.rocking.events import REST_FRACTION
 from core.rocking.history import history, scan
 from core.rocking.methods import METHODS
@@ -45,7 +45,7 @@ def held_wall(height, thickness, loads, bars, ratio=0.5, one_sided=True):
         one_sided,
         restitution(block, "user", ratio),
         LAWS["rigid"],
-        wall.restoring(),
+        wall.in_si.restoring,
         tuple(bar.scaled(moment) for bar in bars),
     )
 

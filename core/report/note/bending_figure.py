@@ -5,7 +5,6 @@ from core.report.load_arrows import arrows
 from core.report.note.parts import Curve, Figure, Label, path
 from core.report.note.words import Words
 from core.study.results import WallResult
-from core.wall.wall_loads import size_of
 
 
 def _clear(height: float, others: list[float], h: float) -> float:
@@ -17,7 +16,7 @@ def _clear(height: float, others: list[float], h: float) -> float:
 
 def drawing(wall: WallResult, words: Words) -> Figure:
     """The wall to scale with its sizes, its hinges at rest, what holds its top and the blocks turned (dashed)."""
-    asked, found = wall.wall, bending(wall.wall)
+    asked, found = wall.wall, bending(wall.wall.in_si)
     h, t, u, h1 = wall.height, wall.thickness, asked.setback, found.h1
     at = hinges_of(found.strip, h1)
 
@@ -47,7 +46,7 @@ def drawing(wall: WallResult, words: Words) -> Figure:
     ]
     for load, points in zip(asked.load, on, strict=True):
         x, y = points[0]
-        labels.append(Label(f"{words.number(1e-3 * size_of(load, asked), '.2f')} kN/m", x, y + 0.05 * h))
+        labels.append(Label(f"{words.number(1e-3 * load.in_si(asked.length_m).force, '.2f')} kN/m", x, y + 0.05 * h))
     caption = words.say("{wall}: sizes, hinges (red points) and mechanism (dashed), held at its top", wall=wall.name)
     if asked.back_restraint:
         caption += words.say("; at its top: {restraint}", restraint=words.word(f"choice_{asked.back_restraint}"))

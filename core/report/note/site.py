@@ -1,7 +1,7 @@
 """What a note says of the site beside its demand: the hazard, the building, the loads of a wall, before and after."""
 
 from core.case.loads import Load
-from core.case.schema import Wall
+from core.case.wall import Wall
 from core.codes.floor_spectrum import LONG, SHORT, estimated_period
 from core.known import known
 from core.report.note.parts import Derivation, Heading, Paragraph, Part, Step, Table
@@ -12,8 +12,6 @@ from core.setting.floors import damaged
 from core.study.results import StudyResult, WallResult
 from core.study.variants import wall_comparisons
 from core.units import G
-from core.wall.wall_body import parts_of
-from core.wall.wall_loads import size_of
 
 
 def hazard(result: StudyResult, words: Words) -> list[Part]:
@@ -114,7 +112,7 @@ def loads(wall: WallResult, words: Words) -> list[Part]:
 
 def _size(load: Load, asked: Wall, words: Words) -> str:
     """Size of a load [kN/m], with the sum it is of (NTC 2018 2.5.3)."""
-    size = words.number(1e-3 * size_of(load, asked), ".2f")
+    size = words.number(1e-3 * load.in_si(asked.length_m).force, ".2f")
     if load.combined is None:
         return size
     g, q, share = (words.number(value or 0.0, ".2f") for value in (load.g_kn_m, load.q_kn_m, load.psi_2))
@@ -123,7 +121,7 @@ def _size(load: Load, asked: Wall, words: Words) -> str:
 
 def solids(wall: WallResult, words: Words) -> list[Part]:
     """The solids of a wall that is no rectangle, from the outer face of its base."""
-    parts = parts_of(wall.wall)
+    parts = wall.wall.parts
     if not parts:
         return []
     say, number = words.say, words.number

@@ -18,8 +18,6 @@ from core.study.bar_histories import bar_histories
 from core.study.demand_histories import demand_histories
 from core.study.results import StudyResult, WallResult
 from core.units import CM, G
-from core.wall.ties import ties_of
-from core.wall.wall_loads import size_of
 
 TURNED = math.radians(7.0)
 """Rotation of the dashed outline of the mechanism."""
@@ -139,7 +137,7 @@ def _sizes_of_loads(wall: WallResult, words: Words) -> list[Label]:
         x, y = (x, y + 0.05 * high) if load.is_weight else (x - 0.15 * high, y)
         while any(abs(x - one.x) < 0.3 * high and abs(y - one.y) < 0.055 * high for one in labels):
             y += (-0.03 if load.is_tie else 0.03) * high
-        labels.append(Label(f"{words.number(1e-3 * size_of(load, wall.wall), '.2f')} kN/m", x, y))
+        labels.append(Label(f"{words.number(1e-3 * load.in_si(wall.wall.length_m).force, '.2f')} kN/m", x, y))
     return labels
 
 
@@ -230,7 +228,7 @@ def forces_of_ties(result: StudyResult, wall: WallResult, words: Words) -> Figur
         name = f"h {words.number(one.bar.height, '.2f')} m"
         curves.append(Curve(name, times, (1e-3 * one.force[chosen]).tolist(), color, width=0.9))
         last = max(last, times[-1])
-    high = 1.2e-3 * max(tie.bar.strength for tie in ties_of(wall.wall))
+    high = 1.2e-3 * max(tie.bar.strength for tie in wall.wall.in_si.ties)
     caption = words.say("Force of the ties at the demand, under the record of the largest peak")
     return Figure(caption, curves, "t [s]", "F [kN/m]", (0.0, last), (-0.1 * high, high))
 

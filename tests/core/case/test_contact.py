@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from core.case.hinges import above_hinge, usual_hinges
+from core.case.above_hinge import above_hinge
+from core.case.hinges import usual_hinges
 from core.case.rules import parse_case, parse_wall
 from core.case.site import Building
 from core.errors import InputError
@@ -311,7 +312,7 @@ def test_that_a_foot_inside_of_a_wall_that_rocks_both_ways_is_none_to_stand_on()
 
 def test_that_a_body_in_the_making_has_no_hinges_and_no_error():
     """Two corners of a polygon, as a form has them: nothing stands yet."""
-    from core.wall.wall_body import Part, changes
+    from core.wall.solids import Part, changes
 
     half = Part(((0.0, 0.0), (4.0, 0.0)), (0.0, 0.5), 0.5 * np.pi, 0.0, 18.0, "elevation")
     assert changes((half,)) == ()

@@ -29,7 +29,6 @@ from core.case.rules import draft_case, parse_case  # noqa: E402
 from core.case.writer import dumps, table_of  # noqa: E402
 from core.errors import InputError, OutputError  # noqa: E402
 from core.wall.body import crossing, point_within, polygon_sums  # noqa: E402
-from core.wall.wall_body import body_of  # noqa: E402
 from tests.core.case import sheets  # noqa: E402
 
 WALL = """
@@ -85,7 +84,7 @@ def test_that_area_and_centroid_are_those_of_shapely(tmp_path, name):
     assert abs(read.area - drawn.area) <= TOLERANCE * drawn.length
     assert read.hausdorff_distance(drawn) <= 1.5 * TOLERANCE
     assert math.dist(read.centroid.coords[0], drawn.centroid.coords[0]) <= TOLERANCE
-    depth, body = wall.solid[0].to_m, body_of(wall)
+    depth, body = wall.solid[0].to_m, wall.in_si.body
     assert body.mass * 9.80665 == pytest.approx(20e3 * depth * read.area, rel=1e-9)
     assert body.centroid[1] == pytest.approx(read.centroid.y, rel=1e-9)
     if wall.solid[0].plane == "section":

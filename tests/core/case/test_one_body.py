@@ -5,12 +5,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from core.case.above_hinge import above_hinge
 from core.case.drawn_solids import with_drawings
-from core.case.hinges import above_hinge, usual_hinges
+from core.case.hinges import usual_hinges
 from core.case.rules import parse_case
 from core.case.site import Building
 from core.errors import InputError
-from core.wall import wall_body
+from core.wall.masonry import base_length, period_share
 from tests.core.case.bodies import random_body, ways
 
 BUILDING = Building(9.0, 3, period_s=0.2)
@@ -27,13 +28,13 @@ def judged(table: dict, folder: Path = Path()):
     for hinge in (0.0, *usual_hinges(wall, BUILDING)):
         try:
             part = above_hinge(wall, hinge)
-            block, base = part.block(), wall_body.base_length(part)
+            block, base = part.block(), base_length(part.parts, part.length_m, part.thickness)
         except InputError as error:
             found.append((hinge, error.code))
             continue
-        sides = [block, part.inner_block() or block]
+        sides = [block, part.in_si.inner_block or block]
         numbers = [x for one in sides for x in (one.slenderness, one.radius, one.inertia_over_mass)]
-        share = wall_body.period_share(part) if wall_body.parts_of(part) else 1.0
+        share = period_share(part.in_si) if part.parts else 1.0
         found.append((hinge, *numbers, part.thickness, base, part.weight, share))
     return found
 

@@ -5,8 +5,9 @@ from dataclasses import replace
 from core.case.loads import Load
 from core.case.problems import problems
 from core.case.reader import read_case
-from core.case.schema import Case, Wall
+from core.case.schema import Case
 from core.case.site import Building, Demand, Spectrum
+from core.case.wall import Wall
 from tests.conftest import ROOT
 
 

@@ -5,9 +5,9 @@ from dataclasses import fields, replace
 import pytest
 
 from core.case import shape_memory
-from core.case.schema import Wall
 from core.case.shape_memory import BESIDE, check_known_shape
 from core.case.solids import Solid
+from core.case.wall import Wall
 from core.errors import InputError
 
 CORNERS = ((0.0, 0.0), (4.0, 0.0), (4.0, 6.0), (0.0, 6.0))

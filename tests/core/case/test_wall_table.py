@@ -10,9 +10,9 @@ from openpyxl import Workbook, load_workbook
 from core.case import wall_table
 from core.case.loads import Load, ReturnWalls
 from core.case.reader import read_case
-from core.case.schema import Wall
 from core.case.solids import Opening, Step, Wedges
 from core.case.values import field_of
+from core.case.wall import Wall
 from core.case.wall_table import read_table, read_walls, text_rows, walls_of
 from core.errors import InputError
 from tests.core.ooxml.writers import WRITERS, Fault, Formula, Writer, packed, unpacked

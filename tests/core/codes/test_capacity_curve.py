@@ -20,7 +20,7 @@ DEMAND = {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}, "
 def curve_of(**changes):
     case = parse_case({"wall": [WALL], "demand": {**DEMAND, **changes}})
     demand = demand_of(case, Path())
-    return kinematic(case.wall[0], "two_sided", demand), demand
+    return kinematic(case.wall[0].in_si, "two_sided", demand), demand
 
 
 def test_that_the_capacity_falls_on_a_line_from_alpha_0_to_d_0():
@@ -52,7 +52,7 @@ def test_that_above_the_ground_the_floor_has_its_own_curve():
     _, demand = curve_of()
     wall = parse_wall({**WALL, "base_z_m": 6.0})
     floor = FloorSpectrum(demand.target, first_mode(3, 9.0, 6.0, 0.3, 0.05))
-    found = kinematic(wall, "two_sided", demand, floor)
+    found = kinematic(wall.in_si, "two_sided", demand, floor)
     curve = capacity_curve(found, demand)
     felt = found.floor.acceleration(PERIODS, curve.damping)
     moved = felt * (PERIODS / (2.0 * np.pi)) ** 2

@@ -87,7 +87,7 @@ def test_the_checks_of_the_worked_walls(name):
         zeta_target=1.0,
         target=TARGET,
     )
-    found = kinematic(wall, "one_sided", demand, floor(z) if z else None)
+    found = kinematic(wall.in_si, "one_sided", demand, floor(z) if z else None)
     assert linear("linear_q_code", found, demand, 2.0).zeta == pytest.approx(zeta, abs=6e-5)
     assert found.period == pytest.approx(period, abs=6e-6)
     assert found.s_de == pytest.approx(s_de, abs=6e-6)

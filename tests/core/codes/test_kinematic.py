@@ -12,9 +12,9 @@ from tests.validation.circolare import FREE, HELD, case, mechanism_of
 
 def test_that_a_wall_is_free_as_said_else_by_its_mechanism():
     both = case({"mechanism": "both"}).wall[0]
-    assert both.is_free("two_sided") and not both.is_free("one_sided")
-    assert not case(HELD).wall[0].is_free("two_sided")
-    assert case({**FREE, "mechanism": "one_sided"}).wall[0].is_free("one_sided")
+    assert both.in_si.is_free("two_sided") and not both.in_si.is_free("one_sided")
+    assert not case(HELD).wall[0].in_si.is_free("two_sided")
+    assert case({**FREE, "mechanism": "one_sided"}).wall[0].in_si.is_free("one_sided")
 
 
 def test_that_a_free_element_without_its_period_has_no_linear_check():

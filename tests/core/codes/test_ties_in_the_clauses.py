@@ -22,7 +22,7 @@ def found_of(*loads, state="SLV", **changes):
     given = [{key: value for key, value in load.items() if value is not None} for load in loads]
     case = case_of(*given, **changes)
     demand = replace(demand_of(case, Path()), limit_state=state)
-    return kinematic(case.wall[0], case.wall[0].mechanism, demand), demand
+    return kinematic(case.wall[0].in_si, case.wall[0].mechanism, demand), demand
 
 
 def test_that_alpha_0_counts_the_tie_at_yield_and_d_0_does_not_count_it():

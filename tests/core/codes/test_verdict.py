@@ -71,7 +71,7 @@ def said(
         found[0] = replace(found[0], zeta=histories.zeta, passed=histories.as_check(target).passed)
     rules = Compliance(None, None, None, None, (), records, compatible)
     seen = Evidence(
-        asked.wall[0],
+        asked.wall[0].in_si,
         mechanism,
         demand_of(asked, None),
         tuple(found),
@@ -257,7 +257,7 @@ def test_that_a_range_that_leaves_out_periods_that_matter_is_indicative():
     histories = DemandCheck("SLV", (), 0, 0.1, 0.1, "mean", 0.4, 1.3, True, True, zeta_16=1.2)
     checks = (histories.as_check(1.0),)
     demand = demand_of(asked, None)
-    seen = Evidence(asked.wall[0], "two_sided", demand, checks, histories, None, rules, Circumstances(8))
+    seen = Evidence(asked.wall[0].in_si, "two_sided", demand, checks, histories, None, rules, Circumstances(8))
     found = verdict(seen, None)
     assert found.code == "indicative" and "0.15 to 2.50 s" in found.limits[0].text()
 

@@ -8,16 +8,8 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq, minimize_scalar
 
-from core.codes.vertical_bending import (
-    Strip,
-    bending,
-    bent_inward,
-    lowest_hinge,
-    mechanism,
-    outlines,
-    start_multiplier,
-    weakest,
-)
+from core.case.held_top import bent_inward
+from core.codes.vertical_bending import Strip, bending, lowest_hinge, mechanism, outlines, start_multiplier, weakest
 from core.derivation.line import Line
 from core.derivation.wall import checks_of
 from core.errors import InputError
@@ -174,14 +166,14 @@ ON_TOP = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.1, "h_m": 3.0, "mass": "non
 
 
 def test_that_the_mass_on_the_held_top_pushes_nothing():
-    found = [bending(held(load=[ON_TOP | {"mass": mass}])) for mass in ("none", "horizontal", "moving")]
+    found = [bending(held(load=[ON_TOP | {"mass": mass}]).in_si) for mass in ("none", "horizontal", "moving")]
     assert found[0] == found[1] == found[2] and found[0].mass == pytest.approx(1e3 * W / G, rel=1e-12)
 
 
 def test_that_bent_inward_the_loads_are_on_the_other_side():
     wall = held(load=[ON_TOP])
-    assert bending(bent_inward(wall)).alpha0 < bending(wall).alpha0
-    assert bending(bent_inward(bent_inward(wall))).alpha0 == pytest.approx(bending(wall).alpha0, rel=1e-12)
+    assert bending(bent_inward(wall).in_si).alpha0 < bending(wall.in_si).alpha0
+    assert bending(bent_inward(bent_inward(wall)).in_si).alpha0 == pytest.approx(bending(wall.in_si).alpha0, rel=1e-12)
 
 
 def test_that_a_wall_that_bends_under_its_loads_alone_is_refused():
@@ -300,7 +292,7 @@ def shaped(name: str):
 @pytest.mark.parametrize("name", SHAPED)
 def test_that_a_wall_with_openings_steps_and_loads_bends_as_its_slices(name):
     wall = shaped(name)
-    found = bending(wall)
+    found = bending(wall.in_si)
 
     def of_slices(theta: float, h1: float = found.h1, step: float = 1e-5) -> float:
         (risen, moved), (before, back) = sliced(wall, h1, theta + step), sliced(wall, h1, theta - step)
@@ -320,14 +312,17 @@ def test_that_a_wall_with_openings_of_nothing_bends_as_the_rectangle():
     plain, same = (held(length_m=4.0, height_m=5.6, thickness_m=0.45, **more) for more in ({}, {"steps": [
         {"from_z_m": 2.0, "thickness_m": 0.45}
     ]}))  # fmt: skip
-    first, second = bending(plain), bending(same)
+    first, second = bending(plain.in_si), bending(same.in_si)
     assert second.alpha0 == pytest.approx(first.alpha0, rel=1e-9) and second.d0 == pytest.approx(first.d0, rel=1e-6)
 
 
 def test_that_a_step_that_keeps_the_outer_face_plumb_bends_less_well_inward():
     wall = shaped("a step outside")
     mirrored = bent_inward(wall)
-    assert mirrored.steps[0].flush == "inner" and bending(mirrored).alpha0 == bending(shaped("a step inside")).alpha0
+    assert (
+        mirrored.steps[0].flush == "inner"
+        and bending(mirrored.in_si).alpha0 == bending(shaped("a step inside").in_si).alpha0
+    )
 
 
 def test_that_a_shaped_wall_held_at_its_top_is_judged_and_written_down(tmp_path):

@@ -5,8 +5,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from core.case.schema import Wall
 from core.case.solids import Opening
+from core.case.wall import Wall
 from core.report.note import document
 from core.report.note.parts import Curve, Figure
 from core.report.note.wall_figures import elevation

@@ -11,7 +11,7 @@ import pytest
 
 from core.case.reader import read_case
 from core.case.rules import parse_case
-from core.case.schema import Wall
+from core.case.wall import Wall
 from core.case.writer import table_of
 from core.codes.limits import are_counted
 from core.codes.outcomes import OUTCOMES

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from core.case.loads import Load
-from core.case.schema import Wall
+from core.case.wall import Wall
 from core.rocking.bar_state import BROKEN, SLACK, TAUT, YIELDING
 from core.rocking.history import history
 from core.setting.scene import model_of

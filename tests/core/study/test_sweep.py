@@ -9,8 +9,8 @@ import pytest
 from core.case.loads import Load
 from core.case.reader import read_case
 from core.case.rules import parse_case
-from core.case.schema import Wall
 from core.case.site import Demand
+from core.case.wall import Wall
 from core.case.writer import table_of
 from core.errors import Cancelled
 from core.study.run import run

@@ -5,8 +5,8 @@ from dataclasses import fields
 
 import pytest
 
-from core.case.schema import WallJustification
 from core.case.site import DemandJustification
+from core.case.wall import WallJustification
 from core.text.catalogue import CATALOGUE
 from tests.conftest import ROOT
 

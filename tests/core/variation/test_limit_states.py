@@ -52,13 +52,15 @@ def test_that_each_limit_state_has_its_return_period_and_its_own_check():
     for one, demand in zip(found, demands.values(), strict=True):
         if one.state == "SLV":
             continue
-        moved = kinematic(case.wall[0], "one_sided", demand)
+        moved = kinematic(case.wall[0].in_si, "one_sided", demand)
         own = sld(moved, demand) if one.state == "SLD" else nonlinear(moved, demand)
         assert one.zeta == own.zeta and one.ag == demand.ag
     # the demand of the case itself is that of its own limit state, but for the rounding of T_R 474.6
     asked = demand_of(case, Path())
     assert demands["SLV"].ag == pytest.approx(asked.ag, rel=1e-3)
-    assert found[1].zeta == pytest.approx(nonlinear(kinematic(case.wall[0], "one_sided", asked), asked).zeta, rel=3e-3)
+    assert found[1].zeta == pytest.approx(
+        nonlinear(kinematic(case.wall[0].in_si, "one_sided", asked), asked).zeta, rel=3e-3
+    )
 
 
 def test_that_a_limit_state_outside_the_rows_has_none_and_is_said():

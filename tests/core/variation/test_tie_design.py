@@ -134,9 +134,9 @@ def test_that_the_design_is_of_all_hinges_together_and_stands_at_the_base(tmp_pa
     demand = demand_of(parse_case({"wall": [{**WALL}], "demand": DEMAND}), Path())
     for wall, above in ((base, 5.5), (upper, 2.5)):
         floor = wall.floor.spectrum if wall.floor else None
-        found = kinematic(with_tie(wall.wall, tie.forces["nonlinear"], above), "one_sided", demand, floor)
+        found = kinematic(with_tie(wall.wall, tie.forces["nonlinear"], above).in_si, "one_sided", demand, floor)
         assert nonlinear(found, demand).zeta >= 1.0 - 1e-9
-        found = kinematic(with_tie(wall.wall, tie.forces["linear_q_code"], above), "one_sided", demand, floor)
+        found = kinematic(with_tie(wall.wall, tie.forces["linear_q_code"], above).in_si, "one_sided", demand, floor)
         assert linear("linear_q_code", found, demand, 2.0).zeta >= 1.0 - 1e-9
 
 

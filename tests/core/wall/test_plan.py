@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from core.wall.plan import Bodies, Piece, area_of, cells_of, edge_reached, length_of, pieces_at
-from core.wall.wall_body import Part
+from core.wall.solids import Part
 
 shapely = pytest.importorskip("shapely", reason="no wheel of shapely")
 

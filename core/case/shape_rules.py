@@ -2,10 +2,15 @@
 
 import math
 
+from core.case.one_body import TOUCH, check_one_body, check_short_forms
+from core.case.shape import SHORT_FORMS
+from core.case.solids import Solid
+from core.case.wall import Wall
 from core.errors import InputError, place
+from core.known import known
 from core.wall.body import crossing, directions, polygon_sums, shared_area
-from core.wall.one_body import TOUCH, check_one_body, check_short_forms
-from core.wall.wall_body import SHORT_FORMS, Part, base_length, faces_at, has_shape, parts_of, shoulder, sum_of, top_of
+from core.wall.masonry import base_length
+from core.wall.solids import Part, faces_at, sum_of, top_of
 
 RIGHT_SLIP, FLAT_SLIP = 1.0, 10.0
 """Angle from a section, and from an elevation, below which a plane is one of them, and not oblique [deg]: whether the
@@ -18,15 +23,12 @@ LEAST_CONTACT = 0.5
 """Least height of the point that meets the restraint, of the height of the body."""
 
 
-def check_shape(wall) -> None:
+def check_shape(wall: Wall) -> None:
     """Raise InputError for solids that are none, contradict each other or do not stand."""
-    if not has_shape(wall):
+    if not wall.has_shape:
         return
     here = (place("wall", name=wall.title),)
-    needed = {key: getattr(wall, key) for key in ("height_m", "unit_weight_kn_m3", "length_m")}
-    for key, value in ({"height_m": wall.height_m, "thickness_m": wall.thickness} | needed).items():
-        if value is None:
-            raise InputError("solids_need", place=here, key=key)
+    height, thickness, _, length = wall.complete_sizes()
     short = [key for key in SHORT_FORMS if getattr(wall, key)]
     if wall.solid and short:
         raise InputError("solids_or_short", place=here, key=short[0])
@@ -35,20 +37,18 @@ def check_shape(wall) -> None:
     _check_short(wall, here)
     for number, solid in enumerate(wall.solid, start=1):
         _check_solid(solid, (*here, place("solid", n=number)))
-    parts = parts_of(wall)
+    parts = wall.parts
     if not parts:
         return
     _check_overlap(parts, here, "openings" if wall.openings else "solid")
     _check_openings(parts, here, "openings" if wall.openings else "solid")
-    top = top_of(wall)
-    if not LEAST_CONTACT * top <= wall.height_m <= top * (1.0 + 1e-9):
-        raise InputError(
-            "contact_outside", place=here, key="height_m", found=wall.height_m, low=LEAST_CONTACT * top, top=top
-        )
-    _check_base(wall, parts, here)
+    top = top_of(parts)
+    if not LEAST_CONTACT * top <= height <= top * (1.0 + 1e-9):
+        raise InputError("contact_outside", place=here, key="height_m", found=height, low=LEAST_CONTACT * top, top=top)
+    _check_base(wall, parts, thickness, length, here)
     check_one_body(wall, parts, here)
     wall.bare_block()  # the setback, then a body that does not stand on it
-    x, inner = sum_of(parts).centroid[0], wall.thickness - wall.setback
+    x, inner = sum_of(parts).centroid[0], thickness - wall.setback
     if "two_sided" in wall.mechanisms() and x >= inner:
         raise InputError("body_leans_back", place=here, found=x, hinge=inner)
 
@@ -60,7 +60,7 @@ def _across(part: Part) -> float:
     return min(reach, (part.ends[1] - part.ends[0]) / sine) if sine > 0.0 else reach
 
 
-def _check_base(wall, parts: tuple[Part, ...], here) -> None:
+def _check_base(wall: Wall, parts: tuple[Part, ...], thickness: float, length: float, here) -> None:
     """Both hinges are on the body, something stands there, and its loads act on the length it has: else it stands
     better than it does. Of oblique solids the engineer says where the inner hinge is, within the body."""
     faces = faces_at(parts, 0.0)
@@ -72,15 +72,16 @@ def _check_base(wall, parts: tuple[Part, ...], here) -> None:
     most = faces[1]
     if oblique:  # a corner stands on an edge: the inner hinge is within the thickness of its walls along the motion
         most = max(most, *(_across(part) for part in parts if part.weight > 0.0))
-    if wall.thickness > most + TOUCH:
-        raise InputError("base_beyond_body", place=here, key="thickness_m", found=wall.thickness, most=most)
-    if not oblique or wall.elastic_modulus_mpa is not None or wall.compressive_strength_mpa is not None:
-        base_length(wall)
+    if thickness > most + TOUCH:
+        raise InputError("base_beyond_body", place=here, key="thickness_m", found=thickness, most=most)
+    stressed = not oblique or wall.elastic_modulus_mpa is not None or wall.compressive_strength_mpa is not None
+    if stressed and not base_length(parts, length, thickness):
+        raise InputError("nothing_at_base", place=here, key="solid")
     long = _extent(parts)
-    if wall.length_m > long + TOUCH:
-        raise InputError("length_beyond_body", place=here, key="length_m", found=wall.length_m, most=long)
-    if wall.load and wall.length_m < (1.0 - LENGTH_SLIP) * long:
-        raise InputError("length_of_loads", place=here, key="length_m", found=wall.length_m, most=long)
+    if length > long + TOUCH:
+        raise InputError("length_beyond_body", place=here, key="length_m", found=length, most=long)
+    if wall.load and length < (1.0 - LENGTH_SLIP) * long:
+        raise InputError("length_of_loads", place=here, key="length_m", found=length, most=long)
 
 
 def _inward(part: Part, s: float, n: float) -> float:
@@ -111,11 +112,12 @@ def _extent(parts: tuple[Part, ...]) -> float:
     return max(high for _, high in ends) - min(low for low, _ in ends)
 
 
-def _check_short(wall, here) -> None:
+def _check_short(wall: Wall, here) -> None:
     """Rules of the short forms."""
-    if wall.gable_m is not None and wall.gable_m > wall.height_m:
-        raise InputError("gable_too_high", place=here, key="gable_m", found=wall.gable_m, most=wall.height_m)
-    heights = [0.0, *(step.from_z_m for step in wall.steps), wall.height_m]
+    height = known(wall.height_m)
+    if wall.gable_m is not None and wall.gable_m > height:
+        raise InputError("gable_too_high", place=here, key="gable_m", found=wall.gable_m, most=height)
+    heights = [0.0, *(step.from_z_m for step in wall.steps), height]
     if sorted(set(heights)) != heights:
         raise InputError("steps_not_rising", place=here, key="steps")
     for number, opening in enumerate(wall.openings, start=1):
@@ -123,16 +125,16 @@ def _check_short(wall, here) -> None:
         if given not in (["width_m", "height_m"], ["diameter_m"]):
             raise InputError("opening_shape", place=here, key="openings", n=number)
     wedges = wall.return_wedges
-    if wedges is not None and wedges.from_z_m >= shoulder(wall):
-        raise InputError("wedge_above", place=here, key="from_z_m", found=wedges.from_z_m, most=shoulder(wall))
+    if wedges is not None and wedges.from_z_m >= wall.shoulder:
+        raise InputError("wedge_above", place=here, key="from_z_m", found=wedges.from_z_m, most=wall.shoulder)
     check_short_forms(wall, here)
 
 
-def _check_solid(solid, here) -> None:
+def _check_solid(solid: Solid, here) -> None:
     """Rules of one solid."""
     if (solid.angle_deg is None) == (solid.plane == "oblique"):
         raise InputError("solid_angle", place=here, key="angle_deg")
-    if solid.plane == "oblique" and not RIGHT_SLIP < abs(solid.angle_deg) < 90.0 - FLAT_SLIP:
+    if solid.plane == "oblique" and not RIGHT_SLIP < abs(known(solid.angle_deg)) < 90.0 - FLAT_SLIP:
         # what elevations and sections are judged by would pass it over
         raise InputError("solid_angle_right", place=here, key="angle_deg", found=solid.angle_deg)
     if not solid.to_m > solid.from_m:

@@ -4,10 +4,12 @@ import itertools
 import math
 from functools import lru_cache
 
+from core.case.wall import Wall
 from core.errors import InputError
+from core.known import known
 from core.wall.body import cut_above, shared_area
 from core.wall.plan import Bodies, Cell, area_of, cells_of, length_of, pieces_at, section_at
-from core.wall.wall_body import (
+from core.wall.solids import (
     CARRIED,
     FOOT,
     FOOT_HEIGHT,
@@ -17,7 +19,6 @@ from core.wall.wall_body import (
     is_dragged,
     lies_behind,
     reached_at,
-    shoulder,
     top_of,
 )
 
@@ -44,10 +45,11 @@ STEEPEST = 1.0
 """Largest length of a wedge at its top over its height: a crack at 45 degrees."""
 
 
-def check_short_forms(wall, here) -> None:
+def check_short_forms(wall: Wall, here) -> None:
     """Steps become thinner upwards; wedges hang on the wall over their whole height, are no longer than it together,
     and follow a crack that is not flat."""
-    below = wall.thickness
+    _, thickness, _, length = wall.complete_sizes()
+    below = thickness
     for step in wall.steps:
         if step.thickness_m > below + TOUCH:
             raise InputError("step_thicker", place=here, key="steps", found=step.thickness_m, most=below)
@@ -55,18 +57,18 @@ def check_short_forms(wall, here) -> None:
     wedges = wall.return_wedges
     if wedges is None:
         return
-    if wedges.number * wedges.thickness_m > wall.length_m + TOUCH:
+    if wedges.number * wedges.thickness_m > length + TOUCH:
         found = wedges.number * wedges.thickness_m
-        raise InputError("wedges_too_long", place=here, key="return_wedges", found=found, most=wall.length_m)
-    high = shoulder(wall) - wedges.from_z_m
+        raise InputError("wedges_too_long", place=here, key="return_wedges", found=found, most=length)
+    high = wall.shoulder - wedges.from_z_m
     if wedges.length_at_top_m > STEEPEST * high + TOUCH:
         raise InputError("crack_too_flat", place=here, key="length_at_top_m", found=wedges.length_at_top_m, most=high)
     for step in wall.steps:
-        if step.from_z_m < shoulder(wall) and step.flush != "inner" and step.thickness_m < wall.thickness - TOUCH:
+        if step.from_z_m < wall.shoulder and step.flush != "inner" and step.thickness_m < thickness - TOUCH:
             raise InputError("wedges_off_step", place=here, key="return_wedges", steps="steps")
 
 
-def check_one_body(wall, parts: tuple[Part, ...], here) -> None:
+def check_one_body(wall: Wall, parts: tuple[Part, ...], here) -> None:
     """Raise InputError for solids that share mass, are apart, or do not reach their outer hinge."""
     solids = [part for part in parts if part.weight > 0.0]
     for one in solids:
@@ -110,7 +112,7 @@ def _heights(parts) -> list[tuple[float, bool]]:
     return found[1:]
 
 
-def _check_pieces(wall, parts: tuple[Part, ...], here) -> None:
+def _check_pieces(wall: Wall, parts: tuple[Part, ...], here) -> None:
     """The wall is one body, also without what it drags along, and no two leaves."""
     fault = fault_of(parts, wall.thickness)
     if fault is not None:
@@ -169,15 +171,16 @@ def _share(one: Part, other: Part) -> bool:
     return False
 
 
-def _check_behind(wall, parts: tuple[Part, ...], here) -> None:
+def _check_behind(wall: Wall, parts: tuple[Part, ...], here) -> None:
     """What solids hang behind the base is bound as wedges of return walls are: together no longer than the wall, none
     farther behind it than it is high."""
+    _, thickness, _, length = wall.complete_sizes()
     solids = [part for part in parts if part.weight > 0.0 and not part.wedge]
-    behind = [part for part in solids if part.plane == "section" and lies_behind(part, wall.thickness)]
+    behind = [part for part in solids if part.plane == "section" and lies_behind(part, thickness)]
     for part in solids:
-        if not is_dragged(part, solids, wall.thickness):
+        if not is_dragged(part, solids, thickness):
             continue
-        beyond = cut_above([(z, s) for s, z in part.polygon], wall.thickness - part.start)
+        beyond = cut_above([(z, s) for s, z in part.polygon], thickness - part.start)
         if not beyond:
             continue
         far, high = max(x for _, x in beyond), max(z for z, _ in beyond) - min(z for z, _ in beyond)
@@ -188,7 +191,7 @@ def _check_behind(wall, parts: tuple[Part, ...], here) -> None:
         return
     seen = [s for part in rest if part.plane == "elevation" for s, _ in part.polygon]
     seen += [end for part in rest if part.plane == "section" for end in part.ends]
-    most = max(wall.length_m, max(seen) - min(seen)) if seen else wall.length_m
+    most = max(length, max(seen) - min(seen)) if seen else length
     found = max(length_of(cells_of(pieces_at(behind, z))) for z in _middles(behind))
     if found > most + TOUCH:
         raise InputError("wedges_too_long", place=here, key="solid", found=found, most=most)
@@ -216,9 +219,10 @@ def _reaches_into(section: Part, elevation: Part) -> bool:
     return shared_area(_in_section(section), inner) > TOUCH * (top - bottom)
 
 
-def _check_foot(wall, parts: tuple[Part, ...], here) -> None:
+def _check_foot(wall: Wall, parts: tuple[Part, ...], here) -> None:
     """The outer hinge carries the body, not a plinth or a foot alone; so does the inner one of a two-sided wall."""
-    low, most = FOOT_HEIGHT * top_of(wall), FOOT * wall.thickness
+    thickness = known(wall.thickness)
+    low, most = FOOT_HEIGHT * top_of(parts), FOOT * thickness
     placed = aligned(parts)
     base, faces = section_at(placed, 0.0), reached_at(placed, low)
     carried = length_of(cell for cell in base if cell.outer[1] <= most + TOUCH)
@@ -227,5 +231,5 @@ def _check_foot(wall, parts: tuple[Part, ...], here) -> None:
     if faces is None or faces[0] > most + TOUCH:
         found = math.inf if faces is None else faces[0]
         raise InputError("foot_alone", place=here, found=found, z=low, most=most)
-    if "two_sided" in wall.mechanisms() and faces[1] < wall.thickness - most - TOUCH:
-        raise InputError("inner_foot_alone", place=here, found=wall.thickness - faces[1], z=low, most=most)
+    if "two_sided" in wall.mechanisms() and faces[1] < thickness - most - TOUCH:
+        raise InputError("inner_foot_alone", place=here, found=thickness - faces[1], z=low, most=most)

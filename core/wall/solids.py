@@ -1,4 +1,4 @@
-"""The body of a wall of the case: its solids, what is wrong with them, and the part above a hinge.
+"""The solids of a wall: their sections, faces and contact at a height, and where the wall changes.
 
 x is inward from the outer face of the base, z above it.
 """
@@ -11,34 +11,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from core.errors import InputError, place
 from core.units import G
-from core.wall.body import Body, clipped_above, cut_above, directions, extruded, polygon_sums, spans, together
+from core.wall.body import Body, cut_above, directions, extruded, polygon_sums, spans, together
 from core.wall.plan import area_of, cells_of, edge_reached, length_of, pieces_at, section_at
-
-ROUND = 64
-"""Sides of the polygon of a round opening, which has the area of the circle."""
-
-ANGLES = {"elevation": 0.5 * math.pi, "section": 0.0}
-"""Of the planes from the direction of motion [rad]."""
-
-GAUSS = np.polynomial.legendre.leggauss(5)
-CANTILEVER = 104.0 / 405.0
-"""Points and weights between -1 and 1; mean square of the deflection of a cantilever under a constant load, over that
-of its end."""
 
 LEAST_BASE = 1e-6
 """Area of a base on which something stands [m2]."""
-
-SHORT_FORMS = ("gable_m", "openings", "steps")
-"""Keys that make a wall another shape, in place of solids."""
 
 
 class Part(NamedTuple):
     """A solid as a number sees it.
 
     polygon : corners (s, z) [m]; ends : along the normal [m]; angle : [rad]; start : x of s = n = 0 [m]
-    weight : [kN/m3], negative of an opening; plane, wedge : what it is drawn as
+    weight : [N/m3], negative of an opening; plane, wedge : what it is drawn as
     """
 
     polygon: tuple[tuple[float, float], ...]
@@ -51,7 +36,7 @@ class Part(NamedTuple):
 
     @property
     def body(self) -> Body:
-        return extruded(self.polygon, self.ends, self.angle, self.start, 1e3 * self.weight / G)
+        return extruded(self.polygon, self.ends, self.angle, self.start, self.weight / G)
 
     @property
     def top(self) -> float:
@@ -101,129 +86,15 @@ def clipped(part: Part, thickness: float) -> Part | None:
     return part._replace(polygon=polygon) if polygon and polygon_sums(polygon).area > 1e-6 else None
 
 
-def has_shape(wall) -> bool:
-    """Whether a wall gives more than a rectangle."""
-    return bool(wall.solid or wall.return_wedges or any(getattr(wall, key) for key in SHORT_FORMS))
-
-
-def parts_of(wall) -> tuple[Part, ...]:
-    """The solids of a wall; none of a rectangle, however it is written."""
-    if not has_shape(wall):
-        return ()
-    made = tuple(_given(solid, wall) for solid in wall.solid) or tuple(_layers(wall))
-    made += tuple(_wedges(wall))
-    return () if _is_rectangle(made, wall) else made
-
-
-def _given(solid, wall) -> Part:
-    angle = ANGLES[solid.plane] if solid.plane in ANGLES else math.radians(solid.angle_deg)
-    weight = solid.unit_weight_kn_m3 or wall.unit_weight_kn_m3
-    weight = -weight if solid.opening else weight
-    return Part(solid.polygon_m, (solid.from_m, solid.to_m), angle, solid.x0_m, weight, solid.plane)
-
-
-def _is_rectangle(parts: tuple[Part, ...], wall) -> bool:
-    if len(parts) != 1 or parts[0].weight != wall.unit_weight_kn_m3 or len(parts[0].polygon) != 4:
-        return False
-    (part,) = parts
-    corners, (first, last) = set(part.polygon), part.ends
-    height, thickness, length = wall.height_m, wall.thickness, wall.length_m
-    if part.plane == "section":
-        return corners == _corners(0.0, thickness, height) and part.start == 0.0 and last - first == length
-    seen = {(s - min(s for s, _ in corners), z) for s, z in corners}
-    return (
-        part.plane == "elevation"
-        and seen == _corners(0.0, length, height)
-        and (part.start + first == 0.0 and part.start + last == thickness)
-    )
-
-
-def _corners(left: float, right: float, height: float) -> set[tuple[float, float]]:
-    return {(left, 0.0), (right, 0.0), (right, height), (left, height)}
-
-
-def shoulder(wall) -> float:
-    """Height of the wall below its gable [m]."""
-    return wall.height_m - (wall.gable_m or 0.0)
-
-
-def _layers(wall) -> list[Part]:
-    """The wall between its steps, with its gable, and its openings through each."""
-    length, top, eaves = wall.length_m, wall.height_m, shoulder(wall)
-    outline = [(0.0, 0.0), (length, 0.0), (length, eaves), (0.0, eaves)]
-    if wall.gable_m:
-        outline.insert(3, (0.5 * length, top))
-    steps = [(0.0, wall.thickness, "outer"), *((s.from_z_m, s.thickness_m, s.flush) for s in wall.steps)]
-    found = []
-    for k, (low, thickness, flush) in enumerate(steps):
-        high = steps[k + 1][0] if k + 1 < len(steps) else top
-        start = {"outer": 0.0, "inner": 1.0, "middle": 0.5}[flush] * (wall.thickness - thickness)
-        shapes = [(outline, 1.0), *((outline_of(opening), -1.0) for opening in wall.openings)]
-        for shape, sign in shapes:
-            polygon = _between(shape, low, high)
-            if polygon:
-                weight = sign * wall.unit_weight_kn_m3
-                found.append(Part(polygon, (0.0, thickness), ANGLES["elevation"], start, weight, "elevation"))
-    return found
-
-
-def outline_of(opening) -> list[tuple[float, float]]:
-    """Corners (s, z) of an opening [m]."""
-    s, z = opening.s_m, opening.z_m
-    if opening.diameter_m is None:
-        return [
-            (s, z),
-            (s + opening.width_m, z),
-            (s + opening.width_m, z + opening.height_m),
-            (s, z + opening.height_m),
-        ]
-    turn = 2.0 * math.pi / ROUND
-    radius = 0.5 * opening.diameter_m * math.sqrt(turn / math.sin(turn))
-    return [(s + radius * math.cos(turn * k), z + radius * math.sin(turn * k)) for k in range(ROUND)]
-
-
-def _between(polygon, low: float, high: float) -> tuple[tuple[float, float], ...]:
-    """The part of a polygon between two heights, where it is."""
-    if low > 0.0:
-        polygon = clipped_above(polygon, low)
-    if max((z for _, z in polygon), default=0.0) > high:
-        polygon = [(s, -z) for s, z in clipped_above([(s, -z) for s, z in polygon], -high)]
-    return tuple(polygon)
-
-
-def _wedges(wall) -> list[Part]:
-    wedges = wall.return_wedges
-    if wedges is None:
-        return []
-    face, top = wall.thickness, shoulder(wall)
-    corners = ((face, wedges.from_z_m), (face + wedges.length_at_top_m, top), (face, top))
-    ends = (0.0, wedges.number * wedges.thickness_m)
-    return [Part(corners, ends, 0.0, 0.0, wall.unit_weight_kn_m3, "section", wedge=True)]
-
-
 @lru_cache(maxsize=4096)
 def sum_of(parts: tuple[Part, ...]) -> Body:
     """The Body of solids."""
     return together(part.body for part in parts)
 
 
-def body_of(wall) -> Body | None:
-    """The body of a wall; None of a rectangle. Raises InputError for one in the making that has no mass."""
-    parts = parts_of(wall)
-    if not parts:
-        return None
-    body = sum_of(parts)
-    if not body.mass > 0.0:
-        raise InputError("body_without_mass", place=(place("wall", name=wall.name),))
-    return body
-
-
-def weight_per_metre(wall) -> float:
-    """W of the wall alone [N/m]: of a body its weight over its length."""
-    body = body_of(wall)
-    if body is not None:
-        return body.mass * G / wall.length_m
-    return 1e3 * wall.unit_weight_kn_m3 * wall.thickness * wall.height_m
+def top_of(parts: Iterable[Part]) -> float:
+    """Height of solids [m]."""
+    return max(part.top for part in parts if part.weight > 0.0)
 
 
 def section_area(parts: tuple[Part, ...], z: float, outer: float = -math.inf, inner: float = math.inf) -> float:
@@ -242,45 +113,6 @@ def section_area(parts: tuple[Part, ...], z: float, outer: float = -math.inf, in
         width = math.fsum(max(other - one, 0.0) for one, other in found_at)
         found += math.copysign(width * max(high - low, 0.0), part.weight)
     return found
-
-
-def base_length(wall) -> float:
-    """Length of the base of a wall less its openings [m], of which thickness_m and this are the section. Raises
-    InputError where nothing stands at the base."""
-    parts = parts_of(wall)
-    if not parts:
-        return wall.length_m
-    area = section_area(parts, 0.0, 0.0, wall.thickness)
-    if not area > LEAST_BASE:
-        raise InputError("nothing_at_base", place=(place("wall", name=wall.title),), key="solid")
-    return area / wall.thickness
-
-
-def top_of(wall) -> float:
-    """Height of the body [m]."""
-    parts = parts_of(wall)
-    return max(part.top for part in parts if part.weight > 0.0) if parts else wall.height_m
-
-
-def leans_inward(wall) -> bool:
-    """Whether a body falls inward at rest without its restraint: its centre of mass is not before its inner hinge."""
-    body = body_of(wall)
-    return body is not None and body.centroid[0] >= wall.thickness - wall.setback
-
-
-def period_share(wall) -> float:
-    """The square of T_0 of a body over that of its base section as a rectangle of the same height, by Rayleigh's
-    quotient with the deflection of a cantilever under a constant load: between corners of its solids the mass times
-    the square of the deflection is a polynomial of degree 9."""
-    parts, top = parts_of(wall), top_of(wall)
-    levels = np.array(sorted({0.0, top, *(z for part in parts for _, z in part.polygon if 0.0 < z < top)}))
-    nodes, shares = GAUSS
-    z = (0.5 * (levels[1:] + levels[:-1])[:, None] + 0.5 * np.diff(levels)[:, None] * nodes).ravel()
-    eta, step = z / top, (0.5 * np.diff(levels)[:, None] * shares).ravel()
-    deflection = eta**2 * (6.0 - 4.0 * eta + eta**2) / 3.0
-    mass = sum(part.weight * (part.ends[1] - part.ends[0]) * part.widths_at(z) for part in parts)
-    base = wall.unit_weight_kn_m3 * wall.thickness * base_length(wall)
-    return float((mass * deflection**2 * step).sum() / (base * top * CANTILEVER))
 
 
 class Section(NamedTuple):
@@ -450,9 +282,10 @@ def _bends(solids: list[Part], below: float, z: float, above: float) -> bool:
 
 
 @lru_cache(maxsize=256)
-def _sections_of(parts: tuple[Part, ...], length: float, top: float, count: int) -> tuple[Section, ...]:
+def sections_of(parts: tuple[Part, ...], length: float, count: int) -> tuple[Section, ...]:
+    """So many sections of solids over their height, the lowest one above the base. length : of the wall [m]"""
     found = []
-    for z in np.linspace(0.0, top, count + 1)[1:-1].tolist():
+    for z in np.linspace(0.0, top_of(parts), count + 1)[1:-1].tolist():
         faces = faces_at(parts, z)
         cut = [(part, cut_above(part.polygon, z)) for part in parts]
         above = together(part._replace(polygon=tuple(polygon)).body for part, polygon in cut if polygon)
@@ -461,24 +294,3 @@ def _sections_of(parts: tuple[Part, ...], length: float, top: float, count: int)
         x, lever = above.centroid
         found.append(Section(z, 0.5 * sum(faces), faces[1] - faces[0], above.mass * G / length, x, lever))
     return tuple(found)
-
-
-def sections(wall, count: int) -> tuple[Section, ...]:
-    """So many sections of a wall over its height, the lowest one above the base."""
-    parts = parts_of(wall)
-    if parts:
-        return _sections_of(parts, wall.length_m, top_of(wall), count)
-    height, middle, weight = wall.height_m, 0.5 * wall.thickness, weight_per_metre(wall)
-    return tuple(
-        Section(y, middle, wall.thickness, weight * (1.0 - y / height), middle, 0.5 * (height - y))
-        for y in np.linspace(0.0, height, count + 1)[1:-1].tolist()
-    )
-
-
-def check_on_body(wall, load, here) -> None:
-    """Raise InputError for a weight off the wall: it rests on what is there at its height."""
-    if not (load.is_weight and load.d_m is not None and has_shape(wall)):
-        return
-    faces = faces_at(parts_of(wall), min(load.h_m, top_of(wall)) * (1.0 - 1e-6))
-    if faces and not faces[0] - 1e-6 <= load.d_m <= faces[1] + 1e-6:
-        raise InputError("load_off_body", place=here, key="d_m", found=load.d_m, low=faces[0], high=faces[1])

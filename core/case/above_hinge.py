@@ -1,0 +1,130 @@
+"""The part of a wall above one of its hinges: a wall of its own."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+from core.case.one_body import fault_of
+from core.case.solids import Solid
+from core.case.wall import Wall
+from core.errors import InputError, place
+from core.known import known
+from core.wall.body import cut_above
+from core.wall.solids import Part, contact_at, is_dragged, snapped
+
+LEAST_HEIGHT = 0.1
+"""Of the wall above a hinge [m], that of a wall."""
+
+
+def named_above(name: str, hinge: float) -> str:
+    """What the part of a wall above a hinge [m] is called; the whole wall keeps its name."""
+    return f"{name} (+{hinge:.4g} m)" if hinge else name
+
+
+def numbers_above(wall: Wall, hinge: float) -> tuple[int, ...]:
+    """Numbers of the loads of the part of a wall above a hinge [m above its base]."""
+    return tuple(n for n, load in enumerate(wall.load, start=1) if load.h_m > hinge + 1e-9)
+
+
+def loads_above(wall: Wall, hinge: float, face: float = 0.0) -> tuple:
+    """These loads. face : x of the outer face of the wall there [m]"""
+    kept = (wall.load[n - 1] for n in numbers_above(wall, hinge))
+    return tuple(
+        replace(load, h_m=load.h_m - hinge, d_m=None if load.d_m is None else load.d_m - face) for load in kept
+    )
+
+
+def above_hinge(wall: Wall, hinge: float) -> Wall:
+    """The part of a wall above a hinge [m above its base], with its variant and its height in its name."""
+    name = named_above(wall.title, hinge)
+    if hinge == 0.0:
+        return replace(wall, name=name, hinge_heights=None)
+    assert wall.height_m is not None
+    faces = contact_at(wall.parts, hinge)
+    loads = loads_above(wall, hinge, faces[0] if faces else 0.0)
+    changes = {"thickness_m": wall.thickness} | _shape_above(wall, hinge)
+    part = replace(
+        wall,
+        **changes,
+        name=name,
+        height_m=wall.height_m - hinge,
+        slenderness_deg=None,
+        height_over_thickness=None,
+        base_z_m=None if wall.base_z_m is None else wall.base_z_m + hinge,
+        hinge_heights=None,
+        load=loads,
+        unloaded_confirmed=wall.unloaded_confirmed or (bool(wall.load) and not loads),
+        tie_height_m=None
+        if wall.tie_height_m is None or wall.tie_height_m < hinge + LEAST_HEIGHT
+        else wall.tie_height_m - hinge,
+    )
+    if part.parts and fault_of(part.parts, known(part.thickness)) is not None:
+        here = (place("wall", name=wall.title),)
+        raise InputError("pieces_above", place=here, key="hinge_heights", hinge=hinge)
+    return part
+
+
+def _shape_above(wall: Wall, hinge: float) -> dict:
+    """What changes of a wall above a hinge [m above its base], where it is no rectangle: the solids cut there, the base
+    between the edges of what it rests on, and the wedges, whose crack begins at the hinge with the same inclination.
+    Raises InputError at a height without a solid."""
+    if not wall.has_shape:
+        return {}
+    plain: dict = {"solid": (), "return_wedges": None, "gable_m": None, "openings": (), "steps": ()}
+    parts = tuple(part for part in wall.parts if not part.wedge)
+    if not parts:  # a rectangle written as solids
+        return plain
+    faces = contact_at(parts, hinge)
+    if faces is None:
+        raise InputError("hinge_in_a_gap", place=(place("wall", name=wall.title),), key="hinge_heights", hinge=hinge)
+    outer, inner = faces
+    _, thickness, own, _ = wall.complete_sizes()
+    face = min(inner, thickness)
+    there = snapped(parts, hinge)
+    cut = zip(there, above_cracks(there, hinge, face), strict=True)
+    solids = tuple(
+        Solid(
+            plane=part.plane,
+            polygon_m=polygon,
+            to_m=part.ends[1],
+            from_m=part.ends[0],
+            opening=part.weight < 0.0,
+            x0_m=part.start - outer,
+            angle_deg=math.degrees(part.angle) if part.plane == "oblique" else None,
+            unit_weight_kn_m3=None if abs(part.weight) == own else 1e-3 * abs(part.weight),
+        )
+        for part, polygon in cut
+        if polygon
+    )
+    base = min(inner - outer, thickness)
+    wedges = wall.return_wedges
+    if wedges is not None:
+        top, start = wall.shoulder - hinge, max(wedges.from_z_m - hinge, 0.0)
+        rest = (top - start) / (wall.shoulder - wedges.from_z_m)
+        if rest > 0.0:
+            corners = ((base, start), (base + rest * wedges.length_at_top_m, top), (base, top))
+            solids += (Solid("section", corners, wedges.number * wedges.thickness_m),)
+    return plain | {"solid": solids, "thickness_m": base}
+
+
+def above_cracks(parts: Sequence[Part], hinge: float, face: float) -> list[tuple[tuple[float, float], ...]]:
+    """The polygons of solids above a hinge [m]. What sections drag along behind the inner face, x [m], begins at the
+    hinge too, with the inclination of its own crack, as a wedge of return walls; what is there over half of the length
+    of the wall is the wall."""
+    cuts = [cut_above(part.polygon, hinge) for part in parts]
+    dragged = [part for part in parts if is_dragged(part, parts, face)]
+    corners = [(part.start + s - face, z) for part in dragged for s, z in part.polygon]
+    behind = [(x, z) for x, z in corners if x > 1e-9]
+    if not behind:
+        return [tuple(cut) for cut in cuts]
+    foot = min(z for x, z in corners if x > -1e-9)
+    if min(z for _, z in behind) <= foot + 1e-9:  # it stands on something, or is a block
+        return [tuple(cut) for cut in cuts]
+    flat = max(x / (z - foot) for x, z in behind)
+    found = []
+    for part, cut in zip(parts, cuts, strict=True):
+        if part in dragged and cut:
+            turned = cut_above([(z, face - part.start - s + flat * z) for s, z in cut], 0.0)
+            cut = [(face - part.start + flat * z - left, z) for z, left in turned]
+        found.append(tuple(cut))
+    return found

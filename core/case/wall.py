@@ -1,0 +1,302 @@
+"""A wall of the case: its keys, and the wall in SI that they make."""
+
+import math
+from dataclasses import MISSING, dataclass, replace
+from functools import cached_property
+
+from core.case.back_restraint import EVIDENCE, RESTRAINTS, with_choice
+from core.case.keys import choice_key, flag_key, key, number_key, text_key
+from core.case.loads import Load, ReturnWalls
+from core.case.shape import Shaped
+from core.case.solids import Drawing, Opening, Solid, Step, Wedges
+from core.codes.masonry_types import TYPES
+from core.errors import InputError, place
+from core.known import known
+from core.text.sentence import Key, sentence
+from core.wall.block import Block
+from core.wall.masonry import BENDS, Declared, Masonry, base_length, weight_per_metre
+from core.wall.moment_rotation import LAWS, WITH_BRANCH, MomentLaw
+from core.wall.restitution import MODELS, Restitution, restitution
+from core.wall.solids import sum_of
+
+MIN_ELASTIC = 0.001
+"""Smallest D1 of a trilinear law that is given by its ends. That of an element free to vibrate may be shorter: it is no
+rigid law all the same. However short, the wall vibrates on it before it rocks, and a motion that would not lift the
+rigid wall drives it off its end with what it has stored there."""
+
+
+AS_IS, DESIGNED = "stato di fatto", "progetto"
+"""Variants of a wall: two walls of one name are compared if each is one of them."""
+
+
+@dataclass(frozen=True)
+class WallJustification:
+    """[wall.justification]: why a value of the wall that raises zeta holds, in the engineer's words."""
+
+    velocity_ratio: str = text_key()
+    restitution: str = text_key()
+    law: str = text_key()
+    return_walls: str = text_key()
+    return_wedges: str = text_key()
+    contact: str = text_key()
+    free_element: str = text_key()
+    base_z_m: str = text_key()
+    elongation_m: str = text_key()
+    slack_mm: str = text_key()
+    prestress: str = text_key()
+    anchorage_kn: str = text_key()
+    load: str = text_key()
+    compressive_strength_mpa: str = text_key()
+    unit_weight_kn_m3: str = text_key()
+    mass: str = text_key()
+    h_m: str = text_key()
+    d_m: str = text_key()
+
+
+MOST_INERTIA = 2.0
+"""Largest I0/m over R^2 of a block: 4/3 of a slender rectangle, 3/2 of a triangle on its base. A block rocks the more
+slowly the larger it is."""
+
+MAX_SETBACK = 0.4
+"""Largest hinge setback over the thickness: at 0.5 nothing is left to turn about."""
+
+
+@dataclass(frozen=True)
+class Wall(Shaped):
+    """[[wall]]: geometry, mechanism, restitution, moment law."""
+
+    name: str = text_key(MISSING)
+    mechanism: str = choice_key("one_sided", "two_sided", "both", BENDS)
+    height_m: float | None = number_key(0.1, 60.0, unit="m", form="shape", filled=True)
+    thickness_m: float | None = number_key(0.005, 20.0, unit="m", form_unit="cm", form="shape", filled=True)
+    slenderness_deg: float | None = number_key(0.05, 60.0, unit="deg", form="shape", filled=True)
+    height_over_thickness: float | None = number_key(0.5, 1000.0, form="shape", filled=True)
+    radius_m: float | None = number_key(0.05, 60.0, unit="m", form="shape", filled=True)
+    inertia_over_mass_m2: float | None = number_key(0.0025, 20000.0, unit="m2", form="shape", filled=True)
+    restitution: str | None = choice_key(*MODELS, default=None)
+    velocity_ratio: float | None = number_key(0.0, 1.0, filled=True)
+    law: str | dict = key("law", "auto")
+    hinge_heights: str | tuple[float, ...] | None = key("hinges", form="held")
+    hinge_setback_m: float = number_key(0.0, 2.0, 0.0, unit="m", form_unit="cm", form="shape")
+    masonry: str | None = choice_key(*TYPES, default=None, form="checks")
+    compressive_strength_mpa: float | None = number_key(0.1, 100.0, unit="MPa", form="checks")
+    base_z_m: float | None = number_key(0.0, 300.0, unit="m", form="checks")
+    length_m: float | None = number_key(0.05, 200.0, unit="m", form="checks")
+    unit_weight_kn_m3: float | None = number_key(5.0, 40.0, unit="kN/m3", form="checks")
+    free_element: bool | None = flag_key(None, form="checks")
+    elastic_modulus_mpa: float | None = number_key(10.0, 100000.0, unit="MPa", form="checks")
+    back_restraint: str | None = choice_key(*RESTRAINTS, default=None, form="checks")
+    restraint_evidence: str | None = choice_key(*EVIDENCE, default=None, form="checks")
+    restraint_note: str = text_key(form="checks")
+    unloaded_confirmed: bool = flag_key(form="checks")
+    floor: str = text_key(form="checks")
+    notes: str = text_key(form="checks")
+    load: tuple[Load, ...] = key("tables", (), of=Load, columns="load{n}_")
+    return_walls: ReturnWalls | None = key("section", of=ReturnWalls, columns="across_")
+    solid: tuple[Solid, ...] = key("tables", (), of=Solid, columns="solid{n}_")
+    drawing: tuple[Drawing, ...] = key("tables", (), of=Drawing)
+    gable_m: float | None = number_key(0.1, 60.0, unit="m", form="body")
+    openings: tuple[Opening, ...] = key("tables", (), of=Opening, columns="opening{n}_")
+    steps: tuple[Step, ...] = key("tables", (), of=Step, columns="step{n}_")
+    return_wedges: Wedges | None = key("section", of=Wedges, columns="wedges_")
+    tie_height_m: float | None = number_key(0.1, 60.0, unit="m", form="held")
+    tie_bar_length_m: float | None = number_key(0.2, 100.0, unit="m", form="held")
+    tie_elongation_m: float | None = number_key(0.0, 10.0, unit="m", form="held")
+    tie_spacing_m: float | None = number_key(0.1, 20.0, unit="m", form="held")
+    justification: WallJustification | None = key("section", of=WallJustification)
+    variant: str | None = choice_key(AS_IS, DESIGNED, default=None, form="held")
+
+    @staticmethod
+    def of_older(table: dict) -> dict:
+        """The keys of a wall as they are now: what stands behind it was a free text before 0.16. A type of masonry
+        gives the unit weight that is left out, where the table has one for it."""
+        masonry = TYPES.get(str(table.get("masonry")))
+        if masonry and "unit_weight_kn_m3" not in table and masonry.weight[0] == masonry.weight[1]:
+            table = table | {"unit_weight_kn_m3": masonry.weight[0]}
+        return with_choice(table)
+
+    @property
+    def title(self) -> str:
+        """Its name, with its variant where it has one."""
+        return self.name if self.variant is None else f"{self.name} ({self.variant})"
+
+    @property
+    def setback(self) -> float:
+        """u [m], the hinge inside the edge: as given, or 2 N / (3 f L) with N = unit weight t H L and the vertical
+        loads, the triangle of stress under the wall about to turn."""
+        if self.compressive_strength_mpa is None or self.thickness is None:
+            return self.hinge_setback_m
+        parts, weight = self.parts, known(self.unit_weight_kn_m3)
+        found = weight_per_metre(parts, self.length_m, 1e3 * weight, self.thickness, self.height_m)
+        if self.load:
+            found += self._vertical_loads()
+        if parts:
+            whole = base_length(parts, known(self.length_m), self.thickness)
+            if not whole:
+                raise InputError("nothing_at_base", place=(place("wall", name=self.title),), key="solid")
+            found *= known(self.length_m) / whole
+        return 2.0 * found / (3.0 * 1e6 * self.compressive_strength_mpa)
+
+    def _vertical_loads(self) -> float:
+        """Sum of the vertical loads [N/m]. Raises InputError where one has no size yet."""
+        for n, load in enumerate(self.load, start=1):
+            if load.is_weight and load.kn_m in (None, ""):
+                here = (place("wall", name=self.title), place("load", n=n))
+                raise InputError("load_size_missing", place=here, key="kn_m")
+        return sum(1e3 * known(load.kn_m) for load in self.load if load.is_weight)
+
+    @property
+    def weight(self) -> float | None:
+        """W [N] of the wall, None without length and unit weight."""
+        if self.length_m is None or self.unit_weight_kn_m3 is None or self.thickness is None:
+            return None
+        weight = 1e3 * self.unit_weight_kn_m3
+        return weight_per_metre(self.parts, self.length_m, weight, self.thickness, self.height_m) * self.length_m
+
+    @cached_property
+    def in_si(self) -> Masonry:
+        """The wall in SI. Raises InputError for a wall without exactly one geometry, or with a load that is not
+        complete."""
+        across = self.return_walls
+        return Masonry(
+            name=self.name,
+            mechanism=self.mechanism,
+            bare=self.bare_block(),
+            height=self.height_m,
+            thickness=self.thickness,
+            setback=self.setback,
+            length=self.length_m,
+            unit_weight=None if self.unit_weight_kn_m3 is None else 1e3 * self.unit_weight_kn_m3,
+            modulus=None if self.elastic_modulus_mpa is None else 1e6 * self.elastic_modulus_mpa,
+            strength=None if self.compressive_strength_mpa is None else 1e6 * self.compressive_strength_mpa,
+            kind=self.masonry,
+            law=self.moment_law(),
+            branch=self.law if isinstance(self.law, str) and self.law in WITH_BRANCH else "",
+            free=self.free_element,
+            felt=self.felt_z_m,
+            parts=self.parts,
+            loads=tuple(load.in_si(self.length_m) for load in self.load),
+            across=None if across is None else across.in_si(),
+            declared=Declared(
+                self.back_restraint, self.restraint_evidence, self.restraint_note, self.unloaded_confirmed
+            ),
+        )
+
+    def without_ties(self) -> "Wall":
+        """The wall with its other loads alone."""
+        return replace(self, load=tuple(load for load in self.load if not load.is_tie))
+
+    def block(self) -> Block:
+        """The wall and the masses that move with it. Raises InputError as `in_si`."""
+        return self.in_si.block
+
+    def bare_block(self) -> Block:
+        """The wall alone. Raises InputError for a wall without exactly one geometry."""
+        here = (place("wall", name=self.name),)
+        shape = ("thickness_m", "slenderness_deg", "height_over_thickness")
+        given = [key for key in shape if getattr(self, key) is not None]
+        if self.radius_m is not None or self.inertia_over_mass_m2 is not None:
+            if self.hinge_setback_m or self.compressive_strength_mpa is not None:
+                raise InputError("general_no_setback", place=here)
+            if self.slenderness_deg is None or len(given) > 1 or self.height_m is not None or self.has_shape:
+                raise InputError("general_keys", place=here)
+            if self.radius_m is None or self.inertia_over_mass_m2 is None:
+                raise InputError("general_needs", place=here)
+            if self.inertia_over_mass_m2 > MOST_INERTIA * self.radius_m**2:
+                raise InputError(
+                    "inertia_too_large",
+                    place=here,
+                    key="inertia_over_mass_m2",
+                    given=self.inertia_over_mass_m2,
+                    most=MOST_INERTIA * self.radius_m**2,
+                    ratio=MOST_INERTIA,
+                )
+            return Block(math.radians(self.slenderness_deg), self.radius_m, self.inertia_over_mass_m2)
+        if self.height_m is None or len(given) != 1:
+            stated = sentence("accepted", "given" if self.height_m else "missing")
+            raise InputError(
+                "one_geometry",
+                place=here,
+                shapes=tuple(map(Key, shape)),
+                height=stated,
+                found=tuple(map(Key, given)) or sentence("accepted", "none"),
+            )
+        if self.compressive_strength_mpa is not None and self.hinge_setback_m:
+            raise InputError("strength_gives_setback", place=here)
+        if self.compressive_strength_mpa is not None and self.unit_weight_kn_m3 is None:
+            raise InputError("strength_needs_weight", place=here, key="unit_weight_kn_m3")
+        thickness, setback = self.thickness, self.setback
+        assert thickness is not None
+        if not setback < MAX_SETBACK * thickness:
+            key = "hinge_setback_m" if self.hinge_setback_m else "compressive_strength_mpa"
+            raise InputError(
+                "setback_too_large",
+                key=key,
+                setback=setback,
+                most=MAX_SETBACK * thickness,
+                share=100 * MAX_SETBACK,
+                place=here,
+            )
+        if self.parts:
+            body = sum_of(self.parts)
+            if not body.mass > 0.0:
+                raise InputError("body_without_mass", place=here)
+            return body.about(setback)
+        if setback == 0.0 and self.slenderness_deg is not None:
+            return Block.rectangle(self.height_m, math.radians(self.slenderness_deg))
+        return Block.with_setback(self.height_m, thickness, setback)
+
+    @property
+    def has_closed_forms(self) -> bool:
+        """Whether Eq. 15 and 16 say anything of it: fitted to walls on the ground without loads; of a body by the
+        rectangle of the same p and alpha."""
+        bare = not self.load and not self.bends
+        return not self.above_ground and bare and not (self.is_unlike and "two_sided" in self.mechanisms())
+
+    @property
+    def is_unlike(self) -> bool:
+        """Whether it is another block about its inner hinge."""
+        return self.in_si.inner_block is not None
+
+    @property
+    def above_ground(self) -> bool:
+        """Whether what moves it is above the ground; with a demand its height is always given."""
+        return (self.felt_z_m or 0.0) > 0.0
+
+    @property
+    def felt_z_m(self) -> float | None:
+        """Height above the ground [m] at which its demand is taken: of its hinge, of a wall held at its top of its
+        middle; None where it is not given."""
+        if self.base_z_m is None or not self.bends:
+            return self.base_z_m
+        return self.base_z_m + 0.5 * (self.height_m or 0.0)
+
+    @property
+    def bends(self) -> bool:
+        """Whether it is held at its top and opens a hinge between."""
+        return self.mechanism == BENDS
+
+    def mechanisms(self) -> tuple[str, ...]:
+        return ("two_sided", "one_sided") if self.mechanism == "both" else (self.mechanism,)
+
+    def restitution_model(self, mechanism: str) -> str:
+        """Model of restitution for one mechanism: as asked, else the default that follows the mechanism."""
+        model = self.restitution or ("user" if self.velocity_ratio is not None else None)
+        return model or ("one_sided_theoretical" if mechanism == "one_sided" else "housner")
+
+    def restitution_of(self, mechanism: str) -> Restitution:
+        """Restitution for one mechanism."""
+        model = self.restitution_model(mechanism)
+        if MODELS[model].one_sided and mechanism == "two_sided":
+            raise InputError(
+                "restitution_one_sided", model=model, asked=self.mechanism, place=(place("wall", name=self.name),)
+            )
+        if (model == "user") != (self.velocity_ratio is not None):
+            raise InputError("velocity_ratio_user", place=(place("wall", name=self.name),))
+        return restitution(self.in_si.block, model, self.velocity_ratio, self.in_si.contact)
+
+    def moment_law(self) -> MomentLaw:
+        """As it is given; an elastic branch is of the check at the demand alone."""
+        if isinstance(self.law, str):
+            return LAWS["rigid" if self.law in WITH_BRANCH else self.law]
+        return MomentLaw(self.law["elastic_limit"], self.law["plateau_end"])
