@@ -118,6 +118,7 @@ def outcome(
     dynamic : DemandCheck, None where there are no histories
     by : Sentence of what the check that decides compares
     largest : acceleration under the wall at the demand, FC apart [m/s2]
+    wall : what is declared of it, and what it carries
     permitted : defaults that a clause permits, and whose other ends turn the outcome
     reasoned : keys whose other ends would turn it, but for the engineer's reason
     """

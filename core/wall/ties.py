@@ -125,7 +125,12 @@ def tie_of_force(
 def tie_of_bars(
     height: float, bars: Steel, bar_length: float, wall_length: float, stands: float, slack: float, prestress: float
 ) -> Tie:
-    """A tie of bars over the length of a wall [m]; as `tie_of_force`."""
+    """A tie whose bars are given.
+
+    height : above the hinge [m]; bars : its Steel; bar_length : of a bar [m]; wall_length : over which they stand [m]
+    stands : elongation beyond which a bar is gone [m], at yield where it is less, or its steel does not yield first
+    slack : [m]; prestress : share of the force at yield
+    """
     per_bar = min(held for _, held in bars.parts)
     at_yield = per_bar * bar_length / (MODULUS * bars.area)
     force = bars.number * per_bar / wall_length

@@ -6,10 +6,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from core.case.rules import parse_case
+from core.case.wall import Wall
+from core.study.run import run
 from core.units import G
 from core.wall.loads import BARE, RestoringMoment
 from core.wall.masonry import as_force, is_stable
-from tests.validation.test_loaded_walls import PUSHING, ROOF, THRUST, TIE, case_of
+from tests.validation.test_loaded_walls import PUSHING, ROOF, THRUST, TIE, WALL, case_of
 
 
 def wall_of(*loads, **changes):
@@ -118,3 +121,14 @@ def test_that_masses_in_the_middle_leave_one_block_for_both_hinges():
 )
 def test_that_a_wall_without_its_restraint_is_two_sided_only_where_the_model_has_it(loads, changes, answer):
     assert wall_of(*loads, **changes).in_si.rocks_both_ways == answer
+
+
+def test_that_the_block_of_a_wall_is_built_once_for_all_that_ask_for_it(monkeypatch):
+    """Two walls from the reading of their keys to the verdict: before there was one object they were 1 171."""
+    built = []
+    one = Wall.bare_block
+    monkeypatch.setattr(Wall, "bare_block", lambda wall: built.append(wall) or one(wall))
+    walls = [{**WALL, "name": name, "base_z_m": 0.0, "mechanism": name} for name in ("one_sided", "two_sided")]
+    demand = {"ag_g": 0.1, "spectrum": {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.3, "soil": "A"}}
+    run(parse_case({"wall": walls, "demand": demand, "analysis": {"histories": False}}))
+    assert len({id(wall) for wall in built}) >= 2 and len(built) <= 60
