@@ -127,9 +127,12 @@ def tie_of_bars(
 ) -> Tie:
     """A tie whose bars are given.
 
-    height : above the hinge [m]; bars : its Steel; bar_length : of a bar [m]; wall_length : over which they stand [m]
+    height : above the hinge [m]
+    bars : its Steel, over the length of the wall
+    bar_length, wall_length : [m]
     stands : elongation beyond which a bar is gone [m], at yield where it is less, or its steel does not yield first
-    slack : [m]; prestress : share of the force at yield
+    slack : [m]
+    prestress : share of the force at yield
     """
     per_bar = min(held for _, held in bars.parts)
     at_yield = per_bar * bar_length / (MODULUS * bars.area)

@@ -129,6 +129,9 @@ def test_that_the_block_of_a_wall_is_built_once_for_all_that_ask_for_it(monkeypa
     one = Wall.bare_block
     monkeypatch.setattr(Wall, "bare_block", lambda wall: built.append(wall) or one(wall))
     walls = [{**WALL, "name": name, "base_z_m": 0.0, "mechanism": name} for name in ("one_sided", "two_sided")]
-    demand = {"ag_g": 0.1, "spectrum": {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.3, "soil": "A"}}
+    demand = {
+        "ag_g": 0.1,
+        "spectrum": {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.3, "soil": "A", "topography": "T1"},
+    }
     run(parse_case({"wall": walls, "demand": demand, "analysis": {"histories": False}}))
     assert len({id(wall) for wall in built}) >= 2 and len(built) <= 60
