@@ -87,7 +87,6 @@ SHOWN_BY = {
     "case/keys": "tests/core/case/test_schema.py",
     "case/loads": "tests/core/wall/test_ties.py",
     "case/solids": BODIES,
-    "case/drawing_outlines": "tests/core/case/test_drawing_file.py",
     "case/drawn_solids": "tests/core/case/test_drawing_file.py",
     "report/place_lines": "tests/core/case/test_place.py",
     "wall/body": BODIES,

@@ -24,7 +24,7 @@ MOST = 100_000_000
 
 def is_note(content: bytes) -> bool:
     """Whether a file is a PDF."""
-    return content[:5] == b"%PDF-"
+    return content.startswith(b"%PDF-")
 
 
 def files_within(path: Path, names: Collection[str] = NAMES) -> dict[str, bytes]:

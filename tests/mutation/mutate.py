@@ -45,9 +45,12 @@ LOADS = "tests/core/case/test_load_rules.py"
 
 BESIDE: dict[str, tuple[str, ...]] = {
     **dict.fromkeys(
-        [f"core/case/{name}.py" for name in ("schema", "site", "solids", "values", "select", "study_file")], (KEYS,)
+        [f"core/case/{name}.py" for name in ("place", "schema", "site", "values", "select", "study_file")], (KEYS,)
     ),
+    "core/case/drawing_outlines.py": ("tests/core/case/test_drawing_file.py",),
     "core/case/loads.py": (KEYS, LOADS),
+    "core/case/solids.py": (KEYS, CONTACT),
+    "core/case/wall_table.py": ("tests/core/case/test_many_walls.py", "tests/core/case/test_wall_table_units.py"),
     **dict.fromkeys(
         [
             f"core/codes/{name}.py"

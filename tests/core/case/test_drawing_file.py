@@ -5,6 +5,7 @@ import itertools
 import json
 import math
 import random
+import re
 import tracemalloc
 
 import pytest
@@ -20,15 +21,16 @@ from shapely.geometry import Polygon, box  # noqa: E402
 from app import __main__ as program  # noqa: E402
 from app.terminal.inspection import inspect  # noqa: E402
 from core.case import drawing_file, drawing_outlines  # noqa: E402
-from core.case.drawing_file import TOLERANCE, DxfFile  # noqa: E402
+from core.case.drawing_file import TOLERANCE, DxfFile, Unread, likely_unit  # noqa: E402
 from core.case.drawing_outlines import arc, joined, parts_above  # noqa: E402
-from core.case.drawn_solids import with_drawings  # noqa: E402
+from core.case.drawn_solids import with_drawings, with_solids  # noqa: E402
 from core.case.problems import problems  # noqa: E402
 from core.case.reader import read_case  # noqa: E402
-from core.case.rules import draft_case, parse_case  # noqa: E402
+from core.case.rules import draft_case, parse_case, parse_wall  # noqa: E402
 from core.case.writer import dumps, table_of  # noqa: E402
 from core.errors import InputError, OutputError  # noqa: E402
 from core.wall.body import crossing, point_within, polygon_sums  # noqa: E402
+from tests.conftest import ROOT  # noqa: E402
 from tests.core.case import sheets  # noqa: E402
 
 WALL = """
@@ -346,6 +348,63 @@ def test_that_lines_meet_end_to_end_and_nowhere_else():
     assert closed == [] and len(loose) == 3
 
 
+@pytest.mark.parametrize(("radius", "is_read"), [(0.9e-3, False), (1.1e-3, True), (9_990.0, True), (10_010.0, False)])
+def test_that_a_circle_is_read_from_a_millimetre_to_10_km(tmp_path, radius, is_read):
+    found = DxfFile(sheet(tmp_path / "d.dxf", lambda space: space.add_circle((0, 0), radius))).sheet()
+    assert (len(found.shapes), len(found.unread)) == ((1, 0) if is_read else (0, 1))
+
+
+def test_that_a_hatch_without_an_outline_is_a_shape(tmp_path):
+    def draw(space):
+        hatch = space.add_hatch(dxfattribs={"layer": "A"})
+        hatch.paths.add_polyline_path([(0, 0), (6, 0), (6, 5), (0, 5)], is_closed=True)
+
+    found = DxfFile(sheet(tmp_path / "d.dxf", draw)).sheet()
+    assert [shape.extent for shape in found.shapes] == [(0.0, 0.0, 6.0, 5.0)] and not found.gaps
+
+
+def test_that_a_periodic_spline_is_divided_no_finer_than_its_tolerance_asks(tmp_path):
+    """Through 32 chords it would be off by 1.05 mm: h^2 / 8 of its second derivative, (side, side) at a corner and
+    (-side, side) at the next, in the middle of the first of the 8 chords of a span (h = 1/8)."""
+    side = 8 * 64 * 1.05 * TOLERANCE / math.hypot(1.0, 1.0 - 1.0 / 8.0)
+
+    def draw(space):
+        spline = space.add_spline(dxfattribs={"layer": "S"})
+        spline.set_closed([(0, 0, 0), (side, 0, 0), (side, side, 0), (0, side, 0)], degree=3)
+
+    ((_, points),) = DxfFile(sheet(tmp_path / "d.dxf", draw)).sheet().lines
+    fourth = points[::4]
+    off = max(_off_chord(points[k], fourth[k // 4], fourth[k // 4 + 1]) for k in range(2, len(points) - 4, 4))
+    assert off == pytest.approx(1.05 * TOLERANCE, rel=2e-3)  # across the chord, not to its middle
+
+
+def _off_chord(point, start, end) -> float:
+    across = (end[0] - start[0]) * (point[1] - start[1]) - (end[1] - start[1]) * (point[0] - start[0])
+    return abs(across) / math.dist(start, end)
+
+
+@pytest.mark.parametrize("depth", [20, 21])
+def test_that_a_block_within_20_others_is_read_and_one_within_more_is_named(tmp_path, depth):
+    document = ezdxf.new("R2010", units=6)
+    area(document.blocks.new("B0"), 0.0, 6.0, 0.0, 5.0)
+    for k in range(1, depth):
+        document.blocks.new(f"B{k}").add_blockref(f"B{k - 1}", (0, 0), dxfattribs={"layer": "IN"})
+    document.modelspace().add_blockref(f"B{depth - 1}", (0, 0))
+    document.saveas(tmp_path / "d.dxf")
+    found = DxfFile(tmp_path / "d.dxf").sheet()
+    shapes, unread = [shape.layer for shape in found.shapes], found.unread
+    assert (shapes, unread) == ((["M"], ()) if depth == 20 else ([], (Unread("IN", "INSERT", 1),)))
+
+
+def test_that_references_that_are_not_read_are_counted(tmp_path):
+    document = ezdxf.new("R2010", units=6)
+    document.add_xref_def("other.dxf", "OTHER")
+    for x in (0, 5, 9):
+        document.modelspace().add_blockref("OTHER", (x, 0), dxfattribs={"layer": "M"})
+    document.saveas(tmp_path / "d.dxf")
+    assert DxfFile(tmp_path / "d.dxf").sheet().unread == (Unread("M", "XREF", 3),)
+
+
 def test_that_blocks_are_on_the_layer_of_their_reference_and_mirrored_ones_are_not_turned(tmp_path):
     document = ezdxf.new("R2010", units=6)
     block = document.blocks.new("B")
@@ -382,6 +441,32 @@ def test_that_the_unit_of_a_drawing_that_says_none_is_guessed_by_its_size(tmp_pa
         stream.write("0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nA\n10\n0\n20\n0\n40\n350\n0\nENDSEC\n0\nEOF\n")
     found = DxfFile(tmp_path / "r12.dxf").sheet()
     assert (found.stated, found.unit, len(found.shapes)) == (None, "cm", 1)
+
+
+@pytest.mark.parametrize(
+    ("size", "unit"),
+    [(0.79, None), (0.81, "m"), (79.0, "m"), (81.0, "cm"), (790.0, "cm"), (8100.0, "mm"), (79e3, "mm"), (81e3, None)],
+)
+def test_that_a_wall_is_taken_to_be_between_80_cm_and_80_m_large(size, unit):
+    """The nearest to 8 m of the three units, none beyond a factor of ten."""
+    assert likely_unit(size) == unit
+
+
+def test_that_the_limits_of_a_drawing_are_those_the_page_names(tmp_path):
+    page = (ROOT / "resources" / "docs" / "case.md").read_text(encoding="utf-8")
+    most_mb, most = re.search(r"one of more than (\d+) MB or ([\d ]+) entities", page).groups()
+    path = tmp_path / "d.dxf"
+    with open(path, "wb") as stream:
+        stream.truncate(25_000_000)  # of zeros that take no place on the disk
+    with pytest.raises(InputError, match=rf"25 MB are too large for the drawing of a wall \(up to {most_mb} MB\)"):
+        DxfFile(path)
+    array = ezdxf.new("R2010", units=6)
+    array.blocks.new("B").add_circle((0, 0), 1)
+    many = {"column_count": 400, "row_count": 251, "column_spacing": 1, "row_spacing": 1}
+    array.modelspace().add_blockref("B", (0, 0), dxfattribs=many)
+    array.saveas(path)
+    with pytest.raises(InputError, match=f"more than {most.replace(' ', '')} entities"):
+        DxfFile(path)
 
 
 WORDS = [b"", b"0", b"-1", b"1e400", b"nan", b"SECTION", b"ENTITIES", b"POLYLINE", b"10", b"EOF", b"$INSUNITS"]
@@ -519,6 +604,22 @@ def test_that_drawings_of_two_files_have_no_common_origin(tmp_path):
         more = [{"file": "e.dxf", "layers": "M", "plane": "section", "to_m": 5.0}]
         drawn(tmp_path, lambda space, document: area(space, 0.0, 0.6, 0.0, 6.0), more=more)
     assert refused.value.code == "drawing_two_files"
+
+
+@pytest.mark.parametrize("plane", ["elevation", "section"])
+def test_that_the_depth_of_a_drawn_body_is_from_one_end_to_the_other(plane):
+    """Of an elevation its thickness, of a section its length."""
+    wall = parse_wall({"name": "w", "mechanism": "one_sided", "height_m": 3.0, "thickness_m": 0.3})
+    corners = [[0.0, 0.0], [0.8, 0.0], [0.8, 5.0], [0.0, 5.0]]
+    solid = {"plane": plane, "polygon_m": corners, "from_m": 0.125, "to_m": 0.625}
+    drawn = with_solids(wall, [solid], sizes=True)
+    sizes = (0.5, 0.8) if plane == "elevation" else (0.8, 0.5)
+    assert (drawn.height_m, drawn.thickness_m, drawn.length_m) == (5.0, *sizes)
+
+
+@pytest.mark.parametrize("walls", [[3], ["drawing"], [None, {"name": "w"}], {"drawing": 1}])
+def test_that_walls_that_are_no_tables_are_left_to_the_rules(tmp_path, walls):
+    assert with_drawings({"wall": walls}, tmp_path) == ({"wall": walls}, [])
 
 
 def _region(space, document):

@@ -1,7 +1,10 @@
 """What a wall held at its top refuses, each with a sentence that says what to do."""
 
+from dataclasses import replace
+
 import pytest
 
+from core.case.held_top import with_top_loads
 from core.case.hinges import hinges_of, usual_hinges
 from core.case.rules import parse_case, parse_wall
 from core.case.wall_table import text_rows, walls_of
@@ -65,3 +68,20 @@ def test_that_a_table_of_walls_takes_it(word):
     text = f"name;mechanism;height_m;thickness_m;unit_weight_kn_m3\n;;m;m;kN/m3\nw;{word};3;0.3;18\n"
     (wall,) = walls_of(text_rows(text))
     assert wall.bends
+
+
+@pytest.mark.parametrize("n", [1, 2, 3])
+def test_that_the_load_that_is_refused_is_named_by_its_number(n):
+    loads = [TOP, TOP, TOP]
+    loads[n - 1] = {"kind": "thrust", "kn_m": 5.0, "h_m": 3.0}
+    with pytest.raises(InputError) as error:
+        parse_wall({**WALL, "load": loads})
+    assert error.value.text("en").startswith(f'wall "w": load {n}: ')
+
+
+def test_that_what_stands_on_the_top_goes_with_it_and_what_stands_below_stays():
+    was = parse_wall({**WALL, "load": [TOP, TOP | {"h_m": 1.5}]})
+    for height in (2.4, 3.6):
+        moved = with_top_loads(was, replace(was, height_m=height))
+        assert [load.h_m for load in moved.load] == [height, 1.5]
+    assert with_top_loads(was, replace(was, thickness_m=0.4)).load == was.load

@@ -104,3 +104,43 @@ def test_that_walls_of_one_name_are_never_in_two_groups(tmp_path):
     names = [{many[k].name for k in group} for group in groups]
     assert all(not one & other for k, one in enumerate(names) for other in names[:k])
     assert [many[group[0]].name for group in groups][:2] == ["w0", "w2"] and max(map(len, groups)) <= 4
+
+
+MODES = (
+    "[building]\nheight_m = 12\nstoreys = 3\n[[building.modes]]\nperiod_s = 0.3\ndamping = 0.05\nparticipation = 1.2\n"
+)
+
+
+@pytest.mark.parametrize("other", ["3", "6,5"])
+def test_that_modes_are_refused_with_walls_of_a_long_table_at_two_heights(tmp_path, other):
+    lines = ["Parete;z;H;t;Meccanismo;Cerniere", ";m;m;cm;;", *(f"w{k};3;3;40;un lato;base" for k in range(20))]
+    path = case_of(tmp_path, [*lines, f"x;{other};3;40;un lato;base"])
+    path.write_text(path.read_text() + MODES)
+    if other == "3":
+        assert len(read_case(path, many=True).wall) == 22
+        return
+    with pytest.raises(InputError, match="there are walls at 3 m and 6.5 m"):
+        read_case(path, many=True)
+
+
+def test_that_thousands_are_asked_about_in_a_long_table_with_decimal_commas_alone(tmp_path):
+    """As in a short one: `1.250` is 1.25 where no number has a comma."""
+    lines = [*HEAD, *walls(20), "x;1.250;4;40;un lato"]
+    many, _ = read_table(written(tmp_path / "walls.csv", lines), True, many=True)
+    assert many[20].base_z_m == 1.25
+    commas = [line.replace(".", ",") for line in lines[:-1]]
+    many, _ = read_table(written(tmp_path / "walls.csv", commas), True, many=True)
+    assert many[7].height_m == 3.07
+    with pytest.raises(InputError, match=r"row 23: .*1\.250"):
+        read_table(written(tmp_path / "walls.csv", [*commas, lines[-1]]), True, many=True)
+
+
+def test_that_a_long_table_has_up_to_160_columns(tmp_path):
+    for columns in (160, 161):
+        marks = ";" * (columns - 5)
+        path = written(tmp_path / "walls.csv", [line + marks for line in (*HEAD, *walls(20))])
+        if columns == 160:
+            assert len(read_table(path, True, many=True)[0]) == 20
+            continue
+        with pytest.raises(InputError, match="more than 2000000 rows or 160 columns"):
+            read_table(path, True, many=True)

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.case.number import parse_number
+from core.case.number import parse_number, parse_quantity
 from core.errors import InputError
 
 
@@ -23,3 +23,8 @@ def test_that_anything_else_is_refused(text):
 def test_that_every_number_python_writes_is_read_back(value):
     assert parse_number(repr(value)) == value
     assert parse_number(repr(value).replace(".", ",")) == value
+
+
+@pytest.mark.parametrize(("text", "unit", "value"), [("4,5", "m", 4.5), ("50 cm", "m", 0.5), ("12", "", 12.0)])
+def test_that_a_number_without_a_unit_is_in_that_of_its_key(text, unit, value):
+    assert parse_quantity(text, unit) == value

@@ -85,3 +85,43 @@ def test_that_a_gap_wider_than_it_may_be_leaves_no_outline():
     with pytest.raises(InputError):
         found(lines, (1.0, 1.0))
     assert math.isclose(Polygon(found([[*lines[0][:-1], (0.0, 0.015)]], (1.0, 1.0)).outline).area, 12.0, rel_tol=1e-3)
+
+
+def closed_room(left: float, bottom: float) -> list:
+    """A room of 2 m by 3 m in two lines, open by 12 mm at its lower left corner and at its upper right one."""
+    right, top = left + 2.0, bottom + 3.0
+    return [
+        [(left, bottom), (right, bottom), (right, top - 0.012)],
+        [(right, top), (left, top), (left, bottom + 0.012)],
+    ]
+
+
+@pytest.mark.parametrize("room", [(20.0, 50.0), (50.0, 20.0)])
+def test_that_the_gaps_of_an_outline_are_its_own_each_once(room):
+    """Neither those of rooms beside it, nor of those above and below."""
+    left, bottom = room
+    around_it = [(left + 5.0, bottom), (left - 5.0, bottom), (left, bottom + 5.0), (left, bottom - 5.0)]
+    lines = [line for corner in (room, *around_it) for line in closed_room(*corner)]
+    own = found(lines, (left + 1.0, bottom + 1.0))
+    assert Polygon(own.outline).area == pytest.approx(6.0, rel=1e-3)
+    assert [gap.size for gap in own.closed] == pytest.approx([0.012, 0.012])
+    for gap, corner in zip(
+        sorted(own.closed, key=lambda gap: gap.at[0]), (room, (left + 2.0, bottom + 3.0)), strict=True
+    ):
+        assert math.dist(gap.at, corner) <= 0.012 + 1e-9
+
+
+@pytest.mark.parametrize(
+    "bottom",
+    [
+        [[(0.0, 0.0), (2.0, 0.0), (4.0, 0.0), (10.0, 0.0)]],
+        [[(0.0, 0.0), (6.0, 0.0)], [(10.0, 0.0), (4.0, 0.0)]],
+        [[(0.0, 0.0), (10.0, 0.0)], [(3.0, 0.0), (7.0, 0.0)]],
+    ],
+    ids=["corners on a straight side", "lines that overlap", "a line on another one"],
+)
+def test_that_a_straight_side_may_be_drawn_in_parts(bottom):
+    own = found([*bottom, [(10.0, 0.0), (10.0, 3.0), (0.0, 3.0), (0.0, 0.0)]], (5.0, 1.0))
+    assert Polygon(own.outline).area == pytest.approx(30.0, rel=1e-12) and own.closed == () and own.holes == ()
+    drawn = {corner for line in bottom for corner in line} | {(10.0, 0.0), (10.0, 3.0), (0.0, 3.0)}
+    assert set(own.outline) == drawn

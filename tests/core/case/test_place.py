@@ -1,11 +1,12 @@
 """[site]: the demand of a place, what agrees with it and what is refused, and that it is written as it was read."""
 
+import math
 import tomllib
 from dataclasses import replace
 
 import pytest
 
-from core.case.place import placed
+from core.case.place import Site, hazard_rows, placed
 from core.case.rules import draft_case, parse_case
 from core.case.writer import dumps, table_of
 from core.errors import InputError
@@ -131,3 +132,14 @@ def test_that_a_short_life_is_taken_as_35_years_and_an_island_is_named():
     assert {"site_least_life", "site_on_an_island"} <= {warning.code for warning in result.demand.warnings}
     assert result.case.site.reference_life == 35.0
     assert result.demand.return_period == pytest.approx(332.2, abs=0.05)
+
+
+def test_that_a_return_period_of_the_table_but_for_its_rounding_has_no_row_of_its_own():
+    """V_R whose SLV (10 %) is at 475 years and a ten-thousand-millionth of it."""
+    life = -475.0 * (1.0 + 1e-10) * math.log(1.0 - 0.10)
+    site = Site("L'Aquila", latitude=42.3498, longitude=13.3995, nominal_life_years=life)
+    assert site.return_period("SLV") - 475.0 == pytest.approx(4.75e-8, rel=1e-3)
+    years = [row.return_period_years for row in hazard_rows(site)]
+    table = [30.0, 50.0, 72.0, 101.0, 140.0, 201.0, 475.0, 975.0, 2475.0]
+    states = [-life / math.log(1.0 - share) for share in (0.81, 0.63, 0.05)]
+    assert years == pytest.approx(sorted(table + states), rel=1e-12)

@@ -3,7 +3,13 @@
 import pytest
 
 from core.case.reader import read_case
-from core.case.rules import parse_case, parse_wall
+from core.case.rules import draft_case, parse_case, parse_wall
+from core.case.schema import Wall
+from core.case.select import Select
+from core.case.sensitivity import Ranges
+from core.case.site import Demand
+from core.case.solids import Solid
+from core.case.values import check_value, corners_of
 from core.errors import InputError
 from tests.core.case.tables import WALL, case, without
 
@@ -171,3 +177,65 @@ def test_that_the_load_that_is_named_is_the_one_that_is_wrong(k):
     with pytest.raises(InputError) as refused:
         parse_wall(wall | {"load": loads})
     assert f"[[load]] {k}:" in str(refused.value)
+
+
+MODE = {"period_s": 0.3, "damping": 0.05, "participation": 1.2}
+STOREYS = {"height_m": 12.0, "storeys": 3, "modes": [MODE]}
+
+
+def test_that_modes_state_the_period_and_the_damping_of_the_building():
+    assert len(parse_case(case(building=STOREYS)).building.modes) == 1
+    for more in ({"period_s": 0.4}, {"damping": 0.1}, {"period_s": 0.4, "damping": 0.1}):
+        with pytest.raises(InputError, match="the modes state their period and damping"):
+            parse_case(case(building=STOREYS | more))
+        without_modes = {key: value for key, value in STOREYS.items() if key != "modes"}
+        assert parse_case(case(building=without_modes | more)).building.modes == ()
+
+
+def test_that_a_draft_keeps_what_is_not_complete_and_has_no_section_that_is_not_there():
+    draft = draft_case({"demand": {"limit_state": "SLC"}, "building": {"storeys": 3}, "report": {"client": "Comune"}})
+    assert (draft.demand.ag_g, draft.demand.limit_state) == ("", "SLC")
+    assert (draft.building.height_m, draft.building.storeys, draft.report.client) == ("", 3, "Comune")
+    assert (draft.generate, draft.select, draft.site, draft.sensitivity, draft.wall) == (None, None, None, None, ())
+
+
+PAIRS = {
+    "periods": (Demand, "period_range_s", (0.02, 10.0), (0.019, 10.1)),
+    "factors": (Ranges, "ag_factor", (0.1, 10.0), (0.09, 10.1)),
+    "added lengths": (Ranges, "setback_m", (0.0, 0.3), (-0.01, 0.31)),
+    "limits": (Select, "scale_limits", (0.01, 100.0), (0.009, 101.0)),
+}
+
+
+@pytest.mark.parametrize("kind", PAIRS)
+def test_that_a_pair_is_two_numbers_within_its_range_the_lower_first(kind):
+    section, key, widest, beyond = PAIRS[kind]
+    low, high = widest
+    assert check_value(section, key, [low, high]) == check_value(section, key, (low, high)) == widest
+    wrong = [[low], [low, high, high], [high, low], [low, "1"], [low, True], [beyond[0], high], [low, beyond[1]]]
+    for value in (*wrong, low, "", None, []):
+        with pytest.raises(InputError) as refused:
+            check_value(section, key, value)
+        assert refused.value.code == "not_accepted"
+
+
+def test_that_a_text_is_empty_only_where_it_may_be_left_out():
+    assert check_value(Wall, "notes", "") == "" and check_value(Wall, "name", "w") == "w"
+    assert check_value(Wall, "notes", "x" * 500) == "x" * 500
+    for key, value in (("name", ""), ("notes", "x" * 501)):
+        with pytest.raises(InputError) as refused:
+            check_value(Wall, key, value)
+        assert refused.value.code == "not_accepted"
+
+
+TRIANGLE = [[0.0, 0.0], [3, 0], [0, 4.5]]
+
+
+def test_that_a_corner_is_two_numbers():
+    assert check_value(Solid, "polygon_m", TRIANGLE) == ((0.0, 0.0), (3.0, 0.0), (0.0, 4.5))
+    assert check_value(Solid, "polygon_m", "0 0; 3 0; 0 4,5") == ((0.0, 0.0), (3.0, 0.0), (0.0, 4.5))
+    for corner in ([0], [0, 1, 2], [0, "1"], [0, True], [0, None], 5, "01", None):
+        assert corners_of([*TRIANGLE, corner]) is None
+        with pytest.raises(InputError, match="polygon_m = .* is not accepted"):
+            check_value(Solid, "polygon_m", [*TRIANGLE, corner])
+    assert corners_of("0 0; 3 0 1; 0 4") is None and corners_of("0 0; 3; 0 4") is None

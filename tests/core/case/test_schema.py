@@ -4,8 +4,11 @@ from dataclasses import fields
 
 import pytest
 
-from core.case.rules import parse_case
-from core.case.schema import sections
+from core.case.keys import pretty, unit_in_form
+from core.case.rules import parse_case, parse_wall
+from core.case.schema import Analysis, Wall, sections
+from core.case.values import field_of
+from core.errors import InputError
 from tests.core.case.tables import case, without
 
 
@@ -64,3 +67,52 @@ def test_that_the_unit_of_a_key_is_the_end_of_its_name():
         if entry.metadata["kind"] in ("float", "int", "range"):
             end = max((end for end in ends if f"_{entry.name}".endswith(end)), key=len, default="")
             assert entry.metadata["unit"] == ends.get(end, ""), entry.name
+
+
+@pytest.mark.parametrize(
+    ("section", "key", "unit", "factor"),
+    [
+        (Wall, "slenderness_deg", "°", 1.0),
+        (Wall, "height_m", "m", 1.0),
+        (Wall, "thickness_m", "cm", 100.0),
+        (Wall, "unit_weight_kn_m3", "kN/m³", 1.0),
+        (Wall, "inertia_over_mass_m2", "m²", 1.0),
+        (Analysis, "q_step", "%", 100.0),
+        (Analysis, "q_limit", "", 1.0),
+    ],
+)
+def test_that_a_field_has_the_unit_a_person_writes(section, key, unit, factor):
+    assert unit_in_form(field_of(section, key)) == (unit, factor)
+
+
+def test_that_powers_of_a_unit_are_raised_and_words_are_not():
+    assert [pretty(unit) for unit in ("deg", "kN/m3", "m2", "m/s2", "kN/m", "years", "")] == [
+        "°", "kN/m³", "m²", "m/s²", "kN/m", "years", ""
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(("setback", "stands"), [(0.3999, True), (0.4, False), (0.4001, False)])
+def test_that_a_hinge_is_set_back_by_less_than_four_tenths_of_the_thickness(setback, stands):
+    wall = parse_wall({"name": "w", "mechanism": "one_sided", "height_m": 7.0, "thickness_m": 1.0,
+                       "hinge_setback_m": setback})  # fmt: skip
+    if stands:
+        assert wall.block().slenderness > 0.0
+        return
+    with pytest.raises(InputError, match=f"hinge setback {setback:.3f} m is not accepted: up to 0.400 m, 40 %"):
+        wall.block()
+
+
+BLOCK = {"name": "w", "mechanism": "two_sided", "radius_m": 3.5, "slenderness_deg": 6.8, "inertia_over_mass_m2": 16.0}
+
+
+@pytest.mark.parametrize(
+    "more",
+    [{"slenderness_deg": None}, {"thickness_m": 0.83}, {"height_over_thickness": 8.0}, {"height_m": 7.0}],
+    ids=lambda more: " ".join(more),
+)
+def test_that_a_general_block_has_its_slenderness_and_nothing_of_a_rectangle(more):
+    assert parse_wall(BLOCK).block().radius == 3.5
+    given = {key: value for key, value in (BLOCK | more).items() if value is not None}
+    with pytest.raises(InputError) as refused:
+        parse_case({"wall": [given]})
+    assert refused.value.code == "general_keys"

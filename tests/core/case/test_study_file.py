@@ -4,7 +4,7 @@ import tomllib
 
 import pytest
 
-from core.case.study_file import cells_of, parse_study, read_record_list, read_study, shortened
+from core.case.study_file import Cell, cells_of, parse_study, read_record_list, read_study, shortened
 from core.errors import InputError
 from tests.conftest import ROOT
 
@@ -110,3 +110,34 @@ def test_that_the_shapes_of_the_paper_are_different_and_spread_in_every_group():
     for group in "ABC":
         own = [ratio for name, ratio in ratios.items() if name[0] == group]
         assert min(own) < 235.0 and max(own) > 620.0
+
+
+def test_that_a_grid_of_walls_alone_is_of_rigid_two_sided_ones_at_half_a_percent():
+    (cell,) = cells_of(parse_study({"grid": [GRID]}))
+    assert cell == Cell(6.8, 7.0, "two_sided", "housner", "rigid", "taylor", 0.005)
+
+
+@pytest.mark.parametrize(
+    ("key", "low", "high", "words"),
+    [
+        ("slenderness_deg", 0.5, 45.0, "from 0.5 to 45 deg"),
+        ("height_m", 0.1, 60.0, "from 0.1 to 60 m"),
+        ("velocity_ratio", 0.0, 1.0, "from 0 to 1"),
+        ("q_step", 1e-4, 0.1, "from 0.0001 to 0.1"),
+    ],
+)
+def test_that_a_list_of_a_grid_has_values_up_to_both_ends_of_their_range(key, low, high, words):
+    assert getattr(parse_study({"grid": [{**GRID, key: [low, high]}]}).grid[0], key) == (low, high)
+    for beyond in (low - 1e-6, high * (1.0 + 1e-6)):
+        with pytest.raises(InputError, match=words):
+            parse_study({"grid": [{**GRID, key: [beyond]}]})
+
+
+def test_that_a_short_run_keeps_what_the_study_says_else_two_motions_and_all_heights():
+    grids = [{**GRID, "height_m": [3.0, 7.0, 9.0]}, {**GRID, "quick": False}]
+    plain = shortened(parse_study({"grid": grids}))
+    assert plain.count == 2 and [grid.height_m for grid in plain.grid] == [(3.0, 7.0, 9.0)]
+    said = shortened(parse_study({"grid": grids, "quick": {"count": 3, "height_m": [3.0, 9.0]}}))
+    assert said.count == 3 and [grid.height_m for grid in said.grid] == [(3.0, 9.0)]
+    other = shortened(parse_study({"grid": grids, "count": 1, "quick": {"count": 3, "height_m": [5.0]}}))
+    assert other.count == 1 and [grid.height_m for grid in other.grid] == [(3.0, 7.0, 9.0)]

@@ -546,3 +546,23 @@ def test_that_italian_thousands_are_asked_about(cell):
     pointed = TABLE.replace(",", ".").replace("7.75", "1.250")
     assert walls_of(text_rows(pointed))[1].base_z_m == 1.25
     assert walls_of(text_rows(TABLE.replace("7,75", "−7,75".replace("−", ""))))[1].base_z_m == 7.75
+
+
+def test_that_a_table_has_up_to_160_columns():
+    rows = [row + [""] * (160 - len(row)) for row in text_rows(TABLE)]
+    assert len(walls_of(rows)) == 2
+    with pytest.raises(InputError, match="more than 2000 rows or 160 columns"):
+        walls_of([[*row, ""] for row in rows])
+
+
+@pytest.mark.parametrize("row", [3, 4])
+def test_that_thousands_are_asked_about_in_every_row_of_a_workbook(row, saved):
+    """In cells that are text, as those of a table that was pasted: a number has no marks of its own."""
+    rows = [["Parete", "z", "H", "t", "Meccanismo"], ["", "m", "m", "cm", ""]]
+    rows += [[name, "0,5", "4", "45", "su un lato"] for name in "ab"]
+    assert [wall.base_z_m for wall in read_walls(saved(book(rows)))] == [0.5, 0.5]
+    rows[row - 1][2] = "4.000"
+    with pytest.raises(InputError, match=f"row {row}: .*4\\.000"):
+        read_walls(saved(book(rows)))
+    rows[row - 1][2] = 4.0
+    assert len(read_walls(saved(book(rows)))) == 2

@@ -8,7 +8,7 @@ import pytest
 
 from core.case.rules import parse_case
 from core.case.wall import Wall
-from core.study.run import run
+from core.study import run as study
 from core.units import G
 from core.wall.loads import BARE, RestoringMoment
 from core.wall.masonry import as_force, is_stable
@@ -123,7 +123,7 @@ def test_that_a_wall_without_its_restraint_is_two_sided_only_where_the_model_has
     assert wall_of(*loads, **changes).in_si.rocks_both_ways == answer
 
 
-def test_that_the_block_of_a_wall_is_built_once_for_all_that_ask_for_it(monkeypatch):
+def test_that_the_block_of_a_wall_is_built_once_for_all_that_ask_for_it(monkeypatch, tmp_path):
     """Two walls from the reading of their keys to the verdict: before there was one object they were 1 171."""
     built = []
     one = Wall.bare_block
@@ -133,5 +133,5 @@ def test_that_the_block_of_a_wall_is_built_once_for_all_that_ask_for_it(monkeypa
         "ag_g": 0.1,
         "spectrum": {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.3, "soil": "A", "topography": "T1"},
     }
-    run(parse_case({"wall": walls, "demand": demand, "analysis": {"histories": False}}))
+    study.run(parse_case({"wall": walls, "demand": demand, "analysis": {"histories": False}}), base_dir=tmp_path)
     assert len({id(wall) for wall in built}) >= 2 and len(built) <= 60
