@@ -133,3 +133,9 @@ def test_that_a_set_that_fails_nowhere_has_an_open_end(peaks):
     motions = [GroundMotion(f"m{k}", np.ones(10), 0.01) for k in range(8)]
     interval = sample_interval(short, motions, 1.0)
     assert interval.open_end and interval.high == interval.low == short.multipliers[-1]
+
+
+def test_that_the_peaks_are_known_by_one_percent(peaks):
+    """`by_hand` counts ten of these points on either side, +-10 %."""
+    _, found = peaks
+    assert np.diff(np.log(found.multipliers)) == pytest.approx(0.01, rel=2e-3)
