@@ -1,6 +1,5 @@
 """The verdict: every code, its order, its words."""
 
-import math
 from dataclasses import replace
 
 import numpy as np
@@ -371,11 +370,12 @@ def test_that_a_spectrum_of_a_file_that_falls_limits_the_verdict(tmp_path):
 
 
 def test_that_a_wall_whose_threshold_the_motion_just_reaches_stays_at_rest():
-    """It stands still while |u''| <= a_RM, FC = 2 on it."""
-    half = 0.5 * G * case().wall[0].uplift_multiplier("two_sided")
-    for strongest, wanted in ((half, "not_activated"), (math.nextafter(half, 2.0), "verified")):
-        found = said(1.2, q2=1.1, ag=0.04, confidence_factor=2.0, circumstances={"strongest": strongest})
-        assert found.code == wanted
+    """It stands still while FC |u''| <= a_RM = g t / H."""
+    a_rm = G * case().wall[0].uplift_multiplier("two_sided")
+    reached = a_rm / 1.35
+    assert 1.35 * reached == a_rm == pytest.approx(G * 0.83 / 7.0, rel=1e-12)
+    for strongest, wanted in ((reached, "not_activated"), (reached * (1.0 + 1e-12), "verified")):
+        assert said(1.2, q2=1.1, ag=0.05, circumstances={"strongest": strongest}).code == wanted
 
 
 def test_that_another_value_is_advised_only_where_the_one_given_turns_the_outcome():
