@@ -347,11 +347,12 @@ def test_that_a_shaped_wall_held_at_its_top_is_judged_and_written_down(tmp_path)
     assert values["alpha0"] == pytest.approx(one.assessment.kinematic.alpha0)
 
 
-@pytest.mark.parametrize("sought", np.linspace(0.31, 2.69, 12))
-def test_that_the_hinge_of_least_zeta_is_that_asked_for_to_the_width_of_its_last_section(sought):
-    """Of 16 heights 0.15 m apart two brackets, cut twelve times by the golden section: 0.93 mm, 0.58 of it beside."""
+@pytest.mark.parametrize("sought", [*np.linspace(0.31, 2.69, 12), 0.626, 1.107, 1.293, 2.493])
+def test_that_the_hinge_of_least_zeta_is_that_asked_for_to_a_third_of_the_last_section(sought):
+    """Two neighbours of 0.15 m, cut twelve times by the golden section: 0.3 m 0.618^12 = 0.93 mm. With one neighbour
+    more on either side the last four of these are missed by 0.4 mm."""
     found = weakest(strip([(10.0, 0.15)]), lambda mechanism: abs(mechanism.h1 - sought))
-    assert found.h1 == pytest.approx(sought, abs=6e-4)
+    assert found.h1 == pytest.approx(sought, abs=0.31e-3)
 
 
 def test_that_only_a_rectangle_with_loads_on_its_top_is_in_closed_form():
