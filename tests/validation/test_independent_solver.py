@@ -9,6 +9,7 @@ import pytest
 from core.capacity import independent_solver
 from core.rocking.history import history
 from tests.validation import high_precision
+from tests.validation.test_loaded_walls import ROOF, wall_model
 
 SAMPLES = 800
 """8 s of `standard`: a dozen impacts, and the amplification of rounding stays below 1e-9."""
@@ -38,6 +39,7 @@ def test_that_dop853_gives_the_same_history(reference, make_model, one_sided, re
     truth, impacts = independent_solver.history(ground, 0.01, model.slenderness, model.p2, one_sided, ratio_of, kinks)
     found = history(ground, 0.01, 1.0, model)
     assert found.impact_time.size == impacts
+    assert truth.size == found.rotation.size == SAMPLES
     size = min(found.rotation.size, truth.size)
     inside = np.abs(truth[:size]) < 0.4 * math.pi
     difference = np.abs(found.rotation[:size] - truth[:size])[inside]
@@ -110,3 +112,18 @@ def test_that_thirty_digits_give_the_same_history(reference, make_model, one_sid
     assert found.impact_time.size == len(impacts) > 2
     difference = np.abs(found.rotation - np.array([float(value) for value in truth]))
     assert difference.max() / model.slenderness <= 1e-12
+
+
+@pytest.mark.parametrize("mechanism", ["one_sided", "two_sided"])
+def test_that_dop853_gives_the_same_history_of_a_wall_with_a_roof(reference, mechanism):
+    """a sin(alpha - phi) + c cos(alpha - phi), with a and c of either side."""
+    ground = 1.5 * reference("standard")[0][:300]
+    model = wall_model(ROOF, mechanism=mechanism)
+    sides = tuple((side.sine, side.cosine) for side in (model.restoring, model.mirrored))
+    assert abs(sides[0][1]) > 0.01
+    truth, impacts = independent_solver.history(
+        ground, 0.01, model.slenderness, model.p2, mechanism == "one_sided", lambda speed: 0.6, loads=sides
+    )
+    found = history(ground, 0.01, 1.0, model)
+    assert found.impact_time.size == impacts > 0
+    assert np.abs(found.rotation - truth).max() / model.slenderness <= 1e-9

@@ -1,5 +1,6 @@
 """The statement of accuracy: solver and definition, for a wall and its record."""
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -11,18 +12,20 @@ from core.errors import Cancelled
 from core.ground.ground_motion import GroundMotion
 from core.rocking.history import history
 from core.rocking.methods import METHODS
+from core.rocking.outcome import COLLAPSED, STABLE
+from core.units import G
 from core.wall.bars import TieBar
 
 
 @pytest.fixture(scope="module")
 def said(make_model, reference):
-    """A short record, a small grid: seconds, not minutes."""
+    """A short record, a small grid: seconds, not minutes; the order that a wall with ties is not given."""
     ground = np.ascontiguousarray(reference("standard")[0][:700])
     motion = GroundMotion("short", ground, 0.01)
     model = make_model(height=4.0)
     search = Search(q_step=0.02)
     ida = incremental_dynamic_analysis(ground, 0.01, motion.pga, 1, model, METHODS["taylor"], search)
-    return ida, accuracy(motion, 1, ida, None, model, METHODS["taylor"], search)
+    return ida, accuracy(motion, 1, ida, None, model, METHODS["taylor_6"], search)
 
 
 def test_that_the_default_agrees_with_independent_solvers(said):
@@ -35,6 +38,23 @@ def test_that_the_default_agrees_with_independent_solvers(said):
     assert found.noise_effect < 1e-6 and found.history_bound >= PROMISED
     for effect, bound in ((0.0, 1e-9), (5.39e-9 / TIMES_NOISE, 6e-9), (0.0301 / TIMES_NOISE, 0.04), (np.inf, None)):
         assert replace(found, noise_effect=effect).history_bound == bound
+
+
+def test_that_the_governing_history_is_the_last_that_the_search_survives(said, make_model, reference):
+    """q = C PGA / a_RM, at the lower end of the bracket of q, by the method asked for."""
+    ida, found = said
+    model, ground = make_model(height=4.0), np.ascontiguousarray(reference("standard")[0][:700])
+    by_hand = ida.bracket[0] * G * math.tan(model.slenderness) / np.abs(ground).max()
+    assert found.scale == pytest.approx(by_hand, rel=1e-12) and found.method == "taylor_6"
+    stands, falls = (
+        history(ground, 0.01, by_hand * q / ida.bracket[0], model, METHODS["taylor"]).outcome for q in ida.bracket
+    )
+    assert stands == STABLE and falls == COLLAPSED
+
+
+def test_that_a_spread_is_that_of_two_numbers_or_more(said):
+    rows = ((0.01, 2.0, None), (0.02, None, None), (0.04, 3.0, 1.5))
+    assert said[1].spread(1, rows) == 0.5 and said[1].spread(2, rows) is None
 
 
 def test_that_the_chart_orders_the_methods(said):

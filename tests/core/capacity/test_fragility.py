@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from core.capacity.fragility import fragility
+from core.capacity.fragility import fragility, fragility_curve
 from core.capacity.ida import Search
 from tests.core.capacity.searches import scripted, search_of
 
@@ -44,3 +44,16 @@ def test_that_half_of_an_even_number_of_runs_is_a_half(make_model, monkeypatch):
     k = round(math.log(found.q_50) / math.log1p(0.005))
     first = next(j for j, digit in enumerate(runs[0].outcomes) if digit == "1")
     assert k == first + search.half_window
+
+
+def test_that_the_curve_goes_on_half_a_window_beyond_both_ends_of_the_map(make_model, monkeypatch):
+    """Below its map the wall stands, above it falls: at the first point no neighbour collapses, at the last all of
+    those from it down to its own half window."""
+    scripted(monkeypatch, lambda q: int(q > 2.0))
+    search, run = Search(), search_of(np.ones(5), make_model())
+    half = search.half_window
+    q, count, n = fragility_curve([run], search)
+    assert q.shape == count.shape and n == 1
+    assert q[0] == pytest.approx(1.005 ** (run.first_index - half), rel=1e-12) and count[0] == 0
+    assert q[-1] == pytest.approx(1.005 ** (run.first_index + len(run.outcomes) + half), rel=1e-12)
+    assert count[-1] == half + 1

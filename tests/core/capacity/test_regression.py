@@ -38,3 +38,9 @@ def test_that_agreement_counts_bias_scatter_and_share():
     assert found.within == pytest.approx(0.342, abs=0.03) and found.n == 4000
     whole = regression.agreement(truth, truth)
     assert whole == regression.Agreement(0.0, 0.0, 1.0, 4000)
+
+
+def test_that_r_squared_is_the_share_of_the_spread_about_the_mean():
+    """Residuals 0.1, 0.1, 0.2, 0.2 of values that spread by 5 about 2.5; and two by themselves."""
+    assert regression.r_squared([1.0, 2.0, 3.0, 4.0], [1.1, 1.9, 3.2, 3.8]) == pytest.approx(0.98, rel=1e-12)
+    assert regression.r_squared([2.0, 2.0], [2.0, 2.0]) == 1.0 and regression.r_squared([2.0, 2.0], [2.0, 2.1]) == 0.0

@@ -32,7 +32,12 @@ def test_that_a_record_is_taken_as_given_or_scaled_to_the_pga_of_the_demand():
 
 def test_that_an_acceleration_no_site_has_is_warned_of():
     assert codes(with_records(demand(0.6 * G), [])) == []
-    assert codes(with_records(demand(0.61 * G), [])) == ["large_ag"]
+    found = with_records(demand(0.61 * G), [])
+    assert codes(found) == ["large_ag"]
+    # 2.45 m/s2 typed as 2.45 g
+    assert dict(found.warnings[0].values)["ag"] == pytest.approx(0.61, rel=1e-12)
+    (meant,) = with_records(demand(2.45 * G), []).warnings
+    assert "2.45" in meant.text("en") and "0.25" in meant.text("en")
 
 
 def test_that_records_scaled_far_or_weaker_than_the_demand_are_warned_of():

@@ -36,6 +36,7 @@ def test_that_the_check_at_sld_is_against_the_ground_or_the_spectrum_at_t_0():
         asked = case({"height_m": 3.0, "thickness_m": 0.45, **kind}, {"limit_state": "SLD"})
         check = sld(*mechanism_of(asked))
         assert check.clause == "C8.7.1.2.1.5" and check.unit == "g"
+        assert (check.name, check.label) == ("linear_q_code", "linear_sld")
         assert check.demand == pytest.approx(demanded, rel=1e-12)
         assert check.capacity == pytest.approx(0.45 / 3.0 / 1.35, rel=1e-12)
         assert check.zeta == pytest.approx(0.45 / 3.0 / 1.35 / demanded, rel=1e-12)
@@ -48,3 +49,10 @@ def test_that_slc_has_its_own_fraction_period_and_damping():
     eta = math.sqrt(10.0 / 15.0)
     by_hand = 0.312 * G * eta * 2.5 * 0.5 * 2.0 / (4.0 * math.pi**2)
     assert found.period > 2.0 and found.s_de == pytest.approx(by_hand, rel=1e-12)
+
+
+def test_that_only_the_check_of_sld_goes_without_its_q_in_words():
+    found, demand = mechanism_of(case(HELD))
+    assert linear("linear_q_code", found, demand, 2.0).label == "linear_q_code"
+    assert linear("linear_q_slv", found, demand, 3.0).label == "linear_q_slv"
+    assert nonlinear(found, demand).label == "nonlinear"

@@ -221,3 +221,23 @@ def test_that_return_periods_are_those_of_the_code():
 
 def test_that_a_name_without_its_apostrophe_is_the_same_municipality():
     assert municipality("Laquila").name == "L'Aquila" == beginning_with("laquil", 3)[0].name
+
+
+OPEN_SEA = (
+    *((41.6, 8.8), (38.6, 8.8), (40.0, 7.8), (40.2, 10.2)),  # round Sardinia
+    *((42.10, 10.95), (42.55, 10.85), (42.30, 10.70)),  # round Giglio
+    *((43.70, 9.8), (42.6, 9.65), (42.15, 10.1)),  # round Capraia and Montecristo
+    *((36.6, 12.0), (37.2, 12.0), (36.8, 11.5), (36.8, 12.5)),  # round Pantelleria
+    *((35.2, 12.6), (35.7, 12.5), (36.2, 12.9), (35.5, 13.2)),  # round Lampedusa and Linosa
+    *((41.05, 12.75), (40.6, 12.9), (40.6, 13.4), (40.9, 13.3)),  # round Ponza and Ventotene
+    *((38.4, 13.2), (39.0, 13.2), (42.5, 15.6), (42.2, 16.2)),  # round Ustica and Tremiti
+    *((38.8, 14.4), (38.55, 14.0), (39.2, 14.9), (39.0, 15.2), (38.8, 15.6), (38.7, 14.8)),  # round the Aeolian Islands
+)
+"""Latitude and longitude."""
+
+
+@pytest.mark.parametrize("point", OPEN_SEA)
+def test_that_the_hazard_of_an_island_ends_with_its_waters(point):
+    with pytest.raises(InputError) as refused:
+        hazard_at(*point)
+    assert refused.value.code == "outside_the_grid"

@@ -176,3 +176,12 @@ def test_that_a_spectrum_that_is_kept_is_that_of_its_own_samples_step_and_period
             assert (found == pseudo_acceleration_spectrum(ground, dt, asked)).all()
     with pytest.raises(ValueError):
         found[0] = 0.0
+
+
+@pytest.mark.parametrize(
+    ("code", "bounds"), [("EN1998", (0.9, np.inf, 1.0)), ("NTC2018", (0.9, 1.3, 0.0)), (None, (0.9, 1.3, 1.0))]
+)
+def test_that_natural_records_keep_the_bounds_of_their_code_and_of_both_without_one(tmp_path, code, bounds):
+    """NTC 3.2.3.6: -10 % and +30 %; EN 3.2.3.1.2(4): 90 %, and the mean PGA not below a_g S."""
+    demand = replace(demand_of(case(), tmp_path), spectrum_code=code)
+    assert rules.natural_bounds(demand) == pytest.approx(bounds, rel=1e-12)

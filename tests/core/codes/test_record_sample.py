@@ -13,6 +13,7 @@ from core.codes.record_sample import RecordPeaks, one_left_out, record_peaks, sa
 from core.ground.artificial import filtered_noise
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import AUTO
+from core.rocking.outcome import STABLE
 from core.setting.demand_input import demand_of
 from core.setting.scene import model_of
 
@@ -133,3 +134,26 @@ def test_that_a_set_that_fails_nowhere_has_an_open_end(peaks):
     motions = [GroundMotion(f"m{k}", np.ones(10), 0.01) for k in range(8)]
     interval = sample_interval(short, motions, 1.0)
     assert interval.open_end and interval.high == interval.low == short.multipliers[-1]
+
+
+def test_that_the_peaks_are_known_by_one_percent(peaks):
+    """`by_hand` counts ten of these points on either side, +-10 %."""
+    _, found = peaks
+    assert np.diff(np.log(found.multipliers)) == pytest.approx(0.01, rel=2e-3)
+
+
+def test_that_between_two_points_at_which_a_record_hardly_rocks_its_peaks_lie_on_a_line(scene, peaks):
+    """Every fourth point is analysed, and those between where a peak at either end reaches 0.20 theta_c."""
+    (model, motions, demand), (_, found) = scene, peaks
+    runs = DemandRuns(model, motions, (1,), demand, demand.confidence_on, AUTO, lambda: False)
+    on_a_line = 0
+    for record, shown in enumerate(found.peaks):
+        outcomes, reached = runs.analyse([record], found.multipliers)
+        analysed = np.where(outcomes == STABLE, reached, np.inf)[0, 0]
+        for n in range(0, shown.size - 1, 4):
+            first, *between, last = analysed[n : n + 5]
+            if max(first, last) < 0.20:
+                between = [first + k * (last - first) / 4 for k in (1, 2, 3)]
+                on_a_line += 1
+            assert shown[n : n + 5] == pytest.approx([first, *between, last], rel=1e-12)
+    assert 0 < on_a_line < found.peaks.size // 4

@@ -270,3 +270,11 @@ def test_that_a_spectrum_of_a_file_whose_displacement_falls_is_doubted_and_no_co
     rows = [(t, a if t < 0.3 else 0.05 * a) for t, a in zip(periods, code.acceleration(periods), strict=True)]
     earlier, later, share = ts.displacement_fall(ts.given("cut", 2.0, code.soil, rows))
     assert earlier < 0.3 < later < 0.4 and 0.04 < share < 0.08
+
+
+def test_that_a_spectrum_is_doubted_whose_displacement_falls_below_half():
+    """S_De goes with T^2 S_e: 1.75 at 0.5 s; at 1.0 s 0.5 of it is no fall yet, 0.2857 is."""
+    rows = [(0.0, 3.0), (0.1, 7.0), (0.5, 7.0), (1.0, 0.875), (2.5, 0.5)]
+    assert ts.displacement_fall(ts.given("f", 3.0, 1.0, rows)) is None
+    rows[3] = (1.0, 0.5)
+    assert ts.displacement_fall(ts.given("f", 3.0, 1.0, rows)) == pytest.approx((0.5, 1.0, 2.0 / 7.0), rel=1e-12)

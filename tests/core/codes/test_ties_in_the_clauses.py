@@ -116,3 +116,14 @@ def test_that_no_floor_of_the_displacement_check_counts_a_tie():
     found, _ = found_of(ROOF, TIE)
     bare, _ = found_of(ROOF)
     assert found.zeta_floor == bare.zeta_floor < found.zeta_sld
+
+
+@pytest.mark.parametrize(("elongation", "reached"), [(2.42, True), (2.43, False), (2.79, False), (2.9, False)])
+def test_that_no_wall_comes_to_a_break_beyond_sixty_degrees(elongation, reached):
+    """u = h sin(60 degrees) = 2.4249 m of a tie 2.8 m up; it is taut at once, and yields at 13.756 mm of its 12 m."""
+    found, _ = found_of(ROOF, {**TIE, "bar_length_m": 12.0, "elongation_m": elongation})
+    ends = found.chain.ends_of_ties()
+    turned = [math.asin(u / 2.8) for u in (0.0, 0.0137561, *((elongation,) if reached else ()))]
+    alpha, radius = math.atan(0.15), math.hypot(0.225, 1.5)
+    by_hand = [radius * (math.sin(alpha) - math.sin(alpha - theta)) for theta in turned]
+    assert ends == pytest.approx(by_hand, abs=1e-6)

@@ -11,11 +11,12 @@ from core.codes.dynamic_check import DemandCheck, OtherConfidence
 from core.codes.kinematic import Check
 from core.codes.record_compatibility import Compliance
 from core.codes.verdict import TO_MEND, Circumstances, Evidence, verdict
-from core.codes.verdict_sentence import at_hinge
+from core.codes.verdict_sentence import at_hinge, measured
 from core.ground.artificial import compatible_motion
 from core.setting.demand_input import demand_of
 from core.study import run as study
 from core.text.sentence import Number, apart, numeral, sentence
+from core.units import G
 
 SPECTRUM = {"code": "EN1998", "soil": "B", "type": 1}
 
@@ -366,3 +367,34 @@ def test_that_a_spectrum_of_a_file_that_falls_limits_the_verdict(tmp_path):
     demand = {"ag_g": 0.2, "soil_factor": 1.2, "spectrum_file": "cut.txt"}
     found = study.run(parse_case({"wall": [wall], "demand": demand}), base_dir=tmp_path).walls[0].assessment.verdict
     assert "spectrum_falls" in [words.code for words in found.limits]
+
+
+def test_that_a_wall_whose_threshold_the_motion_just_reaches_stays_at_rest():
+    """It stands still while FC |u''| <= a_RM = g t / H."""
+    a_rm = G * case().wall[0].uplift_multiplier("two_sided")
+    reached = a_rm / 1.35
+    assert 1.35 * reached == a_rm == pytest.approx(G * 0.83 / 7.0, rel=1e-12)
+    for strongest, wanted in ((reached, "not_activated"), (reached * (1.0 + 1e-12), "verified")):
+        assert said(1.2, q2=1.1, ag=0.05, circumstances={"strongest": strongest}).code == wanted
+
+
+def test_that_another_value_is_advised_only_where_the_one_given_turns_the_outcome():
+    row = Assumption("seed", sentence("reason", "lift_return_walls", zeta=Number(0.8)), 1.0, 2.0, raises=False)
+    assert codes(said(1.2, q2=1.1, bundled=True, assumed=(row,)).to_do) == ["to_bundled"]
+    turning = said(1.2, q2=1.1, bundled=True, assumed=(replace(row, turns=True),))
+    assert codes(turning.to_do) == ["to_usual", "to_bundled"]
+
+
+@pytest.mark.parametrize(
+    ("name", "capacity", "zeta", "words"),
+    [
+        ("nonlinear", 0.10, 0.5, "by_nonlinear"),
+        # above 0.10 / 0.20 it is that of a_g,SLD, which counts for SLV too
+        ("nonlinear", 0.10, 0.8, "by_nonlinear_start"),
+        ("nonlinear", None, 0.8, "by_nonlinear"),
+        ("linear_q_code", 0.10, 0.8, "by_linear_q_code"),
+    ],
+)
+def test_that_the_displacement_check_says_when_its_zeta_is_that_of_the_start(name, capacity, zeta, words):
+    check = Check(name, "C8.7.1.2.1.8", "m", capacity, 0.20, zeta, False, 2.0)
+    assert measured(check, None, demand_of(case(), None)).code == words

@@ -9,7 +9,7 @@ import pytest
 from core.case import rules
 from core.case.reader import read_case
 from core.case.schema import Generate
-from core.codes.assumption import TOGETHER, digits_of
+from core.codes.assumption import TOGETHER, Assumption, digits_of, table
 from core.codes.elastic_branch import branches_of
 from core.codes.kinematic import elastic_period
 from core.codes.masonry_types import TYPES, least_strength
@@ -21,6 +21,7 @@ from core.setting.demand_input import demand_of, with_ag
 from core.setting.plan import plan_of, read_inputs
 from core.setting.scene import model_of
 from core.study.run import run
+from core.text.sentence import Number, sentence
 from core.variation.evaluate import evaluate
 from core.variation.raised_site import of_what_is_required
 from tests.clauses_alone import parse_case
@@ -672,3 +673,12 @@ def test_that_records_which_are_doubted_are_a_limit_of_the_verdict(fine, tmp_pat
     assert said("sound") == []
     (words,) = said("sound", "roof", "twice")
     assert words.startswith("2 record(s) are doubted") and "roof, twice" in words
+
+
+def test_that_a_value_whose_other_end_changes_nothing_is_no_row_of_the_table():
+    words = sentence("reason", "lift_return_walls", zeta=Number(0.8))
+    idle = Assumption("return_walls", words, "given", "none", raises=False)
+    assert table([idle]) == ()
+    for said in ({"raises": True}, {"turns": True}, {"turns_q": True}):
+        (row,) = table([replace(idle, **said)])
+        assert row.key == "return_walls"
