@@ -88,11 +88,10 @@ def _is_linear(floor: np.ndarray, finer: np.ndarray) -> bool:
 
 def _sampled(ground: np.ndarray, dt: float, modes: Sequence[Mode], parts: int) -> np.ndarray:
     """The acceleration of the floor [m/s2] at every sample of the record in `parts` and after it."""
-    # after the record the ground is still
-    tail = max(math.log(1.0 / TAIL) / (mode.damping * 2.0 * math.pi / mode.period) for mode in modes)
-    still = np.append(ground, np.zeros(math.ceil(tail / dt) + 1))
-    samples = np.arange((still.size - 1) * parts + 1) / parts
-    moving = np.interp(samples, np.arange(still.size), still)
+    # after the record the ground is still; the envelope falls from above the peak, by no more than within a period
+    tail = max(mode.period + math.log(1.0 / TAIL) / (mode.damping * 2.0 * math.pi / mode.period) for mode in modes)
+    samples = np.arange((ground.size + math.ceil(tail / dt)) * parts) / parts
+    moving = np.interp(samples, np.arange(ground.size + 1), np.append(ground, 0.0))
     floor = (1.0 - sum(mode.participation for mode in modes)) * moving
     last = (ground.size - 1) * parts
     for mode in modes:

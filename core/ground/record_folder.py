@@ -1,7 +1,7 @@
 """The horizontal records of a folder: what each file says of itself, its spectrum, or why it is left out."""
 
 import re
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -37,7 +37,7 @@ _NUMBER = re.compile(r"\d+(?:\.\d+)?")
 _MATCHED = re.compile(r"\bmatched\b", re.IGNORECASE)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Candidate:
     """A horizontal record of a folder, unscaled.
 
@@ -56,7 +56,7 @@ class Candidate:
     said: Provenance
     pga: float
     raw: bool
-    spectrum: np.ndarray = field(repr=False, compare=False)
+    spectrum: np.ndarray
 
     @property
     def place(self) -> str:

@@ -71,10 +71,5 @@ def _pairs(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
         agree_with_peak(parsed, read if abs(abs(peak) - read) <= ROUNDED else peak)
     parsed.warnings.append(notice("unprocessed"))
     titles = [line.strip() for line in head]
-    parsed.details = (
-        ("event", titles[1] if len(titles) > 1 else ""),
-        ("station", titles[5] if len(titles) > 5 else ""),
-        ("date", titles[2] if len(titles) > 2 else ""),
-        ("processing", "none"),
-    )
+    parsed.details = (("event", titles[1]), ("station", titles[5]), ("date", titles[2]), ("processing", "none"))
     return parsed

@@ -219,9 +219,10 @@ def plain_numbers(lines: list[str], count: int | None = None) -> np.ndarray | No
 
 def table_of(lines: list[str], width: int) -> np.ndarray | None:
     """Rows of so many numbers with blanks between, all at once, shape (n, width); None where any line is another."""
-    while lines and not lines[-1].strip():
-        lines = lines[:-1]
-    if set(map(len, map(str.split, lines))) != {width}:
+    end = len(lines)
+    while end and not lines[end - 1].strip():
+        end -= 1
+    if set(map(len, map(str.split, lines[:end]))) != {width}:
         return None
     values = plain_numbers(lines)
     return None if values is None else values.reshape(-1, width)

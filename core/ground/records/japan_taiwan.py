@@ -106,10 +106,10 @@ def read_cwa(lines: list[str], options: Options) -> Parsed:
         raise RecordError("unit_not_acceleration", unit=quoted(header.get("AmplitudeUnit", "")))
     width = len(names) + 1
     table = table_of(lines[start:], width)
-    if table is None or table.shape[0] < 3:
+    if table is None:
         raise RecordError("columns_not", n=width)
     steps = np.diff(table[:, 0])
-    if np.abs(steps - 1.0 / rate).max() > 0.6e-3:
+    if np.abs(steps - 1.0 / rate).max(initial=0.0) > 0.6e-3:
         raise RecordError("head_lacks", label="SampleRate(Hz)")
     length = one_number(header.get("RecordLength(sec)", ""), "RecordLength(sec)")
     if table.shape[0] - round(length * rate) not in (0, 1):  # with or without the end

@@ -43,18 +43,15 @@ class _Segment:
             raise RecordError("blank_among_samples", text=quoted(self.mark.join(self.rows[values.index("")])))
         made = [f"Time (s)\tAcceleration ({unit})" if unit else "Time (s)\tAcceleration"]
         values = [value.replace(",", ".") for value in values] if self.comma else values
-        return plain.read([*made, *map("\t".join, zip(self.times, values, strict=True)), ""], self.options)
+        return plain.read([*made, *map("{}\t{}".format, self.times, values), ""], self.options)
 
 
 def read(lines: list[str], options: Options) -> Parsed:
     """The channel asked for, with the unit of its head. Raises RecordError for several segments and for times that
     differ from channel to channel."""
     found, first = _segment(lines, replace(options, channel=None))
-    names = [found.names[k] for k in found.places]
-    readers = [partial(found.channel, k) for k in found.places]
-    parsed = chosen(
-        [Channel(name, is_vertical(name), read) for name, read in zip(names, readers, strict=True)], options
-    )
+    named = [(found.names[k], partial(found.channel, k)) for k in found.places]
+    parsed = chosen([Channel(name, is_vertical(name), samples) for name, samples in named], options)
     parsed.told = (first, len(found.rows))
     return parsed
 
@@ -72,9 +69,9 @@ def _segment(lines: list[str], options: Options) -> tuple[_Segment, int]:
     cells = [[cell.strip() for cell in line.split(mark)] for line in lines]
     head = {row[0]: row[1:] for row in cells[ends[0] + 1 : ends[1]] if row[0]}
     names, rows = cells[ends[1] + 1], cells[ends[1] + 2 :]
-    while rows and not "".join(rows[-1]):
-        rows = rows[:-1]
-    if not all(map("".join, rows)):  # a blank line begins another segment
+    filled = [k for k, row in enumerate(rows) if any(row)]
+    rows = rows[: filled[-1] + 1] if filled else []
+    if len(filled) < len(rows):  # a blank line begins another segment
         raise RecordError("lvm_segments", n=2)
     said = (head.get("Channels") or [""])[0]
     many = to_count(said) if said.isascii() and said.isdigit() else 0

@@ -63,8 +63,10 @@ def _row(line: str) -> list[float] | None:
 
 def _fields(fields: list[str]) -> list[float] | None:
     """One number a field, NaN for an empty one, the empty ones of the end left out; None where one is text."""
-    while fields and fields[-1] in ("", EMPTY):
-        fields = fields[:-1]
+    end = len(fields)
+    while end and fields[end - 1] in ("", EMPTY):
+        end -= 1
+    fields = fields[:end]
     if not fields or not all(entry in ("", EMPTY) or _ONE.fullmatch(entry) for entry in fields):
         return None
     row = [math.nan if entry in ("", EMPTY) else to_float(entry) for entry in fields]
@@ -228,8 +230,6 @@ def _table(content: _Content) -> np.ndarray:
     table, rest = np.array(content.rows), content.rest
     if rest is None:
         return table
-    if rest.shape[1] != width:
-        raise RecordError("columns_differ", n=rest.shape[1], above=width)
     content.places += range(content.places[-1] + 1, content.places[-1] + 1 + len(rest))
     return np.concatenate([table, rest])
 
@@ -264,7 +264,7 @@ def _columns(table, places, options: Options, seconds: float, stated: float | No
             raise RecordError("one_column", given=options.column)
         values = _without_gap(table[:, filled[0]], places)
         steps = np.diff(values)
-        if values.size > 3 and steps[0] > 0 and np.allclose(steps, steps[0], rtol=1e-6, atol=0):
+        if values.size > 3 and np.ptp(steps) < 1e-6 * steps.max():
             raise RecordError("time_as_acceleration")
         for first in values[:2]:
             if values.size > 20 and first in (values.size - 1, values.size - 2):

@@ -361,7 +361,7 @@ def not_understood(head: Head, known: list[Statement], step: float | None, n: in
 def _plausible(value: float, n: int) -> bool:
     """Whether a number looks like a rate, a step, a factor or nearly the count of samples."""
     rates = (*wordings.RATES, *(1.0 / rate for rate in wordings.RATES), *wordings.GRAVITY)
-    near = value.is_integer() and abs(value - n) <= max(2.0, 0.02 * n)
+    near = value.is_integer() and abs(value - n) <= max(2, 0.02 * n)
     power = value in (1e-6, 1e-5, 1e-4, 0.1)
     return near or power or any(abs(value - x) <= SAME * x for x in rates)
 

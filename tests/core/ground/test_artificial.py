@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from core.codes import target_spectrum as ts
-from core.ground.artificial import compatible_motion
+from core.ground.artificial import compatible_motion, filtered_noise
 from core.ground.ground_motion import GroundMotion
 from core.ground.response_spectrum import displacement_spectrum, pseudo_acceleration_spectrum
 from core.units import G
@@ -58,3 +58,13 @@ def test_that_looks_between_samples_find_the_peak_of_a_harmonic():
     coarse = displacement_spectrum(ground, dt, np.array([period]), 0.05, 0)[0]
     assert seen == pytest.approx(truth, rel=3e-3)
     assert coarse < 0.99 * truth
+
+
+@pytest.mark.parametrize(("duration", "step"), [(20.0, 0.01), (12.5, 0.005)])
+def test_that_a_motion_lasts_as_long_as_is_asked(duration, step):
+    """n steps have n + 1 samples, the first and the last of them at rest."""
+    noise = filtered_noise(3, 1.0, duration, step)
+    followed = compatible_motion(TARGETS[0], 3, duration, step, rounds=1)
+    for motion in (noise, followed):
+        assert (motion.size - 1) * step == pytest.approx(duration, rel=1e-12)
+        assert motion[0] == 0.0 == motion[-1]

@@ -396,3 +396,98 @@ def test_that_of_many_channels_a_sentence_names_some_and_counts_the_others(tmp_p
     with pytest.raises(RecordError, match="60 channels here.*36 more") as caught:
         records.read(tmp_path / "many.V2")
     assert len(str(caught.value)) < 1000 and len(records.channels(tmp_path / "many.V2")) == 60
+
+
+def wide_cosmos(step_ms: float, seconds: float, times: int = 10) -> bytes:
+    """The samples of the dialect so many times over."""
+    content = dialects.cosmos(step_ms, seconds=seconds)
+    samples = b"\n".join(content.split(b"\n")[-7:-2]) + b"\n"
+    longer = content.replace(samples, samples * times)
+    return longer.replace(b"   40  acceleration pts", b"   %d  acceleration pts" % (40 * times))
+
+
+@pytest.mark.parametrize(
+    ("seconds", "agrees"), [(100.0, True), (98.1, True), (102.0, True), (97.9, False), (102.2, False)]
+)
+def test_that_the_step_of_cosmos_agrees_with_its_length_within_a_fiftieth(seconds, agrees):
+    """400 samples 0.25 s apart; of short records within a second."""
+    content = wide_cosmos(250.0, seconds)
+    if agrees:
+        assert read(content).acceleration.size == 400
+    else:
+        with pytest.raises(RecordError, match="100 Real-header values, 62"):
+            read(content)
+    assert read(dialects.cosmos(seconds=1.39)).time_step == STEP
+    with pytest.raises(RecordError, match="100 Real-header values, 62"):
+        read(dialects.cosmos(seconds=1.41))
+
+
+def test_that_a_step_of_cosmos_is_any_above_zero():
+    """20 kHz, and none."""
+    assert read(dialects.cosmos(step_ms=0.05)).time_step == pytest.approx(5e-5, rel=1e-12)
+    for step in (0.0, -10.0):
+        with pytest.raises(RecordError, match="100 Real-header values, 62"):
+            read(dialects.cosmos(step_ms=step))
+
+
+def test_that_pairs_end_where_the_next_channel_begins():
+    """Three channels of one, a half and a quarter of the motion, counted from the end of each."""
+    blocks = []
+    for share, name in ((1.0, "N90E"), (2.0, "N00E"), (4.0, "UP")):
+        head, _, _ = dialects.usc().partition(b"   0.000")
+        pairs = [x for k, a in enumerate(np.round(MOTION / share, 3)) for x in (k * STEP, a)]
+        blocks.append(head.replace(b"N90E", name.encode()) + dialects.text(dialects.rows(pairs, 10, "8.3f")))
+    for name, share in (("N90E", 1.0), ("N00E", 2.0), ("UP", 4.0)):
+        found = read(b"".join(blocks), channel=name)
+        assert np.allclose(found.acceleration[::10], 0.1 * 9.80665 * np.round(MOTION / share, 3), rtol=1e-12)
+        assert ("vertical" in {warning.code for warning in found.warnings}) == (name == "UP")
+
+
+def test_that_channels_of_california_without_a_name_are_numbered():
+    content = b"\n".join(line for line in dialects.volume2().split(b"\n") if not line.startswith(b"Chan "))
+    with pytest.raises(RecordError) as caught:
+        read(content)
+    assert caught.value.values["names"] == ["1", "2", "3"]
+    assert np.array_equal(read(content, channel="2").acceleration, 2.0 * MOTION)
+
+
+@pytest.mark.parametrize("channel", ["1", "2", "3"])
+def test_that_a_corrected_channel_below_the_title_of_its_raw_one_is_corrected(channel):
+    """The second title of each channel names the uncorrected data it was made from."""
+    found = read(dialects.volume2(), channel=channel)
+    assert dict(found.details)["processing"] == "corrected"
+    assert dict(found.details)["event"] == "COALINGA EARTHQUAKE"
+    assert "unprocessed" not in {warning.code for warning in found.warnings}
+
+
+@pytest.mark.parametrize("raw", [True, False])
+def test_that_fields_of_geonet_touch_and_are_cut_by_their_columns(raw):
+    """-875.0001000.000 are two of eight characters."""
+    content, printed = dialects.geonet(raw), dialects.rows(dialects.MM, 10, "8.1f")
+    touching = dialects.rows(0.5 * dialects.MM, 10, "8.3f")
+    assert any("-875.0001000.000" in row for row in touching)
+    content = content.replace(dialects.text(printed), dialects.text(touching)).replace(b"2000.0 mm", b"1000.0 mm")
+    assert np.array_equal(read(content, channel="1").acceleration, 0.5 * MOTION)
+
+
+@pytest.mark.parametrize(("late", "agrees"), [(0.00055, True), (-0.00055, True), (0.00064, False), (-0.00064, False)])
+def test_that_a_time_of_taiwan_is_off_by_no_more_than_its_print(late, agrees):
+    """Two neighbours lie a step apart within 0.6 ms."""
+    content = dialects.cwa().replace(b"     0.050", f"{0.05 + late:10.5f}".encode())
+    if agrees:
+        assert np.array_equal(read(content, channel="N").acceleration, MOTION)
+    else:
+        with pytest.raises(RecordError, match="SampleRate"):
+            read(content, channel="N")
+
+
+def test_that_a_rate_of_zero_is_none():
+    with pytest.raises(RecordError, match="DataSequence"):
+        read(dialects.cwa(rate=0), channel="N")
+
+
+@pytest.mark.parametrize("many", [1, 2, 3, 9])
+def test_that_a_short_table_of_taiwan_has_too_few_samples(many):
+    lines = dialects.cwa().replace(b"RecordLength(sec): 0.4", b"RecordLength(sec): %.2f" % (many * STEP)).split(b"\n")
+    with pytest.raises(RecordError, match=f"{many} samples are too few for a record: at least 10"):
+        read(b"\n".join(lines[: 12 + many]) + b"\n", channel="U")

@@ -121,3 +121,28 @@ def test_that_a_floor_motion_keeps_its_record_and_that_record_s_pga(ground):
     assert (floor.name, floor.file, floor.details) == (record.name, record.file, record.details)
     assert floor.ground_pga == record.pga and floor.pga > record.pga
     assert floor.samples_sha256 != record.samples_sha256
+
+
+@pytest.mark.parametrize(("period", "parts"), [(1.0, 1), (0.05, 2), (0.02, 4), (0.0125, 7), (1e-5, 64)])
+def test_that_a_smooth_ground_is_sampled_eight_times_in_the_shortest_period(period, parts):
+    """A ground and a floor so slow that they are linear between any of these samples; 64 parts of a step at most."""
+    slow = np.sin(np.pi * np.linspace(0.0, 1.0, 2000)) ** 4
+    _, dt = floor_acceleration(slow, DT, [Mode(1.0, 0.05, 0.5), Mode(period, 0.05, 0.5)])
+    assert dt == pytest.approx(DT / parts)
+
+
+@pytest.mark.parametrize("damping", [0.05, 0.1, 0.3, 0.5])
+@pytest.mark.parametrize("period", [0.3, 1.0])
+def test_that_no_free_motion_above_a_thousandth_of_the_peak_is_left_out(ground, period, damping):
+    """Of a record that ends at rest, and of others that break off: the envelope may then begin above the peak. Nothing
+    smaller is kept at the end, but for the record itself."""
+    for moved in (ground, np.ones(3), np.ones(51), 0.1 * np.arange(159)):
+        floor, dt = floor_acceleration(moved, DT, [Mode(period, damping, 1.0)])
+        parts = round(DT / dt)
+        still = np.append(moved, np.zeros(4000))
+        fine = np.interp(np.arange((still.size - 1) * parts + 1) / parts, np.arange(still.size), still)
+        whole = modal_acceleration(fine, dt, period, damping)
+        limit = 1e-3 * np.abs(whole).max()
+        assert np.abs(whole[: floor.size] - floor).max() < 1e-12 * np.abs(whole).max()
+        assert np.abs(whole[floor.size :]).max() <= limit
+        assert np.abs(floor[-1]) > limit or floor.size == (moved.size - 1) * parts + 1

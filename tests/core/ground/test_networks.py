@@ -1,5 +1,7 @@
 """Formats of national networks: one motion in each, cut files, and what their heads say."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -141,3 +143,45 @@ def test_that_the_page_of_formats_lists_every_file_tried_with_its_outcome():
     made |= {name: f"refused: {code}" for name, (_, _, code) in REFUSED.items()}
     made |= {name: f"refused by name: {code}" for name, (_, code) in MADE.items()}
     assert listed == made and len(made) >= 40
+
+
+def test_that_event_station_and_date_of_film_stand_in_their_lines():
+    """Lines 2, 6 and 3 of the thirteen of a channel."""
+    assert read(film(), channel="2: V").details == (
+        ("event", "0911131"),
+        ("station", "ARICA S/N 815"),
+        ("date", "11/13/2009 3:05:27 (GMT)"),
+        ("processing", "none"),
+    )
+
+
+def test_that_channels_of_iran_without_a_component_are_numbered():
+    nameless = re.sub(rb"COMP \w\d\n", b"\n", TENTH["BHRC"][0])
+    for number, share in (("1", 1), ("2", 2), ("3", 3)):
+        assert np.allclose(read(nameless, channel=number).acceleration, 0.1 * G * TENTHS / share, rtol=1e-6)
+    with pytest.raises(RecordError) as caught:
+        read(nameless)
+    assert caught.value.values["names"] == ["1", "2", "3"]
+
+
+def test_that_a_count_of_one_channel_of_labview_may_be_left_out():
+    content = lvm(units=("m/s^2", "m/s^2"))
+    assert content.count(b"Samples\t40\t40\n") == 1
+    for said in (b"Samples\t40\n", b"Samples\n", b""):
+        counted = content.replace(b"Samples\t40\t40\n", said)
+        assert np.array_equal(read(counted, channel="a0").acceleration, MOTION)
+        assert np.allclose(read(counted, channel="a1").acceleration, MOTION / 2.0)
+    with pytest.raises(RecordError, match="40 samples, but the header declares 41"):
+        read(content.replace(b"Samples\t40\t40\n", b"Samples\t40\t41\n"), channel="a1")
+
+
+@pytest.mark.parametrize("blank", [b"\n", b"\t\t\n", b" \n"])
+def test_that_blank_lines_below_the_last_row_of_labview_are_no_segment(blank):
+    """However many: twice the lines take twice as long."""
+    content = lvm()
+    assert np.array_equal(read(content + blank * 2).acceleration, MOTION)
+    assert np.array_equal(read(content + blank * 200_000).acceleration, MOTION)
+    middle = content[: content.rindex(b"\n", 0, -1) + 1]
+    with pytest.raises(RecordError) as caught:
+        read(middle + blank + content[len(middle) :])
+    assert caught.value.code == "lvm_segments"

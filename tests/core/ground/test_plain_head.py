@@ -162,3 +162,62 @@ def test_that_a_head_of_blanks_takes_linear_time(word):
     plain_head.seconds_of_time(head), plain_head.vertical(head, 2, 2)
     stated = [plain_head.time_steps(lines), *plain_head.counts(lines, 40), *plain_head.factors(lines)]
     assert not any(stated) and stated_unit(head) is None
+
+
+@pytest.mark.parametrize(("other", "same"), [("1001", True), ("999", True), ("1001.0005", False), ("998.9", False)])
+def test_that_two_steps_are_the_same_in_print_to_a_thousandth_of_the_first(other, same):
+    """1000 s, of which a thousandth is a whole number, and the limit is met exactly."""
+    head = plain_head.head_of(f"dt = 1000 s\ndt = {other} s")
+    if same:
+        assert [one.value for one in plain_head.time_steps(head)] == [1000.0, float(other)]
+    else:
+        with pytest.raises(RecordError) as refused:
+            plain_head.time_steps(head)
+        assert (refused.value.code, refused.value.values["other"]) == ("two_steps_stated", float(other))
+
+
+@pytest.mark.parametrize(
+    ("number", "said"),
+    [("0.1", True), ("0.11", False), ("1e-6", True), ("38", True), ("37", False), ("42", True), ("43", False)],
+)
+def test_that_a_lone_number_is_doubted_where_it_could_be_a_factor_or_nearly_the_count(read, number, said):
+    """Of 40 samples: within two of them."""
+    warnings = {warning.code: warning for warning in read(f"title\n# K {number}\n{two()}", unit="g").warnings}
+    assert ("number_not_understood" in warnings) == said
+
+
+@pytest.mark.parametrize(("number", "said"), [(1176, True), (1224, True), (1174, False), (1226, False)])
+def test_that_a_number_is_nearly_the_count_of_a_long_record_within_a_fiftieth(number, said):
+    assert bool(plain_head.not_understood(plain_head.head_of(f"K {number}"), [], 0.01, 1200)) == said
+
+
+@pytest.mark.parametrize(("head", "step"), [("sampling: 200", 0.005), ("sampling 0.02", 0.02), ("sampled at 50", 0.02)])
+def test_that_a_sampling_without_a_unit_is_a_rate_from_ten_on_and_a_step_below_one(head, step):
+    assert [one.value for one in plain_head.time_steps(plain_head.head_of(head))] == [pytest.approx(step)]
+
+
+def test_that_a_step_of_any_size_is_a_step_where_its_label_says_so():
+    for head in ("dt = 20", "dt: 2", "dt 0.02"):
+        (one,) = plain_head.time_steps(plain_head.head_of(head))
+        assert one.value == float(head.split()[-1])
+
+
+@pytest.mark.parametrize(
+    "head", ["time,acc,velocity,", "time;acc;vel;note", "t [s]\tacc [g]\tdisp [cm]\t\t", "time  acc  vel", "t acc vel"]
+)
+def test_that_a_name_stands_above_its_column_though_the_head_has_cells_more(head):
+    plain_head.refuse_column(head, 3, 2)
+    with pytest.raises(RecordError) as refused:
+        plain_head.refuse_column(head, 3, 3)
+    assert refused.value.code == "other_quantity"
+
+
+def test_that_words_with_blanks_between_are_no_names_of_columns_unless_they_are_as_many():
+    plain_head.refuse_column("record of vel station", 3, 3)
+    assert not plain_head.vertical("from the up hole", 3, 3)
+
+
+@pytest.mark.parametrize("head", ["N-S  U-D", "N-S;U-D", "EW,UP"])
+def test_that_of_two_columns_the_one_read_says_the_direction(head):
+    assert not plain_head.vertical(head, 2, 1)
+    assert plain_head.vertical(head, 2, 2)

@@ -337,3 +337,77 @@ def test_that_the_line_and_the_sample_that_are_named_are_those_that_are_wrong(li
         with pytest.raises(RecordError) as refused:
             records.read(path)
         assert named in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("rows", "code"),
+    [
+        ("0.1\n\n", "blank_among_samples"),
+        ("0.1\n# EW\n", "text_among_samples"),
+        ("40 0.01\n0.1\n\n", "blank_among_samples"),
+        ("40 0.01\n0.1\n# EW\n", "text_among_samples"),
+    ],
+)
+def test_that_no_more_head_comes_below_the_first_sample(write, rows, code):
+    """A count and a step alone are no sample: below them a blank and a remark are of the head."""
+    above, below = rows.split("0.1")
+    for head in ("\n", "# EW\n"):
+        found = records.read(write(f"40 0.01\n{head}{column()}\n"), Options("m/s2"))
+        assert np.array_equal(found.acceleration, MOTION)
+    with pytest.raises(RecordError) as refused:
+        records.read(write(f"{above}0.1{below}{column()}\n"), Options("m/s2", 0.01))
+    assert refused.value.code == code
+    assert f"line {2 + above.count(chr(10))}:" in str(refused.value)
+
+
+def test_that_an_empty_field_among_blanks_moves_no_column(write):
+    rows = "".join(f"{0.01 * k:.2f} {a:.5f},,{a / 2:.5f}\n" for k, a in enumerate(MOTION))
+    with pytest.raises(RecordError) as refused:
+        records.read(write(rows), Options("g", column=3))
+    assert refused.value.code == "gap"
+    spaced = rows.replace(",,", ",")
+    assert np.allclose(records.read(write(spaced), Options("m/s2", column=3)).acceleration, MOTION / 2.0, atol=5e-6)
+
+
+@pytest.mark.parametrize(("cell", "code"), [("∅", "gap"), ("*", "gap"), ("dubbio", "not_numbers")])
+def test_that_an_empty_cell_is_a_gap_and_a_word_is_none(write, cell, code):
+    rows = column().splitlines()
+    with pytest.raises(RecordError) as refused:
+        records.read(write("\n".join([*rows[:20], cell, *rows[20:]]) + "\n"), Options("g", 0.01))
+    assert refused.value.code == code and "line 21:" in str(refused.value)
+
+
+def test_that_a_time_column_alone_is_no_acceleration(write):
+    for every in (0.01, 0.5, 2.0):
+        with pytest.raises(RecordError) as refused:
+            records.read(write("".join(f"{every * k:.2f}\n" for k in range(40))), Options("g", 0.01))
+        assert refused.value.code == "time_as_acceleration"
+    for many, code in ((3, "too_few_samples"), (4, "time_as_acceleration")):
+        with pytest.raises(RecordError) as refused:
+            records.read(write("".join(f"{0.01 * k:.2f}\n" for k in range(many))), Options("g", 0.01))
+        assert refused.value.code == code
+
+
+@pytest.mark.parametrize(("late", "even"), [(4.8e-9, True), (5.2e-9, False)])
+def test_that_a_column_rises_evenly_where_its_steps_differ_by_less_than_a_millionth(write, late, even):
+    """Of 0.01 s: one sample that is late makes one step longer and the next one shorter."""
+    content = "".join(f"{0.01 * k + (late if k == 30 else 0.0):.12f}\n" for k in range(40))
+    if not even:
+        assert records.read(write(content), Options("g", 0.01)).acceleration.size == 40
+        return
+    with pytest.raises(RecordError, match="it is a time column, not an acceleration"):
+        records.read(write(content), Options("g", 0.01))
+
+
+@pytest.mark.parametrize("first", [12, 30])
+def test_that_of_many_uneven_times_the_first_is_named(write, first):
+    """Every fourth step from there on is twice as long: too many to be gaps, too long to be rounding."""
+    steps = [0.02 if k >= first and k % 4 == first % 4 else 0.01 for k in range(1, 40)]
+    times = np.concatenate([[0.0], np.cumsum(steps)])
+    rows = "".join(f"{t:.2f} {a:.5f}\n" for t, a in zip(times, MOTION, strict=True))
+    for head in ("", "title\nsite\n"):
+        with pytest.raises(RecordError) as refused:
+            records.read(write(head + rows), Options("g"))
+        line = first + 1 + head.count("\n")
+        start = 0.01 * (first - 1)
+        assert f"line {line}: the time goes from {start:g} to {start + 0.02:g} s" in str(refused.value)

@@ -7,6 +7,8 @@ from core.errors import InputError, RecordError
 from core.ground import records
 from core.ground.records.grammar import Options
 from core.units import CM, G
+from tests.core.ground import dialects
+from tests.core.ground.networks_made import nsmn
 from tests.core.ground.record_texts import MOTION, column, peer, two
 
 READ = ("PEER_AT2", "ESM_ASCII", "SIGMA_ITACA_acc", "plain_txt", "COSMOS_CSMIP", "KNET_KIKNET", "SMC", "GEONET")
@@ -223,3 +225,52 @@ def test_that_a_step_of_any_length_is_found_in_times_as_printed(step, shape, wri
     found = records.read(write("\n".join(rows) + "\n"), Options("m/s2"))
     # the last of the 1000 times within a thousandth of a step
     assert 999 * abs(found.time_step - step) <= 1e-3 * step
+
+
+def test_that_the_lines_of_a_plain_file_are_counted(write):
+    """Above the samples, of samples, below them."""
+    found = records.read(write(f"title\nsite\n{two()}"), Options("m/s2"))
+    assert found.lines == (2, 40, 0)
+    assert records.read(write(two()), Options("m/s2")).lines == (0, 40, 0)
+    assert records.read(write(peer())).lines == (4, 8, 0)
+
+
+@pytest.mark.parametrize("blank", [" \n", "\t\n \n"])
+def test_that_blank_lines_at_the_end_of_a_table_are_none_of_it(write, blank):
+    for end in (blank, 3 * blank):
+        found = records.read(write(nsmn().decode() + end), Options(channel="N-S"))
+        assert np.array_equal(found.acceleration, dialects.MOTION)
+    rows, _, last = nsmn().decode().rstrip("\n").rpartition("\n")
+    with pytest.raises(RecordError) as refused:  # two rows in one line
+        records.read(write(f"{rows} {last}\n{blank}"), Options(channel="N-S"))
+    assert refused.value.code == "columns_not"
+
+
+def test_that_no_end_of_blanks_takes_more_than_linear_time(write):
+    """Each blank line took a copy of all others, minutes for these; each empty cell one of its line."""
+    blank = " \n" * 100_000
+    assert np.array_equal(records.read(write(column() + "\n" + blank), Options("m/s2", 0.01)).acceleration, MOTION)
+    with pytest.raises(RecordError, match="8 samples are too few"):
+        records.read(write("\n".join(column().split()[:8]) + "\n" + blank), Options("m/s2", 0.01))
+    cells = "".join(f"{a:.5f}{';' * 19_900}\n" for a in MOTION[:10])
+    assert np.array_equal(records.read(write(cells), Options("m/s2", 0.01)).acceleration, MOTION[:10])
+
+
+def test_that_components_side_by_side_are_taken_by_their_number(write):
+    rows = "".join(f"{a:.5f} {a / 2:.5f} {a / 4:.5f}\n" for a in MOTION)
+    content = f"dt 0.01 s\nN-S  E-W  U-D\n{rows}"
+    for number, share in ((1, 1.0), (2, 2.0), (3, 4.0)):
+        found = records.read(write(content), Options("m/s2", column=number))
+        assert np.allclose(found.acceleration, MOTION / share, atol=5e-6)
+        assert ("vertical" in {warning.code for warning in found.warnings}) == (number == 3)
+    with pytest.raises(RecordError) as refused:
+        records.read(write(content), Options("m/s2", column=4))
+    assert refused.value.code == "component_out_of_range"
+
+
+@pytest.mark.parametrize("first", [0, 1])
+@pytest.mark.parametrize(("head", "given"), [("", 0.02), ("dt = 0.02 s\n", None), ("dt = 0.02 s\n", 0.02)])
+def test_that_a_column_that_counts_the_samples_is_no_time(write, first, head, given):
+    rows = "".join(f"{k} {a:.5f}\n" for k, a in enumerate(MOTION, start=first))
+    found = records.read(write(head + rows), Options("m/s2", given))
+    assert found.time_step == 0.02 and np.array_equal(found.acceleration, MOTION)

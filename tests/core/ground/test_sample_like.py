@@ -5,6 +5,7 @@ import pytest
 
 from core.errors import RecordError
 from core.ground import records
+from core.ground.records import plausible
 from core.ground.records.container import names_vertical
 from core.ground.records.grammar import Options
 from tests.core.ground.damage import damage_all, motions
@@ -280,3 +281,42 @@ def test_that_what_no_ground_does_is_refused_or_said(kind, tmp_path):
             assert error.code == "sorted_samples"
             continue
         assert {warning.code for warning in found.warnings} & {"repeats", "frozen"}
+
+
+def test_that_samples_that_only_rise_or_fall_are_refused_from_eighty_on():
+    """However small their steps; zeros alone, and samples that turn once, are not sorted."""
+    for values in (0.001 * np.arange(80), -0.001 * np.arange(80), np.repeat(np.arange(40), 2.0)):
+        with pytest.raises(RecordError) as refused:
+            plausible.refuse_sorted(values)
+        assert (refused.value.code, refused.value.values["n"]) == ("sorted_samples", 80)
+    turned = 0.001 * np.append(np.arange(79), 77)
+    for values in (0.001 * np.arange(79), np.zeros(80), turned, -turned, 0.09 * np.sin(np.arange(200))):
+        plausible.refuse_sorted(values)
+
+
+def notices(values) -> dict:
+    return {one.code: dict(one.values) for one in plausible.doubts(values, DT)}
+
+
+@pytest.mark.parametrize(("many", "said"), [(7, False), (8, True), (9, True)])
+def test_that_eight_samples_in_a_row_do_not_come_twice(many, said):
+    """Of a record whose samples are nearly all different."""
+    values = strong(np.random.default_rng(8))
+    assert "repeats" not in notices(values)
+    values[600 : 600 + many] = values[300 : 300 + many]
+    found = notices(values)
+    assert ("repeats" in found) == said
+    if said:
+        assert found["repeats"] == {"sample": 601, "first": 301}
+
+
+def test_that_a_trace_that_was_cut_at_its_peak_is_said():
+    """At a third of its peak: equal samples at both ends of the range."""
+    whole = strong(np.random.default_rng(8))
+    assert "clipped" not in notices(whole)
+    most = 0.33 * np.abs(whole).max()
+    values = np.clip(whole, -most, most)
+    flat = np.abs(values) == most
+    first = next(k for k in range(flat.size) if flat[k : k + 3].all() and np.ptp(values[k : k + 3]) == 0.0)
+    lasts = next(k for k in range(first, flat.size) if values[k] != values[first])
+    assert notices(values)["clipped"] == {"n": lasts - first, "sample": first + 1}

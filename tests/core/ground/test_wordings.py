@@ -337,3 +337,24 @@ def test_that_a_head_that_contradicts_itself_is_refused(head, code):
 def test_that_the_table_has_three_hundred_wordings():
     tables = map(wordings, (STEPS, RATES, COUNTS, FACTORS, QUANTITIES, VERTICALS, SILENT, DOUBTED))
     assert sum(map(len, tables)) + len(UNIT_ROWS) + len(NOT_READ_ROWS) >= 300
+
+
+def test_that_a_unit_is_no_factor_and_leaves_the_scale_to_the_case():
+    """One of a unit the case names: any scale may be given; of another one only what it is of that unit."""
+    for head in ("Acc (g)", "acceleration in cm/s2", "Acc (gal)", "Acc (m/s2)"):
+        one, twice = read(f"{head}\n{TIMES}"), read(f"{head}\n{TIMES}", 2.0)
+        assert twice.pga == 2.0 * one.pga
+    assert refused(f"Acc (mg)\n{TIMES}", "Acc (mg)", 2.0).code == "unit_not_read"
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "named"),
+    [
+        ("Acc (gal)", "units: mg", ("cm/s2", "mg")),
+        ("units: ft/s2", "Acc (cm/sec/sec)", ("ft/s2", "cm/s2")),
+        ("Acc (G)", "units: mm/s^2", ("g", "mm/s2")),
+    ],
+)
+def test_that_two_units_are_named_as_the_case_names_them_or_else_as_written(first, second, named):
+    error = refused(f"{first}\n{second}\n{TIMES}", second)
+    assert error.code == "two_units" and (error.values["one"], error.values["other"]) == named

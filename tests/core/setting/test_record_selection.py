@@ -17,6 +17,7 @@ from core.codes.limits import are_counted
 from core.codes.outcomes import OUTCOMES
 from core.codes.record_compatibility import compliance
 from core.errors import Cancelled, InputError
+from core.ground.record_folder import Candidate, Limits, one_of_each, read_file
 from core.report.json_report import results
 from core.setting import plan
 from core.setting.demand_input import demand_of
@@ -275,3 +276,20 @@ def test_that_a_case_with_a_choice_is_written_and_read_back():
     asked = case(scaling="individual", scale_limits=[0.8, 1.5], magnitude=[5.5, 7.0])
     assert parse_case(table_of(asked)).select == asked.select
     assert asked.select.scale_limits == (0.8, 1.5)
+
+
+def test_that_of_a_recording_in_both_forms_the_processed_one_stays(tmp_path):
+    """Whichever comes first by its name; both components of a recording stay, and a raw one that has no other form."""
+    raw = {"a raw.ASC": ("S0", "EV-0"), "d raw.ASC": ("S0", "EV-1"), "e raw.ASC": ("S1", "EV-0")}
+    processed = {"b.ASC": ("S0", "EV-0"), "c.ASC": ("S0", "EV-0")}
+    for k, (name, (station, event)) in enumerate({**raw, **processed}.items()):
+        write_esm(tmp_path / name, k + 1, station, event)
+        if name in raw:
+            text = (tmp_path / name).read_text().replace("PROCESSING: manual", "PROCESSING: none")
+            (tmp_path / name).write_text(text)
+    found = [one for path in tmp_path.iterdir() for one in read_file(path, np.array([0.1, 1.0]), Limits())]
+    assert all(isinstance(one, Candidate) for one in found)
+    kept, left = one_of_each(found)
+    assert {one.file.name for one in kept} == {"b.ASC", "c.ASC", "d raw.ASC", "e raw.ASC"}
+    assert [(one.file.name, one.reason.code) for one in left] == [("a raw.ASC", "processed_beside")]
+    assert "b.ASC" in left[0].reason.text()
