@@ -21,7 +21,7 @@ from core.case.variant_of import expanded
 from core.codes.limits import check_return_period
 from core.errors import InputError, place, section
 from core.text.sentence import Key, Quantity, sentence
-from core.wall.wall_loads import check_given, check_loads
+from core.wall.wall_loads import check_design, check_given, check_loads
 
 SECTIONS = ("wall", "record", "report", "analysis", "site", "demand", "generate", "select", "building", "sensitivity")
 """Whose keys the user writes."""
@@ -174,6 +174,7 @@ def check_wall(case: Case, wall: Wall) -> None:
     try:
         check_known_shape(wall)
         wall.bare_block()
+        check_design(wall)
         check_given(wall)
         check_held_top(wall)
         for mechanism in wall.mechanisms():
@@ -257,6 +258,7 @@ def check_confidence(demand: Demand, wall: Wall) -> None:
 def parse_wall(table: dict) -> Wall:
     """One wall of a mapping with the keys of [[wall]], with its loads. Raises InputError."""
     wall = section_of(Wall, table, "wall", place("wall", name=_name(table, 0)))
+    check_design(wall)
     check_given(wall)
     check_held_top(wall)
     return wall
