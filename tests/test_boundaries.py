@@ -54,10 +54,7 @@ REFUSALS = "tests/core/ground/test_record_refusals.py"
 BODIES = "tests/validation/test_bodies.py"
 
 SHOWN_BY = {
-    **dict.fromkeys(
-        ("variation/raised", "variation/raised_inputs", "variation/raised_loads", "variation/raised_site"),
-        "tests/core/variation/test_table_of_assumptions.py",
-    ),
+    "variation/raised": "tests/core/variation/test_table_of_assumptions.py",
     "variation/changes": "tests/core/variation/test_whole_wall.py",
     "codes/outcomes": "tests/core/variation/test_one_decision.py",
     "capacity/bisection": "tests/core/capacity/test_ida.py",
@@ -75,7 +72,6 @@ SHOWN_BY = {
     "report/certainty_sheet": "tests/core/report/test_certainty.py",
     "report/note/picture": "tests/core/report/test_picture.py",
     "report/note/certainty": "tests/core/report/test_certainty.py",
-    "variation/evaluate": "tests/core/variation/test_written_is_the_run.py",
     "setting/scene": "tests/core/variation/test_written_is_the_run.py",
     "codes/verdict_sentence": "tests/core/codes/test_verdict.py",
     "atomic_write": "tests/core/test_atomic_write.py",
@@ -158,7 +154,6 @@ SHOWN_BY = {
         )
     },
     "study/demand_histories": "tests/core/report/test_note.py",
-    "variation/assessment": "tests/core/codes/test_verdict.py",
     "setting/demand_input": "tests/core/codes/test_target_spectrum.py",
     "study/governing": RUN,
     "setting/plan": RUN,

@@ -39,7 +39,6 @@ def check_given(wall: Wall) -> None:
     """Raise InputError for loads that are not complete, contradict each other or are not on the wall."""
     here = (place("wall", name=wall.title),)
     across, tie = wall.return_walls, wall.tie_height_m
-    _check_design(wall, here)
     if not wall.load and across is None and tie is None:
         return
     if wall.height_m is None or wall.thickness is None or wall.unit_weight_kn_m3 is None:
@@ -62,8 +61,10 @@ def check_given(wall: Wall) -> None:
         _check_load(wall, load, (*here, place("load", n=number)))
 
 
-def _check_design(wall: Wall, here) -> None:
-    """Rules of a tie to be designed."""
+def check_design(wall: Wall) -> None:
+    """Raise InputError for a tie to be designed of which something else is missing, or that cannot be. Of the wall of a
+    case: a hinge above that tie leaves what is said of its bar as it is."""
+    here = (place("wall", name=wall.title),)
     for key, needed in (
         ("tie_bar_length_m", "tie_height_m"),
         ("tie_spacing_m", "tie_height_m"),

@@ -11,7 +11,7 @@ from core.case.hazard_table import check_rising
 from core.case.held_top import check_held_top
 from core.case.hinges import check_hinges, parts
 from core.case.keys import is_required
-from core.case.load_rules import check_given, check_loads
+from core.case.load_rules import check_design, check_given, check_loads
 from core.case.place import HERE, Site, filled, placed
 from core.case.schema import Analysis, Case, Generate, Record, Report
 from core.case.select import Select
@@ -176,6 +176,7 @@ def check_wall(case: Case, wall: Wall) -> None:
     try:
         check_known_shape(wall)
         wall.bare_block()
+        check_design(wall)
         check_given(wall)
         check_held_top(wall)
         for mechanism in wall.mechanisms():
@@ -259,6 +260,7 @@ def check_confidence(demand: Demand, wall: Wall) -> None:
 def parse_wall(table: dict) -> Wall:
     """One wall of a mapping with the keys of [[wall]], with its loads. Raises InputError."""
     wall = section_of(Wall, table, "wall", place("wall", name=_name(table, 0)))
+    check_design(wall)
     check_given(wall)
     check_held_top(wall)
     return wall

@@ -42,6 +42,7 @@ KEYS = "tests/test_documents.py::test_that_the_page_of_the_case_has_every_key_as
 CONTACT = "tests/core/case/test_contact.py"
 TIES = "tests/core/codes/test_ties_in_the_clauses.py"
 LOADS = "tests/core/case/test_load_rules.py"
+ASSUMED = "tests/core/variation/test_table_of_assumptions.py"
 
 BESIDE: dict[str, tuple[str, ...]] = {
     **dict.fromkeys(
@@ -73,6 +74,9 @@ BESIDE: dict[str, tuple[str, ...]] = {
         "tests/core/variation/test_sensitivity.py",
         "tests/core/variation/test_turned_round.py",
     ),
+    **dict.fromkeys([f"core/variation/raised_{name}.py" for name in ("inputs", "loads", "site")], (ASSUMED,)),
+    "core/variation/assessment.py": ("tests/core/codes/test_verdict.py",),
+    "core/variation/evaluate.py": ("tests/core/variation/test_written_is_the_run.py",),
     "core/variation/swings.py": ("tests/core/variation/test_sensitivity.py", "tests/core/report/test_certainty.py"),
     "core/ground/records/grammar.py": READERS,
     "core/ground/records/plain.py": READERS,

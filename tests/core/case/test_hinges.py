@@ -45,6 +45,10 @@ def test_that_the_floors_are_those_between_base_and_top():
 def test_that_a_tie_that_is_designed_stands_at_its_height_above_each_hinge_below_it():
     found = walls_of(case([3.0, 6.0], unit_weight_kn_m3=18.0, tie_height_m=5.5))
     assert [wall.tie_height_m for wall in found] == [5.5, 2.5, None]
+    bar = {"tie_bar_length_m": 8.0, "tie_elongation_m": 0.3, "tie_spacing_m": 1.5}
+    described = walls_of(case([3.0, 6.0], unit_weight_kn_m3=18.0, tie_height_m=5.5, **bar))
+    assert [wall.tie_height_m for wall in described] == [5.5, 2.5, None]
+    assert {wall.tie_bar_length_m for wall in described} == {8.0}
 
 
 def test_that_given_heights_are_taken_in_order_and_once():

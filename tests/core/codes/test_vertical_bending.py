@@ -9,7 +9,16 @@ import pytest
 from scipy.optimize import brentq, minimize_scalar
 
 from core.case.held_top import bent_inward
-from core.codes.vertical_bending import Strip, bending, lowest_hinge, mechanism, outlines, start_multiplier, strip_of, weakest
+from core.codes.vertical_bending import (
+    Strip,
+    bending,
+    lowest_hinge,
+    mechanism,
+    outlines,
+    start_multiplier,
+    strip_of,
+    weakest,
+)
 from core.derivation.line import Line
 from core.derivation.wall import checks_of
 from core.errors import InputError

@@ -1,15 +1,226 @@
 """What lifts zeta is named with zeta at the other end of its range."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 
 from core.codes.kinematic import CHECKS
+from core.errors import InputError
 from core.study.run import run
+from core.text.sentence import sentence
+from core.variation import assumptions as assumption_table
 from core.variation.evaluate import evaluate
+from core.variation.raised import End, Raised
 from core.wall.restitution import MODELS
 from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
+from tests.core.variation.one_evaluation import NTC, history, with_histories
+from tests.core.variation.one_evaluation import WALL as QUICK
+from tests.core.variation.one_evaluation import scene_of as quick_scene
+
+# the table of any inputs
+
+LINEAR = 0.1 / 1.35
+"""zeta a_g [g] of the wall of one_evaluation.py with q = 2."""
+
+
+def weaker(factor):
+    """A demand so many times as large: zeta goes down by it."""
+
+    def change(scene):
+        demand = scene.demand
+        return scene.but(demand=replace(demand, ag=factor * demand.ag, pga=factor * demand.pga))
+
+    return change
+
+
+def falling(scene):
+    raise InputError("unstable_under_loads", threshold=0.0)
+
+
+def one(key, *changes, reasons=None, histories=True, permitted=False):
+    ends = tuple(End(weaker(change) if isinstance(change, float) else change, k) for k, change in enumerate(changes))
+    words = lambda zetas, check: sentence("reason", "lift_mass", zeta=zetas[0], end="", check=check.name)  # noqa: E731
+    return Raised(key, reasons, 0.0, ends, words, "given", histories, permitted)
+
+
+@pytest.fixture
+def table(monkeypatch):
+    """The rows of inputs of a wall with this zeta by q = 2, and by histories where one is given."""
+
+    def rows(*inputs, zeta=1.2, dynamic=None, spread=None, wall=None, by_default=False, demand=None):
+        ag = LINEAR / zeta
+        asked = {"ag_g": ag, "soil_factor": 1.0} | (demand or {})
+        scene = quick_scene(QUICK | (wall or {}), {key: value for key, value in asked.items() if value is not None})
+        if dynamic is not None:
+
+            def said(model, motions, there):
+                value = dynamic * scene.demand.ag / there.ag
+                return history(value, value >= 1.0, zeta_spread=spread and tuple(value * share for share in spread))
+
+            scene = with_histories(scene, said, by_default=by_default)
+        monkeypatch.setattr(assumption_table, "raised", lambda found: iter(inputs))
+        return assumption_table.assumptions(evaluate(scene))
+
+    return rows
+
+
+def test_that_two_inputs_that_raise_zeta_have_a_last_row_of_both_and_one_has_none(table):
+    rows = table(one("fc", 1.1), one("soil", 1.2))
+    assert [row.key for row in rows] == ["fc", "soil", "together"]
+    assert [row.zeta for row in rows] == pytest.approx([1.2 / 1.1, 1.0, 1.2 / 1.32])
+    assert [row.outcome for row in rows] == ["verified", "verified", "not_verified"]
+    assert [row.key for row in table(one("fc", 1.1))] == ["fc"] and table() == ()
+    three = table(one("fc", 1.01), one("soil", 1.02), one("fc", 1.03))
+    assert three[-1].zeta == pytest.approx(1.2 / (1.01 * 1.02 * 1.03))
+    keys = dict(three[-1].words.values)["keys"]
+    assert keys == ("fc", "soil") and dict(three[-1].words.values)["zeta"].value == three[-1].zeta
+
+
+def test_that_the_last_row_is_of_histories_where_they_decide(table):
+    rows = table(one("fc", 1.1), one("soil", 1.2), dynamic=2.0)
+    assert [row.zeta for row in rows] == pytest.approx([2.0 / 1.1, 2.0 / 1.2, 2.0 / 1.32])
+    assert {row.outcome for row in rows} == {"indicative"} and not any(row.turns for row in rows)
+
+
+def test_that_an_input_turns_what_is_satisfied_and_no_wall_that_fails(table):
+    """Beyond 1.2 times the demand the check fails."""
+    for factor, turns in ((1.19, False), (1.21, True)):
+        (row,) = table(one("fc", factor))
+        assert (row.turns, row.turns_q, row.raises) == (turns, turns, True)
+        assert row.outcome == ("not_verified" if turns else "verified")
+    (row,) = table(one("fc", 1.5), zeta=0.9)
+    assert (row.turns, row.turns_q) == (False, False)
+
+
+def test_that_of_histories_that_pass_the_check_with_q_alone_may_turn_and_the_other_way_round(table):
+    (row,) = table(one("fc", 1.3), dynamic=2.0)
+    assert (row.turns, row.turns_q, row.zeta) == (False, True, pytest.approx(2.0 / 1.3))
+    (row,) = table(one("fc", 1.3), zeta=2.0, dynamic=1.2)
+    assert (row.turns, row.turns_q, row.zeta) == (True, False, pytest.approx(1.2 / 1.3))
+    (row,) = table(one("fc", 1.3), zeta=0.9, dynamic=1.5)
+    assert (row.turns, row.turns_q) == (False, False)
+    (row,) = table(one("fc", 1.3), zeta=1.2, dynamic=0.9)
+    assert (row.turns, row.turns_q) == (False, True)
+
+
+def test_that_an_input_of_the_linear_check_alone_says_its_zeta_and_turns_that_one_alone(table):
+    """The histories know nothing of it: they decide as they do; the outcome is that with the linear check there."""
+    (row,) = table(one("q_code", 1.3, histories=False), dynamic=2.0)
+    assert (row.turns, row.turns_q, row.zeta) == (False, True, pytest.approx(1.2 / 1.3))
+    assert dict(row.words.values)["check"] == "linear_q_code" and row.outcome == "indicative"
+    (row,) = table(one("q_code", 1.3, histories=False), zeta=1.2, dynamic=0.9)
+    assert (row.outcome, row.turns, row.turns_q) == ("not_verified", False, True)  # q = 2 agrees no more
+    (row,) = table(one("q_code", 1.1, histories=False), zeta=1.2, dynamic=0.9)
+    assert (row.outcome, row.turns_q) == ("q2_unsafe", False)
+    (row,) = table(one("q_code", 1.3, histories=False))
+    assert (row.turns, row.turns_q) == (True, True)  # where no histories are it decides
+    # at SLC there is no such check
+    assert table(one("q_code", 1.3, histories=False), dynamic=2.0, demand={"limit_state": "SLC"}) == ()
+
+
+def test_that_the_end_with_the_lowest_zeta_is_shown_and_any_end_turns(table):
+    for ends, lowest in (((1.1, 1.15), 1), ((1.15, 1.1), 0), ((1.1, 1.3), 1), ((1.3, 1.1), 0)):
+        (row,) = table(one("fc", *ends))
+        assert (row.other_end, row.zeta) == (lowest, pytest.approx(1.2 / max(ends)))
+        assert row.turns == (max(ends) > 1.2)
+
+
+def test_that_an_input_whose_end_is_no_worse_raises_nothing_and_is_left_out_of_the_last_row(table):
+    rows = table(one("fc", 0.9), one("soil", 1.0), one("ag", 1.1))
+    assert [row.raises for row in rows] == [False, False, True] and [row.key for row in rows] == ["fc", "soil", "ag"]
+
+
+def test_that_a_wall_that_falls_at_an_end_is_not_verified_there_and_no_last_row_has_a_number(table):
+    rows = table(one("fc", falling), one("soil", 1.1))
+    assert [(row.key, row.zeta, row.outcome, row.turns) for row in rows[:1]] == [("fc", None, "not_verified", True)]
+    assert [row.key for row in rows] == ["fc", "soil"]
+    (row,) = table(one("fc", 1.1, falling))
+    assert (row.other_end, row.zeta, row.turns) == (1, None, True)
+
+
+def test_that_inputs_without_a_reason_that_turn_together_alone_each_do(table):
+    rows = table(one("fc", 1.1), one("soil", 1.15))
+    assert [(row.key, row.turns, row.turns_q) for row in rows[:2]] == [("fc", True, True), ("soil", True, True)]
+    assert (rows[2].key, rows[2].turns, rows[2].zeta) == ("together", True, pytest.approx(1.2 / 1.265))
+    mild = table(one("fc", 1.05), one("soil", 1.1))
+    assert not any(row.turns or row.turns_q for row in mild) and mild[-1].zeta == pytest.approx(1.2 / 1.155)
+    failing = table(one("fc", 1.1), one("soil", 1.15), zeta=0.9)
+    assert not any(row.turns or row.turns_q for row in failing)
+
+
+@pytest.mark.parametrize("founded", [{"permitted": True}, {"reasons": SimpleNamespace(fc="report 3/2024")}])
+def test_that_an_input_with_a_reason_or_permitted_turns_with_no_other(table, founded):
+    rows = table(one("fc", 1.1, **founded), one("soil", 1.15))
+    assert not any(row.turns or row.turns_q for row in rows)
+    three = table(one("fc", 1.1, **founded), one("soil", 1.15), one("ag", 1.06))
+    assert [row.turns for row in three] == [False, True, True, True]
+    assert dict(three[-1].words.values)["keys"] == ("soil", "ag") and three[-1].zeta == pytest.approx(1.2 / 1.219)
+
+
+def test_that_one_that_turns_alone_leaves_the_others_as_they_are(table):
+    rows = table(one("fc", 1.3), one("soil", 1.05))
+    assert [(row.turns, row.turns_q) for row in rows] == [(True, True), (False, False), (False, False)]
+    assert rows[-1].zeta == pytest.approx(1.2 / 1.365)
+
+
+def test_that_two_inputs_turn_the_check_with_q_together_where_histories_pass(table):
+    rows = table(one("fc", 1.1), one("soil", 1.15), dynamic=2.0)
+    assert [(row.turns, row.turns_q) for row in rows] == [(False, True), (False, True), (False, False)]
+    alone = table(one("fc", 1.1, histories=False), one("soil", 1.15, histories=False), dynamic=2.0)
+    assert [(row.turns, row.turns_q) for row in alone[:2]] == [(False, True), (False, True)]
+    one_alone = table(one("fc", 1.3), one("soil", 1.05), dynamic=2.0)
+    assert [row.turns_q for row in one_alone] == [True, False, False]
+
+
+def test_that_histories_at_their_limit_there_turn(table):
+    (row,) = table(one("fc", 1.1), zeta=3.0, dynamic=1.2, spread=(0.91, 1.1))
+    assert row.turns and row.outcome == "at_limit"
+    (row,) = table(one("fc", 1.1), zeta=3.0, dynamic=1.2, spread=(0.93, 1.1))
+    assert not row.turns
+
+
+def test_that_of_loads_the_first_check_they_raise_is_told_and_none_where_they_raise_none(table):
+    def linear_alone(scene):
+        """As where a load acts on the check of the clauses alone."""
+        demand = scene.demand
+        return scene.but(demand=replace(demand, pga=1.1 * demand.pga))
+
+    (row,) = table(one("load", linear_alone), dynamic=2.0)
+    assert dict(row.words.values)["check"] == "linear_q_code" and row.zeta == pytest.approx(1.2 / 1.1)
+    (row,) = table(one("load", 1.1), dynamic=2.0)
+    assert dict(row.words.values)["check"] == "dynamic" and row.zeta == pytest.approx(2.0 / 1.1)
+    assert table(one("load", 0.9), dynamic=2.0) == () and table(one("load", 1.0)) == ()
+
+
+def test_that_of_a_wall_declared_free_or_not_the_check_that_fares_worst_is_told(table):
+    (row,) = table(one("free_element", 1.3), zeta=1.2, dynamic=2.0)
+    assert dict(row.words.values)["check"] == "linear_q_code" and row.zeta == pytest.approx(1.2 / 1.3)
+    (row,) = table(one("free_element", 1.3), zeta=3.0, dynamic=2.0)
+    assert dict(row.words.values)["check"] == "dynamic" and row.zeta == pytest.approx(2.0 / 1.3)
+    held, free = {"free_element": False}, {"free_element": True, "law": "rigid", "elastic_modulus_mpa": 5000.0}
+    assert [row.raises for row in table(one("free_element", 0.9), wall=held)] == [False]
+    assert table(one("free_element", 1.0), wall=free, dynamic=2.0) == ()
+    assert len(table(one("free_element", 1.1), wall=free, dynamic=2.0)) == 1
+    assert [row.raises for row in table(one("free_element", 1.0), wall=held)] == [False]
+
+
+def test_that_where_records_are_there_by_default_the_check_that_decides_at_the_end_is_told(table):
+    """Histories of 1.2 decide over a displacement check of more; at the end the displacement check may."""
+    spectrum = {"ag_g": 0.05, "spectrum": NTC, "soil_factor": None}
+
+    def histories_alone(scene):
+        return replace(scene, histories=lambda *_: history(5.0))
+
+    (row,) = table(one("fc", histories_alone), dynamic=1.2, by_default=True, demand=spectrum)
+    displacement = evaluate(quick_scene(QUICK, {"ag_g": 0.05, "spectrum": NTC})).zeta
+    assert 1.2 < displacement < 5.0 and row.zeta == pytest.approx(displacement)
+    (row,) = table(one("fc", histories_alone), dynamic=1.2, demand=spectrum)
+    assert row.zeta == 5.0
+
+
+# inputs of a case
 
 WALL = {
     "name": "w",

@@ -332,6 +332,21 @@ def test_that_the_record_left_out_is_the_one_whose_loss_moves_zeta_most_and_its_
         assert moved_wall(setting, move, Floors(), lambda: False).zeta == there.zeta
 
 
+def test_that_a_set_that_fails_nowhere_reaches_the_last_multiplier_and_moves_zeta_farther_than_one_that_fails_there():
+    """The first record never matters; without the second the set fails nowhere, with it at the last multiplier."""
+    multipliers = 0.4 * 1.01 ** np.arange(160)
+    mild, severe = np.full(160, 0.1), np.full(160, 0.1)
+    severe[-1] = np.inf
+    peaks = RecordPeaks(multipliers, np.array([mild, severe]), 0.4, False)
+    assert [move.value for move in records_left_out([peaks])] == [0.0, 1.0]
+    # about another hinge, where each fails alone, the first lowers zeta more when it is gone
+    early = np.array([np.where(np.arange(160) < 60, 0.1, np.inf), np.where(np.arange(160) < 50, 0.1, np.inf)])
+    other = RecordPeaks(multipliers, early, 0.4, False)
+    assert [move.value for move in records_left_out([peaks, other])] == [0.0, 1.0]
+    assert [move.value for move in records_left_out([peaks, replace(other, peaks=early[::-1])])] == [1.0, 0.0]
+    assert [move.key for move in records_left_out([peaks])] == ["record_left_out"] * 2
+
+
 @pytest.mark.parametrize(
     "key, given, value, words",
     [

@@ -1,8 +1,10 @@
 """The force of a tie for the zeta required, by every check, for all hinges of a wall."""
 
 import functools
+import math
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -13,12 +15,235 @@ from core.report import json_report
 from core.setting.demand_input import demand_of
 from core.study import run as study
 from core.units import G
-from core.variation.tie_design import NAMES, with_tie
+from core.variation import tie_design as tie_module
+from core.variation.evaluate import RUN
+from core.variation.tie_design import NAMES, Hinge, tie_design, with_tie
 from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
+from tests.core.variation.one_evaluation import WALL as QUICK
+from tests.core.variation.one_evaluation import history
+from tests.core.variation.one_evaluation import scene_of as quick_scene
 from tests.validation.test_loaded_walls import DEMAND, ROOF, THRUST, WALL, case_of
 
 CHURCH = ROOT / "tests" / "validation" / "cases" / "church.toml"
+
+
+# two hinges whose checks are straight lines of the force
+
+TALL = QUICK | {"height_m": 6.0, "thickness_m": 0.5, "unloaded_confirmed": True, "hinge_heights": [3.0]}
+BUILDING = {"height_m": 6.0, "storeys": 2, "period_s": 0.2}
+
+
+@pytest.fixture
+def designed(monkeypatch):
+    """The tie of a wall of 6 m with a hinge at its base and one at 3 m, zeta of whose checks are a + b F, F in kN/m;
+    above 6 kN/m it bends.
+
+    base, upper : name -> (a, b); of the histories, where they are, "dynamic", in a run "run" where that is another
+    """
+
+    def found(base, upper, height=5.5, state="SLV", target=1.0, curve=1, load=(), **wall):
+        asked = TALL | {"tie_height_m": height} | wall | ({"load": [*load]} if load else {})
+        if load:
+            del asked["unloaded_confirmed"]
+        demand = {"ag_g": 0.1, "soil_factor": 1.0, "limit_state": state, "zeta_target": target}
+        lines = {6.0: base, 3.0: upper}
+
+        def line(wall, name):
+            a, b = lines[round(wall.height_m, 6)][name]
+            return a + b * sum(load.kn_m for load in wall.load if load.is_tie)
+
+        def histories(scene, precision=RUN):
+            names = lines[round(scene.wall.height_m, 6)]
+            if "dynamic" not in names:
+                return None
+            zeta = line(scene.wall, "run" if "run" in names and precision is RUN else "dynamic")
+            return history(zeta, zeta >= target)
+
+        def stated(scene, precision=RUN, other=True, cancelled=None):
+            scale = 0.5 * scene.demand.q_code
+            zetas = {"nonlinear": line(scene.wall, "nonlinear"), "linear_q_code": scale * line(scene.wall, "linear")}
+            dynamic = histories(scene, precision)
+            return SimpleNamespace(
+                made=lambda name: SimpleNamespace(zeta=zetas[name]) if zetas[name] < 90.0 else None,
+                dynamic=dynamic,
+                satisfied=bool(dynamic and dynamic.satisfied(target)),
+            )
+
+        monkeypatch.setattr(tie_module, "evaluate", stated)
+        monkeypatch.setattr(tie_module, "CURVE", curve)
+        stands = lambda wall: sum(load.kn_m for load in wall.load if load.is_tie) <= 6.0  # noqa: E731
+        monkeypatch.setattr(tie_module.wall_loads, "carries", stands)
+        scenes = [quick_scene(asked, demand, k=k, building=BUILDING) for k in (0, 1)]
+        hinges = [Hinge(at, scene, histories(scene)) for at, scene in zip((0.0, 3.0), scenes, strict=True)]
+        whole = quick_scene(asked, demand).wall
+        return tie_design(hinges, replace(whole, tie_height_m=height)), hinges
+
+    return found
+
+
+BASE = {"nonlinear": (0.6, 0.1), "linear": (0.5, 0.2)}
+UPPER = {"nonlinear": (0.8, 0.1), "linear": (0.9, 0.1)}
+PASSING = {"nonlinear": (1.2, 0.0), "linear": (1.0, 0.0)}
+BAR = {"tie_bar_length_m": 8.0, "tie_elongation_m": 0.4}
+
+
+def test_that_the_force_of_each_check_is_the_largest_of_all_hinges_below_the_tie(designed):
+    """0.6 + 0.1 F = 1 at 4 kN/m, 0.8 + 0.1 F at 2; 0.5 + 0.2 F at 2.5; with q = 1 half of it, so that F is 7.5 and
+    of the upper hinge 11."""
+    found, _ = designed(BASE, UPPER)
+    asked = {"nonlinear": 4e3, "linear_q_code": 2.5e3, "linear_q_1": 11e3, "thrust": 0.0}
+    assert {name: found.forces[name] for name in asked} == pytest.approx(asked, rel=2e-4)
+    assert found.forces["linear_q_slv"] is None and found.forces["dynamic"] is None
+    assert (found.missing, found.check, found.hinges, found.height) == ("histories", "nonlinear", 2, 5.5)
+    assert found.force == pytest.approx(4e3, abs=10.0) and found.force % 10.0 == 0.0
+    assert found.asked == found.forces["nonlinear"] and found.at_least is None
+    # with 4 kN/m: the least of both hinges
+    assert found.zeta == pytest.approx({"nonlinear": 1.0, "linear_q_code": 1.3, "linear_q_1": 0.65}, abs=2e-3)
+    swapped, _ = designed(UPPER, BASE)
+    assert swapped.forces["nonlinear"] == pytest.approx(4e3, rel=2e-4)
+    milder, _ = designed(BASE, UPPER, target=0.8)
+    assert milder.forces["nonlinear"] == pytest.approx(2e3, rel=2e-4)
+
+
+def test_that_a_hinge_above_the_tie_must_pass_by_itself(designed):
+    found, _ = designed(BASE, PASSING, height=2.0)
+    assert (found.hinges, found.check) == (1, "nonlinear")
+    assert found.forces["nonlinear"] == pytest.approx(4e3, rel=2e-4)
+    assert found.forces["linear_q_code"] == pytest.approx(2.5e3, rel=2e-4)
+    assert found.forces["linear_q_1"] is None  # 0.5 of the upper hinge
+    failing, _ = designed(BASE, UPPER, height=2.0)
+    assert failing.forces["nonlinear"] is failing.forces["linear_q_code"] is None
+    assert (failing.force, failing.asked, failing.at_least, failing.zeta) == (None, None, None, {})
+    unknown, _ = designed(BASE, UPPER | {"nonlinear": (99.0, 0.0)}, height=2.0)
+    assert unknown.forces["nonlinear"] is None
+
+
+def test_that_no_force_is_known_where_it_does_it_at_one_hinge_alone(designed):
+    found, _ = designed(BASE, UPPER | {"nonlinear": (0.8, 0.0)})
+    assert found.forces["nonlinear"] is None and found.forces["linear_q_code"] is not None
+    assert (found.force, found.asked, found.at_least) == (None, None, None)
+
+
+def test_that_without_a_displacement_check_the_linear_one_is_named_and_where_all_pass_none_is_needed(designed):
+    no_spectrum = {"nonlinear": (99.0, 0.0)}
+    found, _ = designed(BASE | no_spectrum, UPPER | no_spectrum)
+    assert (found.check, found.force) == ("linear_q_code", pytest.approx(2.5e3, abs=10.0))
+    none, _ = designed(PASSING, PASSING)
+    assert (none.force, none.asked) == (0.0, 0.0)
+
+
+def test_that_a_force_beyond_the_largest_is_asked_and_not_named(designed):
+    """Beyond it the wall bends between its hinge and the tie."""
+    found, _ = designed(BASE | {"nonlinear": (0.2, 0.1)}, UPPER)
+    assert found.asked == pytest.approx(8e3, rel=2e-4) and found.largest == pytest.approx(6e3)
+    assert (found.force, found.check, found.zeta, found.diameter) == (None, None, {}, None)
+
+
+def test_that_the_thrust_at_rest_is_balanced_about_every_hinge(designed):
+    """1 kN/m at 6 m: 6 / 5.5 about the base, 3 / 2.5 about the upper hinge; an inward one is held by none."""
+    thrust = {"kind": "thrust", "kn_m": 0.2, "h_m": 6.0}
+    found, _ = designed(PASSING, PASSING, load=[thrust])
+    assert found.forces["thrust"] == pytest.approx(0.2e3 * 3.0 / 2.5)
+    assert (found.check, found.force) == ("thrust", 240.0)
+    inward, _ = designed(PASSING, PASSING, load=[thrust | {"kn_m": -0.2}])
+    assert inward.forces["thrust"] == 0.0
+    both, _ = designed(PASSING, PASSING, load=[thrust, thrust | {"kn_m": -0.1, "h_m": 5.0}])
+    assert both.forces["thrust"] == pytest.approx(1e3 * max((1.2 - 0.5) / 5.5, (0.6 - 0.2) / 2.5))
+
+
+def test_that_the_histories_are_those_of_all_hinges_and_the_largest_force_is_named(designed):
+    """0.4 + 0.2 F = 1 at 3 kN/m; 0.3 + 0.2 F at 3.5."""
+    first, second = {"dynamic": (0.4, 0.2)}, {"dynamic": (0.3, 0.2)}
+    found, _ = designed(BASE | first, UPPER | second, **BAR)
+    assert 3.5e3 <= found.forces["dynamic"] <= 3.6e3 and (found.missing, found.check) == ("", "nonlinear")
+    assert found.forces["dynamic"] % 10.0 == 0.0
+    assert found.zeta["dynamic"] == pytest.approx(0.3 + 0.2e-3 * found.force)
+    assert (found.stands, found.stands_more) == (0.4, True)
+    decides, _ = designed(PASSING | first, PASSING | second, **BAR)
+    assert decides.check == "dynamic" and decides.force == decides.asked == decides.forces["dynamic"]
+
+
+def test_that_the_bar_stretches_by_the_sine_of_the_rotation_over_its_height(designed):
+    """At the largest peak, 0.2 theta_c, and at theta_c = atan(0.15 / 3) of a wall whose tie is gone by then."""
+    line = {"dynamic": (0.4, 0.2)}
+    found, _ = designed(BASE | line, UPPER | line, tie_bar_length_m=8.0)
+    theta = math.atan(0.15 / 3.0)
+    assert found.elongation["d_0"] == pytest.approx(5.5 * math.sin(theta))
+    assert found.elongation["demand"] == pytest.approx(5.5 * math.sin(0.2 * theta))
+    assert found.stands == pytest.approx(235e6 * 8.0 / 205e9) and not found.stands_more
+    assert found.elongation["d_slv"] is None  # no spectrum
+    without, _ = designed(BASE, UPPER)
+    assert without.elongation["demand"] is None and without.stands is None
+
+
+def test_that_histories_hold_in_the_run_and_a_hundredth_beyond(designed):
+    """At a glance from 3 kN/m on, in the run from 3.3; a force that needs more than the largest is none."""
+    line = {"dynamic": (0.4, 0.2), "run": (0.34, 0.2)}
+    found, _ = designed(PASSING | line, PASSING | line, **BAR)
+    assert 3.3e3 <= found.force <= 3.4e3
+    far = {"dynamic": (0.4, 0.2), "run": (-2.0, 0.2)}
+    none, _ = designed(PASSING | far, PASSING | far, **BAR)
+    assert (none.missing, none.force, none.asked, none.at_least) == ("none", None, None, None)
+    never = {"dynamic": (0.4, 0.0)}
+    assert designed(PASSING | never, PASSING | never, **BAR)[0].missing == "none"
+
+
+def test_that_satisfied_histories_ask_for_no_force_and_a_hinge_above_that_fails_by_them_for_none(designed):
+    passing, failing = {"dynamic": (1.1, 0.0)}, {"dynamic": (0.4, 0.2)}
+    assert designed(BASE | passing, UPPER | passing, **BAR)[0].forces["dynamic"] == 0.0
+    assert designed(BASE | passing, UPPER | failing, **BAR)[0].forces["dynamic"] == pytest.approx(3e3, rel=0.02)
+    below, _ = designed(PASSING | failing, PASSING | passing, height=2.0, **BAR)
+    assert below.forces["dynamic"] == pytest.approx(3e3, rel=0.02) and below.check == "dynamic"
+    above, _ = designed(PASSING | failing, PASSING | failing, height=2.0, **BAR)
+    assert above.forces["dynamic"] is None
+    assert (above.missing, above.force, above.asked, above.at_least) == ("none", None, None, None)
+
+
+def test_that_without_the_length_of_its_bar_the_force_is_at_least_that_of_the_others(designed):
+    line = {"dynamic": (0.4, 0.2)}
+    found, _ = designed(BASE | line, UPPER | line)
+    assert (found.missing, found.force, found.asked) == ("bar", None, None)
+    assert found.at_least == found.forces["nonlinear"] == pytest.approx(4e3, rel=2e-4)
+    unknown, _ = designed(BASE | line | {"nonlinear": (0.6, 0.0)}, UPPER | line)
+    assert (unknown.missing, unknown.at_least) == ("bar", None)
+    # at SLD the histories are not among those that decide
+    sld, _ = designed(BASE | line, UPPER | line, state="SLD")
+    assert (sld.check, sld.at_least) == ("linear_q_code", None) and sld.force == pytest.approx(2.5e3, abs=10.0)
+    lost, _ = designed(BASE | line | {"linear": (0.5, 0.0)}, UPPER | line, state="SLD")
+    assert (lost.force, lost.asked, lost.at_least) == (None, None, None)
+
+
+def test_that_the_smallest_bars_that_hold_the_force_at_their_spacing_are_named(designed):
+    """4 kN/m x 1.5 m and 6 m: 6 and 24 kN; a bar of 12 mm holds 113.1 x 235 / 1.05 = 25.3 kN."""
+    for spacing, bar in ((1.5, 12), (6.0, 12), (6.5, 14)):
+        found, _ = designed(BASE, UPPER, tie_spacing_m=spacing)
+        assert (found.diameter, found.spacing) == (bar, spacing) and found.thread > bar
+    assert designed(BASE, UPPER)[0].diameter is None
+
+
+def test_that_the_curve_goes_from_three_tenths_of_the_height_to_the_top(designed):
+    """A tie at or below the upper hinge helps nothing where that one fails."""
+    found, _ = designed(BASE, UPPER, curve=13)
+    heights = [height for height, _ in found.curve]
+    assert heights == pytest.approx([1.8 + 0.35 * k for k in range(13)])
+    assert [force and round(force, -1) for _, force in found.curve] == [None] * 4 + [4000.0] * 9
+    passing, _ = designed(BASE, PASSING, curve=13)
+    assert [round(force, -1) for _, force in passing.curve] == [4000.0] * 13
+
+
+def test_that_no_tie_is_added_for_no_force_and_a_bar_nobody_describes_is_ten_metres_long():
+    wall = quick_scene(TALL).wall
+    assert with_tie(wall, 0.0, 5.5) is wall and with_tie(wall, -1.0, 5.5) is wall
+    (tie,) = with_tie(wall, 1.0, 5.5).load
+    assert (tie.kn_m, tie.h_m, tie.bar_length_m, tie.elongation_m) == (1e-3, 5.5, 10.0, 10.0)
+    (given,) = with_tie(replace(wall, **BAR), 2e3, 5.5).load
+    assert (given.kn_m, given.bar_length_m, given.elongation_m) == (2.0, 8.0, 0.4)
+    (brittle,) = with_tie(replace(wall, tie_bar_length_m=8.0), 2e3, 5.5).load
+    assert brittle.elongation_m is None
+
+
+# whole walls
 
 
 @functools.cache

@@ -156,6 +156,21 @@ def test_that_the_value_found_is_one_from_which_on_the_check_holds(found_where):
     assert 1.0 <= far[0] / 0.3 <= 1.005
 
 
+def test_that_a_check_of_the_clauses_holds_at_half_as_much_more_and_is_not_asked_beyond(found_where):
+    """A gap at 1.55 to 1.75 times the value is beyond what is looked at; one at 1.45 to 1.55 is not."""
+    far = found_where("thickness_m", 0.305, lambda value: 0.3 <= value <= 0.465 or value >= 0.525)
+    assert 1.0 <= far[0] / 0.3 <= 1.005
+    near = found_where("thickness_m", 0.305, lambda value: 0.3 <= value <= 0.435 or value >= 0.465)
+    assert 1.0 <= near[0] / 0.465 <= 1.005
+
+
+def test_that_a_value_of_a_check_of_the_clauses_that_fails_as_it_is_written_is_none(found_where):
+    """It holds from 800.0 to 800.5 mm and from 805 on, not at the 801 it would be written as."""
+    value, everywhere = found_where("thickness_m", 1.0003125, lambda v: 0.8 <= v <= 0.8005 or v >= 0.805)
+    assert value is None and not everywhere
+    assert found_where("thickness_m", 1.0003125, lambda v: v >= 0.8)[0] == pytest.approx(0.801)
+
+
 def test_that_a_value_whose_neighbours_are_refused_holds_throughout(found_where):
     """The last that is accepted is no limit of the check; a limit among accepted ones is."""
     assert found_where("thickness_m", 1.0, lambda v: True, accepted=lambda v: v > 0.6) == (None, True)
