@@ -70,7 +70,7 @@ def test_that_the_demand_is_drawn_every_hundredth_of_a_second_to_half_a_second_a
     """The period of a point is 2 pi sqrt(d / a); a wall tall enough for all of them."""
     case = parse_case({"wall": [{**WALL, "height_m": 20.0, "thickness_m": 4.0}], "demand": DEMAND})
     demand = demand_of(case, Path())
-    curve = capacity_curve(kinematic(case.wall[0], "two_sided", demand), demand)
+    curve = capacity_curve(kinematic(case.wall[0].in_si, "two_sided", demand), demand)
     periods = 2.0 * np.pi * np.sqrt(curve.demand_d / curve.demand_a)
     expected = [0.01 * k for k in range(51)] + [0.5 + 0.02 * k for k in range(1, 176)]
     assert periods == pytest.approx(expected, abs=1e-12) and periods[-1] == pytest.approx(4.0, rel=1e-12)

@@ -371,7 +371,7 @@ def test_that_a_spectrum_of_a_file_that_falls_limits_the_verdict(tmp_path):
 
 def test_that_a_wall_whose_threshold_the_motion_just_reaches_stays_at_rest():
     """It stands still while FC |u''| <= a_RM = g t / H."""
-    a_rm = G * case().wall[0].uplift_multiplier("two_sided")
+    a_rm = G * case().wall[0].in_si.uplift_multiplier("two_sided")
     reached = a_rm / 1.35
     assert 1.35 * reached == a_rm == pytest.approx(G * 0.83 / 7.0, rel=1e-12)
     for strongest, wanted in ((reached, "not_activated"), (reached * (1.0 + 1e-12), "verified")):

@@ -361,13 +361,13 @@ def test_that_the_hinge_of_least_zeta_is_that_asked_for_to_a_third_of_the_last_s
 def test_that_only_a_rectangle_with_loads_on_its_top_is_in_closed_form():
     plain = {"length_m": 4.0, "height_m": 5.6, "thickness_m": 0.45}
     on_top = {"kind": "vertical", "kn_m": 9.0, "d_m": 0.3, "h_m": 5.6, "mass": "none"}
-    assert strip_of(held(**plain)).is_plain and strip_of(held(**plain, load=[on_top])).is_plain
-    assert not any(strip_of(shaped(name)).is_plain for name in SHAPED)
+    assert strip_of(held(**plain).in_si).is_plain and strip_of(held(**plain, load=[on_top]).in_si).is_plain
+    assert not any(strip_of(shaped(name).in_si).is_plain for name in SHAPED)
 
 
 def test_that_a_stepped_wall_is_drawn_with_both_its_thicknesses_at_the_step():
     """0.45 m to 2.4 m, above 0.32 m, the outer face plumb; before it turns."""
-    lower, upper = outlines(strip_of(shaped("a step outside")), 2.0, 0.0)
+    lower, upper = outlines(strip_of(shaped("a step outside").in_si), 2.0, 0.0)
     assert lower == [pytest.approx(corner) for corner in ((0.0, 0.0), (0.45, 0.0), (0.45, 2.0), (0.0, 2.0), (0.0, 0.0))]
     inner = ((0.45, 2.0), (0.45, 2.4), (0.32, 2.4), (0.32, 5.6))
     outer = ((0.0, 5.6), (0.0, 2.4), (0.0, 2.4), (0.0, 2.0))
