@@ -136,7 +136,7 @@ def _stands(scene: Scene, loads: tuple[Load, ...]) -> bool:
     try:
         wall = replace(scene.wall, load=loads)
         check_loads(wall)
-        evaluate(scene.without_records().but(wall=wall), other=False)
+        evaluate(scene.without_records().but(wall=wall))
     except InputError:
         return False
     return True

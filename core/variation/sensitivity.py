@@ -206,8 +206,7 @@ def _restraint_lost(hinges: Sequence[Assessment]) -> End | None:
     """The wall where nothing holds it from behind, or at its top; None where nothing does now."""
     if all(one.verdict.lower_bound is None for one in hinges):
         return None
-    bounds = [one.verdict.lower_bound for one in hinges]
-    zeta = least(one.verdict.zeta_e if bound is None else bound for one, bound in zip(hinges, bounds, strict=True))
+    zeta = least(one.verdict.zeta_e if (bound := one.verdict.lower_bound) is None else bound for one in hinges)
     passing = [
         OUTCOMES[one.verdict.code].judgement == PASSES if one.bound_passes is None else one.bound_passes
         for one in hinges

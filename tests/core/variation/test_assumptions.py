@@ -218,6 +218,9 @@ def test_that_where_records_are_there_by_default_the_check_that_decides_at_the_e
     assert 1.2 < displacement < 5.0 and row.zeta == pytest.approx(displacement)
     (row,) = table(one("fc", histories_alone), dynamic=1.2, demand=spectrum)
     assert row.zeta == 5.0
+    (row,) = table(one("q_code", 1.3, histories=False), dynamic=1.2, by_default=True, demand=spectrum)
+    linear = evaluate(quick_scene(QUICK, {"ag_g": 0.05, "spectrum": NTC})).made("linear_q_code").zeta
+    assert row.zeta == pytest.approx(linear / 1.3)
 
 
 # inputs of a case

@@ -9,7 +9,7 @@ from core.codes.outcomes import FAILS, OPEN, PASSES
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import AUTO, METHODS
-from core.variation.evaluate import AT_LIMIT, BUNDLED, GLANCE, evaluate, histories
+from core.variation.evaluate import AT_LIMIT, BUNDLED, GLANCE, RUN, evaluate, histories
 from tests.core.variation.one_evaluation import BARE, MOTION, NTC, SOIL, WALL, history, scene_of, with_histories
 
 TIE = {"kind": "tie", "kn_m": 1.0, "h_m": 4.0, "bar_length_m": 6.0}
@@ -89,6 +89,16 @@ def test_that_a_check_that_fails_decides_over_one_that_passes_and_of_two_that_fa
 def test_that_a_glance_has_no_outcome():
     scene = with_histories(scene_of(), lambda *_: history(1.3))
     assert evaluate(scene).outcome == "indicative" and evaluate(scene, GLANCE).outcome == "undetermined"
+
+
+@pytest.mark.parametrize("asked, other", [({}, True), ({"other": True}, True), ({"other": False}, False)])
+def test_that_fc_on_the_other_side_is_looked_at_too_unless_it_is_not_asked(asked, other):
+    def said(*parts):
+        *_, every, searched, _ = parts
+        assert (every, searched) == (RUN.value, other)
+        return history(1.3)
+
+    assert evaluate(replace(scene_of(), ground=(MOTION,), histories=said), **asked).zeta == 1.3
 
 
 def test_that_a_wall_above_the_ground_has_no_check_without_its_building():

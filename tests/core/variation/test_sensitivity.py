@@ -16,7 +16,7 @@ from core.errors import InputError
 from core.rocking.methods import AUTO
 from core.setting.plan import Floors, plan_of, read_inputs
 from core.study.run import run
-from core.variation.sensitivity import Move, moved_wall, records_left_out, sensitivity_of
+from core.variation.sensitivity import Move, moved_wall, moves, records_left_out, sensitivity_of
 from core.variation.swings import End, Sensitivity, Swing, move_words
 from core.variation.whole_wall import setting_of
 from tests.clauses_alone import parse_case
@@ -330,6 +330,18 @@ def test_that_the_record_left_out_is_the_one_whose_loss_moves_zeta_most_and_its_
         others = [motion for k, motion in enumerate(motions) if k != int(move.value)]
         there = demand_check(entry.model, others, entry.signs, demand, AUTO, 1, False)
         assert moved_wall(setting, move, Floors(), lambda: False).zeta == there.zeta
+
+
+def test_that_a_move_finds_the_floors_of_its_own_demand_and_building():
+    """Whatever was moved before it: floors that are kept are those of the wall as it is."""
+    table = case_of(PARAPET | {"base_z_m": 6.0}, building={"height_m": 9.0, "storeys": 3, "period_s": 0.26})
+    case = parse_case(table)
+    setting, kept = setting_of(case, 0, CASES, read_inputs(case, CASES)), Floors()
+    made = moves(setting, Ranges())
+    assert {move.key for move in made} >= {"ag_factor", "building_period_factor", "thickness_factor"}
+    for move in [*made, *made[::-1]]:
+        shared, own = (moved_wall(setting, move, floors, lambda: False).zeta for floors in (kept, Floors()))
+        assert shared == own, move.key
 
 
 def test_that_a_set_that_fails_nowhere_reaches_the_last_multiplier_and_moves_zeta_farther_than_one_that_fails_there():

@@ -63,6 +63,7 @@ def designed(monkeypatch):
         def stated(scene, precision=RUN, other=True, cancelled=None):
             scale = 0.5 * scene.demand.q_code
             zetas = {"nonlinear": line(scene.wall, "nonlinear"), "linear_q_code": scale * line(scene.wall, "linear")}
+            assert cancelled is None or not other  # FC on the other side is searched for no force that is tried
             dynamic = histories(scene, precision)
             return SimpleNamespace(
                 made=lambda name: SimpleNamespace(zeta=zetas[name]) if zetas[name] < 90.0 else None,
@@ -228,6 +229,8 @@ def test_that_the_curve_goes_from_three_tenths_of_the_height_to_the_top(designed
     heights = [height for height, _ in found.curve]
     assert heights == pytest.approx([1.8 + 0.35 * k for k in range(13)])
     assert [force and round(force, -1) for _, force in found.curve] == [None] * 4 + [4000.0] * 9
+    at_hinge, _ = designed(BASE, UPPER, curve=8)
+    assert at_hinge.curve[2] == (3.0, None) and at_hinge.curve[3][1] is not None
     passing, _ = designed(BASE, PASSING, curve=13)
     assert [round(force, -1) for _, force in passing.curve] == [4000.0] * 13
 
@@ -237,6 +240,7 @@ def test_that_no_tie_is_added_for_no_force_and_a_bar_nobody_describes_is_ten_met
     assert with_tie(wall, 0.0, 5.5) is wall and with_tie(wall, -1.0, 5.5) is wall
     (tie,) = with_tie(wall, 1.0, 5.5).load
     assert (tie.kn_m, tie.h_m, tie.bar_length_m, tie.elongation_m) == (1e-3, 5.5, 10.0, 10.0)
+    assert not with_tie(wall, 0.05, 5.5).unloaded_confirmed and len(with_tie(wall, 0.05, 5.5).load) == 1
     (given,) = with_tie(replace(wall, **BAR), 2e3, 5.5).load
     assert (given.kn_m, given.bar_length_m, given.elongation_m) == (2.0, 8.0, 0.4)
     (brittle,) = with_tie(replace(wall, tie_bar_length_m=8.0), 2e3, 5.5).load

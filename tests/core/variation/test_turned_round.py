@@ -164,6 +164,13 @@ def test_that_a_check_of_the_clauses_holds_at_half_as_much_more_and_is_not_asked
     assert 1.0 <= near[0] / 0.465 <= 1.005
 
 
+@pytest.mark.parametrize("factor", [1.05, 1.1, 1.2, 1.3, 1.5])
+def test_that_a_value_is_passed_over_where_one_that_many_times_as_large_fails(found_where, factor):
+    gap = 0.3 * (factor - 0.01), 0.3 * (factor + 0.04)
+    value, _ = found_where("thickness_m", 0.305, lambda v: v >= 0.3 and not gap[0] < v < gap[1])
+    assert value >= 0.999 * gap[1]
+
+
 def test_that_a_value_of_a_check_of_the_clauses_that_fails_as_it_is_written_is_none(found_where):
     """It holds from 800.0 to 800.5 mm and from 805 on, not at the 801 it would be written as."""
     value, everywhere = found_where("thickness_m", 1.0003125, lambda v: 0.8 <= v <= 0.8005 or v >= 0.805)
