@@ -9,7 +9,7 @@ from core.errors import InputError, place
 from core.known import known
 from core.text.sentence import Key
 from core.wall import ties
-from core.wall.masonry import MOST_COLLAPSE, as_force, is_stable
+from core.wall.masonry import MOST_COLLAPSE, Masonry, as_force, is_stable
 from core.wall.solids import faces_at
 from core.wall.wall_loads import hinge_inside, largest_tie_share
 
@@ -28,11 +28,12 @@ MOST_THREAD = 1.5
 
 def carries(wall: Wall) -> bool:
     """Whether a wall that turns outward stands under its loads and is one rigid block, see `check_loads`."""
+    outward = replace(wall, mechanism="one_sided")
     try:
-        check_loads(replace(wall, mechanism="one_sided"))
+        _check_stands(outward)
     except InputError:
         return False
-    return True
+    return not _held_inward(outward.in_si) or hinge_inside(outward.in_si) is None
 
 
 def check_given(wall: Wall) -> None:
@@ -92,6 +93,13 @@ def _check_elongation(stated: float, at_yield: float, length: float, here, key: 
 def check_loads(wall: Wall, numbers: tuple[int, ...] = ()) -> None:
     """Raise InputError for loads under which the wall does not stand, or is no one rigid block; of a wall that bends
     core/case/held_top.py says that. numbers : of its loads in the wall it is a part of"""
+    _check_stands(wall)
+    if wall.load and not wall.bends:
+        _check_inward(wall, (place("wall", name=wall.name),), numbers or tuple(range(1, len(wall.load) + 1)))
+
+
+def _check_stands(wall: Wall) -> None:
+    """Raise InputError for loads under which the wall does not stand as one body about each of its hinges."""
     if wall.bends or (not wall.load and not wall.parts):
         return
     here, found = (place("wall", name=wall.name),), wall.in_si
@@ -113,8 +121,6 @@ def check_loads(wall: Wall, numbers: tuple[int, ...] = ()) -> None:
             )
     if two_sided and (found.restoring[0] != found.restoring[1] or unlike) and not found.law.is_rigid:
         raise InputError("two_sided_loads_rigid", place=here, key="law")
-    if wall.load:
-        _check_inward(wall, here, numbers or tuple(range(1, len(wall.load) + 1)))
 
 
 def _check_load(wall: Wall, load: Load, here) -> None:
@@ -200,12 +206,21 @@ def _check_on_body(wall: Wall, load: Load, here) -> None:
         raise InputError("load_off_body", place=here, key="d_m", found=load.d_m, low=faces[0], high=faces[1])
 
 
+def _forces_inward(wall: Masonry) -> list[float]:
+    """Horizontal forces of the loads of a wall, inward, of ties at yield [N/m]."""
+    return [as_force(load, wall, 1.0, at_yield=True).horizontal for load in wall.loads]
+
+
+def _held_inward(wall: Masonry) -> float:
+    """Sum of those that hold it [N/m]."""
+    return sum(force for force in _forces_inward(wall) if force > 0.0)
+
+
 def _check_inward(wall: Wall, here, numbers: tuple[int, ...]) -> None:
     """Raise InputError for ties, or other forces inward, under which the wall opens a hinge above its base.
     numbers : of the loads, the strongest of which is named"""
     found = wall.in_si
-    forces = [as_force(load, found, 1.0, at_yield=True).horizontal for load in found.loads]
-    held = sum(force for force in forces if force > 0.0)
+    forces, held = _forces_inward(found), _held_inward(found)
     if not held or (hinge := hinge_inside(found)) is None:
         return
     k = forces.index(max(forces))
