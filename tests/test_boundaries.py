@@ -45,6 +45,7 @@ def test_that_no_function_is_longer_than_a_step_of_the_calculation(source):
 
 ONE_STEP, ORDER = "tests/validation/test_one_step.py", "tests/validation/test_method_order.py"
 WORKBOOK, RUN = "tests/core/report/test_workbook.py", "tests/core/study/test_run.py"
+STATED = "tests/core/report/stated/test_study.py"
 LAW, LARGE = "tests/core/research/test_law_study.py", "tests/core/study/test_large_case.py"
 STUDY = "tests/app/test_study.py"
 SELECTION = "tests/core/setting/test_record_selection.py"
@@ -65,6 +66,7 @@ SHOWN_BY = {
     "case/note_file": "tests/core/report/test_pdf.py",
     "report/columns": LARGE,
     "report/parquet_file": LARGE,
+    **{f"report/stated/{name}": STATED for name in ("quantity", "records", "walls", "checks", "verdicts")},
     "report/large_report": LARGE,
     "case/sensitivity": "tests/core/variation/test_sensitivity.py",
     "variation/swings": "tests/core/variation/test_sensitivity.py",
@@ -137,7 +139,6 @@ SHOWN_BY = {
     "rocking/taylor_series": ORDER,
     "capacity/scale_free_law": LAW,
     "report/floor_sheet": "tests/core/report/test_workbook.py",
-    "report/json_walls": "tests/core/study/test_variants.py",
     "research/law_fit": LAW,
     "research/set_means": "tests/core/research/test_parametric.py",
     **{

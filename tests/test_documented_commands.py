@@ -233,6 +233,9 @@ def test_that_a_documented_command_runs(command, place):
             page.write_text("# The case file\n", encoding="utf-8")
             tried((sys.executable, "-P", "-m", "tests.reference_of_keys", str(page)), place)
             assert page.read_text(encoding="utf-8").startswith("# The case file\n\n## Every key\n")
+        case [".venv/bin/python", "-m", "tests.reference_of_results"]:
+            tried((sys.executable, "-P", "-m", "tests.reference_of_results", str(place)), place)
+            assert (place / "results.md").exists() and (place / "results.schema.json").exists()
         case [".venv/bin/python", "-m", "tests.validation.scatter_of_records", *_]:  # of a folder of records, minutes
             tried((sys.executable, "-P", "-m", "tests.validation.scatter_of_records", "--help"), place)
         case [".venv/bin/python", "-m", "tests.core.ground.damage", *_]:  # of a folder of records, minutes

@@ -1,13 +1,15 @@
-"""A StudyResult in columns: one row a wall, hinge and mechanism, with the numbers of the results JSON."""
+"""A StudyResult in columns: one row a wall, hinge and mechanism, of the quantities of the results JSON."""
 
 import math
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple
 
 from core.codes.kinematic import CHECKS
+from core.report.stated.checks import AT_DEMAND, KINEMATIC, RISK
+from core.report.stated.quantity import Quantity, flag, number, numbers, text, texts, through, whole
+from core.report.stated.walls import FRAGILITY, PER_RECORD, WALL, OfWallResult
 from core.study.results import Q_SOURCES, StudyResult, WallResult, WallVerdict
 from core.text.sentence import Sentence
-from core.units import G
 from core.variation.limit_states import STATES
 
 
@@ -25,65 +27,69 @@ class Row(NamedTuple):
     result: StudyResult
 
 
-class Column(NamedTuple):
-    """A column of the table.
-
-    kind : text, whole, number or flag; "texts", "wholes" and "numbers" are lists
-    unit : "" without one
-    of : its value in a row, None where there is none
-    """
-
-    name: str
-    kind: str
-    unit: str
-    of: Callable[[Row], Any]
+def _taken(group: Sequence[Quantity], source: Callable[[Row], Any], *keys: str) -> list[Quantity]:
+    """Quantities of a group by their keys, read from a row; none where the row has no such source."""
+    by_key = {quantity.key: quantity for quantity in group}
+    return through(source, [by_key[key] for key in keys])
 
 
-def _of_wall(name: str, kind: str, unit: str, of: Callable[[WallResult], Any]) -> Column:
-    return Column(name, kind, unit, lambda row: of(row.wall))
+def _result(row: Row) -> OfWallResult:
+    return OfWallResult(row.wall, row.result)
 
 
-def _of_histories(name: str, kind: str, unit: str, of: Callable[[WallResult], Any]) -> Column:
-    """A column of what a wall held at its top has not."""
-    return Column(name, kind, unit, lambda row: None if row.wall.wall.bends else of(row.wall))
+def _verdict(row: Row) -> Any:
+    """About this hinge."""
+    return row.wall.assessment and row.wall.assessment.verdict
 
 
-def _of_checks(name: str, kind: str, unit: str, of: Callable[[Any], Any], part: str = "") -> Column:
-    """A column of the Assessment, or of a part of it, where it has one."""
-
-    def value(row: Row) -> Any:
-        found = row.wall.assessment
-        if found is not None and part:
-            found = getattr(found, part)
-        return None if found is None else of(found)
-
-    return Column(name, kind, unit, value)
+def _kinematic(row: Row) -> Any:
+    """The Assessment of a wall with closed forms."""
+    found = row.wall.assessment
+    return found if found is not None and found.kinematic is not None else None
 
 
-def _zeta(name: str) -> Column:
-    def value(found) -> float | None:
-        return next((check.zeta for check in found.checks if check.name == name), None)
-
-    return _of_checks(f"zeta_{name}", "number", "-", value)
+def _risk(row: Row) -> Any:
+    found = row.wall.assessment
+    return found if found is not None and found.risk is not None else None
 
 
-def _zeta_at(state: str) -> Column:
-    def value(found) -> float | None:
-        return next((one.zeta for one in found.states if one.state == state), None)
-
-    return _of_checks(f"zeta_{state.lower()}", "number", "-", value)
+def _dynamic(row: Row) -> Any:
+    """The histories at the demand."""
+    return row.wall.assessment and row.wall.assessment.dynamic
 
 
-def _eq9(k: int, source: str) -> Column:
-    def value(wall: WallResult) -> float | None:
-        found = wall.code_check[k] if k < len(wall.code_check) else None
+def _of_records(one: Quantity) -> Quantity:
+    """A quantity of each record as a list."""
+    return numbers(f"record_{one.key}", "-", one.meaning, lambda row: [one.of(entry) for entry in row.wall.per_record])
+
+
+def _of_the_wall(row: Row) -> Any:
+    """The Verdict of the wall, of its worst hinge."""
+    return row.result.walls[row.verdict.governing].assessed.verdict if row.verdict else None
+
+
+def _zeta(name: str) -> Quantity:
+    def value(row: Row) -> float | None:
+        checks = row.wall.assessment.checks if row.wall.assessment else ()
+        return next((check.zeta for check in checks if check.name == name), None)
+
+    return number(f"zeta_{name}", "-", f"zeta_E of the check {name}", value)
+
+
+def _zeta_at(state: str) -> Quantity:
+    def value(row: Row) -> float | None:
+        states = row.wall.assessment.states if row.wall.assessment else ()
+        return next((one.zeta for one in states if one.state == state), None)
+
+    return number(f"zeta_{state.lower()}", "-", f"zeta_E at {state}", value)
+
+
+def _eq9(k: int, source: str) -> Quantity:
+    def value(row: Row) -> float | None:
+        found = row.wall.code_check[k] if k < len(row.wall.code_check) else None
         return found.ratio if found else None
 
-    return _of_wall(f"eq9_{source}", "number", "-", value)
-
-
-def _in_g(value: float | None) -> float | None:
-    return None if value is None else value / G
+    return number(f"eq9_{source}", "-", f"capacity over demand of Eq. 9 by {source}", value)
 
 
 def _codes(sentences: Iterable[Sentence]) -> list[str]:
@@ -97,70 +103,63 @@ def _limits(row: Row) -> list[str] | None:
     return _codes((*row.wall.assessed.verdict.limits, *extra))
 
 
-def _of_the_wall(row: Row):
-    """The Verdict of the wall, of its worst hinge."""
-    return row.result.walls[row.verdict.governing].assessed.verdict if row.verdict else None
+def _of(source: Callable[[Row], Any], name: str) -> Callable[[Row], Any]:
+    """An attribute of a source, None where there is none."""
+    return lambda row: None if (found := source(row)) is None else getattr(found, name)
 
+
+def _tie(row: Row) -> float | None:
+    tie = row.wall.assessment.tie if row.wall.assessment else None
+    return None if tie is None or tie.force is None else 1e-3 * tie.force
+
+
+SIZES = ("slenderness_deg", "radius_m", "frequency_parameter_rad_s", "threshold_acceleration_g")
+SETS = ("set_rule", "q_set", "q_min", "q_robust_set", "q_slv_set", "q_slv_low_set")
 
 COLUMNS = (
-    Column("wall", "whole", "", lambda row: row.number),
-    _of_wall("name", "text", "", lambda wall: wall.name),
-    _of_wall("variant", "text", "", lambda wall: wall.wall.variant),
-    _of_wall("hinge_m", "number", "m", lambda wall: wall.part.hinge),
-    _of_wall("mechanism", "text", "", lambda wall: wall.mechanism),
-    Column("decides", "flag", "", lambda row: row.decides if row.verdict else None),
-    Column("wall_verdict", "text", "", lambda row: _of_the_wall(row).code if row.verdict else None),
-    Column("wall_zeta_least", "number", "-", lambda row: row.verdict.zeta_least if row.verdict else None),
-    Column("wall_zeta_e", "number", "-", lambda row: _of_the_wall(row).zeta_e if row.verdict else None),
-    _of_checks("verdict", "text", "", lambda found: found.code, "verdict"),
-    _of_checks("check", "text", "", lambda found: found.governing, "verdict"),
-    _of_checks("zeta_e", "number", "-", lambda found: found.zeta_e, "verdict"),
-    _of_checks("zeta_target", "number", "-", lambda found: found.zeta_target, "verdict"),
-    _of_checks("lower_bound_zeta", "number", "-", lambda found: found.lower_bound, "verdict"),
+    whole("wall", "number of the wall in the case, from 1", "number"),
+    text("name", "name", "wall.name"),
+    text("variant", "stato di fatto or progetto", "wall.wall.variant"),
+    number("hinge_m", "m", "height of the hinge above the base", "wall.part.hinge"),
+    text("mechanism", "mechanism", "wall.mechanism"),
+    flag(
+        "decides", "whether the verdict of the wall is of this hinge", lambda row: row.decides if row.verdict else None
+    ),
+    text("wall_verdict", "outcome of the wall", _of(_of_the_wall, "code")),
+    number("wall_zeta_least", "-", "lowest zeta_E of the wall", lambda row: row.verdict and row.verdict.zeta_least),
+    number("wall_zeta_e", "-", "zeta_E of the wall", _of(_of_the_wall, "zeta_e")),
+    text("verdict", "outcome about this hinge", _of(_verdict, "code")),
+    text("check", "check that decides", _of(_verdict, "governing")),
+    number("zeta_e", "-", "zeta_E", _of(_verdict, "zeta_e")),
+    number("zeta_target", "-", "zeta_E required", _of(_verdict, "zeta_target")),
+    number("lower_bound_zeta", "-", "zeta_E where what holds the wall fails", _of(_verdict, "lower_bound")),
     *map(_zeta, CHECKS),
-    _of_checks("zeta_16", "number", "-", lambda found: found.zeta_16, "dynamic"),
-    _of_checks("zeta_first", "number", "-", lambda found: found.zeta_first, "dynamic"),
+    *_taken(AT_DEMAND, _dynamic, "zeta_16", "zeta_first"),
     *map(_zeta_at, STATES),
     *(_eq9(k, source) for k, source in enumerate(Q_SOURCES)),
-    _of_checks("pga_c_g", "number", "g", lambda found: _in_g(found.pga), "risk"),
-    _of_checks("return_period_c_years", "number", "years", lambda found: found.return_period, "risk"),
-    _of_checks("is_v", "number", "-", lambda found: found.index, "risk"),
-    _of_checks("tie_kn_m", "number", "kN/m", lambda found: None if found.force is None else 1e-3 * found.force, "tie"),
-    _of_checks("alpha0", "number", "-", lambda found: found.alpha0, "kinematic"),
-    _of_checks("e_star", "number", "-", lambda found: found.e_star, "kinematic"),
-    _of_checks("a0_star_g", "number", "g", lambda found: found.a0 / G, "kinematic"),
-    _of_checks("d0_m", "number", "m", lambda found: found.d0, "kinematic"),
-    _of_checks("period_s", "number", "s", lambda found: found.period, "kinematic"),
-    _of_wall("height_m", "number", "m", lambda wall: wall.height),
-    _of_wall("thickness_m", "number", "m", lambda wall: wall.thickness),
-    _of_wall("base_z_m", "number", "m", lambda wall: wall.wall.base_z_m),
-    _of_wall("slenderness_deg", "number", "deg", lambda wall: math.degrees(wall.block.slenderness)),
-    _of_histories("radius_m", "number", "m", lambda wall: wall.block.radius),
-    _of_histories("frequency_parameter_rad_s", "number", "rad/s", lambda wall: wall.block.frequency_parameter),
-    _of_wall("threshold_acceleration_g", "number", "g", lambda wall: wall.threshold / G),
-    _of_histories("restitution", "text", "", lambda wall: wall.restitution.model),
-    _of_histories("velocity_ratio", "number", "-", lambda wall: wall.restitution.ratio_at_rest),
-    _of_wall("set_rule", "text", "", lambda wall: wall.set_rule),
-    _of_wall("q_set", "number", "-", lambda wall: wall.q_set),
-    _of_wall("q_min", "number", "-", lambda wall: wall.q_min),
-    _of_wall("q_robust_set", "number", "-", lambda wall: wall.q_robust_set),
-    _of_wall("q_slv_set", "number", "-", lambda wall: wall.q_slv_set),
-    _of_wall("q_slv_low_set", "number", "-", lambda wall: wall.q_slv_low_set),
-    _of_wall("q_05", "number", "-", lambda wall: wall.fragility.q_05 if wall.fragility else None),
-    _of_wall("q_16", "number", "-", lambda wall: wall.fragility.q_16 if wall.fragility else None),
-    _of_wall("q_50", "number", "-", lambda wall: wall.fragility.q_50 if wall.fragility else None),
-    _of_wall("closed_form_q", "number", "-", lambda wall: wall.closed_form_q),
-    _of_wall("closed_form_q_eff", "number", "-", lambda wall: wall.closed_form_q_eff),
-    _of_wall("record_q", "numbers", "-", lambda wall: [entry.q for entry in wall.per_record]),
-    _of_wall("record_q_robust", "numbers", "-", lambda wall: [entry.q_robust for entry in wall.per_record]),
-    _of_wall("record_q_slv", "numbers", "-", lambda wall: [entry.q_slv for entry in wall.per_record]),
-    _of_wall("record_polarity", "wholes", "", lambda wall: [entry.polarity for entry in wall.per_record]),
-    _of_wall("runs_without_q", "whole", "", lambda wall: sum(run.ida.q is None for run in wall.runs)),
-    _of_wall("analyses", "whole", "", lambda wall: sum(run.ida.analyses for run in wall.runs)),
-    _of_wall("warnings", "texts", "", lambda wall: _codes(wall.warnings)),
-    _of_checks("to_do", "texts", "", lambda found: _codes(found.to_do), "verdict"),
-    Column("limits", "texts", "", _limits),
+    *_taken(RISK, _risk, "pga_c_g", "return_period_c_years", "is_v"),
+    number("tie_kn_m", "kN/m", "force of the tie asked for", _tie),
+    *_taken(KINEMATIC, _kinematic, "alpha0", "e_star", "a0_star_g", "d0_m", "period_s"),
+    *_taken(WALL, _result, "height_m", "thickness_m"),
+    number("base_z_m", "m", "height of its base above the ground", "wall.wall.base_z_m"),
+    *_taken(WALL, _result, *SIZES, "restitution", "velocity_ratio", *SETS),
+    *_taken(FRAGILITY, lambda row: row.wall.fragility, "q_05", "q_16", "q_50"),
+    number("closed_form_q", "-", "q of Eq. 15 or 16", "wall.closed_form_q"),
+    number("closed_form_q_eff", "-", "Eq. 15 or 16", "wall.closed_form_q_eff"),
+    *(_of_records(one) for one in PER_RECORD if one.key in ("q", "q_robust", "q_slv")),
+    Quantity(
+        "record_polarity",
+        "wholes",
+        "sign of each record that governs",
+        lambda row: [entry.polarity for entry in row.wall.per_record],
+    ),
+    whole("runs_without_q", "runs without a q", lambda row: sum(run.ida.q is None for run in row.wall.runs)),
+    whole("analyses", "integrations made", lambda row: sum(run.ida.analyses for run in row.wall.runs)),
+    texts("warnings", "keys of the remarks on the run", lambda row: _codes(row.wall.warnings)),
+    texts("to_do", "keys of what the engineer has to do", lambda row: _verdict(row) and _codes(_verdict(row).to_do)),
+    texts("limits", "keys of what the number is to be read with", _limits),
 )
+"""Of a Row."""
 
 
 def columns_of(result: StudyResult, numbers: Sequence[int]) -> dict[str, list]:
@@ -172,8 +171,8 @@ def columns_of(result: StudyResult, numbers: Sequence[int]) -> dict[str, list]:
         Row(wall, numbers[wall.part.origin] + 1, by_wall.get(k), k in verdicts, result)
         for k, wall in enumerate(result.walls)
     ]
-    table = {column.name: [column.of(row) for row in rows] for column in COLUMNS}
+    table = {column.key: [column.of(row) for row in rows] for column in COLUMNS}
     for column in COLUMNS:
-        if column.kind == "number" and not all(value is None or math.isfinite(value) for value in table[column.name]):
-            raise ValueError(column.name)
+        if column.kind == "number" and not all(value is None or math.isfinite(value) for value in table[column.key]):
+            raise ValueError(column.key)
     return table

@@ -8,8 +8,8 @@ from dataclasses import replace
 from core.case.schema import Case
 from core.codes.outcomes import severity
 from core.report.columns import COLUMNS
-from core.report.json_report import demand_keys, record_keys
-from core.report.selection_words import selection_keys
+from core.report.stated.quantity import stated
+from core.report.stated.study import HEAD
 from core.study.results import StudyResult
 from core.version import NAME, VERSION, commit
 
@@ -65,13 +65,11 @@ def summary(case: Case, result: StudyResult, tally: Tally, file: str) -> dict:
         "program": {"name": NAME, "version": VERSION, "commit": commit()},
         "case": {**replace(case, wall=()).as_dict(), "walls": case.table or None},
         "case_sha256": case.sha256,
-        "demand": demand_keys(result) if result.demand else None,
-        "records": record_keys(result),
-        **({"selection": selection_keys(result.selection)} if result.selection else {}),
+        **stated([one for one in HEAD if one.key in ("demand", "records", "selection")], result),
         "table": {
             "file": file,
             "rows": tally.rows,
-            "columns": [{"name": one.name, "kind": one.kind, "unit": one.unit or None} for one in COLUMNS],
+            "columns": [{"name": one.key, "kind": one.kind, "unit": one.unit or None} for one in COLUMNS],
         },
         "walls": tally.walls,
         "verdicts": dict(sorted(tally.verdicts.items())),

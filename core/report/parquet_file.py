@@ -15,7 +15,7 @@ def schema(pyarrow: Any, metadata: dict[str, str]) -> Any:
     kinds |= {f"{kind}s": pyarrow.list_(kinds[kind]) for kind in ("text", "whole", "number")}
     fields = []
     for column in COLUMNS:
-        field = pyarrow.field(column.name, kinds[column.kind])
+        field = pyarrow.field(column.key, kinds[column.kind])
         fields.append(field.with_metadata({"unit": column.unit}) if column.unit else field)
     return pyarrow.schema(fields, metadata)
 
@@ -30,7 +30,7 @@ def write(stream: BinaryIO, groups: Iterable[dict[str, list]], metadata: dict[st
     import pyarrow.parquet
 
     layout = schema(pyarrow, metadata)
-    held: dict[str, list] = {column.name: [] for column in COLUMNS}
+    held: dict[str, list] = {column.key: [] for column in COLUMNS}
     with pyarrow.parquet.ParquetWriter(stream, layout, compression="zstd") as writer:
 
         def put(count: int) -> None:

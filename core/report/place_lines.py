@@ -2,7 +2,6 @@
 
 from core.case.place import Site
 from core.codes.limits import EXCEEDANCE
-from core.codes.national_hazard import PERIODS, USE_CLASSES
 from core.text.sentence import localized, numeral
 
 SOURCE = "D.M. 14/01/2008, Annexes A and B (NTC 2018 3.2)"
@@ -35,25 +34,3 @@ def place_of(site: Site, language: str) -> list[tuple[str, str]]:
 def states_of(site: Site) -> list[tuple[str, float, float, float, float]]:
     """(limit state, T_R [years], a_g [g], F_0, T_C* [s]) of each."""
     return [(state, years := site.return_period(state), *site.hazard.at(years)) for state in EXCEEDANCE]
-
-
-def as_json(site: Site) -> dict:
-    """The key demand.site of the results."""
-    hazard = site.hazard
-    keys = ("return_period_years", "ag_g", "f0", "tc_star_s")
-    return {
-        "municipality": site.municipality,
-        "province": site.province,
-        "latitude": hazard.latitude,
-        "longitude": hazard.longitude,
-        "nodes": list(hazard.nodes),
-        "distances_km": list(hazard.distances),
-        "island": hazard.island,
-        "use_class": site.use_class,
-        "use_class_factor": USE_CLASSES[site.use_class],
-        "reference_life_years": site.reference_life,
-        "hazard": [
-            dict(zip(keys, (years, *values), strict=True)) for years, values in zip(PERIODS, hazard.rows, strict=True)
-        ],
-        "states": {state: dict(zip(keys, values, strict=True)) for state, *values in states_of(site)},
-    }

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from core.file_names import shown
-from core.setting.record_selection import ChosenSet, Selection
+from core.setting.record_selection import Selection
 
 Say = Callable[..., str]
 """A text of the group "report" in the language of the report."""
@@ -50,35 +50,3 @@ def lines_of(selection: Selection, say: Say, language: str, most: int | None = N
         left += "; …" if selection.reasons[most or len(selection.reasons) :] else ""
         lines.append(say("Left out: {left}.", left=left))
     return lines
-
-
-def selection_keys(selection: Selection) -> dict:
-    """The key selection of the JSON."""
-    low, high, start = selection.bounds
-    return {
-        "folder": shown(selection.folder),
-        "files": selection.files,
-        "candidates": selection.candidates,
-        "every_combination": selection.every,
-        "period_range_s": list(selection.period_range),
-        "bounds": {"mean_lower": low, "mean_upper": high if high < float("inf") else None, "mean_pga": start or None},
-        "fits": selection.chosen.fits,
-        "sets": [_set(one) for one in selection.sets],
-        "left_out": [
-            {"file": shown(str(one.file.name)), "channel": one.channel, "reason": one.reason.text()}
-            for one in selection.left_out
-        ],
-    }
-
-
-def _set(one: ChosenSet) -> dict:
-    return {
-        "deviation": one.deviation,
-        "lowest": {"period_s": one.lowest[0], "ratio": one.lowest[1]},
-        "highest": {"period_s": one.highest[0], "ratio": one.highest[1]},
-        "pga_ratio": one.pga_ratio,
-        "miss": one.miss,
-        "records": [
-            {"file": shown(record.file), "channel": record.channel, "scale": record.scale} for record in one.records
-        ],
-    }

@@ -23,9 +23,11 @@ from core.report.cells import (
     title,
 )
 from core.report.selection_rows import selection_rows
-from core.study.results import Run, StudyResult, WallResult
+from core.report.stated.quantity import stated
+from core.report.stated.records import RECORD
+from core.report.stated.walls import RUN, OfRun
+from core.study.results import StudyResult
 from core.text.sentence import localized, word
-from core.units import CM, G
 from core.version import NAME, VERSION, commit
 from core.wall.restitution import MODELS
 
@@ -66,49 +68,35 @@ def status_word(book: Book, status: str) -> str:
 def records(book: Book, result: StudyResult) -> None:
     """The ground motions as read, with their intensity measures and hashes."""
     say = book.say
-    widths = [24, 34, 12, 9, 9, 8, 9, 9, 9, 9, 9, 9, 20]
+    columns = [
+        (say("Record"), 24, "name", ""),
+        ("File", 34, "file", ""),
+        (say("Format"), 12, "format", ""),
+        ("Δt [s]", 9, "time_step_s", "0.00000"),
+        (say("Samples"), 9, "samples", WHOLE),
+        (say("Unit"), 8, "unit", ""),
+        ("PGA [g]", 9, "pga_g", ACCELERATION),
+        ("PGV [cm/s]", 9, "pgv_cm_s", RATIO),
+        ("PGD [cm]", 9, "pgd_cm", RATIO),
+        ("Arias [m/s]", 9, "arias_m_s", ACCELERATION),
+        ("D5-95 [s]", 9, "duration_5_95_s", RATIO),
+        ("SI [cm]", 9, "housner_intensity_cm", RATIO),
+        ("SHA-256", 20, "file_sha256", ""),
+    ]
+    widths = [width for _, width, _, _ in columns]
     sheet = book.sheet("Records", widths, landscape=True)
     title(sheet, 1, say("Ground motions"))
-    header(
-        sheet,
-        3,
-        [
-            say("Record"),
-            "File",
-            say("Format"),
-            "Δt [s]",
-            say("Samples"),
-            say("Unit"),
-            "PGA [g]",
-            "PGV [cm/s]",
-            "PGD [cm]",
-            "Arias [m/s]",
-            "D5-95 [s]",
-            "SI [cm]",
-            "SHA-256",
-        ],
-        1,
-        32,
-    )
+    header(sheet, 3, [heading for heading, _, _, _ in columns], 1, 32)
     row = 4
-    for motion in result.motions:
-        text(sheet, row, 1, motion.name, wrap=True)
-        text(sheet, row, 2, motion.file, wrap=True)
-        heighten(sheet, row, (motion.name, 24), (motion.file, 34))
-        text(sheet, row, 3, motion.format)
-        for column, value, shape in (
-            (4, motion.time_step, "0.00000"),
-            (5, motion.acceleration.size, WHOLE),
-            (7, motion.pga / G, ACCELERATION),
-            (8, motion.pgv / CM, RATIO),
-            (9, motion.pgd / CM, RATIO),
-            (10, motion.arias, ACCELERATION),
-            (11, motion.duration_5_95, RATIO),
-            (12, motion.housner_intensity / CM, RATIO),
-        ):
-            number(sheet, row, column, value, shape)
-        text(sheet, row, 6, motion.unit, align="center")
-        text(sheet, row, 13, motion.file_sha256[:16], size=8, color=QUIET)
+    for pair in zip(result.motions, result.kinds, strict=True):
+        found = stated(RECORD, pair)
+        for column, (_, _, key, shape) in enumerate(columns[:-1], start=1):
+            if shape:
+                number(sheet, row, column, found[key], shape)
+            else:
+                text(sheet, row, column, found[key], wrap=column < 3, align="center" if key == "unit" else "left")
+        heighten(sheet, row, (found["name"], 24), (found["file"], 34))
+        text(sheet, row, 13, found["file_sha256"][:16], size=8, color=QUIET)
         rule(sheet, row, 1, len(widths))
         row += 1
     row += 1
@@ -179,7 +167,23 @@ def _provenance(book: Book, sheet, result: StudyResult, row: int) -> int:
 def results(book: Book, result: StudyResult) -> None:
     """One row for each wall, record and sign."""
     say = book.say
-    widths = [20, 11, 24, 7, 16, 8, 8, 8, 8, 8, 8, 8, 8, 9, 9, 9, 9, 9, 9]
+    columns = [
+        ("q", 8, "q", RATIO),
+        (say("bracket low"), 8, "bracket", "0.0000"),
+        (say("bracket high"), 8, "bracket", "0.0000"),
+        ("q SLV", 8, "q_slv", RATIO),
+        ("q SLC", 8, "q_slc", RATIO),
+        (say("q robust"), 8, "q_robust", RATIO),
+        (say("Scale C"), 8, "collapse_scale", ACCELERATION),
+        ("q_eff", 8, "q_eff", RATIO),
+        (say("last survival"), 9, "q_last_survival", RATIO),
+        (say("survived share"), 9, "survived_fraction", RATIO),
+        (say("windows"), 9, "survival_windows", WHOLE),
+        (say("analyses"), 9, "analyses", WHOLE),
+        (say("unknown points"), 9, "impact_limited", WHOLE),
+        (say("Eq. 7 clamped"), 9, "clamped", WHOLE),
+    ]
+    widths = [20, 11, 24, 7, 16, *(width for _, width, _, _ in columns)]
     sheet = book.sheet("Results", widths, landscape=True)
     step = 100 * result.search.q_step
     title(
@@ -191,38 +195,24 @@ def results(book: Book, result: StudyResult) -> None:
             method_words=result.method_words,
         ),
     )
-    header(
-        sheet,
-        3,
-        [
-            say("Wall"),
-            say("Mechanism"),
-            say("Record"),
-            say("Sign"),
-            say("Status"),
-            "q",
-            say("bracket low"),
-            say("bracket high"),
-            "q SLV",
-            "q SLC",
-            say("q robust"),
-            say("Scale C"),
-            "q_eff",
-            say("last survival"),
-            say("survived share"),
-            say("windows"),
-            say("analyses"),
-            say("unknown points"),
-            say("Eq. 7 clamped"),
-        ],
-        1,
-        44,
-    )
+    before = [say("Wall"), say("Mechanism"), say("Record"), say("Sign"), say("Status")]
+    header(sheet, 3, [*before, *(heading for heading, _, _, _ in columns)], 1, 44)
     row = 3
     for wall in book.steps.each(result.walls):
         for run in wall.runs:
             row += 1
-            _run(book, sheet, row, wall, run)
+            found = stated(RUN, OfRun(run, wall, result))
+            text(sheet, row, 1, wall.name, wrap=True)
+            text(sheet, row, 2, word(wall.mechanism, book.language))
+            text(sheet, row, 3, run.record, wrap=True)
+            heighten(sheet, row, (wall.name, 20), (run.record, 24))
+            text(sheet, row, 4, "+" if run.polarity > 0 else "−", align="center")
+            text(sheet, row, 5, status_word(book, found["status"]), color=INK if run.ida.q else BAD)
+            low, high = found["bracket"] or (None, None)
+            found |= {"survival_windows": len(found["survival_windows"])}
+            for column, (heading, _, key, shape) in enumerate(columns, start=6):
+                value = {7: low, 8: high}.get(column, found[key])
+                number(sheet, row, column, value, shape, bold=heading == "q" and value is not None)
             rule(sheet, row, 1, len(widths))
     if row > 3:
         sheet.auto_filter.ref = f"A3:S{row}"
@@ -241,35 +231,6 @@ def results(book: Book, result: StudyResult) -> None:
         170,
         color=QUIET,
     )
-
-
-def _run(book: Book, sheet, row: int, wall: WallResult, run: Run) -> None:
-    """The row of one wall, record and sign."""
-    ida = run.ida
-    text(sheet, row, 1, wall.name, wrap=True)
-    text(sheet, row, 2, word(wall.mechanism, book.language))
-    text(sheet, row, 3, run.record, wrap=True)
-    heighten(sheet, row, (wall.name, 20), (run.record, 24))
-    text(sheet, row, 4, "+" if run.polarity > 0 else "−", align="center")
-    text(sheet, row, 5, status_word(book, ida.status), color=INK if ida.q else BAD)
-    low, high = ida.bracket or (None, None)
-    for column, value, shape in (
-        (6, ida.q, RATIO),
-        (7, low, "0.0000"),
-        (8, high, "0.0000"),
-        (9, ida.q_slv, RATIO),
-        (10, ida.q_slc, RATIO),
-        (11, ida.q_robust, RATIO),
-        (12, run.scale, ACCELERATION),
-        (13, run.q_eff, RATIO),
-        (14, ida.q_last_survival, RATIO),
-        (15, ida.survived_fraction, RATIO),
-        (16, len(ida.survival_windows), WHOLE),
-        (17, ida.analyses, WHOLE),
-        (18, ida.impact_limited, WHOLE),
-        (19, ida.clamped, WHOLE),
-    ):
-        number(sheet, row, column, value, shape, bold=column == 6 and value is not None)
 
 
 def method(book: Book, result: StudyResult) -> None:

@@ -7,8 +7,9 @@ import math
 from dataclasses import asdict
 
 from core.report.drawing import style
-from core.report.json_report import record_measures
 from core.report.plain_cell import plain_cell
+from core.report.stated.quantity import stated
+from core.report.stated.records import MEASURES
 from core.report.xml_text import for_xml
 from core.research.figures import DASHED, LINE, LINE_POINTS, POINTS, Figure, StudyReport, marker_of
 from core.research.parametric import ParametricResult
@@ -117,7 +118,7 @@ def json_text(result: ParametricResult, report: StudyReport, runs: str, runs_sha
                 "spectrum": e.spectrum,
                 "group": e.group,
                 "seed": e.seed,
-                **record_measures(e.motion),
+                **stated(MEASURES, e.motion),
             }
             for e in result.motions
         ],

@@ -253,7 +253,7 @@ def test_that_a_group_holds_so_many_searches_at_most(case, monkeypatch):
 def test_that_the_terminal_shows_the_worst_walls_and_the_counts(table, tmp_path):
     tally = Tally()
     for k in range(300):
-        row = {column.name: [None] for column in COLUMNS}
+        row = {column.key: [None] for column in COLUMNS}
         row |= {"wall": [k], "name": [f"w{k}"], "hinge_m": [0.0], "decides": [True], "verdict": ["not_verified"]}
         row |= {"mechanism": ["two_sided"], "zeta_e": [1.0 / (1 + k)], "zeta_target": [1.0], "q_set": [2.0]}
         tally.add(row | {"check": ["dynamic"], "analyses": [5], "runs_without_q": [0]})
@@ -271,4 +271,4 @@ def test_that_units_stand_in_the_table(table):
 
 def test_that_every_column_is_in_the_page_of_scale():
     page = (ROOT / "resources" / "docs" / "scale.md").read_text()
-    assert [column.name for column in COLUMNS if f"`{column.name}`" not in page] == []
+    assert [column.key for column in COLUMNS if f"`{column.key}`" not in page] == []

@@ -48,7 +48,14 @@ OF_NO_SENTENCE = {
     "app/input/impact_form.py": "formulas with their source",
     "core/case/back_restraint.py": "words of older texts, in both languages",
     "core/case/wall_table.py": "heads of columns, in both languages",
-    "core/case/schema.py": "the values of a key",
+    "core/case/wall.py": "the values of a key",
+    **dict.fromkeys(
+        [
+            "core/report/columns.py",
+            *(f"core/report/stated/{one}.py" for one in ("checks", "records", "study", "verdicts", "walls")),
+        ],
+        "what each key of the results is: its page and its schema are in English, as the keys are",
+    ),
     "core/derivation/faces.py": "errors of whoever describes a quantity",
     "core/derivation/quantity.py": "errors of whoever describes a quantity",
     "core/variation/evaluate.py": "how the first line of a bundled motion begins",

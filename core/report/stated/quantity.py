@@ -1,0 +1,158 @@
+"""A quantity of the results: what the JSON, the columns of many walls, the sheets and the page of the results share."""
+
+from collections.abc import Callable, Iterator, Sequence
+from operator import attrgetter
+from typing import Any, NamedTuple
+
+Read = Callable[[Any], Any] | str | None
+"""How a value is read: a function of its source, the name of an attribute, None of the attribute named as the key."""
+
+
+class Quantity(NamedTuple):
+    """One key of the results.
+
+    kind : text, whole, number, flag; texts, wholes, numbers are lists; one is an object of `group`, many a list of
+        them, named a mapping of names to them; free is an object whose keys are names, frees a list of them; any is a
+        number, a text or an object of the case; pairs is a list of two numbers each
+    unit : "" of what has none
+    group : the quantities of an object
+    left_out : the key is not written where there is nothing
+    """
+
+    key: str
+    kind: str
+    meaning: str
+    of: Callable[[Any], Any]
+    unit: str = ""
+    group: tuple["Quantity", ...] = ()
+    left_out: bool = False
+
+    def optional(self) -> "Quantity":
+        return self._replace(left_out=True)
+
+
+def _made(kind: str, key: str, meaning: str, of: Read, unit: str = "", group: Sequence[Quantity] = ()) -> Quantity:
+    return Quantity(key, kind, meaning, of if callable(of) else attrgetter(of or key), unit, tuple(group))
+
+
+def text(key: str, meaning: str, of: Read = None) -> Quantity:
+    return _made("text", key, meaning, of)
+
+
+def texts(key: str, meaning: str, of: Read = None) -> Quantity:
+    return _made("texts", key, meaning, of)
+
+
+def flag(key: str, meaning: str, of: Read = None) -> Quantity:
+    return _made("flag", key, meaning, of)
+
+
+def whole(key: str, meaning: str, of: Read = None) -> Quantity:
+    return _made("whole", key, meaning, of)
+
+
+def number(key: str, unit: str, meaning: str, of: Read = None) -> Quantity:
+    return _made("number", key, meaning, of, unit)
+
+
+def numbers(key: str, unit: str, meaning: str, of: Read = None) -> Quantity:
+    return _made("numbers", key, meaning, of, unit)
+
+
+def free(key: str, meaning: str, of: Read = None) -> Quantity:
+    return _made("free", key, meaning, of)
+
+
+def one(key: str, meaning: str, group: Sequence[Quantity], of: Read = None) -> Quantity:
+    return _made("one", key, meaning, of, group=group)
+
+
+def many(key: str, meaning: str, group: Sequence[Quantity], of: Read = None) -> Quantity:
+    return _made("many", key, meaning, of, group=group)
+
+
+def named(key: str, meaning: str, group: Sequence[Quantity], of: Read = None) -> Quantity:
+    return _made("named", key, meaning, of, group=group)
+
+
+def itself(source: Any) -> Any:
+    """Of an object that is read from the same source as what holds it."""
+    return source
+
+
+def per(divisor: float, attribute: str) -> Callable[[Any], float | None]:
+    """An attribute in another unit, None where it is."""
+    read = attrgetter(attribute)
+
+    def value(source: Any) -> float | None:
+        found = read(source)
+        return None if found is None else found / divisor
+
+    return value
+
+
+def through(source: Callable[[Any], Any], group: Sequence[Quantity]) -> list[Quantity]:
+    """Quantities of a group read from another source, None where that is."""
+
+    def read(of: Callable[[Any], Any]) -> Callable[[Any], Any]:
+        return lambda outer: None if (found := source(outer)) is None else of(found)
+
+    return [quantity._replace(of=read(quantity.of)) for quantity in group]
+
+
+def stated(group: Sequence[Quantity], source: Any) -> dict[str, Any]:
+    """The keys of a group as the results have them."""
+    found = {}
+    for quantity in group:
+        value = quantity.of(source)
+        if value is None and quantity.left_out:
+            continue
+        if value is not None and quantity.group:
+            if quantity.kind == "one":
+                value = stated(quantity.group, value)
+            elif quantity.kind == "many":
+                value = [stated(quantity.group, item) for item in value]
+            else:
+                value = {name: stated(quantity.group, item) for name, item in value.items()}
+        elif value is not None and quantity.kind in ("texts", "numbers", "wholes"):
+            value = list(value)
+        found[quantity.key] = value
+    return found
+
+
+def schema(group: Sequence[Quantity]) -> dict[str, Any]:
+    """JSON Schema of an object of these quantities."""
+    return {
+        "type": "object",
+        "additionalProperties": False,
+        "required": [quantity.key for quantity in group if not quantity.left_out],
+        "properties": {quantity.key: _schema_of(quantity) for quantity in group},
+    }
+
+
+SCALARS = {"text": "string", "whole": "integer", "number": "number", "flag": "boolean", "free": "object"}
+
+
+def _schema_of(quantity: Quantity) -> dict[str, Any]:
+    words = quantity.meaning + (f" [{quantity.unit}]" if quantity.unit else "")
+    if quantity.kind in SCALARS:
+        return {"description": words, "type": [SCALARS[quantity.kind], "null"]}
+    if quantity.kind == "one":
+        return {"description": words, "anyOf": [schema(quantity.group), {"type": "null"}]}
+    if quantity.kind == "named":
+        return {"description": words, "type": ["object", "null"], "additionalProperties": schema(quantity.group)}
+    if quantity.kind == "any":
+        return {"description": words}
+    if quantity.kind == "pairs":
+        pair = {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}
+        return {"description": words, "type": "array", "items": pair}
+    item = schema(quantity.group) if quantity.kind == "many" else {"type": [SCALARS[quantity.kind[:-1]], "null"]}
+    return {"description": words, "type": ["array", "null"], "items": item}
+
+
+def listed(group: Sequence[Quantity], above: str = "") -> Iterator[tuple[str, Quantity]]:
+    """(path, quantity) of all quantities of a group and of what it holds, in their order."""
+    for quantity in group:
+        path = above + quantity.key
+        yield path, quantity
+        yield from listed(quantity.group, path + {"one": ".", "many": "[].", "named": ".*."}.get(quantity.kind, ""))

@@ -1,0 +1,188 @@
+"""Quantities of the demand, of the records and of their selection."""
+
+from operator import itemgetter
+
+from core.codes.limits import EXCEEDANCE
+from core.codes.national_hazard import PERIODS, USE_CLASSES
+from core.file_names import shown
+from core.ground.provenance import provenance
+from core.report.stated.quantity import flag, many, named, number, numbers, one, per, text, texts, through, whole
+from core.units import CM, G
+
+PROVENANCE = (
+    text("event", "event, as the file names it; empty where it says nothing, as the keys below"),
+    text("station", "station with its network"),
+    text("date", "date of the event"),
+    text("magnitude", "magnitude"),
+    text("distance_km", "distance, as written [km]"),
+    text("site_class", "class of the soil at the station"),
+    text("filter", "corner frequencies, as written"),
+    text("processing", "processing, as the file names it"),
+)
+
+MEASURES = (
+    text("file", "file the motion was read from", lambda motion: shown(motion.file)),
+    text("file_sha256", "SHA-256 of the file"),
+    text("samples_sha256", "SHA-256 of the samples in m/s2"),
+    text("format", "format of the file"),
+    number("time_step_s", "s", "time between samples", "time_step"),
+    whole("samples", "number of samples", lambda motion: int(motion.acceleration.size)),
+    text("unit", "unit of the samples in the file"),
+    number("pga_g", "g", "largest acceleration", per(G, "pga")),
+    number("pgv_cm_s", "cm/s", "largest velocity, without baseline step", per(CM, "pgv")),
+    number("pgd_cm", "cm", "largest displacement, without baseline step", per(CM, "pgd")),
+    number("arias_m_s", "m/s", "Arias intensity", "arias"),
+    number("duration_5_95_s", "s", "time between 5 and 95 % of the Arias intensity", "duration_5_95"),
+    one("provenance", "what the file says of its motion", PROVENANCE, provenance),
+    number("housner_intensity_cm", "cm", "SI, Eq. 11, not divided by 2.4", per(CM, "housner_intensity")),
+    one(
+        "lines",
+        "lines of the file; null of a file without lines",
+        (
+            whole("head", "lines of the head", lambda lines: lines[0]),
+            whole("samples", "lines of samples", lambda lines: lines[1]),
+            whole("others", "lines of neither", lambda lines: lines[2]),
+        ),
+        lambda motion: motion.lines or None,
+    ),
+    texts("warnings", "remarks on the reading", lambda motion: [warning.text() for warning in motion.warnings]),
+)
+"""Of a GroundMotion."""
+
+RECORD = (
+    text("name", "name for people", lambda pair: pair[0].name),
+    text("kind", "natural, artificial or simulated", lambda pair: pair[1]),
+    number("scale", "-", "factor of the case", lambda pair: pair[0].scale),
+    *through(itemgetter(0), MEASURES),
+)
+"""Of (GroundMotion, kind)."""
+
+RULE = (
+    text("code", "NTC, EN, or shown"),
+    text("clause", "clause"),
+    text("name", "what is compared"),
+    number("value", "see unit", "value of the set"),
+    number("limit", "see unit", "limit of the rule, null where it is only shown"),
+    text("unit", "of value and limit: %, g, s or empty"),
+    flag("passed", "whether the rule is kept, null where it is only shown"),
+)
+
+COMPLIANCE = (
+    flag("compatible", "whether the set keeps the rules of the code of its spectrum"),
+    numbers("period_range_s", "s", "periods over which the mean spectrum is compared", "period_range"),
+    whole("stations", "number of stations"),
+    many("rules", "each rule", RULE),
+)
+
+HAZARD_ROW = (
+    number("return_period_years", "years", "return period", lambda row: row[0]),
+    number("ag_g", "g", "a_g on rock", lambda row: row[1]),
+    number("f0", "-", "F0", lambda row: row[2]),
+    number("tc_star_s", "s", "T_C*", lambda row: row[3]),
+)
+
+SITE = (
+    text("municipality", "municipality, empty where coordinates are given"),
+    text("province", "province"),
+    number("latitude", "deg", "latitude", "hazard.latitude"),
+    number("longitude", "deg", "longitude", "hazard.longitude"),
+    texts("nodes", "nodes of the grid around it", "hazard.nodes"),
+    numbers("distances_km", "km", "their distances", "hazard.distances"),
+    text("island", "island of Annex B Table 2, empty elsewhere", "hazard.island"),
+    text("use_class", "class of use"),
+    number("use_class_factor", "-", "C_U", lambda site: USE_CLASSES[site.use_class]),
+    number("reference_life_years", "years", "V_R", "reference_life"),
+    many(
+        "hazard",
+        "a_g, F0, T_C* at the return periods of the grid",
+        HAZARD_ROW,
+        lambda site: [(years, *values) for years, values in zip(PERIODS, site.hazard.rows, strict=True)],
+    ),
+    named(
+        "states",
+        "the same at the limit states",
+        HAZARD_ROW,
+        lambda site: {state: (years := site.return_period(state), *site.hazard.at(years)) for state in EXCEEDANCE},
+    ),
+)
+
+DEMAND = (
+    text("limit_state", "SLO, SLD, SLV or SLC", "required.limit_state"),
+    number("ag_g", "g", "a_g on rock", per(G, "required.ag")),
+    number("soil_factor", "-", "S", "required.soil_factor"),
+    number("pga_g", "g", "a_g S", per(G, "required.pga")),
+    number(
+        "housner_intensity_cm",
+        "cm",
+        "SI of the demand, null without a spectrum",
+        lambda result: result.required.intensity / CM if result.required.intensity else None,
+    ),
+    text("intensity_source", "what SI is of", "required.intensity_source"),
+    text("spectrum", "spectrum", lambda result: result.required.target.name if result.required.target else None),
+    number("confidence_factor", "-", "FC", "required.confidence_factor"),
+    number("zeta_target", "-", "zeta_E that is required", "required.zeta_target"),
+    text("confidence_on", "where FC acts: capacity or demand", "required.confidence_on"),
+    number("return_period_years", "years", "return period of the demand", "required.return_period"),
+    many(
+        "hazard",
+        "a_g at return periods, as given",
+        HAZARD_ROW[:2],
+        lambda result: [(years, ag / G) for years, ag in result.required.hazard],
+    ),
+    text("demand_scaling", "how records are scaled: as_given, pga or si", "required.record_scaling"),
+    one("compliance", "the records against the spectrum", COMPLIANCE, lambda result: result.compliance or None),
+    texts("warnings", "remarks on the demand", lambda result: [warning.text() for warning in result.required.warnings]),
+    one("site", "the place", SITE, lambda result: result.case.site).optional(),
+)
+"""Of a StudyResult with a demand."""
+
+AT_PERIOD = (
+    number("period_s", "s", "period", lambda found: found[0]),
+    number("ratio", "-", "mean spectrum over the target there", lambda found: found[1]),
+)
+
+CHOSEN_SET = (
+    number("deviation", "-", "root mean square of mean spectrum over target, less 1"),
+    one("lowest", "where the mean lies lowest", AT_PERIOD),
+    one("highest", "where it lies highest", AT_PERIOD),
+    number("pga_ratio", "-", "mean ordinate at T = 0 over the target"),
+    number("miss", "-", "worst ordinate beyond its bound, 0 where none is"),
+    many(
+        "records",
+        "its records",
+        (
+            text("file", "file", lambda record: shown(record.file)),
+            text("channel", "channel"),
+            number("scale", "-", "factor"),
+        ),
+    ),
+)
+
+SELECTION = (
+    text("folder", "folder of the records", lambda found: shown(found.folder)),
+    whole("files", "files read"),
+    whole("candidates", "motions that may be chosen"),
+    flag("every_combination", "whether every set was looked at", "every"),
+    numbers("period_range_s", "s", "periods of the comparison", "period_range"),
+    one(
+        "bounds",
+        "of the mean spectrum over the target",
+        (
+            number("mean_lower", "-", "lowest", lambda bounds: bounds[0]),
+            number("mean_upper", "-", "highest, null without one", lambda b: b[1] if b[1] < float("inf") else None),
+            number("mean_pga", "-", "lowest at T = 0, null without one", lambda bounds: bounds[2] or None),
+        ),
+    ),
+    flag("fits", "whether the chosen set keeps the rule", "chosen.fits"),
+    many("sets", "the sets found, the chosen one first", CHOSEN_SET),
+    many(
+        "left_out",
+        "motions that cannot be chosen",
+        (
+            text("file", "file", lambda one: shown(str(one.file.name))),
+            text("channel", "channel"),
+            text("reason", "why", lambda one: one.reason.text()),
+        ),
+    ),
+)
+"""Of a Selection."""

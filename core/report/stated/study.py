@@ -1,0 +1,85 @@
+"""Quantities of a study: what the results JSON holds, in its order."""
+
+from typing import Any, NamedTuple
+
+from core.report.stated.quantity import Quantity, free, many, one, text
+from core.report.stated.records import DEMAND, RECORD, SELECTION
+from core.report.stated.verdicts import PAIR, VERDICT, Compared, OfWall
+from core.report.stated.walls import WALL, OfWallResult
+from core.study.results import StudyResult
+from core.study.variants import comparisons, wall_comparisons
+from core.version import NAME, VERSION, commit
+
+HEAD = (
+    one(
+        "program",
+        "what made the results",
+        (
+            text("name", "name", lambda _: NAME),
+            text("version", "version", lambda _: VERSION),
+            text("commit", "commit of its sources", lambda _: commit()),
+        ),
+        lambda result: result,
+    ),
+    text("started_utc", "beginning of the run"),
+    free(
+        "case", "the case with its defaults, by the keys of the page of the case", lambda result: result.case.as_dict()
+    ),
+    text("case_sha256", "SHA-256 of the file of the case", "case.sha256"),
+    Quantity(
+        "drawings",
+        "frees",
+        "drawings that solids come from",
+        lambda result: [dict(note.values) for note in result.case.drawings] or None,
+    ).optional(),
+    one("demand", "what is asked of the walls", DEMAND, lambda result: result if result.demand else None),
+    many("records", "the records", RECORD, lambda result: zip(result.motions, result.kinds, strict=True)),
+    one(
+        "selection", "how they were chosen from a folder", SELECTION, lambda result: result.selection or None
+    ).optional(),
+)
+"""Of a StudyResult: what stands before the verdicts."""
+
+VERDICTS = (
+    many(
+        "verdicts",
+        "one a wall of the case, none without a demand",
+        VERDICT,
+        lambda result: [OfWall(verdict, result) for verdict in result.verdicts],
+    ),
+)
+WALLS = (
+    many(
+        "walls",
+        "one a wall, hinge and mechanism",
+        WALL,
+        lambda result: [OfWallResult(wall, result) for wall in result.walls],
+    ),
+)
+
+
+class Pair(NamedTuple):
+    """A wall as it is and as it is designed."""
+
+    name: str
+    changed: tuple[str, ...]
+    before: Compared
+    after: Compared
+
+
+def _pairs(result: StudyResult) -> list[Pair] | None:
+    """By the hinge that decides, without a demand by q of each hinge and mechanism; None where there are none."""
+    found: list[Any]
+    if result.verdicts:
+        found = list(wall_comparisons(result.verdicts))
+        sides = [[Compared.of(OfWall(side, result)) for side in (one.before, one.after)] for one in found]
+    else:
+        found = list(comparisons(result.walls))
+        sides = [[Compared(q_set=side.q_set) for side in (one.before, one.after)] for one in found]
+    return [Pair(one.name, one.changed, *both) for one, both in zip(found, sides, strict=True)] or None
+
+
+PAIRS = (many("variants", "walls as they are beside as they are designed", PAIR, _pairs).optional(),)
+
+RESULTS = (*HEAD, *VERDICTS, *WALLS, *PAIRS)
+"""Of a StudyResult: the whole file."""

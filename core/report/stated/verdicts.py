@@ -1,0 +1,211 @@
+"""Quantities of the verdict of a wall, of its sensitivities and of its variants."""
+
+from typing import NamedTuple
+
+from core.codes.assumption import Shown
+from core.report.stated.quantity import Quantity, flag, many, named, number, one, text, texts, whole
+from core.report.verdict_words import outcome_of
+from core.study.results import StudyResult, WallResult, WallVerdict
+from core.study.wall_verdict import assumptions_of, deciding, where
+from core.text.sentence import Sentence
+from core.units import G
+from core.variation.limit_states import STATES
+from core.variation.swings import move_words
+
+SAID = (
+    text("key", "which remark", "code"),
+    text("text_it", "in Italian", lambda said: said.text("it")),
+    text("text_en", "in English", lambda said: said.text("en")),
+)
+"""Of a Sentence."""
+
+
+def _in_english(value: Shown) -> float | str:
+    return value.text("en") if isinstance(value, Sentence) else value
+
+
+ASSUMPTION = (
+    text("key", "key of the case"),
+    Quantity("value", "any", "value taken; what has words is in English", lambda row: _in_english(row.value)),
+    text("source", "given, default, left_out or declared"),
+    Quantity("other_end", "any", "the other end of its range", lambda row: _in_english(row.other_end)),
+    number("zeta", "-", "zeta_E there"),
+    text("outcome", "outcome there"),
+    flag("turns", "whether it turns what is satisfied into what is not"),
+    text("reason", "of the engineer"),
+    text("text_it", "the row in Italian", lambda row: row.words.text("it")),
+    text("text_en", "the row in English", lambda row: row.words.text("en")),
+)
+"""Of an Assumption."""
+
+INTERVAL = (
+    number("low", "-", "lower end of zeta_E for nine of ten sets of as many stations"),
+    number("high", "-", "upper end"),
+    whole("stations", "stations drawn from"),
+    flag("open_end", "whether the upper end is that of the search"),
+)
+
+RATE = (
+    text("state", "limit state, or collapse"),
+    one(
+        "fragility",
+        "lognormal of a_g on rock, FC included",
+        (
+            number("median", "m/s2", "median"),
+            number("deviation", "-", "standard deviation of the logarithm"),
+            whole("n", "records"),
+        ),
+    ),
+    number("rate", "1/year", "exceedances"),
+    number("low", "1/year", "lower end for nine of ten sets of stations"),
+    number("high", "1/year", "upper end"),
+    number("in_life", "-", "probability in the nominal life"),
+    number("without_factor", "1/year", "rate without FC"),
+    number("beyond", "-", "share of the rate from motions stronger than the hazard tells"),
+    number("weaker", "-", "walls that fail below the hazard"),
+)
+
+END = (
+    Quantity("value", "any", "value of the input there", lambda pair: pair[1].value),
+    text("record", "record left out", lambda pair: pair[1].name or None),
+    number("zeta", "-", "zeta_E there", lambda pair: pair[1].zeta),
+    flag("satisfied", "whether the check is surely satisfied", lambda pair: pair[1].sure),
+    text("text_it", "in Italian", lambda pair: move_words(*pair).text("it")),
+    text("text_en", "in English", lambda pair: move_words(*pair).text("en")),
+)
+"""Of (Swing, its end)."""
+
+SENSITIVITY = (
+    number("base_zeta", "-", "zeta_E as given", "base"),
+    many(
+        "moves",
+        "inputs moved, the one that matters most first",
+        (
+            text("input", "input", "key"),
+            Quantity("given", "any", "its value", lambda swing: swing.given),
+            many("ends", "both ends", END, lambda swing: [(swing, end) for end in swing.ends]),
+        ),
+        "swings",
+    ),
+    texts("without_effect", "inputs that change nothing", "still"),
+    many(
+        "refused",
+        "values that are refused",
+        (
+            text("input", "input", lambda pair: pair[0]),
+            text("text_it", "why, in Italian", lambda pair: pair[1].text("it")),
+            text("text_en", "why, in English", lambda pair: pair[1].text("en")),
+        ),
+    ),
+    texts("turning", "inputs that turn the outcome"),
+    many(
+        "at_target",
+        "where an input brings the check to the zeta required",
+        (
+            text("input", "input", "key"),
+            Quantity("given", "any", "its value", lambda reach: reach.given),
+            Quantity("by_check", "free", "value at the limit, by check", lambda reach: reach.by_check),
+            texts("satisfied_throughout", "checks satisfied over the whole range", "throughout"),
+        ),
+        "reach",
+    ),
+)
+"""Of a Sensitivity."""
+
+
+class OfWall:
+    """What the quantities of a verdict are read from. one : of a wall of the case; result : of the study"""
+
+    def __init__(self, one: WallVerdict, result: StudyResult):
+        self.one, self.result = one, result
+        self.governing: WallResult = result.walls[one.governing]
+        self.verdict = self.governing.assessed.verdict
+        self.check = deciding(self.governing)
+
+    @property
+    def hinges(self) -> list[WallResult]:
+        return [self.result.walls[k] for k in self.one.results]
+
+    def text(self, language: str) -> str:
+        return self.verdict.text(language, self.one.title, where(self.governing))
+
+
+VERDICT = (
+    text("wall", "name", "one.wall.name"),
+    text("variant", "stato di fatto or progetto, null of a wall without variants", "one.wall.variant"),
+    text("code", "outcome: not_verified, q2_unsafe, at_limit, undetermined, indicative, verified...", "verdict.code"),
+    number("zeta_e", "-", "zeta_E of the check that decides", "verdict.zeta_e"),
+    number(
+        "zeta_least", "-", "lowest zeta_E of all hinges and mechanisms, null where one is unknown", "one.zeta_least"
+    ),
+    number("zeta_target", "-", "zeta_E required", "verdict.zeta_target"),
+    number("pga_c_g", "g", "PGA_C", lambda of: of.one.risk.pga / G if of.one.risk else None),
+    number("return_period_c_years", "years", "T_R,C", lambda of: of.one.risk.return_period if of.one.risk else None),
+    number("is_v", "-", "IS-V of the wall", lambda of: of.one.risk.index if of.one.risk else None),
+    text("is_v_letter", "its letter", lambda of: of.one.risk.letter if of.one.risk else None),
+    number("hinge_m", "m", "height above the base of the hinge that decides", "governing.part.hinge"),
+    text("mechanism", "mechanism that decides", "governing.mechanism"),
+    text("check", "check that decides", "verdict.governing"),
+    text("clause", "its clause", lambda of: of.check.clause if of.check else None),
+    text("text_it", "the sentence in Italian", lambda of: of.text("it")),
+    text("text_en", "the sentence in English", lambda of: of.text("en")),
+    text("decides", "what decides", lambda of: of.verdict.decides.text("en") if of.verdict.decides else ""),
+    many("to_do", "what the engineer has to do", SAID, "verdict.to_do"),
+    many(
+        "assumptions", "what raises zeta and nobody measured", ASSUMPTION, lambda of: assumptions_of(of.result, of.one)
+    ),
+    many("limits", "what the number is to be read with", SAID, lambda of: (*of.verdict.limits, *of.one.extra)),
+    many("notes", "what a reader may pass over", SAID, "verdict.notes"),
+    many(
+        "hinges",
+        "all hinges and mechanisms, the worst first",
+        (
+            number("hinge_m", "m", "height above the base", "part.hinge"),
+            text("mechanism", "mechanism"),
+            text("code", "outcome", "assessed.verdict.code"),
+            number("zeta_e", "-", "zeta_E", "assessed.verdict.zeta_e"),
+            text("check", "check that decides", "assessed.verdict.governing"),
+        ),
+    ),
+    named(
+        "states",
+        "the limit states",
+        (text("code", "outcome"), number("zeta_e", "-", "zeta_E", "zeta"), text("check", "check that decides")),
+        lambda of: {state: of.one.states[state] for state in STATES},
+    ),
+    one("interval", "of zeta_E for other samples of records", INTERVAL, "one.interval"),
+    many("rates", "how often limit states are exceeded", RATE, "one.rates"),
+    one("sensitivity", "what other values of the inputs do", SENSITIVITY, lambda of: of.one.sensitivity or None),
+)
+"""Of OfWall."""
+
+
+class Compared(NamedTuple):
+    """A wall beside its other variant; q alone without a demand."""
+
+    code: str | None = None
+    zeta_e: float | None = None
+    zeta_least: float | None = None
+    check: str | None = None
+    q_set: float | None = None
+
+    @classmethod
+    def of(cls, wall: OfWall) -> "Compared":
+        code, check = outcome_of(wall.result, wall.one)
+        return cls(code, wall.verdict.zeta_e, wall.one.zeta_least, check, wall.governing.q_set)
+
+
+COMPARED = (
+    text("code", "outcome, null without a demand"),
+    number("zeta_e", "-", "zeta_E"),
+    number("zeta_least", "-", "lowest zeta_E of all hinges and mechanisms"),
+    text("check", "check that decides"),
+    number("q_set", "-", "q of the set"),
+)
+
+PAIR = (
+    text("name", "name of the wall"),
+    texts("changed", "keys that differ"),
+    one("before", "stato di fatto", COMPARED),
+    one("after", "progetto", COMPARED),
+)

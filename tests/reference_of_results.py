@@ -1,0 +1,71 @@
+"""The keys of the results JSON as a page and a JSON Schema: `.venv/bin/python -m tests.reference_of_results` writes
+resources/docs/results.md and results.schema.json, or into the folder it is given."""
+
+import json
+import sys
+from pathlib import Path
+
+from core.report.columns import COLUMNS
+from core.report.stated.quantity import Quantity, listed, schema
+from core.report.stated.study import RESULTS
+from tests.conftest import ROOT
+
+FOLDER = ROOT / "resources" / "docs"
+HEAD = """# The results
+
+`--batch` writes beside the workbook `<case>.json`, with every number exact. Its keys and units are below; the same as a
+[JSON Schema](results.schema.json), against which the results of every shipped case are tested. A key may be null where
+there is no such number, and is left out where it says so. `[]` marks the items of a list, `.*` the values of a mapping.
+The rows of the table `<case>.parquet` of many walls ([scale.md](scale.md)) have the columns of the second table.
+
+```
+python3 run.py --batch resources/cases/verdict.toml --output results
+```
+```
+>>> import json
+>>> results = json.load(open("results/verdict.json", encoding="utf-8"))
+>>> [(one["wall"], one["code"], one["zeta_e"]) for one in results["verdicts"]]
+```
+"""
+KINDS = {
+    "text": "text",
+    "whole": "whole number",
+    "number": "number",
+    "flag": "true or false",
+    "free": "object",
+    "one": "object",
+    "named": "object",
+    "many": "list",
+    "frees": "list of objects",
+    "any": "number or text",
+    "pairs": "list of pairs",
+}
+
+
+def kind_of(quantity: Quantity) -> str:
+    return KINDS.get(quantity.kind) or f"list of {KINDS[quantity.kind[:-1]]}s"
+
+
+def row(path: str, quantity: Quantity) -> str:
+    words = quantity.meaning + ("; left out where there is none" if quantity.left_out else "")
+    return f"| `{path}` | {kind_of(quantity)} | {quantity.unit if quantity.unit != '-' else ''} | {words} |"
+
+
+def page() -> str:
+    """The page, with every key."""
+    head = ["| key | kind | unit | what it is |", "|---|---|---|---|"]
+    keys = [row(path, quantity) for path, quantity in listed(RESULTS)]
+    columns = [row(column.key, column) for column in COLUMNS]
+    return "\n".join([HEAD, "## Every key", *head, *keys, "", "## Columns of many walls", *head, *columns]) + "\n"
+
+
+def json_schema() -> str:
+    """The schema of the file."""
+    title = {"$schema": "http://json-schema.org/draft-07/schema#", "title": "Results of Ribalta"}
+    return json.dumps(title | schema(RESULTS), indent=1, ensure_ascii=False) + "\n"
+
+
+if __name__ == "__main__":
+    folder = Path(sys.argv[1]) if sys.argv[1:] else FOLDER
+    (folder / "results.md").write_text(page(), encoding="utf-8")
+    (folder / "results.schema.json").write_text(json_schema(), encoding="utf-8")
