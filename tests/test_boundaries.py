@@ -87,8 +87,6 @@ SHOWN_BY = {
     "case/solids": BODIES,
     "case/drawn_solids": "tests/core/case/test_drawing_file.py",
     "report/place_lines": "tests/core/case/test_place.py",
-    "wall/body": BODIES,
-    "wall/solids": BODIES,
     "case/shape": BODIES,
     "case/shape_rules": BODIES,
     "case/above_hinge": "tests/core/case/test_hinges.py",
@@ -198,7 +196,7 @@ SHOWN_BY = {
     },
     "known_internals": "tests/core/jit/test_numba_extensions.py",
     **dict.fromkeys(
-        ("rocking/bar_state", "rocking/series_with_bars", "rocking/taylor_with_bars", "wall/bars"),
+        ("rocking/bar_state", "rocking/series_with_bars", "rocking/taylor_with_bars"),
         "tests/validation/test_tied_walls.py",
     ),
     "derivation/quantity": "tests/core/derivation/test_faces.py",

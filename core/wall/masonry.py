@@ -234,7 +234,8 @@ class Masonry:
     @property
     def sides(self) -> list[tuple[Block, RestoringMoment]]:
         """The block about each of its hinges, the outer one first, and the moment of its loads there."""
-        return list(zip((self.block, self.inner_block or self.block), self.restoring, strict=True))
+        outward, inward = self.restoring
+        return [(self.block, outward), (self.inner_block or self.block, inward)]
 
     @property
     def is_centred(self) -> bool:

@@ -40,6 +40,7 @@ GOAL = 0.92
 PRINTED = "tests/core/codes/test_printed_tables.py"
 KEYS = "tests/test_documents.py::test_that_the_page_of_the_case_has_every_key_as_it_is"
 CONTACT = "tests/core/case/test_contact.py"
+BODIES = "tests/validation/test_bodies.py"
 TIES = "tests/core/codes/test_ties_in_the_clauses.py"
 LOADS = "tests/core/case/test_load_rules.py"
 ASSUMED = "tests/core/variation/test_table_of_assumptions.py"
@@ -61,7 +62,9 @@ BESIDE: dict[str, tuple[str, ...]] = {
     ),
     "core/codes/target_spectrum.py": (PRINTED,),
     "core/codes/kinematic_chain.py": (TIES, LOADS),
-    "core/wall/solids.py": (CONTACT,),
+    "core/wall/bars.py": ("tests/validation/test_tied_walls.py",),
+    "core/wall/body.py": (BODIES,),
+    "core/wall/solids.py": (BODIES, CONTACT),
     "core/case/one_body.py": (CONTACT,),
     "core/case/wall.py": (KEYS, LOADS, "tests/core/wall/test_masonry.py"),
     "core/case/above_hinge.py": (CONTACT,),

@@ -10,8 +10,10 @@ from core.case.rules import parse_case
 from core.case.wall import Wall
 from core.study import run as study
 from core.units import G
+from core.wall.block import Block
 from core.wall.loads import BARE, RestoringMoment
-from core.wall.masonry import as_force, is_stable
+from core.wall.masonry import Masonry, as_force, is_stable, period_share
+from core.wall.solids import Part
 from tests.validation.test_loaded_walls import PUSHING, ROOF, THRUST, TIE, WALL, case_of
 
 
@@ -38,6 +40,48 @@ def test_that_sides_alike_but_for_rounding_are_alike():
         pair = ({**ROOF, "d_m": float(d), "kn_m": 3.0}, {**ROOF, "d_m": float(0.45 - d), "kn_m": 3.0})
         outward, inward = case_of(*pair, mechanism="two_sided", law="doherty").wall[0].in_si.restoring
         assert outward == inward
+
+
+def test_that_sides_that_differ_by_more_than_rounding_differ():
+    """A roof off the middle by x: c of both sides differs by 2 N x cos(alpha) / (W R), told apart from 1e-9 on."""
+    moment = 24.3 * 0.5 * math.hypot(3.0, 0.45)
+    off = 1e-9 * moment / (2.0 * 10.0 * math.cos(math.atan(0.15)))
+    for share, alike in ((0.999, True), (1.001, False)):
+        roof = {**ROOF, "d_m": 0.225 + share * off}
+        outward, inward = case_of(roof, mechanism="two_sided").wall[0].in_si.restoring
+        assert (outward == inward) == alike
+        if not alike:
+            assert outward.cosine - inward.cosine == pytest.approx(1.001e-9, rel=1e-5)
+
+
+def test_that_each_hinge_has_its_block_and_its_moment():
+    wall = wall_of(PUSHING, {**ROOF, "kn_m": 3.0, "d_m": 0.2}, mechanism="two_sided").in_si
+    outward, inward = wall.restoring
+    assert outward != inward and wall.inner_block is not None
+    assert wall.sides == [(wall.block, outward), (wall.inner_block, inward)]
+    bare = wall_of(mechanism="two_sided").in_si
+    assert bare.sides == [(bare.block, BARE), (bare.block, BARE)]
+
+
+def leaf(thickness: float, low: float, high: float) -> Part:
+    corners = ((0.0, low), (4.0, low), (4.0, high), (0.0, high))
+    return Part(corners, (0.0, thickness), 0.5 * math.pi, 0.0, 18e3, "elevation")
+
+
+@pytest.mark.parametrize(
+    ("parts", "share"),
+    [
+        ((leaf(0.6, 0.0, 8.0),), 1.0),
+        ((leaf(0.6, 0.0, 2.0), leaf(0.6, 2.0, 8.0)), 1.0),
+        ((leaf(0.6, 0.0, 4.0), leaf(0.3, 4.0, 8.0)), 0.5275973),
+    ],
+)
+def test_that_the_period_of_a_wall_that_becomes_thinner_is_by_the_mass_that_its_deflection_moves(parts, share):
+    """eta^2 (6 - 4 eta + eta^2) / 3 squared is (36 eta^4 - 48 eta^5 + 28 eta^6 - 8 eta^7 + eta^8) / 9: 104/405 over the
+    height, 0.0141734 over its lower half, so that half of the mass above gives 0.5 + 0.5 x 0.0141734 x 405 / 104."""
+    bare = Block.with_setback(8.0, 0.6, 0.0)
+    wall = Masonry("w", "one_sided", bare, 8.0, 0.6, length=4.0, unit_weight=18e3, parts=parts)
+    assert period_share(wall) == pytest.approx(share, rel=1e-6)
 
 
 def test_that_weights_are_forces_and_masses_are_weights_over_g():

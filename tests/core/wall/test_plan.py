@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from core.wall.plan import Bodies, Piece, area_of, cells_of, edge_reached, length_of, pieces_at
+from core.wall.plan import Bodies, Cell, Piece, area_of, cells_of, edge_reached, length_of, pieces_at
 from core.wall.solids import Part
 
 shapely = pytest.importorskip("shapely", reason="no wheel of shapely")
@@ -97,3 +97,17 @@ def test_that_cells_that_touch_at_a_corner_are_two_bodies_and_along_a_face_one()
     assert count((0, 2, 0, 3), (2.005, 4, 0, 6)) == 2
     assert count((0, 2, 0, 3), (0, 2, 3, 6)) == 1
     assert count((0, 2, 0, 3), (1, 4, 3, 6), (3, 5, 0, 3)) == 1
+
+
+def test_that_a_section_at_a_joint_is_that_just_above_it():
+    solids = [part("section", box(0.0, 0.6, 0.0, 4.0), (0.0, 5.0), 0.0)]
+    solids += [part("section", box(0.0, 0.4, 4.0, 9.0), (0.0, 5.0), 0.0)]
+    assert area_of(cells_of(pieces_at(solids, 4.0))) == pytest.approx(2.0, rel=1e-12)
+    assert area_of(cells_of(pieces_at(solids, 4.0, below=True))) == pytest.approx(3.0, rel=1e-12)
+
+
+def test_that_a_leaf_no_thicker_than_what_solids_are_grown_by_is_no_body():
+    """Twice 2 mm, along 2 m: 80 cm2 would be more than a tip."""
+    for thickness, count in ((0.0041, 1), (0.0039, 0)):
+        leaf = Cell(0.0, 2.0, (0.0,) * 3, (thickness,) * 3)
+        assert Bodies([[leaf]], 0.01, 2e-3).count == count

@@ -9,7 +9,7 @@ from core.units import G
 from core.wall.block import Block
 from core.wall.loads import PointMass, composite
 from core.wall.moment_rotation import LAWS
-from core.wall.restitution import Contact, impact_ratio, overturning_velocity, restitution
+from core.wall.restitution import MODELS, Contact, impact_ratio, overturning_velocity, restitution
 from core.wall.rocking_model import rocking_model
 
 WALL = Block.rectangle(7.0, math.radians(6.8))
@@ -43,6 +43,13 @@ def test_that_restitution_models_are_their_equations():
     speed = 0.7 * overturning_velocity(WALL)
     ratio = experimental.ratio_at_rest - experimental.ratio_drop * speed**2
     assert ratio == pytest.approx(eq6 * (1.18 - 0.473 * 0.7**2), rel=1e-12)
+
+
+def test_that_the_models_of_one_sided_walls_and_those_by_theory_are_marked():
+    """Eq. 4 and 6 are the conservation of the angular momentum; the others were measured, or are given."""
+    assert {name for name, model in MODELS.items() if model.by_theory} == {"housner", "one_sided_theoretical"}
+    one_sided = {"one_sided_theoretical", "one_sided_experimental"}
+    assert {name for name, model in MODELS.items() if model.one_sided} == one_sided
 
 
 def test_that_a_given_ratio_is_taken_up_to_its_limits():
