@@ -74,7 +74,6 @@ SHOWN_BY = {
     "report/certainty_sheet": "tests/core/report/test_certainty.py",
     "report/note/picture": "tests/core/report/test_picture.py",
     "report/note/certainty": "tests/core/report/test_certainty.py",
-    "setting/scene": "tests/core/variation/test_written_is_the_run.py",
     "codes/verdict_sentence": "tests/core/codes/test_verdict.py",
     "atomic_write": "tests/core/test_atomic_write.py",
     "errors": SENTENCES,
@@ -88,7 +87,6 @@ SHOWN_BY = {
     "case/drawn_solids": "tests/core/case/test_drawing_file.py",
     "report/place_lines": "tests/core/case/test_place.py",
     "case/shape": BODIES,
-    "case/shape_rules": BODIES,
     "case/above_hinge": "tests/core/case/test_hinges.py",
     "case/wall": "tests/core/case/test_schema.py",
     "rocking/taylor_two_hinges": BODIES,
@@ -153,9 +151,7 @@ SHOWN_BY = {
         )
     },
     "study/demand_histories": "tests/core/report/test_note.py",
-    "setting/demand_input": "tests/core/codes/test_target_spectrum.py",
     "study/governing": RUN,
-    "setting/plan": RUN,
     "study/results": RUN,
     **{
         f"rocking/compared/{name}": ORDER

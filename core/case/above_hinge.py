@@ -26,7 +26,7 @@ def numbers_above(wall: Wall, hinge: float) -> tuple[int, ...]:
     return tuple(n for n, load in enumerate(wall.load, start=1) if load.h_m > hinge + 1e-9)
 
 
-def loads_above(wall: Wall, hinge: float, face: float = 0.0) -> tuple:
+def loads_above(wall: Wall, hinge: float, face: float) -> tuple:
     """These loads. face : x of the outer face of the wall there [m]"""
     kept = (wall.load[n - 1] for n in numbers_above(wall, hinge))
     return tuple(

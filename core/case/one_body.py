@@ -97,7 +97,7 @@ def _heights(parts) -> list[tuple[float, bool]]:
         wide = [min(part.polygon)[1], max(part.polygon)[1]]
         levels |= {*zs} if part.weight > 0.0 or len(zs) < ROUND_FROM else {min(zs), max(zs), *wide}
     ordered = sorted(levels)
-    found = [(ordered[0], False)]
+    found: list[tuple[float, bool]] = []
     for low, high in itertools.pairwise(ordered):
         if high - low <= 2.0 * INTO:
             continue
@@ -109,7 +109,7 @@ def _heights(parts) -> list[tuple[float, bool]]:
         count = min(2 + math.ceil(max(moves) / DRIFT), MOST_HEIGHTS)
         found += [(low + (high - low) * k / count, False) for k in range(count)]
         found.append((high, True))
-    return found[1:]
+    return found
 
 
 def _check_pieces(wall: Wall, parts: tuple[Part, ...], here) -> None:

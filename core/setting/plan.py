@@ -84,10 +84,10 @@ class Plan:
             compliance,
             self.case.analysis.polarity,
             self.method,
-            histories=histories,
             by_default=self.case.default_histories,
             histories_off=not self.case.analysis.histories,
             many=max(self.walls, len(self.case.wall)) > MANY,
+            histories=histories,
         )
 
     @property

@@ -55,11 +55,11 @@ class Scene:
     building : None without [building]; floor : that the wall stands on, None on the ground
     ground : the records; compliance : of them with the spectrum, None without a spectrum
     polarity : of [analysis]
-    q_slv : of the searches of this very wall, the lower end of its spread and itself; None where none was made
-    histories : `demand_check`, or one that keeps its results
     by_default : the records are generated for want of given ones: they may lower an outcome, never raise it
     histories_off : none are to be made
     many : the case has so many walls that the table of assumptions is made only where it can change an outcome
+    q_slv : of the searches of this very wall, the lower end of its spread and itself; None where none was made
+    histories : `demand_check`, or one that keeps its results
     period_taken : the period of the building is none that is given, but the worst of those it may have
     """
 
@@ -73,11 +73,11 @@ class Scene:
     compliance: Compliance | None
     polarity: str
     method: Method
+    by_default: bool
+    histories_off: bool
+    many: bool
     q_slv: tuple[float | None, float | None] = (None, None)
     histories: Callable[..., Any] = demand_check
-    by_default: bool = False
-    histories_off: bool = False
-    many: bool = False
     period_taken: bool = False
 
     @cached_property

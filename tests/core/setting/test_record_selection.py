@@ -19,7 +19,7 @@ from core.codes.record_compatibility import compliance
 from core.errors import Cancelled, InputError
 from core.ground.record_folder import Candidate, Limits, one_of_each, read_file
 from core.report.json_report import results
-from core.setting import plan
+from core.setting import plan, record_selection
 from core.setting.demand_input import demand_of
 from core.setting.plan import longest_of, read_inputs, with_chosen
 from core.setting.record_selection import select_records
@@ -174,6 +174,22 @@ def test_that_a_choice_can_be_cancelled(folder):
     demand = demand_of(asked, folder)
     with pytest.raises(Cancelled):
         select_records(asked.select, folder, demand, 0.0, cancelled=lambda: True)
+
+
+def test_that_a_choice_tells_hundredths_half_of_reading_and_half_of_search(folder, monkeypatch):
+    """Of 23 files, then of a search that tells its beginning, its half and its end."""
+    real = record_selection.nearest_sets
+
+    def slowly(*given):
+        for share in (0.0, 0.5, 1.0):
+            assert not given[-1](share)
+        return real(*given)
+
+    monkeypatch.setattr(record_selection, "nearest_sets", slowly)
+    asked, told = case(), []
+    demand = demand_of(asked, folder)
+    select_records(asked.select, folder, demand, 0.0, lambda done, planned: told.append((done, planned)))
+    assert told == [*((50 * k // 23, 100) for k in range(1, 24)), (50, 100), (75, 100), (100, 100)]
 
 
 def test_that_a_folder_that_is_not_there_is_named(tmp_path):
