@@ -44,10 +44,10 @@ def read_regular(path: Path, most: int) -> bytes:
     return content
 
 
-def open_regular(path: Path) -> BinaryIO:
+def open_regular(path: Path, buffering: int = -1) -> BinaryIO:
     """Open a regular file to be read. Raises OSError as `open` does and for a device, a pipe, a socket."""
     flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
-    stream = os.fdopen(os.open(path, flags), "rb")  # a pipe without a writer does not hold it up
+    stream = os.fdopen(os.open(path, flags), "rb", buffering)  # a pipe without a writer does not hold it up
     try:
         refuse_irregular(stream)
     except OSError:

@@ -69,7 +69,7 @@ class MergedParts:
 
     def _add(self, path: Path, k: int, n: int, key: str) -> None:
         try:
-            stream = open_regular(path)
+            stream = open_regular(path, buffering=0)
         except OSError as error:
             raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
         self.streams.append(stream)
