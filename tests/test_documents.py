@@ -24,7 +24,7 @@ from core.version import VERSION
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import MODELS
 from tests.conftest import ROOT
-from tests.reference_of_keys import with_reference
+from tests.reference_of_keys import with_reference, word_of
 
 
 def text_of(name: str) -> str:
@@ -127,6 +127,11 @@ def test_that_the_numbers_of_the_building_come_out(shipped, name):
 
 def names_in(page: str) -> set[str]:
     return set(re.findall(r"[a-zA-Z][\w]*", text_of(page)))
+
+
+def test_that_a_key_without_a_word_is_named_with_what_to_do():
+    with pytest.raises(SystemExit, match=r"the key colour_rgb of \[\[wall\]\] has no word: add it to .*key.json"):
+        word_of("[[wall]]", "colour_rgb")
 
 
 def test_that_the_page_of_the_case_has_every_key_as_it_is():

@@ -14,7 +14,7 @@ from core.ground.ground_motion import GroundMotion
 from core.packages import require
 from core.rocking.history import history
 from core.rocking.methods import METHODS, Method, resolve_auto
-from core.wall.restitution import velocity_ratio
+from core.wall.impact import velocity_ratio
 from core.wall.rocking_model import RockingModel
 
 ROUNDING = 1e-5

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.wall.block import Block
+from core.wall.impact import Restitution
 from core.wall.moment_rotation import LAWS, MomentLaw
-from core.wall.restitution import Restitution, overturning_velocity
+from core.wall.restitution import overturning_velocity
 
 Coefficients = tuple[float, float, float, float]
 START = (0.0, 3.0, 1.0, -0.5)

@@ -14,9 +14,10 @@ from core.errors import InputError, place
 from core.known import known
 from core.text.sentence import Key, sentence
 from core.wall.block import Block
+from core.wall.impact import Restitution
 from core.wall.masonry import BENDS, Declared, Masonry, base_length, weight_per_metre
 from core.wall.moment_rotation import LAWS, WITH_BRANCH, MomentLaw
-from core.wall.restitution import MODELS, Restitution, restitution
+from core.wall.restitution import MODELS, restitution
 from core.wall.solids import sum_of
 
 MIN_ELASTIC = 0.001

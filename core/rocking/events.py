@@ -10,8 +10,8 @@ from typing import NamedTuple
 from core.jit.decorators import subkernel
 from core.rocking.outcome import COLLAPSED, STABLE
 from core.units import G
+from core.wall.impact import velocity_ratio
 from core.wall.moment_rotation import potential, rotation_at_potential
-from core.wall.restitution import velocity_ratio
 from core.wall.rocking_model import seen_from, sides_differ
 
 REST_FRACTION = 1e-6

@@ -31,8 +31,8 @@ from core.units import G
 from core.variation.assessment import Assessment
 from core.variation.swings import Sensitivity
 from core.wall.block import Block
+from core.wall.impact import Restitution
 from core.wall.moment_rotation import MomentLaw
-from core.wall.restitution import Restitution
 from core.wall.rocking_model import RockingModel
 
 

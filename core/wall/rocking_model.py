@@ -7,9 +7,9 @@ from core.jit.decorators import subkernel
 from core.units import G
 from core.wall.bars import Bar
 from core.wall.block import Block
+from core.wall.impact import Restitution
 from core.wall.loads import BARE, RestoringMoment
 from core.wall.moment_rotation import MomentLaw
-from core.wall.restitution import Restitution
 
 
 class OtherSide(NamedTuple):
