@@ -97,8 +97,7 @@ def _agree(head: dict[str, list[str]], places: list[int], n: int) -> None:
     samples = head.get("Samples", [])
     for place in places:
         said = samples[place - 1] if place - 1 < len(samples) else ""
-        declared = to_count(said) if said.isascii() and said.isdigit() else 0
-        if declared and n % declared:
+        if said.isascii() and said.isdigit() and (declared := to_count(said)) and n % declared:
             raise RecordError("count_differs", n=n, declared=declared)
 
 
