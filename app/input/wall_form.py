@@ -35,7 +35,7 @@ from core.case.values import check_value
 from core.case.wall import AS_IS, BENDS, DESIGNED, Wall
 from core.case.wall_table import read_table, text_rows, walls_of
 from core.codes.masonry_types import TYPES
-from core.codes.vertical_bending import bending
+from core.codes.vertical_bending import bending, uplift_multiplier
 from core.errors import InputError
 from core.units import G
 from core.wall.restitution import MODELS
@@ -252,7 +252,7 @@ class WallForm(QWidget):
         self._show_shape(shape, wall.compressive_strength_mpa is not None)
         try:
             block = wall.block()
-            a = G * wall.uplift_multiplier(wall.mechanisms()[0])
+            a = G * uplift_multiplier(wall.in_si, wall.mechanisms()[0])
         except InputError as error:
             self.summary.setText(described(error))
             return
@@ -266,7 +266,7 @@ class WallForm(QWidget):
             lines.append(f"u {number(100 * wall.setback, '.1f')} cm")
         lines.append(f"{'α0 g' if wall.bends else 'a_RM'} {number(a / G, '.3f')} g = {number(a, '.2f')} m/s²")
         if wall.bends:
-            lines.append(f"h₁ {number(bending(wall).h1, '.2f')} m")
+            lines.append(f"h₁ {number(bending(wall.in_si).h1, '.2f')} m")
             self.summary.setText("   ".join(lines))
             return
         lines.append(f"R {number(block.radius, '.3f')} m, p {number(block.frequency_parameter, '.3f')} rad/s")

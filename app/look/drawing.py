@@ -101,7 +101,7 @@ class WallDrawing(QWidget):
                 self.one_sided = wall.mechanism == "one_sided"
                 self.body = BodyDrawing(wall, 0.5 * thickness)
                 self.arrows = arrows(wall, height, thickness)
-                self.bent = bent_blocks(bending(wall)) if wall.bends else Bent()
+                self.bent = bent_blocks(bending(wall.in_si)) if wall.bends else Bent()
             except (InputError, TypeError):
                 pass
         self.update()
