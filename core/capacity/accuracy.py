@@ -50,7 +50,7 @@ class MethodPoint:
 
 @dataclass(frozen=True)
 class Accuracy:
-    """The statement for one wall, on its governing record and sign.
+    """Accuracy statement for one wall, on its governing record and sign.
 
     scale : multiplier of the histories, the last survived one; points : the methods on it, none for a wall held by
     ties, which no other solver follows;
@@ -93,7 +93,7 @@ class Accuracy:
         return float(f"{math.ceil(bound / size - 1e-9) * size:.0e}")
 
     def spread(self, index: int, rows: tuple) -> float | None:
-        """Largest over smallest of a column, less one; None with fewer than two numbers."""
+        """Spread of a column: largest over smallest, less one [-]; None with fewer than two numbers."""
         known = [row[index] for row in rows if row[index] is not None]
         return max(known) / min(known) - 1.0 if len(known) > 1 else None
 
@@ -166,7 +166,8 @@ def accuracy(
     search: Search,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Accuracy:
-    """The statement for one run with a q. Some seconds: a history of the independent solver, 14 searches.
+    """Make the accuracy statement for one run with a q: a history of the independent solver and 14 searches, some
+    seconds.
 
     motion : the record
     polarity : 1 as recorded, -1 reversed

@@ -39,14 +39,15 @@ SAME = 1e-6
 """Corners nearer than this are one [m]."""
 
 MAX_BYTES = 20_000_000
-"""Of a file: sheets of a building have a quarter; ezdxf takes a second and some 20 times the memory for each MB."""
+"""Largest size of a file [bytes]: sheets of a building have a quarter; ezdxf takes a second and some 20 times the
+memory for each MB."""
 
 MOST_ENTITIES, INSERTED, IN_BLOCK = 100_000, 5, 20_000
-"""Of a drawing with its blocks opened; for how many an inserted block counts, which takes as long to place; corners of
-one line of a block, which ezdxf places in the square of their number."""
+"""Entities of a drawing with its blocks opened; for how many an inserted block counts, which takes as long to place;
+corners of one line of a block, which ezdxf places in the square of their number."""
 
 MOST_RADIUS = 1e7
-"""Of a circle, in tolerances: 10 km."""
+"""Largest radius of a circle, in tolerances: 10 km."""
 
 DEEPEST = 20
 """Blocks inside one another: one that holds itself has no end."""
@@ -222,7 +223,7 @@ class DxfFile:
         return "" if kind in READ else kind
 
     def sheet(self, unit: str | None = None) -> Sheet:
-        """What it holds in this unit, else in that of its header, else in the likely one. Raises InputError."""
+        """Read the sheet in this unit, else in that of its header, else in the likely one. Raises InputError."""
         unit = unit or self.stated
         if unit is None:
             shapes = self._shapes(0.1)[0]  # of any unit good enough for its size
@@ -284,7 +285,7 @@ DAMAGED = (
     OSError,
     struct.error,
 )
-"""What a reader of damaged files raises."""
+"""Errors that a reader of damaged files raises."""
 
 
 def _content(path: Path) -> bytes:

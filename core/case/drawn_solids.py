@@ -19,7 +19,7 @@ from core.wall.body import Body, crossing, holds, polygon_sums
 from core.wall.solids import Part, sum_of
 
 DIGITS = 6
-"""Of a corner [m]: what is drawn at one place is at one place."""
+"""Decimals of a corner [m]: corners drawn at one place are at one place."""
 
 MOST_NAMES = 20
 """Layers repeated in a sentence."""
@@ -139,8 +139,8 @@ def chosen_of(sheet: Sheet, drawing: Drawing) -> tuple[list[Shape], list[Shape]]
 
 
 def origin_of(body: Sequence[Shape], unit: str, plane: str, hinge: float | None) -> Point:
-    """(s = 0, z = 0) [m] of a drawing: the left edge of its body, of a section that of its base, and its hinge line,
-    the lowest point without one. Raises InputError."""
+    """Point of a drawing that becomes s = 0, z = 0 [m]: x of the left edge of its body (in a section, of the edge of
+    its base), y of its hinge line, or of the lowest point without one. Raises InputError."""
     scale = UNITS[unit]
     _check_size(body, unit)
     base = min(shape.extent[1] for shape in body) * scale if hinge is None else hinge

@@ -13,7 +13,7 @@ from core.regular_file import TooLarge, read_regular
 
 CASE = "case.toml"
 NAMES = (CASE, "results.json", "records.csv")
-"""Of the files the program puts into a note; others are left alone."""
+"""Names of the files the program puts into a note; others are left alone."""
 
 SECONDS, MEGABYTES = 20.0, 2000
 """That a note may take: one of 70 MB takes half a second."""

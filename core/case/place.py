@@ -75,7 +75,7 @@ class Site:
 
     @property
     def hazard(self) -> SiteHazard:
-        """Of its point. Raises InputError."""
+        """Hazard at the point of the site. Raises InputError."""
         try:
             self._check_name()
             return _hazard(*self.point)
@@ -106,7 +106,7 @@ def hazard_rows(site: Site) -> tuple[HazardRow, ...]:
 
 
 def derived(site: Site, limit_state: str) -> dict:
-    """What the place gives of a demand: DERIVED and OF_SPECTRUM."""
+    """Values of a demand that follow from the place: DERIVED and OF_SPECTRUM."""
     values = site.hazard.at(site.return_period(limit_state))
     return {
         "ag_g": values.ag_g,
@@ -192,7 +192,7 @@ def without_derived(site: Site | None, demand: dict) -> dict:
 
 
 def notices(site: Site, limit_state: str) -> list[Sentence]:
-    """What is to be said of the demand of a place."""
+    """Notices on the demand of a place."""
     found, years = [], site.return_period(limit_state)
     if site.latitude is None:
         found.append(notice("site_of_a_seat", name=site.municipality))

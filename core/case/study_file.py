@@ -106,7 +106,7 @@ class Cell:
 
     @property
     def wall(self) -> Wall:
-        """As a wall of a case, whose rules it obeys. Raises InputError."""
+        """The cell as a wall of a case, whose rules it obeys. Raises InputError."""
         chosen: dict[str, object]
         if self.restitution[0].isdigit():
             chosen = {"velocity_ratio": float(self.restitution)}

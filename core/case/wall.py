@@ -117,7 +117,7 @@ class Wall(Shaped):
 
     @property
     def title(self) -> str:
-        """Its name, with its variant where it has one."""
+        """Name of the wall, with its variant where it has one."""
         return self.name if self.variant is None else f"{self.name} ({self.variant})"
 
     @property
@@ -296,7 +296,7 @@ class Wall(Shaped):
         return restitution(self.in_si.block, model, self.velocity_ratio, self.in_si.contact)
 
     def moment_law(self) -> MomentLaw:
-        """As it is given; an elastic branch is of the check at the demand alone."""
+        """Moment law as it is given; an elastic branch belongs to the check at the demand alone."""
         if isinstance(self.law, str):
             return LAWS["rigid" if self.law in WITH_BRANCH else self.law]
         return MomentLaw(self.law["elastic_limit"], self.law["plateau_end"])

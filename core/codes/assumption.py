@@ -102,7 +102,7 @@ UNITS = {
 
 
 def shown(row: Assumption, value: Shown, language: str) -> str:
-    """A value of a row in words of a language, a number with three digits and its unit."""
+    """Value of a row in the words of a language, a number with three digits and its unit."""
     if isinstance(value, Sentence):
         return value.text(language)
     if isinstance(value, str):

@@ -12,7 +12,7 @@ PERIODS = np.concatenate([np.linspace(0.0, 0.5, 51), np.linspace(0.52, 4.0, 175)
 """Periods of the curve of the demand [s]."""
 
 POINTS = 41
-"""Of the curve of a wall held at its top, which is not straight."""
+"""Points of the curve of a wall held at its top, which is not straight."""
 
 BEYOND = 1.25
 """How far the curve of the demand is drawn: times the largest displacement of the check."""

@@ -4,7 +4,8 @@ from dataclasses import dataclass
 
 LABEL = "Eq. 9"
 TITLE = "Eq. 9, without e* and FC"
-"""It compares a collapse q with a code value meant for life safety: never the only verdict."""
+"""Title of the check: Eq. 9 compares a collapse q with a code value meant for life safety, and is never the only
+verdict."""
 
 ROUNDING = 1e-12
 """What a ratio may miss of 1 by rounding alone [-]."""

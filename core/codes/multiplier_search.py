@@ -1,4 +1,4 @@
-"""Where a rule that is not monotone in the multiplier of the demand fails: zeta_E.
+"""Search of zeta_E: where a rule that is not monotone in the multiplier of the demand fails.
 
 A wall can survive a stronger motion than one that overturned it, so that the first failure found on a grid moves
 with the grid. zeta_E is the lowest multiplier at which half of the multipliers within +-10 % of it (in ln) fail,
@@ -62,8 +62,8 @@ class Zeta:
 
 
 class _Grid:
-    """What is known of the points target (1 + STEP)^(every k): where the rule fails, where that is for want of a
-    number, and where a run rocks."""
+    """Points target (1 + STEP)^(every k) judged so far: where the rule fails, where that is for want of a number, and
+    where a run rocks."""
 
     def __init__(self, failures, target: float, every: int):
         self.failures, self.target, self.every = failures, target, every
@@ -109,7 +109,7 @@ class _Grid:
 
 
 def search_zeta(failures, rest: float, target: float, every: int = 1) -> Zeta:
-    """Where a rule fails, on the points target (1 + STEP)^k whose k is a multiple of `every`.
+    """Search zeta_E, at which a rule fails, on the points target (1 + STEP)^k whose k is a multiple of `every`.
 
     failures(multipliers) : flags of failure, of unknown outcome, and of a peak of ROCKS or more at each
     rest : below this multiplier the rule holds

@@ -219,8 +219,8 @@ class SiteHazard:
     table: np.ndarray
 
     def at(self, years: float) -> Values:
-        """At a return period: between those of the table by logarithms (Eq. 2), then between the nodes by the inverse
-        of their distances (Eq. 3); below 30 years that of 30, above 2475 that of 2475 (NTC 2018)."""
+        """Values at a return period: between those of the table by logarithms (Eq. 2), then between the nodes by the
+        inverse of their distances (Eq. 3); below 30 years those of 30, above 2475 those of 2475 (NTC 2018)."""
         years = min(max(years, PERIODS[0]), PERIODS[-1])
         k = min(int(np.searchsorted(PERIODS, years, side="right")) - 1, len(PERIODS) - 2)
         share = math.log(years / PERIODS[k]) / math.log(PERIODS[k + 1] / PERIODS[k])
@@ -239,7 +239,7 @@ class SiteHazard:
 
     @property
     def rows(self) -> list[Values]:
-        """At each of PERIODS."""
+        """Rows of the hazard at each of PERIODS."""
         return [self.at(years) for years in PERIODS]
 
 

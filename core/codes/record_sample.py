@@ -50,7 +50,7 @@ class RecordPeaks:
 
 @dataclass(frozen=True)
 class SampleInterval:
-    """Where zeta_E lies for nine of ten sets of as many stations.
+    """Interval of zeta_E: nine of ten sets of as many stations lie in it.
 
     low, high : [-]; high is that of the last multiplier where `open_end`
     stations : drawn from

@@ -128,8 +128,8 @@ doubted: that of every code rises to T_D, 1.2 s and more, and is constant from t
 
 
 def displacement_fall(target: "Target | None") -> tuple[float, float, float] | None:
-    """Where S_De of a spectrum of a file falls: (period before [s], period [s], share); None where it does not, and
-    of a code."""
+    """Period at which S_De of a spectrum of a file falls: (period before [s], period [s], share); None where it does
+    not, and of a code."""
     if not isinstance(target, GivenSpectrum):
         return None
     periods = np.array([t for t in target.periods if 0.0 < t <= FALL_TO])
