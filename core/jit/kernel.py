@@ -47,5 +47,5 @@ def widest_vectors() -> None:
 
 
 def only_with(given, value):
-    """The value; None where `given` is None: what a kernel compiled for None leaves out."""
+    """The value, or None where `given` is None: a kernel compiled for None leaves out what the value is for."""
     return None if given is None else value
