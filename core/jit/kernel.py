@@ -42,8 +42,8 @@ class Kernel:
 
 
 def widest_vectors() -> None:
-    """Called in a kernel: its loops use the widest vector registers of the processor. LLVM keeps to half of them on
-    Intel processors, where a search then takes up to 18 % longer (resources/docs/speed.md)."""
+    """Make the loops of the kernel that calls this use the widest vector registers of the processor. LLVM keeps to half
+    of them on Intel processors, where a search then takes up to 18 % longer (resources/docs/speed.md)."""
 
 
 def only_with(given, value):

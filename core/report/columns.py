@@ -64,7 +64,7 @@ def _of_records(one: Quantity) -> Quantity:
 
 
 def _of_the_wall(row: Row) -> Any:
-    """Verdict of the wall, that of its worst hinge; None in a row that carries none."""
+    """Verdict of the wall, that of its worst hinge; None without a demand."""
     return row.result.walls[row.verdict.governing].assessed.verdict if row.verdict else None
 
 

@@ -20,7 +20,7 @@ def part_path(folder: Path, stem: str, k: int, n: int) -> Path:
 
 
 def part_key(key: str, case: Case, k: int, n: int) -> str:
-    """What the first line of a part says: program, part, case. key : of `run.journal_key`"""
+    """Content of the first line of a part: program, part, case. key : of `run.journal_key`"""
     return f"{key} part {k}/{n} of {case.sha256}"
 
 
@@ -48,8 +48,8 @@ def parts_in(folder: Path, stem: str) -> Iterator[tuple[int, int, Path]]:
 
 
 def merged(folder: Path, stem: str, case: Case, key: str) -> Memory:
-    """What all parts of a case found. Raises InputError for a part that is missing, not finished, of another division,
-    damaged, or of another case or program."""
+    """Merge what all parts of a case found. Raises InputError for a part that is missing, not finished, of another
+    division, damaged, or of another case or program."""
     book = Memory(EVERYTHING)
     for k, n, path in parts_in(folder, stem):
         head, entries, damaged = entries_of(path)

@@ -163,7 +163,8 @@ def entries_of(path: Path) -> tuple[dict, dict[str, dict], int]:
 
 
 HEAD_BYTES, MOST_BYTES = 200, 1_000_000_000
-"""Looked at first of what should be a journal; beyond the largest, of the walls of a case that is held at once."""
+"""HEAD_BYTES: bytes looked at first of what should be a journal. MOST_BYTES: those of the largest, of the walls of a
+case that is held at once."""
 
 HEAD = "Ribalta journal"
 """The key of the first line: no other program's file begins with it."""
@@ -213,7 +214,7 @@ def lock(stream) -> None:
 
 
 def parsed(line: bytes) -> dict | None:
-    """The entry of a line, None where it is none."""
+    """Read the entry of a line; None where it is none."""
     try:
         entry = json.loads(line)
     except (ValueError, RecursionError):
@@ -222,20 +223,20 @@ def parsed(line: bytes) -> dict | None:
 
 
 def valid(run: str | None, result: dict | None) -> dict:
-    """The entry of a run with the hash of itself."""
+    """Entry of a run, with the hash of its own content."""
     entry = {"run": run, "result": result}
     return {**entry, "hash": hash_of(entry)}
 
 
 def hash_of(entry: dict) -> str:
-    """Of what a line says, whatever its hash."""
+    """Hash of the run and the result of a line."""
     content = json.dumps([entry.get("run"), entry.get("result")])
     return hashlib.sha256(content.encode()).hexdigest()[:16]
 
 
 def rebuilt(kind: Any, value: Any) -> Any:
-    """What a dataclass declares, from the JSON of its `asdict`: doubles are exact there, tuples are lists. None where
-    the value is None or not of this kind."""
+    """Rebuild a dataclass from the JSON of its `asdict`: doubles are exact there, tuples are lists. None where the
+    value is None or not of this kind."""
     try:
         return _rebuilt(kind, value)
     except (TypeError, ValueError, AttributeError):
