@@ -254,7 +254,7 @@ def stay_in_sample(lanes, state):
 def vector_step(lanes, dt, constants, order, slopes, state):
     """Take one step of each lane to the end of its sample by its series, where nothing else happens in it, and set NEXT
     of each; of a shortened step, see `stay_in_sample`. (Initial terms, coefficients and step are three loops: in one
-    the process
+    the processor waits for each lane's results.)
     """
     widest_vectors()
     tolerance = constants.tolerance
