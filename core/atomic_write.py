@@ -171,7 +171,7 @@ def clean(folder: Path) -> None:
 
 
 def _owner(path: Path) -> str:
-    """What the names of all temporary files of a process begin with; empty of any other file."""
+    """Beginning of the name of a temporary file, common to all of its process; "" for any other file."""
     named = _NAME.match(path.name)
     return named[0] if named else ""
 

@@ -421,7 +421,8 @@ _BRACKET = re.compile(r"[\[(][^\[\]()]*[\])]")
 
 def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
     """Factor of each column: its unit, in the row of units, in brackets in the head or in both, over that of its key.
-    What stands in the brackets of a number is a unit of the key, or the table is refused; a word beside the unit"""
+    What stands in the brackets of a number is a unit of the key, or the table is refused; a word beside the unit is a
+    remark, and so is what stands beside a word, unless it is a unit."""
     factors = []
     for k, key in enumerate(keys):
         kind, metadata = columns()[key].entry.metadata["kind"], columns()[key].entry.metadata

@@ -14,7 +14,7 @@ from core.variation.limit_states import STATES
 
 
 class Row(NamedTuple):
-    """What a row is of.
+    """Result, wall and verdict that a row is made of.
 
     number : of the wall in the case, from 1
     verdict : of the wall, None without a demand; decides : whether it is of this result
@@ -38,12 +38,12 @@ def _result(row: Row) -> OfWallResult:
 
 
 def _verdict(row: Row) -> Any:
-    """About this hinge."""
+    """Verdict about this hinge."""
     return row.wall.assessment and row.wall.assessment.verdict
 
 
 def _kinematic(row: Row) -> Any:
-    """The Assessment of a wall with closed forms."""
+    """Assessment of a wall with closed forms, None of any other."""
     found = row.wall.assessment
     return found if found is not None and found.kinematic is not None else None
 
@@ -54,7 +54,7 @@ def _risk(row: Row) -> Any:
 
 
 def _dynamic(row: Row) -> Any:
-    """The histories at the demand."""
+    """Dynamic check by the histories at the demand, None without them."""
     return row.wall.assessment and row.wall.assessment.dynamic
 
 
@@ -64,7 +64,7 @@ def _of_records(one: Quantity) -> Quantity:
 
 
 def _of_the_wall(row: Row) -> Any:
-    """The Verdict of the wall, of its worst hinge."""
+    """Verdict of the wall, that of its worst hinge; None without a demand."""
     return row.result.walls[row.verdict.governing].assessed.verdict if row.verdict else None
 
 
@@ -159,7 +159,7 @@ COLUMNS = (
     texts("to_do", "keys of what the engineer has to do", lambda row: _verdict(row) and _codes(_verdict(row).to_do)),
     texts("limits", "keys of what the number is to be read with", _limits),
 )
-"""Of a Row."""
+"""Columns of the table, each a quantity of a Row."""
 
 
 def columns_of(result: StudyResult, numbers: Sequence[int]) -> dict[str, list]:

@@ -10,7 +10,7 @@ from core.study.results import StudyResult
 from core.text.sentence import localized, numeral, word
 
 PERIOD_CLAUSES = {"SLV": "C8.7.1.10", "SLC": "C8.7.1.11"}
-"""Of T_SLV and T_SLC."""
+"""Clauses of T_SLV and T_SLC."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class Phrases:
         }
 
     def enter(self, section: Section) -> None:
-        """Constants and columns of a section."""
+        """Take up the constants and columns of a section."""
         for name, value in section.constants.items():
             self.symbols[name] = numeral(value, ".2f", self.language)
             self.shown[name] = Shown(value, 2, None)

@@ -52,7 +52,7 @@ def verdict_color(result: StudyResult, wall: WallResult) -> str:
 
 
 def summary(book: Book, result: StudyResult) -> None:
-    """One page: title block, demand, walls, the governing wall's checks, its verdict, warnings."""
+    """Write one page: title block, demand, walls, the governing wall's checks, its verdict, warnings."""
     say, case = book.say, result.case
     sheet = book.sheet("Summary", WIDTHS, landscape=True)
     sheet.page_setup.fitToHeight = 1
@@ -242,7 +242,7 @@ def _assumed(book: Book, sheet, result: StudyResult, wall: WallResult, row: int)
 
 
 def _risk_line(book: Book, risk) -> str:
-    """What the mechanism withstands, in one line."""
+    """Write what the mechanism withstands, in one line."""
     parts = [f"PGA_C {book.digits(risk.pga / G, '.3f')} g"]
     if risk.years is not None:
         parts.append(f"T_R,C {risk.years} {book.say('years')}")
@@ -273,7 +273,7 @@ def _method_row(book: Book, sheet, row: int, label: str, clause: str, values, de
 
 
 def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most: int = 7) -> int:
-    """Each warning once, with the walls or records it belongs to."""
+    """Write each warning once, with the walls or records it belongs to."""
     owners: dict[str, list[str]] = {}
     # first what all the walls rest on: more than most are not shown
     for warning in result.required.warnings if result.demand else ():

@@ -51,7 +51,7 @@ MARKERS = ("o", "s", "^", "D")
 
 
 def csv_text(result: ParametricResult) -> str:
-    """One line a run, numbers exact, empty where there is none; no text begins as a formula."""
+    """Write one line a run, numbers exact, empty where there is none; no text begins as a formula."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     writer.writerow(COLUMNS)

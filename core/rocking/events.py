@@ -107,7 +107,7 @@ def stops_rocking(speed, ground, model, thresholds):
 
 @subkernel
 def leave_impact(arriving, side, ground, model, thresholds):
-    """What the block does after an impact at theta = 0 (Eq. 3, 7).
+    """Carry the block through an impact at theta = 0 (Eq. 3, 7).
 
     arriving : speed before it [rad/s], not negative
     side : of the pivot it fell back to

@@ -16,7 +16,7 @@ from core.rocking.events import BlockState
 from core.rocking.short_series import SHORT_SERIES, sine_and_cosine_short
 
 END, FALLS, RISES = 0, 1, 2
-"""What ends a swing: the sample, or a part of it; an impact; the end of the branch."""
+"""Ends of a swing: the sample, or a part of it; an impact; the end of the branch."""
 
 LONGEST = 2.0 * SHORT_SERIES
 """Longest part of a swing [rad]: below pi, so that the rotation turns twice at most in it."""
@@ -30,7 +30,7 @@ NEAR = 1e-6
 
 
 class Swing(NamedTuple):
-    """What every sample needs of the branch.
+    """Constants of the branch that every sample needs.
 
     rate : omega [rad/s]
     static : rotation under a steady ground acceleration [rad per m/s2]

@@ -37,7 +37,7 @@ CHART_PERIODS = np.geomspace(0.05, 4.0, 60)
 
 @dataclass(frozen=True)
 class Floor:
-    """What moves a wall above the ground.
+    """Floor that moves a wall above the ground.
 
     z : height of the hinge, of a wall held at its top of its middle [m]
     modes : of the building there; estimated : its period was not given
@@ -85,7 +85,7 @@ class Floor:
 
 
 def modes_at(building: Building, z: float, limit_state: str) -> tuple[Mode, ...]:
-    """Modes of the building as damaged at this height [m]."""
+    """Modes at this height [m] of the building as damaged at a limit state."""
     factor, damping = damaged(building, limit_state)
     if building.modes:
         return tuple(Mode(factor * mode.period_s, mode.damping, mode.participation) for mode in building.modes)
@@ -110,7 +110,7 @@ def other_ends(building: Building, limit_state: str) -> tuple[tuple[float, float
 
 
 def building_notes(building: Building, limit_state: str) -> list[Sentence]:
-    """What is odd about a building: Sentences of the group "reason"."""
+    """Notices on what is odd about a building: Sentences of the group "reason"."""
     notes = []
     storey = building.height_m / building.storeys
     if not LEAST_STOREY <= storey <= GREATEST_STOREY:

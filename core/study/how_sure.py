@@ -31,7 +31,7 @@ from core.variation.turned_round import keys_of, reach_of
 from core.variation.whole_wall import setting_of
 
 SHARES = 0.01, 100.0
-"""Of a_g, between which S follows it."""
+"""Least and largest multiple of a_g between which S follows it."""
 
 MOST_INTERVALS = 50
 """Walls of a case up to which the interval is made without being asked for: a tenth of the time of a wall."""
@@ -63,7 +63,7 @@ def with_certainty(
 
 
 def _with_interval(plan: Plan, demand: DemandResult, results: Sequence[WallResult], verdict: WallVerdict, book) -> Work:
-    """The verdict with the interval of its records, of the worst hinge; kept in the book."""
+    """Add to a verdict the interval of its records, that of the worst hinge; kept in the journal."""
     worst = results[verdict.governing]
     if _zeta(worst) is None or (len(plan.case.wall) > MOST_INTERVALS and plan.case.sensitivity is None):
         return verdict
@@ -72,7 +72,7 @@ def _with_interval(plan: Plan, demand: DemandResult, results: Sequence[WallResul
 
 
 def _interval(plan: Plan, wall: WallResult, demand: DemandResult, book, stop) -> SampleInterval | None:
-    """Of one hinge whose histories have a zeta; from the book where it is there."""
+    """Interval of zeta of one hinge whose histories have a zeta; taken from the journal where it is there."""
     motions, zeta = _felt(plan, wall), _zeta(wall)
     assert zeta is not None
     key = check_key(wall.model, motions, _signs(wall), demand, plan.method, zeta, "interval") if book else ""
@@ -94,7 +94,7 @@ def _with_sensitivity(
     book,
     progress: Progress,
 ) -> Work:
-    """The verdict with the moves of the inputs; the parameters are those of `with_certainty`."""
+    """Add to a verdict the moves of its inputs; the parameters are those of `with_certainty`."""
     ranges, origin = plan.case.sensitivity, results[0].part.origin
     assert ranges is not None
     kept = KeptChecks(book) if book else demand_check
@@ -130,13 +130,13 @@ def _felt(plan: Plan, wall: WallResult) -> list:
 
 
 def _zeta(wall: WallResult) -> float | None:
-    """Of its histories."""
+    """zeta of the histories of a wall; None without them."""
     dynamic = wall.assessment.dynamic if wall.assessment else None
     return dynamic.zeta if dynamic else None
 
 
 def _signs(wall: WallResult) -> tuple[int, ...]:
-    """Each record was taken with."""
+    """Signs each record was taken with."""
     dynamic = wall.assessment.dynamic if wall.assessment else None
     return tuple(dict.fromkeys(run.polarity for run in dynamic.runs)) if dynamic else ()
 

@@ -13,7 +13,7 @@ from core.wall.rocking_model import RockingModel
 
 
 class KeptChecks:
-    """`demand_check` of one wall, with the same parameters.
+    """Makes `demand_check` of one wall, with the same parameters, or takes its result from the journal.
 
     book : of the finished checks; None keeps none
     made : how many were not there

@@ -39,12 +39,13 @@ and the accuracy statement makes as many searches of one run; the moves of the i
 
 
 def run_cost(motion: GroundMotion, search: Search) -> float:
-    """Of one search, in samples that its bisections go through."""
+    """Cost of one search, in samples that its bisections go through."""
     return motion.acceleration.size * (1.0 + GRID / search.q_step)
 
 
 def check_cost(motions: Iterable[GroundMotion], signs: int, floor: bool) -> float:
-    """Of the check of a wall at the demand; 1 without records, where there are only closed forms."""
+    """Cost of the check of a wall at the demand, in the same samples; 1 without records, where there are only closed
+    forms."""
     samples = sum(motion.acceleration.size for motion in motions)
     return 1.0 + CHECK * signs * samples * (FLOOR if floor else 1.0)
 
@@ -85,13 +86,14 @@ class Progress:
         self._paid = 0.0
 
     def known(self, tasks: Iterable[Hashable]) -> None:
-        """These were done by an earlier start."""
+        """Count these as done by an earlier start."""
         for task in tasks:
             self._ahead -= self._left.pop(task)
         self._tell()
 
     def done(self, task: Hashable, worked: bool = True) -> None:
-        """worked : False where an earlier start did it, so that its time tells nothing of the others"""
+        """Count a task as done. worked : False where an earlier start did it, so that its time tells nothing of the
+        others"""
         cost = self._left.pop(task)
         self._ahead -= cost
         if worked and self._since is None:

@@ -89,7 +89,7 @@ def result_of(
     selection: Selection | None = None,
     whole: bool = True,
 ) -> StudyResult:
-    """What a plan results in.
+    """Result of a plan.
 
     plan : of the case
     base_dir, on_wall, on_finished : as `run` takes them
@@ -156,7 +156,7 @@ EVERYTHING = sys.maxsize
 """Room of a Memory that forgets nothing."""
 
 _kept: dict[tuple[str, Path], Inputs] = {}
-"""Of a process that works for an executor: what its last case read."""
+"""Inputs of the last case that a process working for an executor read."""
 
 
 def wall_alone(case: Case, base_dir: Path, k: int) -> dict[str, dict]:
@@ -174,7 +174,8 @@ def wall_alone(case: Case, base_dir: Path, k: int) -> dict[str, dict]:
 
 
 def _found_on(executor: Executor, case: Case, base_dir: Path, cancelled: Callable[[], bool]) -> Memory:
-    """What an executor finds of each wall; of one whose process ends, nothing. Raises Cancelled, and InputError."""
+    """Collect what an executor finds of each wall; of one whose process ends, nothing. Raises Cancelled, and
+    InputError."""
     book = Memory(EVERYTHING)
     waiting: list[Future] = []
     with contextlib.suppress(BrokenExecutor):

@@ -42,7 +42,7 @@ class SweepKey:
 
 @dataclass(frozen=True)
 class SweepPoint:
-    """What one value gives.
+    """Checks and q at one value.
 
     value : of the key, as in the case file
     zeta : label of a check -> the lowest of all hinges and mechanisms, None where one of them has none
@@ -160,7 +160,7 @@ def sweep(
 
 
 def point_of(value: float, result: StudyResult) -> SweepPoint:
-    """What a result of one wall comes to."""
+    """Point of a sweep from the result of one wall."""
     zeta: dict[str, float | None] = {}
     for wall in result.walls:
         for check in wall.assessment.checks if wall.assessment else ():

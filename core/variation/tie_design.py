@@ -26,7 +26,8 @@ from core.wall import ties
 from core.wall.masonry import as_force
 
 NAMES = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code", "linear_q_1", "thrust")
-"""Of the forces: of the checks, with q = 1 in place of that of the code, and of the thrust at rest."""
+"""Names of the forces of a tie: those of the checks, with q = 1 in place of that of the code, and of the thrust at
+rest."""
 
 CLOSE, CLOSE_BY_HISTORIES = 1e-4, 0.01
 """Width of the bracket of a force, of the force [-]."""
@@ -248,7 +249,7 @@ def _least(name: str, hinge: Hinge, above: float, target: float) -> float | None
 
 
 def _held(hinge: Hinge, force: float, height: float, precision: Precision, cancelled) -> Evaluation:
-    """The checks of a hinge with the tie."""
+    """Checks of a hinge with the tie."""
     wall = with_tie(hinge.scene.wall, force, hinge.raised(height))
     return evaluate(hinge.scene.but(wall=wall), precision, other=False, cancelled=cancelled)
 

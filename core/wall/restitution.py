@@ -35,15 +35,16 @@ MODELS = {
 }
 
 EQ5_FACTOR = 0.95
-"""Measured over theoretical ratio of walls that rock to both sides, Eq. 5."""
+"""EQ5_FACTOR: measured over theoretical ratio of walls that rock to both sides, Eq. 5."""
 
 EQ7_FACTOR, EQ7_DROP = 1.18, 0.473
-"""The same of one-sided walls at rest, and its loss with the square of the velocity over that of Eq. 8, Eq. 7."""
+"""EQ7_FACTOR: measured over theoretical ratio of one-sided walls at rest. EQ7_DROP: its loss with the square of the
+velocity over that of Eq. 8, Eq. 7."""
 
 
 @dataclass(frozen=True)
 class Contact:
-    """Where a body, or a block with masses that move with it, meets its base and its restraint.
+    """Points at which a body, or a block with masses that move with it, meets its base and its restraint.
 
     width : B, from the outer hinge to the inner one [m]
     height : H_r, of the point above the inner hinge that meets the restraint of a one-sided wall [m]

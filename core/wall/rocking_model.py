@@ -13,7 +13,7 @@ from core.wall.moment_rotation import MomentLaw
 
 
 class OtherSide(NamedTuple):
-    """What differs when a body that is not symmetric turns about its other hinge; as of RockingModel.
+    """Quantities that differ when a body that is not symmetric turns about its other hinge; as of RockingModel.
 
     tangent, sine, cosine : of alpha [-]
     """

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from core.wall.bars import TieBar
 
 MODULUS = 205e9
-"""Of steel bars [Pa]."""
+"""Modulus of steel bars [Pa]."""
 
 DEFAULT_STRENGTH, DEFAULT_TENSILE = 235e6, 360e6
 """f_y and f_u of a bar of which none is given [Pa]."""

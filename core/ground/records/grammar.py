@@ -62,9 +62,8 @@ class Parsed:
 
 @dataclass(frozen=True)
 class Options:
-    """What the user says of a file, only where the file does not: unit (a key of UNITS),
-    time_step [s], column (counted from 1, time included), skip_lines (text lines on top), channel (its name, or its
-    number from 1)."""
+    """Statements of the user on a file, only where the file makes none: unit (a key of UNITS), time_step [s], column
+    (counted from 1, time included), skip_lines (text lines on top), channel (its name, or its number from 1)."""
 
     unit: str | None = None
     time_step: float | None = None
@@ -112,7 +111,8 @@ NUMBER_LETTERS = str.maketrans("", "", "0123456789+-.eE \t\n")
 
 
 def to_float(token: str) -> float:
-    """One number of the grammar, D exponents included; raises RecordError for another text and beyond the doubles."""
+    """Read one number of the grammar, D exponents included; raises RecordError for another text and beyond the
+    doubles."""
     if not _TOKEN.fullmatch(token.strip()):
         raise RecordError("not_numbers", text=quoted(token))
     try:

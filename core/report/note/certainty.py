@@ -1,4 +1,4 @@
-"""What a note says beside the verdict of a wall: another sample of records, moved inputs, the rates of limit states."""
+"""Part of a note beside the verdict of a wall: another sample of records, moved inputs, the rates of limit states."""
 
 from core.known import known
 from core.report import sure_words

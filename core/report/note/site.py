@@ -1,4 +1,4 @@
-"""What a note says of the site beside its demand: the hazard, the building, the loads of a wall, before and after."""
+"""Part of a note on the site beside its demand: the hazard, the building, the loads of a wall, before and after."""
 
 from core.case.loads import Load
 from core.case.wall import Wall
@@ -36,7 +36,7 @@ def hazard(result: StudyResult, words: Words) -> list[Part]:
 
 
 def place(result: StudyResult, words: Words) -> list[Part]:
-    """Where the building stands, and the values of the four limit states there."""
+    """Lines of where the building stands, and of the values of the four limit states there."""
     site = result.case.site
     if site is None:
         return []
