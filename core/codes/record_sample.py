@@ -13,16 +13,15 @@ import numpy as np
 
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandRuns
-from core.codes.multiplier_search import HALF_FAIL, MAX_MULTIPLIER, ROCKS, STEP, WINDOW
+from core.codes.multiplier_search import HALF_FAIL, MAX_MULTIPLIER, STEP, WINDOW
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import LEAST_STATIONS, SHARE, draws, station_of
 from core.rocking.methods import Method
 from core.rocking.outcome import STABLE
 from core.wall.rocking_model import RockingModel
 
-EVERY, SPARSE = 4, 4
-"""Every how many points of the grid of zeta_E the peaks are known, by 1 %; every how many of these first: between two
-at which a record hardly rocks its peaks are interpolated."""
+EVERY = 4
+"""Every how many points of the grid of zeta_E the peaks are known, by 1 %."""
 
 SPAN = (0.5, 1.5)
 """Multipliers over zeta_E from which on, unless a record alone breaks the rule there, and up to which peaks are found;
@@ -85,23 +84,12 @@ def record_peaks(
         if all((outcomes == STABLE).all() and (peaks < runs.limit).all() for outcomes, peaks in fails):
             low = SPAN[0] * zeta
     first, last = (math.floor(math.log(end / demand.zeta_target) / step) for end in (low, high))
-    count = SPARSE * max(1, -(-(last - first) // SPARSE)) + 1
+    count = max(1, last - first) + 2
     multipliers = demand.zeta_target * np.exp(step * (first + np.arange(count)))
     peaks = np.empty((len(motions), count))
     for record in range(len(motions)):
-
-        def found(places: np.ndarray, record: int = record) -> np.ndarray:
-            outcomes, reached = runs.analyse([record], multipliers[places])
-            return np.where(outcomes == STABLE, reached, math.inf)[0].max(axis=0)
-
-        ends = np.arange(0, count, SPARSE)
-        at_ends = found(ends)
-        peaks[record] = np.interp(np.arange(count), ends, np.minimum(at_ends, 2.0))
-        rocks = np.repeat(np.maximum(at_ends[:-1], at_ends[1:]) >= ROCKS, SPARSE)
-        peaks[record, ends] = at_ends
-        between = np.flatnonzero(rocks & (np.arange(count - 1) % SPARSE > 0))
-        if between.size:
-            peaks[record, between] = found(between)
+        outcomes, reached = runs.analyse([record], multipliers)
+        peaks[record] = np.where(outcomes == STABLE, reached, math.inf)[0].max(axis=0)
     return RecordPeaks(multipliers, peaks, runs.limit, runs.mean)
 
 
