@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from core.codes.kinematic import CHECKS
 from core.report.stated.checks import AT_DEMAND, KINEMATIC, RISK
-from core.report.stated.quantity import Quantity, flag, number, numbers, text, texts, through, whole
+from core.report.stated.quantity import Quantity, flag, number, numbers, of_keys, text, texts, through, whole
 from core.report.stated.walls import FRAGILITY, PER_RECORD, WALL, OfWallResult
 from core.study.results import Q_SOURCES, StudyResult, WallResult, WallVerdict
 from core.text.sentence import Sentence
@@ -29,8 +29,7 @@ class Row(NamedTuple):
 
 def _taken(group: Sequence[Quantity], source: Callable[[Row], Any], *keys: str) -> list[Quantity]:
     """Quantities of a group by their keys, read from a row; none where the row has no such source."""
-    by_key = {quantity.key: quantity for quantity in group}
-    return through(source, [by_key[key] for key in keys])
+    return through(source, of_keys(group, *keys))
 
 
 def _result(row: Row) -> OfWallResult:
