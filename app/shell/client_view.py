@@ -289,7 +289,7 @@ class ClientView(QDialog):
 
 def show(window) -> None:
     """Open the view of the wall that is shown; says why where there is nothing to show."""
-    result, wall = window.session.result, window.wall
+    result, wall = window.session.result, window.navigator.wall
     sides = sides_of(result, wall) if result and wall and not window.session.stale else []
     if not sides:
         window.show_word(tr("For this view a wall needs time histories at a demand: run it first (F5)."))

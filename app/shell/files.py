@@ -114,7 +114,7 @@ class Files:
             lines = "\n".join(described(error) for error in self.session.left_out)
             text = tr("Saved without these values, which no case file may hold:\n{lines}", lines=lines)
             QMessageBox.warning(self.window, tr("Save the case"), plain(text))
-        if any(field.wrong for field in self.window.fields):
+        if any(field.wrong for field in self.window.stages.fields):
             self.window.show_word(tr("Saved without the content of the red field."))
         return True
 
@@ -161,13 +161,13 @@ class Files:
             job.commit()
             atomic_write.write({path: content})
 
-        self.window.start(write, lambda _: self.window.show_word(tr("Written: {path}", path=path)), to_end=True)
+        self.window.runner.start(write, lambda _: self.window.show_word(tr("Written: {path}", path=path)), to_end=True)
 
     def ask_figures(self) -> None:
         """Every figure of the wall shown, to a folder the user names."""
         from app.views.figure_dialogs import last_size
 
-        if self.export_refused() or self.window.job is not None:
+        if self.export_refused() or self.window.runner.job is not None:
             return
         title = tr("Export all figures")
         name = QFileDialog.getExistingDirectory(self.window, title, str(self.proposed("").parent))
@@ -178,7 +178,7 @@ class Files:
         """The charts of every page as PNG, all or none; nothing that is there is overwritten unasked."""
         from app.shell.figure_export import FigureExport, beginning
 
-        start = beginning(self.window.wall)
+        start = beginning(self.window.navigator.wall)
         there = next((path for path in sorted(folder.glob("*.png")) if path.name.startswith(start)), None)
         question = tr("{path} already exists. Overwrite it?", path=there)
         if there is None or self._agreed(tr("Export all figures"), question):
@@ -190,7 +190,7 @@ class Files:
         if changed:
             self.window.records.read_again()
         stale = self.session.result is None or self.session.stale
-        if stale or changed or self.window.job is not None:
+        if stale or changed or self.window.runner.job is not None:
             reason = tr("The results are not of this input: run it first (F5).")
             QMessageBox.information(self.window, tr("Nothing exported"), plain(reason))
             return True
@@ -207,7 +207,7 @@ class Files:
         except InputError as error:
             QMessageBox.warning(self.window, tr("Nothing exported"), plain(described(error)))
             return
-        self.window.start(
+        self.window.runner.start(
             lambda job: export.write(result, path.parent, path.stem, job.check, job.commit, tell=job.progress),
             lambda _: self.window.show_word(tr("Written: {path}", path=path)),
             to_end=True,

@@ -56,22 +56,22 @@ def synonyms() -> dict[str, str]:
 def entries_of(window) -> list[Entry]:
     """All that can be found: fields first, then walls and their hinges, pages, actions."""
     found, others = [], synonyms()
-    for field in {(one.section, one.key, type(one)): one for one in window.fields}.values():  # the title once
+    for field in {(one.section, one.key, type(one)): one for one in window.stages.fields}.values():  # the title once
         section = field.parentWidget()
         words = f"{field.caption.text()}  {field.editor.toolTip().splitlines()[0] if field.editor.toolTip() else ''}"
         if section is not None and not (isinstance(field, ReasonField) and field.isHidden()):
             also = others.get(field.caption.text(), "")
-            found.append(Entry(words.strip(), lambda field=field: point_at(window, field), also))
+            found.append(Entry(words.strip(), lambda field=field: point_at(window.navigator, field), also))
     for row in window.tree.rows:
         if row.kind in ("wall", "hinge"):
             words = f"{called(window.session.case.wall[row.wall].title)}  {row.text if row.kind == 'hinge' else ''}"
-            found.append(Entry(words.strip(), lambda row=row: window.choose_row(row)))
+            found.append(Entry(words.strip(), lambda row=row: window.navigator.choose_row(row)))
     for section in window.forms.findChildren(Section):
         words = f"{section.head.title.text()}  {section.head.words}"
-        found.append(Entry(words.strip(), lambda section=section: point_at(window, section.head)))
+        found.append(Entry(words.strip(), lambda section=section: point_at(window.navigator, section.head)))
     for group in window.forms.findChildren(QGroupBox):
         if group.isCheckable() and not group.isHidden():
-            found.append(Entry(group.title(), lambda group=group: point_at(window, group)))
+            found.append(Entry(group.title(), lambda group=group: point_at(window.navigator, group)))
     seen = set()
     for action in every_action(window.header.menu):
         label, keys, menu = action.text().replace("&", ""), action.shortcut().toString(), action.parent()
@@ -89,7 +89,7 @@ def places_of(window, text: str) -> list[Entry]:
 
     def take(name: str) -> None:
         window.demand.place.take(name)
-        point_at(window, window.demand.place.municipality)
+        point_at(window.navigator, window.demand.place.municipality)
         window.missing.lead_in("demand")
 
     names = names_beginning_with(text, PLACES) if len(text.strip()) >= LETTERS else []

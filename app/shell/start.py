@@ -66,7 +66,7 @@ def install_hook(window: MainWindow) -> None:
         log = write_log("".join(traceback.format_exception(kind, value, trace)))
 
         def tell() -> None:
-            window.failed(sentence, log)
+            window.runner.fail(sentence, log)
             open_now.discard(sentence)
 
         open_now.add(sentence)

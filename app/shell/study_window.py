@@ -29,7 +29,7 @@ from app.look.language import tr
 from app.shell.study_form import StudyForm
 from app.terminal import study
 from app.views.study_tabs import claims_table, figure_chart, table_view
-from app.work.running import progress_word
+from app.work.runner import progress_word
 from app.work.worker import Job
 from core.research import parametric
 from core.research.study_report import report_of

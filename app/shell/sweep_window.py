@@ -24,7 +24,7 @@ from app.look.labels import Plain
 from app.look.language import FORM_NAMES, called, current_language, described, named, number, of_key, tr
 from app.views.chart import Chart
 from app.views.study_tabs import figure_chart, table_view
-from app.work.running import progress_word
+from app.work.runner import progress_word
 from app.work.worker import Job
 from core.case.keys import unit_in_form
 from core.case.loads import ReturnWalls
@@ -216,7 +216,7 @@ class SweepWindow(QDialog):
             self.word.setText(f"{self.key.currentText()}: {words}")
             return
         case, k, key = self.case, self.wall.currentIndex(), self.keys[self.key.currentIndex()]
-        base, book = self.owner.session.base_dir, self.owner.finished_runs
+        base, book = self.owner.session.base_dir, self.owner.runner.finished_runs
         self.points, self.shown = [], (case, k, key)
 
         def work(job: Job) -> None:

@@ -1,6 +1,11 @@
 """The pages of the stages Answer, Why and Report."""
 
+from collections.abc import Callable
+
+from PySide6.QtWidgets import QWidget
+
 from app.look.language import tr
+from app.shell.navigator import Navigator
 from app.shell.pages import Page
 from app.views.capacity_tab import CapacityTab
 from app.views.check_tab import CheckTab
@@ -10,24 +15,26 @@ from app.views.sure_tab import SureTab
 from app.views.walls_tab import WallsTab
 
 
-def pages(language: str, validation, pick, note, ask, pick_run) -> dict[str, tuple[Page, str]]:
-    """Pages and their labels by name. validation, note : make these tabs; pick(k) : shows the k-th wall; ask(what) :
-    leads to what the answer asks for; pick_run(run) : shows the history of (motion, polarity)"""
+def pages(
+    language: str, navigator: Callable[[], Navigator], validation: Callable[[], QWidget], note: Callable[[], QWidget]
+) -> dict[str, tuple[Page, str]]:
+    """Pages and their labels by name. navigator() : asked when a page is made, which is after all are placed;
+    validation, note : make these tabs"""
 
     def walls() -> WallsTab:
         tab = WallsTab(language)
-        tab.picked.connect(pick)
+        tab.picked.connect(navigator().pick)
         return tab
 
     def check() -> CheckTab:
         tab = CheckTab(language)
-        tab.asked.connect(ask)
-        tab.record_picked.connect(pick_run)
+        tab.asked.connect(navigator().ask)
+        tab.record_picked.connect(navigator().pick_run)
         return tab
 
     def sure() -> SureTab:
         tab = SureTab(language)
-        tab.asked.connect(ask)
+        tab.asked.connect(navigator().ask)
         return tab
 
     return {

@@ -6,7 +6,7 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout
 
 from app.look import theme
 from app.look.labels import Plain
@@ -14,6 +14,7 @@ from app.look.language import named, number, tr
 from app.look.whole_text import tell_whole
 from app.views.chart import Chart
 from app.views.hatch import Hatch, hatched_square
+from app.views.result_tab import ResultTab
 from app.views.runs import governing_run, run_name, title_of
 from core.capacity.fragility import fragility_curve
 from core.capacity.ida import grid_point, multiplier_of, threshold_of
@@ -28,7 +29,7 @@ MARKS = (0.5, 0.7, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 40, 60, 100)
 """Ticks of q of the survival map."""
 
 
-class CapacityTab(QWidget):
+class CapacityTab(ResultTab):
     """Peak rotation against q of one record or of all, survival strips of all, fragility of the wall."""
 
     def __init__(self):

@@ -25,6 +25,7 @@ from app.views.answer_lines import assumption_rows, limits, link, no_dynamic_che
 from app.views.capacity_curve_chart import CapacityCurveChart
 from app.views.chart import Chart
 from app.views.ladder import Ladder, Rung
+from app.views.result_tab import ResultTab
 from app.views.runs import title_of
 from app.views.table import Table
 from core.capacity.limit_states import LIMIT_FRACTION
@@ -68,7 +69,7 @@ class Whole(QWidget):
         return self.layout().minimumHeightForWidth(width)
 
 
-class CheckTab(QWidget):
+class CheckTab(ResultTab):
     """The verdict of a wall in one line, what is to be done and what limits it, the ladder of checks, the wall with the
     zeta of each hinge, the peaks at the demand, four facts of trust; the table and the comparisons by a click.
 

@@ -21,6 +21,7 @@ from app.look.labels import Plain
 from app.look.language import current_language, named, number, tr
 from app.look.whole_text import tell_whole
 from app.views.chart import Chart
+from app.views.result_tab import ResultTab
 from app.views.runs import before_motion, governing_run, index_of, run_name, title_of
 from core.capacity.ida import multiplier_of, threshold_of
 from core.codes.dynamic_check import at_demand
@@ -40,7 +41,7 @@ SPAN = (0.5, 2.0)
 """Range of the multiplier slider about q [-]."""
 
 
-class HistoriesTab(QWidget):
+class HistoriesTab(ResultTab):
     """theta/alpha under a multiplier that follows the slider, with the ground above it and a rocking wall."""
 
     def __init__(self):

@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 from app.look import theme
 from app.look.labels import Plain
 from app.look.language import current_language, tr
+from app.views.result_tab import ResultTab
 from app.work.worker import Job
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import LANGUAGES
@@ -111,7 +112,7 @@ class Paper(QWidget):
             self.clicked.emit(*place)
 
 
-class NoteTab(QWidget):
+class NoteTab(ResultTab):
     """The pages of the note of a result.
 
     base_dir : tells the folder of the case

@@ -10,6 +10,7 @@ from app.look.labels import Plain
 from app.look.language import number, tr
 from app.views.chart import Chart
 from app.views.check_tab import digits
+from app.views.result_tab import ResultTab
 from app.views.runs import title_of
 from app.views.table import Table
 from core.capacity.closed_forms import closed_form_q_eff
@@ -24,7 +25,7 @@ PERIODS = np.linspace(0.0, 4.0, 401)
 """At which a target is drawn [s]."""
 
 
-class IntensityTab(QWidget):
+class IntensityTab(ResultTab):
     """q_eff against SI: points, power law, Eq. 15/16 with a band of 20 %."""
 
     def __init__(self):

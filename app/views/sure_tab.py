@@ -4,12 +4,13 @@ from collections.abc import Callable
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSplitter, QVBoxLayout
 
 from app.look import theme
 from app.look.labels import Plain
 from app.look.language import number, tr
 from app.views.chart import Chart
+from app.views.result_tab import ResultTab
 from app.views.table import Table
 from core.report import sure_words
 from core.study.results import StudyResult, WallResult
@@ -17,7 +18,7 @@ from core.text.sentence import localized
 from core.variation.swings import Sensitivity
 
 
-class SureTab(QWidget):
+class SureTab(ResultTab):
     """What stands beside the verdict of a wall, never part of it.
 
     asked(what) : sensitivity, where the inputs are to be moved

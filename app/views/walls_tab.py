@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
 from app.look.labels import Plain
 from app.look.language import called, number, tr
 from app.views.check_tab import digits, verdict_color
+from app.views.result_tab import ResultTab
 from app.views.table import Table
 from core.report.verdict_words import outcome_of
 from core.study.results import StudyResult, WallResult, WallVerdict
@@ -41,7 +42,7 @@ def method_of(wall: WallResult, language: str) -> str:
     return word(labels[0], language) if labels else "–"
 
 
-class WallsTab(QWidget):
+class WallsTab(ResultTab):
     """One row a wall and mechanism. picked(k) : the row of the result's k-th wall was clicked twice, its name once."""
 
     picked = Signal(int)

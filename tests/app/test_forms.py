@@ -107,7 +107,7 @@ def test_that_one_fault_is_one_dialog_until_it_is_closed(opened, faults, monkeyp
     from app.shell import start
 
     said = []
-    monkeypatch.setattr(opened, "failed", lambda sentence, log: said.append(sentence))
+    monkeypatch.setattr(opened.runner, "fail", lambda sentence, log: said.append(sentence))
     start.install_hook(opened)
     import sys
 

@@ -12,7 +12,7 @@ from core.case.site import Spectrum
 
 @pytest.fixture
 def placed(opened):
-    opened.show_input("demand")
+    opened.navigator.show_input("demand")
     form = opened.demand.place
     form.given.setChecked(True)
     form.municipality.choose("L'Aquila (AQ)")
@@ -105,7 +105,7 @@ def test_that_a_name_that_is_being_typed_leaves_no_other_place_to_run(placed):
 
 def test_that_a_place_without_a_point_draws_no_spectrum_and_gives_back_what_was_there(opened):
     window = opened
-    window.show_input("demand")
+    window.navigator.show_input("demand")
     before = window.session.case.demand
     window.demand.place.given.setChecked(True)
     assert window.session.case.demand.ag_g == "" and window.demand.curve.isHidden()
