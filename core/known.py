@@ -6,6 +6,8 @@ Value = TypeVar("Value")
 
 
 def known(value: Value | None) -> Value:
-    """A value that cannot be missing here; where it is, that is a fault of the program."""
-    assert value is not None
+    """A value that cannot be missing in a case whose rules hold. Raises TypeError where it is, as arithmetic on ""
+    does: the forms of a draft wait for it, anywhere else that is a fault of the program."""
+    if value is None:
+        raise TypeError("a value is missing")
     return value

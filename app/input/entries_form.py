@@ -7,7 +7,7 @@ from dataclasses import replace
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QHBoxLayout, QListWidget, QToolButton, QVBoxLayout, QWidget
 
-from app.input.fields import Field, connect
+from app.input.fields import Field, blank, connect
 from app.input.made_fields import make_fields
 from app.look.labels import Plain
 from app.look.language import tr
@@ -24,7 +24,9 @@ def entry_named(problem: InputError, key: str) -> int | None:
     for part in problem.place:
         values = dict(part.values) if isinstance(part, Sentence) else {}
         if values and part.code == key:
-            return values["n"]
+            n = values["n"]
+            assert isinstance(n, int)
+            return n
         if inside := re.fullmatch(rf"\[\[{key}\]\] (\d+)", str(values.get("name", ""))):
             return int(inside[1])
     return problem.values.get("n", 0) if problem.key == key else None
@@ -123,6 +125,8 @@ class EntriesForm(QWidget):
             field.setVisible(entry is not None and self.is_shown(entry, field.key))
             if entry is not None:
                 field.show_value(getattr(entry, field.key))
+        if entry is None:
+            blank(self.fields)
 
     def _names(self, problem: InputError, field: Field) -> bool:
         """Whether an error of the wall is about this field of the one that is chosen."""

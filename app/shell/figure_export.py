@@ -2,7 +2,7 @@
 paint; made into files and written off its thread."""
 
 import queue
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, QTimer
@@ -33,10 +33,11 @@ class FigureExport(QObject):
     def __init__(self, window, folder: Path, size: FigureSize):
         super().__init__(window)
         self.window, self.size, self.figures = window, size, queue.Queue()
-        self.of, self.drawing = (window.shown, window.stages), self._draw()
+        self.navigator = window.navigator
+        self.shown, self.drawing = self.navigator.shown, self._draw()
         self.timer = QTimer(self, singleShot=True)
         self.timer.timeout.connect(self._next)
-        start = beginning(window.wall)
+        start = beginning(self.navigator.wall)
 
         def work(job) -> int:
             files: dict[Path, bytes] = {}
@@ -57,16 +58,17 @@ class FigureExport(QObject):
         def arrived(count: int) -> None:
             window.show_word(tr("Figures written to {folder}: {n}", n=count, folder=folder))
 
-        window.start(work, arrived)
-        self.job = window.job
+        window.runner.start(work, arrived)
+        self.job = window.runner.job
         self.timer.start(0)
 
     def _next(self) -> None:
         """A page, or a strip of a figure; then the window's turn."""
         window = self.window
-        if window.job is self.job and (self.of != (window.shown, window.stages) or window.session.stale):
-            window.cancel()
-        if window.job is not self.job:
+        same = window.navigator is self.navigator and self.navigator.shown == self.shown
+        if window.runner.job is self.job and (not same or window.session.stale):
+            window.runner.cancel()
+        if window.runner.job is not self.job:
             self._end()
             return
         self.timer.start(1)
@@ -77,7 +79,7 @@ class FigureExport(QObject):
                 failed = False
             finally:
                 if failed:
-                    window.cancel()
+                    window.runner.cancel()
                 if failed or ended:
                     self._end()
             if ended:
@@ -93,52 +95,52 @@ class FigureExport(QObject):
         """A page that is not made yet, its plots one by one before it."""
         while page.made is None and len(SPARE) < CHARTS:
             SPARE.append(plot_widget())
-            yield
+            yield None
         page.content  # noqa: B018
-        yield
+        yield None
 
-    def _draw(self) -> Iterator[QImage | None]:
+    def _draw(self) -> Generator[QImage | None, None, None]:
         """Qt lays nothing out that was not once in front: each page is, behind a picture of the stage as it was."""
-        window, stages = self.window, self.window.stages
-        shown, stage = window.page, stages.front
+        navigator, stages = self.navigator, self.navigator.stages
+        shown, stage = navigator.page, stages.front
         cover = Plain(parent=stages.stack)
         cover.setPixmap(stages.stack.grab())
         cover.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)  # what is behind it is not painted
         cover.setGeometry(stages.stack.rect())
         cover.show()
-        frozen = (stages.stack, window.tree)
+        frozen = (stages.stack, navigator.tree)
         for part in frozen:
             part.setEnabled(False)
         try:
-            for k, (name, page) in enumerate(window.pages.items()):
+            for k, (name, page) in enumerate(navigator.pages.items()):
                 yield from self._make(page)
                 content = page.content
                 if isinstance(content, HistoriesTab):
                     content.play.setChecked(False)  # nothing moves between two strips of a figure
-                to_fill = {page, window.beside} - window.fresh
-                window.fresh |= to_fill  # to the front now, filled in turns of their own
-                window.show_page(name)
+                to_fill = {page, navigator.beside} - navigator.fresh
+                navigator.fresh |= to_fill  # to the front now, filled in turns of their own
+                navigator.show_page(name)
                 cover.raise_()
-                window.fresh -= to_fill
-                yield
-                window.fill(name)
-                yield
-                if window.stages.answer.has_beside():
-                    yield from self._make(window.beside)
-                    window.show_result()
-                    yield
+                navigator.fresh -= to_fill
+                yield None
+                navigator.fill(name)
+                yield None
+                if stages.answer.has_beside():
+                    yield from self._make(navigator.beside)
+                    navigator.show_result()
+                    yield None
                 for chart in content.findChildren(Chart):
                     if chart.data:
                         for image in raster(chart, self.size):
                             yield image
                         self.figures.put((chart.name, image))
-                        yield
-                self.job.progress(k + 1, len(window.pages))
+                        yield None
+                self.job.progress(k + 1, len(navigator.pages))
         finally:
             while SPARE:
                 delete(SPARE.pop())
-            if window.stages is stages:
+            if self.window.navigator is navigator:
                 for part in frozen:
                     part.setEnabled(True)
-                window.show_page(shown) if shown is not None else window.show_stage(stage)
+                navigator.show_page(shown) if shown is not None else navigator.show_stage(stage)
                 cover.deleteLater()

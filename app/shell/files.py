@@ -11,6 +11,7 @@ from app.look.language import current_language, described, quoted_from_file, tr
 from app.work.session import Session
 from core import atomic_write
 from core.errors import InputError
+from core.known import known
 
 EXAMPLE = Path(__file__).resolve().parents[2] / "resources" / "cases" / "example.toml"
 RECENT = 8
@@ -55,8 +56,8 @@ class Files:
         return [name for name in names if isinstance(name, str)] if isinstance(names, list) else []
 
     def remember(self, path: Path) -> None:
-        known = [name for name in self.recent if name != str(path)]
-        self.settings.setValue("recent", [str(path), *known][:RECENT])
+        others = [name for name in self.recent if name != str(path)]
+        self.settings.setValue("recent", [str(path), *others][:RECENT])
         self.window.refresh()
 
     def new(self) -> bool:
@@ -109,12 +110,12 @@ class Files:
         except InputError as error:
             QMessageBox.warning(self.window, tr("Not saved"), plain(described(error)))
             return False
-        self.remember(self.session.path)
+        self.remember(known(self.session.path))
         if self.session.left_out:
             lines = "\n".join(described(error) for error in self.session.left_out)
             text = tr("Saved without these values, which no case file may hold:\n{lines}", lines=lines)
             QMessageBox.warning(self.window, tr("Save the case"), plain(text))
-        if any(field.wrong for field in self.window.fields):
+        if any(field.wrong for field in self.window.stages.fields):
             self.window.show_word(tr("Saved without the content of the red field."))
         return True
 
@@ -147,12 +148,12 @@ class Files:
         path = path_to_write(self.window, title, proposal, "PDF (*.pdf);;Word (*.docx)", (".pdf", ".docx"))
         if path is None:
             return
+        result, case_path = known(self.session.result), self.session.path or self.session.base_dir / "case.toml"
         try:
-            export.check_note(path, self.session.base_dir / "case.toml", self.session.result.case)
+            export.check_note(path, self.session.base_dir / "case.toml", result.case)
         except InputError as error:
             QMessageBox.warning(self.window, tr("Nothing exported"), plain(described(error)))
             return
-        result, case_path = self.session.result, self.session.path or self.session.base_dir / "case.toml"
 
         def write(job) -> None:
             steps = Steps(job.check, job.progress)
@@ -161,13 +162,13 @@ class Files:
             job.commit()
             atomic_write.write({path: content})
 
-        self.window.start(write, lambda _: self.window.show_word(tr("Written: {path}", path=path)), to_end=True)
+        self.window.runner.start(write, lambda _: self.window.show_word(tr("Written: {path}", path=path)), to_end=True)
 
     def ask_figures(self) -> None:
         """Every figure of the wall shown, to a folder the user names."""
         from app.views.figure_dialogs import last_size
 
-        if self.export_refused() or self.window.job is not None:
+        if self.export_refused() or self.window.runner.job is not None:
             return
         title = tr("Export all figures")
         name = QFileDialog.getExistingDirectory(self.window, title, str(self.proposed("").parent))
@@ -178,7 +179,7 @@ class Files:
         """The charts of every page as PNG, all or none; nothing that is there is overwritten unasked."""
         from app.shell.figure_export import FigureExport, beginning
 
-        start = beginning(self.window.wall)
+        start = beginning(self.window.navigator.wall)
         there = next((path for path in sorted(folder.glob("*.png")) if path.name.startswith(start)), None)
         question = tr("{path} already exists. Overwrite it?", path=there)
         if there is None or self._agreed(tr("Export all figures"), question):
@@ -190,7 +191,7 @@ class Files:
         if changed:
             self.window.records.read_again()
         stale = self.session.result is None or self.session.stale
-        if stale or changed or self.window.job is not None:
+        if stale or changed or self.window.runner.job is not None:
             reason = tr("The results are not of this input: run it first (F5).")
             QMessageBox.information(self.window, tr("Nothing exported"), plain(reason))
             return True
@@ -200,14 +201,14 @@ class Files:
         """Workbook and JSON, as the batch writes them, off this thread."""
         from app.terminal import export
 
-        result, case = self.session.result, self.session.case
+        result, case = known(self.session.result), self.session.case
         try:
             here = self.session.path or self.session.base_dir / "case.toml"
             export.refuse_overwriting(case, here, path.parent, path.stem)
         except InputError as error:
             QMessageBox.warning(self.window, tr("Nothing exported"), plain(described(error)))
             return
-        self.window.start(
+        self.window.runner.start(
             lambda job: export.write(result, path.parent, path.stem, job.check, job.commit, tell=job.progress),
             lambda _: self.window.show_word(tr("Written: {path}", path=path)),
             to_end=True,

@@ -10,6 +10,7 @@ from app.look import theme
 from app.look.labels import Plain
 from app.look.language import tr
 from app.shell.files import EXAMPLE
+from app.work.draft import TO_BE_GIVEN
 from core.case.site import Demand
 
 
@@ -54,15 +55,15 @@ def follow(window, name: str) -> None:
     from app.shell import menus
 
     if name == "example":
-        window.show_stage("input")
+        window.navigator.show_stage("input")
         return
     if name == "facade":
         if window.files.open(EXAMPLE.with_name("facade.toml")):
-            window.show_input("wall", 0)
+            window.navigator.show_input("wall", 0)
             window.walls.sections["body"].unfold()
         return
     if name == "paper":
-        window.show_stage("input")
+        window.navigator.show_stage("input")
         menus.study(window)
         return
     if not window.files.new():
@@ -70,13 +71,13 @@ def follow(window, name: str) -> None:
     if name == "wall":
         _ask_demand(window)
         window.walls.add()
-        window.show_input("wall", 0)
+        window.navigator.show_input("wall", 0)
         window.walls.fields["height_m"].editor.setFocus()
     elif name == "records":
-        window.show_input("records")
+        window.navigator.show_input("records")
         window.records.add()
     else:
-        window.show_input("wall")
+        window.navigator.show_input("wall")
         window.walls.load_table()
         _ask_demand(window)  # after its rows: one without a base is taken, and its base asked for
         if window.session.case.wall:
@@ -85,4 +86,4 @@ def follow(window, name: str) -> None:
 
 def _ask_demand(window) -> None:
     """a_g and the bases are asked for from the beginning: without a demand there is no answer."""
-    window.session.edit(replace(window.session.case, demand=Demand("")))  # type: ignore[arg-type]
+    window.session.edit(replace(window.session.case, demand=Demand(TO_BE_GIVEN)))

@@ -47,23 +47,27 @@ def build(window) -> Actions:
     file.addSeparator()
     add(window, file, tr("&Quit"), window.close, key.Quit)
     edit = bar.addMenu(tr("&Edit"))
+
+    def paste() -> None:
+        window.navigator.then_input(window.walls.paste)
+
     undo = add(window, edit, tr("&Undo"), window.session.undo, key.Undo)
     redo = add(window, edit, tr("&Redo"), window.session.redo, QKeySequence("Ctrl+Y"))
     add(window, edit, tr("&Find…"), lambda: find(window), QKeySequence("Ctrl+K"))
-    add(window, edit, tr("&Paste walls"), lambda: window._then_input(window.walls.paste), QKeySequence("Ctrl+Shift+V"))
+    add(window, edit, tr("&Paste walls"), paste, QKeySequence("Ctrl+Shift+V"))
     runs = bar.addMenu(tr("&Run"))
     run = add(window, runs, tr("&Run"), window.run, QKeySequence("F5"))
-    cancel = add(window, runs, tr("&Cancel"), window.cancel, QKeySequence("Esc"))
+    cancel = add(window, runs, tr("&Cancel"), window.runner.cancel, QKeySequence("Esc"))
     studies = bar.addMenu(tr("&Study"))
     add(window, studies, tr("&Sweep of one value…"), lambda: sweep(window))
     add(window, studies, tr("&What if…"), lambda: what_if(window), "Ctrl+I")
     add(window, studies, tr("&Parametric study…"), lambda: study(window))
     view = bar.addMenu(tr("&View"))
     for number, (name, label) in enumerate(stage_names().items(), start=1):
-        add(window, view, label, lambda name=name: window.show_stage(name), QKeySequence(f"Alt+{number}"))
+        add(window, view, label, lambda name=name: window.navigator.show_stage(name), QKeySequence(f"Alt+{number}"))
     view.addSeparator()
     for number, (name, label) in enumerate(window.page_labels.items(), start=1):
-        add(window, view, label, lambda name=name: window.show_page(name), QKeySequence(f"Ctrl+{number}"))
+        add(window, view, label, lambda name=name: window.navigator.show_page(name), QKeySequence(f"Ctrl+{number}"))
     add(window, view, tr("For the &client"), lambda: client(window), QKeySequence("F11"))
     view.addSeparator()
     add(window, view, tr("&Reset layout"), window.reset_layout)

@@ -2,6 +2,7 @@
 
 import html
 from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 from PySide6.QtCore import Qt
@@ -64,15 +65,15 @@ class Missing(QFrame):
         errors, refused = window.session.problems(), self._refused()
         logo = self._logo()
         told = [(one, self._place_of(one)) for one in (*errors, refused, logo) if one]
-        fields = window.fields
+        fields = window.stages.fields
         for field in fields:
             here = next((error for error, place in told if self._is_named(field, error, place)), None)
             field.show_rule(described(here) if here else "")
-        found = [Problem(described(error), lambda error=error: self._lead_to(error)) for error in errors]
+        found = [Problem(described(error), partial(self._lead_to, error)) for error in errors]
         for field in fields:
             if field.wrong:
                 words = f"{field.caption.text()}: {field.error}"
-                found.append(Problem(words, lambda field=field: point_at(window, field)))
+                found.append(Problem(words, partial(point_at, window.navigator, field)))
         row = window.records.unreadable_row()
         if row is not None:
             words = window.records.rows[row][1]
@@ -85,7 +86,7 @@ class Missing(QFrame):
             words = tr(
                 "{walls}: the motion above the ground follows from the building; no verdict without it", walls=above
             )
-            found.append(Problem(words, lambda: window.ask("building"), False))
+            found.append(Problem(words, lambda: window.navigator.ask("building"), False))
         self.problems = found
         self._write()
         return not any(problem.stops for problem in found)
@@ -122,7 +123,7 @@ class Missing(QFrame):
 
     def _refused(self) -> InputError | None:
         """What the last run refused, while the case is the same."""
-        case, error = self.window_of.refused
+        case, error = self.window_of.runner.last_refusal
         return error if case is self.window_of.session.case else None
 
     def _without_building(self) -> str:
@@ -142,9 +143,9 @@ class Missing(QFrame):
     def lead_in(self, kind: str) -> None:
         """The cursor into the first field of a form in which something is missing."""
         area = self.window_of.stages.input.areas[kind]
-        wrong = (field for field in self.window_of.fields if field.rule and area.isAncestorOf(field))
+        wrong = (field for field in self.window_of.stages.fields if field.rule and area.isAncestorOf(field))
         if field := next(wrong, None):
-            point_at(self.window_of, field)
+            point_at(self.window_of.navigator, field)
 
     def _place_of(self, error: InputError) -> tuple[str, int | None]:
         """(title of the wall whose form shows an error, index of the load it is about)."""
@@ -175,14 +176,16 @@ class Missing(QFrame):
         window = self.window_of
         row, load = wall_of(window.session.case, error), load_of(error)
         if row is not None:
-            window.show_input("wall", row)
+            window.navigator.show_input("wall", row)
             window.walls.body.point_at(error)
         if row is not None and load is not None:
             window.walls.loads.list.setCurrentRow(load)
         here = self._place_of(error)
-        field = first_empty([one for one in window.fields if self._is_named(one, error, here) and not one.isHidden()])
+        field = first_empty(
+            [one for one in window.stages.fields if self._is_named(one, error, here) and not one.isHidden()]
+        )
         if field is not None:
-            point_at(window, field)
+            point_at(window.navigator, field)
         elif row is not None and "mechanism" in error.keys:
             unfold_to(window.walls.mechanisms["two_sided"])
             window.walls.mechanisms["two_sided"].setFocus()
@@ -190,11 +193,11 @@ class Missing(QFrame):
             section = (error.section or "").strip("[]").split(".")[0]
             place = {"demand": "demand", "building": "building", "report": "report", "analysis": "report"}
             place |= {"site": "demand"}
-            window.show_input(
+            window.navigator.show_input(
                 {"record": "records", "generate": "records", "select": "records"}.get(section)
                 or place.get(section, "wall")
             )
 
     def _record(self, row: int) -> None:
-        self.window_of.show_input("records")
+        self.window_of.navigator.show_input("records")
         self.window_of.records.point_at(row)

@@ -9,43 +9,47 @@ from core.case.load_rules import OF_A_TIE
 from core.case.loads import Bars, Load
 
 
-def point_at(window, widget: QWidget) -> None:
+def point_at(navigator, widget: QWidget) -> None:
     """Put the cursor into a field, or where it begins to be: one that is hidden takes nothing into the case."""
-    window.show_form_of(widget)
+    navigator.show_form_of(widget)
     unfold_to(widget)
     if isinstance(widget, Field):
-        widget = widget.editor if widget.isVisibleTo(window) and widget.isEnabled() else _way_to(window, widget)
-    area = window.forms.currentWidget()
+        there = widget.isVisibleTo(widget.window()) and widget.isEnabled()
+        widget = widget.editor if there else _way_to(navigator, widget)
+    area = navigator.stages.input.forms.currentWidget()
     if area.isAncestorOf(widget):
         area.ensureWidgetVisible(widget)
     widget.setFocus()
 
 
-def _way_to(window, field: Field) -> QWidget:
+def _way_to(navigator, field: Field) -> QWidget:
     """What makes a field there is none of appear: a load to be added, the tick of its group, its section."""
-    if window.walls.loads.isAncestorOf(field) and not window.walls.loads.list.isVisibleTo(window):
-        return window.walls.loads.add_button
+    loads = navigator.walls.loads
+    if loads.isAncestorOf(field) and not loads.list.isVisibleTo(loads.window()):
+        return loads.add_button
     above = field.parentWidget()
-    while not isinstance(above, Section) and not (isinstance(above, QGroupBox) and above.isCheckable()):
-        if above.parentWidget() is None:
-            return field.editor
+    while above is not None:
+        if isinstance(above, Section):
+            return above.head
+        if isinstance(above, QGroupBox) and above.isCheckable():
+            return above
         above = above.parentWidget()
-    return above.head if isinstance(above, Section) else above
+    return field.editor
 
 
-def point_at_key(window, key: str, reason: bool = False) -> None:
+def point_at_key(navigator, key: str, reason: bool = False) -> None:
     """The cursor into the field of a key of the wall that is shown, of the demand or of the building; of a tie that of
     its first tie. reason : into that of the engineer's reason for it"""
-    fields = [field for field in window.fields if field.key == key]
+    fields = [field for field in navigator.stages.fields if field.key == key]
     reasons = [field for field in fields if isinstance(field, ReasonField)]
     fields = reasons if reason else [field for field in fields if field not in reasons] or reasons
     if not fields:
         return
     field = fields[0]
-    loads = window.walls.loads
+    loads = navigator.walls.loads
     if field.section is Bars or (field.section is Load and key in OF_A_TIE):
         loads.show_tie()
-    point_at(window, field)
+    point_at(navigator, field)
 
 
 def first_empty(fields: list[Field]) -> Field | None:

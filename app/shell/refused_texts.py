@@ -9,13 +9,13 @@ class RefusedTexts:
 
     def __init__(self, window):
         self.rows = [entries.currentRow() for entries in window.walls.findChildren(QListWidget)]
-        self.texts = [field.text if field.wrong else None for field in window.fields]
+        self.texts = [field.text if field.wrong else None for field in window.stages.fields]
 
     def type_into(self, window) -> None:
         """Choose the same rows and type the same texts: the forms of a window are made in one order."""
         for entries, row in zip(window.walls.findChildren(QListWidget), self.rows, strict=True):
             if 0 <= row < entries.count():
                 entries.setCurrentRow(row)
-        for field, text in zip(window.fields, self.texts, strict=True):
+        for field, text in zip(window.stages.fields, self.texts, strict=True):
             if text is not None:
                 field.type_again(text)

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.input.demand_form import AnalysisForm, DemandForm
+from app.input.fields import Field
 from app.input.note_form import NoteForm
 from app.input.records_panel import RecordsPanel
 from app.input.wall_form import WallForm
@@ -176,7 +177,7 @@ class Stages(QWidget):
 
     def __init__(self, window, session: Session, pages: dict[str, tuple[Page, str]], beside: Page):
         super().__init__()
-        made = {name: page for name, (page, _) in pages.items()}
+        made = self.pages = {name: page for name, (page, _) in pages.items()}
         self.input = InputStage(window, session)
         self.answer = AnswerStage(made, beside)
         self.why = QTabWidget()
@@ -189,7 +190,8 @@ class Stages(QWidget):
             report.addWidget(part)
         report.setStretchFactor(0, 1)
         report.setSizes([1000, CHOICES])
-        self.stack, self.first = QStackedWidget(), None
+        self.stack = QStackedWidget()
+        self.first: QWidget | None = None
         for stage in (self.input, self.answer, self.why, report):
             self.stack.addWidget(stage)
         self.bar = QProgressBar()
@@ -203,6 +205,13 @@ class Stages(QWidget):
         layout.addWidget(self.stack, 1)
         self.veil = Veil(self.stack)
         self.bar.hide()
+
+    @property
+    def fields(self) -> list[Field]:
+        """The fields of the case; those of a dialog are not among them."""
+        given = self.input
+        forms = (given.walls, given.demand, given.demand.building, given.analysis, self.note_form)
+        return [field for form in forms for field in form.findChildren(Field)]
 
     @property
     def front(self) -> str:

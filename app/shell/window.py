@@ -1,32 +1,34 @@
 """The window: a bar with four stages, the tree of the project, and the stage in front."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pyqtgraph as pg
 from PySide6.QtCore import QByteArray, QEvent, QSettings, QSize, QTimer
-from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QMessageBox, QVBoxLayout, QWidget
 
-from app.input.fields import Field
 from app.look import language, theme
 from app.look.focus import FocusFrame
+from app.look.labels import plain
 from app.look.language import tr
 from app.look.parts import Parts
 from app.shell import menus, stages, tabs, tree
 from app.shell.files import Files
+from app.shell.first_run import FirstRun, follow
 from app.shell.header import Header
+from app.shell.navigator import Navigator
 from app.shell.pages import Page
 from app.shell.refused_texts import RefusedTexts
-from app.shell.staged_window import StagedWindow
 from app.shell.tree import ProjectTree
 from app.views.chart_output import ChartOutput
 from app.views.histories_tab import HistoriesTab
 from app.views.note_tab import NoteTab
 from app.views.table import Table
-from app.views.validation_tab import ValidationTab
 from app.work.preparation import Preparation
+from app.work.runner import Runner
 from app.work.session import Session
 from app.work.worker import Collector
-from core.study.journal import Memory
+from core.study.results import StudyResult
 from core.text.sentence import LANGUAGES
 from core.text.start import system_language
 from core.version import NAME
@@ -37,7 +39,7 @@ FIRST_SIZE, FRAME = QSize(1280, 800), QSize(8, 40)
 """Of the window at first, and of what the desktop puts around it [px]."""
 
 
-class MainWindow(StagedWindow):
+class MainWindow(QMainWindow):
     """One session in a window.
 
     settings : where its state is remembered
@@ -55,7 +57,9 @@ class MainWindow(StagedWindow):
         self.preparation = Preparation(self)
         self.parts = Parts(self)
         self.focus_frame = FocusFrame(self)
-        self.finished_runs = Memory()
+        self.closing = False
+        self.runner = Runner(self.session, self)
+        self._follow_runner()
         self.build()
         geometry = settings.value("geometry")
         if isinstance(geometry, QByteArray):
@@ -74,21 +78,23 @@ class MainWindow(StagedWindow):
         asked = menus.chosen(self.settings, "language", LANGUAGES)
         self.language = asked or system_language()
         stages.remove(self)
-        self.shown, self.fresh = -1, set()
-        self._known_rows: tuple = (None, None, {})
-        made = tabs.pages(self.language, self._validation, self.pick, self._note, self.ask, self.pick_run)
-        self.pages = {name: page for name, (page, _) in made.items()}
+        made = tabs.pages(self.language, lambda: self.navigator, self.files.ask_note)
         self.page_labels = {name: label for name, (_, label) in made.items()}
-        self.beside = Page(HistoriesTab)
-        self.stages = stages.Stages(self, self.session, made, self.beside)
+        self.stages = stages.Stages(self, self.session, made, Page(HistoriesTab))
+        self.pages = self.stages.pages
         self._name_parts()
         self._frame()
+        self.navigator = Navigator(self.session, self.runner, self.stages, self.header, self.tree)
+        self.navigator.staged.connect(self._show_problem)
+        self.navigator.moved.connect(self.refresh)
+        self.navigator.run_asked.connect(self.run)
+        self.pages["walls"].content  # noqa: B018  (the first page is there at once)
         self.actions_of = menus.build(self)
         self.run_action = self.actions_of.run
         self.word = stages.build_status(self)
         self.word_kind = ""
-        self.show_running(self.job is not None)
-        for field in self.fields:
+        self.show_running(self.runner.job is not None)
+        for field in self.stages.fields:
             field.judged.connect(self.refresh)
         self.parts.deleteLater()
         self.parts = Parts(
@@ -109,55 +115,44 @@ class MainWindow(StagedWindow):
             self.preparation.prepare_next,
         )
         self.stages.input.show_kind("wall")
-        self.show_stage("input")
+        self.navigator.show_stage("input")
         self.refresh()
 
     def _name_parts(self) -> None:
         """Parts of the stages that others ask for."""
         given = self.stages.input
         self.walls, self.demand, self.analysis, self.records = given.walls, given.demand, given.analysis, given.records
-        self.forms, self.missing = given.forms, given.missing
-        self.why, self.veil, self.bar = self.stages.why, self.stages.veil, self.stages.bar
-        self.records.loaded.connect(self.records_loaded)
-        for page in self.pages.values():
-            page.asked.connect(self._notice_clicked)
-        self.demand.motions_asked.connect(lambda: self.ask("generate"))
-        self.walls.selected.connect(self._wall_selected)
+        self.missing = given.missing
+        self.records.loaded.connect(self.refresh)
         self.walls.told.connect(self.show_word)
-        self.why.currentChanged.connect(lambda _: self.show_result())
-        self.stages.answer.widened.connect(self._show_beside)
-        self.pages["walls"].content  # noqa: B018  (the first page is there at once)
 
     def _frame(self) -> None:
         """The bar above, the tree at the left, the stage."""
         self.header, self.tree = Header(), ProjectTree()
-        self.header.staged.connect(self.show_stage)
-        self.header.noticed.connect(self._notice_clicked)
         self.run_button, self.cancel_button = self.header.run_button, self.header.cancel_button
         for button, slot in (
             (self.run_button, self.run),
-            (self.cancel_button, self.cancel),
+            (self.cancel_button, self.runner.cancel),
             (self.header.undo_button, self.session.undo),
             (self.header.find_button, lambda: menus.find(self)),
             (self.header.help_button, lambda: menus.explain(self)),
         ):
             button.clicked.connect(lambda _=False, slot=slot: slot())
         walls = self.walls
+
+        def then_shown(change: Callable[[], object]) -> Callable[[], None]:
+            return lambda: self.navigator.then_input(change)
+
         self.tree.set_buttons(
             [
-                (tr("+ wall"), tr("Add a wall"), lambda: self._then_input(walls.add)),
-                (
-                    tr("+ variant"),
-                    tr("The wall as it is and, beside it, to be changed"),
-                    lambda: self._then_input(walls.add_variant),
-                ),
-                (tr("copy"), tr("Copy this wall"), lambda: self._then_input(walls.duplicate)),
-                (tr("paste"), tr("Paste rows copied from Excel"), lambda: self._then_input(walls.paste)),
-                (tr("table…"), tr("Read walls from .xlsx or .csv"), lambda: self._then_input(walls.load_table)),
+                (tr("+ wall"), tr("Add a wall"), then_shown(walls.add)),
+                (tr("+ variant"), tr("The wall as it is and, beside it, to be changed"), then_shown(walls.add_variant)),
+                (tr("copy"), tr("Copy this wall"), then_shown(walls.duplicate)),
+                (tr("paste"), tr("Paste rows copied from Excel"), then_shown(walls.paste)),
+                (tr("table…"), tr("Read walls from .xlsx or .csv"), then_shown(walls.load_table)),
                 (tr("delete"), tr("Delete this wall"), walls.delete),
             ]
         )
-        self.tree.chosen.connect(self.choose_row)
         centre = QWidget()
         column = QVBoxLayout(centre)
         column.setContentsMargins(0, 0, 0, 0)
@@ -175,18 +170,6 @@ class MainWindow(StagedWindow):
         super().resizeEvent(event)
         self.tree.fit(self.width())
 
-    def _validation(self) -> ValidationTab:
-        tab = ValidationTab()
-        tab.asked.connect(self.state_accuracy)
-        return tab
-
-    def _note(self) -> NoteTab:
-        tab = NoteTab(lambda: self.session.base_dir)
-        tab.checked.connect(self.pick)
-        tab.picked.connect(self.pick_input)
-        tab.exported.connect(self.files.ask_note)
-        return tab
-
     def set_choice(self, setting: str, name: str) -> None:
         """Change the theme or the language, and build the window again where it is another."""
         self.settings.setValue(setting, name)
@@ -197,20 +180,20 @@ class MainWindow(StagedWindow):
             theme.set_theme(name)
         else:
             language.set_language(name)
-        page, stage, shown, row = self.page, self.stages.front, self.shown, self.walls.row
+        page, stage, shown, row = self.navigator.page, self.stages.front, self.navigator.shown, self.walls.row
         chosen, refused = self.tree.current, RefusedTexts(self)
         self.build()
         self.walls.row = row
-        self.result_arrived(self.session.result)
+        self.navigator.take(self.session.result)
         if chosen is not None:
             self.tree.select(chosen.key)
-        self.shown = shown
+        self.navigator.shown = shown
         self.refresh()
         refused.type_into(self)
         if page is not None:
-            self.show_page(page)
+            self.navigator.show_page(page)
         else:
-            self.show_stage(stage)
+            self.navigator.show_stage(stage)
 
     def reset_layout(self) -> None:
         """The size of the first start."""
@@ -225,13 +208,83 @@ class MainWindow(StagedWindow):
         if not free.contains(self.frameGeometry()):
             self.move(free.topLeft())
 
+    # what runs
+
+    def _follow_runner(self) -> None:
+        """Show what it tells; the parts it is shown by are made again with each `build`."""
+        runner = self.runner
+        runner.case_starts.connect(self._case_starts)
+        runner.started.connect(self._started)
+        runner.told.connect(self.show_word)
+        runner.progressed.connect(self._progressed)
+        runner.found.connect(self._found)
+        runner.arrived.connect(self._arrived)
+        runner.accuracy_stated.connect(lambda k, accuracy: self.navigator.show_accuracy(k, accuracy))
+        runner.refused.connect(self._refused)
+        runner.ended.connect(self._ended)
+
+    def run(self) -> None:
+        """Run the case, unless something is missing or another job runs."""
+        if self.run_action.isEnabled():
+            self.runner.run()
+
+    def show_word(self, text: str, kind: str = "message") -> None:
+        """The word of the status line. kind : what it is about, for who may take it away again."""
+        self.word.setText(text)
+        self.word.setToolTip(plain(text))
+        self.word_kind = kind
+
+    def show_running(self, on: bool) -> None:
+        """Progress over the stage, and Cancel in the place of Run, while there is something to cancel."""
+        self.stages.bar.setVisible(on)
+        self.cancel_button.setVisible(on)
+        self.run_button.setVisible(not on)
+        self.actions_of.cancel.setEnabled(on)
+
+    def _case_starts(self) -> None:
+        self.records.read_again()
+        self.navigator.show_page("walls")
+
+    def _started(self) -> None:
+        self.stages.bar.setRange(0, 0)
+        self.show_running(True)
+        self.refresh()
+
+    def _progressed(self, done: int, planned: int, words: str) -> None:
+        bar = self.stages.bar
+        bar.setRange(0, max(planned, 1))
+        bar.setValue(done)
+        bar.setFormat(words.replace("%", "%%"))
+
+    def _found(self) -> None:
+        self.navigator.show_finished()
+        self._show_tree()
+
+    def _arrived(self, result: StudyResult) -> None:
+        self.navigator.take(result)
+        self.navigator.show_answer()
+
+    def _refused(self, sentence: str) -> None:
+        self.closing = False
+        QMessageBox.warning(self, tr("Not done"), plain(sentence))
+
+    def _ended(self, partly: bool) -> None:
+        self.stages.bar.setFormat("")
+        if partly:
+            self.navigator.leave_finished()
+        self.show_running(False)
+        self.refresh()
+        if self.closing:
+            QTimer.singleShot(0, self.close)
+
     # what is shown
 
-    @property
-    def fields(self) -> list[Field]:
-        """The fields of the case; those of a dialog are not among them."""
-        forms = (self.walls, self.demand, self.demand.building, self.analysis, self.stages.note_form)
-        return [field for form in forms for field in form.findChildren(Field)]
+    def show_first_run(self) -> None:
+        """Ask what there is, until a stage is chosen."""
+        page = FirstRun(self.files.recent)
+        page.chosen.connect(lambda name: follow(self, name))
+        page.opened.connect(lambda name: self.files.open(Path(name)))
+        self.stages.show_first(page)
 
     def refresh(self) -> None:
         """After every change of the session."""
@@ -248,30 +301,30 @@ class MainWindow(StagedWindow):
 
     def _show_stale(self) -> None:
         ChartOutput.stale = Table.stale = self.session.stale
-        self._cover_pages()
+        self.navigator.cover_pages()
 
     def _show_note(self) -> None:
         """The pages hold what is typed beside them."""
         page = self.pages["note"]
-        if page.made is not None and page.content.result is not self.session.result:
-            self.fresh.discard(page)
-            self.show_result()
+        if isinstance(page.made, NoteTab) and page.made.result is not self.session.result:
+            self.navigator.fresh.discard(page)
+            self.navigator.show_result()
 
     def _show_problem(self) -> None:
         runs = self.missing.show_problems()
-        can_run = runs and self.job is None
+        can_run = runs and self.runner.job is None
         self.run_action.setEnabled(can_run)
         self.run_button.setEnabled(can_run)
         count, words = len(self.missing.problems), ""
         if count and self.stages.front != "input":
             words = tr("Before F5: {n}", n=count)
-        elif not count and self.session.stale and self.job is None:
+        elif not count and self.session.stale and self.runner.job is None:
             words = tr("The input has changed: press F5.")
         self.header.show_notice(words, self.missing.text())
-        self._say_empty()
+        self.navigator.say_empty()
 
     def _show_tree(self) -> None:
-        finished = self.zetas_so_far() if self.job is not None and self.finished_walls else None
+        finished = self.runner.zetas_so_far() if self.runner.job is not None and self.runner.finished_walls else None
         state = tree.State(
             self.session.case,
             self.session.result,
@@ -279,16 +332,16 @@ class MainWindow(StagedWindow):
             self.session.problems(),
             len(self.records.motions),
             self.records.unreadable_row() is not None,
-            self.results_of(),
+            self.navigator.results_of(),
             finished,
         )
         self.tree.show_rows(tree.rows_of(state))
-        self.follow_tree()
+        self.navigator.follow_tree()
 
     def _show_input(self) -> None:
         """What a page shows of the input as it stands."""
-        if self.page == "spectra":
-            self._show_spectra()
+        if self.navigator.page == "spectra":
+            self.navigator.show_spectra()
 
     def _show_recent(self) -> None:
         menus.show_recent(self, self.actions_of.recent)
@@ -297,7 +350,7 @@ class MainWindow(StagedWindow):
         """Back from another program: has it changed a record?"""
         super().changeEvent(event)
         back = event.type() == QEvent.Type.ActivationChange and self.isActiveWindow()
-        if back and self.job is None and not self.records.pending:
+        if back and self.runner.job is None and not self.records.pending:
             self.records.read_again()
 
     def dragEnterEvent(self, event) -> None:
@@ -305,47 +358,28 @@ class MainWindow(StagedWindow):
         self.records.dragEnterEvent(event)
 
     def dropEvent(self, event) -> None:
-        self.show_input("records")
+        self.navigator.show_input("records")
         self.records.dropEvent(event)
-
-    def records_loaded(self) -> None:
-        self.refresh()
 
     def start_afresh(self) -> None:
         """Another case is open: nothing of the last one stays."""
-        self.cancel()
+        self.runner.cancel()
         self.walls.row = 0
         self.records.read_again()
-        for field in self.fields:
+        for field in self.stages.fields:
             field.forget()
         for form in (self.walls, self.demand, self.demand.building):
             form.forget()
-        self.result_arrived(None)
-        self.show_input("wall", 0)
-
-    def result_arrived(self, result) -> None:
-        """Show a result of study.run, None while there is none."""
-        self.session.result = result
-        self.fresh.clear()
-        if result is None:
-            self.shown = -1
-            for page in (*self.pages.values(), self.beside):
-                page.empty()
-            self.pages["walls"].content  # noqa: B018  (it says what to do)
-        else:
-            known = self.results_of().get(self.walls.current, [])
-            if self.shown not in known:
-                self.shown = known[0] if known else 0
-        self.refresh()
-        self.show_result()
+        self.navigator.take(None)
+        self.navigator.show_input("wall", 0)
 
     def closeEvent(self, event) -> None:
         if not self.closing and not self.files.give_up():
             event.ignore()
             return
-        if not self.to_end:
-            self.cancel()
-        if self.job is not None:
+        if not self.runner.to_end:
+            self.runner.cancel()
+        if self.runner.job is not None:
             # it writes files: the window goes when they are there, and stays to say if they are not
             self.closing = True
             event.ignore()

@@ -6,7 +6,7 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout
 
 from app.look import theme
 from app.look.labels import Plain
@@ -14,9 +14,11 @@ from app.look.language import named, number, tr
 from app.look.whole_text import tell_whole
 from app.views.chart import Chart
 from app.views.hatch import Hatch, hatched_square
+from app.views.result_tab import ResultTab
 from app.views.runs import governing_run, run_name, title_of
 from core.capacity.fragility import fragility_curve
 from core.capacity.ida import grid_point, multiplier_of, threshold_of
+from core.known import known
 from core.rocking.history import scan
 from core.rocking.outcome import COLLAPSED, STABLE
 from core.study.results import Run, StudyResult, WallResult
@@ -28,7 +30,7 @@ MARKS = (0.5, 0.7, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 40, 60, 100)
 """Ticks of q of the survival map."""
 
 
-class CapacityTab(QWidget):
+class CapacityTab(ResultTab):
     """Peak rotation against q of one record or of all, survival strips of all, fragility of the wall."""
 
     def __init__(self):
@@ -80,7 +82,7 @@ class CapacityTab(QWidget):
 
     def _show_fragility(self) -> None:
         """Of the wall, and dashed of another."""
-        result, wall = self.shown
+        result, wall = known(self.shown)
         self.fragility.clear()
         self.fragility.caption = title_of(wall)
         other = self.other.currentIndex() - 1
@@ -96,7 +98,7 @@ class CapacityTab(QWidget):
         self.fragility.set_range(y=(0.0, 1.05))
 
     def _fragility_of(self, wall: WallResult, color: int, dash: bool, name: str) -> bool:
-        result = self.shown[0]
+        result = known(self.shown)[0]
         q, count, n = fragility_curve([run.ida for run in wall.runs], result.search)
         if not n:
             return False
@@ -117,7 +119,7 @@ class CapacityTab(QWidget):
         self.peaks.clear()
         if self.shown is None or self.record.currentIndex() < 0:
             return
-        result, wall = self.shown
+        result, wall = known(self.shown)
         k = self.record.currentIndex()
         if k == len(wall.runs):
             self._overlay(result, wall)
@@ -165,7 +167,7 @@ class CapacityTab(QWidget):
         for k, run in enumerate(wall.runs):
             start = run.ida.first_index - first
             image[k, start : start + len(run.ida.outcomes)] = [int(d) for d in run.ida.outcomes]
-        step = math.log1p(self.shown[0].search.q_step)
+        step = math.log1p(known(self.shown)[0].search.q_step)
         low = math.log(wall.runs[0].ida.q_start) + first * step
         # what was not searched, or ended without an outcome, is neither: hatched, seen through the map
         shades = np.select([image == STABLE, image == COLLAPSED], [0.0, 1.0], 0.5)
@@ -196,9 +198,9 @@ class CapacityTab(QWidget):
             self.strips.entry(mark, name)
         grid = np.exp(low + step * np.arange(image.shape[1]))
         for k, run in enumerate(wall.runs):
-            known = ~np.isnan(image[k])
-            self.strips.data.append((run_name(run), grid[known], image[k][known]))
-        names = [(k, run_name(run)) for k, run in enumerate(wall.runs)]
+            searched = ~np.isnan(image[k])
+            self.strips.data.append((run_name(run), grid[searched], image[k][searched]))
+        names = [(float(k), run_name(run)) for k, run in enumerate(wall.runs)]
         self.strips.names_beside(names)
         marks = [q for q in MARKS if math.log(q) >= low - 0.1]
         self.strips.ticks("bottom", [(math.log(q), f"{number(q, 'g')}") for q in marks])

@@ -22,7 +22,9 @@ from PySide6.QtWidgets import (
 from app.look import theme
 from app.look.labels import Plain
 from app.look.language import current_language, tr
+from app.views.result_tab import ResultTab
 from app.work.worker import Job
+from core.known import known
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import LANGUAGES
 
@@ -111,7 +113,7 @@ class Paper(QWidget):
             self.clicked.emit(*place)
 
 
-class NoteTab(QWidget):
+class NoteTab(ResultTab):
     """The pages of the note of a result.
 
     base_dir : tells the folder of the case
@@ -229,7 +231,7 @@ class NoteTab(QWidget):
         self.paper.show_images(pages.images, pages.scale)
         bar.setValue(round(share * bar.maximum()))
         words = tr("Pages: {n}", n=len(pages.images))
-        tongue = self.result.case.report.language
+        tongue = known(self.result).case.report.language
         if tongue != current_language():
             words += ", " + tr("in the language of the report ({language})", language=LANGUAGES[tongue])
         self.word.setText(words)

@@ -10,6 +10,7 @@ from app.look.labels import Plain
 from app.look.language import number, tr
 from app.views.chart import Chart
 from app.views.check_tab import digits
+from app.views.result_tab import ResultTab
 from app.views.runs import title_of
 from app.views.table import Table
 from core.capacity.closed_forms import closed_form_q_eff
@@ -24,11 +25,12 @@ PERIODS = np.linspace(0.0, 4.0, 401)
 """At which a target is drawn [s]."""
 
 
-class IntensityTab(QWidget):
+class IntensityTab(ResultTab):
     """q_eff against SI: points, power law, Eq. 15/16 with a band of 20 %."""
 
     def __init__(self):
         super().__init__()
+        self.shown: tuple[StudyResult, WallResult] | None = None
         self.log = QCheckBox(tr("Logarithmic axes"))
         self.log.toggled.connect(lambda on: self.show_wall(*self.shown) if self.shown else None)
         self.chart = Chart("SI [cm]", "q_eff [-]", tr("q against SI"))
@@ -44,7 +46,6 @@ class IntensityTab(QWidget):
         charts.addWidget(self.chart, 1)
         charts.addWidget(self.scale_free, 1)
         layout.addLayout(charts, 1)
-        self.shown = None
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
         """Fill the tab from one wall of a result."""
@@ -199,5 +200,5 @@ class SpectraTab(QWidget):
             limit = "–" if rule.limit is None else f"{number(percent * rule.limit, '.3g')} {rule.unit}"
             name, found = word(rule.name, self.language), word(outcome, self.language)
             rows.append([name, rule.clause, value, limit, found])
-            colors.append([None] * 4 + [color])
+            colors.append([None, None, None, None, color])
         self.table.show_rows(rows, colors)

@@ -4,16 +4,17 @@ import math
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout
 
 from app.look.labels import Plain
 from app.look.language import named, number, tr
 from app.views.chart import Chart
+from app.views.result_tab import ResultTab
 from app.views.runs import title_of
 from core.study.results import StudyResult, WallResult
 
 
-class ValidationTab(QWidget):
+class ValidationTab(ResultTab):
     """Accuracy of the methods on the governing history, phase portrait, moment against rotation.
 
     asked() : the user wants the accuracy statement of the wall shown.

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
 from app.look.labels import Plain
 from app.look.language import called, number, tr
 from app.views.check_tab import digits, verdict_color
+from app.views.result_tab import ResultTab
 from app.views.table import Table
 from core.report.verdict_words import outcome_of
 from core.study.results import StudyResult, WallResult, WallVerdict
@@ -41,7 +42,7 @@ def method_of(wall: WallResult, language: str) -> str:
     return word(labels[0], language) if labels else "–"
 
 
-class WallsTab(QWidget):
+class WallsTab(ResultTab):
     """One row a wall and mechanism. picked(k) : the row of the result's k-th wall was clicked twice, its name once."""
 
     picked = Signal(int)
@@ -163,9 +164,10 @@ class WallsTab(QWidget):
         return (value is None) != self.falling, value or 0.0, ""
 
     def _verdict_of(self, wall: WallResult) -> WallVerdict | None:
-        result = self.shown[0] if self.shown else None
-        found = result.verdicts if result else ()
-        return next((one for one in found if result.walls[one.governing] is wall), None)
+        if self.shown is None:
+            return None
+        result = self.shown[0]
+        return next((one for one in result.verdicts if result.walls[one.governing] is wall), None)
 
     def _sort(self, column: int) -> None:
         self.falling = not self.falling if column == self.by else False

@@ -25,7 +25,7 @@ class Preparation:
     def prepare_next(self) -> None:
         """Prepare what the case at hand needs, if it is not prepared and nothing else runs."""
         window = self.window
-        if not self.started or self.job or window.job or not window.records.motions:
+        if not self.started or self.job or window.runner.job or not window.records.motions:
             return
         case = window.session.checked()
         if case is None or case.analysis.method in self.methods:

@@ -3,7 +3,6 @@
 from dataclasses import MISSING, dataclass
 
 from core.case.keys import choice_key, flag_key, key, number_key
-from core.errors import InputError
 from core.known import known
 from core.wall import masonry, ties
 
@@ -121,10 +120,8 @@ class Load:
         return ties.tie_of_force(self.h_m, 1e3 * known(self.kn_m), at_yield, stands, slack, prestress)
 
     def in_si(self, wall_length: float | None) -> masonry.Load:
-        """The load in SI, on a wall of this length [m]. Raises InputError where it has no size yet."""
+        """The load in SI, on a wall of this length [m]. Raises TypeError where it has no size yet."""
         tie = self.tie(wall_length) if self.is_tie else None
-        if tie is None and self.kn_m in (None, ""):
-            raise InputError("load_size_missing", key="kn_m")
         force = 1e3 * known(self.kn_m) if tie is None else tie.bar.strength
         return masonry.Load(self.kind, force, self.d_m or 0.0, self.h_m, self.pushes, tie)
 

@@ -55,8 +55,7 @@ class Shaped:
     @property
     def shoulder(self) -> float:
         """Height of the wall below its gable [m]."""
-        assert self.height_m is not None
-        return self.height_m - (self.gable_m or 0.0)
+        return known(self.height_m) - (self.gable_m or 0.0)
 
     @property
     def top(self) -> float | None:
@@ -90,8 +89,7 @@ class Shaped:
     def _layers(self, base: float, length: float, weight: float) -> list[Part]:
         """Solids of the wall between its steps, with its gable, and of its openings through each. base : thickness at
         the base [m]"""
-        assert self.height_m is not None
-        top, eaves = self.height_m, self.shoulder
+        top, eaves = known(self.height_m), self.shoulder
         outline = [(0.0, 0.0), (length, 0.0), (length, eaves), (0.0, eaves)]
         if self.gable_m:
             outline.insert(3, (0.5 * length, top))

@@ -4,6 +4,7 @@ import math
 from dataclasses import MISSING, dataclass
 
 from core.case.keys import choice_key, flag_key, key, number_key, path_key
+from core.known import known
 
 ROUND = 64
 """Sides of the polygon of a round opening, which has the area of the circle."""
@@ -68,8 +69,7 @@ class Opening:
         """(s, z) of its outline [m]."""
         s, z = self.s_m, self.z_m
         if self.diameter_m is None:
-            assert self.width_m is not None and self.height_m is not None
-            right, top = s + self.width_m, z + self.height_m
+            right, top = s + known(self.width_m), z + known(self.height_m)
             return [(s, z), (right, z), (right, top), (s, top)]
         turn = 2.0 * math.pi / ROUND
         radius = 0.5 * self.diameter_m * math.sqrt(turn / math.sin(turn))

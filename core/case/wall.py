@@ -156,8 +156,8 @@ class Wall(Shaped):
 
     @cached_property
     def in_si(self) -> Masonry:
-        """The wall in SI. Raises InputError for a wall without exactly one geometry, or with a load that is not
-        complete."""
+        """The wall in SI. Raises InputError for a wall without exactly one geometry, TypeError where a load or a part
+        of its shape is still to be given."""
         across = self.return_walls
         return Masonry(
             name=self.name,

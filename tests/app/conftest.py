@@ -147,8 +147,8 @@ def with_verdict(application, window, result):
 
     assert window.files.open(SEVEN)
     settle(application, lambda: window.records.motions and not window.records.pending)
-    window.show_page("walls")
-    window.result_arrived(result)
+    window.navigator.show_page("walls")
+    window.navigator.take(result)
     assert not window.session.stale
     return window
 
@@ -224,7 +224,7 @@ class SharedWindow:
             FORM_NAMES.captions.update(self.captions)  # a window in Italian has come between
             self.put_back(folder)
         open_small(self.application, self.made, folder)
-        self.made.show_input("wall", 0)
+        self.made.navigator.show_input("wall", 0)
         self.application.processEvents()
         return self.made
 
@@ -239,7 +239,8 @@ class SharedWindow:
         session.drop_recovery_file()
         session.close()
         session.recovery_folder = folder / "recovery_folder"
-        made.finished_runs = Memory()
+        made.runner.finished_runs = Memory()
+        made.runner.last_refusal = (None, None)
         made.preparation.started = False
         made.preparation.methods.clear()
         made.timer.start()
@@ -252,7 +253,7 @@ class SharedWindow:
         for area in made.stages.input.areas.values():
             area.verticalScrollBar().setValue(0)
         made.stages.input.kind = ""  # forms and drawing share the width anew
-        made.why.setCurrentIndex(0)
+        made.stages.why.setCurrentIndex(0)
         made.stages.answer.stack.setCurrentIndex(0)
         made.tree.rows = []
         made.activateWindow()
@@ -268,7 +269,7 @@ class SharedWindow:
         for one in windows_over(made):
             one.close()
             one.deleteLater()
-        made.cancel()
+        made.runner.cancel()
         delete_now(self.application)
         self.application.processEvents()
         ChartOutput.stale = Table.stale = False
@@ -277,7 +278,9 @@ class SharedWindow:
 
     def is_idle(self) -> bool:
         made = self.made
-        return made.job is None and made.preparation.job is None and not made.records.pending and not made.closing
+        return (
+            made.runner.job is None and made.preparation.job is None and not made.records.pending and not made.closing
+        )
 
     def is_whole(self) -> bool:
         made = self.made
@@ -293,7 +296,8 @@ class SharedWindow:
 
 def parts_of(made) -> tuple:
     """A window and its parts that tests put functions of their own into."""
-    return made, made.files, made.session, made.preparation, made.records, made.demand, made.analysis, made.walls
+    windows = made, made.runner, made.navigator, made.files, made.session, made.preparation
+    return *windows, made.records, made.demand, made.analysis, made.walls
 
 
 def attributes_of(made) -> list[set[str]]:

@@ -20,7 +20,7 @@ def settle(application, ready, seconds=120.0) -> None:
 
 def run(application, made) -> None:
     made.run()
-    settle(application, lambda: made.job is None)
+    settle(application, lambda: made.runner.job is None)
 
 
 def type_into(field, text: str) -> None:

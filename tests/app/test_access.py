@@ -121,12 +121,12 @@ def stages(window, application):
     for section in window.findChildren(Section):
         section.unfold()
     for kind in window.stages.input.areas:
-        window.show_input(kind)
+        window.navigator.show_input(kind)
         for _ in range(5):  # each lays out what is within the one before
             settle(application, lambda: True)
         yield kind
     for name in window.pages:
-        window.show_page(name)
+        window.navigator.show_page(name)
         if name == "note":
             settle(application, lambda: not window.pages["note"].content.is_setting)
         application.processEvents()
@@ -146,7 +146,7 @@ def dialogs(window, application, monkeypatch, visit) -> set[str]:
         return QDialog.DialogCode.Rejected
 
     monkeypatch.setattr(QDialog, "exec", look)
-    window.show_page("check")
+    window.navigator.show_page("check")
     chart = window.pages["check"].content.findChild(Chart)
     figure_dialogs.ask_size(window)
     chart._ask_limits()
@@ -304,7 +304,7 @@ def test_that_no_painted_word_of_the_ladder_is_cut_or_covered(large, fresh, appl
     run(application, fresh)
     fresh.set_choice("language", language)
     fresh.resize(1280, 800)
-    fresh.show_page("check")
+    fresh.navigator.show_page("check")
     application.processEvents()
     monkeypatch.setattr(ladder, "QPainter", Recorder)
 
@@ -400,7 +400,7 @@ def shaped(window, shape: str) -> None:
     window.session.edit_wall(0, mechanism="one_sided", **sizes, **SHAPES[shape])
     for section in window.findChildren(Section):
         section.unfold()
-    window.show_input("wall")
+    window.navigator.show_input("wall")
     window.walls.body.solids.list.setCurrentRow(1)
 
 

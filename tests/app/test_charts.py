@@ -35,7 +35,7 @@ def shared(of_verdict):
 def charts_of(window, application):
     """Every chart with data, its tab in front."""
     for name, page in window.pages.items():
-        window.show_page(name)
+        window.navigator.show_page(name)
         application.processEvents()
         yield from (chart for chart in page.content.findChildren(Chart) if chart.data)
 
@@ -62,7 +62,7 @@ def shows_everything(chart) -> bool:
 
 @pytest.mark.parametrize("wall", [0, pytest.param(1, marks=pytest.mark.long)])
 def test_that_reset_shows_everything_in_every_chart(shared, application, wall):
-    shared.pick(wall)
+    shared.navigator.pick(wall)
     names = []
     for chart in charts_of(shared, application):
         if chart.name == "Survival map":
@@ -78,19 +78,19 @@ def test_that_reset_shows_everything_in_every_chart(shared, application, wall):
 
 
 def test_that_the_next_wall_is_shown_whole_after_a_zoom(shared, application):
-    shared.pick(1)
+    shared.navigator.pick(1)
     assert all(chart.data for chart in charts_of(shared, application))  # laid out, whatever ran before
-    shared.pick(0)
+    shared.navigator.pick(0)
     for chart in charts_of(shared, application):
         zoom(chart)
     application.processEvents()
-    shared.pick(1)
+    shared.navigator.pick(1)
     for chart in charts_of(shared, application):
         assert chart.name == "Survival map" or shows_everything(chart), chart.name
 
 
 def test_that_the_survival_map_is_whole_after_reset(shared, application):
-    shared.show_page("capacity")
+    shared.navigator.show_page("capacity")
     strips = shared.pages["capacity"].content.strips
     before = strips.plot.viewRange()
     zoom(strips)
@@ -215,12 +215,12 @@ def test_that_a_hatched_area_is_hatched_in_every_file(application, end):
 def test_that_no_word_of_a_legend_is_cut_at_1280(shared, application, language):
     shared.set_choice("language", language)
     shared.resize(1280, 800)
-    shared.pick(0)
+    shared.navigator.pick(0)
     for chart in charts_of(shared, application):
         shown = [label.text for _, label in chart.legend.items]
         if not chart.beside:
             assert shown == chart.entries, chart.name
-    mean = shared.wall.assessment.dynamic.mean_peak_ratio
+    mean = shared.navigator.wall.assessment.dynamic.mean_peak_ratio
     if mean is not None:
         legend = shared.pages["check"].content.peaks.legend.items
         value = f"{mean:.2f}" if language == "en" else f"{mean:.2f}".replace(".", ",")
@@ -260,7 +260,7 @@ def test_that_nothing_of_an_earlier_theme_or_language_is_kept(opened, applicatio
         for choice in (("theme", "dark"), ("language", "it"), ("theme", "light"), ("language", "en")):
             opened.set_choice(*choice)
             for name in opened.pages:
-                opened.show_page(name)
+                opened.navigator.show_page(name)
             application.processEvents()
             gc.collect()
             charts = len(made)

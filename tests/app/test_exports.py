@@ -257,13 +257,13 @@ def test_that_no_chart_of_a_result_writes_a_number_that_nobody_computed(opened, 
     result = opened.session.result
     dynamic = result.walls[0].assessment.dynamic
     assert any(one.peak_ratio is None for one in dynamic.runs)
-    opened.show_page("check")
+    opened.navigator.show_page("check")
     written = {row[2] for row in rows_of(opened.pages["check"].content.peaks)[1:]}
     assert written == {"" if r.peak_ratio is None else repr(r.peak_ratio) for r in dynamic.runs}
-    opened.show_page("capacity")
+    opened.navigator.show_page("capacity")
     peaks = rows_of(opened.pages["capacity"].content.peaks)
     assert "1.25" not in {row[2] for row in peaks}
-    opened.show_page("histories")
+    opened.navigator.show_page("histories")
     tab = opened.pages["histories"].content
     tab.slider.setValue(tab.slider.maximum())
     assert "9.99" not in tab.words.text()
@@ -278,7 +278,7 @@ def test_that_the_capacity_chart_shows_the_points_of_the_search(opened, applicat
     from tests.app.driving import run
 
     run(application, opened)
-    opened.show_page("capacity")
+    opened.navigator.show_page("capacity")
     tab = opened.pages["capacity"].content
     ida = opened.session.result.walls[0].runs[0].ida
     _, q, _ = next(entry for entry in tab.peaks.data if entry[0] == "overturns")
@@ -293,7 +293,7 @@ def test_that_the_ground_is_shown_at_the_multiplier_in_use(opened, application):
     from tests.app.driving import run
 
     run(application, opened)
-    opened.show_page("histories")
+    opened.navigator.show_page("histories")
     tab = opened.pages["histories"].content
     wall, motion = opened.session.result.walls[0], opened.session.result.motions[0]
     tab.slider.setValue(300)

@@ -80,7 +80,7 @@ def test_that_another_case_does_not_take_over_what_was_wrong(opened, application
 def test_that_a_new_language_does_not_stop_the_run(opened, application):
     opened.run()
     opened.set_choice("language", "it")
-    settle(application, lambda: opened.job is None)
+    settle(application, lambda: opened.runner.job is None)
     assert opened.session.result is not None
 
 
@@ -295,9 +295,9 @@ def test_that_a_wall_above_the_ground_shows_its_floor(opened, application):
     opened.session.edit(replace(opened.session.case, building=Building(**table)))
     opened.session.edit_section("demand", soil_factor=None, spectrum=Spectrum("EN1998", "B", type=1))
     opened.run()
-    settle(application, lambda: opened.session.result is not None and opened.job is None)
+    settle(application, lambda: opened.session.result is not None and opened.runner.job is None)
     for name in opened.pages:
-        opened.show_page(name)
+        opened.navigator.show_page(name)
         application.processEvents()
         if name == "spectra":
             assert opened.pages[name].content.floor.isVisible()

@@ -43,8 +43,8 @@ def walls(shared_walls, application):
     theme.set_theme("light")
     language.set_language("en")
     shared_walls.refresh()
-    shared_walls.pick(0)
-    shared_walls.show_page("walls")
+    shared_walls.navigator.pick(0)
+    shared_walls.navigator.show_page("walls")
     yield shared_walls
     while shared_walls.session.dirty:  # what a test typed is taken back
         shared_walls.session.undo()
@@ -58,8 +58,8 @@ def own_walls(opened, application, of_seven):
 
 def test_that_the_overview_is_first_sorts_and_opens_a_wall(walls):
     tab = walls.pages["walls"].content
-    walls.show_page("walls")
-    assert walls.page == "walls"
+    walls.navigator.show_page("walls")
+    assert walls.navigator.page == "walls"
     names = [tab.table.item(r, 0).text() for r in range(tab.table.rowCount())]
     assert names == ["Timpano", "Facciata"]  # the lowest zeta first
     assert tab.table.item(0, 2).foreground().color() == QColor(theme.current.bad)
@@ -68,25 +68,25 @@ def test_that_the_overview_is_first_sorts_and_opens_a_wall(walls):
     tab._sort(0)
     assert tab.table.item(0, 0).text() == "Facciata"
     tab.table.cellClicked.emit(1, 0)
-    assert walls.page == "check"
-    assert walls.wall.name == "Timpano"
+    assert walls.navigator.page == "check"
+    assert walls.navigator.wall.name == "Timpano"
 
 
 def test_that_tree_form_and_pages_show_one_wall(walls):
     walls.walls.select(1)
-    assert walls.wall.name == "Timpano" == walls.walls.wall.name
-    walls.pick(0)
+    assert walls.navigator.wall.name == "Timpano" == walls.walls.wall.name
+    walls.navigator.pick(0)
     assert walls.walls.current == 0 and walls.tree.current.wall == 0
     row = next(row for row in walls.tree.rows if row.text == "Timpano")
-    walls.choose_row(row)
-    assert walls.wall.name == "Timpano" == walls.walls.wall.name
+    walls.navigator.choose_row(row)
+    assert walls.navigator.wall.name == "Timpano" == walls.walls.wall.name
 
 
 def test_that_an_error_leads_to_its_field_on_another_stage(opened, application):
     opened.session.edit_wall(0, height_m=7.0, thickness_m=0.4, slenderness_deg=None)
     type_into(opened.walls.fields["height_m"], "70")
     opened.walls.sections["geometry"].head.setChecked(False)
-    opened.show_page("walls")
+    opened.navigator.show_page("walls")
     opened.refresh()
     assert "Height H" in opened.missing.text() and opened.header.notice.isVisible()
     opened.header.notice.click()
@@ -135,10 +135,10 @@ def test_that_what_a_run_refuses_leads_to_its_field(opened, application, monkeyp
 
     monkeypatch.setattr("core.study.run.run", refuse)
     said = []
-    monkeypatch.setattr("app.work.running.QMessageBox.warning", lambda *words: said.append(words[2]))
+    monkeypatch.setattr("app.shell.window.QMessageBox.warning", lambda *words: said.append(words[2]))
     settle(application, lambda: not opened.records.pending)
     opened.run()
-    settle(application, lambda: opened.job is None)
+    settle(application, lambda: opened.runner.job is None)
     assert said and opened.walls.fields["hinge_setback_m"].rule in said[0] and opened.run_button.isEnabled()
     opened.session.edit_wall(0, height_m=6.0)
     assert opened.walls.fields["hinge_setback_m"].rule == "" == opened.missing.text()
@@ -185,7 +185,7 @@ def test_that_the_common_factor_brings_the_mean_to_the_target(walls):
 )
 def test_that_a_figure_is_as_wide_as_asked_light_and_has_its_caption(walls, width, dpi):
     walls.set_choice("theme", "dark")
-    walls.show_page("capacity")
+    walls.navigator.show_page("capacity")
     chart = walls.pages["capacity"].content.peaks
     size, ranges = chart.view.size(), chart.plot.viewRange()
     image = QImage.fromData(figure(chart, ".png", FigureSize(width, dpi)), "PNG")
@@ -206,17 +206,17 @@ def test_that_a_figure_is_as_wide_as_asked_light_and_has_its_caption(walls, widt
 def test_that_stale_results_say_so_where_they_leave_and_live_ones_do_not(walls):
     chart, table = walls.pages["check"].content.peaks, walls.pages["check"].content.table
     live = walls.pages["spectra"].content.chart
-    walls.show_page("check")
+    walls.navigator.show_page("check")
     assert b"input has changed" not in figure(chart, ".svg", FigureSize())
     walls.session.edit_wall(0, height_m=6.5)
     assert ChartOutput.stale and Table.stale and chart.is_stale and not live.is_stale
     assert "input has changed" in chart.content(".csv").decode()
     assert "input has changed" in table.text() and "input has changed" not in live.content(".csv").decode()
     assert b"input has changed" in figure(chart, ".svg", FigureSize())
-    walls.show_page("spectra")
-    assert walls.veil.isHidden()
-    walls.show_page("check")
-    assert not walls.veil.isHidden()
+    walls.navigator.show_page("spectra")
+    assert walls.stages.veil.isHidden()
+    walls.navigator.show_page("check")
+    assert not walls.stages.veil.isHidden()
     walls.session.undo()
     assert not ChartOutput.stale
 
@@ -224,16 +224,16 @@ def test_that_stale_results_say_so_where_they_leave_and_live_ones_do_not(walls):
 def test_that_all_figures_are_written_together_while_the_window_lives(walls, application, tmp_path):
     folder = tmp_path / "figures"
     folder.mkdir()
-    walls.show_page("check")
+    walls.navigator.show_page("check")
     walls.files.export_figures(folder, FigureSize(80.0))
-    assert walls.job is not None and not walls.cancel_button.isHidden()
-    settle(application, lambda: walls.bar.maximum() > 0)
-    walls.cancel()
+    assert walls.runner.job is not None and not walls.cancel_button.isHidden()
+    settle(application, lambda: walls.stages.bar.maximum() > 0)
+    walls.runner.cancel()
     settle(application, lambda: walls.stages.stack.isEnabled())
-    assert not list(folder.iterdir()) and walls.page == "check" and walls.tree.isEnabled()
+    assert not list(folder.iterdir()) and walls.navigator.page == "check" and walls.tree.isEnabled()
     walls.files.export_figures(folder, FigureSize(80.0))
-    settle(application, lambda: walls.job is None)
-    assert walls.page == "check" and str(folder) in walls.word.text()
+    settle(application, lambda: walls.runner.job is None)
+    assert walls.navigator.page == "check" and str(folder) in walls.word.text()
     names = sorted(path.name for path in folder.iterdir())
     assert len(names) >= 9 and all(name.endswith(".png") for name in names)
     for path in folder.iterdir():
@@ -254,11 +254,11 @@ def begun(monkeypatch):
 
 
 def test_that_a_window_built_anew_ends_the_export_in_the_midst_of_a_figure(walls, application, tmp_path, begun):
-    walls.show_page("histories")
+    walls.navigator.show_page("histories")
     walls.files.export_figures(tmp_path, FigureSize())
     settle(application, lambda: begun)
     walls.set_choice("language", "it")
-    settle(application, lambda: walls.job is None)
+    settle(application, lambda: walls.runner.job is None)
     for _ in range(5):
         application.processEvents()
     assert not list(tmp_path.glob("*.png")) and not SPARE
@@ -276,21 +276,21 @@ def test_that_no_figure_is_painted_while_the_file_of_another_is_made(walls, appl
     settle(application, lambda: len(turns) > 20)
     watch.stop()
     held.let_go()
-    settle(application, lambda: walls.job is None)
+    settle(application, lambda: walls.runner.job is None)
     assert set(turns) == {1} and len(begun) == len(list(tmp_path.glob("*.png"))) and not SPARE
 
 
 def test_that_nothing_plays_while_figures_are_painted(walls, application, tmp_path):
-    walls.show_page("histories")
+    walls.navigator.show_page("histories")
     walls.pages["histories"].content.play.setChecked(True)
     walls.files.export_figures(tmp_path, FigureSize(80.0))
-    settle(application, lambda: walls.job is None)
+    settle(application, lambda: walls.runner.job is None)
     assert list(tmp_path.glob("* - *.png")) and not walls.pages["histories"].content.play.isChecked()
 
 
 def test_that_the_cursor_reads_a_data_point(walls, application):
     chart = walls.pages["check"].content.peaks
-    walls.show_page("check")
+    walls.navigator.show_page("check")
     entries = [label.text for _, label in chart.legend.items]
     assert "within θc" in entries and any("which decides" in entry or "overturns" in entry for entry in entries)
     at = next((x, y) for _, xs, ys in chart.data for x, y in zip(xs, ys, strict=True) if np.isfinite(y))
@@ -300,7 +300,7 @@ def test_that_the_cursor_reads_a_data_point(walls, application):
 
 
 def test_that_reset_restores_the_ranges_a_chart_was_given(walls):
-    walls.show_page("capacity")
+    walls.navigator.show_page("capacity")
     chart = walls.pages["capacity"].content.peaks
     chart.plot.setYRange(0.2, 0.3, padding=0)
     chart.plot.setXRange(2.0, 2.1, padding=0)
@@ -310,8 +310,8 @@ def test_that_reset_restores_the_ranges_a_chart_was_given(walls):
 
 
 def test_that_a_preset_sets_the_multiplier(walls):
-    walls.pick(1)
-    walls.show_page("histories")
+    walls.navigator.pick(1)
+    walls.navigator.show_page("histories")
     tab = walls.pages["histories"].content
     _, wall = tab.shown
     tab._set_to(1)
@@ -349,7 +349,7 @@ def test_that_a_preset_sets_the_multiplier(walls):
 
 
 def test_that_empty_charts_say_why(walls):
-    walls.show_page("validation")
+    walls.navigator.show_page("validation")
     assert "press the button" in walls.pages["validation"].content.chart.reason.text()
 
 
@@ -371,7 +371,7 @@ def test_that_the_window_fits_a_small_screen(walls, application, tongue):
     for size in ((1024, 768), (960, 540)):
         walls.resize(*size)
         for page in walls.pages:
-            walls.show_page(page)
+            walls.navigator.show_page(page)
             application.processEvents()
             assert (walls.width(), walls.height()) == size, page
             assert walls.minimumSizeHint().width() <= size[0]
@@ -391,7 +391,7 @@ def test_that_tables_fit_their_tab_at_1280(own_walls, application):
     for language_of in ("it", "en"):
         own_walls.set_choice("language", language_of)
         for name in ("walls", "check"):
-            own_walls.show_page(name)
+            own_walls.navigator.show_page(name)
             application.processEvents()
             for table in own_walls.pages[name].content.findChildren(Table):
                 if table.isVisible() and table.rowCount():
@@ -433,15 +433,15 @@ def test_that_no_job_collects_widgets_in_its_thread(opened):
 def test_that_figures_of_tabs_never_looked_at_fill_their_page(walls, application, tmp_path, size):
     walls.resize(*size)
     walls.build()  # every tab is made anew
-    walls.result_arrived(walls.session.result)
-    walls.show_page("walls")
+    walls.navigator.take(walls.session.result)
+    walls.navigator.show_page("walls")
     walls.files.export_figures(tmp_path, FigureSize(160, 96))
-    settle(application, lambda: walls.job is None)
+    settle(application, lambda: walls.runner.job is None)
     shown = {page for name, page in walls.pages.items() if name != "spectra"}
-    assert walls.fresh == shown | ({walls.beside} if size[0] > 1280 else set())
-    assert walls.beside.made is None or walls.beside.content.run is not None
+    assert walls.navigator.fresh == shown | ({walls.navigator.beside} if size[0] > 1280 else set())
+    assert walls.navigator.beside.made is None or walls.navigator.beside.content.run is not None
     figures = list(tmp_path.glob("* - *.png"))
-    assert len(figures) == 12 and walls.page == "walls"
+    assert len(figures) == 12 and walls.navigator.page == "walls"
     for path in figures:
         picture = QImage(str(path))
         picture = picture.convertToFormat(QImage.Format.Format_Grayscale8)

@@ -108,7 +108,7 @@ def test_that_one_fault_is_one_dialog_until_it_is_closed(opened, faults, monkeyp
     from app.shell import start
 
     said = []
-    monkeypatch.setattr(opened, "failed", lambda sentence, log: said.append(sentence))
+    monkeypatch.setattr(opened.runner, "fail", lambda sentence, log: said.append(sentence))
     start.install_hook(opened)
     import sys
 
@@ -177,7 +177,7 @@ def test_that_a_model_whose_words_are_still_missing_is_shown_with_its_source(ope
     def with_mine(block, model, *rest):
         return Restitution("mine", 0.7531) if model == "mine" else real(block, model, *rest)
 
-    monkeypatch.setattr("core.case.schema.restitution", with_mine)
+    monkeypatch.setattr("core.case.wall.restitution", with_mine)
     opened.build()
     opened.session.edit_wall(0, restitution="mine")
     words = opened.walls.impact.formula.text()

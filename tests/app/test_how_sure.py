@@ -38,14 +38,14 @@ def run_of(application, opened, path, **sections):
     path.write_text(dumps(parse_case(table)), encoding="utf-8")
     opened.session.open(path)
     settle(application, lambda: not opened.records.pending and bool(opened.records.motions))
-    opened.finished_runs = KNOWN
+    opened.runner.finished_runs = KNOWN
     text = path.read_text(encoding="utf-8")
     if text in RESULTS:
-        opened.show_page("walls")
-        opened.result_arrived(RESULTS[text])
+        opened.navigator.show_page("walls")
+        opened.navigator.take(RESULTS[text])
     else:
         opened.run()
-        settle(application, lambda: opened.session.result is not None and opened.job is None)
+        settle(application, lambda: opened.session.result is not None and opened.runner.job is None)
         RESULTS[text] = opened.session.result
     assert not opened.session.stale
     return opened
@@ -80,14 +80,14 @@ def tones(sliders) -> dict[str, str]:
 
 
 def test_that_the_tab_asks_for_the_moves_and_shows_them(application, asked):
-    asked.show_page("sure")
+    asked.navigator.show_page("sure")
     tab = asked.pages["sure"].content
     assert "nine of ten" in tab.words.text() and tab.rates.rowCount() == 4
     assert tab.button.isVisibleTo(tab) and not tab.moves.isVisibleTo(tab)
     tab.button.click()
-    settle(application, lambda: not asked.session.stale and asked.job is None)
+    settle(application, lambda: not asked.session.stale and asked.runner.job is None)
     assert asked.session.case.sensitivity is not None
-    asked.show_page("sure")
+    asked.navigator.show_page("sure")
     tab = asked.pages["sure"].content
     found = asked.session.result.verdicts[0].sensitivity
     assert tab.moves.rowCount() == len(found.swings) and tab.reach.rowCount() == len(found.reach)
@@ -104,7 +104,7 @@ def test_that_the_sliders_give_the_zeta_of_the_changed_wall_and_change_nothing_u
     sliders = sliders_of(plain)
     assert sorted(sliders.sliders) == ["ag_g", "height_m", "load_factor", "thickness_m"]
     run = {check.label: check.zeta for check in plain.session.result.walls[0].assessment.checks}
-    assert sliders.known == {label: zeta for label, zeta in run.items() if label != "linear_q_slv"}
+    assert sliders.zetas == {label: zeta for label, zeta in run.items() if label != "linear_q_slv"}
     sliders.sliders["thickness_m"].setValue(40)
     sliders.sliders["load_factor"].setValue(31)
     sliders.sliders["ag_g"].setValue(-13)
@@ -213,7 +213,7 @@ def test_that_the_window_follows_the_case_and_closes_without_a_trace(application
     assert not sliders.take.isEnabled() and not sliders.sliders
     settle(application, lambda: bool(sliders.sliders))
     assert sliders.given["thickness_m"] == 0.45
-    settle(application, lambda: bool(sliders.known))
+    settle(application, lambda: bool(sliders.zetas))
     assert sliders.word.text() == "The case has changed: choose again."
     sliders.sliders["thickness_m"].setValue(40)
     assert not sliders.word.text()

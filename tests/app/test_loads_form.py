@@ -128,14 +128,14 @@ def test_that_all_walls_are_on_one_tab_the_lowest_first_and_variants_are_compare
     assert [wall.variant for wall in opened.session.case.wall] == [AS_IS, DESIGNED]
     opened.session.edit_wall(1, thickness_m=0.7)
     run(application, opened)
-    opened.show_page("walls")
+    opened.navigator.show_page("walls")
     tab = opened.pages["walls"].content
     zetas = [opened.session.result.walls[k].assessment.verdict.zeta_e for k in tab.order]
     assert zetas == sorted(zetas) and tab.table.rowCount() == 2
     assert tab.pairs.rowCount() == 1 and tab.pairs.item(0, 7).text() == "thickness"
     tab.table.cellDoubleClicked.emit(1, 0)
-    assert opened.shown == tab.order[1] and opened.page == "check"
-    opened.show_page("intensity")
+    assert opened.navigator.shown == tab.order[1] and opened.navigator.page == "check"
+    opened.navigator.show_page("intensity")
     assert opened.pages["intensity"].content.chart.data == []
 
 

@@ -10,7 +10,7 @@ pytest.importorskip("typst")
 @pytest.fixture
 def shown(opened, application):
     run(application, opened)
-    opened.show_page("note")
+    opened.navigator.show_page("note")
     tab = opened.pages["note"].content
     wait(application, tab)
     return tab
@@ -31,13 +31,13 @@ def test_that_a_click_leads_to_the_check_or_to_the_input_of_its_wall(opened, sho
     places = shown.pages.places
     heading = next(place for place in places if place.get("wall") == 0 and place["page"] > 1)
     shown.paper.clicked.emit(heading["page"], heading["y"] + 8.0)
-    assert opened.stages.front == "input" and opened.walls.isVisible() and opened.shown == 0
+    assert opened.stages.front == "input" and opened.walls.isVisible() and opened.navigator.shown == 0
     number = next(place for place in places if "check" in place)
     shown.paper.clicked.emit(number["page"], number["y"] + 3.0)
-    assert opened.page == "check" and opened.shown == 0
-    opened.show_page("note")
+    assert opened.navigator.page == "check" and opened.navigator.shown == 0
+    opened.navigator.show_page("note")
     shown.paper.clicked.emit(1, 800.0)  # the foot of a page leads nowhere
-    assert opened.page == "note"
+    assert opened.navigator.page == "note"
 
 
 def test_that_what_is_searched_is_found_page_after_page(opened, shown):
@@ -73,7 +73,7 @@ def test_that_a_page_is_as_wide_as_the_tab_and_follows_it(opened, shown, applica
 def test_that_a_note_on_its_way_is_left_when_another_result_comes(opened, shown, application, faults):
     shown.zoom.setCurrentIndex(0)
     left = shown.job
-    opened.result_arrived(None)
+    opened.navigator.take(None)
     application.processEvents()
     assert opened.pages["note"].made is None or opened.pages["note"].made is not shown
     if left is not None:
@@ -85,7 +85,7 @@ def test_that_a_note_on_its_way_is_left_when_another_result_comes(opened, shown,
 def test_that_a_note_that_cannot_be_set_says_why(opened, application):
     opened.session.edit_section("report", logo="none.png")
     run(application, opened)
-    opened.show_page("note")
+    opened.navigator.show_page("note")
     tab = opened.pages["note"].content
     wait(application, tab)
     assert "none.png" in tab.word.text() and tab.pages.images == []

@@ -88,20 +88,20 @@ def test_that_a_file_beside_the_workbook_is_not_overwritten_unasked(opened, appl
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "own.xlsx"), ""))
     monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.No)
     opened.files.ask_export()
-    assert opened.job is None and own.read_text() == "mine"
+    assert opened.runner.job is None and own.read_text() == "mine"
 
 
 def test_that_a_run_reads_records_that_changed_on_disk(opened, application, tmp_path):
     mine = own_record(opened, application, tmp_path)
     key = opened.records.key
     opened.run()
-    opened.cancel()
+    opened.runner.cancel()
     assert opened.records.key == key and not opened.records.pending  # nothing changed
     size = opened.records.motions[0].acceleration.size
     lines = mine.read_text().splitlines()
     mine.write_text("\n".join(lines[: len(lines) // 2]))
     opened.run()
-    opened.cancel()
+    opened.runner.cancel()
     settle(application, lambda: not opened.records.pending)
     assert opened.records.motions[0].acceleration.size < size
 
@@ -127,7 +127,7 @@ def test_that_a_record_changed_on_disk_makes_the_results_stale(opened, applicati
     mine.write_text("\n".join(mine.read_text().splitlines()[:-200]) + "\n")
     assert opened.files.export_refused()  # seen at the export, before the window has read it again
     settle(application, lambda: not opened.records.pending)
-    assert opened.session.stale and opened.veil.isVisibleTo(opened)
+    assert opened.session.stale and opened.stages.veil.isVisibleTo(opened)
 
 
 NAMES = (

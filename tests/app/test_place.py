@@ -12,7 +12,7 @@ from core.case.site import Spectrum
 
 @pytest.fixture
 def placed(opened):
-    opened.show_input("demand")
+    opened.navigator.show_input("demand")
     form = opened.demand.place
     form.given.setChecked(True)
     form.municipality.choose("L'Aquila (AQ)")
@@ -105,7 +105,7 @@ def test_that_a_name_that_is_being_typed_leaves_no_other_place_to_run(placed):
 
 def test_that_a_place_without_a_point_draws_no_spectrum_and_gives_back_what_was_there(opened):
     window = opened
-    window.show_input("demand")
+    window.navigator.show_input("demand")
     before = window.session.case.demand
     window.demand.place.given.setChecked(True)
     assert window.session.case.demand.ag_g == "" and window.demand.curve.isHidden()
@@ -131,8 +131,8 @@ def test_that_the_map_shows_all_of_italy_above_its_source_in_a_small_window(plac
     application.processEvents()
     source = form.inside[-1]
     assert form.map.geometry().bottom() < source.geometry().top()
-    corner = form.map.mapTo(window.forms.currentWidget().viewport(), QPoint(form.map.width(), 0))
-    assert corner.x() <= window.forms.currentWidget().viewport().width() and source.geometry().height() > 0
+    corner = form.map.mapTo(window.stages.input.forms.currentWidget().viewport(), QPoint(form.map.width(), 0))
+    assert corner.x() <= window.stages.input.forms.currentWidget().viewport().width() and source.geometry().height() > 0
     heel = form.map._at(40.0, 18.5)
     assert form.map.rect().contains(heel.toPoint())
     window.hide()

@@ -104,8 +104,8 @@ class Hand:
         else:  # the hand soon loses itself in one form
             draw.choice(
                 (
-                    lambda: self.window.show_page(draw.choice(list(self.window.pages))),
-                    lambda: self.window.show_input(draw.choice(list(self.window.stages.input.areas))),
+                    lambda: self.window.navigator.show_page(draw.choice(list(self.window.pages))),
+                    lambda: self.window.navigator.show_input(draw.choice(list(self.window.stages.input.areas))),
                     lambda: self.window.set_choice("theme", draw.choice(("light", "dark"))),
                     lambda: self.window.set_choice("language", draw.choice(("it", "en"))),
                     self.window.run,
@@ -193,8 +193,8 @@ def hurry(application, window, faults, tmp_path, draw, seed: int, count: int) ->
             told = ["".join(traceback.format_exception(fault)) for fault in faults] + complaints
             assert not told, f"event {k} of seed {seed}: {hand.sent[-5:]}: {' '.join(told)}"
             assert hand.longest < FROZEN, f"event {k} of seed {seed}: {hand.sent[-1]} took {hand.longest:.0f} s"
-        window.cancel()
-        settle(application, lambda: window.job is None and all(job.isFinished() for job in RUNNING))
+        window.runner.cancel()
+        settle(application, lambda: window.runner.job is None and all(job.isFinished() for job in RUNNING))
         assert not faults and not complaints
     finally:
         qInstallMessageHandler(before)

@@ -36,9 +36,9 @@ def test_that_four_changes_of_theme_and_language_leave_no_more_alive_than_one(op
         opened.set_choice("theme", ("dark", "light")[k % 2])
         opened.set_choice("language", ("it", "en")[k % 2])
         for kind in opened.stages.input.areas:
-            opened.show_input(kind)
+            opened.navigator.show_input(kind)
         for name in opened.pages:
-            opened.show_page(name)
+            opened.navigator.show_page(name)
         settle(application, lambda: not opened.pages["note"].content.is_setting)
 
     change(0)

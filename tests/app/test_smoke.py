@@ -32,9 +32,9 @@ def until(ready):
     application.processEvents()
 until(lambda: window.records.motions and window.run_button.isEnabled())
 QTest.mouseClick(window.run_button, Qt.MouseButton.LeftButton)
-until(lambda: window.session.result is not None and window.job is None)
+until(lambda: window.session.result is not None and window.runner.job is None)
 for name in window.pages:
-    window.show_page(name)
+    window.navigator.show_page(name)
     application.processEvents()
 picture = window.screen().grabWindow(window.winId()).toImage()
 colors = {picture.pixel(x, y) for x in range(0, picture.width(), 3) for y in range(0, picture.height(), 3)}

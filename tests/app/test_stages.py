@@ -32,7 +32,7 @@ def test_that_a_run_leads_to_the_answer_and_the_tree_says_zeta(opened, applicati
     opened.session.edit_section("report", author="N. N.")
     run(application, opened)
     zeta = opened.session.result.walls[0].assessment.verdict.zeta_e
-    assert opened.page == "check" and chips(opened)["w"] == f"{zeta:.2f}"
+    assert opened.navigator.page == "check" and chips(opened)["w"] == f"{zeta:.2f}"
     content = opened.pages["check"].content
     assert content.ladder.rungs[0].zeta == zeta and f"{zeta:.2f}" in content.heading.text()
     # what makes the verdict indicative is never folded; the rest of what limits it is behind its number
@@ -47,21 +47,21 @@ def test_that_a_run_leads_to_the_answer_and_the_tree_says_zeta(opened, applicati
     assert not content.reasons.isHidden()
     for number, name in enumerate(("input", "answer", "why", "report"), start=1):
         QTest.keyClick(opened, getattr(Qt.Key, f"Key_{number}"), Qt.KeyboardModifier.AltModifier)
-        opened.show_stage(name)
+        opened.navigator.show_stage(name)
         assert opened.stages.front == name and opened.header.buttons[name].isChecked()
 
 
 def test_that_all_that_is_missing_is_listed_each_with_its_field(opened, application):
     opened.walls.add()
     opened.session.edit(replace(opened.session.case, demand=Demand("")))
-    opened.show_input("wall", 1)
+    opened.navigator.show_input("wall", 1)
     words = [problem.words for problem in opened.missing.problems]
     assert len(words) >= 3 and not opened.run_button.isEnabled() and opened.missing.isVisible()
     for k, problem in enumerate(opened.missing.problems):
         opened.missing.lines.linkActivated.emit(str(k))
         application.processEvents()
         assert opened.stages.front == "input", problem.words
-    opened.show_stage("answer")
+    opened.navigator.show_stage("answer")
     assert opened.header.notice.isVisible() and str(len(words)) in opened.header.notice.text()
 
 
@@ -82,7 +82,7 @@ def test_that_a_field_a_wall_and_an_action_are_found_by_name(opened):
 def test_that_the_drawing_leads_to_fields_and_drags_a_load(opened, application):
     load = Load("vertical", 5.0, 3.0, 0.25, "none")
     opened.session.edit_wall(0, load=(load,), unit_weight_kn_m3=18.0)
-    opened.show_input("wall", 0)
+    opened.navigator.show_input("wall", 0)
     application.processEvents()
     drawing = opened.walls.drawing
     drawing.grab()
@@ -114,8 +114,8 @@ def test_that_a_variant_is_one_click_and_the_client_sees_before_and_after(opened
     record = opened.session.case.record[0]
     assert record.include
     run(application, opened)
-    opened.pick(0)
-    sides = client_view.sides_of(opened.session.result, opened.wall)
+    opened.navigator.pick(0)
+    sides = client_view.sides_of(opened.session.result, opened.navigator.wall)
     verdicts = [wall.assessment.verdict for wall in opened.session.result.walls]
     assert [side.share for side in sides] == [one.zeta_e / one.zeta_target for one in verdicts]
     view = client_view.ClientView(opened, "title", sides)
@@ -180,7 +180,7 @@ def test_that_a_wide_window_shows_the_rocking_wall_beside_the_answer(opened, app
     run(application, opened)
     opened.resize(1920, 1040)
     settle(application, lambda: opened.stages.answer.has_beside())
-    assert opened.beside.content.history is not None
+    assert opened.navigator.beside.content.history is not None
     opened.resize(1280, 800)
     settle(application, lambda: not opened.stages.answer.has_beside())
 

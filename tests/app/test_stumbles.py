@@ -60,7 +60,7 @@ def test_that_a_table_of_walls_asks_for_its_demand_too(opened, monkeypatch):
 
 def test_that_a_base_above_the_ground_asks_for_its_building_before_the_run_and_in_the_answer(opened, application):
     opened.session.edit_wall(0, base_z_m=6.0)
-    opened.show_input("wall", 0)
+    opened.navigator.show_input("wall", 0)
     (problem,) = opened.missing.problems
     assert "building" in problem.words and opened.run_button.isEnabled()
     opened.activateWindow()
@@ -69,7 +69,7 @@ def test_that_a_base_above_the_ground_asks_for_its_building_before_the_run_and_i
     assert opened.focusWidget() is opened.demand.building.fields[0].editor
     opened.session.undo()
     run(application, opened)
-    opened.show_page("check")
+    opened.navigator.show_page("check")
     content = opened.pages["check"].content
     assert "building" in content.no_peaks.text() and "records" not in content.no_peaks.text()
     content.important.linkActivated.emit(re.findall(r"href='([^']*)'", content.important.text())[0])
@@ -94,7 +94,7 @@ def test_that_a_tie_that_is_too_strong_is_marked_and_led_to(opened, bar):
     loads = (Load("vertical", 5.0, 5.0, 0.25, "none"), Load("tie", None if bar else 400.0, 2.5, bar_length_m=5.0))
     loads = (loads[0], replace(loads[1], bar=bar and replace(bar, number=60)))
     opened.session.edit_wall(0, load=loads, unit_weight_kn_m3=18.0, length_m=2.0)
-    opened.show_input("wall", 0)
+    opened.navigator.show_input("wall", 0)
     (problem,) = opened.missing.problems
     assert "lower the force" in problem.words and "missing" not in opened.missing.heading.text()
     opened.activateWindow()
@@ -110,7 +110,7 @@ def test_that_a_tie_that_is_too_strong_is_marked_and_led_to(opened, bar):
 
 def test_that_of_several_fields_the_empty_one_is_led_to_and_its_section_unfolds(opened):
     opened.session.edit_wall(0, load=(Load("thrust", 2.0, 5.0),))
-    opened.show_input("wall", 0)
+    opened.navigator.show_input("wall", 0)
     (problem,) = opened.missing.problems
     opened.activateWindow()
     problem.lead()
@@ -125,9 +125,9 @@ def test_that_the_answer_leads_to_the_bars_it_asks_for(opened, application):
     content = opened.pages["check"].content
     assert "key:anchorage_kn" in content.important.text() + content.others.text()
     opened.activateWindow()
-    opened.ask("key:anchorage_kn")
+    opened.navigator.ask("key:anchorage_kn")
     assert opened.focusWidget() is opened.walls.loads.bars and opened.walls.loads.bars.isVisible()
-    opened.ask("reason:elongation_m")
+    opened.navigator.ask("reason:elongation_m")
     assert isinstance(opened.focusWidget().parentWidget(), ReasonField)
 
 
@@ -165,7 +165,7 @@ def test_that_title_client_and_logo_stand_beside_the_pages_of_the_note(opened):
 
 def test_that_an_animation_begins_as_the_wall_begins_to_move_and_its_button_says_what_it_does(opened, application):
     run(application, opened)
-    opened.show_page("histories")
+    opened.navigator.show_page("histories")
     content = opened.pages["histories"].content
     first = np.flatnonzero(content.history.rotation)[0] * content.motion.time_step
     content.set_time(0.0)
@@ -179,7 +179,7 @@ def test_that_an_animation_begins_as_the_wall_begins_to_move_and_its_button_says
 @pytest.mark.parametrize("tongue", ["en", "it"])
 def test_that_the_client_reads_no_word_of_the_code(opened, application, tongue):
     run(application, opened)
-    side = client_view.sides_of(opened.session.result, opened.wall)[0]
+    side = client_view.sides_of(opened.session.result, opened.navigator.wall)[0]
     language.set_language(tongue)
     for code in OUTCOMES:
         verdict = replace(side.wall.assessment.verdict, code=code)
@@ -194,7 +194,7 @@ def test_that_the_client_reads_no_word_of_the_code(opened, application, tongue):
 
 def test_that_a_stage_without_a_result_says_what_to_do_and_leads_there(opened, application):
     for name in ("check", "histories", "capacity", "intensity", "validation"):
-        opened.show_page(name)
+        opened.navigator.show_page(name)
         page = opened.pages[name]
         assert page.made is None and page.word.isVisible() and "F5" in page.word.text(), name
     opened.session.edit_wall(0, base_z_m=None)
@@ -203,10 +203,10 @@ def test_that_a_stage_without_a_result_says_what_to_do_and_leads_there(opened, a
     opened.pages["validation"].word.linkActivated.emit("do")
     assert opened.stages.front == "input" and opened.focusWidget() is opened.walls.fields["base_z_m"].editor
     opened.session.undo()
-    opened.show_page("histories")
+    opened.navigator.show_page("histories")
     opened.pages["histories"].word.linkActivated.emit("do")
-    settle(application, lambda: opened.job is None and opened.session.result is not None)
-    opened.show_page("histories")
+    settle(application, lambda: opened.runner.job is None and opened.session.result is not None)
+    opened.navigator.show_page("histories")
     application.processEvents()
     assert not opened.pages["histories"].word.isVisible() and opened.pages["histories"].made.isVisible()
 
@@ -238,9 +238,9 @@ def test_that_a_variant_is_named_in_the_language_of_the_window(opened, applicati
     run(application, opened)
     for tongue, words in (("en", "as designed"), ("it", "progetto")):
         opened.set_choice("language", tongue)
-        opened.pick(1)
+        opened.navigator.pick(1)
         shown = [opened.pages["check"].content.heading.text(), *(row.text for row in opened.tree.rows)]
-        opened.show_page("histories")
+        opened.navigator.show_page("histories")
         shown += [opened.pages["histories"].content.words.text(), *(one.words for one in finder.entries_of(opened))]
         assert sum(words in one for one in shown) >= 4
         assert tongue == "it" or not any(DESIGNED in one for one in shown)
@@ -248,7 +248,7 @@ def test_that_a_variant_is_named_in_the_language_of_the_window(opened, applicati
 
 def test_that_to_strengthen_leads_to_the_loads_of_the_variant(opened):
     opened.activateWindow()
-    opened.ask("variant")
+    opened.navigator.ask("variant")
     assert opened.walls.wall.variant == DESIGNED and opened.walls.loads.isVisible()
     assert opened.focusWidget() is opened.walls.loads.add_button
 
@@ -267,7 +267,7 @@ def test_that_what_limits_a_verdict_says_nothing_of_the_law_of_research(opened, 
     opened.records.take(motions, ask=False)
     settle(application, lambda: len(opened.records.motions) == 3)
     run(application, opened)
-    assert {one.code for one in opened.wall.warnings} & {"no_power_law", "narrow_si"}
+    assert {one.code for one in opened.navigator.wall.warnings} & {"no_power_law", "narrow_si"}
     content = opened.pages["check"].content
     assert "q_eff" not in content.important.text() + content.others.text()
     assert "q_eff" in content.reasons.text()
@@ -277,14 +277,14 @@ def test_that_an_answer_without_a_check_leads_to_what_makes_one(opened, applicat
     opened.session.edit(replace(opened.session.case, record=()))
     settle(application, lambda: not opened.records.pending)
     run(application, opened)
-    assert opened.wall.assessment.verdict.code == "undetermined"
+    assert opened.navigator.wall.assessment.verdict.code == "undetermined"
     words = opened.pages["check"].content.important.text()
     assert words.count("To do") == 1 and "href='demand'" in words
 
 
 def test_that_a_spectrum_without_records_offers_motions_for_it(opened, application):
     offer = opened.demand.no_records
-    opened.show_input("demand")
+    opened.navigator.show_input("demand")
     opened.session.edit(replace(opened.session.case, record=()))
     assert not offer.isVisible()
     opened.session.edit_section("demand", soil_factor=None, spectrum=Spectrum("EN1998", "B", type=1))

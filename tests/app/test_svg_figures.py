@@ -114,7 +114,7 @@ def shared(of_verdict):
 
 def charts_of(window, application):
     for name, page in window.pages.items():
-        window.show_page(name)
+        window.navigator.show_page(name)
         application.processEvents()
         yield from (one for one in page.content.findChildren(Chart) if one.data)
 
@@ -122,7 +122,7 @@ def charts_of(window, application):
 def test_that_no_figure_of_the_program_asks_for_a_stroke_that_does_not_scale(shared, application):
     names = set()
     for wall in range(len(shared.session.result.walls)):
-        shared.pick(wall)
+        shared.navigator.pick(wall)
         for one in charts_of(shared, application):
             for width in (80.0, 160.0):
                 content = figure(one, ".svg", FigureSize(width))
@@ -141,7 +141,7 @@ def share_and_middle(pixels: np.ndarray, k: int) -> tuple[float, np.ndarray]:
 @pytest.fixture(scope="module")
 def drawn(shared, application):
     """Every figure of the first wall: (name, its SVG, what each colour of its picture by Qt is: `share_and_middle`)."""
-    shared.pick(0)
+    shared.navigator.pick(0)
     coloured = []
     for k, shade in enumerate(theme.LIGHT.curves):
         parts = [int(shade[n : n + 2], 16) for n in (1, 3, 5)]
@@ -270,7 +270,7 @@ def test_that_captions_say_floor_where_it_is_the_floor(opened, application):
         opened.session.edit(replace(opened.session.case, building=building))
         opened.session.edit_section("demand", soil_factor=None, spectrum=Spectrum("EN1998", "B", type=1))
         run(application, opened)
-        opened.pick(0)
+        opened.navigator.pick(0)
         captions[base] = {one.name: one.caption for one in charts_of(opened, application)}
     for name, words in captions[0.0].items():
         assert "floor" not in (name + words).lower(), name
@@ -290,7 +290,7 @@ def test_that_the_columns_of_the_map_say_what_they_hold(opened, application, lan
 
     opened.set_choice("language", language)
     run(application, opened)
-    opened.show_page("capacity")
+    opened.navigator.show_page("capacity")
     strips = opened.pages["capacity"].content.strips
     mark = ";" if language == "it" else ","
     first = strips.content(".csv").decode("utf-8-sig").splitlines()[0]

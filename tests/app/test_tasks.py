@@ -46,14 +46,14 @@ def consistent(window) -> None:
     elif window.stages.front == "input" and row.kind in window.stages.input.areas:
         assert window.stages.input.kind == row.kind
     if window.session.result is not None:
-        known = window.results_of().get(window.walls.current, [])
-        assert window.shown in known or (window.shown == -1 and not known)
+        known = window.navigator.results_of().get(window.walls.current, [])
+        assert window.navigator.shown in known or (window.navigator.shown == -1 and not known)
         if row.kind == "hinge":
-            assert row.result == window.shown
-    if window.page in ("histories", "capacity") and window.wall is not None:
-        content = window.pages[window.page].content
-        said = content.words if window.page == "histories" else content.title
-        assert said.text().startswith(window.wall.name)
+            assert row.result == window.navigator.shown
+    if window.navigator.page in ("histories", "capacity") and window.navigator.wall is not None:
+        content = window.pages[window.navigator.page].content
+        said = content.words if window.navigator.page == "histories" else content.title
+        assert said.text().startswith(window.navigator.wall.name)
 
 
 def test_that_a_change_after_finding_leaves_the_menus_whole(opened, faults):
@@ -85,27 +85,27 @@ def test_that_bars_switched_off_at_one_wall_do_not_come_back_at_another(opened):
     opened.walls.add()
     for k in (0, 1):
         opened.session.edit_wall(k, load=(Load("tie", None, 3.0, bar=Bars(2, 20.0) if k == 0 else None),))
-    opened.show_input("wall", 0)
+    opened.navigator.show_input("wall", 0)
     opened.walls.loads.bars.setChecked(False)
-    opened.show_input("wall", 1)
+    opened.navigator.show_input("wall", 1)
     opened.walls.loads.bars.setChecked(True)
     assert opened.session.case.wall[1].load[0].bar == Bars("", "")
 
 
 def test_that_another_case_begins_at_its_first_wall(opened):
     opened.walls.add()
-    opened.show_stage("why")
+    opened.navigator.show_stage("why")
     opened.files.open(CASES / "building.toml")
     consistent(opened)
     assert marked(opened).key == ("wall", 0, "") and opened.stages.front == "input"
-    opened.show_input("records")
+    opened.navigator.show_input("records")
     opened.walls.select(2)
     consistent(opened)
-    opened.show_stage("report")
-    opened.choose_row(next(row for row in opened.tree.rows if row.kind == "report"))
+    opened.navigator.show_stage("report")
+    opened.navigator.choose_row(next(row for row in opened.tree.rows if row.kind == "report"))
     assert opened.stages.front == "input" and opened.stages.input.kind == "report"
-    opened.show_stage("report")
-    opened.show_stage("input")
+    opened.navigator.show_stage("report")
+    opened.navigator.show_stage("input")
     assert opened.stages.input.kind == "report"
 
 
@@ -126,14 +126,14 @@ def test_that_tree_form_and_pages_show_one_wall_whatever_is_done(opened, applica
 
     def chosen():
         rows = opened.tree.rows
-        opened.choose_row(rows[int(draw.integers(0, len(rows)))])
+        opened.navigator.choose_row(rows[int(draw.integers(0, len(rows)))])
 
     steps = (
         chosen,
         chosen,
         chosen,
-        lambda: opened.show_stage(str(draw.choice(["input", "answer", "why", "report"]))),
-        lambda: opened.show_page(str(draw.choice(["histories", "capacity"]))),
+        lambda: opened.navigator.show_stage(str(draw.choice(["input", "answer", "why", "report"]))),
+        lambda: opened.navigator.show_page(str(draw.choice(["histories", "capacity"]))),
         opened.walls.add,
         opened.walls.add_variant,
         opened.walls.duplicate,
@@ -141,7 +141,7 @@ def test_that_tree_form_and_pages_show_one_wall_whatever_is_done(opened, applica
         opened.session.undo,
         opened.session.undo,
         opened.session.redo,
-        lambda: opened.pick(int(draw.integers(0, len(opened.session.result.walls)))),
+        lambda: opened.navigator.pick(int(draw.integers(0, len(opened.session.result.walls)))),
     )
     for k in range(count):
         steps[int(draw.integers(0, len(steps)))]()
@@ -155,7 +155,7 @@ def test_that_tree_form_and_pages_show_one_wall_whatever_is_done(opened, applica
 def test_that_a_missing_sentence_leads_to_the_variant_it_is_about(opened):
     opened.walls.add_variant()
     opened.session.edit_wall(1, base_z_m=None)
-    opened.show_input("wall", 0)
+    opened.navigator.show_input("wall", 0)
     (problem,) = opened.missing.problems
     assert "w (as designed)" in problem.words
     assert [row.chip for row in opened.tree.rows if row.kind == "wall"] == ["", "!"]
@@ -167,14 +167,14 @@ def test_that_a_missing_sentence_leads_to_the_variant_it_is_about(opened):
 def test_that_a_missing_sentence_of_a_load_leads_to_its_field(opened):
     loads = (Load("vertical", 5.0, 3.0, 0.25, "none"), Load("tie", 4.0, 4.0))
     opened.session.edit_wall(0, load=loads, unit_weight_kn_m3=18.0)
-    opened.show_stage("answer")
+    opened.navigator.show_stage("answer")
     (problem,) = opened.missing.problems
     problem.lead()
     field = next(field for field in opened.walls.loads.load_fields if field.key == "bar_length_m")
     assert opened.walls.loads.list.currentRow() == 1 and field.isVisibleTo(opened) and field.rule
     opened.session.edit_wall(0, load=())
     opened.session.edit(replace(opened.session.case, building=Building(9.0, "")))
-    opened.show_input("wall", 0)
+    opened.navigator.show_input("wall", 0)
     (problem,) = opened.missing.problems
     problem.lead()
     field = next(field for field in opened.demand.building.fields if field.key == "storeys")
@@ -190,8 +190,8 @@ def test_that_finding_a_field_of_a_load_there_is_none_of_leads_to_adding_one(ope
     application.processEvents()
     assert not field.isVisibleTo(opened) and opened.focusWidget() is opened.walls.loads.add_button
     before = opened.session.case
-    for one in (one for one in opened.fields if not isinstance(one, ReasonField)):
-        point_at(opened, one)
+    for one in (one for one in opened.stages.fields if not isinstance(one, ReasonField)):
+        point_at(opened.navigator, one)
         shown = one.isVisibleTo(opened) and one.isEnabled()
         assert shown == one.isAncestorOf(opened.focusWidget()), one.key
     assert opened.session.case == before
@@ -210,13 +210,13 @@ def test_that_a_form_of_nothing_shows_no_value(opened):
 
 def test_that_a_variant_has_its_pair_and_its_undo_stays_at_the_wall(opened):
     opened.walls.add()
-    opened.show_input("wall", 0)
-    opened.show_stage("why")
+    opened.navigator.show_input("wall", 0)
+    opened.navigator.show_stage("why")
     button(opened, "+ variant").click()
     assert [wall.title for wall in opened.session.case.wall] == [f"w ({AS_IS})", f"w ({DESIGNED})", "wall"]
     assert opened.stages.front == "input" and opened.walls.current == 1
     for k in (0, 1):
-        opened.show_input("wall", k)
+        opened.navigator.show_input("wall", k)
         button(opened, "+ variant").click()
         assert len(opened.session.case.wall) == 3 and opened.walls.current == 1
     opened.session.undo()
@@ -232,7 +232,7 @@ def test_that_walls_pasted_are_shown_and_counted(opened):
 
     rows = "\n".join(f"{name}\t0\t4,5\t45\tun lato" for name in ("nord", "sud"))
     QApplication.clipboard().setText(f"Parete\tz\tH\tt\tMeccanismo\n\tm\tm\tcm\t\n{rows}\n")
-    opened.show_stage("answer")
+    opened.navigator.show_stage("answer")
     button(opened, "paste").click()
     assert [wall.name for wall in opened.session.case.wall] == ["w", "nord", "sud"]
     assert opened.stages.front == "input" and opened.walls.wall.name == "nord" and "2" in opened.word.text()
@@ -255,7 +255,7 @@ def test_that_nothing_is_written_over_or_beside_an_example(opened, monkeypatch, 
 
 
 def test_that_no_sentence_however_long_widens_the_window(opened, application):
-    opened.show_stage("report")
+    opened.navigator.show_stage("report")
     application.processEvents()
     before = opened.minimumSizeHint().width()
     long = "The note cannot be set, for a reason that takes very many words to be said. " * 12
@@ -276,7 +276,7 @@ def test_that_no_sentence_however_long_widens_the_window(opened, application):
 
 def test_that_a_wall_has_no_zeta_before_all_its_hinges_are_there(opened, application):
     from app.shell import tree
-    from app.work.running import results_planned
+    from app.work.runner import results_planned
 
     opened.session.edit(replace(opened.session.case, building=Building(9.0, 3)))
     spectrum = Spectrum("EN1998", "B", type=1)
@@ -285,27 +285,27 @@ def test_that_a_wall_has_no_zeta_before_all_its_hinges_are_there(opened, applica
     assert results_planned(opened.session.case) == [3]
     run(application, opened)
     found = sorted(opened.session.result.walls, key=lambda wall: -wall.assessment.verdict.zeta_e)
-    opened.finished_walls = found[:1]
-    zetas = opened.zetas_so_far()
+    opened.runner.finished_walls = found[:1]
+    zetas = opened.runner.zetas_so_far()
     first = found[0].assessment.verdict.zeta_e
     assert zetas == {0: (first, False)}
     state = tree.State(opened.session.case, None, False, (), 1, False, {}, zetas)
     (row,) = (row for row in tree.rows_of(state) if row.kind == "wall")
     assert row.chip == f"≤ {first:.2f}"
     tab = opened.pages["walls"].content
-    tab.show_running(opened.finished_walls, zetas)
+    tab.show_running(opened.runner.finished_walls, zetas)
     assert [tab.table.item(0, column).text() for column in (2, 3)] == [f"≤ {first:.2f}", "…"]
-    opened.finished_walls = found
-    assert opened.zetas_so_far() == {0: (found[-1].assessment.verdict.zeta_e, True)}
-    opened.finished_walls = []
+    opened.runner.finished_walls = found
+    assert opened.runner.zetas_so_far() == {0: (found[-1].assessment.verdict.zeta_e, True)}
+    opened.runner.finished_walls = []
 
 
 def test_that_the_client_sees_both_walls_at_one_scale(opened, application):
     opened.walls.add_variant()
     opened.session.edit_wall(1, height_m=3.0)
     run(application, opened)
-    opened.pick(0)
-    view = client_view.ClientView(opened, "title", client_view.sides_of(opened.session.result, opened.wall))
+    opened.navigator.pick(0)
+    view = client_view.ClientView(opened, "title", client_view.sides_of(opened.session.result, opened.navigator.wall))
     view.resize(900, 600)
     view.grab()
     one, other = view.drawings
@@ -328,14 +328,14 @@ def test_that_the_answer_leads_to_what_it_asks_for(opened, application):
     settle(application, lambda: not opened.records.pending)
     run(application, opened)
     content = opened.pages["check"].content
-    verdict = opened.wall.assessment.verdict
+    verdict = opened.navigator.wall.assessment.verdict
     words = content.important.text()
     assert {one.code for one in verdict.to_do} & {"to_no_spectrum"}
     assert words.count("<b>To do:</b>") == 1 and words.count("<b>Limits:</b>") == 1
     assert words.count("the dynamic check is not at the demand") == 1
     content.important.linkActivated.emit("demand")
     assert opened.stages.front == "input" and opened.stages.input.kind == "demand"
-    opened.ask("variant")
+    opened.navigator.ask("variant")
     assert len(opened.session.case.wall) == 2 and opened.stages.front == "input"
 
 
@@ -353,7 +353,7 @@ def test_that_an_answer_without_bars_leads_to_a_demand_and_to_motions(opened, ap
     opened.session.edit(replace(opened.session.case, demand=None, generate=None))
     settle(application, lambda: not opened.records.pending)
     run(application, opened)
-    opened.show_page("check")
+    opened.navigator.show_page("check")
     content = opened.pages["check"].content
     assert content.peaks.isHidden() and "'demand'" in content.no_peaks.text()
 
@@ -365,25 +365,25 @@ def test_that_a_bar_leads_to_its_history_and_pages_open_at_the_governing_record(
     opened.session.edit_wall(0, mechanism="one_sided")
     opened.session.edit_section("analysis", polarity="both")
     run(application, opened)
-    opened.show_page("check")
-    checked = opened.wall.assessment.dynamic.runs
+    opened.navigator.show_page("check")
+    checked = opened.navigator.wall.assessment.dynamic.runs
     content = opened.pages["check"].content
     assert len(checked) == 6
     ticks = content.peaks.plot.getAxis("bottom")._tickLevels[0]
     assert ticks and all(name.endswith("±") and place % 2 == 0.5 for place, name in ticks)
     for name in ("histories", "capacity"):
-        opened.show_page(name)
+        opened.navigator.show_page(name)
     histories, capacity = (opened.pages[name].content for name in ("histories", "capacity"))
     assert histories.record.currentIndex() == capacity.record.currentIndex()
     worst = max(checked, key=lambda run: np.inf if run.peak_ratio is None else run.peak_ratio)
     assert (histories.run.motion, histories.run.polarity) == (worst.motion, worst.polarity)
     for k, one in enumerate(checked):
-        opened.show_page("check")
+        opened.navigator.show_page("check")
         content.peaks.clicked.emit(k + 0.2, 0.1)
-        assert opened.page == "histories"
+        assert opened.navigator.page == "histories"
         assert (histories.run.motion, histories.run.polarity) == (one.motion, one.polarity)
         if one.peak_ratio is not None:
-            peak = histories.history.peak / opened.wall.model.collapse_rotation
+            peak = histories.history.peak / opened.navigator.wall.model.collapse_rotation
             assert peak == pytest.approx(one.peak_ratio, rel=1e-7)  # of a search and of one history
     assert histories.words.toolTip().startswith("C ")
 
@@ -395,7 +395,7 @@ def test_that_no_first_page_covers_a_case_that_is_open(opened, monkeypatch):
     opened.files.open(CASES / "building.toml")
     assert opened.stages.first is None
     opened.show_first_run()
-    opened.choose_row(next(row for row in opened.tree.rows if row.kind == "wall"))
+    opened.navigator.choose_row(next(row for row in opened.tree.rows if row.kind == "wall"))
     assert opened.stages.first is None and opened.stages.front == "input"
     opened.show_first_run()
     swap = opened.session.recovery_folder / "x-aa.swap"
@@ -436,7 +436,7 @@ def test_that_records_are_taken_wherever_they_are_dropped(opened, application, m
     payload.setUrls([QUrl.fromLocalFile(str(folder))])
     keys = (Qt.DropAction.CopyAction, payload, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier)
     enter = QDragEnterEvent(QPointF(20, 300).toPoint(), *keys)
-    opened.show_stage("why")
+    opened.navigator.show_stage("why")
     application.sendEvent(opened, enter)
     assert enter.isAccepted()
     application.sendEvent(opened, QDropEvent(QPointF(20, 300), *keys))
@@ -450,7 +450,7 @@ def test_that_a_figure_is_saved_at_the_last_size_without_a_question(opened, appl
     from app.views import chart_output, figure_dialogs
 
     run(application, opened)
-    opened.show_page("check")
+    opened.navigator.show_page("check")
     chart = opened.pages["check"].content.peaks
     monkeypatch.setattr(figure_dialogs, "ask_size", lambda *_: pytest.fail("asked"))
     monkeypatch.setattr(chart_output, "path_to_write", lambda *_: tmp_path / "f.png")
@@ -492,21 +492,21 @@ def test_that_a_long_sentence_of_what_is_missing_is_whole(opened, application):
 def test_that_a_wall_that_is_deleted_leaves_the_pages(opened, application):
     opened.walls.duplicate()
     run(application, opened)
-    opened.choose_row(next(row for row in opened.tree.rows if row.wall == 0))
-    opened.show_page("histories")
+    opened.navigator.choose_row(next(row for row in opened.tree.rows if row.wall == 0))
+    opened.navigator.show_page("histories")
     opened.walls.delete()
-    assert opened.wall is opened.session.result.walls[1]
+    assert opened.navigator.wall is opened.session.result.walls[1]
     consistent(opened)
 
 
 def test_that_a_note_in_another_language_than_the_window_says_so(opened, application):
     run(application, opened)
-    opened.show_page("note")
+    opened.navigator.show_page("note")
     note = opened.pages["note"].content
     settle(application, lambda: not note.is_setting)
     assert "English" not in note.word.text()
     opened.set_choice("language", "it")
-    opened.show_page("note")
+    opened.navigator.show_page("note")
     note = opened.pages["note"].content
     settle(application, lambda: not note.is_setting)
     assert note.word.text().endswith("(English)")

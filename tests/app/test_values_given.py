@@ -113,10 +113,10 @@ def test_that_a_load_that_crushes_the_base_is_asked_about_at_its_size(opened, ap
 
 def test_that_a_question_is_not_taken_to_another_wall(opened, application):
     opened.session.add_walls([replace(opened.session.case.wall[0], name="v", height_m=60.0)])
-    opened.show_input("wall", 1)
+    opened.navigator.show_input("wall", 1)
     application.processEvents()
     assert "H/t" in opened.walls.fields["height_m"].message.text()
-    opened.show_input("wall", 0)
+    opened.navigator.show_input("wall", 0)
     application.processEvents()
     assert not opened.walls.fields["height_m"].message.text()
 

@@ -72,7 +72,7 @@ class Walk:
 
     def type_into_a_field(self):
         """Only into one that a person sees, once its section is unfolded."""
-        field = self.one_of(self.window.fields)
+        field = self.one_of(self.window.stages.fields)
         unfold_to(field)
         areas = self.window.stages.input.areas.values()
         area = next((area for area in areas if area.isAncestorOf(field)), field.parentWidget())  # else of the note
@@ -212,7 +212,7 @@ class Walk:
 
     def choose_a_row_of_the_tree(self):
         row = self.one_of(self.window.tree.rows)
-        self.window.choose_row(row)
+        self.window.navigator.choose_row(row)
         return row.key
 
     def change_the_records(self):

@@ -15,7 +15,7 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
-from app.shell.staged_window import row_of
+from app.shell.navigator import row_of
 from core.case.reader import read_case
 from core.case.rules import parse_case
 from core.study import run as study
@@ -106,26 +106,26 @@ def test_the_whole_job(opened, application, tmp_path):
     result = opened.session.result
     assert result.walls[0].q_set is not None
     for name in opened.pages:
-        opened.show_page(name)
+        opened.navigator.show_page(name)
         application.processEvents()
-    assert not opened.veil.isVisibleTo(opened)
+    assert not opened.stages.veil.isVisibleTo(opened)
     type_into(opened.walls.fields["height_m"], "4.8")
-    assert opened.session.stale and opened.veil.isVisibleTo(opened)
+    assert opened.session.stale and opened.stages.veil.isVisibleTo(opened)
     assert opened.files.export_refused()
     run(application, opened)
     assert not opened.session.stale
     opened.session.edit_section("analysis", q_step=0.0005)
     opened.run()
-    settle(application, lambda: opened.bar.maximum() > 0)
-    opened.cancel()
+    settle(application, lambda: opened.stages.bar.maximum() > 0)
+    opened.runner.cancel()
     start = time.monotonic()
-    settle(application, lambda: opened.job is None)
+    settle(application, lambda: opened.runner.job is None)
     assert time.monotonic() - start < 5.0  # measured in the benchmark; here only that it ends
     opened.session.undo()
     assert not opened.session.stale  # the finished result is kept
     opened.files.save()
     opened.files.export(tmp_path / "out" / "small.xlsx") if (tmp_path / "out").mkdir() is None else None
-    settle(application, lambda: opened.job is None)
+    settle(application, lambda: opened.runner.job is None)
     assert (tmp_path / "out" / "small.xlsx").exists()
     assert read_case(opened.session.path) == opened.session.case
 
@@ -138,7 +138,7 @@ def test_that_the_exported_workbook_is_the_batchs_cell_for_cell(opened, applicat
     run(application, opened)
     (tmp_path / "a").mkdir()
     opened.files.export(tmp_path / "a" / "small.xlsx")
-    settle(application, lambda: opened.job is None)
+    settle(application, lambda: opened.runner.job is None)
     assert batch.run(opened.session.path, tmp_path / "b", 1, True, False) == 0
     one, two = (openpyxl.load_workbook(tmp_path / name / "small.xlsx") for name in "ab")
     assert one.sheetnames == two.sheetnames
@@ -207,7 +207,7 @@ def test_that_the_slider_integrates_what_the_core_says(opened, application):
     from core.rocking.history import history
 
     run(application, opened)
-    opened.show_page("histories")
+    opened.navigator.show_page("histories")
     tab = opened.pages["histories"].content
     tab.slider.setValue(700)
     motion = opened.session.result.motions[0]
@@ -219,7 +219,7 @@ def test_that_the_slider_integrates_what_the_core_says(opened, application):
 def test_that_charts_export_light_pictures_and_their_data(opened, application, tmp_path):
     run(application, opened)
     opened.set_choice("theme", "dark")
-    opened.show_page("intensity")
+    opened.navigator.show_page("intensity")
     application.processEvents()
     chart = opened.pages["intensity"].content.chart
     for end in ("png", "svg", "csv"):
@@ -234,7 +234,7 @@ def test_that_charts_export_light_pictures_and_their_data(opened, application, t
 
 def test_that_tables_copy_with_tabs(opened, application):
     run(application, opened)
-    opened.show_page("check")
+    opened.navigator.show_page("check")
     lines = opened.pages["check"].content.table.text().splitlines()
     assert len(lines) > 3 and all(line.count("\t") == 7 for line in lines)
 
@@ -271,7 +271,7 @@ def test_that_a_field_that_holds_nothing_accepted_stops_a_run(opened, applicatio
         application.processEvents()
         assert not opened.run_button.isEnabled(), text
         opened.run()
-        assert opened.job is None
+        assert opened.runner.job is None
     type_into(opened.walls.fields["thickness_m"], "60")
     application.processEvents()
     assert opened.run_button.isEnabled()
@@ -281,18 +281,18 @@ def test_that_a_result_of_another_case_never_arrives(opened, application):
     opened.run()
     path = opened.session.path
     opened.files.open(path)  # the same words, but the run was of the case before
-    settle(application, lambda: opened.job is None)
+    settle(application, lambda: opened.runner.job is None)
     assert opened.session.result is None
-    assert opened.wall is None and "F5" in opened.pages["walls"].content.words.text()
+    assert opened.navigator.wall is None and "F5" in opened.pages["walls"].content.words.text()
 
 
 def test_that_only_one_job_runs_at_a_time(opened, application):
     opened.run()
-    first = opened.job
+    first = opened.runner.job
     opened.run()
-    opened.state_accuracy()
-    assert opened.job is first and opened.files.export_refused()
-    settle(application, lambda: opened.job is None)
+    opened.runner.state_accuracy(opened.navigator.shown)
+    assert opened.runner.job is first and opened.files.export_refused()
+    settle(application, lambda: opened.runner.job is None)
 
 
 def test_that_an_export_never_takes_the_place_of_a_record(opened, application, monkeypatch):
@@ -304,7 +304,7 @@ def test_that_an_export_never_takes_the_place_of_a_record(opened, application, m
     (entry,) = opened.session.case.record
     opened.session.edit(replace(opened.session.case, record=(replace(entry, file=str(record)),)))
     opened.files.export(opened.session.base_dir / "small.xlsx")
-    assert said and "overwrite" in said[-1] and opened.job is None
+    assert said and "overwrite" in said[-1] and opened.runner.job is None
 
 
 def test_that_a_failing_worker_is_a_dialog_with_a_log(opened, application, monkeypatch):
@@ -314,8 +314,8 @@ def test_that_a_failing_worker_is_a_dialog_with_a_log(opened, application, monke
     def broken(job):
         raise RuntimeError("broken on purpose")
 
-    opened.start(broken, lambda _: None)
-    settle(application, lambda: opened.job is None and shown)
+    opened.runner.start(broken, lambda _: None)
+    settle(application, lambda: opened.runner.job is None and shown)
     assert "broken on purpose" in shown[0] and ".log" in shown[0]
 
 
@@ -324,19 +324,19 @@ def test_that_closing_while_running_is_safe(opened, application):
     opened.run()
     opened.session.saved = opened.session.case
     opened.close()
-    assert opened.job is None or opened.job.isFinished()
+    assert opened.runner.job is None or opened.runner.job.isFinished()
 
 
 def test_that_many_redraws_and_random_events_do_no_harm(opened, application):
     """Short here; the long run is for a quiet evening: RIBALTA_REDRAWS=20000."""
     run(application, opened)
-    opened.show_page("histories")
+    opened.navigator.show_page("histories")
     tab = opened.pages["histories"].content
     random = np.random.default_rng(1)
     for k in range(int(os.environ.get("RIBALTA_REDRAWS", "60"))):
         tab.slider.setValue(int(random.integers(0, 2000)))
         if k % 10 == 0:
-            opened.show_page(list(opened.pages)[int(random.integers(0, len(opened.pages)))])
+            opened.navigator.show_page(list(opened.pages)[int(random.integers(0, len(opened.pages)))])
             opened.resize(int(random.integers(900, 1500)), int(random.integers(600, 1000)))
         if k % 25 == 0:
             opened.session.edit_wall(0, height_m=float(random.uniform(3.0, 7.0)))
@@ -393,9 +393,9 @@ def test_that_a_wall_of_a_result_is_found_by_what_it_is_and_not_by_its_name(tmp_
 
 def test_that_the_answer_pressed_from_a_form_marks_the_wall_it_is_of(opened, application):
     run(application, opened)
-    opened.show_input("report")
+    opened.navigator.show_input("report")
     assert opened.tree.current.kind == "report"
-    opened.show_page("check")
+    opened.navigator.show_page("check")
     assert opened.tree.current.kind == "wall" and opened.tree.current.wall == opened.walls.current
 
 
@@ -406,7 +406,7 @@ def test_that_a_wall_that_bends_has_an_empty_page_of_histories(opened, applicati
     opened.session.edit_wall(0, restitution=None, velocity_ratio=None)
     assert opened.session.problem() is None, str(opened.session.problem())
     run(application, opened)
-    opened.show_page("histories")
+    opened.navigator.show_page("histories")
     page = opened.pages["histories"].content
     assert all(widget.isHidden() for widget in page.moving) and not page.play.isVisible()
     assert page.words.text() == "No time histories of this mechanism."
@@ -415,7 +415,7 @@ def test_that_a_wall_that_bends_has_an_empty_page_of_histories(opened, applicati
 def test_that_an_empty_chart_has_no_numbers_at_its_axes(opened):
     from app.views.chart import Chart
 
-    opened.show_page("spectra")
+    opened.navigator.show_page("spectra")
     chart = opened.pages["spectra"].content.findChildren(Chart)[0]
     axes = [chart.plot.getAxis(side) for side in ("bottom", "left")]
     chart.say_why("nothing yet")

@@ -48,7 +48,7 @@ def run(application, window, case: Path) -> None:
     window.session.open(case)
     settle(application, lambda: window.records.motions and not window.records.pending)
     window.run()
-    settle(application, lambda: window.session.result is not None and window.job is None)
+    settle(application, lambda: window.session.result is not None and window.runner.job is None)
 
 
 def end(window) -> None:
@@ -77,8 +77,8 @@ def tabs(folder: Path, small: Path | None) -> None:
     application, window = begin()
     run(application, window, small or CASES / "verdict.toml")
     if not small:
-        window.state_accuracy()
-        settle(application, lambda: window.job is None)
+        window.runner.state_accuracy(window.navigator.shown)
+        settle(application, lambda: window.runner.job is None)
     for language in ("en",) if small else ("it", "en"):
         window.set_choice("language", language)
         for theme in ("light",) if small else ("light", "dark"):
@@ -87,7 +87,7 @@ def tabs(folder: Path, small: Path | None) -> None:
             for width, height in SIZES[: 1 if small else 2]:
                 window.resize(width, height)
                 for name in (*window.stages.input.areas, *window.pages):
-                    window.show_page(name) if name in window.pages else window.show_input(name)
+                    window.navigator.show_page(name) if name in window.pages else window.navigator.show_input(name)
                     settle(application, lambda: True)
                     picture(window, folder / f"{name}_{language}_{theme}_{width}.png")
     end(window)
@@ -124,9 +124,9 @@ def guide(folder: Path, small: Path | None) -> None:
             window.set_choice("language", language)
             window.resize(1280, 800)
             settle(application, lambda: window.records.motions and not window.records.pending)
-            window.pick(wall % len(window.session.result.walls))
+            window.navigator.pick(wall % len(window.session.result.walls))
             for name, page in pictures:
-                window.show_page(page) if page in window.pages else window.show_input(page)
+                window.navigator.show_page(page) if page in window.pages else window.navigator.show_input(page)
                 for key, section in window.walls.sections.items():  # of a body its shape
                     section.head.setChecked(key == "body" if name == "body_wall" else key in ("geometry", "mechanism"))
                 settle(application, lambda: True)

@@ -53,7 +53,7 @@ def drag(application, window, draws: int) -> float:
     from PySide6.QtCore import QEvent, QObject
 
     page = window.pages["histories"]
-    window.show_page("histories")
+    window.navigator.show_page("histories")
     settle(application, lambda: page.isVisible() and page.made is not None)
     tab = page.content
     assert tab.isVisible() and tab.run is not None, "the tab Histories shows no run"
@@ -113,9 +113,9 @@ def typed(application, window, keys: int) -> dict[str, list[float]]:
     for name in (*window.stages.input.areas, *window.pages):
         field = height
         if name in window.pages:
-            window.show_page(name)
+            window.navigator.show_page(name)
         else:
-            window.show_input(name)
+            window.navigator.show_input(name)
             visible = [
                 one
                 for one in window.forms.currentWidget().findChildren(NumberField)
@@ -147,7 +147,7 @@ def print_typed(application, window, small: bool) -> None:
         window.session.open(case_of_many_records(Path(folder), count))
         settle(application, lambda: len(window.records.motions) == count and not window.records.pending)
         window.run()
-        settle(application, lambda: window.job is None)
+        settle(application, lambda: window.runner.job is None)
         assert window.session.result is not None
         for name, spent in typed(application, window, 1 if small else 10).items():
             spent.sort()
@@ -205,16 +205,16 @@ def main(options: argparse.Namespace) -> None:
 
         def run() -> None:
             window.session.result = None
-            window.finished_runs = Memory()
+            window.runner.finished_runs = Memory()
             window.run()
-            assert window.job is not None, "the study did not start"
+            assert window.runner.job is not None, "the study did not start"
 
         for round_ in ("first run, kernels loaded on the way", "second run"):
             begin()
             run()
-            settle(application, lambda: window.job is None)
+            settle(application, lambda: window.runner.job is None)
             timer.stop()
-            assert window.session.result is not None and window.finished_runs.analyses > 0
+            assert window.session.result is not None and window.runner.finished_runs.analyses > 0
             print(f"{round_}: {longest()}")
         window.preparation.begin()  # as the program does when it starts
         settle(application, lambda: window.preparation.job is None)
@@ -223,7 +223,7 @@ def main(options: argparse.Namespace) -> None:
         began = time.perf_counter()
         begin()
         window.files.export_figures(folder_of_figures, FigureSize())
-        settle(application, lambda: window.job is None)
+        settle(application, lambda: window.runner.job is None)
         timer.stop()
         count, seconds = len(list(folder_of_figures.iterdir())), time.perf_counter() - began
         assert count >= 5, "the figures were not written"
@@ -234,14 +234,14 @@ def main(options: argparse.Namespace) -> None:
             window.session.edit_section("analysis", q_step=1e-4)
         for _ in range(9):
             run()
-            job = window.job
-            settle(application, lambda: window.bar.maximum() > 0 or window.job is None)
-            if window.job is job:
+            job = window.runner.job
+            settle(application, lambda: window.stages.bar.maximum() > 0 or window.runner.job is None)
+            if window.runner.job is job:
                 break
-        assert job is not None and window.job is job, "the study was finished before it could be cancelled"
+        assert job is not None and window.runner.job is job, "the study was finished before it could be cancelled"
         start = time.perf_counter()
-        window.cancel()
-        settle(application, lambda: window.job is None)
+        window.runner.cancel()
+        settle(application, lambda: window.runner.job is None)
         free = time.perf_counter() - start
         settle(application, lambda: not isValid(job) or job.isFinished())
         ended = time.perf_counter() - start

@@ -1,26 +1,38 @@
 """What of the case and of its result is in front: stages, pages, the wall shown; tree, form and pages follow one
 another."""
 
+from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
+from typing import TypeVar
 
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from app.look.language import tr
-from app.shell import stages, tree
 from app.shell.header import Header
 from app.shell.pages import Page
 from app.shell.pointing import point_at_key
-from app.shell.tree import ProjectTree, Row
-from app.work.running import RunningWindow
+from app.shell.stages import ANSWER, WHY, Stages, stage_of
+from app.shell.tree import ProjectTree, Row, hinge_text
+from app.views.histories_tab import HistoriesTab
+from app.views.result_tab import ResultTab
+from app.views.result_tabs import SpectraTab
+from app.views.validation_tab import ValidationTab
+from app.views.walls_tab import WallsTab
+from app.work.runner import Runner
+from app.work.session import Session
+from core.capacity.accuracy import Accuracy
 from core.case.sensitivity import Ranges
 from core.case.wall import Wall
 from core.errors import InputError
+from core.known import known
 from core.setting.demand_input import target_of
 from core.study.results import StudyResult, WallResult
 
 OF_A_RESULT = ("check", "histories", "sure", "capacity", "intensity", "validation")
 """Pages that show nothing without a result."""
+
+Tab = TypeVar("Tab", bound=QWidget)
 
 
 def row_of(result: StudyResult, wall: WallResult, walls: tuple[Wall, ...]) -> int | None:
@@ -32,19 +44,36 @@ def row_of(result: StudyResult, wall: WallResult, walls: tuple[Wall, ...]) -> in
     return k if k < len(walls) and walls[k] not in result.case.wall else None
 
 
-class StagedWindow(RunningWindow):
-    """The part of the window that brings stages, pages and walls to the front.
+class Navigator(QObject):
+    """Brings stages, pages and walls to the front.
 
     shown : index of the result that is shown, -1 without one; fresh : pages that show it
+    staged : another stage is in front; moved : another wall, result or page of it; run_asked : by an answer or a notice
     """
 
-    shown = -1
-    fresh: set[QWidget]
-    header: Header
-    tree: ProjectTree
-    stages: stages.Stages
-    pages: dict[str, Page]
-    beside: Page
+    staged = Signal()
+    moved = Signal()
+    run_asked = Signal()
+
+    def __init__(self, session: Session, runner: Runner, stages: Stages, header: Header, tree: ProjectTree):
+        super().__init__(stages)
+        self.session, self.runner = session, runner
+        self.stages, self.header, self.tree = stages, header, tree
+        self.pages, self.beside = stages.pages, stages.answer.beside
+        self.walls, self.demand = stages.input.walls, stages.input.demand
+        self.records, self.missing = stages.input.records, stages.input.missing
+        self.shown = -1
+        self.fresh: set[QWidget] = set()
+        self._known_rows: tuple[StudyResult | None, tuple[Wall, ...], dict[int, list[int]]] = (None, (), {})
+        header.staged.connect(self.show_stage)
+        header.noticed.connect(self.follow_notice)
+        tree.chosen.connect(self.choose_row)
+        for page in self.pages.values():
+            page.asked.connect(self.follow_notice)
+        self.walls.selected.connect(self._wall_selected)
+        self.demand.motions_asked.connect(lambda: self.ask("generate"))
+        stages.why.currentChanged.connect(lambda _: self.show_result())
+        stages.answer.widened.connect(self._show_beside)
 
     # stages and pages
 
@@ -57,7 +86,7 @@ class StagedWindow(RunningWindow):
         elif name in ("answer", "why") and marked is not None and marked.wall < 0 and self.page != "walls":
             self._mark_wall_shown()
         self.stages.show_stage(name)
-        self._show_problem()
+        self.staged.emit()
         self.show_result()
 
     def _mark_wall_shown(self) -> None:
@@ -65,32 +94,23 @@ class StagedWindow(RunningWindow):
         if self.session.case.wall:
             self.tree.select(("wall", self.walls.current, ""))
 
-    def show_first_run(self) -> None:
-        """Ask what there is, until a stage is chosen."""
-        from app.shell.first_run import FirstRun, follow
-
-        page = FirstRun(self.files.recent)
-        page.chosen.connect(lambda name: follow(self, name))
-        page.opened.connect(lambda name: self.files.open(Path(name)))
-        self.stages.show_first(page)
-
     @property
     def page(self) -> str | None:
         """Name of the page in front, None on the stage Input."""
         front = self.stages.front
         if front == "answer":
-            return stages.ANSWER[self.stages.answer.stack.currentIndex()]
+            return ANSWER[self.stages.answer.stack.currentIndex()]
         if front == "why":
-            return stages.WHY[self.why.currentIndex()]
+            return WHY[self.stages.why.currentIndex()]
         return "note" if front == "report" else None
 
     def show_page(self, name: str) -> None:
         """Bring a page to the front, with its stage."""
-        if name in stages.ANSWER:
-            self.stages.answer.stack.setCurrentIndex(stages.ANSWER.index(name))
-        elif name in stages.WHY:
-            self.why.setCurrentIndex(stages.WHY.index(name))
-        self.show_stage(stages.stage_of(name))
+        if name in ANSWER:
+            self.stages.answer.stack.setCurrentIndex(ANSWER.index(name))
+        elif name in WHY:
+            self.stages.why.setCurrentIndex(WHY.index(name))
+        self.show_stage(stage_of(name))
 
     def show_answer(self) -> None:
         """After a run: of one wall its answer, of several which wants a look first."""
@@ -116,15 +136,17 @@ class StagedWindow(RunningWindow):
         if self.stages.note_form.isAncestorOf(field):
             self.show_stage("report")
 
-    def _then_input(self, change) -> None:
+    def then_input(self, change: Callable[[], object]) -> None:
+        """Change the walls, then show the form of the one chosen."""
         change()
         self.show_input("wall")
 
-    def _notice_clicked(self) -> None:
+    def follow_notice(self) -> None:
+        """To what is missing, else a run."""
         if self.missing.problems:
             self.missing.lead()
         else:
-            self.run()
+            self.run_asked.emit()
 
     def choose_row(self, row: Row) -> None:
         """What is chosen in the tree: its form, or its result on the stage in front."""
@@ -148,7 +170,7 @@ class StagedWindow(RunningWindow):
         if current is None or current.wall != row:
             self.tree.select(("wall", row, ""))
         self.stages.input.show_kind("wall")
-        self.refresh()
+        self.moved.emit()
 
     def follow_tree(self) -> None:
         """The row marked in the tree, the form and the pages are of one wall: that of the form. A wall without a result
@@ -159,16 +181,15 @@ class StagedWindow(RunningWindow):
             marked = self.tree.current
         if self.session.result is None:
             return
-        known = self.results_of().get(row, [])
+        results = self.results_of().get(row, [])
         if marked is not None and marked.wall >= 0:
-            known = [marked.result] if marked.kind == "hinge" else known[:1]
-        if self.shown in known or (self.shown < 0 and not known):
+            results = [known(marked.result)] if marked.kind == "hinge" else results[:1]
+        if self.shown in results or (self.shown < 0 and not results):
             return
-        self.shown = known[0] if known else -1
+        self.shown = results[0] if results else -1
         self.fresh.clear()
-        if not known:
-            for page in (*self.pages.values(), self.beside):
-                page.empty()
+        if not results:
+            self._empty_pages()
         self.show_result()
 
     def results_of(self) -> dict[int, list[int]]:
@@ -186,7 +207,8 @@ class StagedWindow(RunningWindow):
             self._known_rows = (result, walls, found)
         return self._known_rows[2]
 
-    def _show_spectra(self) -> None:
+    def show_spectra(self) -> None:
+        """The spectra of the input as it stands."""
         demand = self.session.case.demand
         try:
             target = target_of(demand, self.session.base_dir) if demand else None
@@ -195,7 +217,7 @@ class StagedWindow(RunningWindow):
         result = self.session.result
         rules = result.compliance if result and not self.session.stale else None
         floor = self.wall.floor if self.wall and not self.session.stale else None
-        self.pages["spectra"].content.show_records(self.records.motions, target, rules, floor, self.shown)
+        self._tab("spectra", SpectraTab).show_records(self.records.motions, target, rules, floor, self.shown)
 
     @property
     def wall(self) -> WallResult | None:
@@ -216,7 +238,7 @@ class StagedWindow(RunningWindow):
             self.show_input("wall")
             point_at_key(self, key, part == "reason")
         elif what == "variant":
-            self._then_input(self.walls.add_variant)
+            self.then_input(self.walls.add_variant)
             self.walls.sections["loads"].unfold()  # a tie, or less thrust
             self.walls.loads.add_button.setFocus()
         elif what == "generate":
@@ -224,7 +246,7 @@ class StagedWindow(RunningWindow):
             self.records.generate()
         elif what == "sensitivity":
             self.session.edit(replace(self.session.case, sensitivity=Ranges()))
-            self.run()
+            self.run_asked.emit()
         else:
             self.show_input(what)
             if what == "building":  # which is to be given: its height first
@@ -234,7 +256,7 @@ class StagedWindow(RunningWindow):
     def pick_run(self, run: tuple) -> None:
         """The history of this (motion, polarity) of the wall shown."""
         self.show_page("histories")
-        self.pages["histories"].content.show_run(run)
+        self._tab("histories", HistoriesTab).show_run(run)
 
     def pick_input(self, k: int) -> None:
         """Show the input of the wall of the k-th result."""
@@ -243,12 +265,13 @@ class StagedWindow(RunningWindow):
 
     def _pick(self, k: int) -> None:
         """Pages, form and tree show the k-th result."""
+        result = known(self.session.result)
         self.shown = k
         self.fresh.clear()
-        row = row_of(self.session.result, self.session.result.walls[k], self.session.case.wall)
+        row = row_of(result, result.walls[k], self.session.case.wall)
         if row is not None:
             self.walls.select(row)
-            hinge = tree.hinge_text(self.session.result.walls[k])
+            hinge = hinge_text(result.walls[k])
             self.tree.select(("wall", row, ""))
             if self.results_of().get(row, [k])[0] != k:
                 self.tree.select(("hinge", row, hinge))
@@ -260,48 +283,92 @@ class StagedWindow(RunningWindow):
         if self.page is not None:
             self.fill(self.page)
         self._show_beside()
-        self._cover_pages()
+        self.cover_pages()
 
     def fill(self, name: str) -> None:
         """A page, once per result and wall."""
         page = self.pages[name]
         if name == "spectra":
-            self._show_spectra()
+            self.show_spectra()
         elif self.wall is None and name in OF_A_RESULT:
-            self._say_empty()
+            self.say_empty()
         elif page not in self.fresh and (self.wall is not None or page.made is None):
-            content = page.content
-            if self.wall is not None:
-                content.show_wall(self.session.result, self.wall)
-                self.fresh.add(page)
+            self._show_wall(page)
 
-    def _say_empty(self) -> None:
+    def _show_wall(self, page: Page) -> None:
+        content, result, wall = page.content, self.session.result, self.wall
+        if result is not None and wall is not None:
+            assert isinstance(content, ResultTab)
+            content.show_wall(result, wall)
+            self.fresh.add(page)
+
+    def say_empty(self) -> None:
         """What brings something to show, where there is none."""
-        if self.wall is None and self.page in OF_A_RESULT:
+        page = self.page
+        if self.wall is None and page in OF_A_RESULT:
             problem = next((one for one in self.missing.problems if one.stops), None)
             words = tr("Nothing to show yet. Press F5.")
             if problem is not None:
                 words = tr("Nothing to show yet. First: {problem}", problem=problem.words)
-            elif self.job is not None:
+            elif self.runner.job is not None:
                 words = tr("Nothing to show yet. The analysis is running.")
-            self.pages[self.page].say(words)
+            self.pages[page].say(words)
 
     def _show_beside(self) -> None:
         """The rocking wall beside the answer, where the window is wide."""
         answer = self.stages.answer
         answer.show_beside(self.wall is not None and self.page == "check")
         if answer.has_beside() and self.beside not in self.fresh and self.stages.front == "answer":
-            self.beside.content.show_wall(self.session.result, self.wall)
-            self.fresh.add(self.beside)
+            self._show_wall(self.beside)
 
-    def _cover_pages(self) -> None:
+    def cover_pages(self) -> None:
         """Grey the page in front where its result is of an earlier input; Spectra shows the input as it is."""
-        live = self.page in (None, "spectra") or (self.page == "walls" and bool(self.finished_walls))
-        self.veil.cover(self.session.stale and not live)
+        live = self.page in (None, "spectra") or (self.page == "walls" and bool(self.runner.finished_walls))
+        self.stages.veil.cover(self.session.stale and not live)
 
-    def show_finished(self, walls: list[WallResult]) -> None:
+    def show_finished(self) -> None:
         """The verdicts that are there while others run."""
-        self.pages["walls"].content.show_running(walls, self.zetas_so_far())
+        self._tab("walls", WallsTab).show_running(self.runner.finished_walls, self.runner.zetas_so_far())
         self.fresh.discard(self.pages["walls"])
-        self._show_tree()
-        self._cover_pages()
+        self.cover_pages()
+
+    def leave_finished(self) -> None:
+        """What ran is cancelled, failed or of an earlier input: the last result again, or none."""
+        self.fresh.discard(self.pages["walls"])
+        if self.session.result is None:
+            self.pages["walls"].empty()
+        self.show_result()
+
+    def state_accuracy(self) -> None:
+        """The accuracy statement of the wall shown, off this thread."""
+        self.runner.state_accuracy(self.shown)
+
+    def show_accuracy(self, k: int, accuracy: Accuracy | None) -> None:
+        """The accuracy statement of the k-th result, where that is shown."""
+        if self.shown == k:
+            self._tab("validation", ValidationTab).show_accuracy(accuracy)
+
+    def take(self, result: StudyResult | None) -> None:
+        """A result of study.run in the place of the last one; None while there is none."""
+        self.session.result = result
+        self.fresh.clear()
+        if result is None:
+            self.shown = -1
+            self._empty_pages()
+            self.pages["walls"].content  # noqa: B018  (it says what to do)
+        else:
+            results = self.results_of().get(self.walls.current, [])
+            if self.shown not in results:
+                self.shown = results[0] if results else 0
+        self.moved.emit()
+        self.show_result()
+
+    def _empty_pages(self) -> None:
+        for page in (*self.pages.values(), self.beside):
+            page.empty()
+
+    def _tab(self, name: str, kind: type[Tab]) -> Tab:
+        """What a page holds, which is of this kind."""
+        content = self.pages[name].content
+        assert isinstance(content, kind)
+        return content

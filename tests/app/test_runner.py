@@ -13,10 +13,10 @@ def test_that_a_job_that_cannot_stop_is_left_at_once_and_nothing_of_it_arrives(o
     from app.work.worker import RUNNING
 
     goes_on, arrived = threading.Event(), []
-    opened.start(lambda job: goes_on.wait(60), arrived.append)
-    left = opened.job
-    opened.cancel()
-    assert opened.job is None and opened.word.text() == "Cancelled."
+    opened.runner.start(lambda job: goes_on.wait(60), arrived.append)
+    left = opened.runner.job
+    opened.runner.cancel()
+    assert opened.runner.job is None and opened.word.text() == "Cancelled."
     assert opened.run_action.isEnabled()
     run(application, opened)  # another runs beside it
     assert opened.session.result is not None and left in RUNNING
@@ -46,7 +46,7 @@ def test_that_an_export_cancelled_before_it_writes_leaves_no_file(opened, applic
     (tmp_path / "out").mkdir()
     opened.files.export(tmp_path / "out" / "small.xlsx")
     held.await_call()
-    opened.cancel()
+    opened.runner.cancel()
     held.let_go()
     settle(application, lambda: not RUNNING)
     assert list((tmp_path / "out").iterdir()) == []
@@ -59,10 +59,10 @@ def test_that_an_export_that_writes_is_not_said_to_be_cancelled(opened, applicat
     held = Held(monkeypatch, atomic_write, "write")
     opened.files.export(tmp_path / "small.xlsx")
     held.await_call()
-    opened.cancel()
-    assert opened.job is not None
+    opened.runner.cancel()
+    assert opened.runner.job is not None
     held.let_go()
-    settle(application, lambda: opened.job is None)
+    settle(application, lambda: opened.runner.job is None)
     assert (tmp_path / "small.xlsx").exists() and (tmp_path / "small.json").exists()
 
 
@@ -125,7 +125,7 @@ def test_that_a_failed_export_keeps_a_closing_window_open_to_say_so(opened, appl
     held.await_call()
     opened.close()
     held.let_go()
-    settle(application, lambda: opened.job is None)
+    settle(application, lambda: opened.runner.job is None)
     assert said == ["The picture cannot be created."] and opened.isVisible()
 
 
@@ -139,8 +139,8 @@ def test_that_a_finished_job_is_kept_by_nobody(opened, application):
         pass
 
     held = []
-    opened.start(lambda job: Result(), lambda result: held.append(weakref.ref(result)))
-    settle(application, lambda: opened.job is None and not RUNNING)
+    opened.runner.start(lambda job: Result(), lambda result: held.append(weakref.ref(result)))
+    settle(application, lambda: opened.runner.job is None and not RUNNING)
     gc.collect()
     assert held[0]() is None
 
@@ -150,11 +150,11 @@ def test_that_the_accuracy_statement_survives_a_save(opened, application, monkey
 
     run(application, opened)
     held = Held(monkeypatch, wall_work, "accuracy_of", lambda *_: accuracy)
-    opened.state_accuracy()
+    opened.runner.state_accuracy(opened.navigator.shown)
     held.await_call()
     opened.files.save()
     held.let_go()
-    settle(application, lambda: opened.job is None)
+    settle(application, lambda: opened.runner.job is None)
     assert opened.session.result.walls[0].accuracy is accuracy
 
 

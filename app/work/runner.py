@@ -1,0 +1,201 @@
+"""What runs off the thread of the window: a case, an export, an accuracy statement; one at a time."""
+
+import os
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from app.look.language import tr
+from app.work.session import Session
+from app.work.worker import Job
+from core.capacity.accuracy import Accuracy
+from core.case.hinges import hinges_of
+from core.case.schema import Case
+from core.errors import InputError
+from core.study.journal import Memory
+from core.study.results import StudyResult, WallResult
+
+BETWEEN_WORDS = 0.1
+"""Least time between two states of the progress bar [s]: each paints the window at once."""
+
+
+def progress_word(done: int, planned: int, elapsed: float, left: float | None) -> str:
+    """How much is done, and the time left [s] where it is known."""
+    values: dict = {"done": done, "planned": planned, "elapsed": elapsed}
+    if left is None:
+        return tr("{done} of {planned}, {elapsed:.0f} s", **values)
+    return tr("{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left", left=left, **values)
+
+
+def results_planned(case: Case) -> list[int]:
+    """Of each wall of a case one for each of its hinges and mechanisms."""
+    return [(1 + len(hinges_of(wall, case.building))) * len(wall.mechanisms()) for wall in case.wall]
+
+
+class Runner(QObject):
+    """Starts jobs of a session, one at a time, tells how far they are and hands on what they bring.
+
+    case_starts : a case is about to run; started : a job has
+    told(text, kind) : the word of the status line; kind : what it is about, for who may take it away again
+    progressed(done, planned, words)
+    found : a wall has its verdict while others run
+    arrived(result) : of the case, which is still the one of the session
+    accuracy_stated(k, accuracy) : of the k-th result
+    refused(sentence) : why the job brings nothing
+    ended(partly) : no job is left; partly : verdicts were told one by one
+    """
+
+    case_starts = Signal()
+    started = Signal()
+    told = Signal(str, str)
+    progressed = Signal(int, int, str)
+    found = Signal()
+    arrived = Signal(object)
+    accuracy_stated = Signal(int, object)
+    refused = Signal(str)
+    ended = Signal(bool)
+
+    def __init__(self, session: Session, parent: QObject):
+        super().__init__(parent)
+        self.session = session
+        self.finished_runs = Memory()
+        self.job: Job | None = None
+        self.to_end = False
+        self.finished_walls: list[WallResult] = []
+        self.planned_results: dict[int, int] = {}
+        """Row of a wall of what runs -> how many results it will have."""
+        self.last_refusal: tuple[Case | None, InputError | None] = (None, None)
+        """(case, what the last run of it refused)."""
+        self._began = self._told_at = 0.0
+
+    def run(self) -> None:
+        """Run the case off this thread; the window stays alive."""
+        case = self.session.checked()
+        if case is None or self.job is not None:
+            return
+        generation, made = self.session.generation, self.finished_runs.analyses
+        base = self.session.base_dir
+        self.planned_results = dict(enumerate(results_planned(case)))
+
+        def arrived(result: StudyResult) -> None:
+            if generation != self.session.generation:
+                self.told.emit(tr("The input has changed: press F5."), "message")
+                return
+            if base != self.session.base_dir:  # saved elsewhere meanwhile
+                result = self.session.moved_result(result, base)
+            self.arrived.emit(result)
+            count = self.finished_runs.analyses - made
+            self.told.emit(tr("{n} analyses in {seconds:.1f} s", n=count, seconds=result.elapsed), "message")
+
+        from core.study.run import run
+
+        self.case_starts.emit()
+        self.start(
+            lambda job: run(
+                case,
+                base_dir=base,
+                jobs=os.cpu_count() or 1,
+                journal=lambda _: self.finished_runs,
+                on_progress=job.progress,
+                cancelled=job.cancelled,
+                on_wall=job.found.emit,
+            ),
+            arrived,
+        )
+
+    def start(self, work: Callable[[Job], Any], arrived: Callable[[Any], None], to_end: bool = False) -> None:
+        """Work off this thread, one at a time; `arrived(result)` unless it is cancelled before. to_end : the
+        window does not close before its end."""
+        if self.job is not None:
+            return
+        job = self.job = Job(work)
+        self.to_end = to_end
+
+        def unless_left(slot: Callable[..., None]) -> Callable[..., None]:
+            return lambda *values: slot(*values) if self.job is job else None
+
+        job.done.connect(unless_left(arrived))
+        job.failed.connect(unless_left(self.fail))
+        job.progressed.connect(unless_left(self._progressed))
+        job.found.connect(unless_left(self._found))
+        job.finished.connect(unless_left(self._ended))
+        self._began = time.monotonic()
+        self.finished_walls = []
+        self.told.emit(tr("Running…"), "message")
+        job.start()
+        self.started.emit()
+
+    def zetas_so_far(self) -> dict[int, tuple[float | None, bool]]:
+        """Row of a wall -> (the smallest zeta of its results that are there, whether these are all)."""
+        of_row: dict[int, list[float | None]] = {}
+        for wall in self.finished_walls:
+            of_row.setdefault(wall.part.origin, []).append(wall.assessment.verdict.zeta_e if wall.assessment else None)
+        return {
+            row: (
+                min((zeta for zeta in found if zeta is not None), default=None),
+                len(found) >= self.planned_results[row],
+            )
+            for row, found in of_row.items()
+        }
+
+    def _found(self, wall: WallResult) -> None:
+        self.finished_walls.append(wall)
+        self.found.emit()
+
+    def _progressed(self, done: int, planned: int, left: float | None) -> None:
+        from core.jit import cache
+
+        now = time.monotonic()
+        if done and now - self._told_at < BETWEEN_WORDS:  # each paints the bar at once
+            return
+        self._told_at = now
+        if done == 0 and cache.lacks_lanes():
+            words = tr("The solver is being compiled, once for each version: some seconds.")
+        else:
+            words = progress_word(done, planned, now - self._began, left)
+            self.progressed.emit(done, planned, words)
+        self.told.emit(words, "message")
+
+    def _ended(self) -> None:
+        self.job, partly = None, bool(self.finished_walls)
+        self.finished_walls = []
+        self.ended.emit(partly)
+
+    def fail(self, sentence: str, log: str) -> None:
+        """Tell why there is no result. log : file with the details, empty for wrong input"""
+        if log:
+            sentence += "\n" + tr("Details are in {log}", log=log)
+        self.last_refusal = (self.session.case, self.job.error if self.job else None)
+        self.told.emit(tr("Not done."), "message")
+        self.refused.emit(sentence)
+
+    def cancel(self) -> None:
+        """Stop what runs: at once here, its thread ends when it can. What is being written is written."""
+        if self.job is not None and self.job.cancel():
+            self._ended()
+            self.told.emit(tr("Cancelled."), "message")
+        elif self.job is not None:
+            self.told.emit(tr("It is being written."), "message")
+
+    def state_accuracy(self, k: int) -> None:
+        """The accuracy statement of the k-th result, off this thread."""
+        result = self.session.result
+        if result is None or not 0 <= k < len(result.walls) or self.job is not None or self.session.stale:
+            return
+        from core.study.wall_work import accuracy_of
+
+        wall, motions, method, search = result.walls[k], result.motions, result.method, result.search
+
+        def arrived(accuracy: Accuracy | None) -> None:
+            self.told.emit("", "")
+            now = self.session.result
+            if now is not None and now.walls is result.walls:
+                walls = list(now.walls)
+                walls[k] = replace(walls[k], accuracy=accuracy)
+                self.session.result = replace(now, walls=tuple(walls))
+                self.accuracy_stated.emit(k, accuracy)
+
+        self.start(lambda job: accuracy_of(wall, motions, method, search, job.cancelled), arrived)
