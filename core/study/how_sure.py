@@ -11,7 +11,7 @@ import numpy as np
 
 from core.capacity.ida import multiplier_of
 from core.case.site import Demand
-from core.codes.collapse_rate import STATES, StateRate, state_rate, typical_rate
+from core.codes.collapse_rate import RATE_STATES, StateRate, state_rate, typical_rate
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
 from core.codes.outcomes import least
@@ -30,7 +30,7 @@ from core.variation.swings import Sensitivity, move_words
 from core.variation.turned_round import keys_of, reach_of
 from core.variation.whole_wall import setting_of
 
-SHARES = 0.01, 100.0
+AG_RANGE = 0.01, 100.0
 """Least and largest multiple of a_g between which S follows it."""
 
 MOST_INTERVALS = 50
@@ -151,7 +151,7 @@ def ag_of(demand: DemandResult, asked: Demand | None, base_dir: Path) -> Callabl
     follows a_g. asked : of the case"""
     if asked is None or demand.target is None:
         return lambda multiplier: multiplier * demand.ag
-    factors = np.geomspace(*SHARES, 400)
+    factors = np.geomspace(*AG_RANGE, 400)
     shares = [with_ag(demand, asked, base_dir, float(factor)).pga / demand.pga for factor in factors]
 
     def found(multiplier: float) -> float:
@@ -170,7 +170,7 @@ def capacities(
 
     motions : that move it; end : q_limit of the search; ag : of `ag_of`
     """
-    found: dict[str, list[float]] = {state: [] for state in STATES}
+    found: dict[str, list[float]] = {state: [] for state in RATE_STATES}
     for k, motion in enumerate(motions):
         idas = [run.ida for run in wall.runs if run.motion == k]
         if not idas or any(ida.status not in ("collapse_found", "no_collapse_found") for ida in idas):
@@ -207,7 +207,7 @@ def _worst_rates(
     asked = plan.case.demand
     life = asked.nominal_life_years if asked else None
     rates = []
-    for state in STATES:
+    for state in RATE_STATES:
         worst = max((one[state] for one in known), key=lambda values: typical_rate(values, demand.hazard))
         rates.append(state_rate(state, worst, names, demand.hazard, demand.confidence_factor, life))
     return tuple(rate for rate in rates if rate is not None)
