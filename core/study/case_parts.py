@@ -50,7 +50,7 @@ def parts_in(folder: Path, stem: str) -> Iterator[tuple[int, int, Path]]:
 def merged(folder: Path, stem: str, case: Case, key: str) -> Memory:
     """Merge what all parts of a case found. Raises InputError for a part that is missing, not finished, of another
     division, damaged, or of another case or program."""
-    book = Memory(EVERYTHING)
+    memory = Memory(EVERYTHING)
     for k, n, path in parts_in(folder, stem):
         head, entries, damaged = entries_of(path)
         if head.get(HEAD) != part_key(key, case, k, n):
@@ -59,6 +59,6 @@ def merged(folder: Path, stem: str, case: Case, key: str) -> Memory:
             raise InputError("part_not_finished", k=k, n=n, path=path)
         if damaged:
             raise InputError("part_damaged", k=k, n=n, path=path)
-        book.found |= entries
-    del book.found[FINISHED]
-    return book
+        memory.found |= entries
+    del memory.found[FINISHED]
+    return memory

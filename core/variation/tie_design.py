@@ -56,8 +56,8 @@ class TieDesign:
     """A tie for the zeta required, of all hinges of the wall below it.
 
     height : above the base of the wall [m]
-    forces : by FORCE_NAMES [N/m]: the largest that a hinge asks; 0 where none is needed, None where none does it, where a
-        hinge at or above the tie fails, where the state has no such check, or where `missing` says so
+    forces : by FORCE_NAMES [N/m]: the largest that a hinge asks; 0 where none is needed, None where none does it, where
+        a hinge at or above the tie fails, where the state has no such check, or where `missing` says so
     missing : why there is none of the histories: "histories" without records, "bar" without a length of the bar, which
         they need, "none" where none does it; "" where there is one
     force, check : the one named, the largest of the deciding ones, and which it is; None where one of these is not
