@@ -17,7 +17,7 @@ from core.rocking.methods import METHODS, Method, resolve_auto
 from core.wall.impact import velocity_ratio
 from core.wall.rocking_model import RockingModel
 
-ROUNDING = 1e-5
+RECORD_ROUNDING = 1e-5
 """Noise put on the samples, as a fraction of PGA: a record written with five figures."""
 
 NOISES = 8
@@ -56,7 +56,7 @@ class Accuracy:
     ties, which no other solver follows;
     solver_q_difference : |q / q_reference - 1| [-], q_reference : of the same search by dormand_prince;
     noise_effect : of NOISE on the history, over theta_c, infinite where it overturns the wall [-];
-    steps : (q_step, q, q_robust); rounded : (q, q_robust) of the record with ROUNDING noise;
+    steps : (q_step, q, q_robust); rounded : (q, q_robust) of the record with noise of RECORD_ROUNDING;
     polarities : (q as recorded, q reversed), None where both are alike.
     """
 
@@ -208,7 +208,7 @@ def accuracy(
     noise = np.random.Generator(np.random.PCG64(1))
     rounded: list[tuple[float | None, float | None]] = [(ida.q, ida.q_robust)]
     for _ in range(NOISES):
-        moved = ground + ROUNDING * motion.pga * noise.uniform(-1.0, 1.0, ground.size)
+        moved = ground + RECORD_ROUNDING * motion.pga * noise.uniform(-1.0, 1.0, ground.size)
         result = searched(moved, search, method)
         rounded.append((result.q, result.q_robust))
     pair = (ida.q, other_sign) if polarity > 0 else (other_sign, ida.q)

@@ -25,7 +25,7 @@ from core.errors import InputError
 from core.packages import require
 from core.regular_file import TooLarge, read_regular
 
-UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}
+DRAWING_UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}
 """Unit of a drawing -> [m]."""
 
 INSUNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
@@ -228,7 +228,7 @@ class DxfFile:
         if unit is None:
             shapes = self._shapes(0.1)[0]  # of any unit good enough for its size
             unit = likely_unit(largest(shapes)) or "m"
-        shapes, gaps, unread, lines = self._shapes(TOLERANCE / UNITS[unit])
+        shapes, gaps, unread, lines = self._shapes(TOLERANCE / DRAWING_UNITS[unit])
         ledger = tuple(Unread(layer, kind, unread[layer, kind]) for layer, kind in sorted(unread))
         return Sheet(tuple(shapes), tuple(gaps), ledger, self.layers, self.stated, unit, lines)
 
@@ -413,6 +413,6 @@ def largest(shapes: Iterable[Shape]) -> float:
 
 def likely_unit(size: float) -> str | None:
     """The metric unit by which a size [of the drawing] is nearest to that of a wall; None where none is near."""
-    off = {unit: abs(math.log(size * UNITS[unit] / USUAL)) for unit in ("m", "cm", "mm")} if size > 0.0 else {}
+    off = {unit: abs(math.log(size * DRAWING_UNITS[unit] / USUAL)) for unit in ("m", "cm", "mm")} if size > 0.0 else {}
     best = min(off, key=lambda unit: off[unit], default=None)
     return best if best and off[best] <= math.log(FARTHEST) else None

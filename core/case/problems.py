@@ -11,7 +11,7 @@ from core.case.wall import Wall
 from core.case.writer import table_of
 from core.errors import InputError
 
-MOST = 60
+MAX_JUDGEMENTS = 60
 """Times a case is judged: of more problems nobody reads."""
 
 
@@ -22,7 +22,7 @@ def problems(case: Case) -> list[InputError]:
     found: list[InputError] = []
     assumed: set[tuple[str, str]] = set()
     part_given: set[str | None] = set()
-    for _ in range(MOST):
+    for _ in range(MAX_JUDGEMENTS):
         try:
             parse_case(table_of(case))
             break

@@ -13,7 +13,7 @@ import numpy as np
 
 from core.ground.provenance import LEAST_STATIONS, SHARE, draws
 
-STATES = ("SLD", "SLV", "SLC", "collapse")
+RATE_STATES = ("SLD", "SLV", "SLC", "collapse")
 """SLD is the first uplift; SLV and SLC the rotations of C8.7.1.2.1.6; collapse that of the first multiplier."""
 
 DRAWS = 400

@@ -21,7 +21,7 @@ import numpy as np
 from core.capacity.ida import CHUNK, TRILINEAR_FLOOR, multiplier_of, threshold_of
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.demand import DemandResult
-from core.codes.kinematic import ROUNDING, Check
+from core.codes.kinematic import ZETA_ROUNDING, Check
 from core.codes.limits import are_counted, counted_stations, set_rule
 from core.codes.multiplier_search import ROCKS, search_zeta
 from core.errors import Cancelled
@@ -316,7 +316,7 @@ def demand_check(
             continue
         there.in_order(np.argsort(-np.array(worst), kind="stable").tolist())
         zeta = search_zeta(there.failures, there.rest, target, every)
-        reaches = zeta.half is not None and zeta.half >= target - ROUNDING
+        reaches = zeta.half is not None and zeta.half >= target - ZETA_ROUNDING
         judged[name] = zeta, zeta.holds_at_target and reaches
     zeta_found, passed = judged.pop(side)
     second = None

@@ -26,7 +26,7 @@ from core.wall.masonry import Masonry, period_share
 from core.wall.wall_loads import without_ties
 
 PERIOD_FACTOR = {"SLV": 1.68 * math.pi, "SLC": 1.56 * math.pi}
-DAMPING = {"SLV": 0.08, "SLC": 0.10}
+STATE_DAMPING = {"SLV": 0.08, "SLC": 0.10}
 """C8.7.1.10, C8.7.1.11 and the damping of C8.7.1.12."""
 
 FREE_DAMPING = 0.05
@@ -39,7 +39,7 @@ SLD_CLAUSE = "C8.7.1.2.1.5"
 Q_CLAUSE = "C8.7.1.2.1.7"
 DISPLACEMENT_CLAUSE = "C8.7.1.2.1.8"
 
-ROUNDING = 1e-12
+ZETA_ROUNDING = 1e-12
 """What zeta may miss of the one required by rounding alone [-]."""
 
 
@@ -262,7 +262,7 @@ def _displacement(
     a_limit = capacity_at(sums, d_limit, demand.confidence_factor)
     period = PERIOD_FACTOR[state] * math.sqrt(d_limit / a_limit)
     _covers(target, period, f"T_{state}", wall)
-    damping = DAMPING[state]
+    damping = STATE_DAMPING[state]
     s_de = target_spectrum.largest_displacement(target, min(period_0, period), period, damping)
     if floor is not None:
         s_de = max(s_de, floor.displacement(period, damping))
@@ -276,7 +276,7 @@ def capacity_at(sums: Chain, d: float, confidence: float) -> float:
 
 
 def _passed(zeta: float, demand: DemandResult) -> bool:
-    return zeta >= demand.zeta_target - ROUNDING
+    return zeta >= demand.zeta_target - ZETA_ROUNDING
 
 
 def sld(mechanism: Kinematic, demand: DemandResult) -> Check | None:

@@ -13,7 +13,7 @@ import numpy as np
 
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandRuns
-from core.codes.multiplier_search import HALF_FAIL, MAX_MULTIPLIER, STEP, WINDOW
+from core.codes.multiplier_search import FAILURE_WINDOW, HALF_FAIL, MAX_MULTIPLIER, MULTIPLIER_STEP
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import LEAST_STATIONS, SHARE, draws, station_of
 from core.rocking.methods import Method
@@ -77,7 +77,7 @@ def record_peaks(
     Raises Cancelled.
     """
     runs = DemandRuns(model, motions, polarities, demand, demand.confidence_on, method, cancelled)
-    step = EVERY * math.log1p(STEP)
+    step = EVERY * math.log1p(MULTIPLIER_STEP)
     low, high = runs.rest, min(SPAN[1] * zeta, MAX_MULTIPLIER)
     if SPAN[0] * zeta > low:
         fails = [runs.analyse(batch, np.array([SPAN[0] * zeta])) for batch in runs.together]
@@ -104,7 +104,7 @@ def zeta_of_sets(found: RecordPeaks, counts: np.ndarray) -> np.ndarray:
     value = counts @ here / counts.sum(axis=1)[:, None] if found.mean else worst
     fails = (worst > 1.0) | (value > found.limit)
     step = math.log(found.multipliers[1] / found.multipliers[0])
-    half = round(WINDOW / step)
+    half = round(FAILURE_WINDOW / step)
     # below the first multiplier the rule holds, the last stands for those beyond it
     padded = np.concatenate([np.zeros((len(fails), half + 1), bool), fails, np.repeat(fails[:, -1:], half, 1)], axis=1)
     total = np.cumsum(padded, axis=1)

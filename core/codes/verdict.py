@@ -9,7 +9,7 @@ from core.capacity.bisection import BRACKET
 from core.codes.assumption import ASKED, DECLARED, RESTRAINT, SHOWN_ALONE, TOGETHER, WORDLESS, Assumption, table
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
-from core.codes.kinematic import ROUNDING, Check, Kinematic
+from core.codes.kinematic import ZETA_ROUNDING, Check, Kinematic
 from core.codes.limits import LEAST_SHARE, MEAN_FROM, MINIMUM_FROM
 from core.codes.outcomes import OUTCOMES, PASSES
 from core.codes.record_compatibility import Compliance
@@ -121,7 +121,7 @@ def passes_with_q2(check: Check | None, target: float) -> bool:
     """Whether the check with q of the code is satisfied with q = 2 as well, where a larger q was given."""
     if check is None or check.zeta is None:
         return False
-    return check.zeta * min(1.0, CODE_Q / (check.q or CODE_Q)) >= target - ROUNDING
+    return check.zeta * min(1.0, CODE_Q / (check.q or CODE_Q)) >= target - ZETA_ROUNDING
 
 
 class Evidence(NamedTuple):

@@ -1,6 +1,6 @@
 """The sentence of a verdict: outcome, zeta and what is required, where, by what, and every check that fails."""
 
-from core.codes.assumption import UNITS, Assumption, digits_of
+from core.codes.assumption import VALUE_UNITS, Assumption, digits_of
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import Check
@@ -78,7 +78,7 @@ def _turned_by(row: Assumption, target: float) -> Sentence:
     """A row whose other end turns the outcome, with zeta there."""
     value = row.other_end
     if isinstance(value, float):
-        factor, unit = UNITS.get(row.key, (1.0, ""))
+        factor, unit = VALUE_UNITS.get(row.key, (1.0, ""))
         value = sentence("added", "measure", value=Number(factor * value, digits_of(factor * value)), unit=unit)
     return sentence("added", "turned_by", key=Key(row.key), value=value, zeta=apart(row.zeta, target))
 

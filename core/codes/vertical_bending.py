@@ -42,10 +42,10 @@ H."""
 BISECTIONS = 50
 """Bisections of the bracket of a root, down to its last digits."""
 
-STEP = 1e-2
+ROTATION_STEP = 1e-2
 """Step between two rotations at which the multiplier is looked at for a change of sign [rad]."""
 
-SHOWN = math.radians(4.0)
+DRAWN_ROTATION = math.radians(4.0)
 """Rotation of the lower block in drawings, less where the wall has fallen before."""
 
 REACHED = 0.999
@@ -305,7 +305,7 @@ def _collapse(strip: Strip, h1: float) -> float:
     width, edge = at.between - at.base, at.between - at.top
     sine = (REACHED * math.hypot(edge, above) + at.base - at.top) / math.hypot(width, h1)
     last = math.atan2(width, h1) + math.asin(min(sine, 1.0))
-    steps = math.ceil(last / STEP)
+    steps = math.ceil(last / ROTATION_STEP)
     low = 0.0
     for n in range(1, steps + 1):
         high = last * n / steps
@@ -355,7 +355,7 @@ def uplift_multiplier(wall: Masonry, mechanism: str) -> float:
 
 def shown_rotation(found: Bending) -> float:
     """theta of the lower block [rad] in a drawing."""
-    return min(SHOWN, found.theta0)
+    return min(DRAWN_ROTATION, found.theta0)
 
 
 def outlines(strip: Strip, h1: float, theta: float) -> list[list[tuple[float, float]]]:

@@ -7,7 +7,7 @@ way to the same values (tests/core/derivation).
 import math
 
 from core.capacity.limit_states import LIMIT_FRACTION
-from core.codes.kinematic import DAMPING, PERIOD_FACTOR, Displacement
+from core.codes.kinematic import PERIOD_FACTOR, STATE_DAMPING, Displacement
 from core.codes.kinematic_chain import of_side
 from core.codes.risk import EXPONENT, exponent_by_ag
 from core.codes.target_spectrum import CodeSpectrum
@@ -168,7 +168,7 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
     title = "Displacement check"
     if check is None:
         return Section(title, [])
-    damping = 100.0 * DAMPING[state]
+    damping = 100.0 * STATE_DAMPING[state]
     constants = {"share": LIMIT_FRACTION[state], "factor": PERIOD_FACTOR[state] / math.pi, "damping": damping}
     if kinematic.chain.bending is not None:
         d0 = bending.collapse(wall)

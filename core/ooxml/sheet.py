@@ -14,7 +14,7 @@ from core.errors import InputError
 from core.ooxml.package import DAMAGED, Package, local_name
 from core.text.sentence import Sentence, notice, sentence
 
-SHOWN = 12
+MAX_SPOKEN = 12
 """Cells, rows or columns that a sentence names; more are only counted."""
 
 MAX_NAME = 31
@@ -377,8 +377,8 @@ def spoken(found: Sequence) -> str:
             return ":".join(ends)
         return str(item)
 
-    named = ", ".join(one(item) for item in found[:SHOWN])
-    return named if len(found) <= SHOWN else f"{named}, … ({len(found)})"
+    named = ", ".join(one(item) for item in found[:MAX_SPOKEN])
+    return named if len(found) <= MAX_SPOKEN else f"{named}, … ({len(found)})"
 
 
 def refuse_cells(found: dict[str, Sequence]) -> None:

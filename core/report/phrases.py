@@ -3,7 +3,7 @@
 from contextlib import suppress
 from dataclasses import dataclass
 
-from core.codes.kinematic import DAMPING
+from core.codes.kinematic import STATE_DAMPING
 from core.derivation.faces import Branches, Shown, in_numbers, in_symbols
 from core.derivation.line import FULL, Columns, Line, Section, Word
 from core.study.results import StudyResult
@@ -44,7 +44,7 @@ class Phrases:
         self.shown: dict[str, Shown] = dict(known.shown) if known else {}
         self.words = {
             "state": state,
-            "damping": f"{100.0 * DAMPING[state]:g}" if state in DAMPING else "",
+            "damping": f"{100.0 * STATE_DAMPING[state]:g}" if state in STATE_DAMPING else "",
             "period_clause": PERIOD_CLAUSES.get(state, ""),
             "years": localized("report", "years", language),
         }

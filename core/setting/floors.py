@@ -10,7 +10,7 @@ from core.case.site import Building
 from core.case.wall import Wall
 from core.codes.demand import DemandResult
 from core.codes.floor_spectrum import FloorSpectrum, estimated_period, first_mode
-from core.codes.kinematic import DAMPING, Kinematic
+from core.codes.kinematic import STATE_DAMPING, Kinematic
 from core.ground.floor_motion import Mode, floor_motion
 from core.ground.ground_motion import GroundMotion
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
@@ -140,6 +140,6 @@ def floor_of(
     estimated = building.period_s is None and not building.modes
     spectrum = FloorSpectrum(demand.target, modes) if demand and demand.target else None
     moved = tuple(floor_motion(motion, modes) for motion in motions)
-    mechanism = DAMPING.get(limit_state, DAMPING["SLV"])
+    mechanism = STATE_DAMPING.get(limit_state, STATE_DAMPING["SLV"])
     factors = tuple(demand.scaling(motion) if demand else 1.0 for motion in moved)
     return Floor(height, modes, estimated, moved, factors, mechanism, spectrum)

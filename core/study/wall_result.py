@@ -36,7 +36,7 @@ HEAVY = 1.5
 NARROW_SI = 1.5
 """Below this ratio of the largest to the smallest SI a power law is warned of."""
 
-SLACK = 0.1
+RANGE_MARGIN = 0.1
 """Share by which a value may lie outside the range of its type of masonry before it is questioned: the range is one of
 means."""
 
@@ -228,7 +228,7 @@ def _unlike_its_masonry(wall: Wall) -> list[Sentence]:
     return [
         notice("unlike_masonry", key=Key(key), value=value, low=low, high=high, unit=unit, masonry=masonry)
         for key, value, low, high, unit in ranges
-        if value is not None and not low * (1.0 - SLACK) <= value <= high * (1.0 + SLACK)
+        if value is not None and not low * (1.0 - RANGE_MARGIN) <= value <= high * (1.0 + RANGE_MARGIN)
     ]
 
 

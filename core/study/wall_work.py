@@ -38,7 +38,7 @@ class Given(NamedTuple):
     demand : with what the records add; rules : whether they comply with it, None without a spectrum
     by_state : demands of the limit states, of `demands_of`; state_rules : of `rules_of`
     ag : of `core.study.how_sure.ag_of`, None without a hazard
-    book : of finished searches and checks
+    journal : of finished searches and checks
     progress : told of each task
     on_wall : told of each WallResult that has its checks
     """
@@ -50,7 +50,7 @@ class Given(NamedTuple):
     by_state: dict[str, DemandResult]
     state_rules: dict[str, Compliance | None]
     ag: Callable[[float], float] | None
-    book: Journal | Memory | None
+    journal: Journal | Memory | None
     progress: Progress
     on_wall: Callable[[WallResult], None]
 
@@ -64,7 +64,7 @@ def works(given: Given, jobs: int) -> Iterator[Work]:
     """The work of each wall of a case, which returns Finished."""
     plan, known = given.plan, {}
     for one in plan.runs:
-        found = rebuilt(Ida, given.book.get(_key(plan, one))) if given.book else None
+        found = rebuilt(Ida, given.journal.get(_key(plan, one))) if given.journal else None
         if found is not None:
             known[one] = found
     given.progress.known(known)
@@ -90,7 +90,7 @@ class _Wall:
     def __init__(self, given: Given, known: dict[tuple[int, int, int], Ida], most: int, span: list[int]):
         self.given, self.known, self.most = given, known, most
         self.entries = {k: given.plan.entries[k] for k in span}
-        self.kept = {k: KeptChecks(given.book) for k in span}
+        self.kept = {k: KeptChecks(given.journal) for k in span}
         self.results: dict[int, WallResult] = {}
 
     def work(self) -> Work:
@@ -107,7 +107,7 @@ class _Wall:
         results = list(self.results.values())
         verdicts = wall_verdicts(plan.case, tuple(results))
         if given.demand and verdicts and plan.longest is None:  # of a group of walls the rows alone are kept
-            beside = plan, given.base_dir, given.demand, given.ag, results, verdicts[0], given.book, given.progress
+            beside = plan, given.base_dir, given.demand, given.ag, results, verdicts[0], given.journal, given.progress
             verdicts = ((yield from with_certainty(*beside)),)
         return results, verdicts
 
@@ -125,8 +125,8 @@ class _Wall:
         def keep(group, found: list[Ida]) -> None:
             for one, ida in zip(group, found, strict=True):
                 idas[one] = ida
-                if given.book:
-                    given.book.add(_key(plan, one), asdict(ida))
+                if given.journal:
+                    given.journal.add(_key(plan, one), asdict(ida))
                 given.progress.done(one)
 
         groups = []

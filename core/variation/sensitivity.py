@@ -27,7 +27,7 @@ from core.variation.whole_wall import NONE, Setting, WholeWall, evaluate_wall, w
 DAMPINGS = (0.01, 0.30)
 """Dampings of a building that a case accepts."""
 
-FALLS = "unstable_under_loads"
+FALLS_AT_REST = "unstable_under_loads"
 """Error of a wall that falls without an earthquake: it has no zeta. What is refused for another reason is not moved."""
 
 Change = Callable[[Setting], Setting]
@@ -52,7 +52,7 @@ def moved_wall(setting: Setting, move: Move, floors: Floors, stop: Callable[[], 
         same = there.case.building == setting.case.building and there.inputs is setting.inputs
         return evaluate_wall(there, floors=floors if same else None, cancelled=stop)
     except InputError as error:
-        return NONE if error.code == FALLS else error
+        return NONE if error.code == FALLS_AT_REST else error
 
 
 def moves(setting: Setting, ranges: Ranges) -> list[Move]:

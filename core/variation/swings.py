@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from core.errors import InputError
 from core.text.sentence import Number, Sentence, sentence
 
-SHOWN = {
+SWING_FORMATS = {
     "thickness_factor": ("moved_thickness", 100.0, ".3g"),
     "unit_weight_factor": ("moved_unit_weight", 1.0, ".3g"),
     "load_factor": ("moved_loads", 100.0, ".0f"),
@@ -104,6 +104,6 @@ def _worth(end: End) -> float:
 
 def move_words(swing: Swing, end: End) -> Sentence:
     """An end of a swing in words: 79 cm instead of 83."""
-    code, factor, form = SHOWN[swing.key]
+    code, factor, form = SWING_FORMATS[swing.key]
     given, value = (None if one is None else factor * one for one in (swing.given, end.value))
     return sentence("added", code, given=Number(given, form), value=Number(value, form), name=end.name)

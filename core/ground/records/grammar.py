@@ -22,7 +22,7 @@ _NAN = re.compile(r"[+-]?nan", re.IGNORECASE)
 HEAD_LINE = 500
 """Characters of a line of a header that are looked at."""
 
-SHOWN = 60
+SHOWN_LETTERS = 60
 """Characters of a file repeated in a sentence."""
 
 UNITS = {"g": G, "m/s2": 1.0, "cm/s2": 0.01, "mm/s2": 0.001}
@@ -75,7 +75,7 @@ class Options:
 def quoted(text: str) -> str:
     """A piece of a file in a sentence: its first characters."""
     text = text.strip()
-    return repr(text if len(text) <= SHOWN else text[:SHOWN] + "…")
+    return repr(text if len(text) <= SHOWN_LETTERS else text[:SHOWN_LETTERS] + "…")
 
 
 def head_lines(head: str) -> list[str]:

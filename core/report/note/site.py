@@ -2,7 +2,7 @@
 
 from core.case.loads import Load
 from core.case.wall import Wall
-from core.codes.floor_spectrum import LONG, SHORT, estimated_period
+from core.codes.floor_spectrum import PLATEAU_END, PLATEAU_START, estimated_period
 from core.known import known
 from core.report.note.parts import Derivation, Heading, Paragraph, Part, Step, Table
 from core.report.note.words import Words
@@ -85,8 +85,8 @@ def building(result: StudyResult, words: Words) -> list[Part]:
         "r = (1 − T/({short:g} T_k))^1.6 below {short:g} T_k, (T/({long:g} T_k) − 1)^1.2 above {long:g} T_k, else 0. "
         "Beyond T_1 not below S_e(T, ξ). S_DeZ(T, ξ) = S_eZ (T/2π)², beyond {long:g} T_1 not below its value there "
         "with S_eZ(T_1).",
-        short=SHORT,
-        long=LONG,
+        short=PLATEAU_START,
+        long=PLATEAU_END,
     )
     return [Heading(words.word("section_building"), 3), Derivation(steps), table, Paragraph(counted, "quiet")]
 

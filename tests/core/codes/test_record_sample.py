@@ -8,7 +8,7 @@ import pytest
 from core.case.rules import parse_case
 from core.codes import record_sample
 from core.codes.dynamic_check import DemandRuns, demand_check
-from core.codes.multiplier_search import STEP
+from core.codes.multiplier_search import MULTIPLIER_STEP
 from core.codes.record_sample import RecordPeaks, one_left_out, record_peaks, sample_interval, zeta_of_sets
 from core.ground.artificial import filtered_noise
 from core.ground.ground_motion import GroundMotion
@@ -17,7 +17,7 @@ from core.rocking.outcome import STABLE
 from core.setting.demand_input import demand_of
 from core.setting.scene import model_of
 
-WITHIN = (1.0 + STEP) ** (2 * record_sample.EVERY)
+WITHIN = (1.0 + MULTIPLIER_STEP) ** (2 * record_sample.EVERY)
 """Two points of the coarse grid."""
 
 
@@ -117,7 +117,7 @@ def test_that_the_peaks_begin_at_half_of_zeta_unless_a_record_alone_breaks_the_r
     _, motions, demand = scene
     wall = {"name": "w", "height_m": 12.0, "thickness_m": 0.8, "mechanism": "two_sided", "base_z_m": 0.0}
     model = model_of(parse_case({"wall": [wall]}).wall[0], "two_sided")
-    demand, step = replace(demand, zeta_target=target), (1.0 + STEP) ** record_sample.EVERY
+    demand, step = replace(demand, zeta_target=target), (1.0 + MULTIPLIER_STEP) ** record_sample.EVERY
     zeta = demand_check(model, motions, (1,), demand, AUTO, other=False).zeta
     found = record_peaks(model, motions, (1,), demand, AUTO, zeta)
     assert 0.5 / step <= found.multipliers[0] / zeta <= 0.5
