@@ -9,6 +9,7 @@ from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
     QDialog,
+    QFileDialog,
     QMessageBox,
     QTextBrowser,
     QVBoxLayout,
@@ -20,6 +21,7 @@ from app.input.fields import Field
 from app.look.file_dialogs import path_to_write
 from app.look.labels import plain
 from app.look.language import current_language, of_key, tr
+from app.work.worker import Job
 
 DOCS = Path(__file__).resolve().parents[2] / "resources" / "docs"
 TEMPLATE = Path(__file__).resolve().parents[2] / "resources" / "templates" / "walls.xlsx"
@@ -92,6 +94,27 @@ def show_shortcuts(window) -> None:
         if keys:
             lines.append(f"{keys}\t{action.text().replace('&', '').replace('…', '')}")
     QMessageBox.information(window, tr("Shortcuts"), plain("\n".join(lines)))
+
+
+def show_validation(window) -> None:
+    """What the model tells of tests on a shake table, of a folder that is chosen; off the thread of the window."""
+    title = tr("Tests on a shake table")
+    name = QFileDialog.getExistingDirectory(window, tr("Folder with tests.csv and records.npz"))
+    if not name:
+        return
+    from app.terminal.validation import lines
+    from core.research.shake_table import compared, read_tests
+
+    def work(job: Job) -> list[str]:
+        tests = read_tests(Path(name))
+        found = compared(tests, told=lambda share: job.progress(round(100 * share), 100, None))
+        return lines(found, len(tests.left_out))
+
+    def arrived(said: list[str]) -> None:
+        window.show_word("")
+        QMessageBox.information(window, title, plain("\n".join(said)))
+
+    window.runner.start(work, arrived)
 
 
 def save_template(window) -> None:

@@ -11,6 +11,8 @@ from app.input.fields import Field
 from app.look import theme
 from app.shell import guide
 from core.text.catalogue import CATALOGUE
+from tests.app.driving import settle
+from tests.core.research.test_shake_table import invented
 
 
 def contrast(one: QColor, other: QColor) -> float:
@@ -65,3 +67,14 @@ def test_that_the_guide_opens_in_its_language(opened, tongue):
 def test_that_the_pages_of_both_guides_are_the_same():
     english, italian = (guide.pages_of(tongue) for tongue in ("en", "it"))
     assert [path.name[0] for path in english] == [path.name[0] for path in italian] == list("12345678")
+
+
+def test_that_the_help_tells_what_the_model_says_of_tests_on_a_shake_table(application, opened, tmp_path, monkeypatch):
+    invented(tmp_path)
+    said = []
+    monkeypatch.setattr(guide.QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
+    monkeypatch.setattr(guide.QMessageBox, "information", lambda _window, title, text: said.append((title, text)))
+    guide.show_validation(opened)
+    settle(application, lambda: said and opened.runner.job is None)
+    ((title, text),) = said
+    assert title == "Tests on a shake table" and "body 1: 71 tests" in text and "setback" in text
