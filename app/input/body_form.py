@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QGridLayout, QGroupBox, QPushButton, QVBoxLayout, QWidget
@@ -13,6 +14,7 @@ from app.input.fields import Field, blank, connect
 from app.input.made_fields import make_fields
 from app.look.labels import Plain
 from app.look.language import FORM_NAMES, current_language, number, tr
+from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
 from core.case.number import parse_number
 from core.case.solids import Opening, Solid, Step, Wedges
@@ -67,7 +69,7 @@ def _first_solid(wall: Wall) -> Solid:
     if not wall.solid and wall.height_m and wall.length_m:
         length, height = wall.length_m, wall.height_m
         rectangle = ((0.0, 0.0), (length, 0.0), (length, height), (0.0, height))
-    return Solid("elevation", rectangle, wall.thickness or "")  # type: ignore[arg-type]  # to be given
+    return Solid("elevation", rectangle, wall.thickness or TO_BE_GIVEN)
 
 
 class BodyForm(QWidget):
@@ -78,20 +80,21 @@ class BodyForm(QWidget):
         self.session, self.index = session, index
         self.gable_fields = make_fields(Wall, "body")
         connect(self.gable_fields, lambda field, value: self._edit((field.key,), **{field.key: value}))
-        empty = {"s_m": "", "z_m": ""}
+        empty: dict[str, Any] = {"s_m": TO_BE_GIVEN, "z_m": TO_BE_GIVEN}
         self.openings = EntriesForm(
             session,
             index,
             "openings",
             {
-                tr("Rectangle"): lambda wall: Opening(**empty, width_m="", height_m=""),
-                tr("Circle"): lambda wall: Opening(**empty, diameter_m=""),
+                tr("Rectangle"): lambda wall: Opening(**empty, width_m=TO_BE_GIVEN, height_m=TO_BE_GIVEN),
+                tr("Circle"): lambda wall: Opening(**empty, diameter_m=TO_BE_GIVEN),
             },
             opening_words,
             _opening_has,
             lead="width_m",
         )
-        self.steps = EntriesForm(session, index, "steps", {tr("Add"): lambda wall: Step("", "")}, step_words)
+        new_step = {tr("Add"): lambda wall: Step(TO_BE_GIVEN, TO_BE_GIVEN)}
+        self.steps = EntriesForm(session, index, "steps", new_step, step_words)
         self.solids = EntriesForm(
             session,
             index,
@@ -182,11 +185,14 @@ class BodyForm(QWidget):
     @property
     def offered(self) -> float | None:
         """Length of the wedge at the top [m] by the bricks, as far as they and the height are known."""
+        wedges = self.wall.return_wedges if self.wall else None
+        if self.wall is None or wedges is None:
+            return None
         try:
             length, height = (parse_number(line.text()) for line in (self.brick_length, self.brick_height))
-            crack = self.wall.shoulder - self.wall.return_wedges.from_z_m
+            crack = self.wall.shoulder - wedges.from_z_m
             found = crack * length / (2.0 * height)
-        except (InputError, TypeError, AttributeError, ZeroDivisionError):
+        except (InputError, TypeError, ZeroDivisionError):
             return None
         return round(found, 3) if 0.0 < found <= 30.0 else None
 
@@ -217,7 +223,7 @@ class BodyForm(QWidget):
             return
         if not on:
             self.former = self.wall.return_wedges
-        empty = Wedges("", "", "")  # type: ignore[arg-type]  # to be given
+        empty = Wedges(TO_BE_GIVEN, TO_BE_GIVEN, TO_BE_GIVEN)
         self._edit(return_wedges=(self.former or empty) if on else None)
 
     def _wedges_changed(self, field: Field, value) -> None:
@@ -227,5 +233,6 @@ class BodyForm(QWidget):
 
     def _fill_length(self) -> None:
         """What the bricks give, as asked for."""
-        if self.offered is not None:
-            self._edit(return_wedges=replace(self.wall.return_wedges, length_at_top_m=self.offered))
+        wedges = self.wall.return_wedges if self.wall else None
+        if wedges is not None and self.offered is not None:
+            self._edit(return_wedges=replace(wedges, length_at_top_m=self.offered))

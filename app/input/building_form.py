@@ -8,6 +8,7 @@ from app.input.fields import blank, connect
 from app.input.made_fields import make_fields
 from app.look.labels import Plain
 from app.look.language import tr
+from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
 from core.case.site import Building
 from core.codes.floor_spectrum import estimated_period
@@ -81,7 +82,7 @@ class BuildingForm(QWidget):
     def _toggled(self, on: bool) -> None:
         case = self.session.case
         if on:
-            building = self.last or Building("", "")  # type: ignore[arg-type]  # to be given
+            building = self.last or Building(TO_BE_GIVEN, TO_BE_GIVEN)
             self.session.edit(replace(case, building=building))
         else:
             self.last = case.building

@@ -2,13 +2,14 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFileDialog, QGroupBox, QPushButton, QVBoxLayout, QWidget
 
 from app.input.building_form import BuildingForm
 from app.input.editors import Choice
-from app.input.fields import Field, blank, connect
+from app.input.fields import ChoiceField, Field, blank, connect
 from app.input.hazard_form import HazardForm
 from app.input.law_curve import SpectrumCurve
 from app.input.made_fields import make_field, make_fields
@@ -20,6 +21,7 @@ from app.look.labels import Plain
 from app.look.language import current_language, described, named, number, tr
 from app.look.parts import Parts
 from app.look.section import Section
+from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
 from core.case.place import OF_SPECTRUM, placed
 from core.case.schema import Analysis, Report
@@ -27,6 +29,7 @@ from core.case.site import Demand, Spectrum, least_factor
 from core.codes.demand import unusual
 from core.codes.limits import EXCEEDANCE
 from core.errors import InputError
+from core.known import known
 from core.setting.demand_input import target_of
 from core.units import G
 
@@ -199,13 +202,15 @@ class DemandForm(QWidget):
             return {}
         others = (state for state in EXCEEDANCE if state != demand.limit_state)
         return {
-            state: target_of(placed(site, replace(demand, limit_state=state)), self.session.base_dir)
+            state: target_of(known(placed(site, replace(demand, limit_state=state))), self.session.base_dir)
             for state in others
         }
 
     def _say_contents(self, demand: Demand) -> None:
         """What each folded section holds."""
-        scaling = next(field for field in self.of_demand if field.key == "demand_scaling")
+        scaling = next(
+            field for field in self.of_demand if isinstance(field, ChoiceField) and field.key == "demand_scaling"
+        )
         said = (
             f"FC {number(demand.confidence_factor, 'g')}, {named(f'confidence_{demand.confidence_on}')}",
             f"{scaling.words[demand.demand_scaling]}, ζ {number(demand.zeta_target, 'g')}, "
@@ -255,7 +260,7 @@ class DemandForm(QWidget):
         """With the demand go the motions made for it; both come back as they were."""
         case = self.session.case
         if on:
-            demand, made = self.last or (Demand(""), None)  # what is of the site is never assumed
+            demand, made = self.last or (Demand(TO_BE_GIVEN), None)  # what is of the site is never assumed
             self.session.edit(replace(case, demand=demand, generate=made))
         else:
             self.last = (case.demand, case.generate)
@@ -278,12 +283,12 @@ class DemandForm(QWidget):
             self.session.edit_section("demand", ("demand", field.key), spectrum=spectrum)
 
     def _kind_chosen(self, index: int) -> None:
-        kind, demand = self.kind.itemData(index), self.session.case.demand
+        kind, demand = self.kind.itemData(index), known(self.session.case.demand)
         if kind == self._kind_of(demand) != "file":
             return
         if demand.spectrum:
             self.spectra[demand.spectrum.code] = demand.spectrum
-        values = {"spectrum": None, "spectrum_file": None}
+        values: dict[str, Any] = {"spectrum": None, "spectrum_file": None}
         values["spectrum"] = self.spectra.get(kind)
         if values["spectrum"]:
             values |= {"soil_factor": None, "housner_intensity_cm": None}

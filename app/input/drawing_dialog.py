@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import fields, replace
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, QSize, QTimer
 from PySide6.QtWidgets import (
@@ -20,7 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.input.drawing_canvas import BODY, NOTHING, OPENING, ROLES, DrawingCanvas
-from app.input.fields import connect
+from app.input.fields import LineField, connect
 from app.input.made_fields import make_field
 from app.look import theme
 from app.look.labels import Plain
@@ -33,6 +34,7 @@ from core.case.shape_rules import check_shape
 from core.case.solids import Drawing
 from core.case.wall import Wall
 from core.errors import InputError
+from core.known import known
 from core.wall.body import holds, point_within, polygon_sums
 
 CLOSE = 0.02
@@ -79,7 +81,8 @@ class DrawingDialog(QDialog):
         self.sheet = Sheet((), (), (), (), None, "m")
         self.roles: list[str] = []
         self.areas: list[float] = []
-        self.asked = {"unit": None, "plane": "elevation", "from_m": 0.0, "to_m": wall.thickness, "hinge_y_m": None}
+        self.asked: dict[str, Any] = {"unit": None, "plane": "elevation", "from_m": 0.0, "to_m": wall.thickness}
+        self.asked["hinge_y_m"] = None
         self.canvas = DrawingCanvas()
         self.canvas.clicked.connect(self._next_role)
         self.canvas.asked_around.connect(self._around)
@@ -97,7 +100,9 @@ class DrawingDialog(QDialog):
             choices.addWidget(button)
         self.fields = {key: make_field(Drawing, key) for key in self.asked}
         connect(list(self.fields.values()), self._changed)
-        self.fields["hinge_y_m"].editor.setPlaceholderText(tr("lowest point"))
+        hinge = self.fields["hinge_y_m"]
+        assert isinstance(hinge, LineField)
+        hinge.editor.setPlaceholderText(tr("lowest point"))
         for field in self.fields.values():
             field.judged.connect(self._judge)
         self.sizes = QCheckBox(tr("Height, base and length of the wall from here too"))
@@ -278,7 +283,7 @@ class DrawingDialog(QDialog):
             tr("area {area} m²", area=number(area, ".2f")),
             f"M {number(body.mass / 1000.0, '.2f')} t ({number(self.weight, 'g')} kN/m³)",
             f"x_G {number(x, '.3f')} m, z_G {number(z, '.3f')} m",
-            f"H {number(wall.height_m, '.2f')} m, t {number(100.0 * wall.thickness, '.1f')} cm, "
+            f"H {number(wall.height_m, '.2f')} m, t {number(100.0 * known(wall.thickness), '.1f')} cm, "
             f"L {number(wall.length_m, '.2f')} m",
         ]
         return "   ".join(found)

@@ -3,9 +3,10 @@ unit."""
 
 import re
 from collections.abc import Callable, Sequence
+from typing import Any, TypeVar
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLineEdit, QSizePolicy, QWidget
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QSizePolicy, QWidget
 
 from app.input.editors import Choice, Line
 from app.look import theme
@@ -45,6 +46,9 @@ OF_A_PART = r"\[\[\w+\]\] \d+|\[wall\.\w+\]"
 """Place of an error that is within a table or a section of a wall."""
 
 
+Kind = TypeVar("Kind", bound="Field")
+
+
 class Field(QWidget):
     """Label, editor, unit and a line for its error, of a key of a section. edited(value) : a value the case accepts
 
@@ -61,11 +65,12 @@ class Field(QWidget):
         self.unit = tr("years") if unit == "years" else unit
         label, tip = self.text_of(".caption"), self.text_of(".tip")
         FORM_NAMES.add(self.key_in_errors(), label, SECTIONS.get(section, ""))
-        self.value = self.value_before = None
+        self.value: Any = None
+        self.value_before: Any = None
         self.error = self.rule = self.doubt = self.reading = ""
         self._shown = ("", False)
         self.inside: Callable[[InputError], bool] | None = None
-        grid = QGridLayout(self)
+        grid = self.grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(6)
         grid.setVerticalSpacing(0)
@@ -103,14 +108,12 @@ class Field(QWidget):
         return self.entry.default is None and not self.entry.metadata.get("filled")
 
     def make_editor(self) -> QWidget:
-        """The widget that edits: a line of text, where a kind of field has no other."""
-        line = Line(lambda: bool(self.error), self.revert)
-        line.entered.connect(self._entered)
-        return line
+        """The widget that edits."""
+        raise NotImplementedError
 
-    def _entered(self) -> None:
-        """Editing begins: what stands here comes back should the text be refused."""
-        self.value_before = self.value
+    def show_value(self, value: Any) -> None:
+        """Show a value of the case."""
+        raise NotImplementedError
 
     def refuse(self, sentence: str) -> None:
         """Words at the field; the case goes back to the value from before the editing, for the beginning of a
@@ -119,13 +122,6 @@ class Field(QWidget):
         if self.value != self.value_before:
             self.value = self.value_before
             self.edited.emit(self.value_before)
-
-    def revert(self) -> None:
-        """The value of the case again, in the place of what was refused."""
-        value = self.value
-        self.forget()
-        self.editor.clear()
-        self.show_value(value)
 
     def show_error(self, sentence: str) -> None:
         """Words below the field on what stands in it, none for a good value."""
@@ -200,12 +196,10 @@ class Field(QWidget):
     @property
     def text(self) -> str:
         """What stands in a line or an area of text."""
-        return self.editor.text()
+        return ""
 
     def type_again(self, text: str) -> None:
         """A text as if it were typed: what is refused is so again, in the words of the window as it is."""
-        self.editor.setText(text)
-        self.editor.textEdited.emit(text)
 
     def forget(self) -> None:
         """Another case or wall: what was wrong in the last one is no more."""
@@ -214,7 +208,37 @@ class Field(QWidget):
         self.show_error("")
 
 
-class NumberField(Field):
+class LineField(Field):
+    """Edited in a line of text."""
+
+    editor: Line
+
+    def make_editor(self) -> Line:
+        line = Line(lambda: bool(self.error), self.revert)
+        line.entered.connect(self._entered)
+        return line
+
+    def _entered(self) -> None:
+        """Editing begins: what stands here comes back should the text be refused."""
+        self.value_before = self.value
+
+    def revert(self) -> None:
+        """The value of the case again, in the place of what was refused."""
+        value = self.value
+        self.forget()
+        self.editor.clear()
+        self.show_value(value)
+
+    @property
+    def text(self) -> str:
+        return self.editor.text()
+
+    def type_again(self, text: str) -> None:
+        self.editor.setText(text)
+        self.editor.textEdited.emit(text)
+
+
+class NumberField(LineField):
     """A number, comma or point."""
 
     def __init__(self, section: type, key: str):
@@ -223,7 +247,7 @@ class NumberField(Field):
         if self.factor != 1.0:
             FORM_NAMES.scales[key] = (self.factor, self.unit)
 
-    def make_editor(self) -> QLineEdit:
+    def make_editor(self) -> Line:
         editor = super().make_editor()
         editor.setAlignment(Qt.AlignmentFlag.AlignRight)
         editor.setMinimumWidth(64)
@@ -291,10 +315,10 @@ class NumberField(Field):
         return abs(typed - value) <= 1e-12 * abs(value)
 
 
-class RangeField(Field):
+class RangeField(LineField):
     """Two rising numbers with a space, a dash or a semicolon between them; empty for none."""
 
-    def make_editor(self) -> QLineEdit:
+    def make_editor(self) -> Line:
         editor = super().make_editor()
         editor.setAlignment(Qt.AlignmentFlag.AlignRight)
         editor.textEdited.connect(self._typed)
@@ -322,10 +346,10 @@ class RangeField(Field):
         self.show_error("")
 
 
-class TextField(Field):
+class TextField(LineField):
     """A line of text."""
 
-    def make_editor(self) -> QLineEdit:
+    def make_editor(self) -> Line:
         editor = super().make_editor()
         editor.textEdited.connect(self.offer)
         return editor
@@ -345,6 +369,8 @@ class TextField(Field):
 class ChoiceField(Field):
     """One of some names. words : name -> what is shown, None : as the catalogue has it"""
 
+    editor: Choice
+
     def __init__(self, section: type, key: str, words: dict | None = None):
         self.words = words or words_of_choices(section, key)
         FORM_NAMES.captions.update({name: shown for name, shown in self.words.items() if name})
@@ -352,7 +378,7 @@ class ChoiceField(Field):
         super().__init__(section, key)
         tell_whole(self.editor)
 
-    def make_editor(self) -> QComboBox:
+    def make_editor(self) -> Choice:
         editor = Choice()
         editor.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         for name, shown in self.words.items():
@@ -368,6 +394,8 @@ class ChoiceField(Field):
 
 class FlagField(Field):
     """A box to tick."""
+
+    editor: QCheckBox
 
     def make_editor(self) -> QCheckBox:
         editor = QCheckBox()
@@ -405,7 +433,7 @@ def blank(chosen: Sequence[Field]) -> None:
         field.show_value(None)
 
 
-def connect(chosen: Sequence[Field], change: Callable[[Field, object], None]) -> None:
+def connect(chosen: Sequence[Kind], change: Callable[[Kind, Any], None]) -> None:
     """Send the edits of these fields to `change(field, value)`."""
     for field in chosen:
         field.edited.connect(lambda value, field=field: change(field, value))

@@ -2,7 +2,8 @@
 
 import re
 
-from app.input.fields import Field
+from app.input.editors import Line
+from app.input.fields import LineField
 from app.look.language import number, tr
 from core.case.hinges import BASE, FLOORS, usual_hinges
 from core.case.number import parse_number
@@ -17,11 +18,11 @@ def hinge_words() -> dict[str, str]:
     return {FLOORS: tr("floors"), BASE: tr("base")}
 
 
-class HingesField(Field):
+class HingesField(LineField):
     """Heights above the base [m] with spaces or semicolons between them, or the word for the floors or for the base
     alone; empty for the usual ones."""
 
-    def make_editor(self):
+    def make_editor(self) -> Line:
         editor = super().make_editor()
         editor.textEdited.connect(self._typed)
         return editor

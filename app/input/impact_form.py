@@ -174,12 +174,12 @@ class ImpactForm(QWidget):
                 lines.append(tr("Sizes, weights or loads are still missing."))
                 break
         self.formula.setText("\n".join(lines) or tr("Choose a mechanism."))
-        own = isinstance(wall.law, dict)
-        self.law.setCurrentIndex(self.law.findData("own" if own else wall.law))
+        own = wall.law if isinstance(wall.law, dict) else None
+        self.law.setCurrentIndex(self.law.findData(wall.law if own is None else "own"))
         for field, key in ((self.first, "elastic_limit"), (self.last, "plateau_end")):
-            field.setVisible(own)
-            if own:
-                field.show_value(wall.law[key])
+            field.setVisible(own is not None)
+            if own is not None:
+                field.show_value(own[key])
         self.law_curve.show_wall(wall)
 
     def _model_chosen(self, model) -> None:

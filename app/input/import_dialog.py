@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.input.fields import connect
+from app.input.fields import LineField, connect
 from app.input.made_fields import make_field, make_fields
 from app.look import theme
 from app.look.labels import Plain, plain
@@ -104,7 +104,8 @@ class ImportDialog(QDialog):
         self.fields = [*make_fields(Record, "file"), make_field(Record, "scale")]
         connect(self.fields, lambda field, value: self.change(**{field.key: value}))
         for field in self.fields[1:4]:
-            field.editor.setPlaceholderText(tr("as the file says"))
+            if isinstance(field, LineField):
+                field.editor.setPlaceholderText(tr("as the file says"))
             field.judged.connect(self._judge)
         self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
         self.buttons.accepted.connect(self.accept)

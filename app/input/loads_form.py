@@ -10,11 +10,13 @@ from app.input.fields import ChoiceField, Field, blank, connect
 from app.input.hinges_field import HingesField
 from app.input.made_fields import make_fields
 from app.look.language import named, number, tr
+from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
 from core.case.load_rules import COMBINED, OF_A_TIE
 from core.case.loads import Bars, Load, ReturnWalls
 from core.case.values import field_of
 from core.case.wall import Wall
+from core.known import known
 from core.text.catalogue import CATALOGUE
 
 KINDS = field_of(Load, "kind").metadata["names"]
@@ -174,7 +176,7 @@ class LoadsForm(QWidget):
         wall = self.wall
         if wall is None:
             return
-        load = Load(kind, None, wall.height_m or "")  # type: ignore[arg-type]  # to be given
+        load = Load(kind, None, wall.height_m or TO_BE_GIVEN)
         self._edit(load=(*wall.load, load), unloaded_confirmed=False)
         self.list.setCurrentRow(len(wall.load))
 
@@ -188,7 +190,7 @@ class LoadsForm(QWidget):
         """Take the load away that is shown."""
         row = self.list.currentRow()
         if self.wall is not None and self.load is not None:
-            self._edit(load=tuple(load for k, load in enumerate(self.wall.load) if k != row))
+            self._edit(load=tuple(load for k, load in enumerate(known(self.wall).load) if k != row))
 
     def _load_changed(self, field: Field, value) -> None:
         load = self.load
@@ -208,7 +210,7 @@ class LoadsForm(QWidget):
             return
         if not on:
             self.former_bar = load.bar
-        empty = Bars("", "")  # type: ignore[arg-type]  # to be given
+        empty = Bars(TO_BE_GIVEN, TO_BE_GIVEN)
         self._replace(replace(load, bar=(self.former_bar or empty) if on else None, kn_m=None), "bar")
 
     def _bars_changed(self, field: Field, value) -> None:
@@ -218,7 +220,7 @@ class LoadsForm(QWidget):
     def _replace(self, changed: Load, *key: str) -> None:
         """Put this load in the place of the one that is shown."""
         row = self.list.currentRow()
-        loads = tuple(changed if k == row else one for k, one in enumerate(self.wall.load))
+        loads = tuple(changed if k == row else one for k, one in enumerate(known(self.wall).load))
         self._edit(("load", row, *key), load=loads)
 
     def _wall_changed(self, field: Field, value) -> None:
@@ -229,7 +231,7 @@ class LoadsForm(QWidget):
             return
         if not on:
             self.former = self.wall.return_walls
-        empty = ReturnWalls("", "", "", "")  # type: ignore[arg-type]  # to be given
+        empty = ReturnWalls(TO_BE_GIVEN, TO_BE_GIVEN, TO_BE_GIVEN, TO_BE_GIVEN)
         self._edit(return_walls=(self.former or empty) if on else None)
 
     def _across_changed(self, field: Field, value) -> None:

@@ -30,7 +30,7 @@ def with_button(logo: Field, session: Session) -> Field:
 
     button = QPushButton(tr("Choose file…"))
     button.clicked.connect(lambda _=False: choose())
-    logo.layout().addWidget(button, 0, 2)
+    logo.grid.addWidget(button, 0, 2)
     return logo
 
 

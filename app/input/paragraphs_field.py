@@ -11,12 +11,13 @@ LINES = 8
 class ParagraphsField(Field):
     """A text of several lines, under its caption."""
 
+    editor: QPlainTextEdit
+
     def __init__(self, section: type, key: str):
         super().__init__(section, key)
-        grid = self.layout()
         for row, part in ((1, self.editor), (2, self.message)):
-            grid.removeWidget(part)
-            grid.addWidget(part, row, 0, 1, 3)
+            self.grid.removeWidget(part)
+            self.grid.addWidget(part, row, 0, 1, 3)
 
     def make_editor(self) -> QPlainTextEdit:
         editor = QPlainTextEdit()

@@ -3,7 +3,8 @@
 from PySide6.QtCore import QStringListModel, Qt
 from PySide6.QtWidgets import QCompleter
 
-from app.input.fields import Field
+from app.input.editors import Line
+from app.input.fields import LineField
 from app.look.language import FORM_NAMES, described, tr
 from core.case.coordinates import parse_coordinates
 from core.case.place import Site
@@ -23,14 +24,14 @@ def names_beginning_with(text: str, most: int) -> list[str]:
     return [f"{one.name} ({one.province})" for one in beginning_with(text, most)]
 
 
-class MunicipalityField(Field):
+class MunicipalityField(LineField):
     """A name, with its province in brackets; value : (name, province). Each letter is taken: what runs is what stands
     here."""
 
     def __init__(self):
         super().__init__(Site, "municipality")
 
-    def make_editor(self):
+    def make_editor(self) -> Line:
         editor = super().make_editor()
         self.names = QStringListModel()
         completer = QCompleter(self.names, self)
@@ -76,7 +77,7 @@ class MunicipalityField(Field):
         return problem.section == "[site]" and bool(nowhere)
 
 
-class CoordinatesField(Field):
+class CoordinatesField(LineField):
     """Latitude and longitude in any usual form; value : both [degrees], None without them."""
 
     def __init__(self):
@@ -84,7 +85,7 @@ class CoordinatesField(Field):
         FORM_NAMES.add("longitude", tr("Coordinates"), "[site]")
         self.editor.setPlaceholderText("42.3498 N 13.3995 E, 42°20'59\" 13°23'58\"")
 
-    def make_editor(self):
+    def make_editor(self) -> Line:
         editor = super().make_editor()
         editor.textEdited.connect(self._typed)
         return editor

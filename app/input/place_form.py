@@ -1,6 +1,7 @@
 """The place of the building: by the name of its municipality, by coordinates, on the map."""
 
 from dataclasses import replace
+from typing import Any
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGroupBox, QVBoxLayout, QWidget
@@ -12,6 +13,7 @@ from app.input.place_map import PlaceMap
 from app.look import theme
 from app.look.labels import Plain, Rich
 from app.look.language import described, number, tr
+from app.work.draft import TO_BE_GIVEN
 from app.work.placed_demand import restored
 from app.work.session import Session
 from core.case.place import Site
@@ -19,7 +21,7 @@ from core.case.site import Demand, Spectrum
 from core.codes.limits import EXCEEDANCE
 from core.errors import InputError
 
-ELSEWHERE = {"site": "", "coordinates": "", "return_period_years": None, "hazard_file": None}
+ELSEWHERE: dict[str, Any] = {"site": "", "coordinates": "", "return_period_years": None, "hazard_file": None}
 """Keys of a demand that a place takes the place of."""
 
 
@@ -137,9 +139,9 @@ class PlaceForm(QWidget):
         """The demand of a municipality, as the list of the search names it."""
         case = self.session.case
         name, province = self.municipality.meant(municipality)
-        named = {"municipality": name, "province": province, "latitude": None, "longitude": None}
+        named: dict[str, Any] = {"municipality": name, "province": province, "latitude": None, "longitude": None}
         if case.site is None:
-            self._begin(case.demand or Demand(""), Site(**named))  # type: ignore[arg-type]  # it follows from the place
+            self._begin(case.demand or Demand(TO_BE_GIVEN), Site(**named))
         else:
             self._edit(**named)
 

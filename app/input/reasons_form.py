@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import fields, replace
+from typing import Any, TypeGuard
 
 from PySide6.QtWidgets import QGroupBox, QVBoxLayout
 
@@ -94,7 +95,7 @@ def _of_the_place(demand: Demand) -> dict[str, bool]:
     }
 
 
-def is_number(value) -> bool:
+def is_number(value: object) -> TypeGuard[float]:
     """Whether a value of a draft is one already."""
     return isinstance(value, (int, float))
 
@@ -152,7 +153,8 @@ class ReasonsForm(QGroupBox):
         self.setVisible(any(not field.isHidden() for field in self.fields))
 
     def _changed(self, field: TextField, value: str) -> None:
-        changed = replace(self.given() or self.section(), **{field.key: value})
+        changes: dict[str, Any] = {field.key: value}
+        changed = replace(self.given() or self.section(), **changes)
         self.change(field.key, changed if changed != self.section() else None)
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QDialog,
     QFileDialog,
     QHBoxLayout,
@@ -33,6 +34,8 @@ from core.case.schema import Generate, Record
 from core.codes.record_compatibility import common_factor
 from core.errors import InputError
 from core.file_names import name_of
+from core.ground.ground_motion import GroundMotion
+from core.known import known
 from core.setting.demand_input import demand_of
 
 
@@ -166,7 +169,7 @@ class RecordsPanel(QWidget):
                 tick.setFlags(tick.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             self.table.setItem(row, 0, tick)
             tips = [*told_of(motion), *([twins[row]] if row in twins else []), motion.file]
-            self.table.item(row, 1).setToolTip(plain("\n".join(tips)))
+            known(self.table.item(row, 1)).setToolTip(plain("\n".join(tips)))
         self.table.blockSignals(False)
         count = len(self.motions)
         words = tr("{n} records in use. Drop accelerograms or folders here.", n=count)
@@ -184,25 +187,31 @@ class RecordsPanel(QWidget):
         ]
         return bad[0] if bad and not self.pending else None
 
+    def _motion(self, row: int) -> GroundMotion:
+        """Of a row whose record could be read."""
+        motion = self.rows[row][1]
+        assert not isinstance(motion, str)
+        return motion
+
     def point_at(self, row: int) -> None:
         """Select a row and say what is wrong with it."""
         self.table.selectRow(row)
-        self.table.scrollToItem(self.table.item(row, 1))
+        self.table.scrollToItem(known(self.table.item(row, 1)))
         self.table.setFocus()
         self.words.setText(str(self.rows[row][1]))
 
     def _twins(self) -> dict[int, str]:
         """What to say of the rows in use whose samples an earlier one has: no study takes both."""
-        seen, sentences = {}, {}
+        seen: dict[object, int] = {}
+        sentences = {}
         for row, (k, motion) in enumerate(self.rows):
-            used = not isinstance(motion, str) and (k is None or self.session.case.record[k].include)
-            if used:
+            if not isinstance(motion, str) and (k is None or self.session.case.record[k].include):
                 here = (motion.file, motion.channel)
                 first = seen.get(motion.samples_sha256, seen.get(here, row))
                 seen |= {motion.samples_sha256: first, here: first}
                 if first != row:
                     sentences[row] = described(
-                        InputError("record_twice", file=motion.name, twin=self.rows[first][1].name)
+                        InputError("record_twice", file=motion.name, twin=self._motion(first).name)
                     )
         return sentences
 
@@ -228,14 +237,14 @@ class RecordsPanel(QWidget):
                 records.append(change(record, mine[0]) if mine and mine[0] in rows else record)
                 continue
             for row in mine:
-                name = self.session.relative(Path(name_of(self.rows[row][1].file)))
+                name = self.session.relative(Path(name_of(self._motion(row).file)))
                 one = replace(record, file=name)
                 records.append(change(one, row) if row in rows else one)
         self.session.edit(replace(case, record=tuple(one for one in records if one is not None)))
 
     def _ticked(self, item) -> None:
-        known = not self.pending and item.row() < len(self.rows)
-        if item.column() == 0 and known and self.rows[item.row()][0] is not None:
+        listed = not self.pending and item.row() < len(self.rows)
+        if item.column() == 0 and listed and self.rows[item.row()][0] is not None:
             on = item.checkState() == Qt.CheckState.Checked
             self._change({item.row()}, lambda record: replace(record, include=on))
 
@@ -287,8 +296,9 @@ class RecordsPanel(QWidget):
         instead = box.addButton(tr("Replace"), QMessageBox.ButtonRole.AcceptRole)
         beside = box.addButton(tr("Add to them"), QMessageBox.ButtonRole.AcceptRole)
         box.addButton(tr("Cancel"), QMessageBox.ButtonRole.RejectRole)
+        answers: dict[QAbstractButton, bool] = {instead: True, beside: False}
         box.exec()
-        return {instead: True, beside: False}.get(box.clickedButton())
+        return answers.get(box.clickedButton())
 
     def edit(self) -> None:
         """Scale, unit, time step and kind of the selected records."""
@@ -297,7 +307,7 @@ class RecordsPanel(QWidget):
         path_of: dict[int, FileRow] = {}
         for row in rows:
             k, motion = self.rows[row]
-            entry = self.session.case.record[k]
+            entry = self.session.case.record[known(k)]
             path = Path(entry.file if isinstance(motion, str) else name_of(motion.file))
             if not path.is_absolute():
                 path = self.session.base_dir / path
@@ -350,7 +360,7 @@ class RecordsPanel(QWidget):
             self.words.setText(tr("This needs records from files and a spectrum under Demand."))
             return
         try:
-            factor = common_factor([self.rows[row][1] for row in rows], asked)
+            factor = common_factor([self._motion(row) for row in rows], asked)
         except InputError as error:
             self.words.setText(described(error))
             return

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from typing import Any
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QFont, QFontMetrics, QGuiApplication
@@ -37,6 +38,7 @@ from core.case.wall_table import read_table, text_rows, walls_of
 from core.codes.masonry_types import TYPES
 from core.codes.vertical_bending import bending, uplift_multiplier
 from core.errors import InputError
+from core.known import known
 from core.units import G
 from core.wall.restitution import MODELS
 
@@ -260,7 +262,7 @@ class WallForm(QWidget):
             self.summary.setText("")
             return
         lines = [f"α {number(math.degrees(block.slenderness), '.2f')}°"]
-        if wall.thickness:
+        if wall.thickness and wall.height_m:
             lines.append(f"H/t {number(wall.height_m / wall.thickness, '.2f')}")
         if wall.height_m and wall.setback:
             lines.append(f"u {number(100 * wall.setback, '.1f')} cm")
@@ -298,7 +300,7 @@ class WallForm(QWidget):
         if wall is None or shape == shape_of(wall):
             return
         before, after = self.former
-        if wall == after:
+        if before is not None and wall == after:
             wall = before  # the way back from a general block rounds nothing and holds_invalid_text the setback
         try:
             block = wall.block()
@@ -321,14 +323,14 @@ class WallForm(QWidget):
             if value is not None:
                 check_value(Wall, key, value)
         except InputError as error:
-            size = f"{field.caption.text()} = {number(value * field.factor, '.5g')} {field.unit}".rstrip()
+            size = f"{field.caption.text()} = {number(known(value) * field.factor, '.5g')} {field.unit}".rstrip()
             accepted = error.accepted_text(current_language(), FORM_NAMES)
             return tr("{size} is not accepted: {accepted}", size=size, accepted=accepted)
         return ""
 
     def _mechanism_chosen(self, name: str) -> None:
-        wall = self.wall
-        values = {"mechanism": name}
+        wall = known(self.wall)
+        values: dict[str, Any] = {"mechanism": name}
         if name != "one_sided" and wall.restitution and MODELS[wall.restitution].one_sided:
             values["restitution"] = None
         self.session.edit_wall(self.current, **values)

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import fields, replace
+from typing import Any
 
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainterPath, QPen, QPolygonF
@@ -37,7 +38,7 @@ def complete(wall: Wall) -> Wall:
 
     if not wall.has_shape:
         return wall
-    kept = {key: tuple(filter(is_given, getattr(wall, key))) for key in ("openings", "steps", "solid")}
+    kept: dict[str, Any] = {key: tuple(filter(is_given, getattr(wall, key))) for key in ("openings", "steps", "solid")}
     wedges = wall.return_wedges if wall.return_wedges and is_given(wall.return_wedges) else None
     return replace(wall, return_wedges=wedges, unit_weight_kn_m3=wall.unit_weight_kn_m3 or 1.0, **kept)
 

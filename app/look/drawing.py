@@ -14,6 +14,7 @@ from app.look.language import number
 from core.case.wall import BENDS, Wall
 from core.codes.vertical_bending import Bending, Strip, bending, hinges_of, mechanism, outlines, shown_rotation
 from core.errors import InputError
+from core.known import known
 from core.report.load_arrows import arrows
 from core.rocking.bar_state import BROKEN, SLACK, YIELDING
 
@@ -218,7 +219,7 @@ class WallDrawing(QWidget):
         spot = self._spot_at(event.position())
         if self.dragged is not None and event.buttons() & Qt.MouseButton.LeftButton:
             height = STEP * round((self.base_y - event.position().y()) / self.scale / STEP)
-            self.moved.emit(self.dragged, round(max(STEP, min(height, self.size_of[0])), 3))
+            self.moved.emit(self.dragged, round(max(STEP, min(height, known(self.size_of)[0])), 3))
         elif spot is None:
             self.unsetCursor()
         else:
@@ -237,7 +238,7 @@ class WallDrawing(QWidget):
 
     def _draw_bars(self, painter, place) -> None:
         """The bars that hold a wall as it rocks: taut, slack (dashed), yielding (red, thick); none where one broke."""
-        height, thickness, setback = self.size_of
+        height, thickness, setback = known(self.size_of)
         half = 0.5 * thickness
         hinge, turned = half - setback, max(self.rotation, 0.0)
         c, s = math.cos(turned), math.sin(turned)

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from shiboken6 import isValid
 
 from app.look import theme
+from app.look.application import application
 
 
 class Frame(QWidget):
@@ -20,7 +21,7 @@ class Frame(QWidget):
         self.raise_()
 
     def eventFilter(self, control: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize:
+        if isinstance(control, QWidget) and event.type() == QEvent.Type.Resize:
             self.setGeometry(control.rect())
         return False
 
@@ -37,7 +38,7 @@ class FocusFrame(QObject):
     def __init__(self, window: QWidget):
         super().__init__(window)
         self.frame: Frame | None = None
-        QApplication.instance().focusChanged.connect(self._follow)
+        application().focusChanged.connect(self._follow)
 
     def _follow(self, _, now: QWidget | None) -> None:
         if self.frame is not None and isValid(self.frame):

@@ -49,7 +49,7 @@ def quicken() -> None:
             sys.modules[name] = Mirror(name, source)
             own = source.__dict__.get("__dir__")
             after.callback(*((setattr, source, "__dir__", own) if own else (delattr, source, "__dir__")))
-            source.__dir__ = list  # of nothing: what pyqtgraph is to copy
+            source.__dict__["__dir__"] = list  # of nothing: what pyqtgraph is to copy
         import pyqtgraph
     if not internals_known(pyqtgraph):  # as it is by itself
         for name in [name for name in sys.modules if name.split(".")[0] == "pyqtgraph"]:

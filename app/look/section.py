@@ -20,7 +20,7 @@ class Head(QPushButton):
         self.content.setStyleSheet(f"color: {theme.current.quiet};")
         self.content.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self.content.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        row = QHBoxLayout(self)
+        row = self.row = QHBoxLayout(self)
         row.setContentsMargins(8, 3, 8, 3)
         for label, stretch in ((self.sign, 0), (self.title, 0), (self.content, 1)):
             label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
@@ -33,7 +33,7 @@ class Head(QPushButton):
         )
 
     def sizeHint(self) -> QSize:
-        return self.layout().sizeHint().expandedTo(QSize(60, 26))
+        return self.row.sizeHint().expandedTo(QSize(60, 26))
 
     minimumSizeHint = sizeHint
 

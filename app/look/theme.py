@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QApplication
 
+from app.look.application import application
+
 
 @dataclass(frozen=True)
 class Theme:
@@ -79,8 +81,7 @@ def set_theme(name: str) -> None:
     """Give the application the palette of "light" or "dark"; widgets made from now on use it."""
     global current
     current = THEMES[name]
-    application = QApplication.instance()
-    application.setStyle("Fusion")
+    application().setStyle("Fusion")
     palette = QPalette()
     shades = {
         QPalette.ColorRole.Window: current.window,
@@ -100,9 +101,9 @@ def set_theme(name: str) -> None:
         palette.setColor(role, QColor(shade))
     for role in (QPalette.ColorRole.Text, QPalette.ColorRole.ButtonText, QPalette.ColorRole.WindowText):
         palette.setColor(QPalette.ColorGroup.Disabled, role, QColor(current.quiet))
-    application.setPalette(palette)
+    application().setPalette(palette)
     # Fusion draws the edge of a field 1.4 times darker than its window: this gives it 3 : 1 against its base
     edged = QPalette(palette)
     edged.setColor(QPalette.ColorRole.Window, QColor(current.edge).lighter(140))
     for kind in ("QLineEdit", "QPlainTextEdit", "QComboBox", "QCheckBox", "QGroupBox", "QToolButton", "QPushButton"):
-        application.setPalette(edged, kind)
+        application().setPalette(edged, kind)  # type: ignore[arg-type]  # the stub asks for bytes, which Qt refuses

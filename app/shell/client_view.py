@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QBuffer, QElapsedTimer, QRectF, Qt, QTimer
+from PySide6.QtCore import QElapsedTimer, QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QFont, QImage, QKeySequence, QPainter, QPen, QShortcut
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QMessageBox, QPushButton, QVBoxLayout, QWidget
 
@@ -21,6 +21,7 @@ from core import atomic_write
 from core.case.wall import AS_IS
 from core.codes.outcomes import OUTCOMES
 from core.errors import InputError, OutputError
+from core.known import known
 from core.report.verdict_words import tone_of
 from core.study.demand_histories import history_at_demand
 from core.study.results import StudyResult, WallResult, WallVerdict
@@ -65,7 +66,7 @@ def sides_of(result: StudyResult, wall: WallResult) -> list[Side]:
         # a mechanism that takes each record with one sign alone has the other one by it
         same = [r for r in dynamic.runs if r.motion == run.motion]
         motion, moved = history_at_demand(result, one, next((r for r in same if r.polarity == run.polarity), same[0]))
-        share = None if of_wall.zeta_least is None else of_wall.zeta_least / one.assessment.verdict.zeta_target
+        share = None if of_wall.zeta_least is None else of_wall.zeta_least / known(one.assessment).verdict.zeta_target
         alone, before = len(verdicts) == 1, of_wall.wall.variant == AS_IS
         title = tr("The wall") if alone else tr("As it is") if before else tr("As designed")
         found.append(Side(title, one, share, tone_of(result, one), moved.rotation, motion.time_step))
@@ -77,7 +78,7 @@ def walls_beside(result: StudyResult, wall: WallResult) -> list[WallVerdict]:
     shown = next((one for one in result.verdicts if result.walls[one.governing].part.origin == wall.part.origin), None)
     if shown is None:
         return []
-    other = OTHER.get(shown.wall.variant)
+    other = OTHER.get(shown.wall.variant or "")
     pair = [one for one in result.verdicts if one.wall.name == shown.wall.name and one.wall.variant == other]
     return sorted([shown, *pair[: other is not None]], key=lambda one: one.wall.variant != AS_IS)
 
@@ -126,7 +127,7 @@ def words_of(side: Side) -> str:
 
 def outcome_of(side: Side) -> str:
     """A verdict in words of every day: only one that nothing limits is called safe."""
-    code = side.wall.assessment.verdict.code
+    code = known(side.wall.assessment).verdict.code
     limited = OUTCOMES[code].tone == "good" and side.tone != "good"
     return named("client_with_reservations" if limited else f"client_{code}")
 
@@ -186,7 +187,7 @@ class ClientView(QDialog):
         layout = QVBoxLayout(self)
         layout.addWidget(self.scene, 1)
         layout.addLayout(buttons)
-        QShortcut(QKeySequence("F11"), self, activated=self.reject)
+        QShortcut(QKeySequence("F11"), self).activated.connect(self.reject)
         self.timer, self.clock = QTimer(self), QElapsedTimer()
         self.timer.setInterval(FRAME_MS)
         self.timer.timeout.connect(self._frame)
@@ -251,14 +252,14 @@ class ClientView(QDialog):
         from app.look.language import current_language
         from core.report.note import wall_figures
         from core.report.note.parts import Bars as PageBars
-        from core.report.note.parts import Figures, Heading
+        from core.report.note.parts import Figures, Heading, Part
         from core.report.note.pdf import Note
         from core.report.note.words import Words
 
         words = Words(current_language())
         figures = [one for side in self.sides if (one := wall_figures.drawing(side.wall, words))]
         rows = [(side.title, words_of(side), side.share, side.tone, False) for side in self.sides]
-        parts = [Heading(self.title, 1), *([Figures(figures)] if figures else [])]
+        parts: list[Part] = [Heading(self.title, 1), *([Figures(figures)] if figures else [])]
         parts.append(PageBars(rows, 1.0, tr("The mark is what is required.")))
         return Note(parts, words.language).pdf()
 
@@ -268,10 +269,9 @@ class ClientView(QDialog):
             return self.page()
         if end == ".gif":
             return self.film()
-        buffer = QBuffer()
-        buffer.open(QBuffer.OpenModeFlag.WriteOnly)
-        self.picture().save(buffer, "PNG")
-        return bytes(buffer.data())
+        from app.views.figure_file import png
+
+        return png(self.picture())
 
     def ask(self, kinds: str, end: str) -> None:
         """Write it to a place the user names."""

@@ -2,7 +2,7 @@
 paint; made into files and written off its thread."""
 
 import queue
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, QTimer
@@ -95,11 +95,11 @@ class FigureExport(QObject):
         """A page that is not made yet, its plots one by one before it."""
         while page.made is None and len(SPARE) < CHARTS:
             SPARE.append(plot_widget())
-            yield
+            yield None
         page.content  # noqa: B018
-        yield
+        yield None
 
-    def _draw(self) -> Iterator[QImage | None]:
+    def _draw(self) -> Generator[QImage | None, None, None]:
         """Qt lays nothing out that was not once in front: each page is, behind a picture of the stage as it was."""
         navigator, stages = self.navigator, self.navigator.stages
         shown, stage = navigator.page, stages.front
@@ -122,19 +122,19 @@ class FigureExport(QObject):
                 navigator.show_page(name)
                 cover.raise_()
                 navigator.fresh -= to_fill
-                yield
+                yield None
                 navigator.fill(name)
-                yield
+                yield None
                 if stages.answer.has_beside():
                     yield from self._make(navigator.beside)
                     navigator.show_result()
-                    yield
+                    yield None
                 for chart in content.findChildren(Chart):
                     if chart.data:
                         for image in raster(chart, self.size):
                             yield image
                         self.figures.put((chart.name, image))
-                        yield
+                        yield None
                 self.job.progress(k + 1, len(navigator.pages))
         finally:
             while SPARE:

@@ -11,6 +11,7 @@ from app.look.language import current_language, described, quoted_from_file, tr
 from app.work.session import Session
 from core import atomic_write
 from core.errors import InputError
+from core.known import known
 
 EXAMPLE = Path(__file__).resolve().parents[2] / "resources" / "cases" / "example.toml"
 RECENT = 8
@@ -55,8 +56,8 @@ class Files:
         return [name for name in names if isinstance(name, str)] if isinstance(names, list) else []
 
     def remember(self, path: Path) -> None:
-        known = [name for name in self.recent if name != str(path)]
-        self.settings.setValue("recent", [str(path), *known][:RECENT])
+        others = [name for name in self.recent if name != str(path)]
+        self.settings.setValue("recent", [str(path), *others][:RECENT])
         self.window.refresh()
 
     def new(self) -> bool:
@@ -109,7 +110,7 @@ class Files:
         except InputError as error:
             QMessageBox.warning(self.window, tr("Not saved"), plain(described(error)))
             return False
-        self.remember(self.session.path)
+        self.remember(known(self.session.path))
         if self.session.left_out:
             lines = "\n".join(described(error) for error in self.session.left_out)
             text = tr("Saved without these values, which no case file may hold:\n{lines}", lines=lines)
@@ -147,12 +148,12 @@ class Files:
         path = path_to_write(self.window, title, proposal, "PDF (*.pdf);;Word (*.docx)", (".pdf", ".docx"))
         if path is None:
             return
+        result, case_path = known(self.session.result), self.session.path or self.session.base_dir / "case.toml"
         try:
-            export.check_note(path, self.session.base_dir / "case.toml", self.session.result.case)
+            export.check_note(path, self.session.base_dir / "case.toml", result.case)
         except InputError as error:
             QMessageBox.warning(self.window, tr("Nothing exported"), plain(described(error)))
             return
-        result, case_path = self.session.result, self.session.path or self.session.base_dir / "case.toml"
 
         def write(job) -> None:
             steps = Steps(job.check, job.progress)
@@ -200,7 +201,7 @@ class Files:
         """Workbook and JSON, as the batch writes them, off this thread."""
         from app.terminal import export
 
-        result, case = self.session.result, self.session.case
+        result, case = known(self.session.result), self.session.case
         try:
             here = self.session.path or self.session.base_dir / "case.toml"
             export.refuse_overwriting(case, here, path.parent, path.stem)

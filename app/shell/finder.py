@@ -1,6 +1,7 @@
 """Find by name: fields, walls, pages, actions (Ctrl+K)."""
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import NamedTuple
 
 from PySide6.QtCore import Qt
@@ -61,21 +62,21 @@ def entries_of(window) -> list[Entry]:
         words = f"{field.caption.text()}  {field.editor.toolTip().splitlines()[0] if field.editor.toolTip() else ''}"
         if section is not None and not (isinstance(field, ReasonField) and field.isHidden()):
             also = others.get(field.caption.text(), "")
-            found.append(Entry(words.strip(), lambda field=field: point_at(window.navigator, field), also))
+            found.append(Entry(words.strip(), partial(point_at, window.navigator, field), also))
     for row in window.tree.rows:
         if row.kind in ("wall", "hinge"):
             words = f"{called(window.session.case.wall[row.wall].title)}  {row.text if row.kind == 'hinge' else ''}"
-            found.append(Entry(words.strip(), lambda row=row: window.navigator.choose_row(row)))
-    for section in window.forms.findChildren(Section):
+            found.append(Entry(words.strip(), partial(window.navigator.choose_row, row)))
+    for section in window.stages.input.forms.findChildren(Section):
         words = f"{section.head.title.text()}  {section.head.words}"
-        found.append(Entry(words.strip(), lambda section=section: point_at(window.navigator, section.head)))
-    for group in window.forms.findChildren(QGroupBox):
+        found.append(Entry(words.strip(), partial(point_at, window.navigator, section.head)))
+    for group in window.stages.input.forms.findChildren(QGroupBox):
         if group.isCheckable() and not group.isHidden():
-            found.append(Entry(group.title(), lambda group=group: point_at(window.navigator, group)))
+            found.append(Entry(group.title(), partial(point_at, window.navigator, group)))
     seen = set()
     for action in every_action(window.header.menu):
         label, keys, menu = action.text().replace("&", ""), action.shortcut().toString(), action.parent()
-        if menu.parent() is not window.header.menu:
+        if isinstance(menu, QMenu) and menu.parent() is not window.header.menu:
             label = f"{menu.title().replace('&', '')}: {label}"
         if label and action.isEnabled() and label not in seen:
             seen.add(label)
@@ -93,7 +94,7 @@ def places_of(window, text: str) -> list[Entry]:
         window.missing.lead_in("demand")
 
     names = names_beginning_with(text, PLACES) if len(text.strip()) >= LETTERS else []
-    return [Entry(tr("{name}: the demand from this place", name=name), lambda name=name: take(name)) for name in names]
+    return [Entry(tr("{name}: the demand from this place", name=name), partial(take, name)) for name in names]
 
 
 def _holds(one: Entry, words: list[str]) -> bool:

@@ -10,6 +10,7 @@ from app.look import theme
 from app.look.labels import Plain
 from app.look.language import tr
 from app.shell.files import EXAMPLE
+from app.work.draft import TO_BE_GIVEN
 from core.case.site import Demand
 
 
@@ -85,4 +86,4 @@ def follow(window, name: str) -> None:
 
 def _ask_demand(window) -> None:
     """a_g and the bases are asked for from the beginning: without a demand there is no answer."""
-    window.session.edit(replace(window.session.case, demand=Demand("")))  # type: ignore[arg-type]
+    window.session.edit(replace(window.session.case, demand=Demand(TO_BE_GIVEN)))

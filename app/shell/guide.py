@@ -37,7 +37,7 @@ def explain(window) -> None:
     while widget is not None and not isinstance(widget, Field):
         widget = widget.parentWidget()
     words = help_of(widget) if widget else ""
-    if words:
+    if widget is not None and words:
         place = widget.mapToGlobal(QPoint(20, widget.height()))
         QWhatsThis.showText(place, f"<b>{widget.caption.text()}</b><p>{words}</p>", widget)
     else:

@@ -33,7 +33,7 @@ class Header(QFrame):
         self.menu_button.setStyleSheet("QToolButton::menu-indicator { image: none; }")
         self.menu = QMenu(self.menu_button)
         self.menu_button.setMenu(self.menu)
-        QShortcut(QKeySequence("F10"), self, activated=self.menu_button.showMenu)
+        QShortcut(QKeySequence("F10"), self).activated.connect(self.menu_button.showMenu)
         self.title = Plain()
         self.title.setStyleSheet(f"font-weight: 600; {theme.points(1.2)}")
         self.title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)

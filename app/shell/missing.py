@@ -2,6 +2,7 @@
 
 import html
 from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 from PySide6.QtCore import Qt
@@ -68,11 +69,11 @@ class Missing(QFrame):
         for field in fields:
             here = next((error for error, place in told if self._is_named(field, error, place)), None)
             field.show_rule(described(here) if here else "")
-        found = [Problem(described(error), lambda error=error: self._lead_to(error)) for error in errors]
+        found = [Problem(described(error), partial(self._lead_to, error)) for error in errors]
         for field in fields:
             if field.wrong:
                 words = f"{field.caption.text()}: {field.error}"
-                found.append(Problem(words, lambda field=field: point_at(window.navigator, field)))
+                found.append(Problem(words, partial(point_at, window.navigator, field)))
         row = window.records.unreadable_row()
         if row is not None:
             words = window.records.rows[row][1]

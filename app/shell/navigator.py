@@ -183,7 +183,7 @@ class Navigator(QObject):
             return
         results = self.results_of().get(row, [])
         if marked is not None and marked.wall >= 0:
-            results = [marked.result] if marked.kind == "hinge" else results[:1]
+            results = [known(marked.result)] if marked.kind == "hinge" else results[:1]
         if self.shown in results or (self.shown < 0 and not results):
             return
         self.shown = results[0] if results else -1
@@ -338,6 +338,10 @@ class Navigator(QObject):
         if self.session.result is None:
             self.pages["walls"].empty()
         self.show_result()
+
+    def state_accuracy(self) -> None:
+        """The accuracy statement of the wall shown, off this thread."""
+        self.runner.state_accuracy(self.shown)
 
     def show_accuracy(self, k: int, accuracy: Accuracy | None) -> None:
         """The accuracy statement of the k-th result, where that is shown."""

@@ -1,6 +1,7 @@
 """What stands behind the tabs: pages made when first looked at, a veil over stale results."""
 
 import html
+from collections.abc import Callable
 
 from PySide6.QtCore import QCoreApplication, QEvent, Qt, Signal
 from PySide6.QtGui import QColor, QPainter
@@ -15,6 +16,7 @@ class Veil(QWidget):
 
     def __init__(self, over: QWidget):
         super().__init__(over)
+        self.over = over
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.hide()
 
@@ -24,7 +26,7 @@ class Veil(QWidget):
         QPainter(self).fillRect(self.rect(), shade)
 
     def cover(self, on: bool) -> None:
-        self.setGeometry(self.parentWidget().rect())
+        self.setGeometry(self.over.rect())
         self.setVisible(on)
         self.raise_()
 
@@ -42,9 +44,10 @@ class Page(QWidget):
 
     asked = Signal()
 
-    def __init__(self, maker):
+    def __init__(self, maker: Callable[[], QWidget]):
         super().__init__()
-        self.maker, self.made = maker, None
+        self.maker = maker
+        self.made: QWidget | None = None
         self.word = Rich()
         self.word.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.word.setWordWrap(True)
@@ -53,9 +56,9 @@ class Page(QWidget):
             Qt.TextInteractionFlag.LinksAccessibleByMouse | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
         )
         self.word.hide()
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.word)
+        self.column = QVBoxLayout(self)
+        self.column.setContentsMargins(0, 0, 0, 0)
+        self.column.addWidget(self.word)
 
     def say(self, words: str) -> None:
         """Words in the place of a content that would be empty: axes without curves say nothing."""
@@ -67,7 +70,7 @@ class Page(QWidget):
     def empty(self) -> None:
         """Forget what was shown; it is made anew when looked at."""
         if self.made is not None:
-            self.layout().removeWidget(self.made)
+            self.column.removeWidget(self.made)
             delete(self.made)
             self.made = None
 
@@ -76,5 +79,5 @@ class Page(QWidget):
         if self.made is None:
             self.word.hide()
             self.made = self.maker()
-            self.layout().addWidget(self.made)
+            self.column.addWidget(self.made)
         return self.made

@@ -28,11 +28,13 @@ def _way_to(navigator, field: Field) -> QWidget:
     if loads.isAncestorOf(field) and not loads.list.isVisibleTo(loads.window()):
         return loads.add_button
     above = field.parentWidget()
-    while not isinstance(above, Section) and not (isinstance(above, QGroupBox) and above.isCheckable()):
-        if above.parentWidget() is None:
-            return field.editor
+    while above is not None:
+        if isinstance(above, Section):
+            return above.head
+        if isinstance(above, QGroupBox) and above.isCheckable():
+            return above
         above = above.parentWidget()
-    return above.head if isinstance(above, Section) else above
+    return field.editor
 
 
 def point_at_key(navigator, key: str, reason: bool = False) -> None:

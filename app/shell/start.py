@@ -10,7 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QLibraryInfo, QSettings, QStandardPaths, QTimer, QTranslator
-from PySide6.QtGui import QIcon
+from PySide6.QtGui import QFileOpenEvent, QIcon
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app.look import language, theme
@@ -121,7 +121,7 @@ class Application(QApplication):
     opens: Callable[[Path], object] | None = None
 
     def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.FileOpen and self.opens is not None:
+        if isinstance(event, QFileOpenEvent) and self.opens is not None:
             self.opens(Path(event.file()))
             return True
         return super().event(event)
@@ -129,7 +129,8 @@ class Application(QApplication):
 
 def make(arguments: list[str] | None = None) -> tuple[QApplication, MainWindow]:
     """The application and its window, not shown yet."""
-    application = QApplication.instance() or Application(arguments or sys.argv[:1])
+    found = QApplication.instance()
+    application = found if isinstance(found, QApplication) else Application(arguments or sys.argv[:1])
     application.setApplicationName(NAME)
     application.setOrganizationName(NAME)
     application.setWindowIcon(QIcon(str(ICON)))
@@ -151,7 +152,9 @@ def show(window: MainWindow) -> None:
 
 def refuse(text: str) -> None:
     """A sentence in a dialog before there is a window."""
-    application = QApplication.instance() or QApplication([])
+    application = QApplication.instance()
+    if not isinstance(application, QApplication):
+        application = QApplication([])
     QMessageBox.critical(application.activeWindow(), NAME, plain(text))
 
 
@@ -159,7 +162,8 @@ def main(path: Path | None) -> int:
     """Show the window, on this case or the example; returns its exit code."""
     application, window = make()
     install_hook(window)
-    application.opens = window.files.open
+    if isinstance(application, Application):
+        application.opens = window.files.open
     show(window)
     if path is not None:
         window.files.open(path)

@@ -53,7 +53,8 @@ class StudyForm(QDialog):
     def __init__(self, parent: QWidget, folder: Path):
         super().__init__(parent)
         self.setWindowTitle(tr("A study by its keys"))
-        self.folder, self.path = folder, None
+        self.folder = folder
+        self.path: Path | None = None
         self.title = QLineEdit(tr("Parametric study"))
         self.lines = {key: QLineEdit("; ".join(number(one, "g") for one in ones)) for key, ones in LISTS.items()}
         self.lines |= {key: QLineEdit(number(one, "g")) for key, (_, one) in NUMBERS.items()}

@@ -34,6 +34,7 @@ from core.case.site import Building
 from core.case.values import check_value, field_of
 from core.case.wall import Wall
 from core.errors import InputError
+from core.known import known
 from core.research.figures import DASHED, LINE_POINTS, Figure, Series, Table
 from core.study.sweep import MOST_VALUES, SweepKey, SweepPoint, sweep, sweep_keys, value_at
 from core.text.sentence import Number, sentence
@@ -77,7 +78,7 @@ def figures_of(points: list[SweepPoint], x: str, factor: float, case: Case) -> l
 
 def check_words(case: Case, label: str) -> str:
     """What a check is called in a list."""
-    return sentence("short", label, q=Number(case.demand.q_code, "g")).text(current_language())
+    return sentence("short", label, q=Number(known(case.demand).q_code, "g")).text(current_language())
 
 
 def _series(name: str, points: list[SweepPoint], factor: float, of, color: int) -> Series:
@@ -175,8 +176,9 @@ class SweepWindow(QDialog):
     def _wall_chosen(self, k: int) -> None:
         chosen = self.key.currentText()
         self.key.clear()
-        self.keys = sweep_keys(self.case, k) if self.case and k >= 0 else []
-        self.key.addItems([key_words(self.case, k, key) for key in self.keys])
+        case = self.case
+        self.keys = sweep_keys(case, k) if case and k >= 0 else []
+        self.key.addItems([key_words(known(case), k, key) for key in self.keys])
         first = next((n for n, key in enumerate(self.keys) if key == SweepKey(Wall, "thickness_m")), 0)
         self.key.setCurrentIndex(max(self.key.findText(chosen), 0) if chosen else first)
 
@@ -185,7 +187,7 @@ class SweepWindow(QDialog):
         if not 0 <= n < len(self.keys):
             return
         key = self.keys[n]
-        value = value_at(self.case, self.wall.currentIndex(), key)
+        value = value_at(known(self.case), self.wall.currentIndex(), key)
         entry = field_of(key.section, key.name)
         _, factor = unit_in_form(entry)
         low, high = entry.metadata["low"], entry.metadata["high"]
@@ -215,7 +217,7 @@ class SweepWindow(QDialog):
             words = error.accepted_text(current_language(), FORM_NAMES)
             self.word.setText(f"{self.key.currentText()}: {words}")
             return
-        case, k, key = self.case, self.wall.currentIndex(), self.keys[self.key.currentIndex()]
+        case, k, key = known(self.case), self.wall.currentIndex(), self.keys[self.key.currentIndex()]
         base, book = self.owner.session.base_dir, self.owner.runner.finished_runs
         self.points, self.shown = [], (case, k, key)
 
@@ -223,8 +225,10 @@ class SweepWindow(QDialog):
             def tell(n: int, share: float) -> None:
                 job.progress(round(SHARE * (n + share)), SHARE * len(values))
 
-            options = {"base_dir": base, "jobs": os.cpu_count() or 1, "book": book}
-            for point in sweep(case, k, key, values, on_progress=tell, cancelled=job.cancelled, **options):
+            jobs = os.cpu_count() or 1
+            for point in sweep(
+                case, k, key, values, base_dir=base, jobs=jobs, book=book, on_progress=tell, cancelled=job.cancelled
+            ):
                 job.found.emit(point)
 
         job = self.job = Job(work)
@@ -289,7 +293,7 @@ class SweepWindow(QDialog):
         _, factor = unit_in_form(field_of(key.section, key.name))
         x, now = key_words(case, k, key), value_at(case, k, key)
         while self.tabs.count():
-            page = self.tabs.widget(0)
+            page = known(self.tabs.widget(0))
             self.tabs.removeTab(0)
             page.deleteLater()
         charts = QSplitter(Qt.Orientation.Vertical)
@@ -302,14 +306,14 @@ class SweepWindow(QDialog):
         words = [tr("{n} of {planned} values", n=len(self.points) - len(refused), planned=self.count.value())]
         if refused:
             value = number(factor * refused[0].value, ".3g")
-            words.append(tr("refused at {value}: {reason}", value=value, reason=described(refused[0].error)))
+            words.append(tr("refused at {value}: {reason}", value=value, reason=described(known(refused[0].error))))
         self.word.setText("; ".join(words))
 
     @staticmethod
     def _chart(figure: Figure, wall: Wall, now: float | None) -> QWidget:
         """A figure with the value at hand. now : in the unit of the axis"""
         page = figure_chart(figure)
-        chart = page.findChild(Chart)
+        chart = known(page.findChild(Chart))
         chart.caption = f"{called(wall.title)}: {figure.title}"
         if now is not None:
             chart.level(now, tr("now"), vertical=True, place=0.04)

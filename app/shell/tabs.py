@@ -2,24 +2,23 @@
 
 from collections.abc import Callable
 
-from PySide6.QtWidgets import QWidget
-
 from app.look.language import tr
 from app.shell.navigator import Navigator
 from app.shell.pages import Page
 from app.views.capacity_tab import CapacityTab
 from app.views.check_tab import CheckTab
 from app.views.histories_tab import HistoriesTab
+from app.views.note_tab import NoteTab
 from app.views.result_tabs import IntensityTab, SpectraTab
 from app.views.sure_tab import SureTab
+from app.views.validation_tab import ValidationTab
 from app.views.walls_tab import WallsTab
 
 
 def pages(
-    language: str, navigator: Callable[[], Navigator], validation: Callable[[], QWidget], note: Callable[[], QWidget]
+    language: str, navigator: Callable[[], Navigator], export_note: Callable[[], None]
 ) -> dict[str, tuple[Page, str]]:
-    """Pages and their labels by name. navigator() : asked when a page is made, which is after all are placed;
-    validation, note : make these tabs"""
+    """Pages and their labels by name. navigator() : asked when a page is made, which is after all are placed"""
 
     def walls() -> WallsTab:
         tab = WallsTab(language)
@@ -35,6 +34,18 @@ def pages(
     def sure() -> SureTab:
         tab = SureTab(language)
         tab.asked.connect(navigator().ask)
+        return tab
+
+    def validation() -> ValidationTab:
+        tab = ValidationTab()
+        tab.asked.connect(navigator().state_accuracy)
+        return tab
+
+    def note() -> NoteTab:
+        tab = NoteTab(lambda: navigator().session.base_dir)
+        tab.checked.connect(navigator().pick)
+        tab.picked.connect(navigator().pick_input)
+        tab.exported.connect(export_note)
         return tab
 
     return {

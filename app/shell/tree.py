@@ -25,6 +25,7 @@ from app.look.language import named, number, tr, variant_word
 from core.case.problems import wall_of
 from core.case.schema import Case
 from core.errors import InputError
+from core.known import known
 from core.report.verdict_words import tone_of
 from core.study.results import StudyResult, WallResult
 
@@ -158,12 +159,13 @@ def _wall(state: State, k: int, text: str, depth: int, broken: set[int | None]) 
 
 def _chip(state: State, k: int) -> tuple[str, str]:
     """What a result comes to, and its colour; grey where it is of an earlier input."""
-    wall = state.result.walls[k]
+    result = known(state.result)
+    wall = result.walls[k]
     if wall.assessment is None:
         return (f"q {number(wall.q_set, '.2f')}" if wall.q_set else "–"), "quiet"
     zeta = wall.assessment.verdict.zeta_e
     shown = "–" if zeta is None else number(zeta, ".2f")
-    return shown, "quiet" if state.stale else tone_of(state.result, wall)
+    return shown, "quiet" if state.stale else tone_of(result, wall)
 
 
 def hinge_text(wall: WallResult) -> str:
@@ -175,8 +177,9 @@ def _hinges(state: State, k: int, depth: int) -> Iterable[Row]:
     results = state.of_row.get(k, [])
     if state.result is None or state.finished is not None or len(results) < 2:
         return
-    for n in sorted(results, key=lambda n: (state.result.walls[n].part.hinge, state.result.walls[n].mechanism)):
-        text = hinge_text(state.result.walls[n])
+    walls = state.result.walls
+    for n in sorted(results, key=lambda n: (walls[n].part.hinge, walls[n].mechanism)):
+        text = hinge_text(walls[n])
         yield Row(depth, "hinge", text, *_chip(state, n), wall=k, result=n)
 
 
@@ -346,7 +349,7 @@ class ProjectTree(QFrame):
                 walk(item.child(k))
 
         for k in range(self.tree.topLevelItemCount()):
-            walk(self.tree.topLevelItem(k))
+            walk(known(self.tree.topLevelItem(k)))
         return found
 
     @property

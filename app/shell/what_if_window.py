@@ -13,6 +13,7 @@ from app.work.worker import Job
 from core.case.schema import Case
 from core.codes.outcomes import least
 from core.errors import InputError
+from core.known import known
 from core.report.sure_words import reach_written
 from core.setting.plan import Inputs, read_inputs
 from core.text.sentence import Number, sentence
@@ -60,7 +61,7 @@ def captions() -> dict[str, str]:
 def why_ag_stays(case: Case) -> str:
     """Why a_g has no slider: with another one the case would contradict itself, or its records would not follow as
     they do here. Empty where it has one."""
-    demand = case.demand
+    demand = known(case.demand)
     if case.site or demand.hazard or demand.hazard_file:
         return tr("a_g is not moved: it is that of the hazard of the site.")
     if demand.spectrum_file:
@@ -84,7 +85,7 @@ class WhatIfWindow(QDialog):
         self.case: Case | None = None
         self.setting: Setting | None = None
         self.jobs: dict[str, Job] = {}
-        self.known: dict[str, float | None] = {}
+        self.zetas: dict[str, float | None] = {}
         self.sliders: dict[str, QSlider] = {}
         self.values_shown: dict[str, QLabel] = {}
         self.given: dict[str, float] = {}
@@ -97,12 +98,12 @@ class WhatIfWindow(QDialog):
         self.board, self.grid = QWidget(), QGridLayout()
         self.board.setLayout(self.grid)
         self.take, self.back = QPushButton(tr("Take it")), QPushButton(tr("Back to the case"))
-        self.find = QPushButton(tr("Find for the ζ required"))
-        self.find.setToolTip(
+        self.find_button = QPushButton(tr("Find for the ζ required"))
+        self.find_button.setToolTip(
             tr("The value of each slider, the others as they are, at which ζ of a check is as required")
         )
         buttons = QHBoxLayout()
-        for button, slot in ((self.find, self.search), (self.back, self.reset), (self.take, self.take_it)):
+        for button, slot in ((self.find_button, self.search), (self.back, self.reset), (self.take, self.take_it)):
             button.setAutoDefault(False)
             button.clicked.connect(slot)
             buttons.addWidget(button)
@@ -126,7 +127,7 @@ class WhatIfWindow(QDialog):
         self.told.stop()
         self.base_dir = self.owner.session.base_dir
         self.case, self.row = self.owner.session.checked(), self.owner.walls.current
-        self.setting, self.known = None, {}
+        self.setting, self.zetas = None, {}
         self._show_setting()
         if self.case is None or self.case.demand is None:
             problem = self.owner.session.problem()
@@ -138,7 +139,7 @@ class WhatIfWindow(QDialog):
 
         def arrived(inputs: Inputs) -> None:
             self.setting = setting_of(case, self.row, base, inputs)
-            self.known = self._of_the_run()
+            self.zetas = self._of_the_run()
             self._show_setting()
             self._moved()
             self.word.setText(notice)
@@ -153,7 +154,7 @@ class WhatIfWindow(QDialog):
 
     def _show_setting(self) -> None:
         """The sliders, where there is something to move."""
-        for part in (self.board, self.ladder, self.take, self.back, self.find):
+        for part in (self.board, self.ladder, self.take, self.back, self.find_button):
             part.setEnabled(self.setting is not None)
         self._fill()
         if self.setting is None:
@@ -181,13 +182,13 @@ class WhatIfWindow(QDialog):
     def _fill(self) -> None:
         """A slider for each value that can be moved."""
         while self.grid.count():
-            old = self.grid.takeAt(0).widget()
+            old = known(known(self.grid.takeAt(0)).widget())
             old.hide()  # it goes only when the event at hand is over
             old.deleteLater()
         self.sliders.clear()
         self.values_shown.clear()
         self.given = self._moved_keys() if self.setting else {}
-        self.still.setText(why_ag_stays(self.case) if self.setting else "")
+        self.still.setText(why_ag_stays(known(self.case)) if self.setting else "")
         self.still.setVisible(bool(self.still.text()))
         names = captions()
         for row, key in enumerate(self.given):
@@ -205,16 +206,17 @@ class WhatIfWindow(QDialog):
 
     def _moved_keys(self) -> dict[str, float]:
         """Key -> value of what has a slider."""
+        setting = known(self.setting)
 
         def stands(key: str, value: float) -> bool:
             try:
-                with_values(self.setting, {key: value})
+                with_values(setting, {key: value})
             except InputError:
                 return False
             return True
 
-        found = moved_keys(self.setting)
-        if why_ag_stays(self.case):
+        found = moved_keys(setting)
+        if why_ag_stays(known(self.case)):
             found.pop("ag_g", None)
         return {key: now for key, now in found.items() if any(stands(key, share * now) for share in TRIED)}
 
@@ -267,7 +269,7 @@ class WhatIfWindow(QDialog):
     def _rounded(self, moved: Setting) -> Setting:
         """With the loads that follow a slider in the digits they are written with."""
         wall, loads = moved.case.wall[0], []
-        for was, load in zip(self.setting.case.wall[0].load, wall.load, strict=True):
+        for was, load in zip(known(self.setting).case.wall[0].load, wall.load, strict=True):
             decimals = {"kn_m": FORCE, "d_m": PLACE}
             other = {key: getattr(load, key) for key in decimals if getattr(load, key) != getattr(was, key)}
             loads.append(replace(load, **{key: round(value, decimals[key]) for key, value in other.items()}))
@@ -282,7 +284,7 @@ class WhatIfWindow(QDialog):
     def _search_zeta(self, moved: Setting, precision: Precision) -> None:
         self.stop("zeta")
         first, base = not self.values, self.base_dir
-        asked = self.case.generate and "ag_g" in self.values and precision is RUN
+        asked = known(self.case).generate and "ag_g" in self.values and precision is RUN
         taken = self._taken(moved) if asked else None
 
         def work(job: Job) -> WholeWall:
@@ -291,7 +293,7 @@ class WhatIfWindow(QDialog):
 
         def arrived(found: WholeWall) -> None:
             if first:
-                self.known = dict(found.by_check) | self._of_the_run()
+                self.zetas = dict(found.by_check) | self._of_the_run()
             again = precision is GLANCE and "dynamic" in found.by_check
             self._show(found, GLANCE if again else RUN)
             if again:
@@ -330,7 +332,7 @@ class WhatIfWindow(QDialog):
                 said = reach_written(one.key, value, current_language())
                 ends.append(f"{tr('any') if label in one.throughout else said} ({self._check(label)})")
             lines.append(f"{names[one.key]}: {'; '.join(ends)}")
-        target = number(self.setting.demand.zeta_target, ".2f")
+        target = number(known(self.setting).demand.zeta_target, ".2f")
         self.word.setText("\n".join([tr("For ζ {zeta}:", zeta=target), *lines]))
 
     def _start(self, name: str, work, arrived) -> None:
@@ -347,18 +349,19 @@ class WhatIfWindow(QDialog):
                 job.cancel()
 
     def _check(self, label: str) -> str:
-        q = Number(self.case.demand.q_code, "g")
+        q = Number(known(known(self.case).demand).q_code, "g")
         return sentence("short", label, q=q).text(current_language())
 
     def _show(self, found: WholeWall, precision: Precision | None = RUN) -> None:
         """The ladder; zeta as it is beside each. precision : of the histories, None while none are made; those of a
         run follow"""
-        target, rungs = self.setting.demand.zeta_target, []
-        labels = list(self.known) or list(found.by_check)
-        if precision is None and self.setting.has_histories and "dynamic" not in labels:
+        setting, rungs = known(self.setting), []
+        target = setting.demand.zeta_target
+        labels = list(self.zetas) or list(found.by_check)
+        if precision is None and setting.has_histories and "dynamic" not in labels:
             labels.insert(0, "dynamic")  # which decides, also while it is searched
         for k, label in enumerate(labels):
-            zeta, given = found.by_check.get(label), self.known.get(label)
+            zeta, given = found.by_check.get(label), self.zetas.get(label)
             said = "" if precision is RUN or label != "dynamic" else "…" if precision is None else tr("about")
             values = tr("as it is {zeta}", zeta=number(given, ".2f")) if given is not None and self.values else said
             rungs.append(Rung(self._check(label), said, zeta, values, self._tone(found, label, precision), k == 0))
@@ -384,13 +387,14 @@ class WhatIfWindow(QDialog):
 
     def _taken(self, moved: Setting) -> Case:
         """The case with the values of the sliders."""
-        wall, new = self.case.wall[self.row], moved.case.wall[0]
+        case = known(self.case)
+        wall, new = case.wall[self.row], moved.case.wall[0]
         sizes = ("thickness_m", "slenderness_deg", "height_over_thickness", "height_m", "load")
-        walls = list(self.case.wall)
+        walls = list(case.wall)
         walls[self.row] = replace(wall, **{key: getattr(new, key) for key in sizes})
-        case = replace(self.case, wall=tuple(walls))
+        case = replace(case, wall=tuple(walls))
         if "ag_g" in self.values:
-            case = replace(case, demand=replace(case.demand, ag_g=self.values["ag_g"]))
+            case = replace(case, demand=replace(known(case.demand), ag_g=self.values["ag_g"]))
         return case
 
     def take_it(self) -> None:

@@ -24,7 +24,6 @@ from app.views.chart_output import ChartOutput
 from app.views.histories_tab import HistoriesTab
 from app.views.note_tab import NoteTab
 from app.views.table import Table
-from app.views.validation_tab import ValidationTab
 from app.work.preparation import Preparation
 from app.work.runner import Runner
 from app.work.session import Session
@@ -79,7 +78,7 @@ class MainWindow(QMainWindow):
         asked = menus.chosen(self.settings, "language", LANGUAGES)
         self.language = asked or system_language()
         stages.remove(self)
-        made = tabs.pages(self.language, lambda: self.navigator, self._validation, self._note)
+        made = tabs.pages(self.language, lambda: self.navigator, self.files.ask_note)
         self.page_labels = {name: label for name, (_, label) in made.items()}
         self.stages = stages.Stages(self, self.session, made, Page(HistoriesTab))
         self.pages = self.stages.pages
@@ -123,7 +122,7 @@ class MainWindow(QMainWindow):
         """Parts of the stages that others ask for."""
         given = self.stages.input
         self.walls, self.demand, self.analysis, self.records = given.walls, given.demand, given.analysis, given.records
-        self.forms, self.missing = given.forms, given.missing
+        self.missing = given.missing
         self.records.loaded.connect(self.refresh)
         self.walls.told.connect(self.show_word)
 
@@ -170,18 +169,6 @@ class MainWindow(QMainWindow):
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
         self.tree.fit(self.width())
-
-    def _validation(self) -> ValidationTab:
-        tab = ValidationTab()
-        tab.asked.connect(lambda: self.runner.state_accuracy(self.navigator.shown))
-        return tab
-
-    def _note(self) -> NoteTab:
-        tab = NoteTab(lambda: self.session.base_dir)
-        tab.checked.connect(self.navigator.pick)
-        tab.picked.connect(self.navigator.pick_input)
-        tab.exported.connect(self.files.ask_note)
-        return tab
 
     def set_choice(self, setting: str, name: str) -> None:
         """Change the theme or the language, and build the window again where it is another."""
@@ -319,7 +306,7 @@ class MainWindow(QMainWindow):
     def _show_note(self) -> None:
         """The pages hold what is typed beside them."""
         page = self.pages["note"]
-        if page.made is not None and page.content.result is not self.session.result:
+        if isinstance(page.made, NoteTab) and page.made.result is not self.session.result:
             self.navigator.fresh.discard(page)
             self.navigator.show_result()
 

@@ -132,8 +132,15 @@ def run_part(case_path: Path, output: Path | None, jobs: int, quiet: bool, k: in
 
     with made(case_path, folder), interrupts(cancel), progress(quiet) as show:
         try:
-            asked = {"journal": journal, "on_progress": show.runs, "cancelled": cancel.is_set, "share": (k - 1, n)}
-            result = run_study(case, base_dir=case_path.parent, jobs=jobs, **asked)
+            result = run_study(
+                case,
+                base_dir=case_path.parent,
+                jobs=jobs,
+                journal=journal,
+                on_progress=show.runs,
+                cancelled=cancel.is_set,
+                share=(k - 1, n),
+            )
             books[0].add(FINISHED, {})
         except Cancelled:
             tell("cancelled: finished runs are in {path}; start this part again", path=part_path(folder, stem, k, n))

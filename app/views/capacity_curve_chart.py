@@ -8,6 +8,7 @@ from app.look.language import number, tr
 from app.views.chart import Chart
 from app.views.runs import title_of
 from core.codes.capacity_curve import capacity_curve
+from core.known import known
 from core.study.results import StudyResult, WallResult
 from core.units import CM, G
 
@@ -30,9 +31,9 @@ class CapacityCurveChart(Chart):
         """Draw the curves; says why where the displacement check is not made."""
         self.clear()
         self.caption = title_of(wall)
-        found = wall.assessment.kinematic if wall.assessment else None
-        curve = capacity_curve(found, result.demand) if found else None
-        if curve is None:
+        found, demand = wall.assessment.kinematic if wall.assessment else None, result.demand
+        curve = capacity_curve(found, demand) if found and demand else None
+        if found is None or demand is None or curve is None:
             self.say_why(tr("No displacement check: it needs a spectrum and a demand at SLV or SLC."))
             return
         percent = number(100.0 * curve.damping, "g")
@@ -42,10 +43,11 @@ class CapacityCurveChart(Chart):
             self.curve(name, curve.floor_d / CM, curve.floor_a / G, 2, path=True)
         along, across = (np.array(values) for values in zip(*curve.capacity, strict=True))
         self.curve(tr("capacity"), along / CM, across / G, 0, 2.4)
-        state, slope = result.demand.limit_state, (2.0 * math.pi / found.period) ** 2
-        self.points(f"d_{state}", [found.d_limit / CM], [found.a_limit / G], 0)
-        self.points("S_De", [found.s_de / CM], [slope * found.s_de / G], 1)
-        end = max(1.15 * found.d_limit, found.s_de)
+        state, slope = demand.limit_state, (2.0 * math.pi / known(found.period)) ** 2
+        d_limit, a_limit, s_de = known(found.d_limit), known(found.a_limit), known(found.s_de)
+        self.points(f"d_{state}", [d_limit / CM], [a_limit / G], 0)
+        self.points("S_De", [s_de / CM], [slope * s_de / G], 1)
+        end = max(1.15 * d_limit, s_de)
         self.curve(f"T_{state}", [0.0, end / CM], [0.0, slope * end / G], "quiet", 1.0, dash=True)
         high = 1.1 * max(across[0], *curve.demand_a, *curve.floor_a) / G
-        self.set_range((0.0, 1.05 * max(found.d0, found.s_de) / CM), (0.0, high))
+        self.set_range((0.0, 1.05 * max(known(found.d0), s_de) / CM), (0.0, high))

@@ -18,6 +18,7 @@ from app.views.result_tab import ResultTab
 from app.views.runs import governing_run, run_name, title_of
 from core.capacity.fragility import fragility_curve
 from core.capacity.ida import grid_point, multiplier_of, threshold_of
+from core.known import known
 from core.rocking.history import scan
 from core.rocking.outcome import COLLAPSED, STABLE
 from core.study.results import Run, StudyResult, WallResult
@@ -81,7 +82,7 @@ class CapacityTab(ResultTab):
 
     def _show_fragility(self) -> None:
         """Of the wall, and dashed of another."""
-        result, wall = self.shown
+        result, wall = known(self.shown)
         self.fragility.clear()
         self.fragility.caption = title_of(wall)
         other = self.other.currentIndex() - 1
@@ -97,7 +98,7 @@ class CapacityTab(ResultTab):
         self.fragility.set_range(y=(0.0, 1.05))
 
     def _fragility_of(self, wall: WallResult, color: int, dash: bool, name: str) -> bool:
-        result = self.shown[0]
+        result = known(self.shown)[0]
         q, count, n = fragility_curve([run.ida for run in wall.runs], result.search)
         if not n:
             return False
@@ -118,7 +119,7 @@ class CapacityTab(ResultTab):
         self.peaks.clear()
         if self.shown is None or self.record.currentIndex() < 0:
             return
-        result, wall = self.shown
+        result, wall = known(self.shown)
         k = self.record.currentIndex()
         if k == len(wall.runs):
             self._overlay(result, wall)
@@ -166,7 +167,7 @@ class CapacityTab(ResultTab):
         for k, run in enumerate(wall.runs):
             start = run.ida.first_index - first
             image[k, start : start + len(run.ida.outcomes)] = [int(d) for d in run.ida.outcomes]
-        step = math.log1p(self.shown[0].search.q_step)
+        step = math.log1p(known(self.shown)[0].search.q_step)
         low = math.log(wall.runs[0].ida.q_start) + first * step
         # what was not searched, or ended without an outcome, is neither: hatched, seen through the map
         shades = np.select([image == STABLE, image == COLLAPSED], [0.0, 1.0], 0.5)
@@ -197,9 +198,9 @@ class CapacityTab(ResultTab):
             self.strips.entry(mark, name)
         grid = np.exp(low + step * np.arange(image.shape[1]))
         for k, run in enumerate(wall.runs):
-            known = ~np.isnan(image[k])
-            self.strips.data.append((run_name(run), grid[known], image[k][known]))
-        names = [(k, run_name(run)) for k, run in enumerate(wall.runs)]
+            searched = ~np.isnan(image[k])
+            self.strips.data.append((run_name(run), grid[searched], image[k][searched]))
+        names = [(float(k), run_name(run)) for k, run in enumerate(wall.runs)]
         self.strips.names_beside(names)
         marks = [q for q in MARKS if math.log(q) >= low - 0.1]
         self.strips.ticks("bottom", [(math.log(q), f"{number(q, 'g')}") for q in marks])

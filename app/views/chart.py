@@ -1,6 +1,7 @@
 """One chart: curves with names and units, values under the cursor, copy, PNG, SVG, PDF, CSV (always light)."""
 
 from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
@@ -56,7 +57,7 @@ class Chart(ChartOutput):
         self.reason.setWordWrap(True)
         self.reason.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.reason.hide()
-        self.items: list[tuple] = []
+        self.items: list[tuple[Any, Any, float, bool, bool]] = []
         self.recolors: list[Callable[[theme.Theme, float], None]] = []
         self.entries: list[str] = []
         self.extents: list[tuple] = []
@@ -209,9 +210,9 @@ class Chart(ChartOutput):
         self.names, self.of_pairs = names, of_pairs
         show_names(self)
 
-    def names_beside(self, lines: list[tuple[float, str]]) -> None:
+    def names_beside(self, lines: Sequence[tuple[float, str]]) -> None:
         """Names at places of the left axis, as many of them as its height holds."""
-        self.lines = lines
+        self.lines = list(lines)
         show_names(self)
 
     def resizeEvent(self, event) -> None:
@@ -304,7 +305,6 @@ class Chart(ChartOutput):
                 item.label.fill = pg.mkBrush(behind)
 
     def _apply_theme(self, chosen: theme.Theme, scale: float = 1.0) -> None:
-        """scale : pixels of the device to one of the layout; the width of a pen is in those of the device"""
         self.view.setBackground(chosen.back)
         for side, label in zip(("bottom", "left"), self.labels, strict=True):
             axis = self.plot.getAxis(side)

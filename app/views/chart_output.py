@@ -4,7 +4,9 @@ import csv
 import io
 import math
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QPoint
 from PySide6.QtGui import QGuiApplication, QImage, QPainter
@@ -34,6 +36,14 @@ class ChartOutput(QWidget):
     column : of its data what stands in the place of y, "" where that is what its axis says
     """
 
+    view: pg.PlotWidget
+    items: list[tuple[Any, Any, float, bool, bool]]
+    """(item, colour, width, dashed, filled)"""
+    data: list[tuple[str, np.ndarray, np.ndarray]]
+    names: list[str]
+    labels: tuple[str, str]
+    name: str
+
     stale = False
     """Whether the input has changed since the result shown: what leaves the program says so."""
 
@@ -44,6 +54,10 @@ class ChartOutput(QWidget):
     def is_stale(self) -> bool:
         """Whether what it shows is of an earlier input."""
         return ChartOutput.stale and not self.live
+
+    def _apply_theme(self, chosen: theme.Theme, scale: float = 1.0) -> None:
+        """scale : pixels of the device to one of the layout; the width of a pen is in those of the device"""
+        raise NotImplementedError
 
     def image(self) -> QImage:
         """The chart as a light picture, twice the size on the screen; of stale results it says so."""

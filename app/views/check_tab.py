@@ -32,6 +32,7 @@ from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.eq9 import LABEL
 from core.codes.kinematic import Check
 from core.codes.outcomes import least
+from core.known import known
 from core.report.sure_words import risk_of, verdict_of
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import lines_of, sentence_of, tone_of
@@ -66,7 +67,7 @@ class Whole(QWidget):
     """A page that scrolls rather than cut its words: as high as they need, not as the chart would like."""
 
     def heightForWidth(self, width: int) -> int:
-        return self.layout().minimumHeightForWidth(width)
+        return known(self.layout()).minimumHeightForWidth(width)
 
 
 class CheckTab(ResultTab):
@@ -158,7 +159,8 @@ class CheckTab(ResultTab):
             label.linkActivated.connect(self.asked)
         self.no_peaks.setWordWrap(True)
         self.notes = self._opener(self.reasons.setVisible)
-        self.banner = QFrame(objectName="verdict")
+        self.banner = QFrame()
+        self.banner.setObjectName("verdict")
         inside = QVBoxLayout(self.banner)
         inside.setContentsMargins(14, 6, 10, 6)
         inside.setSpacing(2)
@@ -253,7 +255,7 @@ class CheckTab(ResultTab):
     def _rows(self, result: StudyResult, wall: WallResult) -> tuple[list, list]:
         """Rows of the table and their colours: checks, Eq. 9, what research estimates."""
         rows, colors = [], []
-        for check, decides in wall.assessment.shown:
+        for check, decides in known(wall.assessment).shown:
             color = theme.current.good if check.passed else theme.current.bad
             outcome = "no_number" if check.passed is None else "passed" if check.passed else "not_passed"
             if check.name == "floor_sld":
@@ -289,7 +291,7 @@ class CheckTab(ResultTab):
                 colors.append([theme.current.quiet] * 8)
         for estimate in wall.estimates:
             capacity = wall.model.threshold / G
-            wanted = result.demand.pga / G / estimate.q
+            wanted = known(result.demand).pga / G / estimate.q
             between = f"q {number(estimate.low, '.2f')} – {number(estimate.high, '.2f')}"
             if not estimate.within:
                 between += ", " + tr("outside its range")
@@ -359,7 +361,7 @@ class CheckTab(ResultTab):
 
     def _facts(self, result: StudyResult, wall: WallResult) -> str:
         """Five facts by which a reader judges how far the verdict goes."""
-        found = wall.assessment
+        found = known(wall.assessment)
         dynamic, facts = found.dynamic, []
         if dynamic and dynamic.zeta is not None:
             other = f"ζ {digits(dynamic.zeta_16)} – {digits(dynamic.zeta)}"

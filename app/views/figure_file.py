@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QPoint, QRect, QSize, QSizeF, Qt
-from PySide6.QtGui import QColor, QFont, QImage, QPageLayout, QPageSize, QPainter, QPdfWriter
+from PySide6.QtGui import QColor, QFont, QImage, QImageWriter, QPageLayout, QPageSize, QPainter, QPdfWriter
 from PySide6.QtSvg import QSvgGenerator
 from shiboken6 import isValid
 
@@ -62,10 +62,10 @@ def figure(chart, end: str, size: FigureSize) -> bytes:
             drawing.setResolution(SCREEN)  # that of the layout: letters of so many points keep their room
             _paint(chart, drawing, whole, lines)
             # Qt writes whatever a text holds
-            text = _of_width(for_xml(bytes(room.data())).decode(), page, density)
+            text = _of_width(for_xml(bytes(room.data().data())).decode(), page, density)
             return in_page_units(text).encode()
         _paint(chart, _pdf(room, page, density), whole, lines)
-        return bytes(room.data())
+        return bytes(room.data().data())
 
 
 def raster(chart, size: FigureSize) -> Iterator[QImage]:
@@ -89,7 +89,7 @@ def _strips(chart, page: QSize) -> list[QRect]:
     (across, up), low, bottom = box.viewPixelSize(), box.viewRange()[1][0], box.sceneBoundingRect().bottom()
     for item, _, _, dash, _ in chart.items:
         x, y = item.curve.getData() if isinstance(item, pg.PlotDataItem) and item.curve.isVisible() else (None, None)
-        if x is None:
+        if x is None or y is None:
             continue
         if dash:  # its dashes would not meet those of the next strip
             return [QRect(QPoint(), page)]
@@ -107,9 +107,9 @@ def png(image: QImage) -> bytes:
     """Its file, in any thread. Raises OutputError."""
     room = QBuffer()
     room.open(QIODevice.OpenModeFlag.WriteOnly)
-    if not image.save(room, "PNG"):
+    if not QImageWriter(room, b"PNG").write(image):
         raise OutputError("picture_not_made")
-    return bytes(room.data())
+    return bytes(room.data().data())
 
 
 @contextmanager

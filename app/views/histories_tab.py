@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+import pyqtgraph as pg
 from PySide6.QtCore import QElapsedTimer, QSignalBlocker, Qt, QTimer
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -25,8 +26,9 @@ from app.views.result_tab import ResultTab
 from app.views.runs import before_motion, governing_run, index_of, run_name, title_of
 from core.capacity.ida import multiplier_of, threshold_of
 from core.codes.dynamic_check import at_demand
+from core.known import known
 from core.rocking.energy import energy_ratios
-from core.rocking.history import history
+from core.rocking.history import History, history
 from core.rocking.outcome import COLLAPSED
 from core.study.bar_histories import BarHistory, bar_histories, work_of_impacts
 from core.study.results import StudyResult, WallResult
@@ -106,9 +108,10 @@ class HistoriesTab(ResultTab):
         self.timer.setInterval(33)
         self.timer.timeout.connect(self._frame)
         self.clock, self.started = QElapsedTimer(), 0.0
-        self.shown = None
-        self.history = self.second = None
-        self.cursors = []
+        self.shown: tuple[StudyResult, WallResult] | None = None
+        self.history: History | None = None
+        self.second: History | None = None
+        self.cursors: list[pg.InfiniteLine] = []
         self.bars: list[BarHistory] = []
 
     def _lay_out(self) -> None:
@@ -204,7 +207,7 @@ class HistoriesTab(ResultTab):
         self.rotation.clear()
         if self.shown is None or self.record.currentIndex() < 0:
             return
-        result, wall = self.shown
+        result, wall = known(self.shown)
         self.motion = result.motion_of(wall, self.run.motion)
         self.acceleration = self.motion.acceleration
         if self.again.isChecked():
@@ -268,15 +271,16 @@ class HistoriesTab(ResultTab):
         self.preset.setCurrentIndex(0)
         if self.run is None:
             return
-        result, wall = self.shown
+        result, wall = known(self.shown)
         demand, bracket = result.demand, self.run.ida.bracket
         if (k in (1, 2) and demand is None) or (k in (3, 4) and bracket is None):
             self.words.setText(tr("Not known here: no demand, or no collapse of this record."))
             return
         strength_factor = 1.0
         if k == 1:
-            q = demand.scaling(self.motion) * self.motion.pga / threshold_of(wall.model)
+            q = known(demand).scaling(self.motion) * self.motion.pga / threshold_of(wall.model)
         elif k == 2:  # as the dynamic check has it
+            demand = known(demand)
             weakened, factor = at_demand(wall.model, demand, demand.confidence_on, self.motion)
             strength_factor = wall.model.p2 / weakened.p2
             q = factor / strength_factor * self.motion.pga / threshold_of(wall.model)
@@ -289,7 +293,7 @@ class HistoriesTab(ResultTab):
         """The history at the slider's multiplier: a fraction of a millisecond, then drawn."""
         if self.run is None:
             return
-        result, wall = self.shown
+        result, wall = known(self.shown)
         scale = self.run.polarity * multiplier_of(self.q, self.motion.pga, threshold_of(wall.model))
         ground, dt = self.acceleration, self.motion.time_step
         # strength over FC is p^2 / FC under the ground times FC (core/codes/dynamic_check.py)
@@ -328,7 +332,7 @@ class HistoriesTab(ResultTab):
 
     def _integrate_second(self, model) -> None:
         """The same wall under another record, at the same multiple of it. model : FC on the strength included"""
-        result, wall = self.shown
+        result, wall = known(self.shown)
         k = self.other.currentIndex() - 1
         self.second = None
         self.other_drawing.setVisible(k >= 0)
@@ -346,13 +350,13 @@ class HistoriesTab(ResultTab):
 
     def _show_bars(self) -> tuple[str, ...]:
         """Force and elongation of each tie, and what they and the impacts took."""
-        _, wall = self.shown
-        self.bars = bar_histories(wall.wall, self.history, self.strength_factor) if wall.model.bars else []
+        history_now, (_, wall) = known(self.history), known(self.shown)
+        self.bars = bar_histories(wall.wall, history_now, self.strength_factor) if wall.model.bars else []
         if not self.bars:
             return ()
         self.force.clear()
         self.elongation.clear()
-        times = self.times[: self.history.rotation.size]
+        times = self.times[: history_now.rotation.size]
         for k, one in enumerate(self.bars):
             name = f"h {number(one.bar.height, '.2f')} m"
             self.force.curve(name, times, 1e-3 * one.force, k, 1.4)
@@ -363,7 +367,7 @@ class HistoriesTab(ResultTab):
             chart.set_range((0.0, float(self.times[-1])))
             self.cursors.append(chart.level(0.0, "", "ink", vertical=True))
         del self.cursors[3:-2]
-        lost = work_of_impacts(wall.wall, wall.model, self.history)
+        lost = work_of_impacts(wall.wall, wall.model, history_now)
         words = [tr("ties took {work} kJ/m", work=number(1e-3 * sum(one.work for one in self.bars), ".2f"))]
         if lost is not None:
             words.append(tr("impacts {work} kJ/m", work=number(1e-3 * lost, ".2f")))
@@ -371,13 +375,13 @@ class HistoriesTab(ResultTab):
 
     def _wall_in_words(self) -> tuple[str, ...]:
         """Strength and multiplier of what is drawn: FC on the strength or not, and how many times the demand."""
-        result, _ = self.shown
+        result, wall = known(self.shown)
         if self.strength_factor == 1.0:
             words = [tr("strength as it is, without FC")]
         else:
             words = [f"{named('confidence_capacity')}: {number(self.strength_factor, '.2f')}"]
         if result.demand is not None:
-            factor = multiplier_of(self.q, self.motion.pga, threshold_of(self.shown[1].model))
+            factor = multiplier_of(self.q, self.motion.pga, threshold_of(wall.model))
             words.append(
                 tr("{times} times the demand", times=number(factor / result.demand.scaling(self.motion), ".2f"))
             )
@@ -387,7 +391,7 @@ class HistoriesTab(ResultTab):
         """Both cursors and the small wall at this time [s]."""
         for line in self.cursors:
             line.setValue(time)
-        rotation = self.history.rotation
+        rotation = known(self.history).rotation
         sample = min(max(0, int(time / self.motion.time_step)), rotation.size - 1)
         self.wall_drawing.bars = [(one.bar.height, int(one.phase[sample])) for one in self.bars]
         self.wall_drawing.set_rotation(float(np.clip(rotation[sample], -1.5, 1.5)))
@@ -416,5 +420,5 @@ class HistoriesTab(ResultTab):
     def _frame(self) -> None:
         time = self.started + 0.001 * self.speed.currentData() * self.clock.elapsed()
         self.set_time(time)
-        if time >= self.times[self.history.rotation.size - 1]:
+        if time >= self.times[known(self.history).rotation.size - 1]:
             self.play.setChecked(False)

@@ -24,6 +24,7 @@ from app.look.labels import Plain
 from app.look.language import current_language, tr
 from app.views.result_tab import ResultTab
 from app.work.worker import Job
+from core.known import known
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import LANGUAGES
 
@@ -230,7 +231,7 @@ class NoteTab(ResultTab):
         self.paper.show_images(pages.images, pages.scale)
         bar.setValue(round(share * bar.maximum()))
         words = tr("Pages: {n}", n=len(pages.images))
-        tongue = self.result.case.report.language
+        tongue = known(self.result).case.report.language
         if tongue != current_language():
             words += ", " + tr("in the language of the report ({language})", language=LANGUAGES[tongue])
         self.word.setText(words)

@@ -30,6 +30,7 @@ class IntensityTab(ResultTab):
 
     def __init__(self):
         super().__init__()
+        self.shown: tuple[StudyResult, WallResult] | None = None
         self.log = QCheckBox(tr("Logarithmic axes"))
         self.log.toggled.connect(lambda on: self.show_wall(*self.shown) if self.shown else None)
         self.chart = Chart("SI [cm]", "q_eff [-]", tr("q against SI"))
@@ -45,7 +46,6 @@ class IntensityTab(ResultTab):
         charts.addWidget(self.chart, 1)
         charts.addWidget(self.scale_free, 1)
         layout.addLayout(charts, 1)
-        self.shown = None
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
         """Fill the tab from one wall of a result."""
@@ -200,5 +200,5 @@ class SpectraTab(QWidget):
             limit = "–" if rule.limit is None else f"{number(percent * rule.limit, '.3g')} {rule.unit}"
             name, found = word(rule.name, self.language), word(outcome, self.language)
             rows.append([name, rule.clause, value, limit, found])
-            colors.append([None] * 4 + [color])
+            colors.append([None, None, None, None, color])
         self.table.show_rows(rows, colors)

@@ -12,6 +12,7 @@ from app.look.language import number, tr
 from app.views.chart import Chart
 from app.views.result_tab import ResultTab
 from app.views.table import Table
+from core.known import known
 from core.report import sure_words
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import localized
@@ -101,7 +102,7 @@ class SureTab(ResultTab):
             x, y = zip(*points, strict=True)
             self.chart.curve(name, x, y, color, 9.0, path=True)
         self.chart.level(base, f"ζ_E {number(base, '.2f')}", "ink", vertical=True, place=0.97)
-        target = result.demand.zeta_target
+        target = known(result.demand).zeta_target
         self.chart.level(target, tr("required {zeta}", zeta=number(target, ".2f")), "amber", vertical=True, place=0.03)
         self.chart.names_beside(lines[::-1])
         drawn = [base, target, *(x for x, _ in below + above if not np.isnan(x))]
@@ -120,7 +121,7 @@ class SureTab(ResultTab):
         """What the zeta required asks of thickness, ties and a_g, by every check."""
         labels = sure_words.reach_labels(found) if found else []
         self.reach.setVisible(bool(labels))
-        if not labels:
+        if found is None or not labels:
             return
         heads = [tr("For the ζ required"), tr("now"), *sure_words.check_names(result, labels, self.language)]
         self.reach.setColumnCount(len(heads))

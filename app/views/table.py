@@ -6,6 +6,7 @@ from PySide6.QtGui import QColor, QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 from app.look.language import tr
+from core.known import known
 from core.report.plain_cell import plain_cell
 
 SPARE = 24
@@ -51,6 +52,9 @@ class Table(QTableWidget):
                 self.setItem(r, c, item)
         self.fit()
 
+    def _head(self, column: int) -> str:
+        return known(self.horizontalHeaderItem(column)).text()
+
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
         if self.width() != self.fitted:  # not for a scroll bar that comes and goes
@@ -85,7 +89,7 @@ class Table(QTableWidget):
         metrics, bold = self.fontMetrics(), self.horizontalHeader().fontMetrics()
         widths = [metrics.horizontalAdvance(word) for word in words]
         widths += [  # a head does not wrap: its unit stands in its line
-            bold.horizontalAdvance(line) + 4 for line in self.horizontalHeaderItem(column).text().split("\n")
+            bold.horizontalAdvance(line) + 4 for line in self._head(column).split("\n")
         ]
         return max(widths) + 10
 
@@ -98,7 +102,7 @@ class Table(QTableWidget):
         if Table.stale and not self.live:
             lines.append(tr("The input has changed since these results."))
         if len(chosen) != 1:
-            lines.append("\t".join(self.horizontalHeaderItem(c).text().replace("\n", " ") for c in columns))
+            lines.append("\t".join(self._head(c).replace("\n", " ") for c in columns))
         for r in rows:
             cells = (self.item(r, c) for c in columns)
             words = (" ".join(cell.text().split()) if cell else "" for cell in cells)

@@ -164,9 +164,10 @@ class WallsTab(ResultTab):
         return (value is None) != self.falling, value or 0.0, ""
 
     def _verdict_of(self, wall: WallResult) -> WallVerdict | None:
-        result = self.shown[0] if self.shown else None
-        found = result.verdicts if result else ()
-        return next((one for one in found if result.walls[one.governing] is wall), None)
+        if self.shown is None:
+            return None
+        result = self.shown[0]
+        return next((one for one in result.verdicts if result.walls[one.governing] is wall), None)
 
     def _sort(self, column: int) -> None:
         self.falling = not self.falling if column == self.by else False

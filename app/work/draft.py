@@ -8,6 +8,9 @@ from core.case.schema import Case
 from core.case.values import are_ends, corners_of, value_of
 from core.errors import InputError
 
+TO_BE_GIVEN: Any = ""
+"""The value of a key that has none yet, whatever its type: only a draft holds it."""
+
 
 def readable(case: Case) -> tuple[Case, list[InputError]]:
     """The case without the values that a case file is refused for, each empty or its default, and why each is left out:

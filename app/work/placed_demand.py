@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from app.work.draft import TO_BE_GIVEN
 from core.case.place import DERIVED, OF_SPECTRUM, derived, placed
 from core.case.schema import Case
 from core.case.site import Demand, HazardRow, Spectrum
@@ -22,7 +23,7 @@ def followed(before: Case, case: Case) -> Demand | None:
     try:
         derived(case.site, demand.limit_state)
     except (InputError, TypeError):  # no point, no V_N
-        return replace(demand, ag_g="", hazard=())  # type: ignore[arg-type]  # to be given
+        return replace(demand, ag_g=TO_BE_GIVEN, hazard=())
     return placed(case.site, demand)
 
 
@@ -43,9 +44,9 @@ def released(demand: Demand) -> Demand:
 def restored(demand: Demand, before: Demand) -> Demand:
     """A demand whose place gave nothing, with the values from before that place."""
     spectrum = demand.spectrum
-    ntc = all(isinstance(one, Spectrum) and one.code == "NTC2018" for one in (spectrum, before.spectrum))
-    if ntc:
-        spectrum = replace(spectrum, **{key: getattr(before.spectrum, key) for key in OF_SPECTRUM})
+    former = before.spectrum
+    if isinstance(spectrum, Spectrum) and isinstance(former, Spectrum) and spectrum.code == former.code == "NTC2018":
+        spectrum = replace(spectrum, **{key: getattr(former, key) for key in OF_SPECTRUM})
     return replace(demand, spectrum=spectrum, **{key: getattr(before, key) for key in DERIVED})
 
 

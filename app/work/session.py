@@ -10,7 +10,7 @@ import weakref
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 from app.work import recovery
 from app.work.draft import readable
@@ -25,6 +25,7 @@ from core.case.wall import Wall
 from core.case.writer import dumps, table_of
 from core.errors import InputError, OutputError
 from core.file_names import key_of, name_of
+from core.known import known
 from core.setting.demand_input import target_of
 from core.study.journal import lock
 from core.study.results import StudyResult
@@ -118,11 +119,12 @@ class Session:
 
     def _take_words(self) -> None:
         """A result stays that of a case whose title or report alone has changed since: they decide no number."""
-        case = self.checked() if self.result is not None else None
-        if case is None or case == self.result.case:
+        result = self.result
+        case = self.checked() if result is not None else None
+        if result is None or case is None or case == result.case:
             return
-        if replace(self.result.case, title=case.title, report=case.report) == case:
-            self.result = replace(self.result, case=case)
+        if replace(result.case, title=case.title, report=case.report) == case:
+            self.result = replace(result, case=case)
 
     @property
     def dirty(self) -> bool:
@@ -255,7 +257,7 @@ class Session:
     def save(self, path: Path | None = None) -> None:
         """Write the case file, whole or not at all; record paths follow it to another folder. A value that no case file
         may hold is not written, `left_out` says why, and the case stays unsaved. Raises InputError."""
-        target = (path or self.path).resolve()
+        target = known(path or self.path).resolve()
         old = self.base_dir
 
         def moved(case: Case) -> Case:
@@ -334,7 +336,8 @@ class Session:
             report = replace(report, logo=seen(report.logo, old, new))
         for key in ("spectrum_file", "hazard_file"):
             if demand and getattr(demand, key):
-                demand = replace(demand, **{key: seen(getattr(demand, key), old, new)})
+                file: dict[str, Any] = {key: seen(getattr(demand, key), old, new)}
+                demand = replace(demand, **file)
         return replace(case, record=records, select=select, demand=demand, report=report)
 
     # the recovery file: what a kill -9 must not lose

@@ -6,11 +6,13 @@ import tempfile
 import threading
 import traceback
 from collections.abc import Callable
+from typing import Any
 
 from PySide6.QtCore import QObject, QThread, QTimer, Signal
 
 from app.look.language import described
 from core.errors import Cancelled, InputError
+from core.known import known
 
 RUNNING: set["Job"] = set()
 """Jobs whose threads have not ended: a thread's object must outlive it."""
@@ -38,17 +40,17 @@ class Job(QThread):
     progressed = Signal(int, int, object)
     found = Signal(object)
 
-    def __init__(self, work: Callable):
+    def __init__(self, work: Callable[["Job"], Any]):
         super().__init__()
-        self._work = work
+        self._work: Callable[[Job], Any] | None = work
         self._flag, self._commits = threading.Event(), threading.Lock()
         self.committed = False
         self.error: InputError | None = None
 
-    def start(self) -> None:
+    def start(self, priority: QThread.Priority = QThread.Priority.InheritPriority) -> None:
         RUNNING.add(self)
         self.finished.connect(self._ended)
-        super().start()
+        super().start(priority)
 
     def _ended(self) -> None:
         """Nothing is kept of it, its result least of all."""
@@ -83,7 +85,7 @@ class Job(QThread):
 
     def run(self) -> None:
         try:
-            result = self._work(self)
+            result = known(self._work)(self)
         except Cancelled:
             pass
         except InputError as error:

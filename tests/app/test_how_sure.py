@@ -104,7 +104,7 @@ def test_that_the_sliders_give_the_zeta_of_the_changed_wall_and_change_nothing_u
     sliders = sliders_of(plain)
     assert sorted(sliders.sliders) == ["ag_g", "height_m", "load_factor", "thickness_m"]
     run = {check.label: check.zeta for check in plain.session.result.walls[0].assessment.checks}
-    assert sliders.known == {label: zeta for label, zeta in run.items() if label != "linear_q_slv"}
+    assert sliders.zetas == {label: zeta for label, zeta in run.items() if label != "linear_q_slv"}
     sliders.sliders["thickness_m"].setValue(40)
     sliders.sliders["load_factor"].setValue(31)
     sliders.sliders["ag_g"].setValue(-13)
@@ -213,7 +213,7 @@ def test_that_the_window_follows_the_case_and_closes_without_a_trace(application
     assert not sliders.take.isEnabled() and not sliders.sliders
     settle(application, lambda: bool(sliders.sliders))
     assert sliders.given["thickness_m"] == 0.45
-    settle(application, lambda: bool(sliders.known))
+    settle(application, lambda: bool(sliders.zetas))
     assert sliders.word.text() == "The case has changed: choose again."
     sliders.sliders["thickness_m"].setValue(40)
     assert not sliders.word.text()

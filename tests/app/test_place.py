@@ -131,8 +131,8 @@ def test_that_the_map_shows_all_of_italy_above_its_source_in_a_small_window(plac
     application.processEvents()
     source = form.inside[-1]
     assert form.map.geometry().bottom() < source.geometry().top()
-    corner = form.map.mapTo(window.forms.currentWidget().viewport(), QPoint(form.map.width(), 0))
-    assert corner.x() <= window.forms.currentWidget().viewport().width() and source.geometry().height() > 0
+    corner = form.map.mapTo(window.stages.input.forms.currentWidget().viewport(), QPoint(form.map.width(), 0))
+    assert corner.x() <= window.stages.input.forms.currentWidget().viewport().width() and source.geometry().height() > 0
     heel = form.map._at(40.0, 18.5)
     assert form.map.rect().contains(heel.toPoint())
     window.hide()

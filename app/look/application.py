@@ -1,0 +1,10 @@
+"""The application, as the widgets find it."""
+
+from PySide6.QtWidgets import QApplication
+
+
+def application() -> QApplication:
+    """There is one as soon as there is a widget."""
+    found = QApplication.instance()
+    assert isinstance(found, QApplication)
+    return found
