@@ -9,6 +9,7 @@
     python3 run.py bench [...]     the benchmarks; --work-precision for error against time
     python3 run.py mutate [...]    small faults in the modules that decide: do the tests find them?
     python3 run.py fuzz [...]      hostile input for everything that reads, as long as asked
+    python3 run.py validate --data DIR   the model against tests on a shake table
     python3 run.py robustness      all of these and kills, counted: hours, to be gone on with after a stop
 
 The environment is .venv beside this file, or the folder named by RIBALTA_ENV. Standard library only.
@@ -478,6 +479,8 @@ def plan(arguments):
         groups = {"bench": ["test", *everything, *peers], "package": [*everything, "package"]}
         groups = ["base", *groups.get(word, ["test"])]
         return groups, [[interpreter(), "-P", script, *arguments[1:]]], False
+    if word == "validate":
+        arguments = ["--validate", *arguments[1:]]
     from app.terminal import command_line
     from core.errors import InputError
     from core.version import line
@@ -491,8 +494,9 @@ def plan(arguments):
             raise SystemExit(0)
         command_line.refuse_missing(options)
     except InputError as error:
-        if not word.startswith("-") and difflib.get_close_matches(word, ["test", *TOOLS], 1):
-            refuse_word(word, ["test", *TOOLS])
+        words = ["test", "validate", *TOOLS]
+        if word not in words and not word.startswith("-") and difflib.get_close_matches(word, words, 1):
+            refuse_word(word, words)
         raise Failure(error.text(system_language())) from None
     groups = ["base", *command_line.extras(options)]
     return groups, [[interpreter(), "-P", "-m", "app", *arguments]], True

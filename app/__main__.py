@@ -72,7 +72,9 @@ def main(arguments: list[str] | None = None) -> int:
         if hasattr(stream, "reconfigure"):  # a name the terminal cannot show must not end a run
             stream.reconfigure(errors="replace")
     options = parse(arguments)
-    windowless = options.batch or options.study or options.inspect or options.extract  # nothing is said in a dialog
+    windowless = (
+        options.batch or options.study or options.inspect or options.extract or options.validate
+    )  # nothing is said in a dialog
     if windowless and not (sys.stdout and sys.stderr):
         nowhere = open(os.devnull, "w")  # noqa: SIM115
         sys.stdout, sys.stderr = sys.stdout or nowhere, sys.stderr or nowhere
@@ -87,6 +89,10 @@ def main(arguments: list[str] | None = None) -> int:
             from app.terminal.inspection import inspect
 
             return inspect(options.inspect)
+        if options.validate:
+            from app.terminal import validation
+
+            return validation.run(options.data, options.output)
         jobs = options.jobs or os.cpu_count() or 1
         if options.study:
             from app.terminal import study

@@ -19,8 +19,8 @@ from typing import BinaryIO
 from core.errors import OutputError
 
 PREFIX, COMMIT = ".ribalta-", ".commit"
-"""Names of temporary files: prefix, machine, number of the process, chance; and of the list of moves under way, or of
-what leads to it."""
+"""PREFIX begins the names of temporary files: prefix, machine, number of the process, chance. COMMIT ends that of the
+list of moves under way, and of the files that lead to it."""
 
 _NAME = re.compile(re.escape(PREFIX) + r"([0-9a-f]{8})-([0-9]+)-")
 
@@ -29,7 +29,8 @@ OTHERS_AFTER = 86400.0
 
 
 Content = bytes | Callable[[BinaryIO], None]
-"""Of a file: its bytes, or what writes them into a stream, for a file that is larger than the memory should be."""
+"""What is written into a file: its bytes, or a function that writes them into a stream, for a file larger than the
+memory should be."""
 
 
 @functools.cache
@@ -170,7 +171,7 @@ def clean(folder: Path) -> None:
 
 
 def _owner(path: Path) -> str:
-    """What the names of all temporary files of a process begin with; empty of any other file."""
+    """Beginning of the name of a temporary file, common to all of its process; "" for any other file."""
     named = _NAME.match(path.name)
     return named[0] if named else ""
 
@@ -203,7 +204,7 @@ def _finish(listed: Path) -> bool:
 
 
 def _hash_of(path: str | Path) -> str | None:
-    """Of what a file holds; None where there is none."""
+    """SHA-256 of what a file holds; None where there is no file."""
     try:
         with open(path, "rb") as stream:
             return hashlib.file_digest(stream, "sha256").hexdigest()
@@ -243,7 +244,7 @@ def alive(number: int) -> bool:
 
 
 def _sync_folder(folder: str) -> None:
-    """The names of a folder on disk; not every system can."""
+    """Put the names of a folder on disk (fsync); some systems cannot, and nothing is done there."""
     if os.name == "nt":
         return
     try:
@@ -260,7 +261,8 @@ def _sync_folder(folder: str) -> None:
 
 
 def _beside(target: str, content: Content, end: str = "") -> str:
-    """A temporary file in the target's folder, on disk; deleted if it cannot be written whole."""
+    """Write a temporary file in the target's folder, on disk, and return its name; it is deleted if it cannot be
+    written whole."""
     handle, name = tempfile.mkstemp(
         dir=os.path.dirname(target), prefix=f"{PREFIX}{machine()}-{os.getpid()}-", suffix=end
     )

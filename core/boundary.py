@@ -1,4 +1,4 @@
-"""Where something begins to hold: the one search of a boundary outside the kernels.
+"""Search of the boundary at which something begins to hold: the only one outside the kernels.
 
 `holds` of a value is True, False, or None where the value is refused.
 """
@@ -31,7 +31,7 @@ class Bracket(NamedTuple):
 
 
 def narrowed(holds: Holds, good: float, bad: float, close: float = 0.0, steps: int = MOST_STEPS) -> Bracket:
-    """The boundary between a value at which something holds and one at which it does not, by bisection.
+    """Narrow by bisection the boundary between a value at which something holds and one at which it does not.
 
     close : difference of both sides, over the larger one, at which it stops; steps : halvings at the most
     """
@@ -49,7 +49,7 @@ def narrowed(holds: Holds, good: float, bad: float, close: float = 0.0, steps: i
 
 
 def edge(holds: Holds, start: float, ends: tuple[float, float], rises: bool, step: float, close: float) -> Edge:
-    """The boundary nearest to a value, looked for by growing steps and then narrowed.
+    """Search the boundary nearest to a value by growing steps, then narrow it by bisection.
 
     start : where the search begins, above 0; ends : the smallest and the largest value that is tried
     rises : it holds at large values rather than at small ones

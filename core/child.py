@@ -25,7 +25,8 @@ class Refused(Exception):
 
 
 def bounded(work: Callable, *given: Any, seconds: float, megabytes: int) -> Any:
-    """What work(*given) returns. work : a function of a module; given : what can be pickled. Raises Refused."""
+    """Run work(*given) in a child process within these bounds and return its result. work : a function of a module;
+    given : what can be pickled. Raises Refused."""
     root = str(Path(__file__).absolute().parents[1])
     module = [] if getattr(sys, "frozen", False) else ["-P", "-m", "core.child"]
     path = os.pathsep.join([root, *filter(None, [os.environ.get("PYTHONPATH")])])

@@ -22,7 +22,7 @@ class InputError(ValueError):
         self.key, self.value, self.accepted, self.values = key, value, accepted, values
 
     def at(self, *place) -> "InputError":
-        """The same error, found at this place; a place that is known is not said twice, nor a wall by two names."""
+        """Add a place to the error and return it; a place that is known is not said twice, nor a wall by two names."""
         new = [str(part) if not isinstance(part, Sentence) else part for part in place]
         inner = self.place
         if any(_is_wall(part) for part in new):
@@ -31,7 +31,7 @@ class InputError(ValueError):
         return self
 
     def text(self, language: str = "en", form: FormNames = FILE_NAMES) -> str:
-        """One sentence: place, what was found, what is accepted, what to do."""
+        """Text of the error in one sentence: place, what was found, what is accepted, what to do."""
         shown = {
             "key": form.of(self.key or "", self.section or ""),
             "value": self.value,
@@ -44,7 +44,7 @@ class InputError(ValueError):
         return ": ".join([*(str(in_words(part, language, form)) for part in self.place), body])
 
     def _scaled(self, factor: float, unit: str) -> dict:
-        """Value and range in the unit of a field."""
+        """Value and accepted range in the unit of a field, as values of the sentence."""
         shown: dict[str, object] = {}
         found = self.values.get("found", self.value)
         if isinstance(found, (int, float)):
@@ -56,7 +56,7 @@ class InputError(ValueError):
         return shown
 
     def accepted_text(self, language: str = "en", form: FormNames = FILE_NAMES) -> str:
-        """What the key accepts, alone, for the field that holds it; the whole sentence where nothing is named."""
+        """Text of what the key accepts, for the field that holds it; the whole sentence where nothing is named."""
         if self.accepted is None:
             return self.text(language, form)
         scaled = self._scaled(*form.scales[self.key]) if self.key in form.scales else {}
@@ -65,7 +65,7 @@ class InputError(ValueError):
 
     @property
     def without_place(self) -> Sentence:
-        """What is wrong, where the place is said beside it."""
+        """Text of what is wrong, for where the place is said beside it."""
         shown = {"key": Key(self.key or ""), "value": self.value, "accepted": self.accepted, **self.values}
         return Sentence("error", self.code, tuple(shown.items()))
 
@@ -127,12 +127,12 @@ class Cancelled(Exception):
 
 
 def place(code: str, /, **values) -> Sentence:
-    """A place of an error: wall, record, row, cell, line or section."""
+    """Sentence of the place of an error: wall, record, row, cell, line or section."""
     return sentence("place", code, **values)
 
 
 def section(name: str) -> Sentence:
-    """The place of a section of a case, by "[demand]"."""
+    """Sentence of the place of a section of a case, by "[demand]"."""
     return place("section", name=Key(name))
 
 

@@ -12,7 +12,7 @@ BIDIRECTIONAL = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u206
 
 
 def key_of(name: str) -> str:
-    """What a case file holds for a name of the system."""
+    """Text by which a case file holds a name of the system."""
     try:
         name.encode()
     except UnicodeEncodeError:

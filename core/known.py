@@ -9,5 +9,5 @@ def known(value: Value | None) -> Value:
     """A value that cannot be missing in a case whose rules hold. Raises TypeError where it is, as arithmetic on ""
     does: the forms of a draft wait for it, anywhere else that is a fault of the program."""
     if value is None:
-        raise TypeError("a value is missing")
+        raise TypeError(value)
     return value

@@ -140,8 +140,8 @@ def unit_of(text: str) -> Unit | None:
 
 
 def factor_to(text: str, unit: str) -> float | None:
-    """What a number in the unit of a text is multiplied with to be in another one; None where the text names no unit
-    of its dimension. unit : as a key of the case has it, empty for a number without one"""
+    """Factor from a number in the unit of a text to another unit; None where the text names no unit of its dimension.
+    unit : as a key of the case has it, empty for a number without one"""
     given, wanted = unit_of(text), unit_of(unit or "-")
     if given is None or wanted is None or given[1:] != wanted[1:]:
         return None

@@ -19,7 +19,7 @@ class TooLarge(OSError):
 
 
 def refuse_irregular(stream: BinaryIO) -> os.stat_result:
-    """What the system says of an open file. Raises OSError for a device, a pipe, a socket: they have no end."""
+    """Return what the system says of an open file. Raises OSError for a device, a pipe, a socket: they have no end."""
     found = os.fstat(stream.fileno())
     if not stat.S_ISREG(found.st_mode):
         raise OSError(errno.EINVAL, "not a regular file")
@@ -27,7 +27,7 @@ def refuse_irregular(stream: BinaryIO) -> os.stat_result:
 
 
 def read_regular(path: Path, most: int) -> bytes:
-    """The bytes of a file. most : bytes it may have
+    """Read the bytes of a file. most : bytes it may have
 
     Raises OSError as `open` does and for what is no regular file, TooLarge above the bound: also of one that grows, or
     says that it is empty.
@@ -44,10 +44,10 @@ def read_regular(path: Path, most: int) -> bytes:
     return content
 
 
-def open_regular(path: Path) -> BinaryIO:
+def open_regular(path: Path, buffering: int = -1) -> BinaryIO:
     """Open a regular file to be read. Raises OSError as `open` does and for a device, a pipe, a socket."""
     flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
-    stream = os.fdopen(os.open(path, flags), "rb")  # a pipe without a writer does not hold it up
+    stream = os.fdopen(os.open(path, flags), "rb", buffering)  # a pipe without a writer does not hold it up
     try:
         refuse_irregular(stream)
     except OSError:
@@ -57,6 +57,6 @@ def open_regular(path: Path) -> BinaryIO:
 
 
 def first_bytes(path: Path, count: int) -> bytes:
-    """So many bytes of the beginning of a regular file. Raises OSError."""
+    """Read so many bytes of the beginning of a regular file. Raises OSError."""
     with open_regular(path) as stream:
         return stream.read(count)

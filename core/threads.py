@@ -16,7 +16,7 @@ AHEAD = 2
 
 
 def nothing(key: Any, result: Any) -> None:
-    """What most need not be told."""
+    """Do nothing: for tasks whose results need not be told one by one."""
 
 
 class Batch(NamedTuple):
@@ -31,7 +31,7 @@ class Batch(NamedTuple):
 
 
 Work = Generator[Batch, dict, Any]
-"""What needs tasks done: it yields a Batch, is sent their results by key, and returns its own."""
+"""Work that needs tasks done: it yields a Batch, is sent their results by key, and returns its own."""
 
 
 class Threads:

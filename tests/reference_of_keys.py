@@ -21,9 +21,17 @@ def reference() -> str:
     for name, section in sections().items():
         lines += ["", f"`{name}`", "", "| key | what it is | accepted | default |", "|---|---|---|---|"]
         for entry in fields(section):
-            what = word(f"key_{entry.name}", "en")
+            what = word_of(name, entry.name)
             lines.append(f"| {entry.name} | {what} | {accepted_in(name, entry)} | {default_of(entry)} |")
     return "\n".join(lines) + "\n"
+
+
+def word_of(section: str, key: str) -> str:
+    """The word of a key in the sheet Input. Raises SystemExit for one that has none."""
+    try:
+        return word(f"key_{key}", "en")
+    except KeyError:
+        sys.exit(f"the key {key} of {section} has no word: add it to resources/translations/key.json (CONTRIBUTING.md)")
 
 
 def accepted_in(section: str, entry) -> str:

@@ -18,6 +18,7 @@ from app.terminal import batch
 from tests.benchmarks import bench
 from tests.benchmarks.small import small_case
 from tests.conftest import ROOT, shelf_folder
+from tests.core.research.test_shake_table import invented
 
 DOCUMENTS = [
     ROOT / "README.md",
@@ -87,6 +88,7 @@ def place(tmp_path_factory) -> Path:
     small_case(folder)
     (folder / "study.toml").write_text(STUDY)
     (folder / "records").mkdir()
+    (folder / "tests").mkdir()
     motion = (ROOT / "tests" / "motions" / "noise_1.txt").read_text().splitlines()
     (folder / "records" / "one.txt").write_text("\n".join([*motion[:602], ""]))
     (folder / "ties.toml").write_text('[[record]]\nfile = "records/one.txt"\n')
@@ -108,6 +110,9 @@ def small_words(words: tuple[str, ...], folder: Path) -> list[str]:
         case ("robustness", *_):
             kept, page = str(folder / "robustness.journal"), str(folder / "robustness.md")
             return ["robustness", "--share", "0.001", "--journal", kept, "--output", page, "kills"]
+        case ("validate", *rest):
+            invented(folder / "tests")
+            return ["validate", "--data", str(folder / "tests"), "--output", str(folder / "validated")]
         case ("package", *_):
             return ["package", "--help"]
         case ("bench", *rest):

@@ -24,7 +24,7 @@ from core.version import VERSION
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import MODELS
 from tests.conftest import ROOT
-from tests.reference_of_keys import with_reference
+from tests.reference_of_keys import with_reference, word_of
 
 
 def text_of(name: str) -> str:
@@ -129,6 +129,11 @@ def names_in(page: str) -> set[str]:
     return set(re.findall(r"[a-zA-Z][\w]*", text_of(page)))
 
 
+def test_that_a_key_without_a_word_is_named_with_what_to_do():
+    with pytest.raises(SystemExit, match=r"the key colour_rgb of \[\[wall\]\] has no word: add it to .*key.json"):
+        word_of("[[wall]]", "colour_rgb")
+
+
 def test_that_the_page_of_the_case_has_every_key_as_it_is():
     page = text_of("resources/docs/case.md")
     assert page == with_reference(page), "write it anew: .venv/bin/python -m tests.reference_of_keys"
@@ -202,3 +207,18 @@ def test_that_every_clause_of_a_derivation_is_in_the_page_of_the_clauses():
     for clause in clauses:
         last = clause.removeprefix("C8.7.1.2.1")
         assert clause in page or f"| {last}" in page or f", {last}" in page, clause
+
+
+# the page of Python
+
+
+def test_that_every_block_of_the_page_of_python_runs_after_those_before_it(tmp_path, monkeypatch, capsys):
+    """As a reader types them, one after another, in the folder of the program; what they write goes elsewhere."""
+    blocks = re.findall(r"```python\n(.*?)```", text_of("resources/docs/python.md"), re.S)
+    (tmp_path / "resources").symlink_to(ROOT / "resources", target_is_directory=True)
+    monkeypatch.chdir(tmp_path)
+    names: dict = {}
+    for block in blocks:
+        exec(compile(block, "python.md", "exec"), names)
+    said = capsys.readouterr().out
+    assert "verified" in said and "alpha 5.711 deg" in said and "PGA 0.100 g" in said and len(blocks) == 5

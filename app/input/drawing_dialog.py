@@ -27,7 +27,7 @@ from app.look import theme
 from app.look.labels import Plain
 from app.look.language import described, number, tr
 from app.work.session import Session
-from core.case.drawing_file import TOLERANCE, UNITS, DxfFile, Shape, Sheet
+from core.case.drawing_file import DRAWING_UNITS, TOLERANCE, DxfFile, Shape, Sheet
 from core.case.drawn_solids import made_solids, origin_of, sum_of_solids, with_solids
 from core.case.outline_inside import around
 from core.case.shape_rules import check_shape
@@ -157,7 +157,7 @@ class DrawingDialog(QDialog):
     @property
     def scale(self) -> float:
         """How long the unit of the drawing is [m]."""
-        return UNITS[self.sheet.unit]
+        return DRAWING_UNITS[self.sheet.unit]
 
     @property
     def hinge(self) -> float | None:

@@ -9,8 +9,8 @@ from app.views.axis import Axis
 from core.case.wall import Wall
 from core.errors import InputError
 from core.units import G
+from core.wall.impact import Restitution
 from core.wall.moment_rotation import moment
-from core.wall.restitution import Restitution
 from core.wall.rocking_model import rocking_model
 
 MAX_PERIOD = 3.0

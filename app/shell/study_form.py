@@ -11,7 +11,7 @@ from app.look.language import current_language, described, named, number, tr
 from core import atomic_write
 from core.case.keys import pretty
 from core.case.number import parse_number
-from core.case.study_file import DEFAULT, Grid, Group, Shape, Study, parse_study
+from core.case.study_file import DEFAULT_MODEL, Grid, Group, Shape, Study, parse_study
 from core.case.values import field_of
 from core.errors import InputError
 from core.text.sentence import capital, choice
@@ -81,7 +81,7 @@ class StudyForm(QDialog):
     def _choice(section: type, key: str) -> Choice:
         editor = Choice()
         for name in names_of(section, key):
-            words = tr("default of the mechanism") if name == DEFAULT else choice(str(name), current_language())
+            words = tr("default of the mechanism") if name == DEFAULT_MODEL else choice(str(name), current_language())
             editor.addItem(words, name)
         if key == "mechanism":
             editor.addItem(named("both"), ["two_sided", "one_sided"])

@@ -227,7 +227,7 @@ class SweepWindow(QDialog):
 
             jobs = os.cpu_count() or 1
             for point in sweep(
-                case, k, key, values, base_dir=base, jobs=jobs, book=book, on_progress=tell, cancelled=job.cancelled
+                case, k, key, values, base_dir=base, jobs=jobs, finished=book, on_progress=tell, cancelled=job.cancelled
             ):
                 job.found.emit(point)
 

@@ -6,13 +6,11 @@ import sys
 import threading
 from collections.abc import Callable
 from pathlib import Path
-from typing import TypeVar
 
 from app.look.language import current_language, terminal
 from app.terminal.terminal_progress import tell
 from core import atomic_write
 from core.errors import Cancelled, InputError
-from core.study.group_journal import GroupJournal
 from core.study.journal import SYNC_SECONDS, Journal
 from core.text.sentence import numeral, word
 
@@ -44,15 +42,12 @@ def made(case_path: Path, *folders: Path):
         raise error.at(case_path) from None
 
 
-J = TypeVar("J", Journal, GroupJournal)
-
-
 def open_journal(path: Path, key: str, resume: bool) -> Journal:
     """The journal of a batch or a study; what became of an earlier one is said on stderr."""
     return announced(Journal(path, key, resume, SYNC_SECONDS))
 
 
-def announced(book: J) -> J:
+def announced(book: Journal) -> Journal:
     """A journal; what became of an earlier one is said on stderr."""
     if book.set_aside:
         tell(

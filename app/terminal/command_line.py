@@ -82,6 +82,8 @@ def parser() -> Parser:
     add("--part", type=_part, metavar="K/N", help=terminal("the walls of one part of the case alone, see --merge"))
     add("--merge", action="store_true", help=terminal("the results of all parts of the case"))
     contents = terminal("summarise the contents of records and drawings")
+    add("--validate", action="store_true", help=terminal("the model against tests on a shake table, see --data"))
+    add("--data", type=Path, metavar="DIR", help=terminal("folder of the tests"))
     add("--inspect", nargs="+", type=Path, metavar="FILE", help=contents)
     add("--version", action="store_true", help=terminal("version and commit"))
     add("-h", "--help", action="help", help=terminal("this help"))
@@ -105,12 +107,15 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     """What is asked. Ends the program with exit code 2 where words do not go together."""
     line = parser()
     options = line.parse_args(arguments)
-    if sum(map(bool, (options.batch, options.inspect, options.study, options.extract))) > 1:
-        line.error(terminal("--batch, --study, --inspect and --extract do not go together"))
+    jobs = (options.batch, options.inspect, options.study, options.extract, options.validate)
+    if sum(map(bool, jobs)) > 1:
+        line.error(terminal("--batch, --study, --inspect, --extract and --validate do not go together"))
+    if bool(options.validate) != bool(options.data):
+        line.error(terminal("--validate and --data DIR go together"))
     if not (options.batch or options.study) and (options.resume or options.jobs):
         line.error(terminal("--jobs and --resume go with --batch or --study"))
-    if options.output and not (options.batch or options.study or options.extract):
-        line.error(terminal("--output goes with --batch, --study or --extract"))
+    if options.output and not (options.batch or options.study or options.extract or options.validate):
+        line.error(terminal("--output goes with --batch, --study, --extract or --validate"))
     if options.report and not options.batch:
         line.error(terminal("--report goes with --batch"))
     if (options.part or options.merge) and not options.batch:
@@ -134,6 +139,8 @@ def refuse_missing(options: argparse.Namespace) -> None:
     for case in (options.case, options.batch, options.extract):
         if case is not None and not case.exists():
             raise InputError("no_case_file", place=(case,))
+    if options.data is not None and not options.data.is_dir():
+        raise InputError("no_data_folder", place=(options.data,))
     if options.study and not study_file(options.study).exists():
         raise InputError("no_study_file", place=(options.study,))
     if options.report:
@@ -150,6 +157,8 @@ def extras(options: argparse.Namespace) -> list[str]:
     """Groups of packages that what is asked needs beside the base."""
     if options.inspect:
         return ["dxf"] if any(is_drawing(file) for path in options.inspect for file in files_of(path)) else []
+    if options.validate:
+        return []
     if options.study:
         return ["study"]
     if options.extract:

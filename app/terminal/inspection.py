@@ -5,7 +5,7 @@ from pathlib import Path
 
 from app.look.language import current_language, described, terminal
 from app.terminal.command_line import files_of, is_drawing
-from core.case.drawing_file import UNITS, DxfFile
+from core.case.drawing_file import DRAWING_UNITS, DxfFile
 from core.errors import InputError, RecordError
 from core.file_names import shown
 from core.ground import records
@@ -32,7 +32,7 @@ def _drawing_refused(path: Path) -> int:
     except InputError as error:
         print(terminal("refused: {error}", error=described(error)), file=sys.stderr)
         return 1
-    scale = UNITS[sheet.unit]
+    scale = DRAWING_UNITS[sheet.unit]
     unit = sheet.unit if sheet.stated else terminal("not stated, {unit} by the size", unit=sheet.unit)
     print(terminal("{path}: DXF {version}, unit {unit}", path=path, version=file.document.acad_release, unit=unit))
     for layer in sheet.layers:

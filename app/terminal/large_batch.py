@@ -32,8 +32,8 @@ from core.report import large_report, parquet_file
 from core.report.columns import columns_of
 from core.report.large_report import Tally
 from core.setting.plan import results_in
-from core.study.case_parts import FINISHED, part_key, part_path
-from core.study.group_journal import GroupJournal, MergedGroups
+from core.study.case_parts import FINISHED, MergedParts, part_key, part_path
+from core.study.journal import Journal
 from core.study.large_case import LargeCase, group_results, in_order, without_walls
 from core.study.run import journal_key
 from core.version import NAME, VERSION
@@ -66,16 +66,16 @@ def run(
     cancel = threading.Event()
     with made(case_path, folder), interrupts(cancel), progress(quiet) as show:
         export.refuse_overwriting(case, case_path, folder, stem)
-        book: GroupJournal | MergedGroups | None = None
+        book: Journal | MergedParts | None = None
         try:
             large = in_order(case, case_path.parent, cancel.is_set)
             if merge:
-                book = MergedGroups(folder, stem, lambda k, n: part_key(_key(large), case, k, n), len(large.groups))
+                book = _merged(large, case, folder, stem)
             else:
-                book = announced(GroupJournal(folder / f"{stem}.journal", _key(large), resume))
+                book = announced(Journal(folder / f"{stem}.journal", _key(large), resume))
                 _work(large, book, range(len(large.groups)), jobs, show, cancel)
             tally = _write(large, book, folder, stem, show, cancel)
-            if isinstance(book, GroupJournal):
+            if isinstance(book, Journal):
                 book.remove()
         except Cancelled:
             place = folder / f"{stem}.journal"
@@ -100,7 +100,7 @@ def run_part(case: Case, case_path: Path, output: Path | None, jobs: int, quiet:
     with made(case_path, folder), interrupts(cancel), progress(quiet) as show:
         try:
             large = in_order(case, case_path.parent, cancel.is_set)
-            book = GroupJournal(path, part_key(_key(large), case, k, n), True)
+            book = Journal(path, part_key(_key(large), case, k, n), True)
             try:
                 mine = range(k - 1, len(large.groups), n)
                 _work(large, book, mine, jobs, show, cancel)
@@ -121,7 +121,18 @@ def _key(large: LargeCase) -> str:
     return f"{journal_key()} {large.key}"
 
 
-def _work(large: LargeCase, book: GroupJournal, mine: range, jobs: int, show, cancel: threading.Event) -> None:
+def _merged(large: LargeCase, case: Case, folder: Path, stem: str) -> MergedParts:
+    """The groups of all parts. Raises InputError as MergedParts, and for a part without one of its groups."""
+    book = MergedParts(folder, stem, lambda k, n: part_key(_key(large), case, k, n))
+    missing = next((g for g in range(len(large.groups)) if book.get(g) is None), None)
+    if missing is None:
+        return book
+    book.close()
+    n = len(book.streams)
+    raise InputError("part_damaged", k=missing % n + 1, n=n, path=part_path(folder, stem, missing % n + 1, n))
+
+
+def _work(large: LargeCase, book: Journal, mine: range, jobs: int, show, cancel: threading.Event) -> None:
     """Make the groups of a journal that are not in it."""
     todo = [g for g in mine if g not in book]
     for g, result in group_results(large, todo, jobs, show.runs, cancel.is_set):

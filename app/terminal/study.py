@@ -22,7 +22,7 @@ from core.regular_file import first_bytes
 from core.research import parametric
 from core.research.figures import StudyReport
 from core.research.parametric import ParametricResult
-from core.research.study_files import COLUMNS
+from core.research.study_files import CSV_COLUMNS
 from core.research.study_report import report_of
 from core.study.journal import Journal
 
@@ -79,7 +79,7 @@ def ours(target: Path) -> bool:
         start = first_bytes(target, 200)
     except OSError:
         return False
-    heads = (",".join(COLUMNS[:4]).encode(), b'{\n "program"', b"PK", b'{"Ribalta journal"')
+    heads = (",".join(CSV_COLUMNS[:4]).encode(), b'{\n "program"', b"PK", b'{"Ribalta journal"')
     return start.startswith(heads)
 
 

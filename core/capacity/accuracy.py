@@ -14,10 +14,10 @@ from core.ground.ground_motion import GroundMotion
 from core.packages import require
 from core.rocking.history import history
 from core.rocking.methods import METHODS, Method, resolve_auto
-from core.wall.restitution import velocity_ratio
+from core.wall.impact import velocity_ratio
 from core.wall.rocking_model import RockingModel
 
-ROUNDING = 1e-5
+RECORD_ROUNDING = 1e-5
 """Noise put on the samples, as a fraction of PGA: a record written with five figures."""
 
 NOISES = 8
@@ -50,13 +50,13 @@ class MethodPoint:
 
 @dataclass(frozen=True)
 class Accuracy:
-    """The statement for one wall, on its governing record and sign.
+    """Accuracy statement for one wall, on its governing record and sign.
 
     scale : multiplier of the histories, the last survived one; points : the methods on it, none for a wall held by
     ties, which no other solver follows;
     solver_q_difference : |q / q_reference - 1| [-], q_reference : of the same search by dormand_prince;
     noise_effect : of NOISE on the history, over theta_c, infinite where it overturns the wall [-];
-    steps : (q_step, q, q_robust); rounded : (q, q_robust) of the record with ROUNDING noise;
+    steps : (q_step, q, q_robust); rounded : (q, q_robust) of the record with noise of RECORD_ROUNDING;
     polarities : (q as recorded, q reversed), None where both are alike.
     """
 
@@ -93,7 +93,7 @@ class Accuracy:
         return float(f"{math.ceil(bound / size - 1e-9) * size:.0e}")
 
     def spread(self, index: int, rows: tuple) -> float | None:
-        """Largest over smallest of a column, less one; None with fewer than two numbers."""
+        """Spread of a column: largest over smallest, less one [-]; None with fewer than two numbers."""
         known = [row[index] for row in rows if row[index] is not None]
         return max(known) / min(known) - 1.0 if len(known) > 1 else None
 
@@ -166,7 +166,8 @@ def accuracy(
     search: Search,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Accuracy:
-    """The statement for one run with a q. Some seconds: a history of the independent solver, 14 searches.
+    """Make the accuracy statement for one run with a q: a history of the independent solver and 14 searches, some
+    seconds.
 
     motion : the record
     polarity : 1 as recorded, -1 reversed
@@ -207,7 +208,7 @@ def accuracy(
     noise = np.random.Generator(np.random.PCG64(1))
     rounded: list[tuple[float | None, float | None]] = [(ida.q, ida.q_robust)]
     for _ in range(NOISES):
-        moved = ground + ROUNDING * motion.pga * noise.uniform(-1.0, 1.0, ground.size)
+        moved = ground + RECORD_ROUNDING * motion.pga * noise.uniform(-1.0, 1.0, ground.size)
         result = searched(moved, search, method)
         rounded.append((result.q, result.q_robust))
     pair = (ida.q, other_sign) if polarity > 0 else (other_sign, ida.q)

@@ -53,7 +53,7 @@ def _halved(low: float, high: float) -> np.ndarray:
 
 
 def _narrowed(edges, fails, unknown) -> tuple[float, float] | None:
-    """Where bisecting between the first edge and the last leads, its midpoints known."""
+    """Bracket to which bisecting between the first edge and the last leads, the midpoints known."""
     first, last = 0, edges.size - 1
     while last - first > 1 and not _narrow(edges[first], edges[last]):
         middle = (first + last) // 2

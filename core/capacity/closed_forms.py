@@ -38,7 +38,7 @@ def closed_form_q(slenderness, height, intensity, pga, one_sided) -> float:
 
 
 def range_notices(slenderness: float, height: float, pgas: list[tuple[str | Sentence, float]]) -> list[Sentence]:
-    """Where a wall and its motions lie outside what Eq. 15/16 were fitted on.
+    """Notices where a wall and its motions lie outside the ranges Eq. 15/16 were fitted on.
 
     pgas : (where, a name or a Sentence, PGA [m/s2]) of each motion the forms are used with.
     """

@@ -35,7 +35,7 @@ CHUNK = 128
 
 LOWER_SLV = LOWER_SHARE * LIMIT_FRACTION["SLV"]
 Steps = Generator[Any, Any, Any]
-"""What needs analyses: it yields what is to be analysed, is sent what came of it, and returns its result."""
+"""A search that needs analyses: it yields what is to be analysed, is sent what came of it, and returns its result."""
 
 
 @dataclass(frozen=True)
@@ -283,7 +283,7 @@ def incremental_dynamic_analyses(
 
 
 def _search(run: Run, model: RockingModel, search: Search) -> Steps:
-    """The search of one run, an Ida."""
+    """Search one run for its Ida."""
     grid = _Map(run.pga, run.sign, model, search)
     pga, half = run.pga, search.half_window
     limit = grid.index_below(search.q_limit)

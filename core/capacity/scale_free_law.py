@@ -7,11 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.wall.block import Block
+from core.wall.impact import Restitution
 from core.wall.moment_rotation import LAWS, MomentLaw
-from core.wall.restitution import Restitution, overturning_velocity
+from core.wall.restitution import overturning_velocity
 
 Coefficients = tuple[float, float, float, float]
-START = (0.0, 3.0, 1.0, -0.5)
+FIRST_GUESS = (0.0, 3.0, 1.0, -0.5)
 """First guess of the coefficients in a fit."""
 
 
@@ -119,7 +120,7 @@ def fit_law(pi, loss, q, limit: float) -> Coefficients:
         share = part / (limit + part)
         return np.column_stack([share, share * loss, -share * log_pi, -share * loss * log_pi])
 
-    a0, a1, b0, b1 = map(float, least_squares(residual, START, jacobian).x)
+    a0, a1, b0, b1 = map(float, least_squares(residual, FIRST_GUESS, jacobian).x)
     return a0, a1, b0, b1
 
 

@@ -13,7 +13,7 @@ from core.wall.body import cut_above
 from core.wall.solids import Part, contact_at, is_dragged, snapped
 
 LEAST_HEIGHT = 0.1
-"""Of the wall above a hinge [m], that of a wall."""
+"""Least height of the part of a wall above a hinge [m]: that of any wall."""
 
 
 def named_above(name: str, hinge: float) -> str:
@@ -26,8 +26,9 @@ def numbers_above(wall: Wall, hinge: float) -> tuple[int, ...]:
     return tuple(n for n, load in enumerate(wall.load, start=1) if load.h_m > hinge + 1e-9)
 
 
-def loads_above(wall: Wall, hinge: float, face: float = 0.0) -> tuple:
-    """These loads. face : x of the outer face of the wall there [m]"""
+def loads_above(wall: Wall, hinge: float, face: float) -> tuple:
+    """Loads of the part above a hinge, with heights and distances from its own base and face. face : x of the outer
+    face of the wall there [m]"""
     kept = (wall.load[n - 1] for n in numbers_above(wall, hinge))
     return tuple(
         replace(load, h_m=load.h_m - hinge, d_m=None if load.d_m is None else load.d_m - face) for load in kept
@@ -65,9 +66,9 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
 
 
 def _shape_above(wall: Wall, hinge: float) -> dict:
-    """What changes of a wall above a hinge [m above its base], where it is no rectangle: the solids cut there, the base
-    between the edges of what it rests on, and the wedges, whose crack begins at the hinge with the same inclination.
-    Raises InputError at a height without a solid."""
+    """Keys that change for the part above a hinge [m above the base] of a wall that is no rectangle: the solids are cut
+    there, the base lies between the edges of what it rests on, and the crack of the wedges begins at the hinge with the
+    same inclination. Raises InputError at a height without a solid."""
     if not wall.has_shape:
         return {}
     plain: dict = {"solid": (), "return_wedges": None, "gable_m": None, "openings": (), "steps": ()}

@@ -6,7 +6,7 @@ RESTRAINTS = ("cross_walls", "tied_floors", "buttress", "ring_beam", "other")
 """What can hold a wall. Behind a one-sided wall contact is what counts, for one held at its top the connection."""
 
 EVIDENCE = ("drawing", "photograph", "opening", "test", "none")
-"""What shows it."""
+"""What shows that it is there."""
 
 OLD_WORDS = {
     "cross_walls": (
@@ -50,7 +50,7 @@ SHORT = 3
 _CITED = re.compile(
     r"\b(?:report|relazione|prova|prove|test|circolare|ntc|norma|normativa|code|legge|law|tab)\b", re.IGNORECASE
 )
-"""What is cited by a number."""
+"""A document that is cited by its number."""
 
 
 _FILLERS = """

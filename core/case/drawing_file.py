@@ -25,7 +25,7 @@ from core.errors import InputError
 from core.packages import require
 from core.regular_file import TooLarge, read_regular
 
-UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}
+DRAWING_UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}
 """Unit of a drawing -> [m]."""
 
 INSUNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
@@ -39,14 +39,15 @@ SAME = 1e-6
 """Corners nearer than this are one [m]."""
 
 MAX_BYTES = 20_000_000
-"""Of a file: sheets of a building have a quarter; ezdxf takes a second and some 20 times the memory for each MB."""
+"""Largest size of a file [bytes]: sheets of a building have a quarter; ezdxf takes a second and some 20 times the
+memory for each MB."""
 
 MOST_ENTITIES, INSERTED, IN_BLOCK = 100_000, 5, 20_000
-"""Of a drawing with its blocks opened; for how many an inserted block counts, which takes as long to place; corners of
-one line of a block, which ezdxf places in the square of their number."""
+"""Entities of a drawing with its blocks opened; for how many an inserted block counts, which takes as long to place;
+corners of one line of a block, which ezdxf places in the square of their number."""
 
 MOST_RADIUS = 1e7
-"""Of a circle, in tolerances: 10 km."""
+"""Largest radius of a circle, in tolerances: 10 km."""
 
 DEEPEST = 20
 """Blocks inside one another: one that holds itself has no end."""
@@ -222,12 +223,12 @@ class DxfFile:
         return "" if kind in READ else kind
 
     def sheet(self, unit: str | None = None) -> Sheet:
-        """What it holds in this unit, else in that of its header, else in the likely one. Raises InputError."""
+        """Read the sheet in this unit, else in that of its header, else in the likely one. Raises InputError."""
         unit = unit or self.stated
         if unit is None:
             shapes = self._shapes(0.1)[0]  # of any unit good enough for its size
             unit = likely_unit(largest(shapes)) or "m"
-        shapes, gaps, unread, lines = self._shapes(TOLERANCE / UNITS[unit])
+        shapes, gaps, unread, lines = self._shapes(TOLERANCE / DRAWING_UNITS[unit])
         ledger = tuple(Unread(layer, kind, unread[layer, kind]) for layer, kind in sorted(unread))
         return Sheet(tuple(shapes), tuple(gaps), ledger, self.layers, self.stated, unit, lines)
 
@@ -284,7 +285,7 @@ DAMAGED = (
     OSError,
     struct.error,
 )
-"""What a reader of damaged files raises."""
+"""Errors that a reader of damaged files raises."""
 
 
 def _content(path: Path) -> bytes:
@@ -412,6 +413,6 @@ def largest(shapes: Iterable[Shape]) -> float:
 
 def likely_unit(size: float) -> str | None:
     """The metric unit by which a size [of the drawing] is nearest to that of a wall; None where none is near."""
-    off = {unit: abs(math.log(size * UNITS[unit] / USUAL)) for unit in ("m", "cm", "mm")} if size > 0.0 else {}
+    off = {unit: abs(math.log(size * DRAWING_UNITS[unit] / USUAL)) for unit in ("m", "cm", "mm")} if size > 0.0 else {}
     best = min(off, key=lambda unit: off[unit], default=None)
     return best if best and off[best] <= math.log(FARTHEST) else None

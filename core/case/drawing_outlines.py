@@ -18,10 +18,10 @@ CROWD = 32
 """Ends around a point within three gaps: of more none goes on, as of three that meet."""
 
 MOST_POINTS = 400_000
-"""Of all lines of a drawing divided."""
+"""Points of all lines of a drawing once they are divided, at most."""
 
 MOST_CHORDS = 20_000
-"""Of an arc: a circle with a radius of 80 km has as many."""
+"""Chords of an arc, at most: a circle with a radius of 80 km has as many."""
 
 
 class Gap(NamedTuple):
@@ -114,7 +114,7 @@ def joined(pieces: Sequence[list[Point]], join: float) -> tuple[list[list[Point]
 
 
 def gaps_of(layer: str, loose: list[list[Point]]) -> list[Gap]:
-    """Where the lines of a layer do not close."""
+    """Gaps at which the lines of a layer do not close."""
     ends = [(k, line[end]) for k, line in enumerate(loose) for end in (0, -1)]
     found = []
     for k, line in enumerate(loose):
@@ -138,7 +138,7 @@ def simple(points: Sequence[Point], least: float) -> list[Point]:
 
 
 def parts_above(polygon: Sequence[Point], y: float) -> list[list[Point]]:
-    """What is above a line of a polygon that does not cross itself, each part a polygon of its own."""
+    """Parts of a polygon that does not cross itself above a line, each a polygon of its own."""
     twice = sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(polygon, (*polygon[1:], polygon[0]), strict=True))
     corners = list(polygon) if twice > 0.0 else list(reversed(polygon))
     start = next((k for k, corner in enumerate(corners) if corner[1] <= y), None)

@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from core.case.drawing_file import LARGEST, SAME, SMALLEST, UNITS, DxfFile, Shape, Sheet, largest, likely_unit
+from core.case.drawing_file import DRAWING_UNITS, LARGEST, SAME, SMALLEST, DxfFile, Shape, Sheet, largest, likely_unit
 from core.case.drawing_outlines import Point, parts_above
 from core.case.shape import ANGLES
 from core.case.solids import Drawing, Solid
@@ -19,7 +19,7 @@ from core.wall.body import Body, crossing, holds, polygon_sums
 from core.wall.solids import Part, sum_of
 
 DIGITS = 6
-"""Of a corner [m]: what is drawn at one place is at one place."""
+"""Decimals of a corner [m]: corners drawn at one place are at one place."""
 
 MOST_NAMES = 20
 """Layers repeated in a sentence."""
@@ -123,7 +123,7 @@ def chosen_of(sheet: Sheet, drawing: Drawing) -> tuple[list[Shape], list[Shape]]
     unread = [one for one in sheet.unread if one.is_ground and one.layer.casefold() in body | openings]
     if unread:
         raise InputError("drawing_unread", layer=unread[0].layer, n=unread[0].n, kind=unread[0].kind)
-    scale = UNITS[sheet.unit]
+    scale = DRAWING_UNITS[sheet.unit]
     chosen = [[shape for shape in sheet.shapes if shape.layer.casefold() in layers] for layers in (body, openings)]
     if chosen[0]:
         _check_size(chosen[0], sheet.unit)  # gaps in a wrong unit are none
@@ -139,9 +139,9 @@ def chosen_of(sheet: Sheet, drawing: Drawing) -> tuple[list[Shape], list[Shape]]
 
 
 def origin_of(body: Sequence[Shape], unit: str, plane: str, hinge: float | None) -> Point:
-    """(s = 0, z = 0) [m] of a drawing: the left edge of its body, of a section that of its base, and its hinge line,
-    the lowest point without one. Raises InputError."""
-    scale = UNITS[unit]
+    """Point of a drawing that becomes s = 0, z = 0 [m]: x of the left edge of its body (in a section, of the edge of
+    its base), y of its hinge line, or of the lowest point without one. Raises InputError."""
+    scale = DRAWING_UNITS[unit]
     _check_size(body, unit)
     base = min(shape.extent[1] for shape in body) * scale if hinge is None else hinge
     solid = [part for shape in body for part in _above(shape, scale, base)]
@@ -160,7 +160,7 @@ def made_solids(
 ) -> list[dict]:
     """Shapes as [[wall.solid]] has them, from an origin of `origin_of`; an opening within another one is a part of it.
     Raises InputError. ends : along the normal of the plane [m]"""
-    scale, (left, base) = UNITS[unit], origin
+    scale, (left, base) = DRAWING_UNITS[unit], origin
     solid = [part for shape in body for part in _above(shape, scale, base)]
     taken = [part for shape in openings for part in _above(shape, scale, base)]
     taken = [
@@ -183,7 +183,7 @@ def made_solids(
 
 def _check_size(body: Sequence[Shape], unit: str) -> None:
     size = largest(body)
-    metres = size * UNITS[unit]
+    metres = size * DRAWING_UNITS[unit]
     if not SMALLEST <= metres <= LARGEST:
         likely = likely_unit(size)
         if likely is None:

@@ -37,7 +37,7 @@ class Part:
 
     @property
     def own_name(self) -> str:
-        """Its name for people without the variant."""
+        """Name of the wall as people read it, without the variant."""
         return named_above(self.asked.name, self.hinge)
 
 
@@ -107,8 +107,8 @@ def check_hinges(wall: Wall, building: Building | None) -> None:
 
 
 def shared(part: Part, mechanism: str) -> tuple[str, float, str]:
-    """What a wall about a hinge shares with its other variant alone: the name given, the hinge [m], the mechanism, of a
-    wall held at its top the overturning that no longer happens."""
+    """Key that a wall about a hinge shares only with its other variant: name given, hinge [m], mechanism. A wall held
+    at its top has here the mechanism one_sided, the overturning that its restraint prevents."""
     return part.asked.name, part.hinge, "one_sided" if part.wall.bends else mechanism
 
 

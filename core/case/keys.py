@@ -11,7 +11,7 @@ FACTORS = {("m", "cm"): 100.0, ("", "%"): 100.0}
 
 
 def key(kind: str, default=None, **rule):
-    """A key of this kind.
+    """Declare a key of a section: a dataclass field with its kind and its rules as metadata.
 
     form : group of the fields of its form; without it the form of its section says by hand where it stands
     filled : the form shows its field where it is given only, and does not let it be emptied

@@ -12,13 +12,13 @@ from core.packages import require
 from core.regular_file import TooLarge, read_regular
 
 CASE = "case.toml"
-NAMES = (CASE, "results.json", "records.csv")
-"""Of the files the program puts into a note; others are left alone."""
+NOTE_FILES = (CASE, "results.json", "records.csv")
+"""Names of the files the program puts into a note; others are left alone."""
 
 SECONDS, MEGABYTES = 20.0, 2000
 """That a note may take: one of 70 MB takes half a second."""
 
-MOST = 100_000_000
+MAX_NOTE_BYTES = 100_000_000
 """Largest note that is read [bytes]."""
 
 
@@ -27,17 +27,17 @@ def is_note(content: bytes) -> bool:
     return content.startswith(b"%PDF-")
 
 
-def files_within(path: Path, names: Collection[str] = NAMES) -> dict[str, bytes]:
+def files_within(path: Path, names: Collection[str] = NOTE_FILES) -> dict[str, bytes]:
     """Name -> content of these files within a note, none but them decoded. Raises InputError for what is no note of
     this program."""
     require("report")
     try:
-        content = read_regular(path, MOST)
+        content = read_regular(path, MAX_NOTE_BYTES)
         found = bounded(unpacked, content, tuple(names), seconds=SECONDS, megabytes=MEGABYTES)
     except FileNotFoundError:
         raise InputError("no_case_file", place=(path,)) from None
     except TooLarge as error:
-        raise InputError("case_too_large", mb=error.size / 1e6, most=MOST / 1e6, place=(path,)) from None
+        raise InputError("case_too_large", mb=error.size / 1e6, most=MAX_NOTE_BYTES / 1e6, place=(path,)) from None
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
     except Refused as error:

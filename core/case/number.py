@@ -9,7 +9,7 @@ from core.quantities import WRITTEN, factor_to
 _NUMBER = re.compile(r"[+-]?([0-9]+([.,][0-9]*)?|[.,][0-9]+)([eE][+-]?[0-9]{1,3})?", re.ASCII)
 
 
-SHOWN = 60
+SHOWN_LETTERS = 60
 """Characters of a text repeated in a sentence."""
 
 
@@ -17,7 +17,7 @@ def parse_number(text: str) -> float:
     """`0.312` and `0,312` both mean 0.312. Raises InputError for both marks at once, for a mark used twice,
     and for anything that is not a finite number."""
     bare = text.strip().replace("−", "-")
-    text = bare if len(bare) <= SHOWN else bare[:SHOWN] + "…"
+    text = bare if len(bare) <= SHOWN_LETTERS else bare[:SHOWN_LETTERS] + "…"
     if "." in bare and "," in bare:
         raise InputError("two_decimal_marks", text=text)
     if not _NUMBER.fullmatch(bare):
@@ -42,5 +42,5 @@ def parse_quantity(text: str, unit: str, bare: float = 1.0) -> float:
         return parse_number(text) * bare
     value, factor = parse_number(found[1]), factor_to(found[2], unit)
     if factor is None:
-        raise InputError("unit_of_number", text=text.strip()[:SHOWN], known=WRITTEN.get(unit, unit))
+        raise InputError("unit_of_number", text=text.strip()[:SHOWN_LETTERS], known=WRITTEN.get(unit, unit))
     return value * factor

@@ -35,7 +35,7 @@ LEAVES = 0.25
 """Share of the length of a wall over which a cavity from its foot to its top makes leaves of it: a flue does not."""
 
 SHARES = (0.02, 0.25, 0.5, 0.75, 0.98)
-"""Of the height between corners at which oblique solids are looked at."""
+"""Shares of the height between corners at which oblique solids are looked at."""
 
 DRIFT, MOST_HEIGHTS, ROUND_FROM = 0.02, 200, 12
 """How far an edge may move between two sections [m], so many at most between two corners; an opening with as many
@@ -46,8 +46,8 @@ STEEPEST = 1.0
 
 
 def check_short_forms(wall: Wall, here) -> None:
-    """Steps become thinner upwards; wedges hang on the wall over their whole height, are no longer than it together,
-    and follow a crack that is not flat."""
+    """Refuse steps that do not become thinner upwards, and wedges that do not hang on the wall over their whole height,
+    are together longer than it, or follow a crack that is flat."""
     _, thickness, _, length = wall.complete_sizes()
     below = thickness
     for step in wall.steps:
@@ -97,7 +97,7 @@ def _heights(parts) -> list[tuple[float, bool]]:
         wide = [min(part.polygon)[1], max(part.polygon)[1]]
         levels |= {*zs} if part.weight > 0.0 or len(zs) < ROUND_FROM else {min(zs), max(zs), *wide}
     ordered = sorted(levels)
-    found = [(ordered[0], False)]
+    found: list[tuple[float, bool]] = []
     for low, high in itertools.pairwise(ordered):
         if high - low <= 2.0 * INTO:
             continue
@@ -109,7 +109,7 @@ def _heights(parts) -> list[tuple[float, bool]]:
         count = min(2 + math.ceil(max(moves) / DRIFT), MOST_HEIGHTS)
         found += [(low + (high - low) * k / count, False) for k in range(count)]
         found.append((high, True))
-    return found[1:]
+    return found
 
 
 def _check_pieces(wall: Wall, parts: tuple[Part, ...], here) -> None:
@@ -154,7 +154,7 @@ def fault_of(parts: tuple[Part, ...], thickness: float) -> tuple[str, float] | N
 
 
 def _common(one, other) -> list[tuple[float, float]]:
-    """What two lists of stretches share."""
+    """Intersections of two lists of stretches."""
     both = ((max(a[0], b[0]), min(a[1], b[1])) for a in one for b in other)
     return [(start, end) for start, end in both if end > start]
 
@@ -172,8 +172,8 @@ def _share(one: Part, other: Part) -> bool:
 
 
 def _check_behind(wall: Wall, parts: tuple[Part, ...], here) -> None:
-    """What solids hang behind the base is bound as wedges of return walls are: together no longer than the wall, none
-    farther behind it than it is high."""
+    """Refuse solids that hang behind the base further than wedges of return walls may: together longer than the wall,
+    or one farther behind it than it is high."""
     _, thickness, _, length = wall.complete_sizes()
     solids = [part for part in parts if part.weight > 0.0 and not part.wedge]
     behind = [part for part in solids if part.plane == "section" and lies_behind(part, thickness)]
@@ -198,14 +198,14 @@ def _check_behind(wall: Wall, parts: tuple[Part, ...], here) -> None:
 
 
 def _box(part: Part) -> list[tuple[float, float]]:
-    """An elevation in the plane of the sections."""
+    """Outline of an elevation in the plane of the sections (x, z) [m]."""
     low, high = (part.start + end for end in part.ends)
     bottom, top = min(z for _, z in part.polygon), part.top
     return [(low, bottom), (high, bottom), (high, top), (low, top)]
 
 
 def _in_section(part: Part) -> list[tuple[float, float]]:
-    """A section by x and z."""
+    """Outline of a section as (x, z) [m]."""
     return [(part.start + s, z) for s, z in part.polygon]
 
 
@@ -220,7 +220,7 @@ def _reaches_into(section: Part, elevation: Part) -> bool:
 
 
 def _check_foot(wall: Wall, parts: tuple[Part, ...], here) -> None:
-    """The outer hinge carries the body, not a plinth or a foot alone; so does the inner one of a two-sided wall."""
+    """Refuse a body whose outer hinge carries only a plinth or a foot; the inner hinge of a two-sided wall likewise."""
     thickness = known(wall.thickness)
     low, most = FOOT_HEIGHT * top_of(parts), FOOT * thickness
     placed = aligned(parts)

@@ -13,7 +13,7 @@ from core.errors import InputError
 from core.wall.body import holds
 
 MOST_SEGMENTS = 20_000
-"""Of the lines among which an outline is sought: each is compared with each."""
+"""Segments of the lines among which an outline is sought, at most: each is compared with each."""
 
 Line = tuple[str, Sequence[Point]]
 """Layer, points; a closed line ends where it begins."""
@@ -167,7 +167,7 @@ class _Graph:
             self.beside[a].discard(b)
 
     def _after(self, a: int, b: int) -> int:
-        """The node after b of the face to the left of the way from a to b."""
+        """Node that follows b on the face to the left of the edge from a to b."""
         x, y = self.points[b]
 
         def direction(node: int) -> float:
@@ -177,7 +177,7 @@ class _Graph:
         return min(self.beside[b], key=lambda node: (back - direction(node)) % (2.0 * math.pi) or 2.0 * math.pi)
 
     def cycle(self, a: int, b: int) -> list[int]:
-        """The boundary to the left of the way from a to b."""
+        """Nodes of the face to the left of the edge from a to b."""
         found, here = [a], (a, b)
         while True:
             here = here[1], self._after(*here)
@@ -222,7 +222,7 @@ class _Graph:
         return tuple(one for one in found if not any(one is not other and holds(other, one[0]) for other in found))
 
     def _joined(self, node: int) -> set[int]:
-        """The nodes that lines connect with one."""
+        """All nodes connected with this one by lines."""
         found, new = {node}, [node]
         while new:
             fresh = self.beside[new.pop()] - found

@@ -9,7 +9,7 @@ from core.case.site import Demand, HazardRow, Spectrum
 from core.codes.limits import EXCEEDANCE, SAME_PERIOD, return_period
 from core.codes.national_hazard import (
     LEAST_REFERENCE,
-    PERIODS,
+    RETURN_PERIODS,
     USE_CLASSES,
     SiteHazard,
     distance,
@@ -75,7 +75,7 @@ class Site:
 
     @property
     def hazard(self) -> SiteHazard:
-        """Of its point. Raises InputError."""
+        """Hazard at the point of the site. Raises InputError."""
         try:
             self._check_name()
             return _hazard(*self.point)
@@ -96,7 +96,7 @@ def hazard_rows(site: Site) -> tuple[HazardRow, ...]:
     """The hazard at the return periods of the table, and at those of the limit states, where they are within it."""
     hazard = site.hazard
     states = (site.return_period(state) for state in EXCEEDANCE)
-    years = sorted({*PERIODS, *(t for t in states if PERIODS[0] < t < PERIODS[-1])})
+    years = sorted({*RETURN_PERIODS, *(t for t in states if RETURN_PERIODS[0] < t < RETURN_PERIODS[-1])})
     rows = [HazardRow(t, *hazard.at(t)) for t in years]
     kept = rows[:1]
     for row in rows[1:]:
@@ -106,7 +106,7 @@ def hazard_rows(site: Site) -> tuple[HazardRow, ...]:
 
 
 def derived(site: Site, limit_state: str) -> dict:
-    """What the place gives of a demand: DERIVED and OF_SPECTRUM."""
+    """Values of a demand that follow from the place: DERIVED and OF_SPECTRUM."""
     values = site.hazard.at(site.return_period(limit_state))
     return {
         "ag_g": values.ag_g,
@@ -192,12 +192,12 @@ def without_derived(site: Site | None, demand: dict) -> dict:
 
 
 def notices(site: Site, limit_state: str) -> list[Sentence]:
-    """What is to be said of the demand of a place."""
+    """Notices on the demand of a place."""
     found, years = [], site.return_period(limit_state)
     if site.latitude is None:
         found.append(notice("site_of_a_seat", name=site.municipality))
-    if not PERIODS[0] <= years <= PERIODS[-1]:
-        end = PERIODS[0] if years < PERIODS[0] else PERIODS[-1]
+    if not RETURN_PERIODS[0] <= years <= RETURN_PERIODS[-1]:
+        end = RETURN_PERIODS[0] if years < RETURN_PERIODS[0] else RETURN_PERIODS[-1]
         found.append(notice("site_beyond_the_table", years=years, end=end, state=limit_state))
     if site.reference_life == LEAST_REFERENCE > site.nominal_life_years * USE_CLASSES[site.use_class]:
         found.append(notice("site_least_life", least=LEAST_REFERENCE))

@@ -11,7 +11,7 @@ from core.case.wall import Wall
 from core.case.writer import table_of
 from core.errors import InputError
 
-MOST = 60
+MAX_JUDGEMENTS = 60
 """Times a case is judged: of more problems nobody reads."""
 
 
@@ -22,7 +22,7 @@ def problems(case: Case) -> list[InputError]:
     found: list[InputError] = []
     assumed: set[tuple[str, str]] = set()
     part_given: set[str | None] = set()
-    for _ in range(MOST):
+    for _ in range(MAX_JUDGEMENTS):
         try:
             parse_case(table_of(case))
             break
@@ -81,7 +81,7 @@ TALL, SLENDER = 60.0, 10.0
 
 
 def _with_sizes(wall: Wall) -> Wall | None:
-    """The wall with the sizes it lacks; None where it has too many."""
+    """Complete a wall with plausible sizes where some are missing; None where it has too many."""
     given = [one for one in (wall.thickness_m, wall.slenderness_deg, wall.height_over_thickness) if one is not None]
     if len(given) > 1 or (given and wall.height_m is not None):
         return None
@@ -127,7 +127,7 @@ def _given(section: Any, key: str) -> Any:
 
 
 def _plausible(rule) -> Any:
-    """A value of a key of this kind."""
+    """A plausible value of a key of this kind, in place of a missing one."""
     match rule["kind"]:
         case "choice":
             return rule["names"][0]

@@ -9,8 +9,7 @@ from pathlib import Path
 from core.case.drawn_solids import with_drawings
 from core.case.hazard_table import read_hazard
 from core.case.many_walls import ManyWalls, with_many
-from core.case.note_file import CASE, files_within, is_note
-from core.case.note_file import MOST as MOST_OF_NOTE
+from core.case.note_file import CASE, MAX_NOTE_BYTES, files_within, is_note
 from core.case.rules import parse_case, with_walls
 from core.case.schema import Case
 from core.case.wall_table import MANY_BYTES, read_table
@@ -36,7 +35,7 @@ def read_toml(path: Path) -> tuple[dict, bytes]:
         if path.exists() and not path.is_file():
             raise InputError("case_not_a_file", place=(path,))
         of_note = is_note(first_bytes(path, 5))  # it holds its case, and is larger than one
-        content = read_regular(path, MOST_OF_NOTE if of_note else MAX_BYTES)
+        content = read_regular(path, MAX_NOTE_BYTES if of_note else MAX_BYTES)
         if of_note:
             content = files_within(path, (CASE,))[CASE]
         if len(content) > MAX_BYTES:

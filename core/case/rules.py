@@ -18,7 +18,16 @@ from core.case.select import Select
 from core.case.sensitivity import Ranges
 from core.case.shape_memory import check_known_shape
 from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
-from core.case.values import SHOWN, are_ends, corners_of, field_of, refuse_unknown, repeated, section_of, value_of
+from core.case.values import (
+    SHOWN_LETTERS,
+    are_ends,
+    corners_of,
+    field_of,
+    refuse_unknown,
+    repeated,
+    section_of,
+    value_of,
+)
 from core.case.variant_of import expanded
 from core.case.wall import Wall
 from core.codes.limits import check_return_period
@@ -32,7 +41,7 @@ TESTED_STRENGTH = (0.5, 10.0)
 """Compressive strengths of masonry [MPa] that tests give."""
 
 
-EXACT_METHODS = ("auto", "taylor", "taylor_6")
+TIE_METHODS = ("auto", "taylor", "taylor_6")
 """Methods that know a tie; all of them are then the one of order 8."""
 
 
@@ -212,12 +221,12 @@ def _check_exact(case: Case, wall: Wall) -> None:
     """Refuse a method that has no bars and no unlike sides, and a statement of accuracy by such methods."""
     method, here = case.analysis.method, (section("[analysis]"),)
     if any(load.is_tie for load in wall.load):
-        if method not in EXACT_METHODS:
+        if method not in TIE_METHODS:
             raise InputError("tie_method", place=here, key="method", found=method)
         if case.analysis.accuracy:
             raise InputError("tie_accuracy", place=here, key="accuracy")
     if wall.is_unlike and "two_sided" in wall.mechanisms():
-        if method not in EXACT_METHODS:
+        if method not in TIE_METHODS:
             raise InputError("unlike_method", place=here, key="method", found=method)
         if case.analysis.accuracy:
             raise InputError("unlike_accuracy", place=here, key="accuracy")
@@ -362,4 +371,8 @@ def _name(entry, index: int):
     name, variant = (entry.get("name"), entry.get("variant")) if isinstance(entry, dict) else (None, None)
     if not isinstance(name, str):
         return index + 1
-    return f"{name[:SHOWN]} ({variant})" if isinstance(variant, str) and len(variant) <= SHOWN else name[:SHOWN]
+    return (
+        f"{name[:SHOWN_LETTERS]} ({variant})"
+        if isinstance(variant, str) and len(variant) <= SHOWN_LETTERS
+        else name[:SHOWN_LETTERS]
+    )

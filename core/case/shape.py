@@ -10,7 +10,7 @@ from core.wall.body import clipped_above
 from core.wall.solids import Part, top_of
 
 ANGLES = {"elevation": 0.5 * math.pi, "section": 0.0}
-"""Of the planes from the direction of motion [rad]."""
+"""Angles of the planes of solids from the direction of motion [rad]."""
 
 SHORT_FORMS = ("gable_m", "openings", "steps")
 """Keys that make a wall another shape, in place of solids."""
@@ -64,7 +64,7 @@ class Shaped:
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:
-        """Its solids; none of a rectangle, however it is written. Raises InputError where a size is missing."""
+        """Solids of the wall; none of a rectangle, however it is written. Raises InputError where a size is missing."""
         if not self.has_shape:
             return ()
         _, face, weight, length = self.complete_sizes()
@@ -87,7 +87,8 @@ class Shaped:
         raise InputError("solids_need", place=(place("wall", name=self.title),), key=missing)
 
     def _layers(self, base: float, length: float, weight: float) -> list[Part]:
-        """The wall between its steps, with its gable, and its openings through each. base : its thickness [m]"""
+        """Solids of the wall between its steps, with its gable, and of its openings through each. base : thickness at
+        the base [m]"""
         top, eaves = known(self.height_m), self.shoulder
         outline = [(0.0, 0.0), (length, 0.0), (length, eaves), (0.0, eaves)]
         if self.gable_m:

@@ -85,12 +85,12 @@ def _check_base(wall: Wall, parts: tuple[Part, ...], thickness: float, length: f
 
 
 def _inward(part: Part, s: float, n: float) -> float:
-    """x of a point of a solid."""
+    """x of a point of a solid, inward from the outer edge of the base [m]."""
     return part.x_of(s, n)
 
 
 def _along(part: Part, s: float, n: float) -> float:
-    """Along the wall of a point of a solid [m]."""
+    """Coordinate along the wall of a point of a solid [m]."""
     if part.plane == "section":
         return n
     cosine, sine = directions(part.angle)
@@ -98,7 +98,7 @@ def _along(part: Part, s: float, n: float) -> float:
 
 
 def _reach(part: Part, of) -> tuple[float, float]:
-    """Least and largest coordinate of a solid. of : _inward or _along"""
+    """Least and largest coordinate of a solid [m]. of : the coordinate, _inward or _along"""
     found = [of(part, s, n) for s, _ in part.polygon for n in part.ends]
     return min(found), max(found)
 

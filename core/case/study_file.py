@@ -17,7 +17,7 @@ from core.rocking.methods import METHODS
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import MODELS
 
-DEFAULT = "default"
+DEFAULT_MODEL = "default"
 """The restitution that follows the mechanism: Eq. 4 or Eq. 6."""
 
 
@@ -61,7 +61,7 @@ class Grid:
     slenderness_deg: tuple[float, ...] = list_key(number_key(0.5, 45.0, unit="deg"), ())
     height_m: tuple[float, ...] = list_key(number_key(0.1, 60.0, unit="m"), ())
     mechanism: tuple[str, ...] = list_key(choice_key("two_sided", "one_sided"), ("two_sided",))
-    restitution: tuple[str, ...] = list_key(choice_key(DEFAULT, *MODELS), ())
+    restitution: tuple[str, ...] = list_key(choice_key(DEFAULT_MODEL, *MODELS), ())
     velocity_ratio: tuple[float, ...] = list_key(number_key(0.0, 1.0), ())
     law: tuple[str, ...] = list_key(choice_key(*LAWS), ("rigid",))
     method: tuple[str, ...] = list_key(choice_key(*METHODS), ("taylor",))
@@ -106,7 +106,7 @@ class Cell:
 
     @property
     def wall(self) -> Wall:
-        """As a wall of a case, whose rules it obeys. Raises InputError."""
+        """The cell as a wall of a case, whose rules it obeys. Raises InputError."""
         chosen: dict[str, object]
         if self.restitution[0].isdigit():
             chosen = {"velocity_ratio": float(self.restitution)}
@@ -133,11 +133,11 @@ def cells_of(study: Study) -> dict[Cell, frozenset[str]]:
     for k, grid in enumerate(study.grid, start=1):
         here = place("grid", n=k)
         ratios = tuple(repr(ratio) for ratio in grid.velocity_ratio)
-        models = grid.restitution + ratios or (DEFAULT,)
+        models = grid.restitution + ratios or (DEFAULT_MODEL,)
         kinds = frozenset(("generated", "records") if grid.motions == "all" else (grid.motions,))
         lists = (grid.slenderness_deg, grid.height_m, grid.mechanism, models, grid.law, grid.method)
         for alpha, height, mechanism, model, law, method in product(*lists):
-            if model == DEFAULT:
+            if model == DEFAULT_MODEL:
                 model = "one_sided_theoretical" if mechanism == "one_sided" else "housner"
             named = [Cell(alpha, height, mechanism, model, law, method, step) for step in grid.q_step]
             try:

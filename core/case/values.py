@@ -23,9 +23,9 @@ MAX_TEXT, MAX_PARAGRAPHS, MAX_PATH = 500, 4_000, 12_000
 (`names.key_of`)."""
 
 MOST_CORNERS = 2000
-"""Of a polygon."""
+"""Corners of a polygon, at most."""
 
-SHOWN = 100
+SHOWN_LETTERS = 100
 """Characters of a value repeated in a sentence."""
 
 PERIOD_LIMITS = (0.02, 10.0)
@@ -33,7 +33,7 @@ PERIOD_LIMITS = (0.02, 10.0)
 
 
 def check_value(cls, key: str, value):
-    """One value of a key of a section, checked; raises InputError that names what is accepted."""
+    """Check one value of a key of a section; raises InputError that names what is accepted."""
     return value_of(field_of(cls, key), value)
 
 
@@ -57,7 +57,7 @@ def refuse_unknown(cls, table: dict, name: str, here) -> None:
 
 
 def section_of(cls, table, name: str, here):
-    """A section of a mapping as an object of its class, every value checked. Raises InputError.
+    """Build the object of a section from its mapping, every value checked. Raises InputError.
 
     name : of the section
     here : its place
@@ -146,7 +146,7 @@ def _are_numbers(values) -> bool:
 
 
 def _pair(value, least: float, most: float) -> tuple[float, float] | None:
-    """Two numbers from least to most, the lower first."""
+    """Read two numbers between least and most, the lower first; None for anything else."""
     if not isinstance(value, (list, tuple)) or len(value) != 2 or not _are_numbers(value):
         return None
     low, high = float(value[0]), float(value[1])
@@ -174,7 +174,7 @@ def _list(entry, value, here):
 
 
 def _texts(entry, value, here):
-    """One text, or several."""
+    """Read one text or several as a tuple; None for anything else."""
     found = [value] if isinstance(value, str) else value
     fits = isinstance(found, (list, tuple)) and all(_is_short_text(text) and text for text in found)
     return tuple(found) if fits and (found or entry.default == ()) else None
@@ -291,12 +291,12 @@ KINDS: dict[str, tuple[Callable, Callable]] = {
 
 
 def accepted_by(entry) -> Sentence:
-    """What a key accepts."""
+    """Sentence that says what a key accepts."""
     return KINDS[entry.metadata["kind"]][1](entry)
 
 
 def value_of(entry, value, *here):
-    """One value checked against its field; raises InputError with place, value, accepted. here : the place."""
+    """Check one value against its field; raises InputError with place, value, accepted. here : the place."""
     read, accepted = KINDS[entry.metadata["kind"]]
     found = read(entry, value, here)
     if found is None:
@@ -306,9 +306,9 @@ def value_of(entry, value, *here):
 
 
 def repeated(value) -> str:
-    """A value in a sentence, not longer than needed to know it."""
+    """Repeat a value in a sentence, cut to the length that identifies it."""
     try:
         words = repr(value)
     except (ValueError, RecursionError):  # an integer of thousands of digits
         words = f"{type(value).__name__} …"
-    return words if len(words) <= SHOWN else words[:SHOWN] + "…"
+    return words if len(words) <= SHOWN_LETTERS else words[:SHOWN_LETTERS] + "…"

@@ -5,13 +5,13 @@ from core.case.wall import AS_IS, DESIGNED
 from core.errors import InputError, place
 
 KEY = "variant_of"
-"""Of a [[wall]] in the file alone: a Wall is whole."""
+"""Key of a [[wall]] in the file alone: a Wall is whole."""
 
 MOST_NAMES = 20
 """Names of walls repeated in a sentence."""
 
 EMPTY = ("", [])
-"""What takes a key of the named wall away."""
+"""Values that take a key of the named wall away."""
 
 ALTERNATIVES = (
     ("thickness_m", "slenderness_deg", "height_over_thickness"),
@@ -22,8 +22,8 @@ ALTERNATIVES = (
 
 
 def expanded(table: dict) -> dict:
-    """The mapping of a case file with every wall whole; the one a variant is of becomes as it is, where it names no
-    variant. Raises InputError."""
+    """Replace each variant in the mapping of a case file by a whole wall; the wall it is of becomes "as it is", where
+    it names no variant. Raises InputError."""
     walls = table.get("wall")
     if not isinstance(walls, (list, tuple)) or not any(isinstance(wall, dict) and KEY in wall for wall in walls):
         return table
@@ -49,14 +49,14 @@ def _is_whole(wall) -> bool:
 
 
 def _names(wall: dict) -> list[str]:
-    """What a variant may be called by: its name, where it has one, and its title."""
+    """Names by which a variant may refer to a wall: its name, where it has one, and its title."""
     own, original, variant = wall.get("name"), wall[KEY], wall.get("variant", DESIGNED)
     titled = isinstance(original, str) and isinstance(variant, str)
     return [*([own] if isinstance(own, str) else []), *([f"{original} ({variant})"] if titled else [])]
 
 
 def _copy(original: dict, wall: dict) -> dict:
-    """The original with the keys of the variant."""
+    """Copy the original wall with the keys of the variant in place of its own."""
     own = {key: value for key, value in wall.items() if key != KEY}
     if own.get("name", original["name"]) != original["name"]:
         here = place("wall", name=original["name"])

@@ -14,9 +14,10 @@ from core.errors import InputError, place
 from core.known import known
 from core.text.sentence import Key, sentence
 from core.wall.block import Block
+from core.wall.impact import Restitution
 from core.wall.masonry import BENDS, Declared, Masonry, base_length, weight_per_metre
 from core.wall.moment_rotation import LAWS, WITH_BRANCH, MomentLaw
-from core.wall.restitution import MODELS, Restitution, restitution
+from core.wall.restitution import MODELS, restitution
 from core.wall.solids import sum_of
 
 MIN_ELASTIC = 0.001
@@ -117,7 +118,7 @@ class Wall(Shaped):
 
     @property
     def title(self) -> str:
-        """Its name, with its variant where it has one."""
+        """Name of the wall, with its variant where it has one."""
         return self.name if self.variant is None else f"{self.name} ({self.variant})"
 
     @property
@@ -296,7 +297,7 @@ class Wall(Shaped):
         return restitution(self.in_si.block, model, self.velocity_ratio, self.in_si.contact)
 
     def moment_law(self) -> MomentLaw:
-        """As it is given; an elastic branch is of the check at the demand alone."""
+        """Moment law as it is given; an elastic branch belongs to the check at the demand alone."""
         if isinstance(self.law, str):
             return LAWS["rigid" if self.law in WITH_BRANCH else self.law]
         return MomentLaw(self.law["elastic_limit"], self.law["plateau_end"])

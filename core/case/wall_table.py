@@ -125,7 +125,8 @@ FLAGS = {
 }
 
 OF_A_SMALL_UNIT = 0.05
-"""Of a column in a unit that much smaller than that of its key `1.200` is more likely 1200 than 1.2: it is asked."""
+"""Factor of the unit of a column over that of its key below which `1.200` is more likely 1200 than 1.2: the program
+asks."""
 
 MAX_ROWS, MAX_COLUMNS, MAX_BYTES = 2000, 40, 20_000_000
 MAX_CELLS = MAX_ROWS * 4 * MAX_COLUMNS
@@ -190,7 +191,7 @@ def _decoded(content: bytes) -> str:
 
 
 def _mark(text: str) -> str:
-    """What stands between the cells of a text."""
+    """Mark that stands between the cells of a text."""
     head = text.split("\n", 1)[0]
     return next((mark for mark in (";", "\t", ",") if mark in head), ";")
 
@@ -337,7 +338,7 @@ class _Head(NamedTuple):
 
     @classmethod
     def of(cls, heads: list[str], units: list[str], with_demand: bool) -> "_Head":
-        """Of the rows of titles and of units. Raises InputError."""
+        """Read the head from the rows of titles and of units. Raises InputError."""
         keys = _heads(heads)
         return cls(heads, keys, _factors(keys, units, heads), with_demand)
 
@@ -419,9 +420,9 @@ _BRACKET = re.compile(r"[\[(][^\[\]()]*[\])]")
 
 
 def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
-    """What each column is multiplied with: its unit, in the row of units, in brackets in the head or in both, to that
-    of its key. What stands in the brackets of a number is a unit of the key, or the table is refused; a word beside the
-    unit is a remark, and so is what stands beside a word, unless it is a unit."""
+    """Factor of each column: its unit, in the row of units, in brackets in the head or in both, over that of its key.
+    What stands in the brackets of a number is a unit of the key, or the table is refused; a word beside the unit is a
+    remark, and so is what stands beside a word, unless it is a unit."""
     factors = []
     for k, key in enumerate(keys):
         kind, metadata = columns()[key].entry.metadata["kind"], columns()[key].entry.metadata
@@ -463,7 +464,7 @@ def _unknown_unit(text: str, head: str, unit: str, alone: bool = False) -> Input
 
 
 def _cell(key: str, factor: float, cell: str, here: Sentence):
-    """The value of a cell. here : its place, for an error"""
+    """Read the value of a cell. here : its place, for an error"""
     entry = columns()[key].entry
     kind = entry.metadata["kind"]
     if entry.name in CHOICES:
@@ -495,7 +496,7 @@ def _cell(key: str, factor: float, cell: str, here: Sentence):
 
 
 def _one_of(cell: str, words: dict[str, str], here: Sentence) -> str:
-    """The code of a word of a list that a cell chooses from."""
+    """Code of the word of a list in a cell. Raises InputError for a word that is not in the list."""
     code = words.get(cell.lower())
     if code is None:
         known = ", ".join(word for word in words if word not in words.values() or word.isalpha())

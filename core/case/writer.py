@@ -9,7 +9,7 @@ from core.case.variant_of import contracted
 from core.errors import InputError
 
 SECTIONS = ("report", "wall", "record", "generate", "select", "analysis", "site", "demand", "building", "sensitivity")
-"""Of a case file, in the order they are written."""
+"""Sections of a case file, in the order they are written."""
 
 STATED = ("generate", "select", "site", "demand", "building", "sensitivity")
 """Sections that say something though no key of theirs differs from its default."""
@@ -92,7 +92,8 @@ def _states(stated, content) -> bool:
 
 
 def _merge_tables(target: list, wanted: list[dict], content, identity: str | None) -> None:
-    """The same of [[wall]] or [[record]]: tables are known by their name or file, one renamed by its place."""
+    """Merge [[wall]] or [[record]] tables into those of the file: each is recognised by its name or file, a renamed one
+    by its place. Raises _OtherTables where tables came, went or moved."""
     if identity is None or len(target) != len(wanted):
         raise _OtherTables
     old, new = ([table.get(identity) for table in tables] for tables in (target, wanted))

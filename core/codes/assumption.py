@@ -87,7 +87,7 @@ def table(rows: Iterable[Assumption]) -> tuple[Assumption, ...]:
     return tuple({row.key: row for row in reversed(ordered)}.values())[::-1]
 
 
-UNITS = {
+VALUE_UNITS = {
     "hinge_setback_m": (100.0, " cm"),
     "base_z_m": (1.0, " m"),
     "contact": (1.0, " m"),
@@ -102,10 +102,10 @@ UNITS = {
 
 
 def shown(row: Assumption, value: Shown, language: str) -> str:
-    """A value of a row in words of a language, a number with three digits and its unit."""
+    """Value of a row in the words of a language, a number with three digits and its unit."""
     if isinstance(value, Sentence):
         return value.text(language)
     if isinstance(value, str):
         return value
-    factor, unit = UNITS.get(row.key, (1.0, ""))
+    factor, unit = VALUE_UNITS.get(row.key, (1.0, ""))
     return numeral(factor * value, digits_of(factor * value), language) + unit

@@ -5,14 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.codes.demand import DemandResult
-from core.codes.kinematic import DAMPING, Kinematic, capacity_at
+from core.codes.kinematic import STATE_DAMPING, Kinematic, capacity_at
 from core.codes.target_spectrum import displacement
 
-PERIODS = np.concatenate([np.linspace(0.0, 0.5, 51), np.linspace(0.52, 4.0, 175)])
+CURVE_PERIODS = np.concatenate([np.linspace(0.0, 0.5, 51), np.linspace(0.52, 4.0, 175)])
 """Periods of the curve of the demand [s]."""
 
 POINTS = 41
-"""Of the curve of a wall held at its top, which is not straight."""
+"""Points of the curve of a wall held at its top, which is not straight."""
 
 BEYOND = 1.25
 """How far the curve of the demand is drawn: times the largest displacement of the check."""
@@ -42,18 +42,18 @@ def capacity_curve(mechanism: Kinematic, demand: DemandResult) -> CapacityCurve 
     target = demand.target
     if mechanism.d_limit is None or mechanism.s_de is None or target is None:
         return None
-    damping = DAMPING[demand.limit_state]
+    damping = STATE_DAMPING[demand.limit_state]
     most = BEYOND * max(mechanism.d0, mechanism.s_de)
 
     def shown(d, a) -> tuple[np.ndarray, np.ndarray]:
         inside = d <= most
         return d[inside], a[inside]
 
-    ground = shown(displacement(target, PERIODS, damping), target.acceleration(PERIODS, damping))
+    ground = shown(displacement(target, CURVE_PERIODS, damping), target.acceleration(CURVE_PERIODS, damping))
     floor = np.zeros(0), np.zeros(0)
     if mechanism.floor is not None:
-        felt = mechanism.floor.acceleration(PERIODS, damping)
-        floor = shown(felt * (PERIODS / (2.0 * np.pi)) ** 2, felt)
+        felt = mechanism.floor.acceleration(CURVE_PERIODS, damping)
+        floor = shown(felt * (CURVE_PERIODS / (2.0 * np.pi)) ** 2, felt)
     # the friction of return walls is lost over a slip: none of it in the curve
     sums, confidence = mechanism.moved, demand.confidence_factor
     inside = [end for end in sums.ends_of_ties() if 0.0 < end < sums.d0]

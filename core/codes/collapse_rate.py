@@ -13,14 +13,15 @@ import numpy as np
 
 from core.ground.provenance import LEAST_STATIONS, SHARE, draws
 
-STATES = ("SLD", "SLV", "SLC", "collapse")
+RATE_STATES = ("SLD", "SLV", "SLC", "collapse")
 """SLD is the first uplift; SLV and SLC the rotations of C8.7.1.2.1.6; collapse that of the first multiplier."""
 
 DRAWS = 400
 """Sets of stations drawn for the interval."""
 
 LEAST_DEVIATION, MOST_DEVIATION = 1e-6, 2.0
-"""Of records that all give the same, so that a step is a lognormal as well; of records that tell nothing."""
+"""Bounds of the deviation of ln a_g [-]: records that all give the same are given the lower one, so that they too make
+a lognormal; records at the upper one tell nothing."""
 
 STEEP = 15.0
 """Slope of a line of the hazard above which it is a step: rows of nearly one a_g."""
@@ -40,7 +41,7 @@ class Lognormal:
 
 @dataclass(frozen=True)
 class StateRate:
-    """One limit state. collapse is one.
+    """Rate of one limit state. collapse is one of them.
 
     fragility : of a_g on rock, FC included
     rate : exceedances a year [1/year]; low, high : for SHARE of the drawn sets of stations

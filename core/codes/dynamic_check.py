@@ -21,7 +21,7 @@ import numpy as np
 from core.capacity.ida import CHUNK, TRILINEAR_FLOOR, multiplier_of, threshold_of
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.demand import DemandResult
-from core.codes.kinematic import ROUNDING, Check
+from core.codes.kinematic import ZETA_ROUNDING, Check
 from core.codes.limits import are_counted, counted_stations, set_rule
 from core.codes.multiplier_search import ROCKS, search_zeta
 from core.errors import Cancelled
@@ -79,7 +79,7 @@ class OtherConfidence:
 
 @dataclass(frozen=True)
 class DemandCheck:
-    """The rule at the demand.
+    """Result of the dynamic check: the rule at the demand, and zeta_E.
 
     mean_peak_ratio : over the records, of each its worse sign; None where a run overturns
     set_rule : mean, or maximum below seven stations
@@ -119,7 +119,7 @@ class DemandCheck:
 
     @property
     def peak_ratio(self) -> float | None:
-        """What the rule compares with the limit: mean or maximum of the peaks."""
+        """Value that the rule compares with the limit: mean or maximum of the peaks over theta_c [-]."""
         return self.mean_peak_ratio if self.set_rule == "mean" else self.max_peak_ratio
 
     def as_check(self, target: float) -> Check:
@@ -141,7 +141,8 @@ class DemandCheck:
 def at_demand(
     model: RockingModel, demand: DemandResult, confidence_on: str, motion: GroundMotion
 ) -> tuple[RockingModel, float]:
-    """(wall, multiplier of the record) of the check at the demand, with FC on the capacity or on the demand."""
+    """Model and multiplier of the record for the check at the demand, with FC on the capacity (p^2 / FC) or on the
+    demand."""
     confidence = demand.confidence_factor
     if confidence_on == "capacity":  # strength over FC is p^2 / FC under the ground times FC
         model = model._replace(p2=model.p2 / confidence)
@@ -149,8 +150,8 @@ def at_demand(
 
 
 def grounds_of(motions: list[GroundMotion]) -> list[tuple[Grounds, int]]:
-    """Of each record the grounds of its time step and its place in them, as `DemandRuns` takes them: no copy of a
-    record for each of its batches."""
+    """Grounds of the time step of each record and its place in them, as `DemandRuns` takes them: no batch copies a
+    record."""
     steps: dict[float, list[np.ndarray]] = {}
     places = []
     for motion in motions:
@@ -161,7 +162,7 @@ def grounds_of(motions: list[GroundMotion]) -> list[tuple[Grounds, int]]:
 
 
 class DemandRuns:
-    """All runs of a wall at one multiplier of the demand after another."""
+    """Runs all records of a wall at one multiplier of the demand after another."""
 
     def __init__(self, model, motions, polarities, demand, confidence_on, method, cancelled, grounds=None):
         """model : RockingModel of the wall
@@ -196,7 +197,8 @@ class DemandRuns:
         self.together = [[k for k in order if self.motions[k].time_step == dt] for dt in steps]
 
     def analyse(self, batch: list[int], multipliers: np.ndarray):
-        """Outcomes and peaks over theta_c, shape (records, signs, multipliers). batch : records of one time step"""
+        """Integrate a batch at these multipliers; returns outcomes and peaks over theta_c, shape (records, signs,
+        multipliers). batch : records of one time step"""
         grounds = self.grounds[batch[0]][0]
         signed = np.outer([self.ground_factors[k] for k in batch], np.array(self.polarities, float))
         scales = np.multiply.outer(signed, multipliers).ravel()
@@ -231,8 +233,9 @@ class DemandRuns:
         return tuple(run for record in sorted(runs) for run in runs[record])
 
     def failures(self, multipliers: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Where the rule fails, where that is for want of a number, and where it fails or the peak of a run is ROCKS of
-        theta_c or more. A multiplier at which one record makes it fail needs no other."""
+        """Flags of the multipliers at which the rule fails, at which that is for want of a number, and at which it
+        fails or the peak of a run is ROCKS of theta_c or more. A multiplier at which one record makes it fail needs no
+        other."""
         fails, unknown, rocks = np.zeros((3, multipliers.size), bool)
         total = np.zeros(multipliers.size)
         for batch in self.batches if multipliers.size >= FEW else self.together:
@@ -252,7 +255,8 @@ class DemandRuns:
         return fails, unknown, rocks
 
     def rule_holds(self, worse: np.ndarray) -> bool:
-        """The rule for peaks over theta_c, of each record its worse sign, where no run overturns."""
+        """Whether the rule holds for these peaks over theta_c, of each record its worse sign; it fails where a run
+        overturns."""
         value = worse.mean() if self.mean else worse.max()
         return bool(worse.max() <= 1.0 and value <= self.limit)
 
@@ -312,7 +316,7 @@ def demand_check(
             continue
         there.in_order(np.argsort(-np.array(worst), kind="stable").tolist())
         zeta = search_zeta(there.failures, there.rest, target, every)
-        reaches = zeta.half is not None and zeta.half >= target - ROUNDING
+        reaches = zeta.half is not None and zeta.half >= target - ZETA_ROUNDING
         judged[name] = zeta, zeta.holds_at_target and reaches
     zeta_found, passed = judged.pop(side)
     second = None

@@ -4,9 +4,10 @@ from dataclasses import dataclass
 
 LABEL = "Eq. 9"
 TITLE = "Eq. 9, without e* and FC"
-"""It compares a collapse q with a code value meant for life safety: never the only verdict."""
+"""Title of the check: Eq. 9 compares a collapse q with a code value meant for life safety, and is never the only
+verdict."""
 
-ROUNDING = 1e-12
+RATIO_ROUNDING = 1e-12
 """What a ratio may miss of 1 by rounding alone [-]."""
 
 
@@ -26,7 +27,7 @@ class Inequality:
     @property
     def passed(self) -> bool:
         """Equality passes, also where the rounding of a_RM leaves it a last digit short."""
-        return self.ratio >= 1.0 - ROUNDING
+        return self.ratio >= 1.0 - RATIO_ROUNDING
 
 
 def inequality(q_source: str, q: float, threshold: float, pga: float) -> Inequality:

@@ -12,7 +12,7 @@ import numpy as np
 from core.codes.target_spectrum import Target
 from core.ground.floor_motion import Mode
 
-SHORT, LONG = 0.8, 1.1
+PLATEAU_START, PLATEAU_END = 0.8, 1.1
 """a, b of C7.2.6: the plateau of a mode lies between a T_k and b T_k."""
 
 
@@ -59,8 +59,8 @@ class FloorSpectrum:
         """S_eZ,k [m/s2], C7.2.6, A = 1.1 xi_k^-0.5 eta(xi)."""
         eta = max(math.sqrt(10.0 / (5.0 + 100.0 * damping)), 0.55)
         largest = 1.1 / math.sqrt(mode.damping) * eta
-        below = np.clip(1.0 - t / (SHORT * mode.period), 0.0, None) ** 1.6
-        beyond = np.clip(t / (LONG * mode.period) - 1.0, 0.0, None) ** 1.2
+        below = np.clip(1.0 - t / (PLATEAU_START * mode.period), 0.0, None) ** 1.6
+        beyond = np.clip(t / (PLATEAU_END * mode.period) - 1.0, 0.0, None) ** 1.2
         return largest * self.mode_acceleration(mode) / (1.0 + (largest - 1.0) * (below + beyond))
 
     def displacement(self, period: float, damping: float) -> float:
@@ -69,8 +69,8 @@ class FloorSpectrum:
         at = np.array([period, self.first_period])
         here, first = self.acceleration(at, damping)
         value = here * (period / (2.0 * math.pi)) ** 2
-        if period > LONG * self.first_period:
-            value = max(value, first * (LONG * self.first_period / (2.0 * math.pi)) ** 2)
+        if period > PLATEAU_END * self.first_period:
+            value = max(value, first * (PLATEAU_END * self.first_period / (2.0 * math.pi)) ** 2)
         return float(value)
 
 

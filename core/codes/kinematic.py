@@ -26,7 +26,7 @@ from core.wall.masonry import Masonry, period_share
 from core.wall.wall_loads import without_ties
 
 PERIOD_FACTOR = {"SLV": 1.68 * math.pi, "SLC": 1.56 * math.pi}
-DAMPING = {"SLV": 0.08, "SLC": 0.10}
+STATE_DAMPING = {"SLV": 0.08, "SLC": 0.10}
 """C8.7.1.10, C8.7.1.11 and the damping of C8.7.1.12."""
 
 FREE_DAMPING = 0.05
@@ -39,7 +39,7 @@ SLD_CLAUSE = "C8.7.1.2.1.5"
 Q_CLAUSE = "C8.7.1.2.1.7"
 DISPLACEMENT_CLAUSE = "C8.7.1.2.1.8"
 
-ROUNDING = 1e-12
+ZETA_ROUNDING = 1e-12
 """What zeta may miss of the one required by rounding alone [-]."""
 
 
@@ -149,8 +149,9 @@ class Kinematic:
 
     @property
     def displacement(self) -> Displacement | None:
-        """What the displacement check compares; of a wall with ties that counted or left out whose zeta is larger: a
-        tie that breaks ends d_SLV (C8.7.1.2.1.6), and no wall is weaker for a tie that it does not need."""
+        """Displacement check of the wall. Of a wall with ties it is the one with larger zeta, that with ties or that of
+        the bare wall: a tie that breaks ends d_SLV (C8.7.1.2.1.6), and no wall is weaker for a tie that it does not
+        need."""
         if self.d_limit is None or self.a_limit is None or self.period is None or self.s_de is None:
             return None
         own = Displacement(self.d_limit, self.a_limit, self.period, self.s_de)
@@ -172,7 +173,7 @@ def elastic_period(wall: Masonry) -> float | None:
 
 
 def _missing(wall: Masonry, demand: DemandResult) -> tuple[str, ...]:
-    """What a free element lacks for S_e(T_0), by the keys that give it."""
+    """Keys that a free element lacks for S_e(T_0)."""
     of_wall = {"elastic_modulus_mpa": wall.modulus, "unit_weight_kn_m3": wall.unit_weight, "height_m": wall.height}
     return tuple(name for name, value in (of_wall | {"spectrum": demand.target}).items() if value is None)
 
@@ -253,15 +254,15 @@ def _weakest(sums: Chain, demand: DemandResult, floor: FloorSpectrum | None, wal
 def _displacement(
     sums: Chain, demand: DemandResult, floor: FloorSpectrum | None, period_0: float, wall: Masonry
 ) -> Displacement:
-    """The displacement check by these sums. period_0 : T_0 [s]. Raises InputError where the spectrum of a file ends
-    before the period."""
+    """Displacement check by the sums of a chain. period_0 : T_0 [s]. Raises InputError where the spectrum of a file
+    ends before the period."""
     state, target = demand.limit_state, demand.target
     assert target is not None
     d_limit = sums.limit_of_ties(LIMIT_FRACTION[state] * sums.d0)
     a_limit = capacity_at(sums, d_limit, demand.confidence_factor)
     period = PERIOD_FACTOR[state] * math.sqrt(d_limit / a_limit)
     _covers(target, period, f"T_{state}", wall)
-    damping = DAMPING[state]
+    damping = STATE_DAMPING[state]
     s_de = target_spectrum.largest_displacement(target, min(period_0, period), period, damping)
     if floor is not None:
         s_de = max(s_de, floor.displacement(period, damping))
@@ -275,7 +276,7 @@ def capacity_at(sums: Chain, d: float, confidence: float) -> float:
 
 
 def _passed(zeta: float, demand: DemandResult) -> bool:
-    return zeta >= demand.zeta_target - ROUNDING
+    return zeta >= demand.zeta_target - ZETA_ROUNDING
 
 
 def sld(mechanism: Kinematic, demand: DemandResult) -> Check | None:

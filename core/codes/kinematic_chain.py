@@ -31,7 +31,7 @@ HEIGHTS = 2000
 
 
 class HeldBy(NamedTuple):
-    """A tie in the capacity curve. lever : what a newton of it adds to alpha [1/N]"""
+    """A tie that counts in the capacity curve. lever : what a newton of it adds to alpha [1/N]"""
 
     lever: float
     bar: TieBar
@@ -39,7 +39,7 @@ class HeldBy(NamedTuple):
 
 @dataclass(frozen=True)
 class Chain:
-    """Sums of a wall.
+    """Sums of the kinematic chain of a wall.
 
     slenderness, reach : of the wall alone [rad], and the control point: d = reach [sin(alpha) - sin(alpha - theta)]
         (C8.7.1.4) [m]
@@ -90,7 +90,7 @@ class Chain:
         return self.slenderness - math.asin(max(-1.0, sine))
 
     def alpha_of_ties(self, d: float) -> float:
-        """What the ties that are whole at d [m] add to alpha [-]: elastic or at yield."""
+        """Contribution to alpha of the ties that are whole at d [m], elastic or at yield [-]."""
         theta = self.rotation(d)
         return sum(tie.lever * tie.bar.force_at(theta) for tie in self.ties)
 
@@ -125,7 +125,7 @@ class Chain:
 
 
 def chain(wall: Masonry, two_sided: bool) -> Chain:
-    """The sums; of a two-sided wall the smaller alpha_0 and d_0 of its two sides."""
+    """Sums of the chain; of a two-sided wall the smaller alpha_0 and d_0 of its two sides."""
     if wall.bends:
         return of_bending(wall, bending(wall))
     found = [of_side(wall, side) for side in ((1.0, -1.0) if two_sided else (1.0,))]
@@ -142,7 +142,7 @@ def chain(wall: Masonry, two_sided: bool) -> Chain:
 
 
 def of_bending(wall: Masonry, own: Bending) -> Chain:
-    """The sums of a wall held at its top that bends so."""
+    """Sums of the chain of a wall that is held at its top and bends (vertical_bending)."""
     bare = wall.bare
     start = (own.alpha0, own.e_star, own.mass, own.d0, own.alpha0)
     return Chain(bare.slenderness, bare.radius, *start, bending=own)

@@ -1,11 +1,11 @@
-"""Where a rule that is not monotone in the multiplier of the demand fails: zeta_E.
+"""Search of zeta_E: where a rule that is not monotone in the multiplier of the demand fails.
 
 A wall can survive a stronger motion than one that overturned it, so that the first failure found on a grid moves
 with the grid. zeta_E is the lowest multiplier at which half of the multipliers within +-10 % of it (in ln) fail,
 zeta_16 the lowest at which 16 % do.
 
-Every search is on points of one grid, target (1 + STEP)^k, all of them or every n-th one, and finds what all of its
-points would say: a point is left out only between two at which every run hardly rocks.
+Every search is on points of one grid, target (1 + MULTIPLIER_STEP)^k, all of them or every n-th one, and finds what
+all of its points would say: a point is left out only between two at which every run hardly rocks.
 """
 
 import math
@@ -16,10 +16,10 @@ import numpy as np
 from core.capacity.bisection import bisections
 from core.capacity.ida import ROBUST_SHARE, first_with_share
 
-STEP = 0.0025
+MULTIPLIER_STEP = 0.0025
 """Step of the grid of multipliers, which holds the target itself [-]."""
 
-WINDOW = 0.10
+FAILURE_WINDOW = 0.10
 """Half width in ln of the neighbourhood of a multiplier."""
 
 HALF_FAIL = 0.5
@@ -62,16 +62,16 @@ class Zeta:
 
 
 class _Grid:
-    """What is known of the points target (1 + STEP)^(every k): where the rule fails, where that is for want of a
-    number, and where a run rocks."""
+    """Points target (1 + MULTIPLIER_STEP)^(every k) judged so far: where the rule fails, where that is for want of
+    a number, and where a run rocks."""
 
     def __init__(self, failures, target: float, every: int):
         self.failures, self.target, self.every = failures, target, every
-        self.step = (1.0 + STEP) ** every - 1.0
+        self.step = (1.0 + MULTIPLIER_STEP) ** every - 1.0
         self.known: dict[int, tuple[bool, bool, bool]] = {}
 
     def multiplier(self, k: int) -> float:
-        return self.target * (1.0 + STEP) ** (self.every * k)
+        return self.target * (1.0 + MULTIPLIER_STEP) ** (self.every * k)
 
     def index(self, multiplier: float) -> int:
         """Largest k whose multiplier is not above this one."""
@@ -109,7 +109,8 @@ class _Grid:
 
 
 def search_zeta(failures, rest: float, target: float, every: int = 1) -> Zeta:
-    """Where a rule fails, on the points target (1 + STEP)^k whose k is a multiple of `every`.
+    """Search zeta_E, at which a rule fails, on the points target (1 + MULTIPLIER_STEP)^k whose k is a multiple of
+    `every`.
 
     failures(multipliers) : flags of failure, of unknown outcome, and of a peak of ROCKS or more at each
     rest : below this multiplier the rule holds
@@ -118,7 +119,7 @@ def search_zeta(failures, rest: float, target: float, every: int = 1) -> Zeta:
     first one on, all points are analysed.
     """
     grid = _Grid(failures, target, every)
-    half = round(WINDOW / math.log1p(grid.step))
+    half = round(FAILURE_WINDOW / math.log1p(grid.step))
     window, top = 2 * half + 1, grid.index(MAX_MULTIPLIER)
     edge = grid.first_failure(grid.index(rest), top)
     failing, unknown, _ = grid.at([0])[:, 0]

@@ -12,7 +12,7 @@ import numpy as np
 
 from core.errors import InputError, place
 
-PERIODS = (30.0, 50.0, 72.0, 101.0, 140.0, 201.0, 475.0, 975.0, 2475.0)
+RETURN_PERIODS = (30.0, 50.0, 72.0, 101.0, 140.0, 201.0, 475.0, 975.0, 2475.0)
 """Return periods of the table of Annex B [years]."""
 
 USE_CLASSES = {"I": 0.7, "II": 1.0, "III": 1.5, "IV": 2.0}
@@ -40,7 +40,7 @@ class Values(NamedTuple):
 
 
 class Island(NamedTuple):
-    """A group of Table 2. boxes : (south, north, west, east) [degrees]; ag in g/10, f0, tc at PERIODS"""
+    """A group of Table 2. boxes : (south, north, west, east) [degrees]; ag in g/10, f0, tc at RETURN_PERIODS"""
 
     name: str
     boxes: Sequence[tuple[float, float, float, float]]
@@ -208,7 +208,7 @@ class SiteHazard:
     nodes : ids of the vertices of its cell, in order round it; none on an island of Table 2
     distances : to them [km]
     island : the group of Table 2, "" on the grid
-    table : a_g [g/10], F_0, T_C* of each node, or of the group, at PERIODS, shape (nodes, 9, 3)
+    table : a_g [g/10], F_0, T_C* of each node, or of the group, at RETURN_PERIODS, shape (nodes, 9, 3)
     """
 
     latitude: float
@@ -219,11 +219,11 @@ class SiteHazard:
     table: np.ndarray
 
     def at(self, years: float) -> Values:
-        """At a return period: between those of the table by logarithms (Eq. 2), then between the nodes by the inverse
-        of their distances (Eq. 3); below 30 years that of 30, above 2475 that of 2475 (NTC 2018)."""
-        years = min(max(years, PERIODS[0]), PERIODS[-1])
-        k = min(int(np.searchsorted(PERIODS, years, side="right")) - 1, len(PERIODS) - 2)
-        share = math.log(years / PERIODS[k]) / math.log(PERIODS[k + 1] / PERIODS[k])
+        """Values at a return period: between those of the table by logarithms (Eq. 2), then between the nodes by the
+        inverse of their distances (Eq. 3); below 30 years those of 30, above 2475 those of 2475 (NTC 2018)."""
+        years = min(max(years, RETURN_PERIODS[0]), RETURN_PERIODS[-1])
+        k = min(int(np.searchsorted(RETURN_PERIODS, years, side="right")) - 1, len(RETURN_PERIODS) - 2)
+        share = math.log(years / RETURN_PERIODS[k]) / math.log(RETURN_PERIODS[k + 1] / RETURN_PERIODS[k])
         low, high = self.table[:, k], self.table[:, k + 1]
         of_nodes = low * (high / low) ** share
         if share in (0.0, 1.0):
@@ -239,8 +239,8 @@ class SiteHazard:
 
     @property
     def rows(self) -> list[Values]:
-        """At each of PERIODS."""
-        return [self.at(years) for years in PERIODS]
+        """Rows of the hazard at each of RETURN_PERIODS."""
+        return [self.at(years) for years in RETURN_PERIODS]
 
 
 def _inside(corners: np.ndarray, point: tuple[float, float]) -> bool:

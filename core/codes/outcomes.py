@@ -36,7 +36,7 @@ OUTCOMES = {
 """The outcomes, worst first."""
 
 NO_HAZARD = "no_hazard"
-"""Of a limit state that is not asked for: outside the order."""
+"""Code of a limit state that is not asked for: it stands outside the order."""
 
 _RANK = {code: rank for rank, code in enumerate(OUTCOMES)}
 

@@ -13,16 +13,15 @@ import numpy as np
 
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandRuns
-from core.codes.multiplier_search import HALF_FAIL, MAX_MULTIPLIER, ROCKS, STEP, WINDOW
+from core.codes.multiplier_search import FAILURE_WINDOW, HALF_FAIL, MAX_MULTIPLIER, MULTIPLIER_STEP
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import LEAST_STATIONS, SHARE, draws, station_of
 from core.rocking.methods import Method
 from core.rocking.outcome import STABLE
 from core.wall.rocking_model import RockingModel
 
-EVERY, SPARSE = 4, 4
-"""Every how many points of the grid of zeta_E the peaks are known, by 1 %; every how many of these first: between two
-at which a record hardly rocks its peaks are interpolated."""
+EVERY = 4
+"""Every how many points of the grid of zeta_E the peaks are known, by 1 %."""
 
 SPAN = (0.5, 1.5)
 """Multipliers over zeta_E from which on, unless a record alone breaks the rule there, and up to which peaks are found;
@@ -50,7 +49,7 @@ class RecordPeaks:
 
 @dataclass(frozen=True)
 class SampleInterval:
-    """Where zeta_E lies for nine of ten sets of as many stations.
+    """Interval of zeta_E: nine of ten sets of as many stations lie in it.
 
     low, high : [-]; high is that of the last multiplier where `open_end`
     stations : drawn from
@@ -78,30 +77,19 @@ def record_peaks(
     Raises Cancelled.
     """
     runs = DemandRuns(model, motions, polarities, demand, demand.confidence_on, method, cancelled)
-    step = EVERY * math.log1p(STEP)
+    step = EVERY * math.log1p(MULTIPLIER_STEP)
     low, high = runs.rest, min(SPAN[1] * zeta, MAX_MULTIPLIER)
     if SPAN[0] * zeta > low:
         fails = [runs.analyse(batch, np.array([SPAN[0] * zeta])) for batch in runs.together]
         if all((outcomes == STABLE).all() and (peaks < runs.limit).all() for outcomes, peaks in fails):
             low = SPAN[0] * zeta
     first, last = (math.floor(math.log(end / demand.zeta_target) / step) for end in (low, high))
-    count = SPARSE * max(1, -(-(last - first) // SPARSE)) + 1
+    count = max(1, last - first) + 2
     multipliers = demand.zeta_target * np.exp(step * (first + np.arange(count)))
     peaks = np.empty((len(motions), count))
     for record in range(len(motions)):
-
-        def found(places: np.ndarray, record: int = record) -> np.ndarray:
-            outcomes, reached = runs.analyse([record], multipliers[places])
-            return np.where(outcomes == STABLE, reached, math.inf)[0].max(axis=0)
-
-        ends = np.arange(0, count, SPARSE)
-        at_ends = found(ends)
-        peaks[record] = np.interp(np.arange(count), ends, np.minimum(at_ends, 2.0))
-        rocks = np.repeat(np.maximum(at_ends[:-1], at_ends[1:]) >= ROCKS, SPARSE)
-        peaks[record, ends] = at_ends
-        between = np.flatnonzero(rocks & (np.arange(count - 1) % SPARSE > 0))
-        if between.size:
-            peaks[record, between] = found(between)
+        outcomes, reached = runs.analyse([record], multipliers)
+        peaks[record] = np.where(outcomes == STABLE, reached, math.inf)[0].max(axis=0)
     return RecordPeaks(multipliers, peaks, runs.limit, runs.mean)
 
 
@@ -116,7 +104,7 @@ def zeta_of_sets(found: RecordPeaks, counts: np.ndarray) -> np.ndarray:
     value = counts @ here / counts.sum(axis=1)[:, None] if found.mean else worst
     fails = (worst > 1.0) | (value > found.limit)
     step = math.log(found.multipliers[1] / found.multipliers[0])
-    half = round(WINDOW / step)
+    half = round(FAILURE_WINDOW / step)
     # below the first multiplier the rule holds, the last stands for those beyond it
     padded = np.concatenate([np.zeros((len(fails), half + 1), bool), fails, np.repeat(fails[:, -1:], half, 1)], axis=1)
     total = np.cumsum(padded, axis=1)

@@ -1,4 +1,4 @@
-"""What an owner asks of a mechanism: the acceleration and the return period it withstands, and the safety index IS-V.
+"""Risk of a mechanism: the acceleration and the return period it withstands, and the safety index IS-V.
 
 The ratio of accelerations supposes the shape of the spectrum fixed (S_S of NTC depends on a_g). IS-V is "of this
 mechanism": the class of a building asks for a global analysis (D.M. 65/2017, Annex A).
@@ -17,7 +17,7 @@ EXPONENT = 1.0 / 0.41
 """Exponent of T_R,C = T_R,D (PGA_C / PGA_D)^eta for all of Italy."""
 
 EXPONENT_BY_AG = ((0.25 * G, 1.0 / 0.49), (0.15 * G, 1.0 / 0.43), (0.05 * G, 1.0 / 0.356), (0.0, 1.0 / 0.34))
-"""The same by a_g [m/s2]: from this one on."""
+"""Exponent eta by a_g on rock [m/s2]: each holds from its a_g on."""
 
 SHORTEST, LONGEST = 30.0, 2475.0
 """Return periods of the hazard of NTC [years]: beyond them the formula is not read."""

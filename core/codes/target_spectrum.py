@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.errors import InputError, place
-from core.ground.response_spectrum import DAMPING, HOUSNER_PERIODS
+from core.ground.response_spectrum import HOUSNER_PERIODS, SPECTRUM_DAMPING
 from core.units import G
 
 SOILS = ("A", "B", "C", "D", "E")
@@ -67,7 +67,7 @@ class CodeSpectrum:
         """a_g S [m/s2]."""
         return self.ag * self.soil
 
-    def acceleration(self, periods, damping: float = DAMPING) -> np.ndarray:
+    def acceleration(self, periods, damping: float = SPECTRUM_DAMPING) -> np.ndarray:
         """Elastic S_e [m/s2], shape of periods [s]; eta = sqrt(10 / (5 + xi)) >= 0.55 (NTC 3.2.2, 3.2.4)."""
         t = np.asarray(periods, dtype=float)
         eta = max(math.sqrt(10.0 / (5.0 + 100.0 * damping)), 0.55)
@@ -100,7 +100,7 @@ class GivenSpectrum:
         """a_g S of the demand [m/s2]; the file should start there."""
         return self.ag * self.soil
 
-    def acceleration(self, periods, damping: float = DAMPING) -> np.ndarray:
+    def acceleration(self, periods, damping: float = SPECTRUM_DAMPING) -> np.ndarray:
         """Elastic S_e [m/s2]; other damping by eta beyond the first point, constant displacement
         beyond the last. Below the first period the line goes to a_g S."""
         t = np.asarray(periods, dtype=float)
@@ -128,8 +128,8 @@ doubted: that of every code rises to T_D, 1.2 s and more, and is constant from t
 
 
 def displacement_fall(target: "Target | None") -> tuple[float, float, float] | None:
-    """Where S_De of a spectrum of a file falls: (period before [s], period [s], share); None where it does not, and
-    of a code."""
+    """Period at which S_De of a spectrum of a file falls: (period before [s], period [s], share); None where it does
+    not, and of a code."""
     if not isinstance(target, GivenSpectrum):
         return None
     periods = np.array([t for t in target.periods if 0.0 < t <= FALL_TO])
@@ -142,7 +142,7 @@ def displacement_fall(target: "Target | None") -> tuple[float, float, float] | N
     return (float(periods[np.argmax(displacement[: k + 1])]), float(periods[k]), share) if share < FALL_SHARE else None
 
 
-def displacement(target: Target, periods, damping: float = DAMPING) -> np.ndarray:
+def displacement(target: Target, periods, damping: float = SPECTRUM_DAMPING) -> np.ndarray:
     """S_De = S_e (T / 2 pi)^2 [m] (NTC 3.2.10)."""
     t = np.asarray(periods, dtype=float)
     return target.acceleration(t, damping) * (t / (2.0 * math.pi)) ** 2

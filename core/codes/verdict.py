@@ -9,7 +9,7 @@ from core.capacity.bisection import BRACKET
 from core.codes.assumption import ASKED, DECLARED, RESTRAINT, SHOWN_ALONE, TOGETHER, WORDLESS, Assumption, table
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
-from core.codes.kinematic import ROUNDING, Check, Kinematic
+from core.codes.kinematic import ZETA_ROUNDING, Check, Kinematic
 from core.codes.limits import LEAST_SHARE, MEAN_FROM, MINIMUM_FROM
 from core.codes.outcomes import OUTCOMES, PASSES
 from core.codes.record_compatibility import Compliance
@@ -48,7 +48,7 @@ TAKEN = ("no_soil_factor", "period_estimated")
 
 @dataclass(frozen=True)
 class Circumstances:
-    """What a verdict must know beside the checks.
+    """Circumstances a verdict must know beside the checks.
 
     stations : of the records, two components of one count once
     bundled : some are the example's
@@ -99,7 +99,7 @@ class Verdict:
 
     @property
     def reasons(self) -> tuple[Sentence, ...]:
-        """What follows the sentence, in the order it is read."""
+        """Sentences that follow that of the verdict, in the order they are read."""
         return (*self.to_do, *self.limits, *self.notes)
 
     def text(self, language: str, subject: str = "", where: Sentence | str = "", form: FormNames = FILE_NAMES) -> str:
@@ -121,7 +121,7 @@ def passes_with_q2(check: Check | None, target: float) -> bool:
     """Whether the check with q of the code is satisfied with q = 2 as well, where a larger q was given."""
     if check is None or check.zeta is None:
         return False
-    return check.zeta * min(1.0, CODE_Q / (check.q or CODE_Q)) >= target - ROUNDING
+    return check.zeta * min(1.0, CODE_Q / (check.q or CODE_Q)) >= target - ZETA_ROUNDING
 
 
 class Evidence(NamedTuple):
@@ -152,7 +152,7 @@ class Evidence(NamedTuple):
 
     @property
     def zeta(self) -> float | None:
-        """Of the check that decides [-]."""
+        """zeta of the check that decides [-]."""
         return self.governing.zeta if self.governing else None
 
     def made(self, name: str) -> Check | None:
@@ -161,7 +161,7 @@ class Evidence(NamedTuple):
 
 
 def outcome_of(seen: Evidence, unfounded: Sequence[Sentence] = (), q_unfounded: bool = False) -> str:
-    """Code of the table of outcomes.
+    """Outcome of a wall, a code of the table of outcomes.
 
     unfounded : inputs without a reason that raise zeta and turn the outcome; q_unfounded : one turns the check with q
         of the code alone
@@ -261,7 +261,7 @@ def _code(seen: Evidence, blocked: bool, agrees: bool) -> str:
 
 
 def _limits_of_the_number(seen: Evidence, code: str) -> list[Sentence]:
-    """What zeta is to be read with."""
+    """Sentences that limit the verdict: zeta is to be read with them."""
     limits = _of_the_histories(seen) if code != "undetermined" else []
     if seen.kinematic and seen.kinematic.missing:
         keys = tuple(sentence("missing", key) for key in seen.kinematic.missing)
@@ -277,7 +277,7 @@ def _limits_of_the_number(seen: Evidence, code: str) -> list[Sentence]:
 
 
 def _notes(seen: Evidence, code: str) -> list[Sentence]:
-    """What a reader may pass over."""
+    """Sentences a reader may pass over."""
     notes = _weaker(seen, code, False)
     if seen.kinematic and seen.kinematic.chain.friction_height is not None:
         notes.append(_reason("friction_hinge", height=seen.kinematic.chain.friction_height))
@@ -291,7 +291,7 @@ def _notes(seen: Evidence, code: str) -> list[Sentence]:
 
 
 def _missing(seen: Evidence) -> Sentence | None:
-    """What is missing where no verdict can be given, with the keys that give it."""
+    """Sentence on what is missing where no verdict can be given, with the keys that give it; None where nothing is."""
     if seen.wall.above_ground and seen.kinematic is None:
         keys = {"height": "height_m", "storeys": "storeys", "period": "period_s", "building": "[building]"}
         keys = {name: Key(key) for name, key in keys.items()}
@@ -324,7 +324,7 @@ def _weaker(seen: Evidence, code: str, below: bool) -> list[Sentence]:
 
 
 def _of_the_histories(seen: Evidence) -> list[Sentence]:
-    """What else the histories say of the demand and of weaker motions."""
+    """Sentences on what the histories say beside the check: of the demand, and of weaker motions."""
     dynamic, zeta, target = seen.dynamic, seen.zeta, seen.demand.zeta_target
     if dynamic is None or zeta is None or seen.governing is None or seen.governing.name != "dynamic":
         return []
@@ -342,7 +342,7 @@ def _of_the_histories(seen: Evidence) -> list[Sentence]:
 
 
 def _to_do(code: str, blocking: list[Sentence], assumed: tuple[Assumption, ...]) -> list[Sentence]:
-    """What the designer does next, the first first. blocking : with what is missing"""
+    """Sentences on what the designer does next, the most urgent first. blocking : with what is missing"""
     found = []
     codes = {words.code for words in blocking}
     mends = [to_do for why, to_do in TO_MEND.items() if why in codes]

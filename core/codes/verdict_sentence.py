@@ -1,6 +1,6 @@
 """The sentence of a verdict: outcome, zeta and what is required, where, by what, and every check that fails."""
 
-from core.codes.assumption import UNITS, Assumption, digits_of
+from core.codes.assumption import VALUE_UNITS, Assumption, digits_of
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import Check
@@ -13,8 +13,8 @@ CODE_Q = 2.0
 
 
 def at_hinge(height: float, z: float) -> Sentence | str:
-    """Where a hinge is, for the sentence of a wall: nothing at its base on the ground. height : above the base of the
-    wall; z : above the ground [m]"""
+    """Words that say where a hinge is, for the sentence of a wall: none at its base on the ground. height : above the
+    base of the wall; z : above the ground [m]"""
     if height > 0.0:
         return sentence("added", "at_hinge", height=height)
     return sentence("added", "at_base", z=z) if z > 0.0 else ""
@@ -30,7 +30,7 @@ def declared(said: Declared) -> Sentence:
 
 
 def measured(check: Check, dynamic: DemandCheck | None, demand: DemandResult) -> Sentence:
-    """A check with what it compares: demand and capacity."""
+    """Sentence on a check with the demand and the capacity it compares."""
     if check.name != "dynamic" or dynamic is None:
         # zeta is then that of a_g,SLD, which the displacement check is not below (C8.7.1.2.1.8)
         starts = False
@@ -78,7 +78,7 @@ def _turned_by(row: Assumption, target: float) -> Sentence:
     """A row whose other end turns the outcome, with zeta there."""
     value = row.other_end
     if isinstance(value, float):
-        factor, unit = UNITS.get(row.key, (1.0, ""))
+        factor, unit = VALUE_UNITS.get(row.key, (1.0, ""))
         value = sentence("added", "measure", value=Number(factor * value, digits_of(factor * value)), unit=unit)
     return sentence("added", "turned_by", key=Key(row.key), value=value, zeta=apart(row.zeta, target))
 
@@ -107,7 +107,7 @@ def outcome(
     permitted: tuple[Assumption, ...] = (),
     reasoned: tuple[Key, ...] = (),
 ) -> tuple[str, dict]:
-    """Way and values of the sentence.
+    """Choose the sentence of a verdict: its key in the catalogue, and the values of its placeholders.
 
     code : of the verdict
     missing : Sentence of what no verdict can be given without, or None

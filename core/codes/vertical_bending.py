@@ -40,12 +40,12 @@ SEARCHED, SECTIONS, GOLDEN = 16, 12, 0.5 * (math.sqrt(5.0) - 1.0)
 H."""
 
 BISECTIONS = 50
-"""Of the bracket of a root, to its last digits."""
+"""Bisections of the bracket of a root, down to its last digits."""
 
-STEP = 1e-2
-"""Between two rotations at which the multiplier is looked at for a change of sign [rad]."""
+ROTATION_STEP = 1e-2
+"""Step between two rotations at which the multiplier is looked at for a change of sign [rad]."""
 
-SHOWN = math.radians(4.0)
+DRAWN_ROTATION = math.radians(4.0)
 """Rotation of the lower block in drawings, less where the wall has fallen before."""
 
 REACHED = 0.999
@@ -83,7 +83,7 @@ class Strip(NamedTuple):
 
     @property
     def width(self) -> float:
-        """Between the hinges of the lower block of a rectangle [m]."""
+        """Distance between the hinges of the lower block of a rectangle [m]."""
         return self.thickness - 2.0 * self.setback
 
 
@@ -109,7 +109,7 @@ class Turned(NamedTuple):
 
 
 def hinges_of(strip: Strip, h1: float) -> Hinges:
-    """Where a strip with its hinge at h1 [m] turns: within the faces that both blocks share there."""
+    """Hinges of a strip whose middle hinge is at h1 [m]: within the faces that both blocks share there."""
     inner, top = strip.thickness, 0.0
     if strip.parts:
         faces, highest = contact_at(strip.parts, h1), faces_at(strip.parts, strip.height, below=True)
@@ -195,7 +195,8 @@ def lowest_hinge(strip: Strip) -> float:
 
 
 def _golden(value: Callable[[float], float], low: float, high: float, steps: int) -> tuple[float, float]:
-    """(least value, its place) between two places, by the golden section."""
+    """Minimise a function of one variable between two places by the golden section; returns (least value, its
+    place)."""
     best = (math.inf, low)
     for _ in range(steps):
         inside = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
@@ -247,7 +248,7 @@ class Bending:
 
     @property
     def width(self) -> float:
-        """Between the hinges of the lower block [m]."""
+        """Distance between the hinges of the lower block [m]."""
         at = hinges_of(self.strip, self.h1)
         return at.between - at.base
 
@@ -258,9 +259,9 @@ class Bending:
 
     @property
     def top_force(self) -> float:
-        """What holds the top takes as the mechanism starts [N/m]: alpha_0 times the moment of what is pushed about the
-        base, less the moments of the weights about its hinge, over H. The inertia of what stands on the top is not in
-        it."""
+        """Force that what holds the top takes as the mechanism starts [N/m]: alpha_0 times the moment of what is pushed
+        about the base, less the moments of the weights about its hinge, over H. The inertia of what stands on the top
+        is not in it."""
         at, weights = hinges_of(self.strip, self.h1), [one for block in blocks_of(self.strip, self.h1) for one in block]
         pushed = self.alpha0 * math.fsum(one.force * one.z for one in weights if one.pushed)
         return (pushed - math.fsum(one.force * (one.x - at.base) for one in weights)) / self.strip.height
@@ -304,7 +305,7 @@ def _collapse(strip: Strip, h1: float) -> float:
     width, edge = at.between - at.base, at.between - at.top
     sine = (REACHED * math.hypot(edge, above) + at.base - at.top) / math.hypot(width, h1)
     last = math.atan2(width, h1) + math.asin(min(sine, 1.0))
-    steps = math.ceil(last / STEP)
+    steps = math.ceil(last / ROTATION_STEP)
     low = 0.0
     for n in range(1, steps + 1):
         high = last * n / steps
@@ -354,7 +355,7 @@ def uplift_multiplier(wall: Masonry, mechanism: str) -> float:
 
 def shown_rotation(found: Bending) -> float:
     """theta of the lower block [rad] in a drawing."""
-    return min(SHOWN, found.theta0)
+    return min(DRAWN_ROTATION, found.theta0)
 
 
 def outlines(strip: Strip, h1: float, theta: float) -> list[list[tuple[float, float]]]:

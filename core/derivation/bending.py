@@ -242,7 +242,7 @@ def geometry(wall: WallResult) -> Section:
 
 
 def chain(wall: WallResult) -> list[Line]:
-    """alpha_0 and e*."""
+    """Lines of alpha_0 and e* of a wall held at its top."""
     found = known(wall.mechanics.chain.bending)
     strip, h1 = found.strip, found.h1
     if not strip.is_plain:
@@ -268,7 +268,7 @@ def chain(wall: WallResult) -> list[Line]:
 
 
 def _of_blocks(found: Bending) -> list[Line]:
-    """The same of a wall with openings, steps or loads below its top."""
+    """Lines of alpha_0 and e* of a wall with openings, steps or loads below its top."""
     h1, (lower, upper) = found.h1, blocks_of(found.strip, found.h1)
     own = ((W1, X1, Z1, lower[0]), (W2, X2, Z2, upper[0]))
     of_loads = [one for one in virtual(found.strip, h1) if one[0] not in (lower[0], upper[0])]
@@ -292,7 +292,7 @@ def _of_blocks(found: Bending) -> list[Line]:
 
 
 def collapse(wall: WallResult) -> list[Line]:
-    """d_0 by the finite geometry, with the hinge of the displacement check."""
+    """Lines of d_0 by the finite geometry, with the hinge of the displacement check."""
     found = known(wall.mechanics.moved.bending)
     if not found.strip.is_plain:
         return [
@@ -312,7 +312,8 @@ def collapse(wall: WallResult) -> list[Line]:
 
 
 def at_limit(wall: WallResult) -> list[Line]:
-    """alpha at the limit of the displacement check, by the finite geometry: below the straight line to d_0."""
+    """Lines of alpha at the limit of the displacement check, by the finite geometry: it lies below the straight line to
+    d_0."""
     kinematic = wall.mechanics
     found, limit = known(kinematic.moved.bending), known(kinematic.d_limit)
     if not found.strip.is_plain:

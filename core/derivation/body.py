@@ -28,7 +28,7 @@ SOLIDS = {"solid.m": "M", "solid.x": "x", "solid.z": "z", "solid.i": "I"}
 LENGTH = Given("length", "L", "m", 2, "0.00")
 
 TIES = {"load.t": "T", "load.l": "T_d"}
-"""The same of a wall with ties: their force in alpha_0, and at the limit of the displacement check."""
+"""Columns added to LOADS for a wall with ties: their force in alpha_0, and at the limit of the displacement check."""
 
 
 # a rectangle, with or without a setback of its hinge

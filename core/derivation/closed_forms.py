@@ -42,7 +42,7 @@ def capacity_over_demand(a_rm, demand_over_q):
 
 
 def closed_q_eff(wall: WallResult) -> Quantity:
-    """q_eff of Eq. 15 or 16 for a block of this kind."""
+    """Formula of q_eff by Eq. 15 or 16 for a block of this kind."""
     return q_eff_closed if wall.block.is_rectangle else q_eff_closed_of_block
 
 
@@ -52,7 +52,7 @@ def constants(wall: WallResult) -> dict[str, float]:
 
 
 def closed(wall: WallResult) -> Section:
-    """q of the closed form at the demand."""
+    """Lines of q by the closed form at the demand."""
     if wall.closed_form_q is None:
         return Section("", [])
     form = {"form": "Eq. 16" if wall.mechanism == "one_sided" else "Eq. 15"}

@@ -47,27 +47,27 @@ SUPERSCRIPTS = {2: "²", 3: "³"}
 
 @dataclass(frozen=True)
 class Shown:
-    """A number within a written formula. cell : that has it, None where none does"""
+    """A number within a written formula. cell : the cell that holds it, None where none does"""
 
     value: float
     digits: int
     cell: str | None
 
     def text(self, language: str) -> str:
-        """As it is written; a negative one in brackets."""
+        """Text of the number; a negative one stands in brackets."""
         written = numeral(self.value, f".{self.digits}f", language)
         return f"({written})" if self.value < 0.0 else written
 
 
 @dataclass(frozen=True)
 class Place:
-    """A name within a live formula. constant : of the module, None where it has none of this name"""
+    """A name within a live formula. constant : its value where the module has a constant of this name, else None"""
 
     name: str
     constant: float | None
 
     def text(self, cells: Mapping[str, str]) -> str:
-        """Its cell, its range of the table of loads or modes, or a number."""
+        """Text of the name: its cell, its range of the table of loads or modes, or a number."""
         if self.name in cells:
             cell = cells[self.name]
             return f"({cell})" if cell.startswith("-") else cell
@@ -108,7 +108,7 @@ class Face:
         return pieces if precedence >= least else ["(", *pieces, ")"]
 
     def inlined(self, name: str, arguments: Sequence[ast.expr]) -> ast.expr | None:
-        """The expression of a function of the module with its arguments in place, None of another."""
+        """Expression of a function of the module with its arguments in place; None of any other function."""
         function = self.function.__globals__.get(name)
         if not callable(function) or function.__module__ != self.function.__module__:
             return None
@@ -122,7 +122,7 @@ class Face:
         return Placed().visit(expression(function))
 
     def known(self, name: str) -> float | None:
-        """A constant of the module."""
+        """Value of a constant of the module; None where it has none of this name."""
         value = self.function.__globals__.get(name)
         return float(value) if isinstance(value, (int, float)) else None
 

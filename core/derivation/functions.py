@@ -29,5 +29,5 @@ def tan(angle: float) -> float:
 
 
 def kilo(value: float) -> float:
-    """The same in a unit a thousand times smaller: MPa in kN/m2."""
+    """The value in a unit a thousand times smaller: MPa in kN/m2."""
     return 1000.0 * value

@@ -30,7 +30,7 @@ def shown_block(wall: WallResult) -> Block:
 
 
 def geometry(wall: WallResult) -> Section:
-    """The block: sizes, slenderness, radius, frequency parameter, uplift, velocity ratio."""
+    """Section of the block: sizes, slenderness, radius, frequency parameter, uplift, velocity ratio."""
     asked, block = wall.wall, shown_block(wall)
     if asked.bends:
         return bending.geometry(wall)
@@ -80,7 +80,7 @@ def _uplift(of: Given, value: float) -> Line:
 
 
 def _sizes(wall: WallResult) -> list[Line | Columns]:
-    """What the case gives."""
+    """Lines of the sizes the case gives."""
     asked = wall.wall
     lines: list[Line | Columns] = [Line(body.HEIGHT, wall.height, INPUT)]
     if asked.slenderness_deg is None or asked.setback or asked.load or asked.has_shape:
@@ -118,12 +118,12 @@ def _body(wall: WallResult) -> list[Line | Columns]:
 
 
 def solid_name(part: Part, k: int) -> str:
-    """What the k-th solid of a wall, from 1, is called: a number where a word would be a private one."""
+    """Name of the k-th solid of a wall, from 1: a number where a word would be a private one."""
     return f"{k} –" if part.weight < 0.0 else f"{k}"
 
 
 def _loaded(wall: WallResult) -> list[Line | Columns]:
-    """A wall with loads up to a_RM, about the governing hinge."""
+    """Lines of a wall with loads up to a_RM, about the governing hinge."""
     asked, block, model, side = wall.wall, shown_block(wall), wall.model, governing_side(wall)
     bare, restoring = asked.in_si.bare, model.restoring if side > 0.0 else model.mirrored
     of_body = asked.parts
@@ -174,7 +174,7 @@ def _loaded(wall: WallResult) -> list[Line | Columns]:
 
 
 def forces_at_limit(wall: WallResult) -> list[float]:
-    """What the displacement check counts of each tie at its limit [kN/m]."""
+    """Force the displacement check counts of each tie at its limit [kN/m]."""
     kinematic = wall.assessed.kinematic if wall.assessment else None
     given = [load for load in wall.wall.load if load.is_tie]
     if not (kinematic and kinematic.d_limit is not None and kinematic.chain.ties):

@@ -7,7 +7,7 @@ way to the same values (tests/core/derivation).
 import math
 
 from core.capacity.limit_states import LIMIT_FRACTION
-from core.codes.kinematic import DAMPING, PERIOD_FACTOR, Displacement
+from core.codes.kinematic import PERIOD_FACTOR, STATE_DAMPING, Displacement
 from core.codes.kinematic_chain import of_side
 from core.codes.risk import EXPONENT, exponent_by_ag
 from core.codes.target_spectrum import CodeSpectrum
@@ -29,7 +29,7 @@ def sides_agree(wall: WallResult) -> bool:
 
 
 def chain(wall: WallResult) -> Section:
-    """The start of the motion: alpha_0, e*, M*, a_0*."""
+    """Section of the start of the motion: alpha_0, e*, M*, a_0*."""
     kinematic, asked = wall.mechanics, wall.mechanics.wall
     sums, where = kinematic.chain, "about the outer hinge"
     lines: list[Line | Columns] = []
@@ -74,7 +74,7 @@ def chain(wall: WallResult) -> Section:
 
 
 def linear(result: StudyResult, wall: WallResult) -> Section:
-    """a_g,SLD over a_g, and that times q."""
+    """Linear check: zeta_SLD = a_g,SLD / a_g, and q zeta_SLD."""
     kinematic, demand = wall.mechanics, result.required
     if kinematic.zeta_sld is None:
         return Section("Linear check", [])
@@ -116,13 +116,13 @@ def _q_slv(wall: WallResult):
 
 
 def _zeta(of, check) -> Line:
-    """zeta of a check, with its outcome."""
+    """Line of zeta of a check, with its outcome."""
     label = Word(check.label)
     return Line(of, check.zeta, LIVE, FULL, label, "ζ: {check}", {"check": label}, passed=check.passed)
 
 
 def _demand_at(wall: WallResult) -> list[Line | Columns]:
-    """Above the ground the modes of the building and a_Z."""
+    """Lines of the demand above the ground: the modes of the building and a_Z; none on the ground."""
     kinematic = wall.mechanics
     if not kinematic.floor:
         return []
@@ -135,7 +135,7 @@ def _demand_at(wall: WallResult) -> list[Line | Columns]:
 
 
 def _free(wall: WallResult, target: CodeSpectrum | None) -> list[Line | Columns]:
-    """T_0 and S_e(T_0) of an element free to vibrate."""
+    """Lines of T_0 and S_e(T_0) of an element free to vibrate."""
     kinematic, asked = wall.mechanics, wall.wall
     lines: list[Line | Columns] = [Line(checks.MODULUS, asked.elastic_modulus_mpa, INPUT)]
     if asked.parts:
@@ -162,13 +162,13 @@ def _branch(target: CodeSpectrum, period: float) -> int:
 
 
 def displacement(result: StudyResult, wall: WallResult) -> Section:
-    """d_limit against S_De."""
+    """Section of the displacement check: d_limit against S_De."""
     kinematic, state = wall.mechanics, result.required.limit_state
     check = next((one for one in wall.assessed.checks if one.name == "nonlinear"), None)
     title = "Displacement check"
     if check is None:
         return Section(title, [])
-    damping = 100.0 * DAMPING[state]
+    damping = 100.0 * STATE_DAMPING[state]
     constants = {"share": LIMIT_FRACTION[state], "factor": PERIOD_FACTOR[state] / math.pi, "damping": damping}
     if kinematic.chain.bending is not None:
         d0 = bending.collapse(wall)
@@ -228,7 +228,7 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
 
 
 def _without_ties(bare: Displacement, s_de: Line) -> list[Line]:
-    """The displacement check of the wall without its ties. s_de : the line of the demand with them"""
+    """Lines of the displacement check of the wall without its ties. s_de : the line of the demand with them"""
     note, live = "without its ties", s_de.of is checks.s_de
     demand = checks.s_de_bare if live else checks.S_DE_BARE_GIVEN
     return [
@@ -241,7 +241,7 @@ def _without_ties(bare: Displacement, s_de: Line) -> list[Line]:
 
 
 def dynamic(wall: WallResult) -> Section:
-    """The time histories."""
+    """Section of the dynamic check by time histories."""
     check, title = wall.assessed.dynamic, "Time histories"
     if check is None:
         return Section(title, [])

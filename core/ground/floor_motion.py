@@ -87,7 +87,8 @@ def _is_linear(floor: np.ndarray, finer: np.ndarray) -> bool:
 
 
 def _sampled(ground: np.ndarray, dt: float, modes: Sequence[Mode], parts: int) -> np.ndarray:
-    """The acceleration of the floor [m/s2] at every sample of the record in `parts` and after it."""
+    """Sample the acceleration of the floor [m/s2] `parts` times a time step, over the record and after it until the
+    modes have died down."""
     # after the record the ground is still; the envelope falls from above the peak, by no more than within a period
     tail = max(mode.period + math.log(1.0 / TAIL) / (mode.damping * 2.0 * math.pi / mode.period) for mode in modes)
     samples = np.arange((ground.size + math.ceil(tail / dt)) * parts) / parts

@@ -7,7 +7,7 @@ import numpy as np
 from core.ground.ground_motion import GroundMotion
 
 SEED = 1
-"""Of the sets of stations that are drawn, the same in every run."""
+"""Seed of the sets of stations that are drawn, the same in every run."""
 
 SHARE = 0.90
 """Share of the drawn sets within an interval."""
@@ -40,8 +40,8 @@ class Provenance:
 
 
 def provenance(motion: GroundMotion) -> Provenance:
-    """Of an ESM, AFAD or DYNA header, of a SIGMA / ITACA one, of the second line of a PEER file, of the labels that
-    the readers of other dialects give."""
+    """Provenance of a motion from its ESM, AFAD or DYNA header, its SIGMA / ITACA one, the second line of its PEER
+    file, or the labels that the readers of other dialects give."""
     details = {key.lower(): " ".join(value.split()) for key, value in motion.details}
 
     def header_value(*keys: str) -> str:

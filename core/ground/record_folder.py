@@ -83,7 +83,8 @@ class LeftOut:
 
 @dataclass(frozen=True)
 class Limits:
-    """What a file has to say of itself; None where nothing is asked. magnitude, distance_km : (least, most)"""
+    """Limits on what a file has to say of itself; None where nothing is asked. magnitude, distance_km : (least,
+    most)"""
 
     magnitude: tuple[float, float] | None = None
     distance_km: tuple[float, float] | None = None
@@ -116,8 +117,8 @@ def read_file(path: Path, periods: np.ndarray, limits: Limits) -> list[Candidate
 
 
 def _read(path: Path, channel: str | None, periods: np.ndarray, limits: Limits) -> Candidate:
-    """One record. Raises RecordError where it is none, not horizontal, no recording of the surface as it was, or beyond
-    the limits."""
+    """Read one record as a candidate. Raises RecordError where it is none, not horizontal, no recording of the surface
+    as it was, or beyond the limits."""
     if names_vertical(channel or path.name):
         raise RecordError("vertical_component")
     motion = records.read(path, replace(Options(), channel=channel))
@@ -170,8 +171,8 @@ def _refuse_outside(said: Provenance, limits: Limits) -> None:
 
 
 def one_of_each(found: list[Candidate]) -> tuple[list[Candidate], list[LeftOut]]:
-    """(the records by the hash of their samples, those of which another one stays). Of one motion the first by name
-    stays, whatever its scale; of a recording in both forms the processed one."""
+    """Keep one record of each motion: (the records kept by the hash of their samples, those left out). Of one motion
+    the first by name stays, whatever its scale; of a recording in both forms the processed one."""
     ordered = sorted(found, key=lambda one: (str(one.file), one.channel))
     processed = {(one.station, one.event): one for one in reversed(ordered) if not one.raw}
     kept, left = [], []

@@ -6,7 +6,7 @@ import numpy as np
 
 from core.jit.decorators import kernel, subkernel
 
-DAMPING = 0.05
+SPECTRUM_DAMPING = 0.05
 """Damping ratio of the spectra [-]."""
 
 SAMPLES_PER_PERIOD = 40
@@ -82,12 +82,12 @@ def displacement_spectrum(ground, dt, periods, damping, per_period):
     return spectrum
 
 
-def pseudo_velocity_spectrum(ground, dt, periods, damping=DAMPING):
+def pseudo_velocity_spectrum(ground, dt, periods, damping=SPECTRUM_DAMPING):
     """Pseudo-velocity spectrum omega Sd, peaks at the samples [m/s]; ground [m/s2], dt, periods [s]."""
     return 2.0 * math.pi / periods * displacement_spectrum(ground, dt, periods, damping, 0)
 
 
-def pseudo_acceleration_spectrum(ground, dt, periods, damping=DAMPING, per_period=SAMPLES_PER_PERIOD):
+def pseudo_acceleration_spectrum(ground, dt, periods, damping=SPECTRUM_DAMPING, per_period=SAMPLES_PER_PERIOD):
     """Pseudo-acceleration spectrum omega^2 Sd [m/s2]; ground [m/s2], dt, periods [s].
 
     Peaks between the samples are seen (within 0.3 %), unlike in SI, whose custom is the samples.

@@ -34,7 +34,8 @@ ROUGH = 5
 
 
 def correlation(first: float, second: float) -> float:
-    """Of eps at two periods [s], Baker and Jayaram (2008), Earthquake Spectra 24(1), Eq. 9; from 0.01 to 10 s."""
+    """Correlation of eps at two periods from 0.01 to 10 s, first and second [s]: Baker and Jayaram (2008), Earthquake
+    Spectra 24(1), Eq. 9."""
     low, high = sorted((first, second))
     c1 = 1.0 - math.cos(math.pi / 2.0 - 0.366 * math.log(high / max(low, 0.109)))
     c2 = 0.0
@@ -75,7 +76,7 @@ class Goal:
     pga: float
 
     def acceleration(self, periods: np.ndarray) -> np.ndarray:
-        """S_a [m/s2] at periods [s]."""
+        """Spectrum S_a of the motion [m/s2] at periods [s]."""
         there = np.interp(np.log(periods), np.log(self.periods), np.log(self.factors))
         return self.target.acceleration(periods) * np.exp(there)
 

@@ -35,7 +35,7 @@ which is up to about 1.4 of the target, it would not count for the rule of the s
 
 
 class Bounds(NamedTuple):
-    """What is asked of the mean spectrum over the target.
+    """Bounds on the mean spectrum over the target.
 
     low, high : of it at every period [-]; high may be inf
     start : of the mean PGA over that of the target [-], 0 where nothing is asked of it
@@ -49,7 +49,7 @@ class Bounds(NamedTuple):
 
 
 class Found(NamedTuple):
-    """A set.
+    """A set of records that was found.
 
     members : indices of its records, rising
     factor : of all of them [-]
@@ -159,7 +159,7 @@ def allowed_beside(members, count, one, stations, events, spans, per_station, pe
 
 @subkernel
 def add_up(members, rows, total):
-    """total = the sum of the rows of the members, shape (columns,), in their order."""
+    """Add up the rows of the members, in their order, into total, shape (columns,)."""
     for k in range(total.size):
         value = 0.0
         for i in range(members.size):
@@ -398,7 +398,7 @@ def nearest_sets(
 
 
 def _beside(members, n: int, stations, events, spans, limits):
-    """The sets that differ in one record from a set, within the limits."""
+    """Sets that differ from a set in one record, within the limits."""
     for place in range(len(members)):
         rest = np.array([one for k, one in enumerate(members) if k != place], np.int64)
         per_station = np.count_nonzero(stations[rest][:, None] == stations[None, :], axis=0)
@@ -411,7 +411,7 @@ def _beside(members, n: int, stations, events, spans, limits):
 
 
 def _ordered(ratios: np.ndarray, sets: np.ndarray, spans: np.ndarray, asked) -> list[Found]:
-    """The best of some sets, the best first; of two alike that of the lower indices."""
+    """Judge some sets and return the best, the best first; of two alike that of the lower indices."""
     values = np.empty((len(sets), 3))
     judge(ratios, sets, spans, asked, np.empty(ratios.shape[1]), values)
     order = np.lexsort((*sets.T[::-1], values[:, 1], values[:, 0]))[:LISTED]

@@ -1,4 +1,4 @@
-"""Where the machine code of compiled kernels is kept.
+"""Cache folder of the machine code of compiled kernels.
 
 numba's own cache misses changes in other files, depends on the working directory when frozen, and a
 damaged file kills the start. Here: one folder per user and per state of the sources, 0700, every file
@@ -33,7 +33,7 @@ _once = threading.RLock()
 
 
 def _once_for_all(function):
-    """The result of a function without arguments, made by the first thread that asks, kept for all."""
+    """Keep for all the result of a function without arguments, made by the first thread that asks."""
     known = []
 
     @functools.wraps(function)
@@ -100,7 +100,8 @@ def source_stamp() -> str:
 
 @_once_for_all
 def name() -> str:
-    """What tells this program's folder from others': the sources of kernels, and the level of shipped machine code."""
+    """Name that tells this program's folder from others': the sources of kernels, and the level of shipped machine
+    code."""
     return "-".join(filter(None, [stamp(), shipped.level()]))
 
 

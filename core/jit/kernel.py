@@ -42,10 +42,10 @@ class Kernel:
 
 
 def widest_vectors() -> None:
-    """Called in a kernel: its loops use the widest vector registers of the processor. LLVM keeps to half of them on
-    Intel processors, where a search then takes up to 18 % longer (resources/docs/speed.md)."""
+    """Make the loops of the kernel that calls this use the widest vector registers of the processor. LLVM keeps to half
+    of them on Intel processors, where a search then takes up to 18 % longer (resources/docs/speed.md)."""
 
 
 def only_with(given, value):
-    """The value; None where `given` is None: what a kernel compiled for None leaves out."""
+    """The value, or None where `given` is None: a kernel compiled for None leaves out what the value is for."""
     return None if given is None else value

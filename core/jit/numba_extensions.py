@@ -1,4 +1,4 @@
-"""What numba has to know of the kernels; imported with the first call of one."""
+"""Extensions of numba that the kernels need; imported with the first call of one."""
 
 import contextlib
 import gc
@@ -83,8 +83,8 @@ def _load_overload(cached, signature, context):
 
 
 def _save_overload(cached, signature, compiled):
-    """Without the listing of the source with its types, which names folders of this machine. A full disk must not end a
-    run: what was compiled is of this process alone then."""
+    """Save an overload without the listing of the source with its types, which names folders of this machine. A full
+    disk must not end a run: what was compiled is of this process alone then."""
     with contextlib.suppress(OSError):
         cached._save_overload(signature, compiled._replace(type_annotation=""))
 

@@ -22,7 +22,7 @@ self_test: list[Callable[[], bool]] = []
 """Computes what is known and says whether it is right; set by app.__main__, asked before the first kernel is used."""
 
 _begun: list[tuple[Path, Path]] = []
-"""What this process tries: a folder, and the file that lists it."""
+"""Folder this process tries, and the file that lists it."""
 _failed: list[bool] = []
 
 

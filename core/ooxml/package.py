@@ -36,7 +36,8 @@ MAX_RELATIONS = 2_000_000
 """Bytes of the relations of a package and its workbook."""
 
 COMPRESSED = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
-"""What members of a package may be (ECMA-376-2, C.3.3); of the others each raises errors of its own."""
+"""Compression methods that members of a package may have (ECMA-376-2, C.3.3); of the others each raises errors of its
+own."""
 
 DAMAGED = (
     zipfile.BadZipFile,
@@ -51,7 +52,7 @@ DAMAGED = (
     OverflowError,
     TypeError,
 )
-"""What a damaged or hostile package raises."""
+"""Errors that a damaged or hostile package raises."""
 
 # callbacks of `Package.parse`
 Start = Callable[[str, str, dict[str, str]], None]

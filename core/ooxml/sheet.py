@@ -14,14 +14,14 @@ from core.errors import InputError
 from core.ooxml.package import DAMAGED, Package, local_name
 from core.text.sentence import Sentence, notice, sentence
 
-SHOWN = 12
+MAX_SPOKEN = 12
 """Cells, rows or columns that a sentence names; more are only counted."""
 
 MAX_NAME = 31
 """Characters of the name of a sheet."""
 
 LAST_ROW, LAST_COLUMN = 1_048_576, 16_384
-"""Of a sheet of Excel."""
+"""Last row and column of a sheet of Excel, from 1."""
 
 MAX_AREAS = 20_000
 """Merged areas of a sheet, and groups of its columns."""
@@ -35,7 +35,8 @@ _DATE_FORMATS = {*range(14, 23), *range(27, 37), *range(45, 48), *range(50, 59)}
 """Built-in number formats that show a number as a date or a time (18.8.30)."""
 
 _LITERAL = re.compile(r'"[^"]*"|\\.|_.|\*.|\[(?!(?:h+|m+|s+)\])[^\]]*\]', re.IGNORECASE)
-"""What a number format shows as it is: quoted texts, escaped letters, colours, languages, conditions."""
+"""Parts of a number format that are shown as they are: quoted texts, escaped letters, colours, languages,
+conditions."""
 
 
 _BEHIND = re.compile(r'[0#?]\s*"([^"]{1,20})"(?:;|\Z)')
@@ -43,7 +44,7 @@ _BEHIND = re.compile(r'[0#?]\s*"([^"]{1,20})"(?:;|\Z)')
 
 
 Formats = list[tuple[bool, str]]
-"""Of `_number_formats`."""
+"""(whether it is a date or a time, text behind the number) of each number format, see `_number_formats`."""
 
 
 class Limits(NamedTuple):
@@ -104,7 +105,7 @@ class Sheet:
         return [cells[k].text if k in cells else empty for k in range(1, max(cells, default=0) + 1)]
 
     def as_shown(self) -> "Sheet":
-        """The same sheet without the contents that are hidden, its columns side by side."""
+        """The sheet without its hidden contents, its columns side by side."""
         rows, columns = set(self.hidden_rows), set(self.hidden_columns)
         shown = [k for k in range(1, self.last_column + 1) if k not in columns]
         place = {column: k for k, column in enumerate(shown, start=1)}
@@ -126,7 +127,7 @@ class Sheet:
 
 
 def read_sheet(content: bytes, limits: Limits, choose: Callable[[list[str]], int]) -> Sheet:
-    """One sheet of a workbook. choose(names) : number from 0 of one of the sheets that are shown, which may raise.
+    """Read one sheet of a workbook. choose(names) : number from 0 of one of the sheets that are shown, which may raise.
     Raises InputError."""
     try:
         package = Package(content, limits.size)
@@ -200,7 +201,7 @@ def _unescaped(text: str) -> str:
 
 
 def _number_formats(package: Package, part: str) -> Formats:
-    """Of each format whether its cells show their number as a date or a time, and what they write behind it."""
+    """For each format, whether its cells show their number as a date or a time, and what they write behind it."""
     own: dict[str, tuple[bool, str]] = {}
     formats: list[str] = []
 
@@ -376,8 +377,8 @@ def spoken(found: Sequence) -> str:
             return ":".join(ends)
         return str(item)
 
-    named = ", ".join(one(item) for item in found[:SHOWN])
-    return named if len(found) <= SHOWN else f"{named}, … ({len(found)})"
+    named = ", ".join(one(item) for item in found[:MAX_SPOKEN])
+    return named if len(found) <= MAX_SPOKEN else f"{named}, … ({len(found)})"
 
 
 def refuse_cells(found: dict[str, Sequence]) -> None:

@@ -9,7 +9,7 @@ from core.study.wall_verdict import assumptions_of
 from core.text.sentence import numeral, word
 
 WIDTHS = 2.4, 2.0, 1.3, 2.0, 0.9, 1.9, 2.2
-"""Of the columns, relative."""
+"""Relative widths of the columns."""
 
 
 def heads(say: Callable[[str], str]) -> list[str]:

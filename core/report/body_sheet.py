@@ -20,7 +20,7 @@ def has_bodies(result: StudyResult) -> bool:
 
 
 def bodies(book: Book, result: StudyResult) -> None:
-    """One block a wall, in it one a solid; the sheet Check takes its masses from here."""
+    """Write one block a wall, in it one a solid; the sheet Check takes its masses from here."""
     say = book.say
     sheet = book.sheet("Bodies", [34, 13, 13, 13, 13, 13, 13, 13])
     title(sheet, 1, say("Bodies from their solids"))
@@ -66,7 +66,7 @@ def _solid(book: Book, sheet, result: StudyResult, wall: WallResult, part: Part,
 
 
 def _sums(book: Book, sheet, part: Part, name: str, first: int, last: int, row: int) -> int:
-    """What a solid gives, by its edges in these rows."""
+    """Write the sums of a solid, by its edges in these rows."""
     say, body = book.say, part.body
     x, z = body.centroid
     given = (

@@ -178,7 +178,7 @@ class _Writer(ExcelWriter):
 
 
 def _joined(texts: Iterable[str]) -> Iterator[str]:
-    """The same text in pieces of about PIECE letters."""
+    """Join texts into pieces of about PIECE letters."""
     held, size = [], 0
     for text in texts:
         held.append(text)
@@ -282,7 +282,7 @@ def heighten(sheet: Worksheet, row: int, *texts: tuple[str, float]) -> None:
 
 
 def merge(sheet: Worksheet, row: int, column: int, last_row: int, last_column: int) -> None:
-    """One cell of several, the first of which alone is written. `Worksheet.merge_cells` compares with every range
+    """Merge several cells, the first of which alone is written. `Worksheet.merge_cells` compares with every range
     before, 6000 of them in a large report, and makes a cell of each; the ranges of these sheets do not overlap."""
     sheet.merged_cells.ranges.add(CellRange(None, column, row, last_column, last_row))
 

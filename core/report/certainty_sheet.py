@@ -18,7 +18,8 @@ CHARTS = 20
 
 
 def certainty(book: Book, result: StudyResult) -> None:
-    """Of every wall the interval of its records, the moves of its inputs, the rates of its limit states."""
+    """Write the sheet: of every wall the interval of its records, the moves of its inputs, the rates of its limit
+    states."""
     say = book.say
     sheet = book.sheet("How sure", [24, 32, 14, 32, 14, 12, 12, 14], landscape=True)
     title(sheet, 1, say("How sure each verdict is"))

@@ -90,7 +90,7 @@ def _demand(book: Book, sheet, result: StudyResult, row: int) -> tuple[Rows, int
 
 
 def _place(book: Book, sheet, result: StudyResult, row: int) -> int:
-    """Where the building stands, and the values of the limit states there; returns the next row."""
+    """Write where the building stands, and the values of the limit states there; returns the next row."""
     site, say = result.case.site, book.say
     if site is None:
         return row
@@ -111,7 +111,8 @@ def _place(book: Book, sheet, result: StudyResult, row: int) -> int:
 
 
 def _wall(book: Book, sheet, result: StudyResult, wall: WallResult, demand: Rows, row: int) -> int:
-    """One block: the body, q of the records and of the closed form, Eq. 9, the checks of the Circolare."""
+    """Write the block of one wall: the body, q of the records and of the closed form, Eq. 9, the checks of the
+    Circolare."""
     say, found = book.say, wall.assessment
     row = heads(book, sheet, row, f"{wall.name} – {word(wall.mechanism, book.language)}")
     if found is not None:

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from core.codes.kinematic import CHECKS
 from core.report.stated.checks import AT_DEMAND, KINEMATIC, RISK
-from core.report.stated.quantity import Quantity, flag, number, numbers, text, texts, through, whole
+from core.report.stated.quantity import Quantity, flag, number, numbers, of_keys, text, texts, through, whole
 from core.report.stated.walls import FRAGILITY, PER_RECORD, WALL, OfWallResult
 from core.study.results import Q_SOURCES, StudyResult, WallResult, WallVerdict
 from core.text.sentence import Sentence
@@ -14,7 +14,7 @@ from core.variation.limit_states import STATES
 
 
 class Row(NamedTuple):
-    """What a row is of.
+    """Result, wall and verdict that a row is made of.
 
     number : of the wall in the case, from 1
     verdict : of the wall, None without a demand; decides : whether it is of this result
@@ -29,8 +29,7 @@ class Row(NamedTuple):
 
 def _taken(group: Sequence[Quantity], source: Callable[[Row], Any], *keys: str) -> list[Quantity]:
     """Quantities of a group by their keys, read from a row; none where the row has no such source."""
-    by_key = {quantity.key: quantity for quantity in group}
-    return through(source, [by_key[key] for key in keys])
+    return through(source, of_keys(group, *keys))
 
 
 def _result(row: Row) -> OfWallResult:
@@ -38,12 +37,12 @@ def _result(row: Row) -> OfWallResult:
 
 
 def _verdict(row: Row) -> Any:
-    """About this hinge."""
+    """Verdict about this hinge."""
     return row.wall.assessment and row.wall.assessment.verdict
 
 
 def _kinematic(row: Row) -> Any:
-    """The Assessment of a wall with closed forms."""
+    """Assessment of a wall with closed forms, None of any other."""
     found = row.wall.assessment
     return found if found is not None and found.kinematic is not None else None
 
@@ -54,7 +53,7 @@ def _risk(row: Row) -> Any:
 
 
 def _dynamic(row: Row) -> Any:
-    """The histories at the demand."""
+    """Dynamic check by the histories at the demand, None without them."""
     return row.wall.assessment and row.wall.assessment.dynamic
 
 
@@ -64,7 +63,7 @@ def _of_records(one: Quantity) -> Quantity:
 
 
 def _of_the_wall(row: Row) -> Any:
-    """The Verdict of the wall, of its worst hinge."""
+    """Verdict of the wall, that of its worst hinge; None without a demand."""
     return row.result.walls[row.verdict.governing].assessed.verdict if row.verdict else None
 
 
@@ -159,7 +158,7 @@ COLUMNS = (
     texts("to_do", "keys of what the engineer has to do", lambda row: _verdict(row) and _codes(_verdict(row).to_do)),
     texts("limits", "keys of what the number is to be read with", _limits),
 )
-"""Of a Row."""
+"""Columns of the table, each a quantity of a Row."""
 
 
 def columns_of(result: StudyResult, numbers: Sequence[int]) -> dict[str, list]:

@@ -10,7 +10,7 @@ ASSUMPTIONS = (
     "no_sliding",
     "no_vertical_motion",
 )
-"""In their order; no_load is ticked where every wall says unloaded_confirmed."""
+"""Assumptions the engineer confirms, in their order; no_load is ticked where every wall says unloaded_confirmed."""
 
 
 def assumptions_of(walls) -> list[str]:

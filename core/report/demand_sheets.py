@@ -5,7 +5,7 @@ import math
 from openpyxl.chart import ScatterChart
 from openpyxl.chart.legend import LegendEntry
 
-from core.codes.multiplier_search import STEP
+from core.codes.multiplier_search import MULTIPLIER_STEP
 from core.known import known
 from core.report.cells import (
     ACCELERATION,
@@ -57,7 +57,7 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
             "the demand at which half of those within ±10 % of it fail, ζ_16 that at which 16 % do. "
             "Verified: the rule holds at the demand itself and ζ_E reaches what is required. Steps of "
             "{STEP:.2%}; another grid would give a ζ_E within the spread printed.",
-            STEP=STEP,
+            STEP=MULTIPLIER_STEP,
         ),
         7,
         105,

@@ -99,5 +99,5 @@ class Rows:
 
 
 def cell_prefix(result: StudyResult, wall: WallResult) -> str:
-    """What the names of the cells of a wall begin with: wall1_ for the first of the result."""
+    """Prefix of the names of the cells of a wall: wall1_ for the first of the result."""
     return f"wall{result.numbers[id(wall)]}_"

@@ -20,7 +20,7 @@ NAMED = ("wall", "name", "variant", "hinge_m", "mechanism", "verdict", "check", 
 
 
 class Tally:
-    """What is counted while the rows of a case go by."""
+    """Counts of the rows of a case as they go by."""
 
     def __init__(self) -> None:
         self.rows = self.walls = self.analyses = self.without_q = 0
@@ -41,7 +41,7 @@ class Tally:
         self._worst = heapq.nsmallest(WORST, self._worst, key=lambda entry: entry[0])
 
     def _place(self, row: dict) -> None:
-        """Among the worst: by the table of outcomes; without a demand by q."""
+        """Place a row among the worst: by the table of outcomes; without a demand by q."""
         if row["verdict"] is not None:
             order = severity(row["verdict"], row["zeta_e"], row["zeta_target"])
         else:

@@ -10,7 +10,7 @@ PLATE = 0.02
 """Half of the plate of a tie, of the height of the wall."""
 
 HEAD = 0.2
-"""Of the arrow, of its length."""
+"""Length of the head of an arrow, of that of the arrow [-]."""
 
 
 def arrows(wall: Wall, height: float, thickness: float) -> list[list[tuple[float, float]]]:

@@ -3,14 +3,14 @@
 from contextlib import suppress
 from dataclasses import dataclass
 
-from core.codes.kinematic import DAMPING
+from core.codes.kinematic import STATE_DAMPING
 from core.derivation.faces import Branches, Shown, in_numbers, in_symbols
 from core.derivation.line import FULL, Columns, Line, Section, Word
 from core.study.results import StudyResult
 from core.text.sentence import localized, numeral, word
 
 PERIOD_CLAUSES = {"SLV": "C8.7.1.10", "SLC": "C8.7.1.11"}
-"""Of T_SLV and T_SLC."""
+"""Clauses of T_SLV and T_SLC."""
 
 
 @dataclass(frozen=True)
@@ -44,13 +44,13 @@ class Phrases:
         self.shown: dict[str, Shown] = dict(known.shown) if known else {}
         self.words = {
             "state": state,
-            "damping": f"{100.0 * DAMPING[state]:g}" if state in DAMPING else "",
+            "damping": f"{100.0 * STATE_DAMPING[state]:g}" if state in STATE_DAMPING else "",
             "period_clause": PERIOD_CLAUSES.get(state, ""),
             "years": localized("report", "years", language),
         }
 
     def enter(self, section: Section) -> None:
-        """Constants and columns of a section."""
+        """Take up the constants and columns of a section."""
         for name, value in section.constants.items():
             self.symbols[name] = numeral(value, ".2f", self.language)
             self.shown[name] = Shown(value, 2, None)

@@ -3,7 +3,7 @@
 import re
 
 FORMULA_MARKS = ("=", "+", "-", "@", "＝", "＋", "－", "＠")
-"""What a formula begins with, of full width too."""
+"""Marks a formula begins with, of full width too."""
 
 
 def plain_cell(text: str) -> str:

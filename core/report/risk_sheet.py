@@ -10,7 +10,7 @@ from core.study.variants import wall_comparisons
 from core.text.sentence import word
 from core.units import G
 from core.variation.limit_states import STATES
-from core.variation.tie_design import NAMES
+from core.variation.tie_design import FORCE_NAMES
 
 LAST = 11
 
@@ -109,7 +109,7 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
     if not designed:
         return row
     title(sheet, row, say("Tie for the ζ required"), 12)
-    shown = [name for name in NAMES if name != "linear_q_slv"]  # no force raises that check
+    shown = [name for name in FORCE_NAMES if name != "linear_q_slv"]  # no force raises that check
     heads = [word(f"tie_{name}", book.language) for name in shown]
     header(sheet, row + 1, [say("Wall"), "h [m]", *heads, say("named"), say("ultimate [mm]")], 1, 45)
     row += 1

@@ -9,7 +9,7 @@ from openpyxl.utils import get_column_letter
 
 from core.report.cells import BAD, EXACT, QUIET, Book, fill, header, number, rule, style, text
 
-LIVE, ENGINE = 3, 4
+LIVE_COLUMN, ENGINE_COLUMN = 3, 4
 """Columns of the live value and of the program's value."""
 
 CHANGED = 15
@@ -26,8 +26,8 @@ def input_row(book: Book, sheet, row, label, value, unit, name=None, shape=EXACT
     """A number of the case, which a person may change and the formulas refer to by its name; returns the next row."""
     row = found_row(book, sheet, row, label, value, unit, name, shape, book.say("input"))
     if value is not None:
-        fill(sheet.cell(row - 1, LIVE), INPUT_FILL)
-        number(sheet, row - 1, ENGINE, value, shape, color=QUIET)
+        fill(sheet.cell(row - 1, LIVE_COLUMN), INPUT_FILL)
+        number(sheet, row - 1, ENGINE_COLUMN, value, shape, color=QUIET)
         mark_changed(book, sheet, row - 1, f"C{row - 1}", f"D{row - 1}")
     return row
 
@@ -36,10 +36,10 @@ def found_row(book: Book, sheet, row, label, value, unit, name=None, shape=EXACT
     """A number of the run that no formula of the sheet gives. source : word of column B, "of the run" by default."""
     text(sheet, row, 1, label)
     text(sheet, row, 2, source or book.say("of the run"), color=QUIET)
-    number(sheet, row, LIVE, value, shape)
+    number(sheet, row, LIVE_COLUMN, value, shape)
     text(sheet, row, 5, unit, color=QUIET, align="center")
     if name and value is not None:
-        book.name(name, sheet.cell(row, LIVE))
+        book.name(name, sheet.cell(row, LIVE_COLUMN))
         if source is None:
             book.of_run.add(name)
     rule(sheet, row, 1, 5)
@@ -121,14 +121,14 @@ def live_row(book: Book, sheet, row, label, equation, formula, value, unit, name
     text(sheet, row, 1, label)
     text(sheet, row, 2, equation, color=QUIET)
     if value is None:
-        number(sheet, row, LIVE, None, shape)
+        number(sheet, row, LIVE_COLUMN, None, shape)
     else:
-        book.formula(sheet.cell(row, LIVE), formula, value, shape)
+        book.formula(sheet.cell(row, LIVE_COLUMN), formula, value, shape)
         if name:
-            book.name(name, sheet.cell(row, LIVE))
-    number(sheet, row, ENGINE, value, shape, color=QUIET)
+            book.name(name, sheet.cell(row, LIVE_COLUMN))
+    number(sheet, row, ENGINE_COLUMN, value, shape, color=QUIET)
     if run and value is not None:
-        book.name(run, sheet.cell(row, ENGINE))
+        book.name(run, sheet.cell(row, ENGINE_COLUMN))
     text(sheet, row, 5, unit, color=QUIET, align="center")
     rule(sheet, row, 1, 5)
     return row + 1

@@ -124,7 +124,8 @@ def records(book: Book, result: StudyResult) -> None:
 
 
 def _provenance(book: Book, sheet, result: StudyResult, row: int) -> int:
-    """What the files say of event and station; what they leave open is blank for the engineer. Returns the last row."""
+    """Write what the files say of event and station; what they leave open is blank for the engineer. Returns the last
+    row."""
     say = book.say
     header(
         sheet,
@@ -165,7 +166,7 @@ def _provenance(book: Book, sheet, result: StudyResult, row: int) -> int:
 
 
 def results(book: Book, result: StudyResult) -> None:
-    """One row for each wall, record and sign."""
+    """Write one row for each wall, record and sign."""
     say = book.say
     columns = [
         ("q", 8, "q", RATIO),
@@ -307,7 +308,7 @@ def _compared(book: Book, accuracy: Accuracy) -> str:
 
 
 def _bound(book: Book, accuracy: Accuracy) -> str:
-    """The bound of the error of the governing history, in a sentence; "" for a method that has none."""
+    """Sentence on the bound of the error of the governing history; "" for a method that has none."""
     if accuracy.history_bound is not None:
         return " " + book.say(
             "Its error is at most {_bound} of θc: the larger of {least:g} and {times:g} times what noise of {noise:g} "

@@ -1,6 +1,5 @@
 """Summary: one page of all that decides, and the overview of all walls."""
 
-import math
 from copy import copy
 
 from core.codes.eq9 import LABEL
@@ -28,6 +27,8 @@ from core.report.derived import cell_prefix
 from core.report.note.content import works
 from core.report.note.words import Words
 from core.report.rows import changed_cell
+from core.report.stated.quantity import of_keys, stated
+from core.report.stated.walls import WALL, OfWallResult
 from core.report.sure_words import risk_of
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import in_order, lines_of, sentence_of, tone_of
@@ -52,7 +53,7 @@ def verdict_color(result: StudyResult, wall: WallResult) -> str:
 
 
 def summary(book: Book, result: StudyResult) -> None:
-    """One page: title block, demand, walls, the governing wall's checks, its verdict, warnings."""
+    """Write one page: title block, demand, walls, the governing wall's checks, its verdict, warnings."""
     say, case = book.say, result.case
     sheet = book.sheet("Summary", WIDTHS, landscape=True)
     sheet.page_setup.fitToHeight = 1
@@ -93,6 +94,10 @@ def summary(book: Book, result: StudyResult) -> None:
     if ordered[0].assessment:
         row = _governing(book, sheet, result, ordered[0], row + 1)
     _warnings(book, sheet, result, row + 1, LAST)
+
+
+SHOWN = of_keys(WALL, "height_m", "thickness_m", "slenderness_deg", "threshold_acceleration_g", "q_set", "q_robust_set")
+"""Of the results, in the table of the walls."""
 
 
 def lists_all(result: StudyResult) -> bool:
@@ -140,16 +145,17 @@ def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult]
         heighten(sheet, row, (wall.name, 24), (label, 26))
         weight = wall.wall.weight
         setback = wall.wall.setback if wall.wall.height_m else None
+        found = stated(SHOWN, OfWallResult(wall, result))
         for column, value, shape in (
-            (3, wall.height, RATIO),
-            (4, wall.thickness, RATIO),
+            (3, found["height_m"], RATIO),
+            (4, found["thickness_m"], RATIO),
             (5, setback, ACCELERATION),
             (6, wall.height / wall.thickness, "0.0"),
-            (7, math.degrees(wall.block.slenderness), RATIO),
-            (8, wall.threshold / G, ACCELERATION),
+            (7, found["slenderness_deg"], RATIO),
+            (8, found["threshold_acceleration_g"], ACCELERATION),
             (9, weight / 1000.0 if weight else None, "0.0"),
-            (10, wall.q_set, RATIO),
-            (11, wall.q_robust_set, RATIO),
+            (10, found["q_set"], RATIO),
+            (11, found["q_robust_set"], RATIO),
         ):
             number(sheet, row, column, value, shape)
         color = verdict_color(result, wall)
@@ -242,7 +248,7 @@ def _assumed(book: Book, sheet, result: StudyResult, wall: WallResult, row: int)
 
 
 def _risk_line(book: Book, risk) -> str:
-    """What the mechanism withstands, in one line."""
+    """Write what the mechanism withstands, in one line."""
     parts = [f"PGA_C {book.digits(risk.pga / G, '.3f')} g"]
     if risk.years is not None:
         parts.append(f"T_R,C {risk.years} {book.say('years')}")
@@ -273,7 +279,7 @@ def _method_row(book: Book, sheet, row: int, label: str, clause: str, values, de
 
 
 def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most: int = 7) -> int:
-    """Each warning once, with the walls or records it belongs to."""
+    """Write each warning once, with the walls or records it belongs to."""
     owners: dict[str, list[str]] = {}
     # first what all the walls rest on: more than most are not shown
     for warning in result.required.warnings if result.demand else ():

@@ -30,7 +30,7 @@ def verdict_of(result: StudyResult, wall: WallResult) -> WallVerdict | None:
 
 
 def risk_of(result: StudyResult, wall: WallResult) -> Risk | None:
-    """What a wall withstands where this result decides about it, of all its hinges; else what this hinge does."""
+    """Risk of a wall, the least of all its hinges, where this result decides about it; else that of this hinge."""
     verdict = verdict_of(result, wall)
     if verdict is not None:
         return verdict.risk
@@ -43,7 +43,7 @@ def has_certainty(result: StudyResult) -> bool:
 
 
 def interval_line(say: Say, verdict: WallVerdict, language: str) -> str:
-    """What another sample of records would give; "" without an interval."""
+    """Sentence on what another sample of records would give; "" without an interval."""
     found = verdict.interval
     if found is None:
         return ""
@@ -74,13 +74,13 @@ def moved_rows(found: Sensitivity, language: str) -> list[Moved]:
 
 
 def swing_name(swing: Swing, language: str) -> str:
-    """What the report calls an input that is moved."""
+    """Name by which the report calls an input that is moved."""
     return word(f"key_{swing.key}", language)
 
 
 def still_lines(say: Say, result: StudyResult, verdict: WallVerdict, language: str) -> list[str]:
-    """What the moves are to be read with: whether the verdict is one, the inputs that do not move zeta, those that
-    cannot be moved so."""
+    """Sentences with which the moves are to be read: whether the verdict is one, the inputs that do not move zeta,
+    those that cannot be moved so."""
     found, lines = known(verdict.sensitivity), []
     code = result.walls[verdict.governing].assessed.verdict.code
     if code in ("indicative", "undetermined"):
@@ -115,18 +115,18 @@ def reach_labels(found: Sensitivity) -> list[str]:
 
 
 def check_names(result: StudyResult, labels: list[str], language: str) -> list[str]:
-    """What a table calls these checks."""
+    """Names by which a table calls these checks."""
     q = Number(result.case.demand.q_code if result.case.demand else None, "g")
     return [sentence("short", label, q=q).text(language) for label in labels]
 
 
 def reach_names(say: Say) -> dict[str, str]:
-    """What the report calls what is turned round."""
+    """Names by which the report calls the inputs of inverse design."""
     return {"thickness_m": say("thickness [cm]"), "tie_kn_m": say("ties together [kN/m]"), "ag_g": "a_g [g]"}
 
 
 def reach_row(say: Say, reach: Reach, labels: list[str], language: str) -> list[str]:
-    """What is turned round: its value now, and by each check."""
+    """Row of an input of inverse design: its value now, and the value each check needs."""
     found = [reach_written(reach.key, reach.by_check.get(label), language) for label in labels]
     by_check = [say("any") if label in reach.throughout else value for label, value in zip(labels, found, strict=True)]
     factor, decimals = REACH[reach.key]
@@ -134,7 +134,7 @@ def reach_row(say: Say, reach: Reach, labels: list[str], language: str) -> list[
 
 
 def rate_heads(say: Say, life: float | None) -> list[str]:
-    """Of `rate_row`."""
+    """Heads of the columns of `rate_row`."""
     years = say("in {n:g} years", n=life) if life else say("in V_N")
     return [
         say("exceeded"),
@@ -172,7 +172,7 @@ def rate_row(say: Say, rate: StateRate, language: str) -> list[str]:
 
 
 def rate_lines(say: Say, result: StudyResult, rates: tuple[StateRate, ...], language: str) -> list[str]:
-    """What the rates are to be read with."""
+    """Sentences with which the rates are to be read."""
     if not rates:
         return []
     lines = [

@@ -1,4 +1,4 @@
-"""What a tie must hold, and what the ties of a wall hold, in the words of the report."""
+"""Words of the report for what a tie must hold, and for what the ties of a wall hold."""
 
 import math
 from collections.abc import Callable
@@ -6,7 +6,7 @@ from collections.abc import Callable
 from core.known import known
 from core.study.results import WallResult
 from core.text.sentence import localized, numeral, word
-from core.variation.tie_design import NAMES, TieDesign
+from core.variation.tie_design import FORCE_NAMES, TieDesign
 from core.wall.bars import TieBar
 
 
@@ -17,9 +17,9 @@ def force_words(tie: TieDesign, name: str, language: str) -> str:
 
 
 def tie_words(say: Callable[..., str], wall: WallResult, language: str) -> str:
-    """What a tie must hold, in some sentences; of a wall for which one is designed."""
+    """Sentences on what a tie must hold, for a wall for which one is designed."""
     tie = known(wall.assessed.tie)
-    found = [name for name in NAMES if tie.forces[name] is not None]
+    found = [name for name in FORCE_NAMES if tie.forces[name] is not None]
     forces = "; ".join(f"{word(f'tie_{name}', language)} {force_words(tie, name, language)}" for name in found)
     values = {"h": tie.height, "forces": forces, "largest": 1e-3 * tie.largest}
     if tie.at_least is not None:

@@ -14,7 +14,7 @@ from core.text.sentence import FormNames, word
 
 @functools.cache
 def names_in(language: str) -> FormNames:
-    """What the report calls the keys of a case."""
+    """Names by which the report calls the keys of a case."""
     captions = {code: words[language == "it"] for code, words in CATALOGUE["key"].items()}
     for code in CATALOGUE["word"]:
         kind, _, name = code.partition("_")
@@ -52,7 +52,8 @@ KINDS = ("to_do", "limits", "note")
 def lines_of(
     result: StudyResult, wall: WallResult, language: str, kinds: tuple[str, ...] = (*KINDS, "reason")
 ) -> list[str]:
-    """What follows the sentence, each kind with its word: what to do, what limits the result, notes, reasons given."""
+    """Lines that follow the sentence, each kind with its word: what to do, what limits the result, notes, reasons
+    given."""
     verdict = wall.assessed.verdict
     extra = [one.extra for one in result.verdicts if result.walls[one.governing] is wall]
     said = (verdict.to_do, (*verdict.limits, *(extra[0] if extra else ())), verdict.notes)

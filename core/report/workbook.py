@@ -105,7 +105,7 @@ class WorkbookReport:
 
 
 def _finish(book: Book, sheet: Worksheet) -> None:
-    """What every sheet has, once it is made; from then on its rows are kept packed."""
+    """Give a sheet what every one has, once it is made; from then on its rows are kept packed."""
     front = sheet.title in (book.say("Summary"), book.say("Overview"))
     sheet.sheet_properties.tabColor = ACCENT if front else QUIET
     if sheet.title not in {book.say(name) for name in ("Check", "Input", "Records", "Method")}:

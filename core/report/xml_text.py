@@ -5,7 +5,7 @@ from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
 _NOT_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
-"""What no XML file may hold (XML 1.0, 2.2): control characters, halves of characters, U+FFFE and U+FFFF."""
+"""Letters that no XML file may hold (XML 1.0, 2.2): control characters, halves of characters, U+FFFE and U+FFFF."""
 
 _LIKE_A_CODE = re.compile(r"_(?=x[0-9A-Fa-f]{4}_)")
 

@@ -108,7 +108,8 @@ class LawFit:
 
 
 def left_out(sets: Columns, variable: np.ndarray, limit: float) -> tuple[np.ndarray, np.ndarray]:
-    """Coefficients without each shape, and the law of every set by the fit without its shape."""
+    """Leave out each shape in turn: (coefficients without each shape, law of every set by the fit without its
+    shape)."""
     shapes = list(dict.fromkeys(sets.spectrum))
     found, predicted = [], np.empty(sets.q.size)
     for shape in shapes:

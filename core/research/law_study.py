@@ -143,7 +143,7 @@ def _below_code(values: list[MotionValue], mechanism: str) -> Columns:
 
 
 def _code_figure(values: list[MotionValue], say: Say) -> tuple[Figure, Table, list[str]]:
-    """What q = 2 is worth: share of sites where q_slv stays below it; the table, and three sentences."""
+    """Figure of what q = 2 is worth: share of sites where q_slv stays below it; the table, and three sentences."""
     series: list[Series] = []
     rows, shares = [], {}
     for mechanism in MECHANISM:

@@ -28,7 +28,8 @@ C2_RANGE = {"two_sided": (-1.07, -0.919), "one_sided": (-0.95, -0.862)}
 
 
 def _growth(sets: list[SetMean], key: str, other: str) -> tuple[int, int]:
-    """In how many neighbouring pairs q grows with the cell's `key`, `other` and the spectrum equal; of how many."""
+    """Count the neighbouring pairs in which q grows with the cell's `key`, `other` and the spectrum equal, and all such
+    pairs."""
     lines: dict[tuple, list[SetMean]] = {}
     for entry in sets:
         lines.setdefault((entry.spectrum.name, getattr(entry.cell, other), entry.cell.restitution), []).append(entry)

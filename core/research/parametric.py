@@ -197,9 +197,9 @@ def run(
     natural, refused = natural_motions(study, base_dir, records_from)
     motions = _generated(study, spectra, threads) + natural
     threads.run({k: entry.motion.measure for k, entry in enumerate(motions)})
-    book = journal(f"{VERSION} {cache.source_stamp()}") if journal else None
+    finished = journal(f"{VERSION} {cache.source_stamp()}") if journal else None
     try:
-        rows, restored = _rows(study, motions, threads, book, on_progress)
+        rows, restored = _rows(study, motions, threads, finished, on_progress)
     finally:
         cache.record(cache.folder())
     return ParametricResult(
@@ -241,7 +241,7 @@ def _generated(study: Study, spectra, threads: Threads) -> list[StudyMotion]:
     ]
 
 
-def _rows(study, motions, threads, book, on_progress) -> tuple[tuple[Row, ...], int]:
+def _rows(study, motions, threads, journal, on_progress) -> tuple[tuple[Row, ...], int]:
     """The runs of all cells, those of the journal as they were, and how many these are. Raises InputError."""
     planned = []
     for cell, kinds in cells_of(study).items():
@@ -258,7 +258,7 @@ def _rows(study, motions, threads, book, on_progress) -> tuple[tuple[Row, ...], 
         cell, k, sign = entry
         motion, method, search = motions[k].motion, METHODS[cell.method], Search(q_step=cell.q_step)
         keys[entry] = run_key(models[cell], motion, sign, method, search)
-        row = _restored(entry, book.get(keys[entry])) if book else None
+        row = _restored(entry, journal.get(keys[entry])) if journal else None
         if row:
             known[entry] = row
             continue
@@ -274,8 +274,8 @@ def _rows(study, motions, threads, book, on_progress) -> tuple[tuple[Row, ...], 
     progress.known(known)
 
     def keep(entry, row: Row) -> None:
-        if book:
-            book.add(keys[entry], row._asdict() | {"cell": asdict(row.cell)})
+        if journal:
+            journal.add(keys[entry], row._asdict() | {"cell": asdict(row.cell)})
         progress.done(entry)
 
     known.update(threads.run(tasks, keep))

@@ -1,4 +1,4 @@
-"""From the runs of a parametric study to one value a motion, the lower of both signs, and one a set, the mean."""
+"""Reduce the runs of a parametric study to one value a motion, the lower of both signs, and one a set, the mean."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -124,7 +124,7 @@ def set_means(result: ParametricResult, values: Iterable[MotionValue]) -> list[S
 
 
 def exact(entries: Iterable, step: float = 0.005) -> list:
-    """Those by the exact method and the default step of the search."""
+    """Sets by the exact method and the default step of the search."""
     return chosen(entries, method="taylor", q_step=step)
 
 

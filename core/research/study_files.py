@@ -19,7 +19,7 @@ from core.version import NAME, VERSION, commit
 PALETTE = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#666666", "#1F2D3D")
 """Colours of the series, told apart in print and by the colour-blind."""
 
-COLUMNS = (
+CSV_COLUMNS = (
     "group",
     "spectrum",
     "motion",
@@ -51,10 +51,10 @@ MARKERS = ("o", "s", "^", "D")
 
 
 def csv_text(result: ParametricResult) -> str:
-    """One line a run, numbers exact, empty where there is none; no text begins as a formula."""
+    """Write one line a run, numbers exact, empty where there is none; no text begins as a formula."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(COLUMNS)
+    writer.writerow(CSV_COLUMNS)
     measures = [(e.motion.pga / G, e.motion.pgv / CM, e.motion.housner_intensity / CM) for e in result.motions]
     p2 = {cell: cell.wall.block().p2 for cell in dict.fromkeys(row.cell for row in result.rows)}
     for row in result.rows:

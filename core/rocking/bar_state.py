@@ -18,11 +18,11 @@ RESIDUAL, TAUT_AT, YIELDS_AT, BREAKS_AT, PHASE = range(5)
 breaks [rad], and what it does now."""
 
 SLACK, TAUT, YIELDING, BROKEN = 0.0, 1.0, 2.0, 3.0
-"""What a bar does: PHASE."""
+"""PHASE of a bar."""
 
 
 class Pull(NamedTuple):
-    """What the bars do on one branch, over I0 p2: the moment (spring sin(phi) + constant) cos(phi) inward.
+    """Pull of the bars on one branch, over I0 p2: the moment (spring sin(phi) + constant) cos(phi) inward.
 
     spring, constant : [-]; low, high : ends of the branch [rad]; yields : whether a bar does
     """
@@ -85,7 +85,8 @@ def thresholds_with(constants, bars, held):
 
 @subkernel
 def residual_of(j, sine, bars, held):
-    """Residual elongation of the j-th bar [sine], also while it yields. sine : of the rotation of the wall"""
+    """Residual elongation of the j-th bar over its height [-], also while it yields. sine : of the rotation of the
+    wall"""
     return sine - bars[j, YIELD] if held[j, PHASE] == YIELDING else held[j, RESIDUAL]
 
 
@@ -102,7 +103,7 @@ def unload(phi, bars, held):
 
 @subkernel
 def cross_kinks(phi, falls, bars, held):
-    """What the bars do beyond the end of a branch, phi [rad], that the wall reached."""
+    """Carry the bars beyond the end of a branch, phi [rad], that the wall reached."""
     for j in range(bars.shape[0]):
         phase = held[j, PHASE]
         if falls:

@@ -12,7 +12,7 @@ from core.wall.moment_rotation import potential
 from core.wall.rocking_model import seen_from, sides_differ
 
 MAX_BOUNCES = 20.0
-"""More than the bounces of a dying chatter to its rest, times the velocity ratio's distance from 1: the
+"""Upper bound of the bounces of a chatter that dies, to its rest, times the distance of the velocity ratio from 1: the
 logarithm of its speed over that of rest."""
 
 MAX_SETTLED_RATIO = 0.999

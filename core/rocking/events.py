@@ -10,8 +10,8 @@ from typing import NamedTuple
 from core.jit.decorators import subkernel
 from core.rocking.outcome import COLLAPSED, STABLE
 from core.units import G
+from core.wall.impact import velocity_ratio
 from core.wall.moment_rotation import potential, rotation_at_potential
-from core.wall.restitution import velocity_ratio
 from core.wall.rocking_model import seen_from, sides_differ
 
 REST_FRACTION = 1e-6
@@ -107,7 +107,7 @@ def stops_rocking(speed, ground, model, thresholds):
 
 @subkernel
 def leave_impact(arriving, side, ground, model, thresholds):
-    """What the block does after an impact at theta = 0 (Eq. 3, 7).
+    """Carry the block through an impact at theta = 0 (Eq. 3, 7).
 
     arriving : speed before it [rad/s], not negative
     side : of the pivot it fell back to

@@ -1,4 +1,4 @@
-"""What single lanes do between two steps of all: impacts gathered and scattered, and the scalar step.
+"""Operations on single lanes between two steps of all: impacts gathered and scattered, and the scalar step.
 
 A lane whose step is not plain (a kink, a new peak, an impact that was not located) takes one step by the functions of
 single histories, from the rows of the vector loops where they hold its series.

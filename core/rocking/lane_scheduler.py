@@ -246,7 +246,7 @@ def make_lane_kernel(order):
         peaks,
         clamped,
     ):
-        """These analyses, up to WIDTH at a time.
+        """Carry out these analyses, up to WIDTH at a time.
 
         Length: one loop over the steps of all lanes, whose parts share its counts.
 

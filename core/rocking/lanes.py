@@ -1,4 +1,4 @@
-"""What all lanes of a pass do at once.
+"""Operations on all lanes of a pass at once.
 
 Loops without branches over contiguous lanes, which the compiler turns into vector instructions (where every value is
 loaded before the conditions: a load under one, `a[k] if c else b`, keeps a loop scalar): the initial terms of
@@ -89,7 +89,7 @@ def branch_of(k, slopes, state):
 
 @inner_kernel
 def lower_end(k, slopes, state):
-    """Where the branch of lane k begins [rad]: that of the rigid law at 0. slopes : of `branch_of`"""
+    """Rotation at which the branch of lane k begins [rad]: that of the rigid law at 0. slopes : of `branch_of`"""
     if slopes is None:
         return 0.0
     return state[LOW + k]
@@ -197,9 +197,9 @@ def series_of(k, order, state):
 
 @subkernel
 def shorten_steps(lanes, dt, constants, order, slopes, state):
-    """Where a series has not converged, the first half, quarter, ... of the step in its place, as
-    `taylor_bounds.converged_part`; where MAX_HALVINGS are not enough, GROWTH is MAX_GROWTH or more. Where all steps
-    are whole, the rows are as before. Returns how many steps are not."""
+    """Shorten the steps whose series has not converged to the first half, quarter, ... of the step, as
+    `taylor_bounds.converged_part`; where MAX_HALVINGS are not enough, GROWTH is MAX_GROWTH or more. Where all steps are
+    whole, the rows are as before. Returns how many steps are not."""
     widest_vectors()
     shorter = 0
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
@@ -252,9 +252,9 @@ def stay_in_sample(lanes, state):
 
 @subkernel
 def vector_step(lanes, dt, constants, order, slopes, state):
-    """One step of each lane to the end of its sample by its series, where nothing else happens in it, and NEXT of
-    each; of a shortened step, see `stay_in_sample`. (Initial terms, coefficients and step are three loops: in one the
-    processor waits for each lane's results.)
+    """Take one step of each lane to the end of its sample by its series, where nothing else happens in it, and set NEXT
+    of each; of a shortened step, see `stay_in_sample`. (Initial terms, coefficients and step are three loops: in one
+    the processor waits for each lane's results.)
     """
     widest_vectors()
     tolerance = constants.tolerance

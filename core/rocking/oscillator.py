@@ -15,8 +15,8 @@ from core.jit.fma import fma
 from core.rocking.events import BlockState
 from core.rocking.short_series import SHORT_SERIES, sine_and_cosine_short
 
-END, FALLS, RISES = 0, 1, 2
-"""What ends a swing: the sample, or a part of it; an impact; the end of the branch."""
+SWING_ENDS, SWING_FALLS, SWING_RISES = 0, 1, 2
+"""Ends of a swing: the sample, or a part of it; an impact; the end of the branch."""
 
 LONGEST = 2.0 * SHORT_SERIES
 """Longest part of a swing [rad]: below pi, so that the rotation turns twice at most in it."""
@@ -30,7 +30,7 @@ NEAR = 1e-6
 
 
 class Swing(NamedTuple):
-    """What every sample needs of the branch.
+    """Constants of the branch that every sample needs.
 
     rate : omega [rad/s]
     static : rotation under a steady ground acceleration [rad per m/s2]
@@ -76,7 +76,7 @@ def swings(driven, zone):
 def swing_on(parts, state, ground, jump, t):
     """`swing`; for a wall without a branch in closed form, which is never on it, the state as it is."""
     if parts is None:
-        return state, t, END
+        return state, t, SWING_ENDS
     return swing(parts, state, ground, jump, t)
 
 
@@ -135,8 +135,8 @@ def falling_root(gap, u0, a0, f1, span):
 
 @subkernel
 def swing(parts, state, ground, jump, t):
-    """(BlockState, t, END, FALLS or RISES) of a wall on its branch after the next event, or at the end of the sample or
-    of a part of it.
+    """Carry a wall on its branch to the next event, or to the end of the sample or of a part of it; returns
+    (BlockState, t, SWING_ENDS, SWING_FALLS or SWING_RISES).
 
     parts : Swing
     state : BlockState at t, its zone that of the branch
@@ -179,16 +179,20 @@ def swing(parts, state, ground, jump, t):
             rises, until = True, min(turn, span)
     rises &= u0 >= 0.0 or u1 > 0.0
     if phi >= end and u0 >= 0.0:
-        return BlockState(state.side, end, state.speed, True, 0, max(peak, end), state.impacts, state.clamped), t, RISES
+        return (
+            BlockState(state.side, end, state.speed, True, 0, max(peak, end), state.impacts, state.clamped),
+            t,
+            SWING_RISES,
+        )
     if rises and not (falls and u0 < 0.0):
-        event, x = RISES, falling_root(end - phi, -u0, -a0, -f1, until)
+        event, x = SWING_RISES, falling_root(end - phi, -u0, -a0, -f1, until)
         y, peak = end, max(peak, end)
     elif falls:
-        event, x = FALLS, falling_root(phi, u0, a0, f1, until)
+        event, x = SWING_FALLS, falling_root(phi, u0, a0, f1, until)
         y, peak = 0.0, max(peak, top)
     else:
-        event, x, peak = END, span, max(peak, max(y, top))
-    if event != END:
+        event, x, peak = SWING_ENDS, span, max(peak, max(y, top))
+    if event != SWING_ENDS:
         sine, versine = sine_and_versine(x)
         u1 = fma(-u0, versine, fma(a0, sine, f1 * versine)) + u0
         t = min(t + x / parts.span, 1.0)

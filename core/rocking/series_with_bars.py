@@ -18,7 +18,7 @@ from core.rocking.taylor_polynomial import (
 from core.rocking.taylor_series import PER_G, InitialTerms, WallConstants
 
 ORDER = 8
-"""Of the series."""
+"""Order of the series."""
 
 
 @subkernel

@@ -12,7 +12,7 @@ from core.jit.decorators import inner_kernel, kernel, subkernel
 from core.jit.fma import fma
 from core.rocking.early_stop import cannot_recover
 from core.rocking.events import IMPACTS_PER_SAMPLE, BlockState, end_of_record, leave_impact, next_uplift
-from core.rocking.oscillator import FALLS, RISES, branches_apart, state_on, swing_on, swings
+from core.rocking.oscillator import SWING_FALLS, SWING_RISES, branches_apart, state_on, swing_on, swings
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.short_series import SHORT_SERIES, sine_and_cosine
 from core.rocking.taylor_bounds import (
@@ -228,10 +228,10 @@ def through_sample(ground0, ground1, dt, model, constants, order, strongest, sta
             state = BlockState(side, 0.0, 0.0, True, zone_of(0.0, model), state.peak, state.impacts, state.clamped)
         if swings(model.driven, state.zone):
             state, t, ended = swing_on(constants.swing, state, ground0, jump, t)
-            if ended == FALLS:
+            if ended == SWING_FALLS:
                 state, hit = impact(state, ground0 + jump * t, seen_from(model, state.side), constants)
                 break
-            if ended == RISES:
+            if ended == SWING_RISES:
                 state = state_on(state, 2)
                 kinks += 1
             if kinks > IMPACTS_PER_SAMPLE:

@@ -51,7 +51,7 @@ def neglected(v, growth, forcing, rise, p2, strength, order):
 
 @inner_kernel
 def plus(x, slope):
-    """x + slope; x where the law has no slope (None)."""
+    """Add the slope of the law: x + slope; x where the law has no slope (None)."""
     if slope is None:
         return x
     return x + slope

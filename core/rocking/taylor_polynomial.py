@@ -8,7 +8,7 @@ from core.jit.decorators import inner_kernel, subkernel
 from core.jit.fma import fma
 
 ROTATION, RATE, CURVATURE = 0.0, 1.0, 2.0
-"""What `bracketed_root` looks for; floats, since numba compiles anew for every constant integer."""
+"""Quantity whose root `bracketed_root` looks for; floats, since numba compiles anew for every constant integer."""
 
 
 @inner_kernel

@@ -20,7 +20,7 @@ PER_G = 1.0 / G
 
 
 class WallConstants(NamedTuple):
-    """What every sample needs of a wall.
+    """Constants of a wall that every sample needs.
 
     thresholds : a_RM of both sides, see `uplift_thresholds` [m/s2]
     tangent, sine, cosine : of alpha [-]
@@ -45,7 +45,7 @@ class WallConstants(NamedTuple):
 
 
 class InitialTerms(NamedTuple):
-    """Where the series of a step begins, at its start.
+    """Terms with which the series of a step begins, at its start.
 
     speed : phi' [rad per step]
     net : moment law less forcing, f sin(alpha - phi) + m phi + k - beta cos(alpha - phi) [-]
@@ -111,7 +111,7 @@ def constants_seen(constants, other, side):
 
 @subkernel
 def largest_strength(restoring):
-    """max(a, 1) + |c| of a RestoringMoment [-]."""
+    """Bound of the strength of a RestoringMoment: max(a, 1) + |c| [-]."""
     return max(restoring.sine, 1.0) + abs(restoring.cosine)
 
 
@@ -133,7 +133,7 @@ def with_line(x, y, slope, rotation, constant):
 
 @inner_kernel
 def over_step(slope, p2):
-    """-p2 slope; None where the law has none."""
+    """Slope term of the angular acceleration, -p2 slope [1/s2]; None where the law has no slope."""
     if slope is None:
         return slope
     return -p2 * slope

@@ -45,7 +45,7 @@ loss."""
 
 @subkernel
 def through_sample_with_bars(ground0, ground1, dt, model, constants, strongest, state, start, bars, held):
-    """As `taylor.through_sample`: carry the block to its next impact or through the sample.
+    """Carry the block to its next impact or through the sample, as `taylor.through_sample`.
 
     ground0, ground1 : ground acceleration at both ends [m/s2]
     dt : the sample [s]
@@ -183,7 +183,7 @@ def in_still_ground(dt, model, constants, state, bars, held):
 
 @kernel
 def integrate_with_bars(ground, dt, scale, model, start, bars, held, trace, impact_time, impact_velocity):
-    """As the kernels of `taylor.INTEGRATE`, of a wall held by bars.
+    """Integrate the history of a wall held by bars, as the kernels of `taylor.INTEGRATE`.
 
     ground : ground acceleration [m/s2], shape (n,)
     dt : its time step [s]

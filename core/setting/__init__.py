@@ -1,1 +1,1 @@
-"""What is known before the first analysis: demand, records, floors, walls about their hinges."""
+"""Setting of a study, known before its first analysis: demand, records, floors, walls about their hinges."""

@@ -218,7 +218,7 @@ def generated_for(asked: Generate, demand: DemandResult) -> list[GroundMotion]:
 
 
 def set_of(motions: Sequence[GroundMotion]) -> Generate | None:
-    """What was asked for to generate these motions; None of others, and of several sets."""
+    """[generate] by which these motions were made; None of others, and of several sets."""
     said = [dict(motion.details) for motion in motions if motion.format == "generated"]
     scatters = {one.get("scatter") for one in said}
     if not motions or len(said) < len(motions) or len(scatters) > 1 or None in scatters:

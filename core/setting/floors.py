@@ -10,7 +10,7 @@ from core.case.site import Building
 from core.case.wall import Wall
 from core.codes.demand import DemandResult
 from core.codes.floor_spectrum import FloorSpectrum, estimated_period, first_mode
-from core.codes.kinematic import DAMPING, Kinematic
+from core.codes.kinematic import STATE_DAMPING, Kinematic
 from core.ground.floor_motion import Mode, floor_motion
 from core.ground.ground_motion import GroundMotion
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
@@ -37,7 +37,7 @@ CHART_PERIODS = np.geomspace(0.05, 4.0, 60)
 
 @dataclass(frozen=True)
 class Floor:
-    """What moves a wall above the ground.
+    """Floor that moves a wall above the ground.
 
     z : height of the hinge, of a wall held at its top of its middle [m]
     modes : of the building there; estimated : its period was not given
@@ -85,7 +85,7 @@ class Floor:
 
 
 def modes_at(building: Building, z: float, limit_state: str) -> tuple[Mode, ...]:
-    """Modes of the building as damaged at this height [m]."""
+    """Modes at this height [m] of the building as damaged at a limit state."""
     factor, damping = damaged(building, limit_state)
     if building.modes:
         return tuple(Mode(factor * mode.period_s, mode.damping, mode.participation) for mode in building.modes)
@@ -110,7 +110,7 @@ def other_ends(building: Building, limit_state: str) -> tuple[tuple[float, float
 
 
 def building_notes(building: Building, limit_state: str) -> list[Sentence]:
-    """What is odd about a building: Sentences of the group "reason"."""
+    """Notices on what is odd about a building: Sentences of the group "reason"."""
     notes = []
     storey = building.height_m / building.storeys
     if not LEAST_STOREY <= storey <= GREATEST_STOREY:
@@ -140,6 +140,6 @@ def floor_of(
     estimated = building.period_s is None and not building.modes
     spectrum = FloorSpectrum(demand.target, modes) if demand and demand.target else None
     moved = tuple(floor_motion(motion, modes) for motion in motions)
-    mechanism = DAMPING.get(limit_state, DAMPING["SLV"])
+    mechanism = STATE_DAMPING.get(limit_state, STATE_DAMPING["SLV"])
     factors = tuple(demand.scaling(motion) if demand else 1.0 for motion in moved)
     return Floor(height, modes, estimated, moved, factors, mechanism, spectrum)

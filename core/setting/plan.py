@@ -1,4 +1,4 @@
-"""What a study does, known before its first analysis: its demand, its motions, and its walls about every hinge."""
+"""Plan of a study, known before its first analysis: its demand, its motions, and its walls about every hinge."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -48,7 +48,7 @@ class Entry(NamedTuple):
 
 @dataclass(frozen=True)
 class Plan:
-    """What a study does, known before its first analysis.
+    """Plan of a study, known before its first analysis.
 
     demand : without what the records add, None where no check is asked for
     motions : of the ground, with those generated; kinds : of each
@@ -70,7 +70,7 @@ class Plan:
     def scene(
         self, k: int, demand: DemandResult, compliance: Compliance | None = None, histories: Callable = demand_check
     ) -> Scene:
-        """What the checks of an entry follow from. demand : with what the records add; histories : as of a Scene"""
+        """Scene of the checks of an entry. demand : with what the records add; histories : as of a Scene"""
         entry, asked = self.entries[k], self.case.demand
         assert asked is not None
         return Scene(
@@ -84,10 +84,10 @@ class Plan:
             compliance,
             self.case.analysis.polarity,
             self.method,
-            histories=histories,
             by_default=self.case.default_histories,
             histories_off=not self.case.analysis.histories,
             many=max(self.walls, len(self.case.wall)) > MANY,
+            histories=histories,
         )
 
     @property
@@ -115,7 +115,7 @@ class Plan:
 
     @property
     def longest_period(self) -> float:
-        """Of the mechanisms [s], 0 without one."""
+        """Longest period of the mechanisms [s], 0 without one."""
         if self.longest is not None:
             return self.longest
         return max((one.kinematic.period or 0.0 for one in self.entries if one.kinematic), default=0.0)
@@ -126,7 +126,7 @@ Inputs = tuple[DemandResult | None, list[GroundMotion], list[str]]
 
 
 def read_inputs(case: Case, base_dir: Path) -> Inputs:
-    """What a case reads. Raises InputError."""
+    """Read the demand, the motions and their kinds that a case names. Raises InputError."""
     case, _ = with_chosen(case, base_dir)
     demand = demand_of(case, base_dir)
     motions, kinds = read_records(case, base_dir)
@@ -231,7 +231,7 @@ def plan_of(
 
 
 def results_in(case: Case) -> int:
-    """Results of a case: its walls about each hinge, by each mechanism."""
+    """Number of results of a case: of its walls about each hinge, by each mechanism."""
     return sum((1 + len(hinges_of(wall, case.building))) * len(wall.mechanisms()) for wall in case.wall)
 
 

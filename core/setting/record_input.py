@@ -13,7 +13,7 @@ from core.ground.records.grammar import Options
 
 
 class Listed(Protocol):
-    """What has [[record]] tables."""
+    """A case, study or list: what has [[record]] tables."""
 
     @property
     def record(self) -> tuple[Record, ...]: ...
@@ -43,7 +43,7 @@ def read_records(case: Listed, base_dir: Path) -> tuple[list[GroundMotion], list
 
 
 def joined(motions: list[GroundMotion], made: list[GroundMotion]) -> list[GroundMotion]:
-    """Records of a case and the motions generated for it. Raises InputError where a record is one of these."""
+    """Join the records of a case and the motions generated for it. Raises InputError where a record is one of these."""
     files = {motion.samples_sha256: motion.file for motion in motions}
     for motion in made:
         if (twin := files.get(motion.samples_sha256)) is not None:
@@ -59,7 +59,7 @@ def _told_apart(motions: list[GroundMotion]) -> list[GroundMotion]:
 
 
 def relative(path: Path, base_dir: Path) -> str:
-    """A file as a case of this folder names it."""
+    """Path of a file as a case of this folder names it."""
     try:
         return Path(os.path.relpath(path, base_dir)).as_posix()
     except ValueError:  # another drive

@@ -25,7 +25,8 @@ MOST_CANDIDATES = 3000
 """Records that a search takes: it keeps the product of each two of them."""
 
 MARGIN = 1e-9
-"""By which the bounds of the search are within those of the code: a set on its bound is judged the same twice."""
+"""Margin by which the bounds of the search are within those of the code: a set on its bound is judged the same
+twice."""
 
 DIGITS = 4
 """Decimals of a factor."""
@@ -61,7 +62,7 @@ class ChosenSet:
 
 @dataclass(frozen=True)
 class Selection:
-    """What [select] found.
+    """Sets that [select] found.
 
     files : looked at; candidates : records among which the sets were searched
     left_out : files and channels that are no candidates

@@ -48,18 +48,18 @@ def scaled(ground: Sequence[GroundMotion], demand: DemandResult, there: DemandRe
 
 @dataclass(frozen=True)
 class Scene:
-    """What the checks of a wall follow from.
+    """Scene that the checks of a wall follow from.
 
     wall : of the case, about its hinge
     demand : with what the records add; asked : of the case
     building : None without [building]; floor : that the wall stands on, None on the ground
     ground : the records; compliance : of them with the spectrum, None without a spectrum
     polarity : of [analysis]
-    q_slv : of the searches of this very wall, the lower end of its spread and itself; None where none was made
-    histories : `demand_check`, or one that keeps its results
     by_default : the records are generated for want of given ones: they may lower an outcome, never raise it
     histories_off : none are to be made
     many : the case has so many walls that the table of assumptions is made only where it can change an outcome
+    q_slv : of the searches of this very wall, the lower end of its spread and itself; None where none was made
+    histories : `demand_check`, or one that keeps its results
     period_taken : the period of the building is none that is given, but the worst of those it may have
     """
 
@@ -73,11 +73,11 @@ class Scene:
     compliance: Compliance | None
     polarity: str
     method: Method
+    by_default: bool
+    histories_off: bool
+    many: bool
     q_slv: tuple[float | None, float | None] = (None, None)
     histories: Callable[..., Any] = demand_check
-    by_default: bool = False
-    histories_off: bool = False
-    many: bool = False
     period_taken: bool = False
 
     @cached_property
@@ -93,7 +93,7 @@ class Scene:
 
     @property
     def signs(self) -> tuple[int, ...]:
-        """Each record is taken with, 1 as recorded, -1 reversed."""
+        """Signs each record is taken with, 1 as recorded, -1 reversed."""
         return polarities_of(self.model, self.polarity)
 
     @property
@@ -105,14 +105,14 @@ class Scene:
 
     @cached_property
     def kinematic(self) -> Kinematic | None:
-        """Its mechanism; None above the ground where the building is not known. Raises InputError."""
+        """Kinematic checks of the wall; None above the ground where the building is not known. Raises InputError."""
         if self.wall.above_ground and self.floor is None:
             return None
         return kinematic(self.wall.in_si, self.mechanism, self.demand, self.floor.spectrum if self.floor else None)
 
     def but(self, **changes: Any) -> "Scene":
-        """With some of its parts changed: q of the searches goes, and the floor is that of the changed building, height
-        and demand. Raises InputError."""
+        """The scene with some of its parts changed: q of the searches goes, and the floor is that of the changed
+        building, height and demand. Raises InputError."""
         there = replace(self, **({"q_slv": (None, None)} | changes))
         if "floor" in changes or there._felt == self._felt:
             return there
@@ -120,14 +120,14 @@ class Scene:
         return replace(there, floor=floor_of(there.wall, there.building, there.demand, motions))
 
     def under(self, demand: DemandResult) -> "Scene":
-        """Under another demand: motions generated for its spectrum are generated for the new one, records used as given
-        follow a_g S. Raises InputError."""
+        """The scene under another demand: motions generated for its spectrum are generated for the new one, records
+        used as given follow a_g S. Raises InputError."""
         asked = set_of(self.ground)
         ground = tuple(generated_for(asked, demand) if asked else scaled(self.ground, self.demand, demand))
         return self.but(demand=with_records(demand, list(ground)), ground=ground)
 
     def generated_as(self, asked: Generate) -> "Scene":
-        """Under another generated set. Raises InputError."""
+        """The scene under another generated set. Raises InputError."""
         ground = generated_for(asked, self.demand)
         longest = self.compliance.longest if self.compliance else 0.0
         demand, kinds = with_records(self.demand, ground), ["artificial"] * len(ground)
@@ -135,7 +135,7 @@ class Scene:
 
     @property
     def _felt(self) -> tuple:
-        """What the motion under the wall follows from."""
+        """Quantities that the motion under the wall follows from."""
         wall, demand = self.wall, self.demand
         place = (wall.above_ground, wall.felt_z_m, wall.bends, self.building)
         return *place, demand.limit_state, demand.pga, id(demand.target), tuple(map(id, self.ground))
@@ -151,5 +151,5 @@ class Scene:
         return tuple(self.but(building=replace(self.building, period_s=t), period_taken=True) for t in periods)
 
     def without_records(self) -> "Scene":
-        """For the checks of the clauses alone."""
+        """The scene without its records, for the checks of the clauses alone."""
         return self.but(ground=()) if self.ground else self

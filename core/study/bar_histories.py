@@ -30,7 +30,8 @@ class BarHistory:
 
 
 def bar_histories(wall: Wall, history: History, strength_factor: float = 1.0) -> list[BarHistory]:
-    """Of each tie of a wall. strength_factor : FC, where the history has it on the strength: forces are over it"""
+    """Histories of the bar of each tie of a wall. strength_factor : FC, where the history has it on the strength:
+    forces are over it"""
     found = []
     for tie, sines in zip(wall.in_si.ties, history.residual, strict=True):
         bar, gone = tie.bar, np.isinf(sines)
@@ -51,7 +52,8 @@ def bar_histories(wall: Wall, history: History, strength_factor: float = 1.0) ->
 
 
 def work_of_impacts(wall: Wall, model: RockingModel, history: History) -> float | None:
-    """What the impacts of a history took [N]; None where the velocity ratio falls with the speed (Eq. 7), or is 0.
+    """Energy that the impacts of a history took, for a metre of wall [N]; None where the velocity ratio falls with the
+    speed (Eq. 7), or is 0. model : of the wall, without FC
     model : of the wall, without FC"""
     ratio = model.ratio_at_rest
     if model.ratio_drop or not ratio:

@@ -1,13 +1,16 @@
 """A case in parts: each a journal of the searches and checks of its walls, made wherever a scheduler starts it; merged,
 they are the undivided run, bit for bit (resources/docs/scale.md)."""
 
+import contextlib
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import BinaryIO
 
 from core.case.schema import Case
 from core.errors import InputError
-from core.study.journal import HEAD, SYNC_SECONDS, Journal, Memory, entries_of
+from core.regular_file import open_regular
+from core.study.journal import HEAD, SYNC_SECONDS, Journal, Memory, Place, ours, parsed, read_at, scanned
 from core.study.run import EVERYTHING
 
 FINISHED = "finished"
@@ -47,18 +50,52 @@ def parts_in(folder: Path, stem: str) -> Iterator[tuple[int, int, Path]]:
         yield k, n, path
 
 
-def merged(folder: Path, stem: str, case: Case, key: str) -> Memory:
-    """What all parts of a case found. Raises InputError for a part that is missing, not finished, of another division,
-    damaged, or of another case or program."""
-    book = Memory(EVERYTHING)
-    for k, n, path in parts_in(folder, stem):
-        head, entries, damaged = entries_of(path)
-        if head.get(HEAD) != part_key(key, case, k, n):
+class MergedParts:
+    """What all parts of a case found, read when it is asked for.
+
+    keys(k, n) : what the first line of the k-th of n parts says
+    Raises InputError for a part that is missing, not finished, damaged, of another division, or of another case or
+    program.
+    """
+
+    def __init__(self, folder: Path, stem: str, keys: Callable[[int, int], str]):
+        self.streams: list[BinaryIO] = []
+        self.places: dict[str, tuple[BinaryIO, Place]] = {}
+        with contextlib.ExitStack() as opened:
+            opened.callback(self.close)
+            for k, n, path in parts_in(folder, stem):
+                self._add(path, k, n, keys(k, n))
+            opened.pop_all()  # all are there, and stay open
+
+    def _add(self, path: Path, k: int, n: int, key: str) -> None:
+        try:
+            stream = open_regular(path, buffering=0)
+        except OSError as error:
+            raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
+        self.streams.append(stream)
+        head, _, lines = scanned(stream) if ours(stream) else (b"", 0, [])
+        if parsed(head) != {HEAD: key}:
             raise InputError("part_of_another", path=path)
-        if FINISHED not in entries:
+        found = {name: (stream, place) for name, place in lines}
+        if FINISHED not in found:
             raise InputError("part_not_finished", k=k, n=n, path=path)
-        if damaged:
+        if "" in found:
             raise InputError("part_damaged", k=k, n=n, path=path)
-        book.found |= entries
-    del book.found[FINISHED]
-    return book
+        self.places |= found
+
+    def get(self, name: int | str) -> dict | None:
+        """What was found under a name, None where nothing was."""
+        place = self.places.get(str(name))
+        return None if place is None else read_at(*place)
+
+    def close(self) -> None:
+        for stream in self.streams:
+            stream.close()
+
+
+def merged(folder: Path, stem: str, case: Case, key: str) -> Memory:
+    """What all parts of a case found. Raises InputError as MergedParts."""
+    parts, memory = MergedParts(folder, stem, lambda k, n: part_key(key, case, k, n)), Memory(EVERYTHING)
+    with contextlib.closing(parts):
+        memory.found |= {name: found for name in parts.places if name != FINISHED and (found := parts.get(name))}
+    return memory

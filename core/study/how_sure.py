@@ -11,7 +11,7 @@ import numpy as np
 
 from core.capacity.ida import multiplier_of
 from core.case.site import Demand
-from core.codes.collapse_rate import STATES, StateRate, state_rate, typical_rate
+from core.codes.collapse_rate import RATE_STATES, StateRate, state_rate, typical_rate
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
 from core.codes.outcomes import least
@@ -30,8 +30,8 @@ from core.variation.swings import Sensitivity, move_words
 from core.variation.turned_round import keys_of, reach_of
 from core.variation.whole_wall import setting_of
 
-SHARES = 0.01, 100.0
-"""Of a_g, between which S follows it."""
+AG_RANGE = 0.01, 100.0
+"""Least and largest multiple of a_g between which S follows it."""
 
 MOST_INTERVALS = 50
 """Walls of a case up to which the interval is made without being asked for: a tenth of the time of a wall."""
@@ -44,44 +44,46 @@ def with_certainty(
     ag: Callable[[float], float] | None,
     results: Sequence[WallResult],
     verdict: WallVerdict,
-    book,
+    journal,
     progress: Progress,
 ) -> Work:
     """The work whose result is the verdict of a wall with what is beside it.
 
-    base_dir, book, progress : as `core.study.run.result_of` takes them
+    base_dir, journal, progress : as `core.study.run.result_of` takes them
     demand : with what the records add
     ag : of `ag_of`, made once for all walls; None without a hazard
     results : of the wall, to which the verdict points
     """
-    verdict = yield from _with_interval(plan, demand, results, verdict, book)
+    verdict = yield from _with_interval(plan, demand, results, verdict, journal)
     if ag is not None:
         verdict = replace(verdict, rates=_worst_rates(plan, demand, [results[k] for k in verdict.results], ag))
     if plan.case.sensitivity is not None:
-        verdict = yield from _with_sensitivity(plan, base_dir, demand, results, verdict, book, progress)
+        verdict = yield from _with_sensitivity(plan, base_dir, demand, results, verdict, journal, progress)
     return verdict
 
 
-def _with_interval(plan: Plan, demand: DemandResult, results: Sequence[WallResult], verdict: WallVerdict, book) -> Work:
-    """The verdict with the interval of its records, of the worst hinge; kept in the book."""
+def _with_interval(
+    plan: Plan, demand: DemandResult, results: Sequence[WallResult], verdict: WallVerdict, journal
+) -> Work:
+    """Add to a verdict the interval of its records, that of the worst hinge; kept in the journal."""
     worst = results[verdict.governing]
     if _zeta(worst) is None or (len(plan.case.wall) > MOST_INTERVALS and plan.case.sensitivity is None):
         return verdict
-    found = yield Batch({"interval": lambda stop: _interval(plan, worst, demand, book, stop)})
+    found = yield Batch({"interval": lambda stop: _interval(plan, worst, demand, journal, stop)})
     return replace(verdict, interval=found["interval"])
 
 
-def _interval(plan: Plan, wall: WallResult, demand: DemandResult, book, stop) -> SampleInterval | None:
-    """Of one hinge whose histories have a zeta; from the book where it is there."""
+def _interval(plan: Plan, wall: WallResult, demand: DemandResult, journal, stop) -> SampleInterval | None:
+    """Interval of zeta of one hinge whose histories have a zeta; taken from the journal where it is there."""
     motions, zeta = _felt(plan, wall), _zeta(wall)
     assert zeta is not None
-    key = check_key(wall.model, motions, _signs(wall), demand, plan.method, zeta, "interval") if book else ""
-    known = rebuilt(SampleInterval, book.get(key)) if book else None
+    key = check_key(wall.model, motions, _signs(wall), demand, plan.method, zeta, "interval") if journal else ""
+    known = rebuilt(SampleInterval, journal.get(key)) if journal else None
     if known is not None:
         return known
     found = sample_interval(_peaks_of(plan, wall, demand, zeta, stop), motions, zeta)
-    if book and found:
-        book.add(key, asdict(found))
+    if journal and found:
+        journal.add(key, asdict(found))
     return found
 
 
@@ -91,13 +93,13 @@ def _with_sensitivity(
     demand: DemandResult,
     results: Sequence[WallResult],
     verdict: WallVerdict,
-    book,
+    journal,
     progress: Progress,
 ) -> Work:
-    """The verdict with the moves of the inputs; the parameters are those of `with_certainty`."""
+    """Add to a verdict the moves of its inputs; the parameters are those of `with_certainty`."""
     ranges, origin = plan.case.sensitivity, results[0].part.origin
     assert ranges is not None
-    kept = KeptChecks(book) if book else demand_check
+    kept = KeptChecks(journal) if journal else demand_check
     setting = setting_of(plan.case, origin, base_dir, (demand, plan.motions, plan.kinds), kept)
     hinges = [results[k] for k in verdict.results]
     known = [one.assessment for one in hinges if one.assessment is not None]
@@ -130,13 +132,13 @@ def _felt(plan: Plan, wall: WallResult) -> list:
 
 
 def _zeta(wall: WallResult) -> float | None:
-    """Of its histories."""
+    """zeta of the histories of a wall; None without them."""
     dynamic = wall.assessment.dynamic if wall.assessment else None
     return dynamic.zeta if dynamic else None
 
 
 def _signs(wall: WallResult) -> tuple[int, ...]:
-    """Each record was taken with."""
+    """Signs each record was taken with."""
     dynamic = wall.assessment.dynamic if wall.assessment else None
     return tuple(dict.fromkeys(run.polarity for run in dynamic.runs)) if dynamic else ()
 
@@ -151,7 +153,7 @@ def ag_of(demand: DemandResult, asked: Demand | None, base_dir: Path) -> Callabl
     follows a_g. asked : of the case"""
     if asked is None or demand.target is None:
         return lambda multiplier: multiplier * demand.ag
-    factors = np.geomspace(*SHARES, 400)
+    factors = np.geomspace(*AG_RANGE, 400)
     shares = [with_ag(demand, asked, base_dir, float(factor)).pga / demand.pga for factor in factors]
 
     def found(multiplier: float) -> float:
@@ -170,7 +172,7 @@ def capacities(
 
     motions : that move it; end : q_limit of the search; ag : of `ag_of`
     """
-    found: dict[str, list[float]] = {state: [] for state in STATES}
+    found: dict[str, list[float]] = {state: [] for state in RATE_STATES}
     for k, motion in enumerate(motions):
         idas = [run.ida for run in wall.runs if run.motion == k]
         if not idas or any(ida.status not in ("collapse_found", "no_collapse_found") for ida in idas):
@@ -207,7 +209,7 @@ def _worst_rates(
     asked = plan.case.demand
     life = asked.nominal_life_years if asked else None
     rates = []
-    for state in STATES:
+    for state in RATE_STATES:
         worst = max((one[state] for one in known), key=lambda values: typical_rate(values, demand.hazard))
         rates.append(state_rate(state, worst, names, demand.hazard, demand.confidence_factor, life))
     return tuple(rate for rate in rates if rate is not None)

@@ -7,36 +7,47 @@ import hashlib
 import itertools
 import json
 import os
+import shutil
 import sys
 import threading
 import time
 from dataclasses import is_dataclass
 from pathlib import Path
 from types import NoneType, UnionType
-from typing import Any, get_args, get_origin, get_type_hints
+from typing import Any, BinaryIO, NamedTuple, get_args, get_origin, get_type_hints
 
-from core.errors import InputError, OutputError
-from core.regular_file import open_regular, refuse_irregular
+from core.errors import OutputError
+from core.regular_file import refuse_irregular
 
 SYNC_SECONDS = 1.0
 """Least time between two calls that bring the journal to the disk: they hold up the threads, a tenth of the time of
 many walls. A kill loses nothing, a power cut what was found in that second."""
 
 
+class Place(NamedTuple):
+    """Where a line of a journal begins, and its length, line end included [bytes]."""
+
+    start: int
+    length: int
+
+
 class Journal:
-    """Finished runs and checks by key. key : of the program's sources; another key starts it anew.
+    """Finished work by key, a line each, of which only the place is kept in memory: searches and checks of a case, rows
+    of the groups of a large one.
 
-    Each line carries a hash of itself: one that is damaged is dropped, and its run is made again.
-
-    set_aside : where the finished runs of an earlier start went that is not resumed, or None
-    dropped : lines that were damaged
+    path : of the file
+    key : of the program's sources and of what they read; another key starts it anew
+    resume : go on with what an earlier start finished, which else is set aside
     sync_seconds : least time between two calls that bring lines to the disk; a kill loses nothing, a power cut what
         was written in it
-    Raises OutputError for a file of somebody else, and while another batch writes it.
+    set_aside : where that went, or None
+    dropped : lines that were damaged, by their hash, whose work is done again
+    Several threads may add and get. Raises OutputError for a file of somebody else, and while another batch writes it.
     """
 
     def __init__(self, path: Path, key: str, resume: bool, sync_seconds: float = 0.0):
-        self.path, self.found, self.dropped = path, {}, 0
+        self.path, self.dropped = path, 0
+        self.places: dict[str, Place] = {}
         self._lock = threading.Lock()
         self._sync_seconds, self._synced = sync_seconds, 0.0
         self.set_aside: Path | None = None
@@ -60,43 +71,47 @@ class Journal:
             raise OutputError("batch_running", place=(self.path,)) from None
         if not is_at(self._stream, self.path):
             raise OutputError("batch_just_ended", place=(self.path,))
-        self._stream.seek(0)
-        if not ours(self._stream.read(HEAD_BYTES)) or os.fstat(self._stream.fileno()).st_size > MOST_BYTES:
+        if not ours(self._stream):
             raise OutputError("not_a_journal", place=(self.path,))
-        self._stream.seek(0)
-        content = self._stream.readall()
-        head, *lines = content.split(b"\n")
+        head, end, lines = scanned(self._stream)
+        self.places = {name: place for name, place in lines if name}
+        self.dropped = sum(not name for name, _ in lines)
         mine = parsed(head) == {HEAD: key}
-        good, kept = [], 0
-        # what a kill cut off has no line end
-        for line in lines[:-1] if mine else []:
-            entry = parsed(line)
-            if entry and entry.get("hash") == hash_of(entry):
-                self.found[entry["run"]] = entry["result"]
-                good.append(line)
-            else:
-                self.dropped += 1
-            if not self.dropped:
-                kept += len(line) + 1
-        if (self.found and not resume) or (lines[:-1] and not mine):
-            self.set_aside = _set_aside(self.path, content)
-            self.found, self.dropped, good, mine = {}, 0, [], False
+        if (self.places and not resume) or (lines and not mine):
+            self.set_aside, mine = self._copied(), False
         if not mine:
+            self.places, self.dropped = {}, 0
             self._stream.truncate(0)
-            self._put(json.dumps({HEAD: key}).encode() + b"\n")
-        elif not self.dropped:
-            self._stream.truncate(len(head) + 1 + kept)
+            self._put({HEAD: key})
+        elif self.dropped:
+            self._rewrite(head)
         else:
-            self._rewrite(b"\n".join([head, *good, b""]))
+            self._stream.truncate(end)
 
-    def _rewrite(self, content: bytes) -> None:
-        """The whole lines in a file of their own, which takes the place of the damaged one."""
-        place = self.path.with_name(f"{self.path.name}.{os.getpid()}.new")
+    def _copied(self) -> Path:
+        """Copy what an earlier start left into `<path>.old`, or the first of `.old2`, ... that is not there."""
+        for end in itertools.chain([""], map(str, itertools.count(2))):
+            place = self.path.with_name(f"{self.path.name}.old{end}")
+            with contextlib.suppress(FileExistsError), open(place, "xb") as stream:
+                self._stream.seek(0)
+                shutil.copyfileobj(self._stream, stream)
+                stream.flush()
+                os.fsync(stream.fileno())
+                break
+        return place
+
+    def _rewrite(self, head: bytes) -> None:
+        """Put the whole lines in a file of their own, which takes the place of the damaged one."""
+        place, places = self.path.with_name(f"{self.path.name}.{os.getpid()}.new"), {}
         with open(place, "xb") as stream:  # nobody else's
-            stream.write(content)
+            stream.write(head + b"\n")
+            for name, (at, length) in self.places.items():
+                places[name] = Place(stream.tell(), length)
+                self._stream.seek(at)
+                stream.write(self._stream.read(length))
             stream.flush()
             os.fsync(stream.fileno())
-        damaged = self._stream
+        damaged, self.places = self._stream, places
         if os.name == "nt":
             damaged.close()
         os.replace(place, self.path)
@@ -104,24 +119,32 @@ class Journal:
         lock(self._stream)
         damaged.close()
 
-    def _put(self, content: bytes) -> None:
-        """Append, safe from a kill when this returns, from a power cut where the last sync is sync_seconds ago; raises
-        OSError where not all of it could be written."""
+    def _put(self, entry: dict) -> Place:
+        """Append a line, safe from a kill when this returns, from a power cut where the last sync is sync_seconds ago;
+        its place. Raises OSError where not all of it could be written."""
+        content = json.dumps(entry).encode() + b"\n"
+        place = Place(self._stream.seek(0, os.SEEK_END), len(content))
         while content:
             content = content[self._stream.write(content) :]
         if time.monotonic() - self._synced >= self._sync_seconds:
             os.fsync(self._stream.fileno())
             self._synced = time.monotonic()
+        return place
 
-    def get(self, run: str) -> dict | None:
-        return self.found.get(run)
+    def __contains__(self, name: object) -> bool:
+        return str(name) in self.places
 
-    def add(self, run: str, result: dict) -> None:
-        """Several threads may add."""
-        line = json.dumps(valid(run, result)).encode() + b"\n"
+    def get(self, name: int | str) -> dict | None:
+        """What was found under a name, None where nothing was."""
+        with self._lock:
+            place = self.places.get(str(name))
+            return None if place is None else read_at(self._stream, place)
+
+    def add(self, name: int | str, result: dict) -> None:
+        """Keep what was found under a name."""
         try:
             with self._lock:
-                self._put(line)
+                self.places[str(name)] = self._put(valid(str(name), result))
         except OSError as error:
             raise OutputError("journal_not_writable", reason=error.strerror, place=(self.path,)) from None
 
@@ -131,48 +154,53 @@ class Journal:
     def remove(self) -> None:
         """The batch is done: where the system can, the file goes while nobody else can hold it, and only while it is
         the one that was opened."""
-        remove_held(self._stream, self.path)
+        mine = is_at(self._stream, self.path)
+        if os.name == "nt":
+            self._stream.close()
+        with contextlib.suppress(OSError):
+            if mine:
+                self.path.unlink(missing_ok=True)
+        self._stream.close()
 
 
-def remove_held(stream, path: Path) -> None:
-    """Remove a file that is held open, unless another one has its name, and let it go."""
-    mine = is_at(stream, path)
-    if os.name == "nt":
-        stream.close()
-    with contextlib.suppress(OSError):
-        if mine:
-            path.unlink(missing_ok=True)
-    stream.close()
+LONGEST_LINE = 200_000_000
+"""Bytes of a line; what is longer has no end."""
 
 
-def entries_of(path: Path) -> tuple[dict, dict[str, dict], int]:
-    """(first line, results by key, count of damaged lines) of a journal that nobody writes any more. Raises InputError
-    for a file that cannot be read or is no journal."""
-    try:
-        with open_regular(path) as stream:
-            own = ours(stream.read(HEAD_BYTES)) and os.fstat(stream.fileno()).st_size <= MOST_BYTES
-            stream.seek(0)
-            content = stream.read() if own else b""
-    except OSError as error:
-        raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
-    if not own:
-        raise InputError("part_of_another", path=path)
-    head, *lines = map(parsed, content.removesuffix(b"\n").split(b"\n"))
-    good = [line for line in lines if line and line.get("hash") == hash_of(line)]
-    return head or {}, {line["run"]: line["result"] for line in good}, len(lines) - len(good)
+def scanned(file: BinaryIO) -> tuple[bytes, int, list[tuple[str, Place]]]:
+    """(first line, end of the last whole line, (name, place) of each other line, no name of one that is damaged)."""
+    os.lseek(file.fileno(), 0, os.SEEK_SET)
+    lines = []
+    with open(file.fileno(), "rb", 1 << 20, closefd=False) as stream:
+        head = stream.readline(LONGEST_LINE)
+        place = end = len(head) if head.endswith(b"\n") else 0
+        for line in iter(lambda: stream.readline(LONGEST_LINE), b""):
+            if not line.endswith(b"\n"):  # what a kill cut off
+                break
+            entry = parsed(line)
+            whole = entry is not None and entry == valid(entry.get("run"), entry.get("result"))
+            lines.append((str(entry["run"]) if entry and whole else "", Place(place, len(line))))
+            place += len(line)
+            end = place
+    return head.removesuffix(b"\n"), end, lines
 
 
-HEAD_BYTES, MOST_BYTES = 200, 1_000_000_000
-"""Looked at first of what should be a journal; beyond the largest, of the walls of a case that is held at once."""
+def read_at(file: BinaryIO, place: Place) -> dict:
+    """What the line at a place of a journal holds."""
+    file.seek(place.start)
+    return json.loads(file.read(place.length) or b"")["result"]
+
 
 HEAD = "Ribalta journal"
 """The key of the first line: no other program's file begins with it."""
 
 
-def ours(content: bytes) -> bool:
+def ours(stream: BinaryIO) -> bool:
     """Whether a file is a journal, or what a kill left of the first line of one."""
     start = b'{"' + HEAD.encode() + b'": "'
-    return content[: len(start)] == start[: len(content)]
+    stream.seek(0)
+    content = stream.read(len(start))
+    return content == start[: len(content)]
 
 
 def is_at(stream, path: Path) -> bool:
@@ -181,22 +209,6 @@ def is_at(stream, path: Path) -> bool:
         return os.path.samestat(os.fstat(stream.fileno()), path.stat())
     except OSError:
         return False
-
-
-def _set_aside(path: Path, content: bytes) -> Path:
-    """The file that now holds this: `<path>.old`, or the first of `.old2`, `.old3`, ... that is not there."""
-    for end in itertools.chain([""], map(str, itertools.count(2))):
-        place = path.with_name(f"{path.name}.old{end}")
-        try:
-            stream = open(place, "xb")  # noqa: SIM115
-        except FileExistsError:
-            continue
-        with stream:
-            stream.write(content)
-            stream.flush()
-            os.fsync(stream.fileno())
-        break
-    return place
 
 
 def lock(stream) -> None:

@@ -13,14 +13,14 @@ from core.wall.rocking_model import RockingModel
 
 
 class KeptChecks:
-    """`demand_check` of one wall, with the same parameters.
+    """Makes `demand_check` of one wall, with the same parameters, or takes its result from the journal.
 
-    book : of the finished checks; None keeps none
+    journal : of the finished checks; None keeps none
     made : how many were not there
     """
 
-    def __init__(self, book: Journal | Memory | None):
-        self.book, self.made = book, 0
+    def __init__(self, journal: Journal | Memory | None):
+        self.journal, self.made = journal, 0
 
     def __call__(
         self,
@@ -34,15 +34,15 @@ class KeptChecks:
         cancelled: Callable[[], bool] = lambda: False,
     ) -> DemandCheck | None:
         decides = (polarities, demand, method, every, other)
-        key = check_key(model, motions, *decides) if self.book else ""
-        known = rebuilt(DemandCheck, self.book.get(key)) if self.book else None
+        key = check_key(model, motions, *decides) if self.journal else ""
+        known = rebuilt(DemandCheck, self.journal.get(key)) if self.journal else None
         if known is not None:
             return known
         found = demand_check(model, motions, *decides, cancelled)
         if found is not None:
             self.made += 1
-            if self.book:
-                self.book.add(key, asdict(found))
+            if self.journal:
+                self.journal.add(key, asdict(found))
         return found
 
 

@@ -52,7 +52,7 @@ class LargeCase(NamedTuple):
 
     @property
     def key(self) -> str:
-        """Of all that decides its rows beside the program: the case, and what it reads."""
+        """Key of all that decides the rows of the case beside the program: the case, and what it reads."""
         _, motions, kinds = self.inputs
         spectrum = b""
         if self.case.demand and self.case.demand.spectrum_file:
@@ -94,7 +94,7 @@ def _plan(case: Case, base_dir: Path, inputs: Inputs, group: list[int], longest:
 
 
 def without_walls(large: LargeCase) -> StudyResult:
-    """What the results of all groups have in common: demand, records, whether these comply with it."""
+    """Result that all groups have in common: demand, records, whether these comply with it."""
     case, (demand, motions, kinds) = replace(large.case, wall=()), large.inputs
     plan, rules = plan_of(case, large.base_dir, large.inputs, None, large.longest), None
     if demand:

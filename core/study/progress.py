@@ -27,26 +27,27 @@ class Started:
 OnProgress = Callable[[int, int, float | None], None]
 """Called with what is done, what is planned, and the time left [s], None while nothing tells it."""
 
-GRID = 0.007
+GRID_COST = 0.007
 """Cost of the grid of a run, whose count of points goes with 1 / q_step, over that of its bisections."""
 
-CHECK = 2.0
+CHECK_COST = 2.0
 """Cost of the check of a wall at the demand over the bisections of its runs: 1.6 to 2.1 measured."""
 
-FLOOR, TIE, STATEMENT, SENSITIVITY = 3.0, 6.0, 20.0, 2.0
+FLOOR_COST, TIE_COST, STATEMENT_COST, SENSITIVITY_COST = 3.0, 6.0, 20.0, 2.0
 """A wall above the ground is checked for another building and height too, a tie is found by bisection of such checks,
 and the accuracy statement makes as many searches of one run; the moves of the inputs are coarse checks."""
 
 
 def run_cost(motion: GroundMotion, search: Search) -> float:
-    """Of one search, in samples that its bisections go through."""
-    return motion.acceleration.size * (1.0 + GRID / search.q_step)
+    """Cost of one search, in samples that its bisections go through."""
+    return motion.acceleration.size * (1.0 + GRID_COST / search.q_step)
 
 
 def check_cost(motions: Iterable[GroundMotion], signs: int, floor: bool) -> float:
-    """Of the check of a wall at the demand; 1 without records, where there are only closed forms."""
+    """Cost of the check of a wall at the demand, in the same samples; 1 without records, where there are only closed
+    forms."""
     samples = sum(motion.acceleration.size for motion in motions)
-    return 1.0 + CHECK * signs * samples * (FLOOR if floor else 1.0)
+    return 1.0 + CHECK_COST * signs * samples * (FLOOR_COST if floor else 1.0)
 
 
 def costs_of(plan: Plan) -> dict[Any, float]:
@@ -59,12 +60,12 @@ def costs_of(plan: Plan) -> dict[Any, float]:
         if plan.demand:
             costs["check", k] = check_cost(entry.felt, len(entry.signs), entry.floor is not None)
             if entry.part.wall.tie_height_m is not None:
-                costs["tie", k] = TIE * costs["check", k]
+                costs["tie", k] = TIE_COST * costs["check", k]
             if plan.case.sensitivity:
-                cost = SENSITIVITY * (TIE if entry.model.bars else 1.0) * costs["check", k]
+                cost = SENSITIVITY_COST * (TIE_COST if entry.model.bars else 1.0) * costs["check", k]
                 costs["sensitivity", entry.part.origin] = costs.get(("sensitivity", entry.part.origin), 0.0) + cost
         if plan.case.analysis.accuracy:
-            costs["accuracy", k] = STATEMENT * max((run_cost(m, search) for m in entry.felt), default=1.0)
+            costs["accuracy", k] = STATEMENT_COST * max((run_cost(m, search) for m in entry.felt), default=1.0)
     return costs
 
 
@@ -85,13 +86,14 @@ class Progress:
         self._paid = 0.0
 
     def known(self, tasks: Iterable[Hashable]) -> None:
-        """These were done by an earlier start."""
+        """Count these as done by an earlier start."""
         for task in tasks:
             self._ahead -= self._left.pop(task)
         self._tell()
 
     def done(self, task: Hashable, worked: bool = True) -> None:
-        """worked : False where an earlier start did it, so that its time tells nothing of the others"""
+        """Count a task as done. worked : False where an earlier start did it, so that its time tells nothing of the
+        others"""
         cost = self._left.pop(task)
         self._ahead -= cost
         if worked and self._since is None:

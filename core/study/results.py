@@ -1,4 +1,4 @@
-"""What a study results in: frozen, in SI units, nothing computed later."""
+"""Results of a study: frozen, in SI units, nothing computed later."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
@@ -31,8 +31,8 @@ from core.units import G
 from core.variation.assessment import Assessment
 from core.variation.swings import Sensitivity
 from core.wall.block import Block
+from core.wall.impact import Restitution
 from core.wall.moment_rotation import MomentLaw
-from core.wall.restitution import Restitution
 from core.wall.rocking_model import RockingModel
 
 
@@ -109,30 +109,30 @@ class WallResult:
 
     @property
     def wall(self) -> Wall:
-        """What was analysed."""
+        """Wall that was analysed."""
         return self.part.wall
 
     @property
     def name(self) -> str:
-        """For people: `part` says which it is."""
+        """Name of the wall for people: `part` says which it is."""
         return self.part.wall.name
 
     @property
     def assessed(self) -> Assessment:
-        """Its checks, of a study with a demand."""
+        """Checks of the wall, in a study with a demand."""
         assert self.assessment is not None
         return self.assessment
 
     @property
     def mechanics(self) -> Kinematic:
-        """Its closed-form checks, of a study with a demand."""
+        """Closed-form checks of the wall, in a study with a demand."""
         found = self.assessed.kinematic
         assert found is not None
         return found
 
     @property
     def pair(self) -> tuple[str, float, str]:
-        """What it shares with its other variant alone."""
+        """Key that the wall shares only with its other variant."""
         return shared(self.part, self.mechanism)
 
     @property
@@ -191,7 +191,7 @@ class WallVerdict:
         return self.wall.title
 
     def moved(self, by: int) -> "WallVerdict":
-        """Among results whose places are so many further."""
+        """The verdict with the numbers of its results moved by so many places."""
         return replace(self, governing=self.governing + by, results=tuple(k + by for k in self.results))
 
 
@@ -222,7 +222,7 @@ class StudyResult:
 
     @property
     def required(self) -> DemandResult:
-        """What the walls have to withstand, of a study with a demand."""
+        """Demand the walls have to withstand, in a study with one."""
         assert self.demand is not None
         return self.demand
 

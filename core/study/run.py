@@ -64,17 +64,19 @@ def run(
     started = Started()
     refuse_large(case)
     cache.proven()
-    book: Journal | Memory | None = None
+    finished: Journal | Memory | None = None
     if executor:
-        book = _found_on(executor, case, base_dir, cancelled)
+        finished = _found_on(executor, case, base_dir, cancelled)
     chosen, selection = with_chosen(case, base_dir, cancelled=cancelled)
     plan = plan_of(case, base_dir, read_inputs(chosen, base_dir), share)
     begin_compiling(plan)
     if journal and not executor:
-        book = journal(journal_key())
+        finished = journal(journal_key())
     progress = Progress(costs_of(plan), on_progress)
     threads = Threads(jobs, cancelled)
-    return result_of(plan, base_dir, threads, started, book, progress, on_wall, on_finished, selection, share is None)
+    return result_of(
+        plan, base_dir, threads, started, finished, progress, on_wall, on_finished, selection, share is None
+    )
 
 
 def result_of(
@@ -82,21 +84,21 @@ def result_of(
     base_dir: Path,
     threads: Threads,
     started: Started,
-    book: Journal | Memory | None,
+    journal: Journal | Memory | None,
     progress: Progress,
     on_wall: Callable[[WallResult], None] = lambda wall: None,
     on_finished: Callable[[StudyResult], None] = lambda wall: None,
     selection: Selection | None = None,
     whole: bool = True,
 ) -> StudyResult:
-    """What a plan results in.
+    """Result of a plan.
 
     plan : of the case
     base_dir, on_wall, on_finished : as `run` takes them
     threads : that do the tasks
     started : when
     progress : told of each task
-    book : of finished searches and checks
+    journal : of finished searches and checks
     selection : of [select]
     whole : all walls of the case are in it, so that they have verdicts
     Raises as `run` does.
@@ -131,7 +133,7 @@ def result_of(
         rated = demand is not None and demand.hazard and plan.longest is None
         ag = ag_of(demand, plan.case.demand, base_dir) if demand and rated else None
         state_rules = rules_of(plan, demand, by_state) if demand else {}
-        given = Given(plan, base_dir, demand, rules, by_state, state_rules, ag, book, progress, on_wall)
+        given = Given(plan, base_dir, demand, rules, by_state, state_rules, ag, journal, progress, on_wall)
         threads.run_works(works(given, threads.jobs), ended)
     finally:
         cache.record(cache.folder())
@@ -156,7 +158,7 @@ EVERYTHING = sys.maxsize
 """Room of a Memory that forgets nothing."""
 
 _kept: dict[tuple[str, Path], Inputs] = {}
-"""Of a process that works for an executor: what its last case read."""
+"""Inputs of the last case that a process working for an executor read."""
 
 
 def wall_alone(case: Case, base_dir: Path, k: int) -> dict[str, dict]:
@@ -166,16 +168,17 @@ def wall_alone(case: Case, base_dir: Path, k: int) -> dict[str, dict]:
     if place not in _kept:
         _kept.clear()
         _kept[place] = read_inputs(case, base_dir)
-    plan, book = plan_of(case, base_dir, _kept[place], (k, len(case.wall))), Memory(EVERYTHING)
+    plan, memory = plan_of(case, base_dir, _kept[place], (k, len(case.wall))), Memory(EVERYTHING)
     begin_compiling(plan)
     progress = Progress(costs_of(plan), lambda done, planned, left: None)
-    result_of(plan, base_dir, Threads(1, lambda: False), Started(), book, progress)
-    return book.found
+    result_of(plan, base_dir, Threads(1, lambda: False), Started(), memory, progress)
+    return memory.found
 
 
 def _found_on(executor: Executor, case: Case, base_dir: Path, cancelled: Callable[[], bool]) -> Memory:
-    """What an executor finds of each wall; of one whose process ends, nothing. Raises Cancelled, and InputError."""
-    book = Memory(EVERYTHING)
+    """Collect what an executor finds of each wall; of one whose process ends, nothing. Raises Cancelled, and
+    InputError."""
+    memory = Memory(EVERYTHING)
     waiting: list[Future] = []
     with contextlib.suppress(BrokenExecutor):
         for k in range(len(case.wall)):
@@ -189,11 +192,11 @@ def _found_on(executor: Executor, case: Case, base_dir: Path, cancelled: Callabl
             if isinstance(error := future.exception(), InputError):
                 raise error
             if error is None:
-                book.found |= future.result()
+                memory.found |= future.result()
     finally:
         for future in waiting:
             future.cancel()
-    return book
+    return memory
 
 
 def warm(case: Case, motion: GroundMotion) -> None:

@@ -42,7 +42,7 @@ class SweepKey:
 
 @dataclass(frozen=True)
 class SweepPoint:
-    """What one value gives.
+    """Checks and q at one value.
 
     value : of the key, as in the case file
     zeta : label of a check -> the lowest of all hinges and mechanisms, None where one of them has none
@@ -131,7 +131,7 @@ def sweep(
     *,
     base_dir: Path,
     jobs: int = 1,
-    book: Memory | None = None,
+    finished: Memory | None = None,
     on_progress: Callable[[int, float], None] = lambda n, share: None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Iterator[SweepPoint]:
@@ -139,11 +139,11 @@ def sweep(
 
     k : of the wall
     base_dir, jobs : as of `core.study.run.run`
-    book : finished searches and checks, used and added to
+    finished : finished searches and checks, used and added to
     on_progress : index of the value and the share of it that is done
     Raises Cancelled.
     """
-    memory = book or Memory()
+    memory = finished or Memory()
     case, _ = with_chosen(case, base_dir, cancelled=cancelled)  # the same records at every value
     for n, value in enumerate(values):
 
@@ -160,7 +160,7 @@ def sweep(
 
 
 def point_of(value: float, result: StudyResult) -> SweepPoint:
-    """What a result of one wall comes to."""
+    """Point of a sweep from the result of one wall."""
     zeta: dict[str, float | None] = {}
     for wall in result.walls:
         for check in wall.assessment.checks if wall.assessment else ():

@@ -1,4 +1,4 @@
-"""From the runs of a wall to its result: governing sign, set, power law, checks, warnings."""
+"""Result of a wall from its runs: governing sign, set, power law, checks, warnings."""
 
 import numpy as np
 
@@ -36,15 +36,16 @@ HEAVY = 1.5
 NARROW_SI = 1.5
 """Below this ratio of the largest to the smallest SI a power law is warned of."""
 
-SLACK = 0.1
-"""Of a value beside the range of its type of masonry, which is one of means."""
+RANGE_MARGIN = 0.1
+"""Share by which a value may lie outside the range of its type of masonry before it is questioned: the range is one of
+means."""
 
 NEARLY_ELASTIC = 0.99
 """Above this velocity ratio a wall rocks for a very long time: warned."""
 
 
 def run_result(model: RockingModel, motion: GroundMotion, k: int, polarity: int, ida: Ida) -> Run:
-    """k : index of the motion in the study"""
+    """Run of one search, with its multiplier and q_eff. k : index of the motion in the study"""
     scale = q_eff = None
     if ida.q is not None:
         scale = multiplier_of(ida.q, motion.pga, threshold_of(model))
@@ -66,7 +67,8 @@ def _per_record(
     felt: GroundMotion | None,
     closed: bool,
 ) -> PerRecord:
-    """felt : motion of the floor of a wall above the ground; closed : Eq. 15 and 16 hold."""
+    """Governing values of one record from its runs. felt : motion of the floor of a wall above the ground; closed : Eq.
+    15 and 16 hold."""
     lowest = lowest_of(runs)
     si = motion.housner_intensity
     shape = (block.slenderness, block.height, si)
@@ -93,7 +95,7 @@ def _power_law(with_q: list[PerRecord]) -> closed_forms.PowerLaw | None:
 
 
 def wall_result(part: Part, mechanism, model, runs, motions, search, demand, floor=None) -> WallResult:
-    """Everything of one wall and mechanism from its runs; an incomplete set has no values.
+    """Result of one wall and mechanism from its runs; an incomplete set has no values.
 
     motions : of the ground; floor : Floor of a wall above it
     """
@@ -205,7 +207,7 @@ def unusual_input(wall: Wall) -> list[Sentence]:
 
 
 def _no_loss(wall: Wall, mechanism: str) -> list[Sentence]:
-    """Said of a body for which Eq. 6 gives more than 1."""
+    """Notice for a body for which Eq. 6 gives more than 1."""
     if wall.bends or wall.restitution_model(mechanism) != "one_sided_theoretical":
         return []
     ratio = one_sided_ratio(wall.block(), wall.in_si.contact)
@@ -226,7 +228,7 @@ def _unlike_its_masonry(wall: Wall) -> list[Sentence]:
     return [
         notice("unlike_masonry", key=Key(key), value=value, low=low, high=high, unit=unit, masonry=masonry)
         for key, value, low, high, unit in ranges
-        if value is not None and not low * (1.0 - SLACK) <= value <= high * (1.0 + SLACK)
+        if value is not None and not low * (1.0 - RANGE_MARGIN) <= value <= high * (1.0 + RANGE_MARGIN)
     ]
 
 
@@ -290,7 +292,7 @@ def _power_law_notices(wall, with_q, power_law) -> list[Sentence]:
 
 
 def _form_notices(wall, block, mechanism, restitution, law, per_record, demand, checks) -> list[Sentence]:
-    """On the closed forms, which are not shown above the ground or with loads."""
+    """Notices on the closed forms, which are not shown above the ground or with loads."""
     if not wall.has_closed_forms:
         return [notice("no_closed_forms")] if wall.load and not (wall.above_ground or wall.bends) else []
     pgas: list = [(entry.record, entry.pga) for entry in per_record]

@@ -135,7 +135,7 @@ def deciding(wall: WallResult) -> Check | None:
 
 
 def where(wall: WallResult) -> Sentence | str:
-    """Where the hinge of a result is, in words."""
+    """Words that say where the hinge of a result is."""
     height, kinematic = wall.part.hinge, wall.assessment.kinematic if wall.assessment else None
     if kinematic is not None:
         of_check = kinematic.moved if wall.assessed.verdict.governing == "nonlinear" else kinematic.chain

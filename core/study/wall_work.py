@@ -1,4 +1,4 @@
-"""One wall of a study, from its searches to its verdict: what it needs done, and what comes of it."""
+"""The tasks of one wall, in order: search of q, checks, limit states, tie, accuracy; yields tasks, returns results."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, replace
@@ -32,13 +32,13 @@ TASKS, SAMPLES = 8, 40_000
 
 
 class Given(NamedTuple):
-    """What the walls of a study have in common.
+    """Values that the walls of a study have in common.
 
     plan, base_dir : of the study
     demand : with what the records add; rules : whether they comply with it, None without a spectrum
     by_state : demands of the limit states, of `demands_of`; state_rules : of `rules_of`
     ag : of `core.study.how_sure.ag_of`, None without a hazard
-    book : of finished searches and checks
+    journal : of finished searches and checks
     progress : told of each task
     on_wall : told of each WallResult that has its checks
     """
@@ -50,20 +50,21 @@ class Given(NamedTuple):
     by_state: dict[str, DemandResult]
     state_rules: dict[str, Compliance | None]
     ag: Callable[[float], float] | None
-    book: Journal | Memory | None
+    journal: Journal | Memory | None
     progress: Progress
     on_wall: Callable[[WallResult], None]
 
 
 Finished = tuple[list[WallResult], tuple[WallVerdict, ...]]
-"""Of one wall of the case: its results, and its verdict in their numbers from 0, none without a demand."""
+"""Results of one wall of the case, and its verdict, whose numbers of results count from 0; no verdict without a
+demand."""
 
 
 def works(given: Given, jobs: int) -> Iterator[Work]:
     """The work of each wall of a case, which returns Finished."""
     plan, known = given.plan, {}
     for one in plan.runs:
-        found = rebuilt(Ida, given.book.get(_key(plan, one))) if given.book else None
+        found = rebuilt(Ida, given.journal.get(_key(plan, one))) if given.journal else None
         if found is not None:
             known[one] = found
     given.progress.known(known)
@@ -89,7 +90,7 @@ class _Wall:
     def __init__(self, given: Given, known: dict[tuple[int, int, int], Ida], most: int, span: list[int]):
         self.given, self.known, self.most = given, known, most
         self.entries = {k: given.plan.entries[k] for k in span}
-        self.kept = {k: KeptChecks(given.book) for k in span}
+        self.kept = {k: KeptChecks(given.journal) for k in span}
         self.results: dict[int, WallResult] = {}
 
     def work(self) -> Work:
@@ -106,12 +107,12 @@ class _Wall:
         results = list(self.results.values())
         verdicts = wall_verdicts(plan.case, tuple(results))
         if given.demand and verdicts and plan.longest is None:  # of a group of walls the rows alone are kept
-            beside = plan, given.base_dir, given.demand, given.ag, results, verdicts[0], given.book, given.progress
+            beside = plan, given.base_dir, given.demand, given.ag, results, verdicts[0], given.journal, given.progress
             verdicts = ((yield from with_certainty(*beside)),)
         return results, verdicts
 
     def _searched(self) -> Work:
-        """q under each record, without a check."""
+        """Search q under each record, without a check."""
         given, plan = self.given, self.given.plan
         idas = {one: self.known[one] for k in self.entries for one in plan.runs_of(k) if one in self.known}
 
@@ -124,8 +125,8 @@ class _Wall:
         def keep(group, found: list[Ida]) -> None:
             for one, ida in zip(group, found, strict=True):
                 idas[one] = ida
-                if given.book:
-                    given.book.add(_key(plan, one), asdict(ida))
+                if given.journal:
+                    given.journal.add(_key(plan, one), asdict(ida))
                 given.progress.done(one)
 
         groups = []
@@ -143,12 +144,12 @@ class _Wall:
             self.results[k] = wall_result(part, mechanism, model, found, motions, plan.search, given.demand, floor)
 
     def _scene(self, k: int, demand: DemandResult) -> Scene:
-        """What the checks of an entry follow from, with q of its searches."""
+        """Scene of the checks of an entry, with q of its searches."""
         wall, scene = self.results[k], self.given.plan.scene(k, demand, self.given.rules, self.kept[k])
         return replace(scene, q_slv=(wall.q_slv_low_set, wall.q_slv_set))
 
     def _assessed(self, demand: DemandResult) -> Work:
-        """The checks at the demand."""
+        """Make the checks at the demand."""
         given = self.given
 
         def task(k: int):
@@ -162,7 +163,7 @@ class _Wall:
         yield Batch({k: task(k) for k in self.entries}, checked)
 
     def _at_limit_states(self, demand: DemandResult) -> Work:
-        """The wall at each limit state of the site."""
+        """Assess the wall at each limit state of the site."""
         given = self.given
 
         def task(k: int, wall: WallResult):
@@ -196,7 +197,7 @@ class _Wall:
         self._add(next(iter(group)), tie=found["tie"])
 
     def _with_accuracy(self) -> Work:
-        """The statement on the governing run."""
+        """Make the accuracy statement on the governing run."""
         given, plan = self.given, self.given.plan
 
         def task(wall: WallResult):
@@ -211,13 +212,13 @@ class _Wall:
             self.results[k] = replace(wall, accuracy=found[k], warnings=(*wall.warnings, *bends))
 
     def _add(self, k: int, **parts) -> None:
-        """To the checks of an entry."""
+        """Add parts to the assessment of an entry."""
         wall = self.results[k]
         self.results[k] = replace(wall, assessment=replace(wall.assessed, **parts))
 
 
 def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accuracy | None:
-    """The statement on the governing run of a wall; None without a q. motions : of the ground."""
+    """Accuracy statement on the governing run of a wall; None without a q. motions : of the ground."""
     lowest = lowest_run(wall)
     if lowest is None:
         return None

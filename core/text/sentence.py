@@ -13,7 +13,7 @@ LANGUAGES = {"en": "English", "it": "Italiano"}
 
 @dataclass
 class FormNames:
-    """What the forms of the window call the keys of a case.
+    """Captions by which the forms of the window call the keys of a case.
 
     captions : key, name or section -> caption; "[demand].site" where two sections have a key of one name
     scales : key -> (factor, unit) of a field in another unit than its key
@@ -174,7 +174,7 @@ def word(code: str, language: str) -> str:
 
 
 def text_of_key(section: str, key: str, part: str, language: str) -> str:
-    """What the catalogue says of a key of a section, "" if nothing. part : ".caption", ".tip", ".help", "=" and a
+    """Text of the catalogue for a key of a section, "" if it has none. part : ".caption", ".tip", ".help", "=" and a
     choice. section : where keys of one name are called otherwise ("load.kind")"""
     known = CATALOGUE["key"]
     code = f"{section}.{key}{part}"
@@ -182,7 +182,7 @@ def text_of_key(section: str, key: str, part: str, language: str) -> str:
 
 
 def choice(name: str, language: str) -> str:
-    """What a name that a key accepts is called, itself where it has no word."""
+    """Word for a name that a key accepts, the name itself where it has none."""
     return word(f"choice_{name}", language) if f"choice_{name}" in CATALOGUE["word"] else name
 
 

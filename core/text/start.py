@@ -1,4 +1,4 @@
-"""What run.py says before anything is installed. Read by any Python from 3.6 on."""
+"""Texts that run.py prints before anything is installed. Read by any Python from 3.6 on."""
 
 import locale
 import os

@@ -29,7 +29,7 @@ OF_THE_FLOOR = ("other_building", "at_centroid")
 """Codes of what lifts zeta above the ground."""
 
 THICKER = (1.05, 1.1, 1.2, 1.3)
-"""Of the thickness, at which zeta is looked at as well."""
+"""Multiples of the thickness at which zeta is looked at as well."""
 
 GENERATED = "generated"
 """Format of the motions of [generate]."""
@@ -146,7 +146,8 @@ def _fails_whatever_is_assumed(found: Evaluation) -> bool:
 
 
 def _of_life_and_records(found: Evaluation) -> list[Sentence]:
-    """What a short life without the hazard, motions that are generated, and records that are doubted leave open."""
+    """Sentences on what a short life without the hazard, motions that are generated, and records that are doubted leave
+    open."""
     scene, dynamic, limits = found.scene, found.dynamic, []
     life = scene.asked.reference_period
     if life is not None and life < ORDINARY_LIFE * (1.0 - 1e-9) and not scene.demand.hazard:
@@ -174,7 +175,7 @@ def _by_default(found: Evaluation) -> Sentence:
 
 
 def _of_the_restraint(found: Evaluation, free: Evaluation) -> Assumption:
-    """What stands behind a wall or holds its top, as it is declared. free : the wall without it"""
+    """Sentences on what stands behind a wall or holds its top, as it is declared. free : the wall without it"""
     wall, named = found.scene.wall, bool(found.scene.wall.back_restraint)
     shown = wall.restraint_evidence not in (None, "none")
     code = "top_fails" if wall.bends else "restraint_fails"
@@ -214,7 +215,8 @@ def _overturning(scene: Scene, cancelled: Callable[[], bool]) -> Evaluation | No
 
 
 def _of_bending(kinematic: Kinematic) -> list[Sentence]:
-    """What limits the verdict of a wall held at its top: no histories, a hinge as high as one is looked for."""
+    """Sentences that limit the verdict of a wall held at its top: no histories, a hinge as high as one is looked
+    for."""
     found = kinematic.chain.bending
     if found is None:
         return []
@@ -226,7 +228,7 @@ def _of_bending(kinematic: Kinematic) -> list[Sentence]:
 
 
 def _of_ties_not_counted(found: Evaluation) -> list[Sentence]:
-    """What the clauses do not count of ties; the other reading of SLD is shown, not taken."""
+    """Sentences on what the clauses do not count of ties; the other reading of SLD is shown, not taken."""
     wall, kinematic = found.scene.wall, found.kinematic
     if kinematic is None or not any(load.is_tie for load in wall.load):
         return []

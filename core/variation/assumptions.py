@@ -1,4 +1,4 @@
-"""What lifts zeta, shown with zeta at the other end of its range."""
+"""Table of what lifts zeta, each row with zeta at the other end of its range."""
 
 from collections.abc import Callable
 from dataclasses import replace

@@ -41,8 +41,8 @@ def of_theory(wall: Wall, factor: float) -> Wall:
 
 
 def set_back(wall: Wall, setback: float) -> Wall:
-    """A wall with another hinge setback [m]; where a strength gives it, with the strength that gives this one, so that
-    it follows the weight above each hinge."""
+    """The wall with another hinge setback [m]; where a strength gives the setback, with the strength that gives this
+    one, so that it follows the weight above each hinge."""
     if wall.compressive_strength_mpa is None:
         return replace(wall, hinge_setback_m=setback)
     return replace(wall, compressive_strength_mpa=wall.compressive_strength_mpa * wall.setback / setback)

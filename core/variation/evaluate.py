@@ -23,7 +23,8 @@ BUNDLED = "# Ribalta example motion"
 """How the header of a bundled motion begins."""
 
 AT_LIMIT = "at_limit"
-"""Of histories whose rule holds at what is required, and whose spread contains it: it counts as failed."""
+"""Code of a check by histories whose rule holds at what is required, but whose spread contains it: it counts as
+failed."""
 
 
 class Precision(Enum):
@@ -62,7 +63,7 @@ class Evaluation:
 
     @property
     def zeta(self) -> float | None:
-        """Of the check that decides."""
+        """zeta of the check that decides [-]; None without one."""
         return self.decides.zeta if self.decides else None
 
     @property
@@ -84,7 +85,7 @@ class Evaluation:
 
     @property
     def evidence(self) -> Evidence:
-        """What the verdict is judged by."""
+        """Evidence the verdict is judged by."""
         scene = self.scene
         motions, demand, floor = scene.motions, scene.demand, scene.floor
         circumstances = Circumstances(

@@ -51,12 +51,12 @@ class Raised:
 
     @property
     def reason(self) -> str:
-        """Of the engineer, "" without one."""
+        """Reason the engineer gives, "" without one."""
         return str(getattr(self.reasons, self.key, "") or "") if self.reasons else ""
 
 
 def worth(zeta: float | None) -> float:
-    """To compare: a number that is missing is the least."""
+    """zeta for comparing: a number that is missing is the least."""
     return -math.inf if zeta is None else zeta
 
 
@@ -88,7 +88,7 @@ def named(check: Check) -> Sentence:
 def one_end(
     key: str, code: str, reasons, value: Shown, end: End, source=GIVEN, histories=True, permitted=False, **values
 ) -> Raised:
-    """One with one other end, whose words take its zeta."""
+    """An input with one alternative value; its sentence reports zeta there."""
 
     def words(zetas, check):
         told = {"check": named(check)} if key in OF_LOADS else {}

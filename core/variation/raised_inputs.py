@@ -56,11 +56,11 @@ ALIKE = 0.5
 """Share of the spread of natural motions about a spectrum below which given records are said to be too much alike."""
 
 MORE_RATIO = 0.1
-"""What is added to a given velocity ratio: its zeta is shown as well."""
+"""Added to a given velocity ratio: its zeta is shown as well."""
 
 
 def raised(found: Evaluation) -> Iterator[Raised]:
-    """What the case gives that raises zeta."""
+    """Inputs of the case that raise zeta."""
     scene, q_check = found.scene, found.made("linear_q_code")
     wall, demand, asked = scene.wall, scene.demand, scene.asked
     model, dynamic = wall.restitution_model(scene.mechanism), found.dynamic is not None
@@ -177,7 +177,8 @@ def _of_records_alike(scene: Scene) -> Iterator[Raised]:
 
 
 def _of_the_law(found: Evaluation) -> Iterator[Raised]:
-    """A trilinear law, the branch of an element free to vibrate, and a rigid law in its place."""
+    """Inputs of the moment law that raise zeta: a trilinear law, the branch of an element free to vibrate, and a rigid
+    law in its place."""
     scene, wall = found.scene, found.scene.wall
     if not wall.moment_law().is_rigid:
         end = End(of_wall(law="rigid"), "rigid")
@@ -299,7 +300,8 @@ def _of_the_unit_weight(scene: Scene) -> Iterator[Raised]:
 
 
 def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
-    """What a body drags along behind its base, and a restraint that it meets below its top."""
+    """Inputs of the shape that raise zeta: what a body drags along behind its base, and a restraint that it meets below
+    its top."""
     if not wall.has_shape:
         return
     assert wall.thickness is not None and wall.height_m is not None
@@ -319,7 +321,8 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
 
 
 def _of_the_body(scene: Scene) -> Iterator[Raised]:
-    """A moment of inertia above that of a slender rectangle, and a modulus above the lowest of the masonry."""
+    """Inputs of the body that raise zeta: a moment of inertia above that of a slender rectangle, and a modulus above
+    the lowest of the masonry."""
     wall = scene.wall
     given, radius = wall.inertia_over_mass_m2, wall.radius_m
     if given is not None and radius is not None and given > RECTANGLE * radius**2 * (1.0 + 1e-9):

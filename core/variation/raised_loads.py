@@ -1,4 +1,4 @@
-"""What of the loads of a wall raises zeta."""
+"""Inputs of the loads of a wall that raise zeta."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -25,12 +25,12 @@ def _with_loads(change: Callable[[Wall], tuple[Load, ...]]) -> Change:
 
 
 def _of_ties(**values) -> Change:
-    """Of all ties of the wall."""
+    """Change that gives all ties of the wall these values."""
     return _with_loads(lambda wall: tuple(replace(load, **values) if load.is_tie else load for load in wall.load))
 
 
 def _without(goes: Callable[[Wall, Load], bool]) -> Change:
-    """Without the loads that go."""
+    """Change that takes away the loads that go."""
     return _with_loads(lambda wall: tuple(load for load in wall.load if not goes(wall, load)))
 
 
@@ -40,7 +40,7 @@ def _bent_inward(scene: Scene) -> Scene:
 
 
 MASSES = "none", "horizontal", "moving"
-"""What the mass of a vertical load may do."""
+"""Choices of what the mass of a vertical load may do."""
 
 
 LOW, LOW_IN_WALL = 1.0, 2.0
@@ -48,7 +48,7 @@ LOW, LOW_IN_WALL = 1.0, 2.0
 lower half of the wall."""
 
 LEVER = 0.05
-"""Of the thickness: by how much the point where a load stands may be another."""
+"""Distance, over the thickness, by which the point where a load stands may be another [-]."""
 
 
 def of_the_weights(scene: Scene) -> Iterator[Raised]:
@@ -143,7 +143,7 @@ def _stands(scene: Scene, loads: tuple[Load, ...]) -> bool:
 
 
 def of_the_loads(scene: Scene, clauses: bool) -> Iterator[Raised]:
-    """What of the ties, and of forces that always pull inward, raises zeta. clauses : no histories are made"""
+    """Inputs of the ties, and of forces that always pull inward, that raise zeta. clauses : no histories are made"""
     wall, reasons = scene.wall, scene.wall.justification
     given = [load for load in wall.load if load.is_tie]
     if any(tie.stands_more for tie in (wall.in_si.ties if given else ())):

@@ -1,4 +1,4 @@
-"""What of the demand and of the building raises zeta."""
+"""Inputs of the demand and of the building that raise zeta."""
 
 import math
 from collections.abc import Iterator
@@ -24,7 +24,7 @@ from core.variation.raised import Change, End, Raised, of_demand, of_wall, one_e
 
 
 def of_what_is_required(scene: Scene) -> Iterator[Raised]:
-    """What of the demand makes it milder than the code's: a limit state whose a_g nothing shows to be its own, a zeta
+    """Inputs that make the demand milder than the code's: a limit state whose a_g nothing shows to be its own, a zeta
     required below 1, a soil factor below 1, a short reference period, a spectrum that is not the code's."""
     demand, asked = scene.demand, scene.asked
     reasons = asked.justification
@@ -152,7 +152,7 @@ def _participating(share: float) -> Change:
 
 
 def of_the_building(scene: Scene, building: Building) -> Iterator[Raised]:
-    """What of the building, and of the height at which its motion is taken, raises zeta."""
+    """Inputs of the building, and of the height at which its motion is taken, that raise zeta."""
     wall, asked, limit_state = scene.wall, scene.asked, scene.demand.limit_state
     base, felt = wall.base_z_m, wall.felt_z_m
     assert base is not None and felt is not None

@@ -1,4 +1,4 @@
-"""What zeta of a wall becomes when each input moves by its own uncertainty, one at a time."""
+"""Sensitivity of zeta of a wall: each input moves by its own uncertainty, one at a time."""
 
 import functools
 import math
@@ -27,7 +27,7 @@ from core.variation.whole_wall import NONE, Setting, WholeWall, evaluate_wall, w
 DAMPINGS = (0.01, 0.30)
 """Dampings of a building that a case accepts."""
 
-FALLS = "unstable_under_loads"
+FALLS_AT_REST = "unstable_under_loads"
 """Error of a wall that falls without an earthquake: it has no zeta. What is refused for another reason is not moved."""
 
 Change = Callable[[Setting], Setting]
@@ -52,11 +52,11 @@ def moved_wall(setting: Setting, move: Move, floors: Floors, stop: Callable[[], 
         same = there.case.building == setting.case.building and there.inputs is setting.inputs
         return evaluate_wall(there, floors=floors if same else None, cancelled=stop)
     except InputError as error:
-        return NONE if error.code == FALLS else error
+        return NONE if error.code == FALLS_AT_REST else error
 
 
 def moves(setting: Setting, ranges: Ranges) -> list[Move]:
-    """What is moved of a wall. setting : of `setting_of`"""
+    """Moves of the inputs of a wall. setting : of `setting_of`"""
     moved = (*_of_wall(setting, ranges), *_of_building(setting, ranges), *_of_demand(setting, ranges))
     return [Move(key, given, value, change) for key, given, ends in moved for value, change in ends]
 
@@ -118,7 +118,7 @@ def _others(factors: tuple[float, float]) -> list[float]:
 
 
 def _of_building(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | None, Ends]]:
-    """The same of the building under a wall: its period and its damping."""
+    """Moves of the building under a wall, as `_of_wall`: of its period and its damping."""
     building, wall = setting.case.building, setting.case.wall[0]
     if building is None or not any(part.wall.above_ground for part in parts_of(0, wall, building)):
         return
@@ -146,7 +146,7 @@ def _of_building(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float 
 
 
 def _of_demand(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | None, Ends]]:
-    """The same of a_g on rock: records that are used as given follow it, and so does S."""
+    """Moves of a_g on rock, as `_of_wall`: records that are used as given follow it, and so does S."""
     asked, demand = setting.case.demand, setting.demand
     assert asked is not None
 

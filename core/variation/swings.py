@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from core.errors import InputError
 from core.text.sentence import Number, Sentence, sentence
 
-SHOWN = {
+SWING_FORMATS = {
     "thickness_factor": ("moved_thickness", 100.0, ".3g"),
     "unit_weight_factor": ("moved_unit_weight", 1.0, ".3g"),
     "load_factor": ("moved_loads", 100.0, ".0f"),
@@ -56,7 +56,8 @@ class Swing:
         return min((end for end in self.ends if not end.sure), key=_worth, default=self.lowest)
 
     def width(self, base: float | None) -> float:
-        """From the lowest zeta to the highest, zeta as it is among them; without a number as wide as any."""
+        """Width of the swing, from the lowest zeta to the highest, zeta as it is among them; without a number as wide
+        as any."""
         found = [base, *(end.zeta for end in self.ends)]
         known = [zeta for zeta in found if zeta is not None]
         return max(known) - min(known) if len(known) == len(found) else math.inf
@@ -64,7 +65,7 @@ class Swing:
 
 @dataclass(frozen=True)
 class Reach:
-    """An input turned round.
+    """Inverse design for one input: its value at which each check reaches what is required.
 
     key : thickness_m, tie_kn_m or ag_g; given : its value now
     by_check : label -> the value at which zeta of the check reaches what is required, None where none does
@@ -79,7 +80,7 @@ class Reach:
 
 @dataclass(frozen=True)
 class Sensitivity:
-    """Of a wall with all its hinges.
+    """Sensitivity of zeta of a wall, over all its hinges.
 
     base : zeta_E of the wall as it is, None where it has none: nothing is moved
     swings : of what moves zeta, the widest first
@@ -103,6 +104,6 @@ def _worth(end: End) -> float:
 
 def move_words(swing: Swing, end: End) -> Sentence:
     """An end of a swing in words: 79 cm instead of 83."""
-    code, factor, form = SHOWN[swing.key]
+    code, factor, form = SWING_FORMATS[swing.key]
     given, value = (None if one is None else factor * one for one in (swing.given, end.value))
     return sentence("added", code, given=Number(given, form), value=Number(value, form), name=end.name)

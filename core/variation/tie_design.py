@@ -17,7 +17,7 @@ from core.case.load_rules import carries
 from core.case.loads import Load
 from core.case.wall import Wall
 from core.codes.dynamic_check import DemandCheck
-from core.codes.kinematic import ROUNDING
+from core.codes.kinematic import ZETA_ROUNDING
 from core.codes.outcomes import least
 from core.errors import InputError
 from core.setting.scene import Scene, model_of
@@ -25,8 +25,9 @@ from core.variation.evaluate import GLANCE, RUN, Evaluation, Precision, evaluate
 from core.wall import ties
 from core.wall.masonry import as_force
 
-NAMES = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code", "linear_q_1", "thrust")
-"""Of the forces: of the checks, with q = 1 in place of that of the code, and of the thrust at rest."""
+FORCE_NAMES = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code", "linear_q_1", "thrust")
+"""Names of the forces of a tie: those of the checks, with q = 1 in place of that of the code, and of the thrust at
+rest."""
 
 CLOSE, CLOSE_BY_HISTORIES = 1e-4, 0.01
 """Width of the bracket of a force, of the force [-]."""
@@ -37,7 +38,7 @@ RAISED = 1.01
 UNIT = 10.0
 """Last digit a force is written with [N/m]: it is rounded up."""
 
-MOST = 1e7
+MAX_FORCE = 1e7
 """Largest force that is tried [N/m]."""
 
 ASSUMED_LENGTH = 10.0
@@ -46,7 +47,7 @@ ASSUMED_LENGTH = 10.0
 CURVE = 13
 """Heights of the curve of forces."""
 
-LEAST_HEIGHT = 0.3
+MIN_TIE_HEIGHT = 0.3
 """Height of the lowest tie of that curve, of the wall [-]."""
 
 
@@ -55,8 +56,8 @@ class TieDesign:
     """A tie for the zeta required, of all hinges of the wall below it.
 
     height : above the base of the wall [m]
-    forces : by NAMES [N/m]: the largest that a hinge asks; 0 where none is needed, None where none does it, where a
-        hinge at or above the tie fails, where the state has no such check, or where `missing` says so
+    forces : by FORCE_NAMES [N/m]: the largest that a hinge asks; 0 where none is needed, None where none does it, where
+        a hinge at or above the tie fails, where the state has no such check, or where `missing` says so
     missing : why there is none of the histories: "histories" without records, "bar" without a length of the bar, which
         they need, "none" where none does it; "" where there is one
     force, check : the one named, the largest of the deciding ones, and which it is; None where one of these is not
@@ -132,7 +133,7 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
     below = [hinge for hinge in hinges if hinge.scene.wall.tie_height_m is not None]
     above = [hinge for hinge in hinges if hinge.scene.wall.tie_height_m is None]
     largest = min(_largest(hinge, height) for hinge in below)
-    forces = {name: _force(name, below, above, height) for name in NAMES[1:]}
+    forces = {name: _force(name, below, above, height) for name in FORCE_NAMES[1:]}
     missing = "histories" if any(hinge.dynamic is None for hinge in hinges) else ""
     missing = missing or ("bar" if asked.tie_bar_length_m is None else "")
     forces["dynamic"] = None
@@ -156,10 +157,10 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
     if asked.tie_bar_length_m is not None:
         tie = with_tie(below[0].scene.wall, 1.0, height).load[-1].tie(asked.length_m)
         stands, more = tie.bar.stands, tie.stands_more
-    curve = tuple((float(h), _at_height(hinges, float(h))) for h in np.linspace(LEAST_HEIGHT * top, top, CURVE))
+    curve = tuple((float(h), _at_height(hinges, float(h))) for h in np.linspace(MIN_TIE_HEIGHT * top, top, CURVE))
     return TieDesign(
         height,
-        {name: forces[name] for name in NAMES},
+        {name: forces[name] for name in FORCE_NAMES},
         missing,
         force,
         check,
@@ -195,7 +196,7 @@ def _largest(hinge: Hinge, height: float) -> float:
     """Force [N/m] up to which the part above a hinge turns about it as one block."""
     wall, above = hinge.scene.wall, hinge.raised(height)
     weight = wall.in_si.weight + wall.in_si.vertical_loads
-    found = edge(lambda force: carries(with_tie(wall, force, above)), weight, (UNIT, MOST), False, 2.0, 1e-9)
+    found = edge(lambda force: carries(with_tie(wall, force, above)), weight, (UNIT, MAX_FORCE), False, 2.0, 1e-9)
     return found.good or 0.0
 
 
@@ -225,7 +226,7 @@ def _force(name: str, below: Sequence[Hinge], above: Sequence[Hinge], height: fl
 
 
 def _reaches(zeta: float | None, target: float) -> bool:
-    return zeta is not None and zeta >= target - ROUNDING
+    return zeta is not None and zeta >= target - ZETA_ROUNDING
 
 
 def _thrust(hinge: Hinge, height: float) -> float:
@@ -244,11 +245,11 @@ def _least(name: str, hinge: Hinge, above: float, target: float) -> float | None
 
     if holds(0.0):
         return 0.0
-    return edge(holds, 1e3, (UNIT, MOST), True, 2.0, CLOSE).good
+    return edge(holds, 1e3, (UNIT, MAX_FORCE), True, 2.0, CLOSE).good
 
 
 def _held(hinge: Hinge, force: float, height: float, precision: Precision, cancelled) -> Evaluation:
-    """The checks of a hinge with the tie."""
+    """Checks of a hinge with the tie."""
     wall = with_tie(hinge.scene.wall, force, hinge.raised(height))
     return evaluate(hinge.scene.but(wall=wall), precision, other=False, cancelled=cancelled)
 

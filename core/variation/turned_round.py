@@ -38,7 +38,7 @@ WRITTEN = {"thickness_m": 1e-3, "tie_kn_m": 1e-2, "ag_g": 1e-3}
 """Last digit a value is written with; it is rounded to the safe side."""
 
 Change = Callable[[Setting, float], Setting]
-"""The setting with a value of the key."""
+"""Change of a setting: the setting with this value of the key."""
 
 
 def _of_thickness(setting: Setting, thickness: float) -> Setting:
@@ -70,13 +70,13 @@ def _of_loads(setting: Setting, factor: float) -> Setting:
 
 
 def tie_force(wall: Wall) -> float:
-    """Of its ties together, given by their forces at yield [kN/m]; 0 where a bar gives one, or there is none."""
+    """Force of all ties of a wall, given by their forces at yield [kN/m]; 0 where a bar gives one, or there is none."""
     ties = [load.kn_m for load in wall.load if load.is_tie]
     return 0.0 if None in ties else math.fsum(force for force in ties if force is not None)
 
 
 def keys_of(setting: Setting) -> dict[str, float]:
-    """What is searched for of a wall -> its value now."""
+    """Keys whose value is searched for a wall -> their value now."""
     wall, demand = setting.case.wall[0], setting.case.demand
     assert demand is not None
     found = {"ag_g": demand.ag_g}
@@ -98,7 +98,7 @@ CHANGES: dict[str, Change] = {
 
 
 def moved_keys(setting: Setting) -> dict[str, float]:
-    """What can be moved of a wall by hand -> its value now."""
+    """Keys of a wall that can be moved by hand -> their value now."""
     wall = setting.case.wall[0]
     found = keys_of(setting)
     if wall.height_m is not None and not wall.solid:
@@ -154,8 +154,8 @@ def _holds_at(
 
 
 def _searched(holds: Callable[[float, Precision | None], bool | None], key: str, given: float, dynamic: bool) -> Edge:
-    """The boundary of a check. holds(value, precision) : whether it does; dynamic : it is that of the histories, which
-    must hold in the run itself near what a glance finds"""
+    """Search the value at which a check begins to hold. holds(value, precision) : whether it does; dynamic : it is that
+    of the histories, which must hold in the run itself near what a glance finds"""
     falls = key == "ag_g"
     sign = -1.0 if falls else 1.0
     ends = given / WIDEST[key], given * WIDEST[key]

@@ -66,7 +66,7 @@ NONE = WholeWall(())
 
 @dataclass(frozen=True)
 class Setting:
-    """What stays the same while inputs of a wall move.
+    """Setting that stays the same while inputs of a wall move.
 
     case : with that wall alone; inputs : of `read_inputs`; histories : `demand_check`, or one that keeps its results
     """
@@ -78,7 +78,7 @@ class Setting:
 
     @property
     def demand(self) -> DemandResult:
-        """Of the case, given."""
+        """Demand of the case, which must have one."""
         demand = self.inputs[0]
         assert demand is not None
         return demand
@@ -90,7 +90,7 @@ class Setting:
 
 
 def setting_of(case: Case, k: int, base_dir: Path, inputs: Inputs, histories: Callable = demand_check) -> Setting:
-    """For the k-th wall of a case with a demand; no tie is sought."""
+    """Setting of the k-th wall of a case with a demand; no tie is sought."""
     wall = replace(case.wall[k], tie_height_m=None, tie_bar_length_m=None, tie_elongation_m=None, tie_spacing_m=None)
     # whether an FC below 1.35 is founded was judged; a strength that is moved is no tested one
     demand = replace(case.demand, confidence_factor=FULL_FACTOR) if case.demand else None
@@ -100,18 +100,18 @@ def setting_of(case: Case, k: int, base_dir: Path, inputs: Inputs, histories: Ca
 
 
 def with_wall(setting: Setting, wall: Wall) -> Setting:
-    """With another wall. Raises InputError where it breaks a rule, or does not stand."""
+    """The setting with another wall. Raises InputError where it breaks a rule, or does not stand."""
     return replace(setting, case=with_walls(setting.case, [wall]))
 
 
 def with_demand(setting: Setting, demand: DemandResult) -> Setting:
-    """With another demand; records that are used as given follow its a_g S."""
+    """The setting with another demand; records that are used as given follow its a_g S."""
     _, motions, kinds = setting.inputs
     return replace(setting, inputs=(demand, [*scaled(motions, setting.demand, demand)], kinds))
 
 
 def without_record(setting: Setting, k: int) -> Setting:
-    """Without the k-th record."""
+    """The setting without its k-th record."""
     demand, motions, kinds = setting.inputs
     return replace(setting, inputs=(demand, motions[:k] + motions[k + 1 :], kinds[:k] + kinds[k + 1 :]))
 

@@ -64,14 +64,14 @@ class TieBar:
         return max(self.slack, 0.0), max(self.slack + self.elongation_at_yield, 0.0), self.breaks_at
 
     def force_at(self, theta: float) -> float:
-        """Its force [N/m] on its first way out to a rotation [rad]; 0 beyond its end."""
+        """Force of the bar [N/m] on its first way out to a rotation [rad]; 0 beyond its end."""
         u = self.height * math.sin(theta)
         if u > self.breaks_at * (1.0 + 1e-12):
             return 0.0
         return self.strength * min(max((u - self.slack) / self.elongation_at_yield, 0.0), 1.0)
 
     def scaled(self, moment: float) -> Bar:
-        """As the kernels take it. moment : m g R of the wall [N m / m]"""
+        """The bar as the kernels take it. moment : m g R of the wall [N m / m]"""
         return Bar(
             self.height,
             self.strength * self.height**2 / (self.elongation_at_yield * moment),

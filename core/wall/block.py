@@ -58,7 +58,7 @@ class Block:
 
     @property
     def centroid(self) -> tuple[float, float]:
-        """Of the block at rest, inward from the pivot and above it [m]."""
+        """Centroid of the block at rest, inward from the pivot and above it [m]."""
         return self.radius * math.sin(self.slenderness), self.radius * math.cos(self.slenderness)
 
     @property

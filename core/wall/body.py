@@ -94,7 +94,7 @@ def extruded(polygon: Polygon, ends: tuple[float, float], angle: float, start: f
 
 
 def together(bodies: Iterable[Body]) -> Body:
-    """Of several bodies one."""
+    """Sum of several bodies as one."""
     return Body(*(math.fsum(parts) for parts in zip(*bodies, strict=True)))
 
 
@@ -105,7 +105,7 @@ def cut_above(polygon: Polygon, z: float) -> list[tuple[float, float]]:
 
 
 def clipped_above(polygon: Polygon, z: float) -> list[tuple[float, float]]:
-    """The same, with the heights of its corners as they are."""
+    """The part of a polygon above a height, with the heights of its corners as they are; empty where there is none."""
     found: list[tuple[float, float]] = []
     for (s0, z0), (s1, z1) in zip(polygon, (*polygon[1:], polygon[0]), strict=True):
         if z0 > z:
@@ -176,7 +176,7 @@ def point_within(polygon: Polygon) -> tuple[float, float]:
 
 
 def spans(polygon: Polygon, z: float, below: bool = False) -> list[tuple[float, float]]:
-    """From and to along s of each stretch of a polygon just above a height, or just below it."""
+    """Stretches of a polygon, from and to along s, just above a height, or just below it."""
     crossed = sorted(
         s0 + (s1 - s0) * (z - z0) / (z1 - z0)
         for (s0, z0), (s1, z1) in zip(polygon, (*polygon[1:], polygon[0]), strict=True)

@@ -27,7 +27,7 @@ class RestoringMoment(NamedTuple):
 
 
 BARE = RestoringMoment()
-"""Of a wall without loads."""
+"""Restoring moment of a wall without loads."""
 
 
 @dataclass(frozen=True)

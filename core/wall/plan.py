@@ -1,4 +1,4 @@
-"""What is there of solids at a height: their horizontal section, by strips along the wall.
+"""Horizontal section of solids at a height, by strips along the wall.
 
 x is inward from the outer face of the base, y along the wall. A section is a list of cells: between two y the ground
 between two straight edges, full of masonry. Corners and crossings of edges all lie between strips, so that areas,
@@ -48,7 +48,8 @@ class Piece(NamedTuple):
 
 
 def pieces_at(parts: Iterable, z: float, below: bool = False, grown: float = 0.0) -> list[Piece]:
-    """What solids are just above or just below a height [m]. grown : by how much each is larger on each side [m]"""
+    """Pieces of the solids just above or just below a height [m]. grown : by how much each is larger on each side
+    [m]"""
     found = []
     for part in parts:
         (n0, n1), (cosine, sine) = part.ends, directions(part.angle)
@@ -92,7 +93,7 @@ def _levels(pieces: Sequence[Piece], same: float) -> list[float]:
 
 
 def _within(piece: Piece, start: float, end: float) -> tuple[Edge, Edge] | None:
-    """Its outer and its inner edge in a strip without corners; None where it is not there."""
+    """Outer and inner edge of a piece in a strip without corners; None where the piece is not there."""
     middle = 0.5 * (start + end)
     found = []
     for a, b in _edges(piece):
@@ -107,8 +108,8 @@ def _middle(edge: Edge) -> float:
 
 
 def cells_of(*groups: Sequence[Piece], same: float = SAME) -> list[Cell]:
-    """Where there is masonry in each of these groups of pieces: of one its section, of two what both share. same :
-    width of a strip that is none [m]"""
+    """Cells of masonry in each of these groups of pieces: of one its section, of two what both share. same : width of a
+    strip that is none [m]"""
     if not all(groups):
         return []
     levels = _levels([piece for group in groups for piece in group], same)

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from core.errors import InputError
-from core.jit.decorators import subkernel
 from core.wall.block import Block
+from core.wall.impact import Restitution
 
 
 class Model(NamedTuple):
@@ -35,31 +35,16 @@ MODELS = {
 }
 
 EQ5_FACTOR = 0.95
-"""Measured over theoretical ratio of walls that rock to both sides, Eq. 5."""
+"""EQ5_FACTOR: measured over theoretical ratio of walls that rock to both sides, Eq. 5."""
 
 EQ7_FACTOR, EQ7_DROP = 1.18, 0.473
-"""The same of one-sided walls at rest, and its loss with the square of the velocity over that of Eq. 8, Eq. 7."""
-
-
-@dataclass(frozen=True)
-class Restitution:
-    """Velocity ratio of an impact at speed v: ratio_at_rest - ratio_drop v^2, not below 0.
-
-    ratio_at_rest : [-]
-    ratio_drop : [s2/rad2], zero but for Eq. 7
-    ratio_inward : of an impact that leaves the inner hinge, of a two-sided body that is not symmetric; None : the same
-    model : a name of MODELS
-    """
-
-    model: str
-    ratio_at_rest: float
-    ratio_drop: float = 0.0
-    ratio_inward: float | None = None
+"""EQ7_FACTOR: measured over theoretical ratio of one-sided walls at rest. EQ7_DROP: its loss with the square of the
+velocity over that of Eq. 8, Eq. 7."""
 
 
 @dataclass(frozen=True)
 class Contact:
-    """Where a body, or a block with masses that move with it, meets its base and its restraint.
+    """Points at which a body, or a block with masses that move with it, meets its base and its restraint.
 
     width : B, from the outer hinge to the inner one [m]
     height : H_r, of the point above the inner hinge that meets the restraint of a one-sided wall [m]
@@ -148,12 +133,3 @@ def restitution(
     if model == "user" and velocity_ratio is not None and 0.0 <= velocity_ratio <= 1.0:
         return Restitution(model, velocity_ratio)
     raise InputError("restitution_not_accepted", model=model, ratio=velocity_ratio, known=", ".join(MODELS))
-
-
-@subkernel
-def velocity_ratio(speed, model):
-    """Velocity ratio of an impact at the given speed [rad/s], and 1 if Eq. 7 had to be clamped at 0."""
-    ratio = model.ratio_at_rest - model.ratio_drop * speed * speed
-    if ratio < 0.0:
-        return 0.0, 1
-    return ratio, 0

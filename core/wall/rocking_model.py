@@ -7,13 +7,13 @@ from core.jit.decorators import subkernel
 from core.units import G
 from core.wall.bars import Bar
 from core.wall.block import Block
+from core.wall.impact import Restitution
 from core.wall.loads import BARE, RestoringMoment
 from core.wall.moment_rotation import MomentLaw
-from core.wall.restitution import Restitution
 
 
 class OtherSide(NamedTuple):
-    """What differs when a body that is not symmetric turns about its other hinge; as of RockingModel.
+    """Quantities that differ when a body that is not symmetric turns about its other hinge; as of RockingModel.
 
     tangent, sine, cosine : of alpha [-]
     """

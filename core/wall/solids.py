@@ -48,7 +48,7 @@ class Part(NamedTuple):
         return self.start + s * cosine + n * sine
 
     def spans_at(self, z: float, below: bool = False) -> list[tuple[float, float]]:
-        """From and to along s of each stretch of the polygon just above a height [m], or just below it."""
+        """Stretches of the polygon, from and to along s, just above a height [m], or just below it."""
         return spans(self.polygon, z, below)
 
     def widths_at(self, z: np.ndarray) -> np.ndarray:
@@ -283,7 +283,7 @@ def _bends(solids: list[Part], below: float, z: float, above: float) -> bool:
 
 @lru_cache(maxsize=256)
 def sections_of(parts: tuple[Part, ...], length: float, count: int) -> tuple[Section, ...]:
-    """So many sections of solids over their height, the lowest one above the base. length : of the wall [m]"""
+    """Cut so many sections of solids over their height, the lowest one above the base. length : of the wall [m]"""
     found = []
     for z in np.linspace(0.0, top_of(parts), count + 1)[1:-1].tolist():
         faces = faces_at(parts, z)

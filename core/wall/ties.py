@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 
 from core.wall.bars import TieBar
 
-MODULUS = 205e9
-"""Of steel bars [Pa]."""
+STEEL_MODULUS = 205e9
+"""Modulus of steel bars [Pa]."""
 
 DEFAULT_STRENGTH, DEFAULT_TENSILE = 235e6, 360e6
 """f_y and f_u of a bar of which none is given [Pa]."""
@@ -105,7 +105,7 @@ def stress_area(diameter: float) -> float:
 
 def elongation_at_yield(length: float, strength: float = DEFAULT_STRENGTH) -> float:
     """u_y = f_y L / E [m]. length : [m]; strength : f_y [Pa]"""
-    return strength * length / MODULUS
+    return strength * length / STEEL_MODULUS
 
 
 def tie_of_force(
@@ -135,7 +135,7 @@ def tie_of_bars(
     prestress : share of the force at yield
     """
     per_bar = min(held for _, held in bars.parts)
-    at_yield = per_bar * bar_length / (MODULUS * bars.area)
+    at_yield = per_bar * bar_length / (STEEL_MODULUS * bars.area)
     force = bars.number * per_bar / wall_length
     found = tie_of_force(height, force, at_yield, stands if bars.is_ductile else 0.0, slack, prestress)
     return replace(found, per_bar=per_bar, parts=bars.parts)

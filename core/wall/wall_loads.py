@@ -1,4 +1,4 @@
-"""What the loads of a wall do about its hinge, and the hinge that they open inside it."""
+"""Moments of the loads of a wall about its hinge, and the hinge that they open inside it."""
 
 from dataclasses import replace
 

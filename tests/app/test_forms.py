@@ -21,8 +21,9 @@ from core.case.wall import Wall
 from core.rocking.methods import METHODS
 from core.text.catalogue import CATALOGUE
 from core.wall import restitution as of_restitution
+from core.wall.impact import Restitution
 from core.wall.moment_rotation import LAWS
-from core.wall.restitution import MODELS, Model, Restitution
+from core.wall.restitution import MODELS, Model
 
 
 def choices(section, key):

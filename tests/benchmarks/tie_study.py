@@ -35,7 +35,7 @@ from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import restitution
 from core.wall.rocking_model import RockingModel, rocking_model
-from core.wall.ties import MODULUS
+from core.wall.ties import STEEL_MODULUS
 from tests.benchmarks.zeta_spread import LONGEST
 
 DATA = Path(__file__).with_name("tie_study.toml")
@@ -157,7 +157,7 @@ class TieStudy:
         """The bar of this force [N/m] and length [m]; None where no force is needed."""
         if force <= 0.0:
             return None
-        at_yield = self.strength * length / MODULUS
+        at_yield = self.strength * length / STEEL_MODULUS
         return TieBar(wall.tie_height, force, at_yield, 0.0, self.elongation * length)
 
 

@@ -20,7 +20,7 @@ from core.capacity.ida import ROBUST_SHARE, first_with_share
 from core.case.rules import parse_case
 from core.codes import target_spectrum
 from core.codes.dynamic_check import DemandRuns
-from core.codes.multiplier_search import HALF_FAIL, MAX_MULTIPLIER, STEP, WINDOW, Zeta, search_zeta
+from core.codes.multiplier_search import FAILURE_WINDOW, HALF_FAIL, MAX_MULTIPLIER, MULTIPLIER_STEP, Zeta, search_zeta
 from core.errors import InputError
 from core.ground import records
 from core.ground.artificial import compatible_motion
@@ -100,7 +100,7 @@ def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
     the zeta_E of that grid, and its width in ln; by multiple of the step."""
     model, motions, signs, demand = draw(k, shelf, small)
     work = DemandRuns(model, motions, signs, demand, "capacity", AUTO, lambda: False)
-    fine = (1.0 + STEP) ** (1.0 / FINER) - 1.0
+    fine = (1.0 + MULTIPLIER_STEP) ** (1.0 / FINER) - 1.0
     rough = search_zeta(work.failures, work.rest, 1.0)
     if rough.half is None or rough.half >= MAX_MULTIPLIER:
         return {}
@@ -118,7 +118,7 @@ def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
     def searched(every: int, target: float) -> Zeta:
         return search_zeta(looked_up, work.rest, target, every)
 
-    half = round(WINDOW / math.log1p(fine))
+    half = round(FAILURE_WINDOW / math.log1p(fine))
     places = (
         first_with_share(flags, half, HALF_FAIL),
         first_with_share(flags, half, ROBUST_SHARE),
@@ -127,7 +127,7 @@ def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
     truth = np.array([(1.0 + fine) ** (low + known(place)) for place in places])
     found = {}
     for factor in STEPS:
-        step = (1.0 + STEP) ** factor - 1.0
+        step = (1.0 + MULTIPLIER_STEP) ** factor - 1.0
         tries = [searched(factor, (1.0 + fine) ** (factor * start)) for start in STARTS]
         found[factor] = [
             (

@@ -286,7 +286,7 @@ def test_that_a_full_disk_in_the_journal_is_one_sentence(tmp_path, monkeypatch, 
         except OutputError as error:
             assert "journal cannot be written" in str(error)
     again = Journal(path, "key", True)
-    assert all(result == {"q": float(name[3:])} for name, result in again.found.items())
+    assert all(again.get(name) == {"q": float(name[3:])} for name in again.places)
     again.close()
 
 
@@ -321,7 +321,7 @@ for write in (lambda: atomic_write.write({{folder / "a.xlsx": b"x" * 100_000, fo
     assert found.returncode == 0, found.stderr
     assert (tmp_path / "a.xlsx").read_bytes() == b"old" and not (tmp_path / "a.json").exists()
     again = Journal(tmp_path / "d.journal", "key", True)
-    assert len(again.found) >= 9 and all(result == {"x": "z" * 900} for result in again.found.values())
+    assert len(again.places) >= 9 and all(again.get(name) == {"x": "z" * 900} for name in again.places)
     again.close()
 
 

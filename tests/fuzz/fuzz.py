@@ -180,7 +180,7 @@ def _journal(content: bytes, folder: Path) -> None:
         assert path.read_bytes() == content
         raise
     try:
-        assert all(result == {"q": float(name[3:])} for name, result in book.found.items())
+        assert all(book.get(name) == {"q": float(name[3:])} for name in book.places)
     finally:
         book.close()
 

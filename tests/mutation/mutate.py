@@ -42,6 +42,7 @@ KEYS = "tests/test_documents.py::test_that_the_page_of_the_case_has_every_key_as
 CONTACT = "tests/core/case/test_contact.py"
 BODIES = "tests/validation/test_bodies.py"
 TIES = "tests/core/codes/test_ties_in_the_clauses.py"
+BODIES = "tests/validation/test_bodies.py"
 LOADS = "tests/core/case/test_load_rules.py"
 ASSUMED = "tests/core/variation/test_table_of_assumptions.py"
 
@@ -68,6 +69,11 @@ BESIDE: dict[str, tuple[str, ...]] = {
     "core/case/one_body.py": (CONTACT,),
     "core/case/wall.py": (KEYS, LOADS, "tests/core/wall/test_masonry.py"),
     "core/case/above_hinge.py": (CONTACT,),
+    "core/case/shape.py": ("tests/core/case/test_schema.py",),
+    "core/case/shape_rules.py": (BODIES,),
+    "core/setting/demand_input.py": ("tests/core/codes/test_target_spectrum.py",),
+    "core/setting/plan.py": ("tests/core/study/test_run.py",),
+    "core/setting/scene.py": ("tests/core/variation/test_written_is_the_run.py",),
     "core/codes/kinematic.py": (HAND, DISPLACEMENT, PRINTED, TIES),
     "core/codes/dynamic_check.py": (HAND, "tests/core/codes/test_verdict.py", "tests/core/study/test_run.py"),
     "core/codes/verdict.py": (HAND,),

@@ -20,9 +20,9 @@ from core.setting.scene import model_of
 from core.study import run as study
 from core.units import G
 from core.wall.block import Block
+from core.wall.impact import Restitution
 from core.wall.loads import Force, PointMass, composite, restoring_moment
 from core.wall.moment_rotation import LAWS
-from core.wall.restitution import Restitution
 from core.wall.rocking_model import rocking_model
 from tests.core.rocking.lanes_and_histories import assert_lanes_are_histories
 from tests.validation import loaded_walls

@@ -250,7 +250,7 @@ def _refuse_unused(options: Options, title: str, parsed: Parsed) -> None:
 
 
 def _separate(content: bytes) -> int:
-    """Words of a text, counted without making them."""
+    """Number of words of a text, counted without making them."""
     return content.translate(_WORDS).count(b" x") + 1
 
 
@@ -259,7 +259,7 @@ _WORDS = bytes(32 if letter in b" \t\r\n,;" else 120 for letter in range(256))
 
 
 def _agreed(key: str, stated, given, lines: dict[str, str]):
-    """What the file states or the user gives; an error if neither or if they contradict."""
+    """Value the file states or the user gives; an error if neither does or if they contradict each other."""
     if stated is None and given is None:
         raise RecordError(f"no_{key}", key=key)
     if stated is None or given is None:

@@ -93,13 +93,13 @@ STATION_TYPES = {
     20: "structure",
     50: "geotechnical array",
 }
-"""Those that are no free field (COSMOS Tables, table 6)."""
+"""Station types that are no free field (COSMOS Tables, table 6)."""
 
 _PAIRS = re.compile(r"FILE\s+\d+ OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:", re.IGNORECASE)
 _POINTS = re.compile(r"NO\. OF POINTS =\s*(\d{1,7})\s+DURATION =\s*([0-9]{1,6}\.[0-9]{0,6}) SEC", re.IGNORECASE)
 _COMPONENT = re.compile(r"COMP\s+(\S+)", re.IGNORECASE)
 PAIRS_A_LINE, GRID = 5, 0.001
-"""Of volume 1: pairs in a line; steps [s] that all its printed times stand on."""
+"""PAIRS_A_LINE: pairs in a line of volume 1. GRID: step [s] on which all its printed times stand."""
 
 
 def _data_line(line: str):
@@ -208,7 +208,7 @@ def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
 
 
 def _width(line: str) -> int:
-    """Of a sample, by a full line of eight; ten where the line is not full."""
+    """Width of a sample [characters], by a full line of eight; ten where the line is not full."""
     line, row = line.rstrip(), numbers(line[:300])
     return len(line) // 8 if row and len(row) == 8 and len(line) % 8 == 0 else 10
 
@@ -232,7 +232,8 @@ def _cosmos_step(head: list[str]) -> float:
 
 
 def _cosmos_standing(head: list[str]) -> str:
-    """What integer header 19 says of a station that is in a structure, "" where it is on the ground or says nothing."""
+    """Text of integer header 19 for a station that is in a structure, "" where it is on the ground or the header says
+    nothing."""
     integers = _values_below(head, "integer-header values")
     return STATION_TYPES.get(int(integers[STATION_TYPE]), "") if len(integers) > STATION_TYPE else ""
 

@@ -19,7 +19,7 @@ MAX_MEMBERS = 500
 SHEET_LIMITS = Limits(rows=50_000, columns=100, cells=150_000, size=2 * MAX_UNPACKED)
 
 BETWEEN = ": "
-"""Between the name of a member and that of a channel in it."""
+"""Mark between the name of a member and that of a channel in it."""
 
 _ACCELERATION = re.compile(r"\.ACC\.", re.IGNORECASE)
 _OTHER = re.compile(
@@ -52,7 +52,7 @@ BAD_ZIP = (
     TypeError,
     SyntaxError,
 )
-"""What a hostile archive or workbook raises."""
+"""Errors that a hostile archive or workbook raises."""
 
 
 def is_zip(content: bytes) -> bool:

@@ -25,13 +25,13 @@ ROUNDED = 0.0006
 
 def recognises(lines: list[str]) -> bool:
     tenths = any("SEC AND G/10" in line.upper() for line in lines[:TEXTS])
-    return bool(lines and _BEGIN.match(lines[0][:200]) and tenths)
+    return bool(lines and _BEGIN.match(lines[0]) and tenths)
 
 
 def read(lines: list[str], options: Options) -> Parsed:
     """The channel asked for; uneven times are drawn on a grid of 0.001 s, even ones are their own. Raw.
     Raises RecordError."""
-    places = [k for k, line in enumerate(lines) if _BEGIN.match(line[:200])]
+    places = [k for k, line in enumerate(lines) if _BEGIN.match(line)]
     channels = []
     for k, place in enumerate(places):
         end = places[k + 1] if k + 1 < len(places) else len(lines)

@@ -22,7 +22,7 @@ _NAN = re.compile(r"[+-]?nan", re.IGNORECASE)
 HEAD_LINE = 500
 """Characters of a line of a header that are looked at."""
 
-SHOWN = 60
+SHOWN_LETTERS = 60
 """Characters of a file repeated in a sentence."""
 
 UNITS = {"g": G, "m/s2": 1.0, "cm/s2": 0.01, "mm/s2": 0.001}
@@ -62,9 +62,8 @@ class Parsed:
 
 @dataclass(frozen=True)
 class Options:
-    """What the user says of a file, only where the file does not: unit (a key of UNITS),
-    time_step [s], column (counted from 1, time included), skip_lines (text lines on top), channel (its name, or its
-    number from 1)."""
+    """Statements of the user on a file, only where the file makes none: unit (a key of UNITS), time_step [s], column
+    (counted from 1, time included), skip_lines (text lines on top), channel (its name, or its number from 1)."""
 
     unit: str | None = None
     time_step: float | None = None
@@ -76,7 +75,7 @@ class Options:
 def quoted(text: str) -> str:
     """A piece of a file in a sentence: its first characters."""
     text = text.strip()
-    return repr(text if len(text) <= SHOWN else text[:SHOWN] + "…")
+    return repr(text if len(text) <= SHOWN_LETTERS else text[:SHOWN_LETTERS] + "…")
 
 
 def head_lines(head: str) -> list[str]:
@@ -112,7 +111,8 @@ NUMBER_LETTERS = str.maketrans("", "", "0123456789+-.eE \t\n")
 
 
 def to_float(token: str) -> float:
-    """One number of the grammar, D exponents included; raises RecordError for another text and beyond the doubles."""
+    """Read one number of the grammar, D exponents included; raises RecordError for another text and beyond the
+    doubles."""
     if not _TOKEN.fullmatch(token.strip()):
         raise RecordError("not_numbers", text=quoted(token))
     try:

@@ -57,7 +57,7 @@ class Unit:
 
     @property
     def size(self) -> float:
-        """One of it [m/s2], of an acceleration."""
+        """Acceleration of one of this unit [m/s2]."""
         assert self.si is not None
         return self.si
 
@@ -71,18 +71,18 @@ class Unit:
 
     @property
     def name(self) -> str:
-        """As the case names it, else as written."""
+        """Name of the unit as the case has it, else as written."""
         return self.key if self.factor == 1.0 else self.text
 
     @property
     def factor(self) -> float:
-        """Units of its key in one of it."""
+        """Units of its key in one of this unit [-]."""
         ratio = self.size / UNITS[self.key]
         return 1.0 if abs(ratio - 1.0) < 1e-9 else ratio
 
 
 def factor_of(text: str) -> float | None:
-    """The value of a number, a power or a quotient; None where it has none."""
+    """Value of a number, a power or a quotient as text; None where it has none."""
     text = text.replace(" ", "").replace(",", ".").replace("**", "^").replace("d", "e")
     times, _, power = text.rpartition("^")
     try:
@@ -237,7 +237,7 @@ def refuse_other_quantity(head: str) -> None:
 
 
 def _other_of(line: str) -> str | None:
-    """What a line that is no head of a table with an acceleration names instead of one."""
+    """Quantity that a line names which is no head of a table with an acceleration."""
     fields = [field for field in re.split(r"[;,\t]| {2,}|(?<=[\])]) ", line) if field.strip()]
     if len(fields) == 1 and _TIME_NAME.match(line):
         fields = line.split()

@@ -13,7 +13,7 @@ from core.ground.records.grammar import Options, Parsed, quoted, to_count, to_fl
 _BEGIN = re.compile(r"LabVIEW Measurement", re.IGNORECASE)
 _ACCELERATION = re.compile(r"g|gal|[cm]?m/s(?:\^?2|²|/s)", re.IGNORECASE)
 _END = "***End_of_Header***"
-MOST = 500
+MAX_COLUMNS_READ = 500
 """Channels that are looked at."""
 
 
@@ -76,7 +76,11 @@ def _segment(lines: list[str], options: Options) -> tuple[_Segment, int]:
     said = (head.get("Channels") or [""])[0]
     many = to_count(said) if said.isascii() and said.isdigit() else 0
     own = tags.get("X_Columns", "One").strip("\t, ").lower()
-    places = [2 * k + 1 for k in range(min(many, MOST))] if own == "multi" else list(range(1, min(many, MOST) + 1))
+    places = (
+        [2 * k + 1 for k in range(min(many, MAX_COLUMNS_READ))]
+        if own == "multi"
+        else list(range(1, min(many, MAX_COLUMNS_READ) + 1))
+    )
     if not rows or not many or any(place >= len(names) for place in places):
         raise RecordError("head_lacks", label="Channels")
     units = head.get("Y_Unit_Label", [])
@@ -97,8 +101,7 @@ def _agree(head: dict[str, list[str]], places: list[int], n: int) -> None:
     samples = head.get("Samples", [])
     for place in places:
         said = samples[place - 1] if place - 1 < len(samples) else ""
-        declared = to_count(said) if said.isascii() and said.isdigit() else 0
-        if declared and n % declared:
+        if said.isascii() and said.isdigit() and (declared := to_count(said)) and n % declared:
             raise RecordError("count_differs", n=n, declared=declared)
 
 

@@ -46,8 +46,8 @@ CSMNC_HEAD = 40
 _BHRC = re.compile(r"\*\s*VOL(\w+)\s+FILE:", re.IGNORECASE)
 _BHRC_POINTS = re.compile(rf"\s*NO\. OF POINTS =\s*(\d{{1,8}})\s+DURATION =\s*({NUMBER})", re.IGNORECASE)
 BHRC_TEXTS, BHRC_RATE, BHRC_DATA, BHRC_ROW, BHRC_WIDTH = 13, 21, 27, 10, 13
-"""Of a channel: lines of text, the line from 0 whose first real is the rate, that of the first sample, samples in a
-line and their width."""
+"""BHRC_TEXTS: lines of text of a channel. BHRC_RATE: its line from 0 whose first real is the rate. BHRC_DATA: that of
+the first sample. BHRC_ROW, BHRC_WIDTH: samples in a line, and their width."""
 
 TENTH_OF_G = 0.1
 
@@ -98,7 +98,7 @@ def read_nsmn(lines: list[str], options: Options) -> Parsed:
 def _channel(
     values, step: float, peak: float | None, details, first: int, warnings: tuple[Sentence, ...] = ()
 ) -> Parsed:
-    """One column [cm/s2] of a table whose count was checked, raw. first : lines above it"""
+    """Read one column [cm/s2] of a table whose count was checked, raw. first : lines above it"""
     parsed = Parsed(np.asarray(values), step, "cm/s2", counted=True, details=details, told=(first, len(values)))
     agree_with_peak(parsed, peak)
     parsed.warnings += [*warnings, notice("unprocessed")]
@@ -177,7 +177,7 @@ def recognises_csmnc(lines: list[str]) -> bool:
 
 
 def read_csmnc(lines: list[str], options: Options) -> Parsed:
-    """One component in cm/s2, eight in a line. Raises RecordError for velocities and displacements."""
+    """Read one component in cm/s2, eight samples in a line. Raises RecordError for velocities and displacements."""
     said = next(match for line in lines[:CSMNC_HEAD] if (match := _CSMNC.match(line[:200])))
     found = ((k, _CSMNC_POINTS.match(line)) for k, line in enumerate(lines[:CSMNC_HEAD]))
     place, points = next((k, match) for k, match in found if match)

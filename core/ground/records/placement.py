@@ -1,4 +1,4 @@
-"""Where a sensor stood, as the head of a file says it: a record of a roof is no motion of the ground."""
+"""Place of a sensor, as the head of a file says it: a record of a roof is no motion of the ground."""
 
 import re
 

@@ -62,7 +62,7 @@ def _row(line: str) -> list[float] | None:
 
 
 def _fields(fields: list[str]) -> list[float] | None:
-    """One number a field, NaN for an empty one, the empty ones of the end left out; None where one is text."""
+    """Read one number a field, NaN for an empty one, the empty ones of the end left out; None where one is text."""
     end = len(fields)
     while end and fields[end - 1] in ("", EMPTY):
         end -= 1
@@ -245,7 +245,7 @@ def _rises(column: np.ndarray) -> bool:
 
 
 def _component(table, places, options: Options):
-    """As `_columns`, of components side by side without a time column."""
+    """Choose the component as `_columns` does, of components side by side without a time column."""
     width = table.shape[1]
     if options.column is None:
         raise RecordError("which_component", n=width)

@@ -1,5 +1,5 @@
-"""What the head of plain text says of its samples, by the tables of `wordings`: time step, count, factor, direction;
-and the numbers of it that nobody understood."""
+"""Statements of the head of plain text on its samples, by the tables of `wordings`: time step, count, factor,
+direction; and the numbers of it that nobody understood."""
 
 import re
 from collections import defaultdict
@@ -28,7 +28,7 @@ _BETWEEN = wordings.words("""
 """)
 _WORDS = rf"{any_of(_BETWEEN)}(?![a-z0-9])"
 _LINK = rf"(?:[ :=~_'\"]|\.(?![0-9])|-(?=[> ])|>|{_WORDS}){{0,16}}+"
-"""What stands between a label and its number."""
+"""Words and marks between a label and its number."""
 
 _TIME_UNIT = any_of(wordings.TIME_UNITS)
 _RATE_UNIT = f"(?:{wordings.RATE_PHRASE}|{any_of(wordings.RATE_UNITS)})"
@@ -196,7 +196,7 @@ def time_steps(head: Head) -> list[Statement]:
 
 
 def _widest(statements: list[Statement], others: list[Statement] | tuple = ()) -> list[Statement]:
-    """Those that are no part of another one."""
+    """Matches that are no part of another one."""
     spans = _by_line([*statements, *others])
     return [
         one
@@ -367,7 +367,7 @@ def _plausible(value: float, n: int) -> bool:
 
 
 def _named(head: str, width: int, column: int) -> Iterator[str]:
-    """What lines of a head write above a column of the table (counted from 1)."""
+    """Words that lines of a head write above a column of the table (counted from 1)."""
     for line in head_lines(head):
         for fields, apart in (
             (re.split(r"[;,\t]", line), True),

@@ -11,7 +11,7 @@ CODES = (
     *("repeats", "frozen", "coarse", "clipped", "one_sided_samples", "velocity_left", "rough", "spike"),
     *("late", "pace", "peak_elsewhere", "beyond_nyquist"),
 )
-"""Of the warnings given here."""
+"""Codes of the warnings given here."""
 
 LEAST = 80
 """Samples below which nothing is told."""
@@ -23,7 +23,7 @@ FILLED = 100
 """Zeros in a row within the strong part: a gap that was filled."""
 
 STRONG = 0.02, 0.98
-"""Of the sum of the squares, between which the strong part lies."""
+"""Shares of the sum of the squares between which the strong part lies."""
 
 WINDOW, FINE = (8, 16), 0.5
 """Different samples in a row that no ground repeats: the shorter ones where so many of all samples differ."""

@@ -24,8 +24,9 @@ RUN, JUMP = 3, 0.05
 jumps to them or back."""
 
 ORDER, AROUND, NEAR, ALONE = 4, 32, 8, 12.0
-"""Of the difference that shows a jump; samples around it; those it spoils itself; its ratio to the largest around it.
-In the records tried the ratio is below 10 away from their ends, but for one that breaks off."""
+"""ORDER: order of the difference that shows a jump. AROUND: samples around it that are compared. NEAR: those it spoils
+itself. ALONE: its ratio to the largest of those around it; in the records tried the ratio is below 10 away from their
+ends, but for one that breaks off."""
 
 
 def refuse_marks(values: np.ndarray) -> None:

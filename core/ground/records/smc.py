@@ -18,7 +18,7 @@ EXTREMES = 28
 """Place from 0 among the reals of the time of the largest sample, that sample, and both of the smallest one."""
 
 WIDTHS = (10, 14)
-"""Of a sample: eight or five in a line."""
+"""Widths of a sample [characters]: eight or five samples in a line."""
 
 
 def recognises(lines: list[str]) -> bool:

@@ -104,7 +104,8 @@ VAGUE_TIMING = words("""
     step | delta | interval | intervals | increment | spacing | every | ogni | rate | intervallo |
     incremento | spaziatura | passo | hz | hertz | ts | cadenza | sampling time | sample time
 """)
-"""Of these a number that is no plausible step or rate states none (`step 2 of the processing`)."""
+"""Vague wordings of a time step or a rate: a number beside one that is no plausible step or rate states none (`step 2
+of the processing`)."""
 
 NOUNS = words("""
     points | pts | samples | data points | time points | readings | values | ordinates | campioni |
@@ -116,7 +117,7 @@ NUMBERED = words("data | accelerations | dati | accelerazioni")
 GAPS = words("""
     steps | time steps | timesteps | intervals | time intervals | passi | passi temporali | intervalli
 """)
-"""Of these a record of n samples has n or n - 1."""
+"""Wordings of intervals: a record of n samples has n or n - 1 of them."""
 
 COUNT = words("""
     npts | npt | npoints | nsamples | nsamp | nsample | ndata | nsteps | ndat | nvalues | n samp |
@@ -146,7 +147,8 @@ FACTORS_BEFORE_A_MARK = words("""
     sensitivity | lsb | fattore | coefficiente | moltiplicatore | scala | guadagno | sensibilita |
     conversione | calibrazione
 """)
-"""What the samples have still to be multiplied by; a single word only at the beginning and with : or =."""
+"""Wordings of a factor by which the samples have still to be multiplied; a single word only at the beginning and with :
+or =."""
 
 DIVISORS = words("""
     divide by | divided by | divide values by | divide data by | divide all by | divide the values by |
@@ -244,14 +246,14 @@ UNIT_SAID = re.compile(
     rf"(?:\b{any_of(_OF_UNITS)}(?![a-z])(?: *+(?:(?:of|are|is|in|di|sono|misura)\b|[:=]))*+"
     rf"|\b{any_of(_IN_UNITS)} +in(?: units? of)?) *+[(\[]? *+(?=\S)"
 )
-"""What stands before a unit that is said to be one."""
+"""Words that stand before a unit that is said to be one."""
 
 _SAMPLES_SAID = words("""
     acc | accel | acceleration | accelerations | accelerazione | accelerazioni | data | dati | value | values |
     valori | samples | campioni | signal | segnale | record
 """)
 ACCELERATION_WORD = any_of(_SAMPLES_SAID)
-"""What a unit may stand beside."""
+"""Words of an acceleration beside which a unit may stand."""
 
 MOTION = r"veloc\w*|vel(?![a-z]{2})\w*|displ\w*|disp\b\.?|spostament\w*"
 _OTHERS = words("""

@@ -1,4 +1,4 @@
-"""What lies within a note: the case as it was run, its results, the list of its records, not the records (PDF/A-3)."""
+"""Files within a note: the case as it was run, its results, the list of its records, not the records (PDF/A-3)."""
 
 import csv
 import io
@@ -94,7 +94,7 @@ def attached(result: StudyResult) -> tuple[Attachment, ...]:
 
 
 def _settled(value: Any) -> Any:
-    """Without MEASURED."""
+    """Results without the keys MEASURED, so that two runs of a case give the same file."""
     if isinstance(value, dict):
         return {key: _settled(entry) for key, entry in value.items() if key not in MEASURED}
     return [_settled(entry) for entry in value] if isinstance(value, (list, tuple)) else value

@@ -1,4 +1,4 @@
-"""What a note says beside the verdict of a wall: another sample of records, moved inputs, the rates of limit states."""
+"""Part of a note beside the verdict of a wall: another sample of records, moved inputs, the rates of limit states."""
 
 from core.known import known
 from core.report import sure_words
@@ -8,7 +8,7 @@ from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import by_severity
 from core.variation.swings import Sensitivity
 
-MOST_WALLS = 24
+MAX_TOLD = 24
 """Walls, the worst first, that are told of."""
 
 
@@ -23,7 +23,7 @@ def certainty(result: StudyResult, words: Words) -> list[Part]:
     """The section of the walls whose inputs were moved, or whose site has a hazard; the worst first."""
     say, language = words.say, words.language
     parts: list[Part] = []
-    for verdict in by_severity(result.verdicts, result.walls)[:MOST_WALLS]:
+    for verdict in by_severity(result.verdicts, result.walls)[:MAX_TOLD]:
         if not verdict.sensitivity and not verdict.rates:
             continue
         parts.append(Heading(verdict.title, 3))

@@ -52,7 +52,7 @@ REASONS = 3
 
 
 def note(result: StudyResult, language: str) -> list[Part]:
-    """What an engineer signs: first the answer, then each wall, then what it rests on."""
+    """Note that an engineer signs: first the answer, then each wall, then what it rests on."""
     words = Words(language)
     say = words.say
     ordered = [wall for wall, _ in in_order(result)]
@@ -111,7 +111,7 @@ def _assumed(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
 
 
 def _limiting(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
-    """What limits the verdict of a wall and is no row of that table."""
+    """Sentences that limit the verdict of a wall and are no row of that table."""
     lines = lines_of(result, wall, words.language, ("limits",))
     told = assumption_table.tabled(wall, words.language)
     return [Item(line, "quiet") for line in lines if line not in told]
@@ -276,7 +276,7 @@ def _in_runs(steps: list[Step]) -> list[Derivation]:
 
 
 def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -> list[Part]:
-    """One wall on at most three pages. name : begins the names of its cells on the sheet Check"""
+    """Parts of one wall, on at most three pages. name : begins the names of its cells on the sheet Check"""
     say, found = words.say, wall.assessment
     parts: list[Part] = [Heading(_name(wall, words), 2, True, result.walls.index(wall))]
     first = [wall_figures.drawing(wall, words), wall_figures.elevation(wall, words)]

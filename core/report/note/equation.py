@@ -17,7 +17,7 @@ from core.text.sentence import numeral
 NAMESPACE = "http://schemas.openxmlformats.org/officeDocument/2006/math"
 
 THIN = "\u2009"
-"""Between the factors of a product in symbols."""
+"""Space between the factors of a product in symbols."""
 
 INDEXED = re.compile(
     r"([^\s_/()+−·=]+)_([^\s_/()]*[^\s_/(),*])(\*?)|(?<![\w.])([^\W\d_])(\d(?:,\w)?)(?![\w.])(\*?)|(?<!\w)([^\W\d_])()(\*)"
@@ -181,7 +181,7 @@ def width(node: ElementTree.Element) -> int:
 
 
 def sides(step: Step, language: str, to: Notation) -> list[str]:
-    """What stands between the signs of equality of a step: symbol, formula, numbers, result and unit."""
+    """Sides of a step, between its signs of equality: symbol, formula, numbers, result and unit."""
     found = [to.symbol(step.symbol)]
     if step.formula and step.quantity is not None:
         symbols = {name: to.symbol(text) for name, text in step.symbols.items()}

@@ -37,7 +37,7 @@ def _range(given: tuple[float, float] | None, values: Sequence[np.ndarray]) -> t
 
 
 def laid_out(figure: Figure, words: Words, side_by_side: int = 2) -> dict[str, Any]:
-    """What is drawn of a figure, lengths in cm from its upper left corner; lines go beyond the area and are cut."""
+    """Lay out a figure, lengths in cm from its upper left corner; lines go beyond the area and are cut."""
     width, height = SIZES[side_by_side]
     named = [curve for curve in figure.curves if curve.name]
     rows = _legend_rows([curve.name for curve in named], width - 1.4)
@@ -82,7 +82,7 @@ def laid_out(figure: Figure, words: Words, side_by_side: int = 2) -> dict[str, A
 
 
 def _clean(values: list[float]) -> list[float]:
-    """Without the rounding of sums: 0.3, not 0.30000000000000004."""
+    """Values without the rounding of sums: 0.3, not 0.30000000000000004."""
     return [float(f"{value:.10g}") + 0.0 for value in values]
 
 

@@ -32,7 +32,7 @@ class Paragraph:
 
 @dataclass(frozen=True)
 class Item:
-    """One of a list. sign : before it"""
+    """One item of a list. sign : before it"""
 
     text: str
     tone: str = ""
@@ -97,11 +97,11 @@ class Step:
         return "".join(piece.text(language) if isinstance(piece, Shown) else piece for piece in self.numbers)
 
     def written(self, language: str) -> str:
-        """The whole line but the result and its unit."""
+        """Text of the line without the result and its unit."""
         return " = ".join(part for part in (self.symbol, self.formula, self.in_numbers(language)) if part)
 
     def result_written(self, language: str) -> str:
-        """The result."""
+        """Text of the result, "–" for None."""
         if self.result is None or isinstance(self.result, str):
             return self.result or "–"
         return numeral(self.result, self.form, language)

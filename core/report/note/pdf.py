@@ -25,10 +25,10 @@ from core.version import NAME, line
 TEMPLATE = Path(__file__).resolve().parents[3] / "resources" / "templates" / "note.typ"
 
 FONT = "New Computer Modern"
-"""Of the program itself, so that a note is the same on every machine."""
+"""Font that comes with the program, so that a note is the same on every machine."""
 
 STANDARDS = {"a-3a": ["a-3a", "ua-1"], "a-1b": ["a-1b"]}
-"""Of a PDF, by [report] pdf_standard."""
+"""Standards a PDF is set by, for each choice of [report] pdf_standard."""
 
 NO_DATE = datetime.date(2000, 1, 1)
 """Date of a note that states none, in its properties alone."""
@@ -105,18 +105,18 @@ class Note:
         return self._set(attached, format="pdf", pdf_standards=STANDARDS[standard], timestamp=self._stamp())
 
     def pages(self, resolution: float) -> list[bytes]:
-        """Each page as PNG. resolution : [dpi]"""
+        """Set each page as PNG. resolution : [dpi]"""
         found = self._set([], format="png", ppi=resolution)
         return found if isinstance(found, list) else [found]
 
     def places(self) -> list[dict[str, Any]]:
-        """What stands where: page from 1, y of it from the top [pt], and what it leads to."""
+        """Places of the marks: page from 1, y from the top [pt], and what each leads to."""
         import typst
 
         return json.loads(typst.eval(_template(), LEADS, **self._given([])))
 
     def lines(self) -> list[tuple[int, float, str]]:
-        """What is written: page from 1, y of the line from the top [pt], its text."""
+        """Lines of the pages: page from 1, y of the line from the top [pt], its text."""
         import pypdf
 
         found: list[tuple[int, float, str]] = []
@@ -189,10 +189,10 @@ class Note:
 WORDS = {"page": "page", "fig": "Fig."}
 
 LEADS = "query(<leads>).map(m => (..m.value, page: m.location().page(), y: m.location().position().y.pt()))"
-"""Asks the template for its marks."""
+"""Query by which the template is asked for its marks."""
 
 BOXES = {"☑": "ticked", "☐": "open"}
-"""Signs the template draws."""
+"""Signs that the template draws as boxes."""
 
 
 def picture(figure, words: Words, resolution: float = 300.0) -> bytes:
@@ -238,7 +238,8 @@ def _texts(value: Any) -> str:
 
 
 def legible(value: Any) -> Any:
-    """The same with each letter that no font shows written as its code, as U+0001: PDF/A takes none without a shape."""
+    """Replace each letter that no font shows by its code, as U+0001, in every text of a value: PDF/A takes no letter
+    without a shape."""
     strange = sorted(set(USUAL.sub("", _texts(value))))
     codes = {letter: f"U+{ord(letter):04X}" for letter in strange if not _is_shown(letter)}
     return _replaced(value, str.maketrans(codes)) if codes else value

@@ -1,8 +1,8 @@
-"""What a note says of the site beside its demand: the hazard, the building, the loads of a wall, before and after."""
+"""Part of a note on the site beside its demand: the hazard, the building, the loads of a wall, before and after."""
 
 from core.case.loads import Load
 from core.case.wall import Wall
-from core.codes.floor_spectrum import LONG, SHORT, estimated_period
+from core.codes.floor_spectrum import PLATEAU_END, PLATEAU_START, estimated_period
 from core.known import known
 from core.report.note.parts import Derivation, Heading, Paragraph, Part, Step, Table
 from core.report.note.words import Words
@@ -36,7 +36,7 @@ def hazard(result: StudyResult, words: Words) -> list[Part]:
 
 
 def place(result: StudyResult, words: Words) -> list[Part]:
-    """Where the building stands, and the values of the four limit states there."""
+    """Lines of where the building stands, and of the values of the four limit states there."""
     site = result.case.site
     if site is None:
         return []
@@ -85,8 +85,8 @@ def building(result: StudyResult, words: Words) -> list[Part]:
         "r = (1 − T/({short:g} T_k))^1.6 below {short:g} T_k, (T/({long:g} T_k) − 1)^1.2 above {long:g} T_k, else 0. "
         "Beyond T_1 not below S_e(T, ξ). S_DeZ(T, ξ) = S_eZ (T/2π)², beyond {long:g} T_1 not below its value there "
         "with S_eZ(T_1).",
-        short=SHORT,
-        long=LONG,
+        short=PLATEAU_START,
+        long=PLATEAU_END,
     )
     return [Heading(words.word("section_building"), 3), Derivation(steps), table, Paragraph(counted, "quiet")]
 

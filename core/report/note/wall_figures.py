@@ -25,7 +25,7 @@ TURNED = math.radians(7.0)
 POINTS = 500
 """Points of a history in a figure."""
 
-FULL = 1.2
+FULL_BAR = 1.2
 """Height of the bar of a wall that overturns, and the top of the chart of peaks."""
 
 
@@ -264,7 +264,7 @@ def peaks(wall: WallResult, words: Words) -> Figure | None:
     if falls:
         name = words.say("exceeds θc or overturns")
         # what overturned has no number: its bar goes to the top of the chart
-        heights = [check.runs[k].peak_ratio or FULL for k in falls]
+        heights = [check.runs[k].peak_ratio or FULL_BAR for k in falls]
         curves.append(Curve(name, falls, heights, "bad", "bars"))
     ends = (-0.6, len(names) - 0.4)
     if check.set_rule == "mean" and check.mean_peak_ratio is not None:
@@ -275,4 +275,4 @@ def peaks(wall: WallResult, words: Words) -> Figure | None:
     name = f"{check.limit_state}: {words.number(limit, '.2f')}"
     curves.append(Curve(name, ends, (limit, limit), "amber", "dash"))
     caption = words.say("Largest rotation of each record at the demand over θc")
-    return Figure(caption, curves, " ", "θmax/θc", ends, (0.0, FULL), names=names)
+    return Figure(caption, curves, " ", "θmax/θc", ends, (0.0, FULL_BAR), names=names)

@@ -14,7 +14,7 @@ from core.report.note.words import Words
 from core.report.phrases import Phrases
 from core.study.results import StudyResult, WallResult
 
-MOST = 150
+MAX_FORMULA = 150
 """Characters of a formula that a note holds: the closed form of SI, which decides nothing, has more."""
 
 
@@ -47,7 +47,7 @@ class Derivations:
     def _step(self, line: Line, prefix: str) -> Step:
         name = prefix + line.of.name
         said = self.phrases.of(line, name, prefix + line.run_name)
-        result, long = self.phrases.read(line.value), len(said.symbols) > MOST
+        result, long = self.phrases.read(line.value), len(said.symbols) > MAX_FORMULA
         return Step(
             said.symbol,
             result,

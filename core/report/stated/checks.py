@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from core.capacity.accuracy import ROUNDING
+from core.capacity.accuracy import RECORD_ROUNDING
 from core.report.stated.quantity import (
     Quantity,
     flag,
@@ -252,7 +252,7 @@ DEFINITION = (
     ),
     number("step_spread", "-", "spread of q", lambda found: found.spread(1, found.steps)),
     number("step_spread_robust", "-", "spread of q_robust", lambda found: found.spread(2, found.steps)),
-    number("rounding", "-", "rounding of the samples", lambda _: ROUNDING),
+    number("rounding", "-", "rounding of the samples", lambda _: RECORD_ROUNDING),
     many(
         "rounded",
         "q of the rounded record",

@@ -100,6 +100,12 @@ def through(source: Callable[[Any], Any], group: Sequence[Quantity]) -> list[Qua
     return [quantity._replace(of=read(quantity.of)) for quantity in group]
 
 
+def of_keys(group: Sequence[Quantity], *keys: str) -> list[Quantity]:
+    """Quantities of a group by their keys."""
+    by_key = {quantity.key: quantity for quantity in group}
+    return [by_key[key] for key in keys]
+
+
 def stated(group: Sequence[Quantity], source: Any) -> dict[str, Any]:
     """The keys of a group as the results have them."""
     found = {}

@@ -3,7 +3,7 @@
 from operator import itemgetter
 
 from core.codes.limits import EXCEEDANCE
-from core.codes.national_hazard import PERIODS, USE_CLASSES
+from core.codes.national_hazard import RETURN_PERIODS, USE_CLASSES
 from core.file_names import shown
 from core.ground.provenance import provenance
 from core.report.stated.quantity import flag, many, named, number, numbers, one, per, text, texts, through, whole
@@ -96,7 +96,7 @@ SITE = (
         "hazard",
         "a_g, F0, T_C* at the return periods of the grid",
         HAZARD_ROW,
-        lambda site: [(years, *values) for years, values in zip(PERIODS, site.hazard.rows, strict=True)],
+        lambda site: [(years, *values) for years, values in zip(RETURN_PERIODS, site.hazard.rows, strict=True)],
     ),
     named(
         "states",

@@ -25,7 +25,7 @@ def make_comparison(paper):
     def integrate(
         code, ground, dt, scale, model, option, start, rotation, velocity, impact_time, impact_velocity, table
     ):
-        """`taylor.integrate` of any other method.
+        """Integrate one history as `taylor.integrate` does, by any other method.
 
         code : of its `Method`
         ground : ground acceleration [m/s2], shape (n,)

@@ -9,8 +9,8 @@ from core.rocking.compared.branch import acceleration, stiffness
 from core.rocking.events import LAST_ROTATION, BlockState, stops_rocking, uplift_side
 from core.rocking.outcome import COLLAPSED, STABLE
 from core.units import G
+from core.wall.impact import velocity_ratio
 from core.wall.moment_rotation import zone_of
-from core.wall.restitution import velocity_ratio
 from core.wall.rocking_model import seen_from
 
 NEWTON_TOLERANCE = 1e-14

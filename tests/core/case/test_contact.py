@@ -187,6 +187,23 @@ def test_that_what_is_no_body_or_weighs_twice_is_refused(name):
     assert refused.value.code == code
 
 
+@pytest.mark.parametrize("front", ["along the wall", "oblique"])
+def test_that_a_cavity_that_narrows_to_nothing_makes_leaves_as_one_of_the_same_width(front):
+    """Two leaves that meet at one end of the wall alone, 11 degrees between them; either may be the outer one."""
+    cosine, sine = np.cos(np.radians(79.0)), np.sin(np.radians(79.0))
+    corners = [[0.0, 0.0], [5.0, 0.0], [5.0, 9.0], [0.0, 9.0]]
+    leaf = {"plane": "oblique", "polygon_m": corners, "angle_deg": 79.0, "from_m": -0.1, "to_m": 0.0}
+    if front == "oblique":
+        meeting = 0.1 * sine + 5.0 * cosine
+        solids = [leaf | {"x0_m": 0.1 * sine}, elevation(0.0, 5.0, 0.0, 9.0, meeting, meeting + 0.1)]
+    else:
+        mirrored = {"polygon_m": [[-s, z] for s, z in corners], "angle_deg": -79.0, "x0_m": 0.05 + 5.0 * cosine}
+        solids = [elevation(0.0, 5.0, 0.0, 9.0, 0.0, 0.05), leaf | mirrored]
+    with pytest.raises(InputError) as refused:
+        checked(BASE | {"thickness_m": 1.1, "solid": solids})
+    assert refused.value.code == "body_of_leaves"
+
+
 def test_that_a_flue_a_slot_below_a_lintel_and_a_pair_of_return_walls_are_one_body():
     wall = elevation(0.0, 5.0, 0.0, 9.0, 0.0, 0.6)
     for more in (
@@ -308,6 +325,56 @@ def test_that_a_foot_inside_of_a_wall_that_rocks_both_ways_is_none_to_stand_on()
     with pytest.raises(InputError) as refused:
         checked(BASE | {"mechanism": "two_sided", "solid": [foot]})
     assert refused.value.code == "inner_foot_alone"
+
+
+def test_that_a_foot_alone_is_told_with_the_face_of_the_wall_behind_it():
+    """A plinth of 0.9 m under a wall from 0.3 m on: a wall of 9 m is looked at 0.45 m up."""
+    plinth = section((0, 0), (0.9, 0), (0.9, 9), (0.3, 9), (0.3, 0.2), (0, 0.2))
+    with pytest.raises(InputError) as refused:
+        checked(BASE | {"thickness_m": 0.9, "solid": [plinth]})
+    assert refused.value.code == "foot_alone"
+    assert refused.value.values == {"found": pytest.approx(0.3), "z": pytest.approx(0.45), "most": pytest.approx(0.09)}
+
+
+@pytest.mark.parametrize(("middle", "code"), [(2.5, None), (2.49, "foot_short")])
+def test_that_the_outer_hinge_carries_half_of_the_base_at_least(middle, code):
+    """A wall of 5 m whose second part recedes by 0.3 m."""
+    solids = [elevation(0.0, middle, 0.0, 9.0, 0.0, 0.6), elevation(middle, 5.0, 0.0, 9.0, 0.3, 0.6)]
+    if code is None:
+        assert checked(BASE | {"solid": solids}).block().slenderness > 0.0
+        return
+    with pytest.raises(InputError) as refused:
+        checked(BASE | {"solid": solids})
+    assert refused.value.code == code
+    assert refused.value.values == {"found": pytest.approx(2.49), "whole": pytest.approx(5.0)}
+
+
+@pytest.mark.parametrize(("start", "code"), [(0.5, "planes_overlap"), (0.6, None)])
+def test_that_a_return_wall_drawn_into_the_wall_weighs_twice_and_is_refused(start, code):
+    behind = section((0.0, 0.0), (1.0, 0.0), (1.0, 9.0), (0.0, 9.0)) | {"to_m": 0.5, "x0_m": start}
+    solids = [elevation(0.0, 5.0, 0.0, 9.0, 0.0, 0.6), behind]
+    if code is None:
+        assert checked(BASE | {"solid": solids}).block().slenderness > 0.0
+        return
+    with pytest.raises(InputError) as refused:
+        checked(BASE | {"solid": solids})
+    assert refused.value.code == code
+
+
+@pytest.mark.parametrize(("slot", "gap", "code"), [(0.9, 2.9, None), (1.1, 3.1, "body_in_pieces")])
+def test_that_a_joint_drawn_open_by_millimetres_parts_no_wall(slot, gap, code):
+    """An opening from the foot to the top wider than 1 mm parts it, two solids drawn farther than 3 mm apart do."""
+    whole, beside = elevation(0.0, 5.0, 0.0, 9.0, 0.0, 0.6), elevation(0.0, 2.0, 0.0, 9.0, 0.0, 0.6)
+    for solids in (
+        [whole, elevation(2.0, 2.0 + 1e-3 * slot, 0.0, 9.0, 0.0, 0.6, opening=True)],
+        [beside, elevation(2.0 + 1e-3 * gap, 5.0, 0.0, 9.0, 0.0, 0.6)],
+    ):
+        if code is None:
+            assert checked(BASE | {"solid": solids}).block().slenderness > 0.0
+            continue
+        with pytest.raises(InputError) as refused:
+            checked(BASE | {"solid": solids})
+        assert refused.value.code == code
 
 
 def test_that_a_body_in_the_making_has_no_hinges_and_no_error():

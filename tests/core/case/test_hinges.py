@@ -80,6 +80,13 @@ def test_that_without_a_word_a_hinge_is_where_a_load_or_a_storey_is_and_three_ti
     assert [part.hinge for part in parts(case("floors", BUILDING, **changes))] == pytest.approx([0, 3, 6])
 
 
+@pytest.mark.parametrize(("height", "hinges"), [(0.1, [0.0, 0.1]), (0.09, [0.0])])
+def test_that_a_load_ten_centimetres_above_the_base_is_the_lowest_hinge(height, hinges):
+    shelf = {"kind": "vertical", "kn_m": 1.0, "d_m": 0.3, "h_m": height, "mass": "none"}
+    building = {**BUILDING, "storeys": 1}
+    assert [part.hinge for part in parts(case(None, building, unit_weight_kn_m3=18.0, load=[shelf]))] == hinges
+
+
 @pytest.mark.parametrize(
     "hinges, building, wall, code",
     [

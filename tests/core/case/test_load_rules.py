@@ -145,9 +145,9 @@ def test_that_a_load_that_is_none_is_refused(bad):
 
 def test_that_loads_above_a_hinge_are_counted_from_it():
     wall = wall_of(ROOF, TIE, THRUST)
-    assert [load.h_m for load in loads_above(wall, 0.0)] == [3.0, 2.8, 2.5]
-    assert [load.h_m for load in loads_above(wall, 2.5)] == pytest.approx([0.5, 0.3])
-    assert loads_above(wall, 3.0) == ()
+    assert [load.h_m for load in loads_above(wall, 0.0, 0.0)] == [3.0, 2.8, 2.5]
+    assert [load.h_m for load in loads_above(wall, 2.5, 0.0)] == pytest.approx([0.5, 0.3])
+    assert loads_above(wall, 3.0, 0.0) == ()
 
 
 def test_that_a_wall_carries_what_check_loads_takes():
@@ -170,6 +170,41 @@ def test_that_limits_of_places_are_taken():
     full = {**ACROSS, "number": 10}
     assert wall_of(return_walls=full, length_m=5.0)
     assert wall_of(tie_height_m=3.0)
+
+
+def test_that_a_bar_elongates_by_thirty_percent_of_its_length_at_most():
+    """Of a bar of 8 m 2.4 m."""
+    (given,) = wall_of({**TIE, "kn_m": 4.0, "elongation_m": 2.4}).load
+    asked = {"tie_height_m": 2.8, "tie_bar_length_m": 8.0}
+    assert given.elongation_m == wall_of(**asked, tie_elongation_m=2.4).tie_elongation_m == 2.4
+    for loads, changes in (
+        (({**TIE, "kn_m": 4.0, "elongation_m": 2.41},), {}),
+        ((), {**asked, "tie_elongation_m": 2.41}),
+    ):
+        with pytest.raises(InputError) as caught:
+            wall_of(*loads, **changes)
+        assert caught.value.code == "tie_elongation_too_large"
+        assert caught.value.values == {"found": 2.41, "most": pytest.approx(2.4), "share": 0.3}
+
+
+def test_that_a_slack_tie_is_too_strong_by_its_force_at_yield():
+    """The wall opens a hinge once the tie has taken up its slack."""
+    assert wall_of(ROOF, {**TIE, "kn_m": 8.6, "slack_mm": 2.0}).load
+    with pytest.raises(InputError) as caught:
+        wall_of(ROOF, {**TIE, "kn_m": 9.0, "slack_mm": 2.0})
+    assert caught.value.code == "tie_too_strong" and caught.value.values["found"] == pytest.approx(9.0)
+
+
+def test_that_a_weight_rests_on_the_masonry_at_its_height_up_to_its_faces():
+    """Above 2 m the wall is there from 0.15 m to 0.45 m alone."""
+    shaped = {"length_m": 4.0, "steps": [{"from_z_m": 2.0, "thickness_m": 0.3, "flush": "inner"}]}
+    for d in (0.15, 0.3, 0.45):
+        assert wall_of({**ROOF, "d_m": d, "kn_m": 1.0}, **shaped).load[0].d_m == d
+    assert wall_of({**ROOF, "d_m": 0.14, "h_m": 1.9, "kn_m": 1.0}, **shaped).load
+    with pytest.raises(InputError) as caught:
+        wall_of({**ROOF, "d_m": 0.14, "kn_m": 1.0}, **shaped)
+    assert caught.value.code == "load_off_body"
+    assert caught.value.values == {"found": 0.14, "low": pytest.approx(0.15), "high": pytest.approx(0.45)}
 
 
 def test_that_what_is_refused_says_by_how_much():

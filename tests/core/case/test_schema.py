@@ -1,6 +1,6 @@
 """What a case means: defaults, geometry, return period."""
 
-from dataclasses import fields
+from dataclasses import fields, replace
 
 import pytest
 
@@ -33,6 +33,54 @@ def test_that_three_ways_to_write_a_wall_are_one_block():
     for block in blocks[1:]:
         assert block.slenderness == pytest.approx(blocks[0].slenderness, rel=1e-14)
         assert block.radius == pytest.approx(blocks[0].radius, rel=1e-14)
+
+
+GENERAL = {"slenderness_deg": 5.0, "radius_m": 4.0, "inertia_over_mass_m2": 32.0}
+
+
+def test_that_a_general_block_has_twice_the_inertia_of_its_radius_at_most():
+    """I0/m of R = 4 m: 32 m2."""
+    wall = {"name": "w", "mechanism": "two_sided", **GENERAL}
+    assert parse_case({"wall": [wall]}).wall[0].block().inertia_over_mass == 32.0
+    with pytest.raises(InputError) as caught:
+        parse_case({"wall": [{**wall, "inertia_over_mass_m2": 32.01}]})
+    assert caught.value.code == "inertia_too_large"
+    assert caught.value.values == {"given": 32.01, "most": pytest.approx(32.0), "ratio": 2.0}
+
+
+def test_that_what_gives_the_block_of_a_wall_is_not_to_be_emptied_in_its_form():
+    for name in (*GENERAL, "height_m", "thickness_m", "height_over_thickness"):
+        assert field_of(Wall, name).metadata["filled"], name
+
+
+def test_that_the_weight_of_a_wall_needs_its_length_its_thickness_and_its_unit_weight():
+    """7.0 x 0.83 x 4 m of 18 kN/m3: 418.3 kN."""
+    sizes = {"length_m": 4.0, "unit_weight_kn_m3": 18.0}
+    assert parse_case(case(sizes)).wall[0].weight == pytest.approx(418320.0, rel=1e-14)
+    for key in sizes:
+        left = {name: value for name, value in sizes.items() if name != key}
+        assert parse_case(case(left)).wall[0].weight is None
+    assert parse_wall({"name": "w", "mechanism": "two_sided", **GENERAL, **sizes}).weight is None
+
+
+def test_that_the_hinge_is_two_thirds_of_the_weight_over_the_strength_and_the_length_inside():
+    """18 x 0.83 x 7 = 104.58 kN/m on 2 MPa: 2 x 104.58 / (3 x 2000) m."""
+    wall = parse_case(case({"unit_weight_kn_m3": 18.0, "compressive_strength_mpa": 2.0})).wall[0]
+    assert wall.setback == pytest.approx(0.03486, rel=1e-12)
+
+
+@pytest.mark.parametrize(("masonry", "weight"), [("solid_brick", 18.0), ("regular_soft_stone", None)])
+def test_that_a_type_of_masonry_gives_the_unit_weight_where_its_table_has_one(masonry, weight):
+    """Table C8.5.I: 18 kN/m3 of solid brick, 13 to 16 kN/m3 of soft stone."""
+    assert parse_case(case({"masonry": masonry})).wall[0].unit_weight_kn_m3 == weight
+    assert parse_case(case({"masonry": masonry, "unit_weight_kn_m3": 14.0})).wall[0].unit_weight_kn_m3 == 14.0
+
+
+def test_that_two_cases_of_the_same_keys_are_the_same_wherever_they_were_read():
+    one = parse_case(case({}))
+    read = {"sha256": "0", "given": frozenset({("wall", 0, "name")}), "table": "walls.csv", "table_notes": (1,)}
+    assert replace(one, **read, drawings=(1,), drawn_from=("a.dxf",), source="# a comment") == one
+    assert replace(one, title="another") != one
 
 
 @pytest.mark.parametrize(

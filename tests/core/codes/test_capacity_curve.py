@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from core.case.rules import parse_case, parse_wall
-from core.codes.capacity_curve import PERIODS, capacity_curve
+from core.codes.capacity_curve import CURVE_PERIODS, capacity_curve
 from core.codes.floor_spectrum import FloorSpectrum, first_mode
 from core.codes.kinematic import kinematic
 from core.codes.target_spectrum import en1998
@@ -39,10 +39,10 @@ def test_that_the_demand_is_the_spectrum_up_to_a_quarter_more_than_the_check_nee
     curve = capacity_curve(found, demand)
     assert curve.damping == damping
     target = en1998(0.5 * G, 1, "B")
-    acceleration = target.acceleration(PERIODS, damping)
-    moved = acceleration * (PERIODS / (2.0 * np.pi)) ** 2
+    acceleration = target.acceleration(CURVE_PERIODS, damping)
+    moved = acceleration * (CURVE_PERIODS / (2.0 * np.pi)) ** 2
     inside = moved <= 1.25 * max(found.d0, found.s_de)
-    assert 50 < inside.sum() < PERIODS.size - 20  # it ends within the curve
+    assert 50 < inside.sum() < CURVE_PERIODS.size - 20  # it ends within the curve
     assert curve.demand_d == pytest.approx(moved[inside], rel=1e-13)
     assert curve.demand_a == pytest.approx(acceleration[inside], rel=1e-13)
     assert curve.floor_d.size == curve.floor_a.size == 0
@@ -54,8 +54,8 @@ def test_that_above_the_ground_the_floor_has_its_own_curve():
     floor = FloorSpectrum(demand.target, first_mode(3, 9.0, 6.0, 0.3, 0.05))
     found = kinematic(wall.in_si, "two_sided", demand, floor)
     curve = capacity_curve(found, demand)
-    felt = found.floor.acceleration(PERIODS, curve.damping)
-    moved = felt * (PERIODS / (2.0 * np.pi)) ** 2
+    felt = found.floor.acceleration(CURVE_PERIODS, curve.damping)
+    moved = felt * (CURVE_PERIODS / (2.0 * np.pi)) ** 2
     inside = moved <= 1.25 * max(found.d0, found.s_de)
     assert curve.floor_a == pytest.approx(felt[inside], rel=1e-13) and curve.floor_a.size > 20
     assert curve.floor_d == pytest.approx(moved[inside], rel=1e-13)

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from core.codes.multiplier_search import MAX_MULTIPLIER, STEP, WINDOW, search_zeta
+from core.codes.multiplier_search import FAILURE_WINDOW, MAX_MULTIPLIER, MULTIPLIER_STEP, search_zeta
 
 
 def rule(*fails):
@@ -29,9 +29,9 @@ def test_that_a_sharp_limit_is_found_without_bias(limit, target):
     assert found.half == pytest.approx(limit, rel=1e-4) and found.half >= limit
     assert found.first == found.half
     # 16 % of a window of +-10 % lie beyond the limit where its middle is 6.8 % below, in ln
-    assert found.sixteen == pytest.approx(limit * math.exp(-0.68 * WINDOW), rel=1.1 * STEP)
+    assert found.sixteen == pytest.approx(limit * math.exp(-0.68 * FAILURE_WINDOW), rel=1.1 * MULTIPLIER_STEP)
     assert found.spread[0] <= found.half <= found.spread[1]
-    assert found.spread[1] / found.spread[0] == pytest.approx(1.0 + 0.2 * WINDOW, abs=3.0 * STEP)
+    assert found.spread[1] / found.spread[0] == pytest.approx(1.0 + 0.2 * FAILURE_WINDOW, abs=3.0 * MULTIPLIER_STEP)
     assert found.holds_at_target == (target < limit)
 
 
@@ -45,9 +45,9 @@ def test_that_the_share_around_the_target_is_that_of_its_points():
 
 def test_that_a_narrow_failure_moves_the_first_failure_and_not_zeta():
     found = search_zeta(rule((0.6, 0.615), (1.1, math.inf))[0], 0.2, 1.0)
-    assert found.first == pytest.approx(0.6, rel=STEP)
+    assert found.first == pytest.approx(0.6, rel=MULTIPLIER_STEP)
     # another value than that of the limit alone only by the step
-    assert found.half == pytest.approx(1.1, rel=STEP)
+    assert found.half == pytest.approx(1.1, rel=MULTIPLIER_STEP)
     assert 0.6 < found.first < 0.63 < found.sixteen < 1.1
 
 
@@ -88,7 +88,7 @@ def test_that_a_failure_at_the_target_itself_is_seen_beside_a_zeta_beyond():
 @pytest.mark.parametrize("every", [1, 2, 4, 8])
 def test_that_what_is_found_is_that_of_all_points_wherever_the_walk_starts(every, seeds):
     """Rules that fail at scattered points, against the definition on every point of the grid."""
-    half = round(WINDOW / (every * math.log1p(STEP)))
+    half = round(FAILURE_WINDOW / (every * math.log1p(MULTIPLIER_STEP)))
     for seed in seeds:
         chance = np.random.default_rng(seed)
         share = np.clip(np.linspace(-chance.uniform(0.0, 3.0), 1.2, 1200 // every), 0.0, 1.0) ** 3
@@ -96,7 +96,7 @@ def test_that_what_is_found_is_that_of_all_points_wherever_the_walk_starts(every
         flags[:50] = False
 
         def failures(multipliers, flags=flags):
-            k = np.rint(np.log(multipliers / 0.8) / math.log1p(STEP) / every).astype(int) + 100
+            k = np.rint(np.log(multipliers / 0.8) / math.log1p(MULTIPLIER_STEP) / every).astype(int) + 100
             fails = np.where(k < 0, False, flags[np.clip(k, 0, flags.size - 1)])
             return fails, np.zeros(k.size, bool), np.ones(k.size, bool)
 
@@ -105,7 +105,7 @@ def test_that_what_is_found_is_that_of_all_points_wherever_the_walk_starts(every
             return int(np.argmax(counts >= part * (2 * half + 1)))
 
         def multiplier(k):
-            return 0.8 * (1.0 + STEP) ** (every * (k - 100))
+            return 0.8 * (1.0 + MULTIPLIER_STEP) ** (every * (k - 100))
 
         first, middle = int(np.argmax(flags)), lowest(0.5)
         rests = [0.5 * multiplier(0), multiplier(17), multiplier(first - 1), 0.999 * multiplier(first)]
@@ -129,9 +129,9 @@ def test_that_points_are_left_out_only_where_no_run_rocks():
 
     search_zeta(failures, 0.2, 1.0)
     quiet = sorted(m for m in asked if m < 0.65)
-    assert np.diff(np.log(quiet)) == pytest.approx(16 * math.log1p(STEP), rel=1e-9)
+    assert np.diff(np.log(quiet)) == pytest.approx(16 * math.log1p(MULTIPLIER_STEP), rel=1e-9)
     rocks = sorted(m for m in asked if 0.7 <= m < 1.0)
-    assert np.diff(np.log(rocks))[:-20] == pytest.approx(math.log1p(STEP), rel=1e-9)
+    assert np.diff(np.log(rocks))[:-20] == pytest.approx(math.log1p(MULTIPLIER_STEP), rel=1e-9)
 
 
 def test_that_the_search_begins_where_the_wall_begins_to_move_whatever_the_target():

@@ -10,7 +10,7 @@ import pytest
 from core.codes.limits import return_period
 from core.codes.national_hazard import (
     ISLANDS,
-    PERIODS,
+    RETURN_PERIODS,
     beginning_with,
     grid,
     hazard_at,
@@ -105,8 +105,8 @@ def plain(latitude, longitude, years):
             cosine = math.sin(lat) * math.sin(mine[0]) + math.cos(lat) * math.cos(mine[0]) * math.cos(lon - mine[1])
             d = 6371.0088 * math.acos(min(1.0, cosine))
             table = known.values[known.row_of[one]]
-            k = max(j for j in range(8) if PERIODS[j] <= years)
-            exponent = math.log(years / PERIODS[k]) / math.log(PERIODS[k + 1] / PERIODS[k])
+            k = max(j for j in range(8) if RETURN_PERIODS[j] <= years)
+            exponent = math.log(years / RETURN_PERIODS[k]) / math.log(RETURN_PERIODS[k + 1] / RETURN_PERIODS[k])
             for j in range(3):
                 low, high = float(table[k][j]), float(table[k + 1][j])
                 sums[j] += math.exp(math.log(low) + math.log(high / low) * exponent) / d
@@ -137,7 +137,7 @@ def test_that_a_node_has_its_own_values_and_an_edge_lies_between_its_ends():
     row = known.row_of[26305]
     found = hazard_at(*known.nodes[row])
     assert 0.0 in found.distances
-    for years, values in zip(PERIODS, known.values[row], strict=True):
+    for years, values in zip(RETURN_PERIODS, known.values[row], strict=True):
         assert tuple(found.at(years)) == pytest.approx((0.1 * values[0], values[1], values[2]), rel=1e-14)
     other = known.nodes[known.row_of[26306]]
     middle = hazard_at(*(0.5 * (known.nodes[row] + other)))
@@ -148,7 +148,7 @@ def test_that_below_30_and_above_2475_years_the_ends_of_the_table_hold():
     found = hazard_at(42.3498, 13.3995)
     assert found.at(10.0) == found.at(30.0) and found.at(9000.0) == found.at(2475.0)
     # continuous through each return period of the table
-    for years in PERIODS[1:-1]:
+    for years in RETURN_PERIODS[1:-1]:
         assert tuple(found.at(years * (1 - 1e-12))) == pytest.approx(tuple(found.at(years)), rel=1e-9)
 
 

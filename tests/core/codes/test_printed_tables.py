@@ -108,7 +108,7 @@ def test_that_periods_and_dampings_are_those_of_c8_7_1_2_1_8():
     assert {state: factor / math.pi for state, factor in kinematic.PERIOD_FACTOR.items()} == pytest.approx(
         {"SLV": 1.68, "SLC": 1.56}, rel=1e-15
     )
-    assert kinematic.DAMPING == {"SLV": 0.08, "SLC": 0.10}
+    assert kinematic.STATE_DAMPING == {"SLV": 0.08, "SLC": 0.10}
     assert (kinematic.FREE_DAMPING, kinematic.CANTILEVER) == (0.05, 6.2)
 
 

@@ -8,7 +8,7 @@ import pytest
 from core.case.rules import parse_case
 from core.codes import record_sample
 from core.codes.dynamic_check import DemandRuns, demand_check
-from core.codes.multiplier_search import STEP
+from core.codes.multiplier_search import MULTIPLIER_STEP
 from core.codes.record_sample import RecordPeaks, one_left_out, record_peaks, sample_interval, zeta_of_sets
 from core.ground.artificial import filtered_noise
 from core.ground.ground_motion import GroundMotion
@@ -17,7 +17,7 @@ from core.rocking.outcome import STABLE
 from core.setting.demand_input import demand_of
 from core.setting.scene import model_of
 
-WITHIN = (1.0 + STEP) ** (2 * record_sample.EVERY)
+WITHIN = (1.0 + MULTIPLIER_STEP) ** (2 * record_sample.EVERY)
 """Two points of the coarse grid."""
 
 
@@ -117,11 +117,11 @@ def test_that_the_peaks_begin_at_half_of_zeta_unless_a_record_alone_breaks_the_r
     _, motions, demand = scene
     wall = {"name": "w", "height_m": 12.0, "thickness_m": 0.8, "mechanism": "two_sided", "base_z_m": 0.0}
     model = model_of(parse_case({"wall": [wall]}).wall[0], "two_sided")
-    demand, step = replace(demand, zeta_target=target), (1.0 + STEP) ** record_sample.EVERY
+    demand, step = replace(demand, zeta_target=target), (1.0 + MULTIPLIER_STEP) ** record_sample.EVERY
     zeta = demand_check(model, motions, (1,), demand, AUTO, other=False).zeta
     found = record_peaks(model, motions, (1,), demand, AUTO, zeta)
     assert 0.5 / step <= found.multipliers[0] / zeta <= 0.5
-    assert 1.5 / step <= found.multipliers[-1] / zeta < 1.5 * step**record_sample.SPARSE
+    assert 1.5 / step <= found.multipliers[-1] / zeta < 1.5 * step
     (whole,) = zeta_of_sets(found, np.ones((1, 8), int))
     assert zeta / WITHIN < whole < zeta * WITHIN
     rest = DemandRuns(model, motions, (1,), demand, demand.confidence_on, AUTO, lambda: False).rest
@@ -142,18 +142,10 @@ def test_that_the_peaks_are_known_by_one_percent(peaks):
     assert np.diff(np.log(found.multipliers)) == pytest.approx(0.01, rel=2e-3)
 
 
-def test_that_between_two_points_at_which_a_record_hardly_rocks_its_peaks_lie_on_a_line(scene, peaks):
-    """Every fourth point is analysed, and those between where a peak at either end reaches 0.20 theta_c."""
+def test_that_every_point_is_analysed_however_little_a_record_rocks_beside_it(scene, peaks):
+    """A wall whose peaks are below 0.20 theta_c at two multipliers 4 % apart overturns between them now and then."""
     (model, motions, demand), (_, found) = scene, peaks
     runs = DemandRuns(model, motions, (1,), demand, demand.confidence_on, AUTO, lambda: False)
-    on_a_line = 0
     for record, shown in enumerate(found.peaks):
         outcomes, reached = runs.analyse([record], found.multipliers)
-        analysed = np.where(outcomes == STABLE, reached, np.inf)[0, 0]
-        for n in range(0, shown.size - 1, 4):
-            first, *between, last = analysed[n : n + 5]
-            if max(first, last) < 0.20:
-                between = [first + k * (last - first) / 4 for k in (1, 2, 3)]
-                on_a_line += 1
-            assert shown[n : n + 5] == pytest.approx([first, *between, last], rel=1e-12)
-    assert 0 < on_a_line < found.peaks.size // 4
+        assert np.array_equal(shown, np.where(outcomes == STABLE, reached, np.inf)[0, 0])

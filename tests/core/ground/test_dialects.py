@@ -115,6 +115,8 @@ def test_that_processed_horizontals_of_a_zip_come_first_and_what_is_converted_on
         (dialects.cwa(rate=200), "SampleRate"),
         (dialects.smc(declared=44), "44|40"),
         (dialects.smc(declared=36), "36"),
+        (dialects.smc(declared=1), "40 samples, but the header declares 1 *$"),
+        (dialects.smc(declared=0), "SMC, 16, 17, 2"),
         (dialects.smc(kind="3 VELOCITY"), "velocity"),
         (dialects.smc(kind="0 UNKNOWN"), "give unit"),
         (dialects.volume2(declared=48), "48|40"),
@@ -491,3 +493,33 @@ def test_that_a_short_table_of_taiwan_has_too_few_samples(many):
     lines = dialects.cwa().replace(b"RecordLength(sec): 0.4", b"RecordLength(sec): %.2f" % (many * STEP)).split(b"\n")
     with pytest.raises(RecordError, match=f"{many} samples are too few for a record: at least 10"):
         read(b"\n".join(lines[: 12 + many]) + b"\n", channel="U")
+
+
+@pytest.mark.parametrize(("seconds", "agrees"), [(0.41, False), (0.40, True), (0.39, True), (0.38, False)])
+def test_that_a_table_of_taiwan_may_have_the_sample_at_its_end(seconds, agrees):
+    """Of 40 samples a hundredth of a second apart the last one is at 0.39 s."""
+    content = dialects.cwa().replace(b"RecordLength(sec): 0.4", b"RecordLength(sec): %.2f" % seconds)
+    if agrees:
+        assert np.array_equal(read(content, channel="N").acceleration, MOTION)
+        return
+    with pytest.raises(RecordError, match=f"40 samples, but the header declares {100 * seconds:.0f}"):
+        read(content, channel="N")
+
+
+def test_that_an_smc_needs_no_comment():
+    """The 16th integer counts them."""
+    lines = dialects.smc().decode().splitlines()
+    assert lines[12][70:] == "         1" and lines.pop(27) == "| a comment"
+    lines[12] = lines[12][:70] + "         0"
+    assert np.array_equal(read(dialects.text(lines)).acceleration, MOTION)
+
+
+def test_that_an_smc_states_the_time_of_its_peak_or_leaves_it_out():
+    """The reals 29 to 32: time and value of the largest sample, then of the smallest; 1.7E+38 is none."""
+    lines = dialects.smc().decode().splitlines()
+    assert not read(dialects.text(lines)).warnings
+    assert not read(dialects.text(lines[:18], ["*"] * 9, lines[27:])).warnings  # the first line has the rate
+    for time, codes in ((0.06, []), (1.0, ["peak_elsewhere"])):
+        extremes = dialects.rows([1.7e38] * 3 + [time, 200.0, 0.05, -175.0] + [1.7e38] * 3, 5, "15.7E")
+        found = read(dialects.text(lines[:22], extremes, lines[24:]))
+        assert [warning.code for warning in found.warnings] == codes

@@ -185,3 +185,13 @@ def test_that_blank_lines_below_the_last_row_of_labview_are_no_segment(blank):
     with pytest.raises(RecordError) as caught:
         read(middle + blank + content[len(middle) :])
     assert caught.value.code == "lvm_segments"
+
+
+@pytest.mark.parametrize("content", [lvm("No", comma=True), lvm(mark=",")])
+def test_that_the_tags_of_labview_stand_in_any_order(content):
+    lines = content.split(b"\n")
+    end = lines.index(b"***End_of_Header***")
+    tags = lines[1:end]
+    for k in range(len(tags)):
+        turned = b"\n".join([lines[0], *tags[k:], *tags[:k], *lines[end:]])
+        assert np.array_equal(read(turned).acceleration, MOTION)

@@ -411,3 +411,17 @@ def test_that_of_many_uneven_times_the_first_is_named(write, first):
         line = first + 1 + head.count("\n")
         start = 0.01 * (first - 1)
         assert f"line {line}: the time goes from {start:g} to {start + 0.02:g} s" in str(refused.value)
+
+
+def test_that_a_row_alone_is_no_record_whatever_column_is_asked_for(write):
+    with pytest.raises(RecordError, match="column 1 does not increase"):
+        records.read(write("0.00 0.10\n"), Options("g", column=2))
+
+
+def test_that_the_columns_to_choose_from_end_with_the_last_one_that_is_filled(write):
+    rows = "".join(f"{0.01 * k:.2f};{a:.5f};;{a / 2:.5f};\n" for k, a in enumerate(MOTION))
+    with pytest.raises(RecordError, match="3 columns: give the column of the acceleration with column = 2 to 4 "):
+        records.read(write(rows), Options("g"))
+    assert np.allclose(records.read(write(rows), Options("m/s2", column=4)).acceleration, MOTION / 2.0, atol=5e-6)
+    with pytest.raises(RecordError, match="column = 5"):
+        records.read(write(rows), Options("g", column=5))

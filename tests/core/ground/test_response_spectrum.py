@@ -84,3 +84,13 @@ def test_that_el_centro_has_the_intensity_of_the_paper(shelf):
     """Table 2 prints 124.27 cm, for the 0.319 g digitisation."""
     found = records.read(shelf / "plain_txt/elcentro_NS_trunc.dat", Options(unit="m/s2"))
     assert 100 * found.housner_intensity == pytest.approx(124.27, rel=1e-3)
+
+
+def test_that_a_period_shorter_than_forty_samples_is_looked_at_between_them():
+    """From 40 samples on they are near enough: 1 - cos(pi / 40) is 0.3 %."""
+    ground = np.random.default_rng(1).normal(size=200)
+    for period, between in ((0.4, False), (0.399, True)):
+        at = np.array([period])
+        looked = response_spectrum.pseudo_acceleration_spectrum(ground, 0.01, at)[0]
+        samples = response_spectrum.pseudo_acceleration_spectrum(ground, 0.01, at, per_period=0)[0]
+        assert (looked > 1.001 * samples) == between and (between or looked == samples)

@@ -320,3 +320,15 @@ def test_that_a_trace_that_was_cut_at_its_peak_is_said():
     first = next(k for k in range(flat.size) if flat[k : k + 3].all() and np.ptp(values[k : k + 3]) == 0.0)
     lasts = next(k for k in range(first, flat.size) if values[k] != values[first])
     assert notices(values)["clipped"] == {"n": lasts - first, "sample": first + 1}
+
+
+@pytest.mark.parametrize("first", ["0.00 n.d.", "0 0.5 letto a mano"])
+def test_that_a_line_at_the_time_before_the_first_one_is_a_sample(first, tmp_path):
+    """A mark of a gap beside it, or a time of nought in fewer decimals than the others have."""
+    rows = [f"{DT * k:.2f} {np.sin(0.3 * k):.5f}" for k in range(1, 100)]
+    with pytest.raises(RecordError) as caught:
+        read(["Time (s)  Acceleration (m/s2)", first, *rows], tmp_path, {})
+    assert caught.value.code == "sample_in_head"
+    assert f"line 2: '{first}' begins as the samples below it do" in str(caught.value)
+    late = first.replace("0", "7", 1)  # at no time of the samples
+    assert read(["Time (s)  Acceleration (m/s2)", late, *rows], tmp_path, {}).acceleration.size == 99

@@ -8,6 +8,7 @@ import pytest
 from core.errors import RecordError
 from core.ground import records
 from core.ground.records.grammar import Options
+from core.ground.records.samples import jumps, refuse_marks
 from tests.core.ground import dialects
 from tests.core.ground.record_texts import MOTION, column, two
 
@@ -200,3 +201,23 @@ def test_that_a_peer_unit_with_a_factor_is_refused_until_scale_says_the_same():
         read(text)
     found = records._motion(text.encode(), Path("x.at2"), Options(), 0.001, "x")
     assert found.unit == "g" and found.scale == 0.001
+
+
+@pytest.mark.parametrize(("where", "first"), [(slice(0, 40), 1), (slice(-40, None), 1961)])
+def test_that_a_run_of_marks_at_an_end_of_the_record_is_found(where, first):
+    """The motion jumps by 50 of its peak of 300 to them."""
+    values = noise(peak=300.0)
+    values[[40, -41]] = 49.5
+    values[where] = -1.0
+    with pytest.raises(RecordError) as caught:
+        refuse_marks(values)
+    assert (caught.value.code, caught.value.values["sample"]) == ("marks_of_gaps", first)
+
+
+@pytest.mark.parametrize(("share", "said"), [(0.0119, []), (0.0121, [("jump", 401)])])
+def test_that_a_jump_where_nothing_moves_is_held_against_the_largest_step(share, said):
+    """Twelve times its thousandth; the fourth difference of a lone sample is six times it, of alternating ones 16."""
+    values = np.zeros(2000)
+    values[1000:1400] = np.where(np.arange(400) % 2, -1.0, 1.0)
+    values[400] = share * 16.0 / 6.0
+    assert [(one.code, dict(one.values)["sample"]) for one in jumps(values)] == said

@@ -22,6 +22,9 @@ def test_that_the_correlation_is_the_published_one():
     """Baker and Jayaram (2008): 1 at one period, near 1 beside it, and C1 by hand for 0.2 and 2 s."""
     assert correlation(1.0, 1.0) == pytest.approx(1.0) and correlation(0.05, 0.05) == pytest.approx(1.0)
     assert correlation(0.2, 2.0) == pytest.approx(1.0 - np.cos(np.pi / 2.0 - 0.366 * np.log(10.0)))
+    # C1 = 1 - sin(0.366 ln 5) = 0.44442; cos(pi / 2) = 0, thus C4 = C1 + (0.66665 - C1) / 2
+    assert correlation(0.0545, 0.545) == pytest.approx(0.55554, abs=1e-5)
+    assert correlation(0.109, 1.0) == pytest.approx(correlation(0.109 + 1e-9, 1.0), abs=1e-7)
     assert correlation(0.05, 0.1) == correlation(0.1, 0.05) > 0.9
     periods = np.array([0.01, *MATCHED_PERIODS])
     matrix = np.array([[correlation(a, b) for b in periods] for a in periods])

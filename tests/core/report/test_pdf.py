@@ -191,7 +191,7 @@ def test_that_files_of_others_within_a_note_are_not_unpacked(tmp_path, monkeypat
     path = tmp_path / "n.pdf"
     path.write_bytes(with_file(b"41" * 1000 + b">", NameObject("/ASCIIHexDecode"), "photographs.zip"))
     monkeypatch.setattr("pypdf.filters.ASCIIHexDecode.decode", lambda *_, **__: pytest.fail("unpacked"))
-    assert note_file.unpacked(path.read_bytes(), note_file.NAMES) == {}
+    assert note_file.unpacked(path.read_bytes(), note_file.NOTE_FILES) == {}
 
 
 def test_that_what_unpacks_without_an_end_is_refused_after_its_time(tmp_path, monkeypatch):

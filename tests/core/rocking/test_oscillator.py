@@ -9,7 +9,7 @@ from core.rocking import oscillator
 from core.rocking.events import BlockState
 from core.rocking.history import history, scan
 from core.rocking.methods import AUTO
-from core.rocking.oscillator import END, FALLS, RISES, Swing
+from core.rocking.oscillator import SWING_ENDS, SWING_FALLS, SWING_RISES, Swing
 from core.units import G
 from core.wall.rocking_model import RockingModel, with_branch
 
@@ -37,7 +37,7 @@ def forcing(model: RockingModel) -> float:
 
 def test_an_event_of_a_swing_is_where_50_digits_find_it():
     rng = np.random.default_rng(4)
-    seen = {END: 0, FALLS: 0, RISES: 0}
+    seen = {SWING_ENDS: 0, SWING_FALLS: 0, SWING_RISES: 0}
     with mpmath.workdps(50):
         for _ in range(300):
             end, span = 1.0, rng.uniform(0.2, 1.6)
@@ -60,7 +60,7 @@ def test_an_event_of_a_swing_is_where_50_digits_find_it():
             before = swung + 0.5 * speed * np.sin(x)
             assert before.min() > -1e-9 and before.max() < 1.0 + 1e-9  # nothing happens before it
             assert found.peak >= max(before.max(), phi) - 1e-9
-            at = {END: found.phi, FALLS: 0.0, RISES: 1.0}[event]
+            at = {SWING_ENDS: found.phi, SWING_FALLS: 0.0, SWING_RISES: 1.0}[event]
             assert float(rotation(mpmath.mpf(t) * span)) == pytest.approx(at, abs=4e-15)
             assert found.speed == pytest.approx(2.0 * float(mpmath.diff(rotation, mpmath.mpf(t) * span)), abs=2e-14)
             seen[event] += 1

@@ -1,10 +1,12 @@
 """The records of a case."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from core.errors import InputError
-from core.setting.record_input import read_records
+from core.setting.record_input import joined, read_records
 from core.study import run as study
 from tests.core.study.cases import case
 
@@ -28,6 +30,21 @@ def test_that_the_same_samples_under_two_names_are_refused(tmp_path, reference):
     entries = [{"file": "*.txt", "unit": "m/s2", "time_step_s": 0.01}]
     with pytest.raises(InputError, match=r"record 1: b\.txt is in the case twice.*a\.txt"):
         read_records(case(record=entries), tmp_path)
+
+
+def test_that_a_record_that_is_a_generated_motion_is_refused_and_others_stand_beside_it(tmp_path, reference):
+    """Of one name both are called by their files."""
+    text = "\n".join(f"{value:.9e}" for value in reference("standard")[0][:400])
+    (tmp_path / "a.txt").write_text(text)
+    ((record,), _) = read_records(case(record=[{"file": "a.txt", "unit": "m/s2", "time_step_s": 0.01}]), tmp_path)
+    made = replace(record, file="generated, seed 1", acceleration=2.0 * record.acceleration)
+    assert [motion.name for motion in joined([record], [made])] == ["a.txt", "generated, seed 1"]
+    with pytest.raises(InputError) as refused:
+        joined([record], [made, replace(record, file="generated, seed 2")])
+    assert (refused.value.code, refused.value.values) == (
+        "record_twice",
+        {"file": "a.txt", "twin": "generated, seed 2"},
+    )
 
 
 def test_that_a_record_twice_in_a_case_is_refused(folder):

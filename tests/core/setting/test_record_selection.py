@@ -17,9 +17,10 @@ from core.codes.limits import are_counted
 from core.codes.outcomes import OUTCOMES
 from core.codes.record_compatibility import compliance
 from core.errors import Cancelled, InputError
-from core.ground.record_folder import Candidate, Limits, one_of_each, read_file
+from core.ground.provenance import Provenance
+from core.ground.record_folder import SAME_MOTION, Candidate, LeftOut, Limits, one_of_each, read_file
 from core.report.json_report import results
-from core.setting import plan
+from core.setting import plan, record_selection
 from core.setting.demand_input import demand_of
 from core.setting.plan import longest_of, read_inputs, with_chosen
 from core.setting.record_selection import select_records
@@ -176,6 +177,22 @@ def test_that_a_choice_can_be_cancelled(folder):
         select_records(asked.select, folder, demand, 0.0, cancelled=lambda: True)
 
 
+def test_that_a_choice_tells_hundredths_half_of_reading_and_half_of_search(folder, monkeypatch):
+    """Of 23 files, then of a search that tells its beginning, its half and its end."""
+    real = record_selection.nearest_sets
+
+    def slowly(*given):
+        for share in (0.0, 0.5, 1.0):
+            assert not given[-1](share)
+        return real(*given)
+
+    monkeypatch.setattr(record_selection, "nearest_sets", slowly)
+    asked, told = case(), []
+    demand = demand_of(asked, folder)
+    select_records(asked.select, folder, demand, 0.0, lambda done, planned: told.append((done, planned)))
+    assert told == [*((50 * k // 23, 100) for k in range(1, 24)), (50, 100), (75, 100), (100, 100)]
+
+
 def test_that_a_folder_that_is_not_there_is_named(tmp_path):
     with pytest.raises(InputError, match="nothing: there is no such folder or zip of records"):
         found_in(tmp_path, case("nothing"))
@@ -293,3 +310,35 @@ def test_that_of_a_recording_in_both_forms_the_processed_one_stays(tmp_path):
     assert {one.file.name for one in kept} == {"b.ASC", "c.ASC", "d raw.ASC", "e raw.ASC"}
     assert [(one.file.name, one.reason.code) for one in left] == [("a raw.ASC", "processed_beside")]
     assert "b.ASC" in left[0].reason.text()
+
+
+@pytest.mark.parametrize(
+    ("limits", "within"),
+    [
+        (Limits(distance_km=(15.0, 20.0)), True),
+        (Limits(distance_km=(15.1, 20.0)), False),
+        (Limits(distance_km=(0.0, 15.0)), True),
+        (Limits(distance_km=(0.0, 14.9)), False),
+        (Limits(magnitude=(6.1, 6.1)), True),
+    ],
+)
+def test_that_a_record_on_a_limit_is_within_it(limits, within, tmp_path):
+    """15 km away, of magnitude 6.1."""
+    write_esm(tmp_path / "one.ASC", 5, "S0", "EV-0")
+    (found,) = read_file(tmp_path / "one.ASC", np.array([0.1]), limits)
+    if within:
+        assert isinstance(found, Candidate)
+    else:
+        assert isinstance(found, LeftOut) and found.reason.code == "selected_beyond"
+
+
+@pytest.mark.parametrize(("apart", "same"), [(SAME_MOTION, True), (1.01 * SAME_MOTION, False)])
+def test_that_records_whose_spectra_differ_by_a_thousandth_are_still_one_motion(apart, same):
+    said = [Provenance("EV-0", station, "", "", "", "", "", "") for station in ("S0", "S1")]
+    first, second = (
+        Candidate(Path(f"{k}.ASC"), "", "", str(k), str(k), said[k], 1.0, False, np.array([ordinate, 1.0]))
+        for k, ordinate in enumerate((1.0, 1.0 + apart))
+    )
+    kept, left = one_of_each([second, first])
+    assert [one.file.name for one in kept] == (["0.ASC"] if same else ["0.ASC", "1.ASC"])
+    assert [(one.file.name, one.reason.code) for one in left] == ([("1.ASC", "same_motion")] if same else [])

@@ -49,12 +49,13 @@ def test_that_no_mutation_of_a_byte_changes_a_result(tmp_path, count):
             changed[place:place] = bytes(chance.randrange(256) for _ in range(chance.randrange(1, 9)))
         path.write_bytes(changed)
         book = Journal(path, KEY, True)
-        assert all(whole[name] == result for name, result in book.found.items())
-        lost = 6 - len(book.found)
+        assert all(whole[name] == book.get(name) for name in book.places)
+        lost = 6 - len(book.places)
         assert lost <= 2 or kind in (1, 2)  # two where the mutation took or made a line end
+        held = {name: book.get(name) for name in book.places}
         book.close()
         again = Journal(path, KEY, True)  # what was damaged is gone, what was whole is there
-        assert again.found == book.found and again.dropped == 0
+        assert {name: again.get(name) for name in again.places} == held and again.dropped == 0
         again.close()
 
 
@@ -111,7 +112,7 @@ def test_that_several_threads_add_whole_lines(tmp_path):
         thread.join()
     book.close()
     again = Journal(tmp_path / "c.journal", KEY, True)
-    assert len(again.found) == 800 and again.dropped == 0
+    assert len(again.places) == 800 and again.dropped == 0
     again.close()
 
 
@@ -123,7 +124,7 @@ def test_that_a_second_batch_on_the_same_output_is_refused(tmp_path):
     first.add("run1", {"q": 2.0})
     first.close()
     book = Journal(tmp_path / "c.journal", KEY, True)
-    assert set(book.found) == {"run0", "run1"}
+    assert set(book.places) == {"run0", "run1"}
     book.close()
 
 
@@ -133,3 +134,77 @@ def test_that_what_a_kill_left_of_the_first_line_is_a_journal_still(tmp_path):
         path.write_bytes(content)
         Journal(path, KEY, True).close()
         assert json.loads(path.read_bytes()) == {"Ribalta journal": KEY}
+
+
+# rows of groups of a large case
+
+
+def grouped(path, key="k", groups=3):
+    book = Journal(path, key, False)
+    for g in range(groups):
+        book.add(g, {"q": [1.0 / (g + 3), None, "è"]})
+    book.close()
+    return path.read_bytes()
+
+
+def test_that_rows_come_back_bit_for_bit(tmp_path):
+    path = tmp_path / "c.journal"
+    grouped(path)
+    book = Journal(path, "k", True)
+    assert [g in book for g in range(4)] == [True, True, True, False] and book.dropped == 0
+    assert book.get(1) == {"q": [0.25, None, "è"]} and book.get(0)["q"][0] == 1.0 / 3.0
+    book.add(3, {"q": [2.0]})
+    assert book.get(3) == {"q": [2.0]} and book.get(2)["q"][0] == 0.2
+    book.remove()
+    assert not path.exists()
+
+
+def test_that_a_line_a_kill_cut_off_is_made_again(tmp_path):
+    path = tmp_path / "c.journal"
+    content = grouped(path)
+    for end in range(len(content) - 40, len(content)):
+        path.write_bytes(content[:end])
+        book = Journal(path, "k", True)
+        assert sorted(book.places) == ["0", "1"] and book.dropped == 0
+        book.add(2, {"q": []})
+        book.close()
+        assert path.read_bytes().count(b"\n") == 4
+
+
+def test_that_a_damaged_line_is_dropped_and_the_others_stay(tmp_path):
+    path = tmp_path / "c.journal"
+    path.write_bytes(grouped(path).replace(b"0.25", b"0.26"))
+    book = Journal(path, "k", True)
+    assert sorted(book.places) == ["0", "2"] and book.dropped == 1
+    book.close()
+
+
+@pytest.mark.parametrize("key, resume", [("k", False), ("other", True)])
+def test_that_what_is_not_resumed_is_set_aside(tmp_path, key, resume):
+    path = tmp_path / "c.journal"
+    content = grouped(path)
+    for name in ("c.journal.old", "c.journal.old2"):
+        book = Journal(path, key, resume)
+        assert not book.places and book.set_aside == tmp_path / name and book.set_aside.read_bytes() == content
+        book.close()
+        path.write_bytes(content)
+
+
+def test_that_the_file_of_another_is_left_alone(tmp_path):
+    path = tmp_path / "c.journal"
+    for content in (b"mine\n", b"mine"):
+        path.write_bytes(content)
+        with pytest.raises(OutputError) as caught:
+            Journal(path, "k", False)
+        assert caught.value.code == "not_a_journal" and path.read_bytes() == content
+
+
+def test_that_a_folder_is_no_journal_and_a_second_batch_is_refused(tmp_path):
+    path = tmp_path / "c.journal"
+    book = Journal(path, "k", False)
+    with pytest.raises(OutputError) as caught:
+        Journal(path, "k", True)
+    assert caught.value.code == "batch_running"
+    book.close()
+    with pytest.raises(OutputError):
+        Journal(tmp_path, "k", False)

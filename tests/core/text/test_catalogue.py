@@ -21,7 +21,7 @@ from core.ground.records.signatures import BEGINNINGS
 from core.packages import PACKAGES
 from core.text.catalogue import CATALOGUE, FOLDER, GROUPS, Catalogue
 from core.text.sentence import FormNames, Key, Quantity, capital, localized, sentence
-from core.variation.tie_design import NAMES as FORCES
+from core.variation.tie_design import FORCE_NAMES as FORCES
 from tests.conftest import ROOT
 from tests.trees import tree_of
 

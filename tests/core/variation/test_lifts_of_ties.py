@@ -146,7 +146,7 @@ def test_that_two_reasons_of_the_loads_change_the_wall_together():
 
     wall = parse_case({"wall": [{**WALL, "load": [LONG, {**TIE, "kn_m": 0.05}]}], "demand": DEMAND}).wall[0]
     demand = demand_of(parse_case({"wall": [WALL | {"unloaded_confirmed": True}], "demand": DEMAND}), ROOT)
-    scene = Scene(wall, "one_sided", demand, None, None, None, (), None, "both", AUTO)
+    scene = Scene(wall, "one_sided", demand, None, None, None, (), None, "both", AUTO, False, False, False)
     both = _of_ties(elongation_m=None)(_without(lambda _, load: load.kn_m == 0.05)(scene)).wall.load
     assert [(load.kn_m, load.elongation_m) for load in both] == [(0.9, None)]
 

@@ -17,7 +17,7 @@ from core.study import run as study
 from core.units import G
 from core.variation import tie_design as tie_module
 from core.variation.evaluate import RUN
-from core.variation.tie_design import NAMES, Hinge, tie_design, with_tie
+from core.variation.tie_design import FORCE_NAMES, Hinge, tie_design, with_tie
 from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
 from tests.core.variation.one_evaluation import WALL as QUICK
@@ -270,7 +270,7 @@ def test_that_each_check_asks_of_the_church_what_the_hand_does():
     assert (found["force_kn_m"], found["check"], found["asked_kn_m"]) == (None, None, None)
     assert found["at_least_kn_m"] == found["forces_kn_m"]["nonlinear"]
     assert found["stands_m"] is None and found["elongation_m"]["demand"] is None
-    assert set(found["forces_kn_m"]) == set(NAMES)
+    assert set(found["forces_kn_m"]) == set(FORCE_NAMES)
 
 
 @pytest.mark.long

@@ -59,7 +59,7 @@ def test_that_a_given_ratio_is_taken_up_to_its_limits():
 
 
 def test_that_the_ratio_falls_with_the_square_of_the_velocity():
-    from core.wall.restitution import velocity_ratio
+    from core.wall.impact import velocity_ratio
 
     one = restitution(WALL, "one_sided_experimental")
     model = rocking_model(WALL, True, one, LAWS["rigid"])
@@ -73,7 +73,7 @@ def test_that_the_ratio_falls_with_the_square_of_the_velocity():
 
 
 def test_that_eq_7_is_held_at_zero_and_counted():
-    from core.wall.restitution import velocity_ratio
+    from core.wall.impact import velocity_ratio
 
     one = restitution(WALL, "one_sided_experimental")
     model = rocking_model(WALL, True, one, LAWS["rigid"])

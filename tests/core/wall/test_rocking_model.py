@@ -6,9 +6,9 @@ import pytest
 
 from core.units import G
 from core.wall.block import Block
+from core.wall.impact import Restitution
 from core.wall.loads import BARE, Force, restoring_moment
 from core.wall.moment_rotation import LAWS
-from core.wall.restitution import Restitution
 from core.wall.rocking_model import RockingModel, rocking_model, seen_from, sides_differ
 
 BLOCK = Block.rectangle(3.0, 0.15)
