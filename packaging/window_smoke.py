@@ -10,6 +10,10 @@ import os
 import time
 import traceback
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from app.shell.window import MainWindow
 
 
 def settle(application, ready, seconds: float = 180.0) -> None:
@@ -22,17 +26,17 @@ def settle(application, ready, seconds: float = 180.0) -> None:
         time.sleep(0.002)
 
 
-def drive(application, window, folder: Path, times: dict) -> None:
+def drive(application, window: "MainWindow", folder: Path, times: dict) -> None:
     from app.views.figure_file import FigureSize
 
     start = float(os.environ["RIBALTA_SMOKE_START"])
     settle(application, lambda: window.records.motions and not window.records.pending)
     window.run()
-    settle(application, lambda: window.job is None and window.session.result is not None)
+    settle(application, lambda: window.runner.job is None and window.session.result is not None)
     times["result"] = time.time() - start
     window.grab().save(str(folder / "window.png"))
     window.files.export(folder / "window.xlsx")
-    settle(application, lambda: window.job is None and (folder / "window.json").exists())
+    settle(application, lambda: window.runner.job is None and (folder / "window.json").exists())
     window.files.export_figures(folder, FigureSize())
     (folder / "times.json").write_text(json.dumps(times), encoding="ascii")
     if "RIBALTA_SMOKE_FAULT" in os.environ:

@@ -118,7 +118,7 @@ def typed(application, window, keys: int) -> dict[str, list[float]]:
             window.navigator.show_input(name)
             visible = [
                 one
-                for one in window.forms.currentWidget().findChildren(NumberField)
+                for one in window.stages.input.forms.currentWidget().findChildren(NumberField)
                 if one.isVisible() and one.isEnabled()
             ]
             field = height if height in visible else next(iter(visible), height)
