@@ -252,7 +252,7 @@ def incremental_dynamic_analyses(
             records[run.dt].append(run.ground)
     grounds = {dt: Grounds.of(of_step, dt) for dt, of_step in records.items()}
     searches = [_search(run, model, search) for run in runs]
-    found: list[Any] = [None] * len(runs)
+    results: list[Any] = [None] * len(runs)
     asked: dict[int, np.ndarray] = {}
 
     def go_on(k: int, answer) -> None:
@@ -260,7 +260,7 @@ def incremental_dynamic_analyses(
             asked[k] = searches[k].send(answer)
         except StopIteration as end:
             asked.pop(k, None)
-            found[k] = end.value
+            results[k] = end.value
 
     for k in range(len(runs)):
         go_on(k, None)
@@ -279,7 +279,7 @@ def incremental_dynamic_analyses(
             answers |= zip(here, parts, strict=True)
         for k, answer in answers.items():
             go_on(k, answer)
-    return found
+    return results
 
 
 def _search(run: Run, model: RockingModel, search: Search) -> Steps:

@@ -38,7 +38,7 @@ def with_drawings(table: dict, folder: Path) -> tuple[dict, list[Drawn]]:
     walls = table.get("wall")
     if not isinstance(walls, list):
         return table, []
-    found: list[Drawn] = []
+    drawn: list[Drawn] = []
     whole = []
     for n, wall in enumerate(walls, start=1):
         if not isinstance(wall, dict) or not isinstance(wall.get("drawing"), list):
@@ -50,12 +50,12 @@ def with_drawings(table: dict, folder: Path) -> tuple[dict, list[Drawn]]:
             made = [_solids_of(view, views) for view in views]
         except InputError as error:
             raise error.at(place("wall", name=name)) from None
-        found += [_said(name, view, solids) for view, solids in zip(views, made, strict=True)]
+        drawn += [_said(name, view, solids) for view, solids in zip(views, made, strict=True)]
         given = wall.get("solid", [])
         rest = {key: value for key, value in wall.items() if key != "drawing"}
         solids = [solid for one in made for solid in one]
         whole.append({**rest, "solid": [*given, *solids] if isinstance(given, list) else given})
-    return {**table, "wall": whole}, found
+    return {**table, "wall": whole}, drawn
 
 
 class View(NamedTuple):

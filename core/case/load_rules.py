@@ -102,13 +102,13 @@ def _check_stands(wall: Wall) -> None:
     """Raise InputError for loads under which the wall does not stand as one body about each of its hinges."""
     if wall.bends or (not wall.load and not wall.parts):
         return
-    here, found = (place("wall", name=wall.name),), wall.in_si
-    two_sided, unlike = found.is_two_sided, found.is_two_sided and found.inner_block is not None
-    if two_sided and not found.is_centred and not unlike:
+    here, masonry = (place("wall", name=wall.name),), wall.in_si
+    two_sided, unlike = masonry.is_two_sided, masonry.is_two_sided and masonry.inner_block is not None
+    if two_sided and not masonry.is_centred and not unlike:
         raise InputError("moving_mass_off_centre", place=here)
-    if unlike and found.ties:
+    if unlike and masonry.ties:
         raise InputError("tie_on_unlike_sides", place=here)
-    for block, side in found.sides if two_sided else found.sides[:1]:
+    for block, side in masonry.sides if two_sided else masonry.sides[:1]:
         if not is_stable(block, side):
             threshold = side.sine * math.tan(block.slenderness) + side.cosine
             raise InputError("unstable_under_loads", place=here, threshold=threshold)
@@ -119,7 +119,7 @@ def _check_stands(wall: Wall) -> None:
                 found=math.degrees(block.slenderness + side.lean),
                 most=math.degrees(MOST_COLLAPSE),
             )
-    if two_sided and (found.restoring[0] != found.restoring[1] or unlike) and not found.law.is_rigid:
+    if two_sided and (masonry.restoring[0] != masonry.restoring[1] or unlike) and not masonry.law.is_rigid:
         raise InputError("two_sided_loads_rigid", place=here, key="law")
 
 

@@ -127,7 +127,7 @@ def filled(site: Site, demand: dict) -> dict:
             raise InputError("site_gives", place=(here,), key=key, section=Key("[site]"))
     if state not in EXCEEDANCE:
         return demand  # refused with the other keys
-    made, found = dict(demand), derived(site, state)
+    made, derived_values = dict(demand), derived(site, state)
     years, own = made.pop("return_period_years", None), site.return_period(state)
     if years is not None and not (isinstance(years, (int, float)) and math.isclose(years, own, rel_tol=SAME_PERIOD)):
         raise InputError("site_disagrees", place=(here,), key="return_period_years", given=years, stated=own)
@@ -137,13 +137,15 @@ def filled(site: Site, demand: dict) -> dict:
     for row in given:
         _agree_row(dict(row), site)
     for key in DERIVED:
-        _agree(made, key, found[key], "[demand]")
+        _agree(made, key, derived_values[key], "[demand]")
     spectrum = demand.get("spectrum")
     if isinstance(spectrum, dict) and spectrum.get("code") == "NTC2018":
         made["spectrum"] = dict(spectrum)
         for key in OF_SPECTRUM:
-            _agree(made["spectrum"], key, found[key], "[demand.spectrum]")
-    made["hazard"] = [{entry.name: getattr(row, entry.name) for entry in fields(row)} for row in found["hazard"]]
+            _agree(made["spectrum"], key, derived_values[key], "[demand.spectrum]")
+    made["hazard"] = [
+        {entry.name: getattr(row, entry.name) for entry in fields(row)} for row in derived_values["hazard"]
+    ]
     return made
 
 

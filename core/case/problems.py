@@ -19,7 +19,7 @@ def problems(case: Case) -> list[InputError]:
     """What is missing or breaks a rule. After each problem the value that is missing is taken as given, or else the
     wall or section in question is left out, and the rest is judged again: a rule that needs a missing value waits, for
     what it would say of the value that is assumed is no problem of the case."""
-    found: list[InputError] = []
+    errors: list[InputError] = []
     assumed: set[tuple[str, str]] = set()
     part_given: set[str | None] = set()
     for _ in range(MAX_JUDGEMENTS):
@@ -33,7 +33,7 @@ def problems(case: Case) -> list[InputError]:
             row = wall_of(case, error)
             owner = error.section if row is None else case.wall[row].title
             if filled is not None or (free == keys and owner not in part_given):
-                found.append(error)
+                errors.append(error)
             if filled is not None:
                 of_shape = keys if error.code == "one_geometry" else ()
                 assumed.update((repr(error.place), key) for key in (filled[0], *of_shape))
@@ -44,7 +44,7 @@ def problems(case: Case) -> list[InputError]:
             if changed is None:
                 break
             case = changed
-    return found
+    return errors
 
 
 def _filled(case: Case, error: InputError, key: str) -> Case | None:

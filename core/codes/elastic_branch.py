@@ -71,7 +71,7 @@ def branches_of(wall: Masonry, mechanism: str, model: RockingModel) -> tuple[Bra
     given, weight = wall.modulus, wall.unit_weight
     ends = tuple(1e6 * end for end in moduli(wall.kind)) if given is None else (given, given)
     heavy, light = (WEIGHTS[1], WEIGHTS[0]) if weight is None else (weight, weight)
-    found = []
+    branches = []
     for modulus, heaviness in dict.fromkeys(((ends[0], heavy), (ends[1], light))):
         there = replace(wall, modulus=modulus, unit_weight=heaviness)
         sums = chain(wall if weight is not None else there, mechanism == "two_sided")
@@ -87,8 +87,8 @@ def branches_of(wall: Masonry, mechanism: str, model: RockingModel) -> tuple[Bra
             kept = max(limit, LEAST_LIMIT)
             if kept < MOST_LIMIT:
                 own = 2.0 * math.pi * math.sqrt(kept * model.collapse_rotation / _moment(model, kept))
-                found.append(Branch(modulus, given is None, period, kept, own))
-    return tuple(found)
+                branches.append(Branch(modulus, given is None, period, kept, own))
+    return tuple(branches)
 
 
 def _moment(model: RockingModel, limit: float) -> float:

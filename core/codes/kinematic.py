@@ -245,8 +245,8 @@ def _weakest(sums: Chain, demand: DemandResult, floor: FloorSpectrum | None, wal
     spectrum of a file ends before a period."""
     assert sums.bending is not None
 
-    def zeta(found: Bending) -> float:
-        return _displacement(of_bending(wall, found), demand, floor, 0.0, wall).ratio
+    def zeta(mechanism: Bending) -> float:
+        return _displacement(of_bending(wall, mechanism), demand, floor, 0.0, wall).ratio
 
     return of_bending(wall, weakest(sums.bending.strip, zeta))
 

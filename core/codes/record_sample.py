@@ -93,27 +93,27 @@ def record_peaks(
     return RecordPeaks(multipliers, peaks, runs.limit, runs.mean)
 
 
-def zeta_of_sets(found: RecordPeaks, counts: np.ndarray) -> np.ndarray:
+def zeta_of_sets(per_record: RecordPeaks, counts: np.ndarray) -> np.ndarray:
     """zeta_E of sets of the records, shape (sets,); infinite where the rule fails at too few of the multipliers.
 
     counts : how often each record is in each set, shape (sets, records)
     """
-    here = np.minimum(found.peaks, 1e9)  # no 0 times infinity
+    here = np.minimum(per_record.peaks, 1e9)  # no 0 times infinity
     taken = counts > 0
     worst = np.max(np.where(taken[:, :, None], here[None], 0.0), axis=1)
-    value = counts @ here / counts.sum(axis=1)[:, None] if found.mean else worst
-    fails = (worst > 1.0) | (value > found.limit)
-    step = math.log(found.multipliers[1] / found.multipliers[0])
+    value = counts @ here / counts.sum(axis=1)[:, None] if per_record.mean else worst
+    fails = (worst > 1.0) | (value > per_record.limit)
+    step = math.log(per_record.multipliers[1] / per_record.multipliers[0])
     half = round(FAILURE_WINDOW / step)
     # below the first multiplier the rule holds, the last stands for those beyond it
     padded = np.concatenate([np.zeros((len(fails), half + 1), bool), fails, np.repeat(fails[:, -1:], half, 1)], axis=1)
     total = np.cumsum(padded, axis=1)
     reached = total[:, 2 * half + 1 :] - total[:, : -2 * half - 1] >= HALF_FAIL * (2 * half + 1)
-    zeta = found.multipliers[reached.argmax(axis=1)] * math.exp(-0.5 * step)
+    zeta = per_record.multipliers[reached.argmax(axis=1)] * math.exp(-0.5 * step)
     return np.where(reached.any(axis=1), zeta, math.inf)
 
 
-def sample_interval(found: RecordPeaks, motions: list[GroundMotion], zeta: float) -> SampleInterval | None:
+def sample_interval(per_record: RecordPeaks, motions: list[GroundMotion], zeta: float) -> SampleInterval | None:
     """The interval of zeta_E; None below LEAST_STATIONS stations.
 
     motions : those of `record_peaks`, in their order
@@ -122,15 +122,15 @@ def sample_interval(found: RecordPeaks, motions: list[GroundMotion], zeta: float
     names = [station_of(motion, k) for k, motion in enumerate(motions)]
     if len(set(names)) < LEAST_STATIONS:
         return None
-    zetas = zeta_of_sets(found, np.vstack([np.ones(len(names), np.int64), draws(names, DRAWS)]))
+    zetas = zeta_of_sets(per_record, np.vstack([np.ones(len(names), np.int64), draws(names, DRAWS)]))
     low, high = np.quantile(zetas[1:], (0.5 - SHARE / 2, 0.5 + SHARE / 2), method="inverted_cdf")
-    top, whole = float(found.multipliers[-1]), float(zetas[0])
+    top, whole = float(per_record.multipliers[-1]), float(zetas[0])
     share = zeta / whole if math.isfinite(whole) else 1.0
     low, high, open_end = share * min(float(low), top), share * min(float(high), top), not math.isfinite(high)
     return SampleInterval(low, high, len(set(names)), open_end)
 
 
-def one_left_out(found: RecordPeaks) -> np.ndarray:
+def one_left_out(per_record: RecordPeaks) -> np.ndarray:
     """zeta_E without each of the records in turn, shape (records,)."""
-    n = len(found.peaks)
-    return zeta_of_sets(found, 1 - np.eye(n, dtype=np.int64))
+    n = len(per_record.peaks)
+    return zeta_of_sets(per_record, 1 - np.eye(n, dtype=np.int64))

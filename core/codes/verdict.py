@@ -343,7 +343,7 @@ def _of_the_histories(seen: Evidence) -> list[Sentence]:
 
 def _to_do(code: str, blocking: list[Sentence], assumed: tuple[Assumption, ...]) -> list[Sentence]:
     """Sentences on what the designer does next, the most urgent first. blocking : with what is missing"""
-    found = []
+    actions = []
     codes = {words.code for words in blocking}
     mends = [to_do for why, to_do in TO_MEND.items() if why in codes]
     if code == "undetermined":
@@ -351,19 +351,19 @@ def _to_do(code: str, blocking: list[Sentence], assumed: tuple[Assumption, ...])
     if code == "indicative":
         for row in assumed:
             if row.words in blocking and row.key == RESTRAINT and row.source == DECLARED:
-                found.append(_reason("to_evidence", key=Key("restraint_evidence")))
+                actions.append(_reason("to_evidence", key=Key("restraint_evidence")))
             elif row.words in blocking and row.key in WORDLESS:
-                found.append(_reason("to_usual", key=Key(row.key)))
+                actions.append(_reason("to_usual", key=Key(row.key)))
             elif row.words in blocking and row.key not in (TOGETHER, RESTRAINT):
-                found.append(_reason("give_reason", key=Key(row.key), reasons=Key("justification")))
-        found += mends
+                actions.append(_reason("give_reason", key=Key(row.key), reasons=Key("justification")))
+        actions += mends
         if "alone" in codes:
-            found.append(_reason("justify"))
+            actions.append(_reason("justify"))
     elif code == "verified_refined":
-        found.append(_reason("justify"))
+        actions.append(_reason("justify"))
     elif code in ("not_verified", "q2_unsafe", "at_limit"):
-        found.append(_reason("strengthen", variant=Key("variant=progetto")))
-    return found
+        actions.append(_reason("strengthen", variant=Key("variant=progetto")))
+    return actions
 
 
 def _activated(seen: Evidence, threshold: float) -> bool:

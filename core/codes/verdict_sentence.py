@@ -54,7 +54,7 @@ def measured(check: Check, dynamic: DemandCheck | None, demand: DemandResult) ->
 def _failing(checks, governing, dynamic, demand) -> tuple[Sentence, ...]:
     """Checks beside the one that decides that are not satisfied, with zeta."""
     target = demand.zeta_target
-    found = [
+    sentences = [
         sentence(
             "added",
             "check_zeta",
@@ -70,8 +70,8 @@ def _failing(checks, governing, dynamic, demand) -> tuple[Sentence, ...]:
         if other.zeta is not None and other.zeta >= target:
             zeta = sentence("added", "fails_at_demand", zeta=zeta)
         side = sentence("short", f"confidence_{other.confidence_on}", q="")
-        found.append(sentence("added", "check_zeta", check=side, zeta=zeta))
-    return tuple(found)
+        sentences.append(sentence("added", "check_zeta", check=side, zeta=zeta))
+    return tuple(sentences)
 
 
 def _turned_by(row: Assumption, target: float) -> Sentence:

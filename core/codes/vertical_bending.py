@@ -353,9 +353,9 @@ def uplift_multiplier(wall: Masonry, mechanism: str) -> float:
     return bending(wall).alpha0 if wall.bends else wall.uplift_multiplier(mechanism)
 
 
-def shown_rotation(found: Bending) -> float:
+def shown_rotation(mechanism: Bending) -> float:
     """theta of the lower block [rad] in a drawing."""
-    return min(DRAWN_ROTATION, found.theta0)
+    return min(DRAWN_ROTATION, mechanism.theta0)
 
 
 def outlines(strip: Strip, h1: float, theta: float) -> list[list[tuple[float, float]]]:

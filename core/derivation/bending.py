@@ -243,10 +243,10 @@ def geometry(wall: WallResult) -> Section:
 
 def chain(wall: WallResult) -> list[Line]:
     """Lines of alpha_0 and e* of a wall held at its top."""
-    found = known(wall.mechanics.chain.bending)
-    strip, h1 = found.strip, found.h1
+    mechanism = known(wall.mechanics.chain.bending)
+    strip, h1 = mechanism.strip, mechanism.h1
     if not strip.is_plain:
-        return _of_blocks(found)
+        return _of_blocks(mechanism)
     lower = 1e-3 * strip.weight * h1 / strip.height
     edge, lines = strip.thickness - strip.setback, [Line(width, strip.width)]
     hinge, alpha0, top = h1_alone, alpha0_alone, top_force_alone
@@ -254,60 +254,60 @@ def chain(wall: WallResult) -> list[Line]:
         hinge, alpha0, top = h1_with_loads, alpha0_with_loads, top_force_with_loads
         lines.append(Line(on_top, 1e-3 * sum(n for n, _ in strip.loads)))
         lines.append(Line(top_moment, 1e-3 * sum(n * (edge - d) for n, d in strip.loads), note=SYMBOLS))
-    label = "as high as it may be: both blocks at least as high as thick" if found.highest else "where α0 is lowest"
+    label = "as high as it may be: both blocks at least as high as thick" if mechanism.highest else "where α0 is lowest"
     return [
         *lines,
         Line(hinge, h1, LIVE, SYMBOLS, label),
         Line(k, h1 / (strip.height - h1), note=FULL),
         Line(w1, lower, note=FULL),
         Line(w2, 1e-3 * strip.weight - lower, note=FULL),
-        Line(alpha0, found.alpha0, LIVE, SYMBOLS, "two blocks, three hinges"),
-        Line(top, 1e-3 * found.top_force, LIVE, SYMBOLS, "on what holds the top, of the wall alone"),
-        Line(checks.E_STAR, found.e_star, RUN, VALUE, "both centroids move alike, the top does not"),
+        Line(alpha0, mechanism.alpha0, LIVE, SYMBOLS, "two blocks, three hinges"),
+        Line(top, 1e-3 * mechanism.top_force, LIVE, SYMBOLS, "on what holds the top, of the wall alone"),
+        Line(checks.E_STAR, mechanism.e_star, RUN, VALUE, "both centroids move alike, the top does not"),
     ]
 
 
-def _of_blocks(found: Bending) -> list[Line]:
+def _of_blocks(mechanism: Bending) -> list[Line]:
     """Lines of alpha_0 and e* of a wall with openings, steps or loads below its top."""
-    h1, (lower, upper) = found.h1, blocks_of(found.strip, found.h1)
+    h1, (lower, upper) = mechanism.h1, blocks_of(mechanism.strip, mechanism.h1)
     own = ((W1, X1, Z1, lower[0]), (W2, X2, Z2, upper[0]))
-    of_loads = [one for one in virtual(found.strip, h1) if one[0] not in (lower[0], upper[0])]
-    lines = [Line(H1, h1, RUN, VALUE, "where α0 is lowest"), Line(WIDTH, found.width, RUN, VALUE)]
-    lines.append(Line(k, h1 / (found.strip.height - h1), note=FULL))
+    of_loads = [one for one in virtual(mechanism.strip, h1) if one[0] not in (lower[0], upper[0])]
+    lines = [Line(H1, h1, RUN, VALUE, "where α0 is lowest"), Line(WIDTH, mechanism.width, RUN, VALUE)]
+    lines.append(Line(k, h1 / (mechanism.strip.height - h1), note=FULL))
     for weight, x, z, one in own:
         lines += [Line(weight, 1e-3 * one.force, RUN, VALUE), Line(x, one.x, RUN, VALUE), Line(z, one.z, RUN, VALUE)]
     holding = 1e-3 * math.fsum(one.force * rise for one, rise, _ in of_loads)
     pushing = 1e-3 * math.fsum(one.force * way for one, _, way in of_loads if one.pushed)
-    of_own = [one for one in virtual(found.strip, h1) if one[0] in (lower[0], upper[0])]
+    of_own = [one for one in virtual(mechanism.strip, h1) if one[0] in (lower[0], upper[0])]
     return [
         *lines,
         Line(rise_of_blocks, 1e-3 * math.fsum(one.force * rise for one, rise, _ in of_own)),
         Line(way_of_blocks, 1e-3 * math.fsum(one.force * way for one, _, way in of_own)),
         Line(HOLDING, holding, RUN, VALUE),
         Line(PUSHING, pushing, RUN, VALUE),
-        Line(alpha0_of_blocks, found.alpha0, LIVE, FULL, "two blocks, three hinges"),
-        Line(TOP_FORCE, 1e-3 * found.top_force, RUN, VALUE, "on what holds the top, of the wall alone"),
-        Line(checks.E_STAR, found.e_star, RUN, VALUE, "over the virtual displacements of both blocks"),
+        Line(alpha0_of_blocks, mechanism.alpha0, LIVE, FULL, "two blocks, three hinges"),
+        Line(TOP_FORCE, 1e-3 * mechanism.top_force, RUN, VALUE, "on what holds the top, of the wall alone"),
+        Line(checks.E_STAR, mechanism.e_star, RUN, VALUE, "over the virtual displacements of both blocks"),
     ]
 
 
 def collapse(wall: WallResult) -> list[Line]:
     """Lines of d_0 by the finite geometry, with the hinge of the displacement check."""
-    found = known(wall.mechanics.moved.bending)
-    if not found.strip.is_plain:
+    mechanism = known(wall.mechanics.moved.bending)
+    if not mechanism.strip.is_plain:
         return [
-            Line(H1_D, found.h1, RUN, VALUE, "sought; the linear check has its own"),
-            Line(THETA_0, math.degrees(found.theta0), RUN, VALUE, "finite geometry"),
-            Line(D0, found.d0, RUN, VALUE, "finite geometry"),
+            Line(H1_D, mechanism.h1, RUN, VALUE, "sought; the linear check has its own"),
+            Line(THETA_0, math.degrees(mechanism.theta0), RUN, VALUE, "finite geometry"),
+            Line(D0, mechanism.d0, RUN, VALUE, "finite geometry"),
         ]
-    lower = 1e-3 * found.strip.weight * found.h1 / found.strip.height
+    lower = 1e-3 * mechanism.strip.weight * mechanism.h1 / mechanism.strip.height
     return [
-        Line(H1_D, found.h1, RUN, VALUE, "sought; the linear check has its own"),
+        Line(H1_D, mechanism.h1, RUN, VALUE, "sought; the linear check has its own"),
         Line(w1_d, lower, note=VALUE),
-        Line(w2_d, 1e-3 * found.strip.weight - lower, note=VALUE),
-        Line(THETA_0, math.degrees(found.theta0), RUN, VALUE, "finite geometry"),
-        Line(d_c0, found.d_c0, note=FULL),
-        Line(d0, found.d0, LIVE, FULL, "both centroids move half as far as the hinge"),
+        Line(w2_d, 1e-3 * mechanism.strip.weight - lower, note=VALUE),
+        Line(THETA_0, math.degrees(mechanism.theta0), RUN, VALUE, "finite geometry"),
+        Line(d_c0, mechanism.d_c0, note=FULL),
+        Line(d0, mechanism.d0, LIVE, FULL, "both centroids move half as far as the hinge"),
     ]
 
 

@@ -92,8 +92,8 @@ def _sizes(wall: WallResult) -> list[Line | Columns]:
 
 def _body(wall: WallResult) -> list[Line | Columns]:
     """The solids of a body, and its centroid from the hinge the formulas are about."""
-    asked, found = wall.wall, known(wall.wall.in_si.body)
-    (x, z), rows, cells = found.centroid, [], []
+    asked, sums = wall.wall, known(wall.wall.in_si.body)
+    (x, z), rows, cells = sums.centroid, [], []
     parts = asked.parts
     for k, part in enumerate(parts, start=1):
         own = part.body
@@ -107,11 +107,11 @@ def _body(wall: WallResult) -> list[Line | Columns]:
     return [
         *_sizes(wall),
         solids,
-        Line(body.body_mass, found.mass, note=SYMBOLS),
+        Line(body.body_mass, sums.mass, note=SYMBOLS),
         Line(body.x_g, x, note=SYMBOLS),
         Line(body.z_g, z, note=SYMBOLS),
-        Line(body.i_o, found.inertia, note=SYMBOLS),
-        Line(body.i_g, found.inertia / found.mass - x**2 - z**2),
+        Line(body.i_o, sums.inertia, note=SYMBOLS),
+        Line(body.i_g, sums.inertia / sums.mass - x**2 - z**2),
         Line(body.x_of_body_inward if inward else body.x_of_body, at_hinge, note=FULL),
         Line(body.y_of_body, z),
     ]

@@ -275,26 +275,26 @@ def _centroid_at_collapse(wall: WallResult) -> Line:
 def risk(result: StudyResult, wall: WallResult) -> Section:
     """PGA_C, T_R,C by both exponents, IS-V of this mechanism, from the zeta of the check that decides: of histories it
     is that of the run, and so are the demand and T_R."""
-    found, demand, title = wall.assessed.risk, result.required, "What the mechanism withstands"
-    if found is None:
+    capacity, demand, title = wall.assessed.risk, result.required, "What the mechanism withstands"
+    if capacity is None:
         return Section(title, [])
     of_histories = wall.assessed.verdict.governing == "dynamic"
     other = {"zeta": deciding(wall, demand), "demand_pga": "demand_pga_run" if of_histories else "demand_pga"}
     note = "of the run" if of_histories else ""
-    lines: list[Line | Columns] = [Line(checks.pga_c, found.pga / G, LIVE, FULL, note, other=other)]
+    lines: list[Line | Columns] = [Line(checks.pga_c, capacity.pga / G, LIVE, FULL, note, other=other)]
     constants = {}
-    if found.years is not None:
-        title_of_row = "T_R,C by the hazard of the site" if found.by_hazard else ""
-        lines.append(Line(Given("tr_c_years", "T_R,C", "{years}"), found.years, RUN, VALUE, title=title_of_row))
-    if found.return_period is not None and not found.by_hazard:
+    if capacity.years is not None:
+        title_of_row = "T_R,C by the hazard of the site" if capacity.by_hazard else ""
+        lines.append(Line(Given("tr_c_years", "T_R,C", "{years}"), capacity.years, RUN, VALUE, title=title_of_row))
+    if capacity.return_period is not None and not capacity.by_hazard:
         tr_d = Given("tr_d", "T_R,D", "{years}", 0, "0.00")
         lines.append(Line(tr_d, demand.return_period, RUN if of_histories else INPUT))
         constants = {"eta_italy": EXPONENT, "eta_site": exponent_by_ag(demand.ag)}
-        lines.append(Line(checks.tr_c, found.return_period, other=other))
-        lines.append(Line(checks.tr_c_longer, found.other_return_period, other=other))
-    if found.index is not None:
-        label, words = "of this mechanism, class {letter}", {"letter": found.letter}
-        lines.append(Line(checks.is_v, found.index, LIVE, VALUE, label, words=words, other=other))
+        lines.append(Line(checks.tr_c, capacity.return_period, other=other))
+        lines.append(Line(checks.tr_c_longer, capacity.other_return_period, other=other))
+    if capacity.index is not None:
+        label, words = "of this mechanism, class {letter}", {"letter": capacity.letter}
+        lines.append(Line(checks.is_v, capacity.index, LIVE, VALUE, label, words=words, other=other))
     return Section(title, lines, constants)
 
 

@@ -170,10 +170,10 @@ def _refuse_outside(said: Provenance, limits: Limits) -> None:
             raise RecordError("selected_beyond", what=Key("soil"), found=said.site_class)
 
 
-def one_of_each(found: list[Candidate]) -> tuple[list[Candidate], list[LeftOut]]:
+def one_of_each(candidates: list[Candidate]) -> tuple[list[Candidate], list[LeftOut]]:
     """Keep one record of each motion: (the records kept by the hash of their samples, those left out). Of one motion
     the first by name stays, whatever its scale; of a recording in both forms the processed one."""
-    ordered = sorted(found, key=lambda one: (str(one.file), one.channel))
+    ordered = sorted(candidates, key=lambda one: (str(one.file), one.channel))
     processed = {(one.station, one.event): one for one in reversed(ordered) if not one.raw}
     kept, left = [], []
     for one in ordered:
@@ -193,10 +193,10 @@ def _left_out(one: Candidate, error: RecordError) -> LeftOut:
     return LeftOut(one.file, one.channel, error.without_place)
 
 
-def _copies(found: list[Candidate]) -> dict[int, int]:
+def _copies(candidates: list[Candidate]) -> dict[int, int]:
     """Index of each record that is the motion of an earlier one -> index of that."""
-    shapes = np.array([one.spectrum / one.pga for one in found])
-    order = np.argsort(shapes[:, 0], kind="stable") if found else ()
+    shapes = np.array([one.spectrum / one.pga for one in candidates])
+    order = np.argsort(shapes[:, 0], kind="stable") if candidates else ()
     copies: dict[int, int] = {}
     for place, k in enumerate(order):
         for other in order[place + 1 :]:

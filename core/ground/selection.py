@@ -369,7 +369,7 @@ def nearest_sets(
         members, totals = np.full(size, -1), np.zeros((size + 1, width + 2))
         every_set(ratios, products, means, stations, events, spans, limits, asked, members, totals, best, values)
         return _ordered(ratios, best[np.isfinite(values[:, 0])], spans, asked), True
-    random, found, work = np.random.Generator(np.random.PCG64(1)), set(), 0
+    random, nearest, work = np.random.Generator(np.random.PCG64(1)), set(), 0
     total, trial, values = np.empty(width), np.empty(width), np.empty((1, 3))
     best, last, unimproved = (), (math.inf, math.inf), 0
     for start in range(MOST_STARTS):
@@ -384,17 +384,17 @@ def nearest_sets(
         work += done
         if done:
             members.sort()
-            found.add(tuple(members.tolist()))
+            nearest.add(tuple(members.tolist()))
             judge(ratios, members[None, :], spans, asked, total, values)
             reached, unimproved = (float(values[0, 0]), float(values[0, 1])), unimproved + 1
             if reached < last:
                 best, last, unimproved = tuple(members.tolist()), reached, 0
         if unimproved == UNIMPROVED:
             best, last, unimproved = (), (math.inf, math.inf), 0
-    ends = _ordered(ratios, np.array(sorted(found), np.int64).reshape(-1, size), spans, asked)
+    ends = _ordered(ratios, np.array(sorted(nearest), np.int64).reshape(-1, size), spans, asked)
     for one in ends:
-        found |= set(_beside(one.members, n, stations, events, spans, limits))
-    return _ordered(ratios, np.array(sorted(found), np.int64).reshape(-1, size), spans, asked), False
+        nearest |= set(_beside(one.members, n, stations, events, spans, limits))
+    return _ordered(ratios, np.array(sorted(nearest), np.int64).reshape(-1, size), spans, asked), False
 
 
 def _beside(members, n: int, stations, events, spans, limits):

@@ -58,12 +58,12 @@ def kernel_sources(core: Path) -> list[Path]:
     core : the folder core
     """
     known = {file: file.read_text(encoding="utf-8") for file in core.rglob("*.py")}
-    found: set[Path] = set()
+    sources: set[Path] = set()
     new = {
         file for file, text in known.items() if file.parent.name == "jit" or "from core.jit.decorators import" in text
     }
     while new:
-        found |= new
+        sources |= new
         names = {
             name
             for file in new
@@ -73,8 +73,8 @@ def kernel_sources(core: Path) -> list[Path]:
         }
         places = [core.parent.joinpath(*name.split(".")) for name in names]
         files = {file for place in places for file in (place.with_suffix(".py"), place / "__init__.py")}
-        new = (files & set(known)) - found
-    return sorted(found)
+        new = (files & set(known)) - sources
+    return sorted(sources)
 
 
 def hash_of(files: list[Path]) -> str:

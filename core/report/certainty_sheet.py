@@ -60,13 +60,13 @@ def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, 
 
 def _moved(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, row: int) -> int:
     """The moves, the largest first, with their chart; what zeta required asks for."""
-    say, language, found = book.say, book.language, known(verdict.sensitivity)
+    say, language, sensitivity = book.say, book.language, known(verdict.sensitivity)
     header(sheet, row, [say("Input"), say("moved to"), "ζ_E", say("moved to"), "ζ_E"], 1, 18)
-    first, rows = row + 1, sure_words.moved_rows(found, language)
+    first, rows = row + 1, sure_words.moved_rows(sensitivity, language)
     data = DATA + 4 * n
     for column, name in enumerate((say("lowest"), say("highest")), start=1):
         text(sheet, row, data + column, name, size=8)
-    for swing, moved in zip(found.swings, rows, strict=True):
+    for swing, moved in zip(sensitivity.swings, rows, strict=True):
         row += 1
         text(sheet, row, 1, moved.name, vertical="top")
         for k, (said, zeta, sure) in enumerate(moved.ends):
@@ -74,7 +74,7 @@ def _moved(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int,
             number(sheet, row, 3 + 2 * k, zeta, RATIO, vertical="top", **({} if sure else {"color": BAD}))
         heighten(sheet, row, *((said, 42) for said, _, _ in moved.ends))
         rule(sheet, row, 1, 5)
-        zetas = [found.base or 0.0, *(0.0 if end.zeta is None else end.zeta for end in swing.ends)]
+        zetas = [sensitivity.base or 0.0, *(0.0 if end.zeta is None else end.zeta for end in swing.ends)]
         text(sheet, row, data, moved.name, size=8)
         sheet.cell(row, data + 1, min(zetas) - zetas[0])
         sheet.cell(row, data + 2, max(zetas) - zetas[0])
@@ -85,10 +85,10 @@ def _moved(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int,
     for line in sure_words.still_lines(say, result, verdict, language):
         row = paragraph(sheet, row + 1, line, LAST, LINE, color=QUIET) - 1
     row += 1
-    if labels := sure_words.reach_labels(found):
+    if labels := sure_words.reach_labels(sensitivity):
         heads = [say("For the ζ required"), say("now"), *sure_words.check_names(result, labels, language)]
         header(sheet, row, heads, 1, 30)
-        for one in found.reach:
+        for one in sensitivity.reach:
             row += 1
             for column, cell in enumerate(sure_words.reach_row(say, one, labels, language), start=1):
                 text(sheet, row, column, cell, align="left" if column == 1 else "right")

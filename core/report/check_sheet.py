@@ -113,9 +113,9 @@ def _place(book: Book, sheet, result: StudyResult, row: int) -> int:
 def _wall(book: Book, sheet, result: StudyResult, wall: WallResult, demand: Rows, row: int) -> int:
     """Write the block of one wall: the body, q of the records and of the closed form, Eq. 9, the checks of the
     Circolare."""
-    say, found = book.say, wall.assessment
+    say, assessment = book.say, wall.assessment
     row = heads(book, sheet, row, f"{wall.name} – {word(wall.mechanism, book.language)}")
-    if found is not None:
+    if assessment is not None:
         row = paragraph(sheet, row, sentence_of(result, wall, book.language), 13, 150)
         for line in (*lines_of(result, wall, book.language), *tie_lines(wall, book.language)):
             row = paragraph(sheet, row, f"• {line}", 13, 150, color=QUIET)
@@ -126,16 +126,16 @@ def _wall(book: Book, sheet, result: StudyResult, wall: WallResult, demand: Rows
     row = rows.write(closed(wall), row)
     if wall.code_check:
         row = _inequality(rows, result, wall, row + 1)
-    if found and found.kinematic:
-        free = found.kinematic.free_element
+    if assessment and assessment.kinematic:
+        free = assessment.kinematic.free_element
         kind = say("element free to vibrate") if free else say("not free to vibrate")
         label = say("Circolare 7/2019, wall on the ground, {kind}", kind=kind)
-        if found.kinematic.floor:
+        if assessment.kinematic.floor:
             label = say("Circolare 7/2019, wall at {z:g} m, {kind}", z=wall.wall.felt_z_m, kind=kind)
         row = heads(book, sheet, row + 1, label)
         for section in of_wall.checks_of(result, wall):
             row = rows.write(section, row)
-        if found.kinematic.zeta_sld is None:
+        if assessment.kinematic.zeta_sld is None:
             words = say("No linear check: T_0 is not known (see the verdict).")
             text(sheet, row, 1, words, color=QUIET, italic=True)
             row += 1

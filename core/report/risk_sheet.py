@@ -79,25 +79,25 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
 
 
 def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
-    found, language = wall.assessment, book.language
+    assessment, language = wall.assessment, book.language
     text(sheet, row, 1, wall.name, wrap=True)
     text(sheet, row, 2, word(wall.mechanism, language))
     heighten(sheet, row, (wall.name, 26))
     rule(sheet, row, 1, LAST)
-    if found is None:
+    if assessment is None:
         return
-    verdict = found.verdict
+    verdict = assessment.verdict
     number(sheet, row, 3, verdict.zeta_e, RATIO)
     if verdict.governing == "dynamic":
-        number(sheet, row, 4, known(found.dynamic).zeta_16, RATIO)
-    label = next((c.label for c in found.checks if c.name == verdict.governing), None)
+        number(sheet, row, 4, known(assessment.dynamic).zeta_16, RATIO)
+    label = next((c.label for c in assessment.checks if c.name == verdict.governing), None)
     text(sheet, row, 5, word(label, language) if label else "–", wrap=True)
-    if found.risk:
-        number(sheet, row, 6, found.risk.pga / G, ACCELERATION)
-        text(sheet, row, 7, found.risk.years or "–", align="right")
-        letter = found.risk.letter
-        text(sheet, row, 8, f"{book.digits(found.risk.index, '.2f')}  {letter}" if letter else "–", align="right")
-    zetas = {one.state: one.zeta for one in found.states}
+    if assessment.risk:
+        number(sheet, row, 6, assessment.risk.pga / G, ACCELERATION)
+        text(sheet, row, 7, assessment.risk.years or "–", align="right")
+        letter = assessment.risk.letter
+        text(sheet, row, 8, f"{book.digits(assessment.risk.index, '.2f')}  {letter}" if letter else "–", align="right")
+    zetas = {one.state: one.zeta for one in assessment.states}
     for column, state in enumerate(STATES, start=9):
         number(sheet, row, column, zetas.get(state), RATIO)
 

@@ -123,7 +123,7 @@ def _of_the_bar(say: Callable[..., str], tie: TieDesign) -> list[str]:
 def of_ties(say: Callable[..., str], wall: WallResult, language: str) -> list[str]:
     """A sentence for each tie of a wall: what it holds, how far it is stretched, and what governs."""
     given = [load for load in wall.wall.load if load.is_tie]
-    found = []
+    sentences = []
     for load, tie in zip(given, wall.wall.in_si.ties if given else (), strict=True):
         bar = tie.bar
         values = {
@@ -157,8 +157,8 @@ def of_ties(say: Callable[..., str], wall: WallResult, language: str) -> list[st
             parts = "; ".join(f"{part} {n}" for part, n in held.items())
             weakest = word(f"part_{tie.weakest}", language)
             words.append(say("Per bar [kN]: {parts}; {weakest} governs.", parts=parts, weakest=weakest))
-        found.append(" ".join(words))
-    return found
+        sentences.append(" ".join(words))
+    return sentences
 
 
 def elongations(wall: WallResult, bar: TieBar) -> dict[str, float | None]:

@@ -118,22 +118,22 @@ def select_records(
     periods = compared_periods(asked_range, longest)[1]
     periods = periods[within(periods, asked_range)]
     files = files_in(base_dir / name_of(asked.folder))
-    found, left = _candidates(files, asked, periods, told, cancelled)
+    candidates, left = _candidates(files, asked, periods, told, cancelled)
     target = demand.target.acceleration(periods)
-    far = _far(found, target, demand.pga, asked)
+    far = _far(candidates, target, demand.pga, asked)
     left += far
     gone = {(one.file, one.channel) for one in far}
-    found = [one for one in found if (one.file, one.channel) not in gone]
-    if len(found) < asked.count:
+    candidates = [one for one in candidates if (one.file, one.channel) not in gone]
+    if len(candidates) < asked.count:
         why = tuple({one.reason.code: one.reason for one in left}.values())[:3]
-        stated = {"found": len(found), "count": asked.count, "files": len(files)}
+        stated = {"found": len(candidates), "count": asked.count, "files": len(files)}
         if not why:
             raise InputError("select_few_files", place=(here,), **stated)
         raise InputError("select_too_few", place=(here,), why=why, **stated)
-    if len(found) > MOST_CANDIDATES:
-        raise InputError("select_too_many", place=(here,), found=len(found), most=MOST_CANDIDATES)
-    pga = np.array([one.pga for one in found]) / demand.pga
-    ratios = np.column_stack([np.array([one.spectrum for one in found]) / target, pga])
+    if len(candidates) > MOST_CANDIDATES:
+        raise InputError("select_too_many", place=(here,), found=len(candidates), most=MOST_CANDIDATES)
+    pga = np.array([one.pga for one in candidates]) / demand.pga
+    ratios = np.column_stack([np.array([one.spectrum for one in candidates]) / target, pga])
     factors, common = _factors(ratios[:, :-1], asked)
     bounds = natural_bounds(demand)
     low, high, start = bounds
@@ -145,18 +145,18 @@ def select_records(
             raise Cancelled
         return False
 
-    stations, events = _numbered([one.station for one in found]), _numbered([one.event for one in found])
+    stations, events = _numbered([one.station for one in candidates]), _numbered([one.event for one in candidates])
     limits = (asked.per_station, asked.per_event)
     scaled = ratios * factors[:, None]
     sets, every = nearest_sets(scaled, asked.count, stations, events, limits, asked_bounds, searched)
     if not sets:
         stated = {"of_station": asked.per_station, "of_event": asked.per_event}
-        raise InputError("select_no_set", place=(here,), found=len(found), count=asked.count, **stated)
-    made = [_set_of(one, found, factors, scaled, periods, target, asked_bounds, base_dir) for one in sets]
+        raise InputError("select_no_set", place=(here,), found=len(candidates), count=asked.count, **stated)
+    made = [_set_of(one, candidates, factors, scaled, periods, target, asked_bounds, base_dir) for one in sets]
     return Selection(
         asked.folder,
         len(files),
-        len(found),
+        len(candidates),
         tuple(left),
         tuple(sorted(made, key=lambda one: (one.miss, one.deviation))),
         every,
@@ -194,19 +194,19 @@ def _factors(ratios: np.ndarray, asked: Select) -> tuple[np.ndarray, tuple[float
     return np.ones(len(ratios)), asked.scale_limits if asked.scaling == "common" else (1.0, 1.0)
 
 
-def _far(found: list[Candidate], target: np.ndarray, pga: float, asked: Select) -> list[LeftOut]:
+def _far(candidates: list[Candidate], target: np.ndarray, pga: float, asked: Select) -> list[LeftOut]:
     """The candidates that no allowed factor brings within `OWN_FIT` of the target and to `OWN_PGA` of its PGA.
     target, pga : [m/s2]"""
-    ratios = np.array([one.spectrum for one in found]).reshape(-1, target.size) / target
+    ratios = np.array([one.spectrum for one in candidates]).reshape(-1, target.size) / target
     factors, common = _factors(ratios, asked)
     means = factors * ratios.mean(axis=1)
-    peaks = factors * np.array([one.pga for one in found]) / pga
+    peaks = factors * np.array([one.pga for one in candidates]) / pga
     least, most = own_factors(means, peaks, common).T
     limits = {"low": OWN_FIT[0], "high": OWN_FIT[1], "least": OWN_PGA}
     far = []
     for k in np.flatnonzero(least > most):
         error = RecordError("selected_far", ratio=float(means[k]), pga=float(peaks[k]), **limits)
-        far.append(LeftOut(found[k].file, found[k].channel, error.without_place))
+        far.append(LeftOut(candidates[k].file, candidates[k].channel, error.without_place))
     return far
 
 
@@ -216,7 +216,7 @@ def _numbered(names: list[str]) -> np.ndarray:
 
 def _set_of(
     one: Found,
-    found: list[Candidate],
+    candidates: list[Candidate],
     factors: np.ndarray,
     ratios: np.ndarray,
     periods: np.ndarray,
@@ -227,7 +227,7 @@ def _set_of(
     """A set with its factor of `DIGITS` decimals: the nearest one that keeps the bounds.
 
     one : as found
-    found : the candidates
+    candidates : the records of the folder that may be taken
     factors : of each
     ratios : of each, scaled by them, as `nearest_sets` takes them
     periods, target : [s], [m/s2]
@@ -245,8 +245,8 @@ def _set_of(
     low, high = int(np.argmin(inner)), int(np.argmax(inner))
     records = tuple(
         Record(
-            file=key_of(relative(found[k].file, base_dir)),
-            channel=found[k].channel,
+            file=key_of(relative(candidates[k].file, base_dir)),
+            channel=candidates[k].channel,
             scale=round(float(factor * factors[k]), DIGITS),
         )
         for k in members
@@ -259,7 +259,7 @@ def _set_of(
         float(mean[-1]),
         _miss(mean, bounds),
         tuple((inner * target).tolist()),
-        len({(found[k].event, found[k].station) if found[k].said.station else k for k in members}),
+        len({(candidates[k].event, candidates[k].station) if candidates[k].said.station else k for k in members}),
         MINIMUM_FROM if bounds.start else 0,
     )
 

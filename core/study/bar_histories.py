@@ -32,7 +32,7 @@ class BarHistory:
 def bar_histories(wall: Wall, history: History, strength_factor: float = 1.0) -> list[BarHistory]:
     """Histories of the bar of each tie of a wall. strength_factor : FC, where the history has it on the strength:
     forces are over it"""
-    found = []
+    histories = []
     for tie, sines in zip(wall.in_si.ties, history.residual, strict=True):
         bar, gone = tie.bar, np.isinf(sines)
         force = forces(bar, history.rotation, sines)
@@ -47,8 +47,8 @@ def bar_histories(wall: Wall, history: History, strength_factor: float = 1.0) ->
         else:
             plastic, stored = bar.height * sines[-1] - start, 0.0
         work = (bar.strength * plastic + stored) / strength_factor
-        found.append(BarHistory(bar, force / strength_factor, elongation, residual, phase, work))
-    return found
+        histories.append(BarHistory(bar, force / strength_factor, elongation, residual, phase, work))
+    return histories
 
 
 def work_of_impacts(wall: Wall, model: RockingModel, history: History) -> float | None:

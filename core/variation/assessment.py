@@ -109,51 +109,53 @@ class Assessment:
 def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Assessment:
     """Dynamic, kinematic and simplified checks of a wall (Circolare 7/2019 C8.7.1.2.1); above the ground none where
     the motion of its floor is not known. Raises Cancelled, and InputError where a spectrum ends too early."""
-    found = evaluate(scene, cancelled=cancelled)
-    scene = found.scene
-    kinematic, dynamic, demand = found.kinematic, found.dynamic, scene.demand
+    evaluation = evaluate(scene, cancelled=cancelled)
+    scene = evaluation.scene
+    kinematic, dynamic, demand = evaluation.kinematic, evaluation.dynamic, scene.demand
     if kinematic is None:
-        return Assessment(None, (), None, None, verdict(found.evidence, None))
+        return Assessment(None, (), None, None, verdict(evaluation.evidence, None))
     unheld = _without_restraint(scene, dynamic, cancelled)
     below = unheld.dynamic if unheld else None
-    made = found.zeta is not None and not (scene.many and _fails_whatever_is_assumed(found))
-    raised = assumptions(found, cancelled) if made else ()
-    limits, ratio = [one for one in (found.lower_q,) if one is not None], None
+    made = evaluation.zeta is not None and not (scene.many and _fails_whatever_is_assumed(evaluation))
+    raised = assumptions(evaluation, cancelled) if made else ()
+    limits, ratio = [one for one in (evaluation.lower_q,) if one is not None], None
     if scene.floor is not None and scene.building is not None:
         limits += building_notes(scene.building, demand.limit_state)
         ratio = scene.floor.code_over_records(kinematic)
     if ratio is not None and ratio < LOW_CODE:
         limits.append(sentence("reason", "code_below_records", ratio=ratio))
-    limits += _of_life_and_records(found)
-    limits += [*_of_bending(kinematic), *_of_ties_not_counted(found), *_of_ties_that_lower(found, cancelled)]
-    limits += _of_a_thicker_wall(found)
-    if found.zeta is not None and not made:
+    limits += _of_life_and_records(evaluation)
+    limits += [*_of_bending(kinematic), *_of_ties_not_counted(evaluation), *_of_ties_that_lower(evaluation, cancelled)]
+    limits += _of_a_thicker_wall(evaluation)
+    if evaluation.zeta is not None and not made:
         limits.append(sentence("reason", "assumptions_not_made", n=MANY))
     free = unheld or _overturning(scene, cancelled)
     bound, passes = (free.zeta, free.satisfied) if free else (None, None)
     if free is not None and bound is not None:
-        raised = (*raised, _of_the_restraint(found, free))
-    said = verdict(found.evidence, bound, tuple(limits), raised)
+        raised = (*raised, _of_the_restraint(evaluation, free))
+    said = verdict(evaluation.evidence, bound, tuple(limits), raised)
     sensitivity = {row.words.code: row.zeta for row in raised if row.words.code in OF_THE_FLOOR}
-    parts = (kinematic, found.checks, dynamic, below, said, sensitivity, ratio, _capacity(found))
+    parts = (kinematic, evaluation.checks, dynamic, below, said, sensitivity, ratio, _capacity(evaluation))
     return Assessment(*parts, bound_passes=passes)
 
 
-def _fails_whatever_is_assumed(found: Evaluation) -> bool:
+def _fails_whatever_is_assumed(evaluation: Evaluation) -> bool:
     """Whether no row of the table of assumptions can change the outcome: the check that decides fails, and so does the
     one with q = 2, which a row may only make fail."""
-    return not found.satisfied and not passes_with_q2(found.made("linear_q_code"), found.scene.demand.zeta_target)
+    return not evaluation.satisfied and not passes_with_q2(
+        evaluation.made("linear_q_code"), evaluation.scene.demand.zeta_target
+    )
 
 
-def _of_life_and_records(found: Evaluation) -> list[Sentence]:
+def _of_life_and_records(evaluation: Evaluation) -> list[Sentence]:
     """Sentences on what a short life without the hazard, motions that are generated, and records that are doubted leave
     open."""
-    scene, dynamic, limits = found.scene, found.dynamic, []
+    scene, dynamic, limits = evaluation.scene, evaluation.dynamic, []
     life = scene.asked.reference_period
     if life is not None and life < ORDINARY_LIFE * (1.0 - 1e-9) and not scene.demand.hazard:
         limits.append(sentence("reason", "short_life", years=life, least=ORDINARY_LIFE))
     if dynamic and scene.by_default:
-        limits.append(_by_default(found))
+        limits.append(_by_default(evaluation))
     elif dynamic and any(motion.format == GENERATED for motion in scene.ground):
         limits.append(sentence("reason", "generated_motions"))
     if dynamic and (doubted := [motion.name for motion in scene.ground if _is_doubted(motion)]):
@@ -166,17 +168,17 @@ def _is_doubted(motion: GroundMotion) -> bool:
     return any(notice.code in DOUBTED or notice.code in ELSEWHERE for notice in motion.warnings)
 
 
-def _by_default(found: Evaluation) -> Sentence:
+def _by_default(evaluation: Evaluation) -> Sentence:
     """That the motions are generated for want of records, with zeta of histories and displacement check."""
-    displacement, dynamic = found.made("nonlinear"), found.dynamic
+    displacement, dynamic = evaluation.made("nonlinear"), evaluation.dynamic
     zetas = {"nonlinear": Number(displacement.zeta if displacement else None)}
     zetas["dynamic"] = Number(dynamic.zeta if dynamic else None)
-    return sentence("reason", "by_default", n=len(found.scene.ground), generate=Key("[generate]"), **zetas)
+    return sentence("reason", "by_default", n=len(evaluation.scene.ground), generate=Key("[generate]"), **zetas)
 
 
-def _of_the_restraint(found: Evaluation, free: Evaluation) -> Assumption:
+def _of_the_restraint(evaluation: Evaluation, free: Evaluation) -> Assumption:
     """Sentences on what stands behind a wall or holds its top, as it is declared. free : the wall without it"""
-    wall, named = found.scene.wall, bool(found.scene.wall.back_restraint)
+    wall, named = evaluation.scene.wall, bool(evaluation.scene.wall.back_restraint)
     shown = wall.restraint_evidence not in (None, "none")
     code = "top_fails" if wall.bends else "restraint_fails"
     return Assumption(
@@ -187,7 +189,7 @@ def _of_the_restraint(found: Evaluation, free: Evaluation) -> Assumption:
         DECLARED if named else LEFT_OUT,
         free.zeta,
         free.outcome,
-        turns=found.satisfied and not free.satisfied,
+        turns=evaluation.satisfied and not free.satisfied,
         reason=sentence("word", f"evidence_{wall.restraint_evidence}").text("en") if named and shown else "",
     )
 
@@ -227,42 +229,42 @@ def _of_bending(kinematic: Kinematic) -> list[Sentence]:
     return limits
 
 
-def _of_ties_not_counted(found: Evaluation) -> list[Sentence]:
+def _of_ties_not_counted(evaluation: Evaluation) -> list[Sentence]:
     """Sentences on what the clauses do not count of ties; the other reading of SLD is shown, not taken."""
-    wall, kinematic = found.scene.wall, found.kinematic
+    wall, kinematic = evaluation.scene.wall, evaluation.kinematic
     if kinematic is None or not any(load.is_tie for load in wall.load):
         return []
-    if found.scene.demand.limit_state == "SLD" and kinematic.zeta_sld is not None:
-        alpha, share, _ = chain(wall.in_si, found.scene.mechanism == "two_sided").start
+    if evaluation.scene.demand.limit_state == "SLD" and kinematic.zeta_sld is not None:
+        alpha, share, _ = chain(wall.in_si, evaluation.scene.mechanism == "two_sided").start
         zeta = kinematic.zeta_sld * (alpha / share) / (kinematic.alpha0 / kinematic.e_star)
         return [sentence("reason", "ties_at_sld", zeta=Number(zeta))]
-    if any(load.slack_mm for load in wall.load) and any(check.name != "dynamic" for check in found.checks):
+    if any(load.slack_mm for load in wall.load) and any(check.name != "dynamic" for check in evaluation.checks):
         return [sentence("reason", "slack_not_counted")]
     return []
 
 
-def _of_ties_that_lower(found: Evaluation, cancelled: Callable[[], bool]) -> list[Sentence]:
+def _of_ties_that_lower(evaluation: Evaluation, cancelled: Callable[[], bool]) -> list[Sentence]:
     """zeta with the ties of a wall and without them, where a tie ends the displacement check early or lowers zeta: of
     that check the larger counts, histories take the ties as they are."""
-    scene, said = found.scene, []
-    if found.kinematic is None or not any(load.is_tie for load in scene.wall.load):
+    scene, said = evaluation.scene, []
+    if evaluation.kinematic is None or not any(load.is_tie for load in scene.wall.load):
         return []
-    pair = with_and_without_ties(found.kinematic, scene.demand)
-    if pair is not None and (pair[1] > pair[0] or found.kinematic.ends_at_break):
+    pair = with_and_without_ties(evaluation.kinematic, scene.demand)
+    if pair is not None and (pair[1] > pair[0] or evaluation.kinematic.ends_at_break):
         said.append(sentence("reason", "ties_displacement", tied=Number(pair[0]), bare=Number(pair[1])))
-    if found.dynamic is None or found.dynamic.zeta is None:
+    if evaluation.dynamic is None or evaluation.dynamic.zeta is None:
         return said
     bare = histories(scene.but(wall=scene.wall.without_ties()), cancelled=cancelled)
-    if bare is not None and bare.zeta is not None and round(bare.zeta, 2) > round(found.dynamic.zeta, 2):
-        values = {"tied": Number(found.dynamic.zeta), "bare": Number(bare.zeta)}
+    if bare is not None and bare.zeta is not None and round(bare.zeta, 2) > round(evaluation.dynamic.zeta, 2):
+        values = {"tied": Number(evaluation.dynamic.zeta), "bare": Number(bare.zeta)}
         said.append(sentence("reason", "ties_histories", **values))
     return said
 
 
-def _of_a_thicker_wall(found: Evaluation) -> list[Sentence]:
+def _of_a_thicker_wall(evaluation: Evaluation) -> list[Sentence]:
     """That a thicker wall has the lower zeta by the check of the clauses that decides: what holds it besides its weight
     does not grow with it, a tie breaks before its larger displacement, or it vibrates nearer to the plateau."""
-    scene, check = found.scene, found.decides
+    scene, check = evaluation.scene, evaluation.decides
     thickness = scene.wall.thickness
     if check is None or check.zeta is None or check.name == "dynamic" or thickness is None or scene.wall.solid:
         return []
@@ -282,10 +284,13 @@ def _of_a_thicker_wall(found: Evaluation) -> list[Sentence]:
     return [sentence("reason", "thicker_less", cm=Number(100.0 * worst * thickness, ".1f"), **values)]
 
 
-def _capacity(found: Evaluation) -> Risk | None:
+def _capacity(evaluation: Evaluation) -> Risk | None:
     """PGA the wall withstands and its return period, None where zeta_E tells neither."""
-    demand, by_histories = found.scene.demand, found.decides is not None and found.decides.name == "dynamic"
+    demand, by_histories = (
+        evaluation.scene.demand,
+        evaluation.decides is not None and evaluation.decides.name == "dynamic",
+    )
     # records weaker than the demand tell nothing of a PGA
-    if found.zeta is None or (by_histories and demand.weak_share is not None):
+    if evaluation.zeta is None or (by_histories and demand.weak_share is not None):
         return None
-    return risk(found.zeta, demand, found.low if by_histories else None)
+    return risk(evaluation.zeta, demand, evaluation.low if by_histories else None)

@@ -34,15 +34,18 @@ def _turns(end: Evaluation | None, check: Check) -> bool:
     return end is None or end.judgement(_there(end, check)) != PASSES
 
 
-def assumptions(found: Evaluation, cancelled: Callable[[], bool] = lambda: False) -> tuple[Assumption, ...]:
+def assumptions(evaluation: Evaluation, cancelled: Callable[[], bool] = lambda: False) -> tuple[Assumption, ...]:
     """The inputs of a wall that raise zeta, each with zeta and the outcome at the other end of its range, and all of
-    them together; where no one of them turns the outcome, all together without a reason may. found : the wall as it is,
-    some check of which has a zeta. Raises Cancelled."""
-    decides, q_check = found.decides, found.made("linear_q_code")
+    them together; where no one of them turns the outcome, all together without a reason may.
+
+    evaluation : the wall as it is, some check of which has a zeta
+    Raises Cancelled.
+    """
+    decides, q_check = evaluation.decides, evaluation.made("linear_q_code")
     assert decides is not None
 
     def at(change: Change, by_histories: bool) -> Evaluation | None:
-        there = found.scene if by_histories else found.scene.without_records()
+        there = evaluation.scene if by_histories else evaluation.scene.without_records()
         try:
             return evaluate(change(there), other=False, cancelled=cancelled)
         except InputError:  # without what lifts it the wall does not stand
@@ -50,13 +53,13 @@ def assumptions(found: Evaluation, cancelled: Callable[[], bool] = lambda: False
 
     rows: list[Assumption] = []
     worst: list[tuple[Assumption, Change]] = []
-    for one in raised(found):
+    for one in raised(evaluation):
         touched = decides.name != "dynamic" or one.histories
         judged = [check for check in (decides if touched else None, q_check) if check is not None]
         if not judged:
             continue
         ends = [at(end.change, touched) for end in one.ends]
-        told = _told(one, judged, ends, found)
+        told = _told(one, judged, ends, evaluation)
         if told is None:
             continue
         zetas = [_zeta(end, told) for end in ends]
@@ -69,7 +72,7 @@ def assumptions(found: Evaluation, cancelled: Callable[[], bool] = lambda: False
             one.ends[lowest].value,
             one.source,
             zetas[lowest],
-            _outcome(ends[lowest], found, touched),
+            _outcome(ends[lowest], evaluation, touched),
             turns=bool(decides.passed) and touched and decides.name in turns,
             reason=one.reason,
             turns_q=bool(q_check and q_check.passed) and "linear_q_code" in turns,
@@ -79,21 +82,21 @@ def assumptions(found: Evaluation, cancelled: Callable[[], bool] = lambda: False
         rows.append(row)
         if row.raises:
             worst.append((row, one.ends[lowest].change))
-    return _together(rows, worst, found, at)
+    return _together(rows, worst, evaluation, at)
 
 
-def _outcome(end: Evaluation | None, found: Evaluation, touched: bool) -> str:
+def _outcome(end: Evaluation | None, evaluation: Evaluation, touched: bool) -> str:
     """Code of the outcome at another end; of an input that moves the check with q alone, with this check as it is
     there. A wall that does not stand there fails."""
     if end is None:
         return "not_verified"
     if touched:
         return end.outcome
-    checks = tuple((end.made(one.name) or one) if one.name == "linear_q_code" else one for one in found.checks)
-    return outcome_of(found.evidence._replace(checks=checks))
+    checks = tuple((end.made(one.name) or one) if one.name == "linear_q_code" else one for one in evaluation.checks)
+    return outcome_of(evaluation.evidence._replace(checks=checks))
 
 
-def _told(one: Raised, judged: list[Check], ends: Ends, found: Evaluation) -> Check | None:
+def _told(one: Raised, judged: list[Check], ends: Ends, evaluation: Evaluation) -> Check | None:
     """The check whose zeta the words of a raised input give, None where it raises none: of what concerns the linear
     check alone that one, of a wall declared free or not the one that fares worst, of loads the first that they raise.
     judged : the checks the input moves; ends : at its other ends"""
@@ -101,21 +104,21 @@ def _told(one: Raised, judged: list[Check], ends: Ends, found: Evaluation) -> Ch
         lowest = ((check, min(worth(_zeta(end, check)) for end in ends)) for check in judged)
         return next((check for check, zeta in lowest if zeta < worth(check.zeta)), None)
     if one.key != "free_element":
-        return found.decides if one.histories else found.made("linear_q_code")
+        return evaluation.decides if one.histories else evaluation.made("linear_q_code")
     told = min(judged, key=lambda check: worth(_zeta(ends[0], check)))
-    raises_none = found.scene.wall.free_element and worth(_zeta(ends[0], told)) >= worth(told.zeta)
+    raises_none = evaluation.scene.wall.free_element and worth(_zeta(ends[0], told)) >= worth(told.zeta)
     return None if raises_none else told
 
 
 def _together(
-    rows: list[Assumption], worst: list[tuple[Assumption, Change]], found: Evaluation, at
+    rows: list[Assumption], worst: list[tuple[Assumption, Change]], evaluation: Evaluation, at
 ) -> tuple[Assumption, ...]:
     """The rows, and the last one, all of them; where none turns a check alone, and all without a reason do together,
     each of these does.
 
     worst : (row, change to the end with the lowest zeta) of each; at(change, by_histories) : the wall there
     """
-    decides, q_check = found.decides, found.made("linear_q_code")
+    decides, q_check = evaluation.decides, evaluation.made("linear_q_code")
     assert decides is not None
     unsaid = [pair for pair in worst if pair[0].open]
     open_keys = tuple(dict.fromkeys(row.key for row, _ in unsaid))
@@ -134,15 +137,17 @@ def _together(
             for row in rows
         ]
         if joint:
-            rows.append(_last(open_keys, end, decides, found, turns=True))
+            rows.append(_last(open_keys, end, decides, evaluation, turns=True))
             return tuple(rows)
     if len(worst) > 1 and not any(row.zeta is None for row, _ in worst):
-        rows.append(_last(tuple(row.key for row, _ in worst), there(worst, True), decides, found))
+        rows.append(_last(tuple(row.key for row, _ in worst), there(worst, True), decides, evaluation))
     return tuple(rows)
 
 
-def _last(keys: tuple[str, ...], end: Evaluation | None, check: Check, found: Evaluation, turns=False) -> Assumption:
+def _last(
+    keys: tuple[str, ...], end: Evaluation | None, check: Check, evaluation: Evaluation, turns=False
+) -> Assumption:
     """The row of several inputs at their other ends together."""
     zeta = _zeta(end, check)
     words = sentence("reason", "lifts_together", keys=tuple(map(Key, dict.fromkeys(keys))), zeta=Number(zeta))
-    return Assumption(TOGETHER, words, "", "", DEFAULT, zeta, _outcome(end, found, True), turns)
+    return Assumption(TOGETHER, words, "", "", DEFAULT, zeta, _outcome(end, evaluation, True), turns)

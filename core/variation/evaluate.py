@@ -158,14 +158,14 @@ def evaluate(
     return replace(found, checks=_worse_first(found)) if scene.by_default else found
 
 
-def _worse_first(found: Evaluation) -> tuple[Check, ...]:
+def _worse_first(evaluation: Evaluation) -> tuple[Check, ...]:
     """The checks where records are there by default: the worse of histories and displacement check decides."""
-    pair = [check for check in (found.made("dynamic"), found.made("nonlinear")) if check is not None]
-    others = tuple(check for check in found.checks if check not in pair)
-    target = found.scene.demand.zeta_target
+    pair = [check for check in (evaluation.made("dynamic"), evaluation.made("nonlinear")) if check is not None]
+    others = tuple(check for check in evaluation.checks if check not in pair)
+    target = evaluation.scene.demand.zeta_target
 
     def place(check: Check) -> tuple:
-        said = found.judgement(check)
+        said = evaluation.judgement(check)
         return (FAILS, AT_LIMIT, OPEN, PASSES).index(said), *severity("verified", check.zeta, target)
 
     return (*sorted(pair, key=place), *others)

@@ -59,11 +59,11 @@ MORE_RATIO = 0.1
 """Added to a given velocity ratio: its zeta is shown as well."""
 
 
-def raised(found: Evaluation) -> Iterator[Raised]:
+def raised(evaluation: Evaluation) -> Iterator[Raised]:
     """Inputs of the case that raise zeta."""
-    scene, q_check = found.scene, found.made("linear_q_code")
+    scene, q_check = evaluation.scene, evaluation.made("linear_q_code")
     wall, demand, asked = scene.wall, scene.demand, scene.asked
-    model, dynamic = wall.restitution_model(scene.mechanism), found.dynamic is not None
+    model, dynamic = wall.restitution_model(scene.mechanism), evaluation.dynamic is not None
     if dynamic and not MODELS[model].by_theory:
         given = wall.restitution_of(scene.mechanism).ratio_at_rest
         more = min(given + MORE_RATIO, 1.0)
@@ -89,7 +89,7 @@ def raised(found: Evaluation) -> Iterator[Raised]:
             ),
         )
     if dynamic:
-        yield from _of_the_law(found)
+        yield from _of_the_law(evaluation)
     if demand.confidence_factor < FULL_FACTOR:
         yield one_end(
             "confidence_factor",
@@ -109,7 +109,7 @@ def raised(found: Evaluation) -> Iterator[Raised]:
         end = End(of_wall(return_walls=None), NONE_WORD)
         yield one_end("return_walls", "lift_return_walls", wall.justification, GIVEN_WORD, end, histories=False)
     yield from of_what_is_required(scene)
-    yield from _of_the_set(found)
+    yield from _of_the_set(evaluation)
     yield from of_the_loads(scene, not dynamic)
     yield from of_the_weights(scene)
     if wall.free_element is not None and wall.free_element != replace(wall.in_si, free=None).is_free(scene.mechanism):
@@ -128,7 +128,7 @@ def raised(found: Evaluation) -> Iterator[Raised]:
     yield from _of_the_body(scene)
     yield from _of_the_edge(scene)
     yield from _of_the_unit_weight(scene)
-    if not dynamic and _histories_left_out(found):
+    if not dynamic and _histories_left_out(evaluation):
         there = tuple(default_motions(demand))
         end = End(lambda scene: scene.but(ground=there, by_default=True), sentence("word", "made"))
         yield one_end("histories", "lift_histories", asked.justification, sentence("word", "not_made"), end)
@@ -136,10 +136,10 @@ def raised(found: Evaluation) -> Iterator[Raised]:
         yield from of_the_building(scene, scene.building)
 
 
-def _of_the_set(found: Evaluation) -> Iterator[Raised]:
+def _of_the_set(evaluation: Evaluation) -> Iterator[Raised]:
     """A generated set that scatters less than nature does, or has fewer motions than the usual one."""
-    scene, usual = found.scene, demand_input.DEFAULT_SET.count
-    if scene.by_default or not found.satisfied:
+    scene, usual = evaluation.scene, demand_input.DEFAULT_SET.count
+    if scene.by_default or not evaluation.satisfied:
         return
     asked = set_of(scene.ground)
     if asked is None:
@@ -176,16 +176,16 @@ def _of_records_alike(scene: Scene) -> Iterator[Raised]:
         yield one_end("scatter", "lift_alike", reasons, spread, end, given=spread, usual=SPREAD)
 
 
-def _of_the_law(found: Evaluation) -> Iterator[Raised]:
+def _of_the_law(evaluation: Evaluation) -> Iterator[Raised]:
     """Inputs of the moment law that raise zeta: a trilinear law, the branch of an element free to vibrate, and a rigid
     law in its place."""
-    scene, wall = found.scene, found.scene.wall
+    scene, wall = evaluation.scene, evaluation.scene.wall
     if not wall.moment_law().is_rigid:
         end = End(of_wall(law="rigid"), "rigid")
         yield one_end("law", "lift_law", wall.justification, _law_named(wall.law), end)
-    if found.dynamic is not None and found.dynamic.branch is not None:
-        yield _of_the_branch(found.dynamic.branch)
-    given = wall.law == "rigid" and wall.in_si.is_free(scene.mechanism) and found.satisfied
+    if evaluation.dynamic is not None and evaluation.dynamic.branch is not None:
+        yield _of_the_branch(evaluation.dynamic.branch)
+    given = wall.law == "rigid" and wall.in_si.is_free(scene.mechanism) and evaluation.satisfied
     if given and can_have_branch(wall.in_si, scene.mechanism):  # a wall that fails without it is not asked
         end = End(of_wall(law=ELASTIC), sentence("word", "with_branch"))
         yield one_end("law", "lift_rigid", wall.justification, sentence("word", "choice_rigid"), end)
@@ -205,12 +205,12 @@ def _of_the_branch(branch: Branch) -> Raised:
     return one_end("law", "elastic_branch", None, value, end, DEFAULT, permitted=True, **said)
 
 
-def _histories_left_out(found: Evaluation) -> bool:
+def _histories_left_out(evaluation: Evaluation) -> bool:
     """Whether histories could be made of the wall, and are not; of one that fails without them they are not asked
     for."""
-    scene, demand = found.scene, found.scene.demand
+    scene, demand = evaluation.scene, evaluation.scene.demand
     can = demand.target is not None and demand.limit_state in LIMIT_FRACTION and not scene.wall.bends
-    return can and scene.histories_off and not scene.ground and found.satisfied
+    return can and scene.histories_off and not scene.ground and evaluation.satisfied
 
 
 def _of_the_edge(scene: Scene) -> Iterator[Raised]:

@@ -116,7 +116,7 @@ def cells_of(*groups: Sequence[Piece], same: float = SAME) -> list[Cell]:
     each = [(k, piece, [y for _, y in piece.corners]) for k, group in enumerate(groups) for piece in group]
     waiting = sorted(((min(ys), max(ys), k, piece) for k, piece, ys in each), key=lambda one: -one[0])
     active: list = []
-    found = []
+    cells = []
     for start, end in itertools.pairwise(levels):
         middle = 0.5 * (start + end)
         while waiting and waiting[-1][0] < middle:
@@ -137,9 +137,9 @@ def cells_of(*groups: Sequence[Piece], same: float = SAME) -> list[Cell]:
             if full and outer is None:
                 outer = edge
             elif not full and outer is not None:
-                found.append(Cell(start, end, outer, edge))
+                cells.append(Cell(start, end, outer, edge))
                 outer = None
-    return found
+    return cells
 
 
 def section_at(parts: Iterable, z: float, below: bool = False, grown: float = 0.0) -> list[Cell]:

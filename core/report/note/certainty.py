@@ -41,8 +41,8 @@ def _moved(result: StudyResult, verdict: WallVerdict, words: Words) -> list[Part
     """The inputs that move zeta: figure and table; what zeta required asks of thickness, ties and a_g."""
     say, language = words.say, words.language
     parts: list[Part] = []
-    found, target = known(verdict.sensitivity), result.required.zeta_target
-    rows = sure_words.moved_rows(found, language)
+    sensitivity, target = known(verdict.sensitivity), result.required.zeta_target
+    rows = sure_words.moved_rows(sensitivity, language)
     if rows:
         cells = []
         for row in rows:
@@ -52,12 +52,15 @@ def _moved(result: StudyResult, verdict: WallVerdict, words: Words) -> list[Part
             (n, 2 + 2 * m): "bad" for n, row in enumerate(rows) for m, (_, _, sure) in enumerate(row.ends) if not sure
         }
         heads = [say("Input"), say("moved to"), "ζ_E", say("moved to"), "ζ_E"]
-        parts += [Figures([_tornado(found, target, words)]), Table(heads, cells, (1.6, 3.0, 0.6, 3.0, 0.6), tones)]
+        parts += [
+            Figures([_tornado(sensitivity, target, words)]),
+            Table(heads, cells, (1.6, 3.0, 0.6, 3.0, 0.6), tones),
+        ]
     parts += [Item(line, "quiet") for line in sure_words.still_lines(say, result, verdict, language)]
-    if labels := sure_words.reach_labels(found):
+    if labels := sure_words.reach_labels(sensitivity):
         heads = [say("For ζ {zeta}", zeta=words.number(target, ".2f")), say("now")]
         heads += sure_words.check_names(result, labels, language)
-        cells = [sure_words.reach_row(say, one, labels, language) for one in found.reach]
+        cells = [sure_words.reach_row(say, one, labels, language) for one in sensitivity.reach]
         parts.append(Table(heads, cells, (1.6, 0.9, *[1.8] * len(labels))))
     return parts
 

@@ -277,12 +277,12 @@ def _in_runs(steps: list[Step]) -> list[Derivation]:
 
 def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -> list[Part]:
     """Parts of one wall, on at most three pages. name : begins the names of its cells on the sheet Check"""
-    say, found = words.say, wall.assessment
+    say, assessment = words.say, wall.assessment
     parts: list[Part] = [Heading(_name(wall, words), 2, True, result.walls.index(wall))]
     first = [wall_figures.drawing(wall, words), wall_figures.elevation(wall, words)]
     short = result.case.report.extent == "short"
     derived = [] if short else Derivations(result, words, name).wall(wall)
-    if found is None or found.kinematic is None:
+    if assessment is None or assessment.kinematic is None:
         parts += [
             *_verdict(result, wall, words),
             *_side_by_side(first),
@@ -293,7 +293,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
         for title, steps in derived:
             parts += [Heading(say(title), 3), Derivation([*steps, q])]
         return parts
-    kinematic, language = found.kinematic, words.language
+    kinematic, language = assessment.kinematic, words.language
     held = say("element free to vibrate") if kinematic.free_element else say("not free to vibrate")
     if kinematic.floor:
         held = say("wall at {z:g} m, {kind}", z=float(known(wall.wall.felt_z_m)), kind=held)
