@@ -123,3 +123,9 @@ def test_that_a_name_that_stands_twice_is_refused():
     with pytest.raises(InputError) as caught:
         parse_case({"wall": walls})
     assert caught.value.code == "same_name"
+
+
+@pytest.mark.parametrize(("height", "above"), [(3.1, pytest.approx(0.1)), (3.09, None)])
+def test_that_a_tie_to_be_designed_is_of_the_part_above_a_hinge_from_a_tenth_of_a_metre_on(height, above):
+    found = walls_of(case([3.0], unit_weight_kn_m3=18.0, tie_height_m=height))
+    assert found[1].tie_height_m == above

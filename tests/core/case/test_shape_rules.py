@@ -71,3 +71,9 @@ def test_that_a_section_beside_an_oblique_wall_reaches_as_far_in_as_it_is():
         wall_of(section, short, thickness_m=1.51, length_m=0.5)
     assert refused.value.code == "base_beyond_body"
     assert refused.value.values["most"] == pytest.approx(1.5)
+
+
+def test_that_a_step_to_the_same_thickness_leaves_the_face_its_wedges_hang_on():
+    wedges = {"number": 2, "thickness_m": 0.4, "length_at_top_m": 2.0}
+    wall = WALL | {"return_wedges": wedges, "steps": [{"from_z_m": 3.0, "thickness_m": 0.6}]}
+    assert parse_case({"wall": [wall]}).wall[0].block().slenderness > 0.0
