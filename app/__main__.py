@@ -73,7 +73,7 @@ def main(arguments: list[str] | None = None) -> int:
             stream.reconfigure(errors="replace")
     options = parse(arguments)
     windowless = (
-        options.batch or options.study or options.inspect or options.extract or options.validate
+        options.batch or options.study or options.inspect or options.extract or options.validate or options.verify
     )  # nothing is said in a dialog
     if windowless and not (sys.stdout and sys.stderr):
         nowhere = open(os.devnull, "w")  # noqa: SIM115
@@ -89,6 +89,12 @@ def main(arguments: list[str] | None = None) -> int:
             from app.terminal.inspection import inspect
 
             return inspect(options.inspect)
+        if options.verify:
+            from app.terminal import verification
+
+            return verification.verify(
+                options.verify, options.records, options.jobs or os.cpu_count() or 1, options.quiet
+            )
         if options.validate:
             from app.terminal import validation
 

@@ -82,6 +82,12 @@ def parser() -> Parser:
     add("--part", type=_part, metavar="K/N", help=terminal("the walls of one part of the case alone, see --merge"))
     add("--merge", action="store_true", help=terminal("the results of all parts of the case"))
     contents = terminal("summarise the contents of records and drawings")
+    add(
+        "--verify",
+        type=Path,
+        metavar="REPORT",
+        help=terminal("run the case within a report again and compare, see --records"),
+    )
     add("--validate", action="store_true", help=terminal("the model against tests on a shake table, see --data"))
     add("--data", type=Path, metavar="DIR", help=terminal("folder of the tests"))
     add("--inspect", nargs="+", type=Path, metavar="FILE", help=contents)
@@ -107,12 +113,12 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     """What is asked. Ends the program with exit code 2 where words do not go together."""
     line = parser()
     options = line.parse_args(arguments)
-    jobs = (options.batch, options.inspect, options.study, options.extract, options.validate)
+    jobs = (options.batch, options.inspect, options.study, options.extract, options.validate, options.verify)
     if sum(map(bool, jobs)) > 1:
-        line.error(terminal("--batch, --study, --inspect, --extract and --validate do not go together"))
+        line.error(terminal("--batch, --study, --inspect, --extract, --validate and --verify do not go together"))
     if bool(options.validate) != bool(options.data):
         line.error(terminal("--validate and --data DIR go together"))
-    if not (options.batch or options.study) and (options.resume or options.jobs):
+    if not (options.batch or options.study) and (options.resume or (options.jobs and not options.verify)):
         line.error(terminal("--jobs and --resume go with --batch or --study"))
     if options.output and not (options.batch or options.study or options.extract or options.validate):
         line.error(terminal("--output goes with --batch, --study, --extract or --validate"))
@@ -122,7 +128,7 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
         line.error(terminal("--part and --merge go with --batch"))
     if options.part and (options.merge or options.report or options.resume):
         line.error(terminal("--part goes on by itself and writes no results: leave out --merge, --report and --resume"))
-    if not options.study and (options.quick or options.records):
+    if not options.study and (options.quick or (options.records and not options.verify)):
         line.error(terminal("--quick and --records go with --study"))
     return options
 
@@ -159,6 +165,8 @@ def extras(options: argparse.Namespace) -> list[str]:
         return ["dxf"] if any(is_drawing(file) for path in options.inspect for file in files_of(path)) else []
     if options.validate:
         return []
+    if options.verify:
+        return ["report", "accuracy", "dxf"]
     if options.study:
         return ["study"]
     if options.extract:

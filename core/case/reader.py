@@ -46,6 +46,11 @@ def read_toml(path: Path) -> tuple[dict, bytes]:
         raise InputError("case_too_large", mb=error.size / 1e6, most=MAX_BYTES / 1e6, place=(path,)) from None
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
+    return _table_of(content, path), content
+
+
+def _table_of(content: bytes, path: Path) -> dict:
+    """The mapping of the text of a TOML file. path : named where it is none"""
     try:
         text = content.decode("utf-8-sig")
         if _DOTTED.search(text):
@@ -60,13 +65,23 @@ def read_toml(path: Path) -> tuple[dict, bytes]:
             line = text.count("\n", 0, number.start(1)) + 1
             raise InputError("toml_comma", line=line, found=number[1], place=(path,)) from None
         raise InputError("not_toml", reason=reason, place=(path,)) from None
-    return table, content
+    return table
 
 
 def read_case(path: Path, many: bool = False) -> Case:
     """The case of a TOML file. many : its table may have more rows than are held at once, see ManyWalls. Raises
     InputError naming file, place, value and what is accepted."""
     table, content = read_toml(path)
+    return _case_of(table, content, path, many)
+
+
+def case_of_text(text: str, path: Path) -> Case:
+    """The case of the text of a file as it would be read at a path, which need not be there. Raises InputError."""
+    content = text.encode()
+    return _case_of(_table_of(content, path), content, path, False)
+
+
+def _case_of(table: dict, content: bytes, path: Path, many: bool) -> Case:
     try:
         table, drawings = with_drawings(table, path.parent)
         case = parse_case(table)

@@ -25,6 +25,7 @@ HEAD = (
     free(
         "case", "the case with its defaults, by the keys of the page of the case", lambda result: result.case.as_dict()
     ),
+    text("case_toml", "the text of its file, to be run again", lambda result: result.case.source or None),
     text("case_sha256", "SHA-256 of the file of the case", "case.sha256"),
     Quantity(
         "drawings",

@@ -1,0 +1,191 @@
+"""`--verify REPORT`: the case within a report is run again, and what it says is compared with what comes out."""
+
+import itertools
+import json
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+from app.look.language import described, terminal
+from app.terminal import export
+from app.terminal.batch import say
+from app.terminal.terminal_progress import progress
+from core.case.note_file import CASE, MAX_NOTE_BYTES, NOTE_FILES, files_within, is_note, unpacked
+from core.case.reader import case_of_text
+from core.case.schema import Case
+from core.child import Refused, bounded
+from core.errors import InputError
+from core.packages import require
+from core.regular_file import TooLarge, read_regular
+from core.report.differences import Difference, case_of_workbook, of_lines, of_results, of_workbooks, words_of_note
+from core.study.results import StudyResult
+from core.study.run import run as run_study
+from core.version import VERSION
+
+EQUAL, DIFFERS, CANNOT = 0, 5, 6
+"""Exit codes."""
+
+MOST_LINES = 40
+"""Differences that are listed."""
+
+SECONDS, MEGABYTES = 60.0, 2000
+"""That reading the words of a note, or the cells of a workbook, may take."""
+
+
+class Unverifiable(Exception):
+    """Why a report cannot be verified, in words."""
+
+
+def verify(report: Path, records: Path | None, jobs: int, quiet: bool) -> int:
+    """Run the case within a report again and say what differs; returns the exit code.
+
+    records : folder of the files that the case reads, that of the report if none is given
+    Raises InputError for a file that is no report.
+    """
+    content = _content(report)
+    try:
+        reported, case_text = _reported(report, content)
+        made_by = reported.get("program", {}).get("version")
+        if made_by != VERSION:
+            raise Unverifiable(
+                terminal(
+                    "it was made by version {made}, this is {here}: run it with that version",
+                    made=made_by,
+                    here=VERSION,
+                )
+            )
+        folder = records or report.parent
+        case = _case(case_text, report, folder)
+        try:
+            with progress(quiet) as show:
+                result = run_study(case, base_dir=folder, jobs=jobs, on_progress=show.runs)
+        except InputError as error:
+            raise Unverifiable(described(error)) from None
+        changed = _other_records(reported, result)
+        if changed:
+            raise Unverifiable(terminal("these records are not those of the report: {names}", names=", ".join(changed)))
+        found = list(itertools.islice(_compared(report, content, reported, result, folder), 10_000))
+    except Unverifiable as reason:
+        say(terminal("{path}: cannot be verified: {reason}", path=report, reason=str(reason)))
+        return CANNOT
+    for one in found[:MOST_LINES]:
+        say(_line(one))
+    if len(found) > MOST_LINES:
+        say(terminal("… and {n} more", n=len(found) - MOST_LINES))
+    if found:
+        say(terminal("{path}: {n} differences", path=report, n=len(found)))
+        return DIFFERS
+    say(terminal("{path}: equal, run again by version {version}", path=report, version=VERSION))
+    return EQUAL
+
+
+def _line(one: Difference) -> str:
+    nothing = terminal("nothing")
+    values: dict[str, Any] = {"place": one.place, "reported": one.reported or nothing, "found": one.found or nothing}
+    if one.share is not None:
+        return terminal(
+            "{place}: reported {reported}, found {found}, different by {share:.1e}", share=one.share, **values
+        )
+    return terminal("{place}: reported {reported}, found {found}", **values)
+
+
+def _content(report: Path) -> bytes:
+    try:
+        return read_regular(report, MAX_NOTE_BYTES)
+    except FileNotFoundError:
+        raise InputError("no_report_file", place=(report,)) from None
+    except TooLarge as error:
+        raise InputError("case_too_large", mb=error.size / 1e6, most=MAX_NOTE_BYTES / 1e6, place=(report,)) from None
+    except OSError as error:
+        raise InputError("unreadable", reason=error.strerror, place=(report,)) from None
+
+
+def _reported(report: Path, content: bytes) -> tuple[dict, str]:
+    """Results and text of the case within a report. Raises InputError for another file, Unverifiable for one without
+    the text of its case."""
+    if is_note(content):
+        files = files_within(report)
+        table = _loaded(files.get("results.json", b""), report)
+        return table, table.get("case_toml") or files[CASE].decode("utf-8")
+    if content.startswith(b"PK"):
+        require("report")
+        text = _bounded(report, case_of_workbook, content)
+        beside = report.with_suffix(".json")
+        if not text:
+            raise Unverifiable(terminal("it does not hold the text of its case"))
+        return _loaded(_content(beside), beside), text
+    table = _loaded(content, report)
+    if not table.get("case_toml"):
+        raise Unverifiable(terminal("it does not hold the text of its case"))
+    return table, table["case_toml"]
+
+
+def _loaded(content: bytes, place: Path) -> dict:
+    try:
+        found = json.loads(content)
+    except (ValueError, RecursionError):
+        found = None
+    if (
+        not isinstance(found, dict)
+        or "program" not in found
+        or not isinstance(found.get("case_toml", ""), (str, type(None)))
+    ):
+        raise InputError("not_a_report", place=(place,))
+    return found
+
+
+def _bounded(report: Path, work: Callable, *given: Any) -> Any:
+    try:
+        return bounded(work, *given, seconds=SECONDS, megabytes=MEGABYTES)
+    except Refused:
+        raise InputError("not_a_report", place=(report,)) from None
+
+
+def _case(text: str, report: Path, folder: Path) -> Case:
+    """The case of its text, beside the files it reads."""
+    try:
+        return case_of_text(text, folder / report.name)
+    except InputError as error:
+        raise Unverifiable(described(error)) from None
+
+
+def _other_records(reported: dict, result: StudyResult) -> list[str]:
+    """Names of the records whose file is not the one of the report."""
+    hashes = {one.get("name"): one.get("file_sha256") for one in reported.get("records", [])}
+    return [
+        motion.name for motion in result.motions if hashes.get(motion.name, motion.file_sha256) != motion.file_sha256
+    ]
+
+
+def _compared(report: Path, content: bytes, reported: dict, result: StudyResult, folder: Path) -> Iterator[Difference]:
+    """What of a report differs from the same case run again."""
+    if is_note(content):
+        from core.report.note.archive import note_as_pdf
+
+        again = note_as_pdf(result, folder)
+        if again == content:
+            return
+        within = json.loads(files_of(again)["results.json"])
+        yield from of_results(reported, within)
+        words = [_bounded(report, words_of_note, one) for one in (content, again)]
+        lines = list(of_lines(*words))
+        yield from lines
+        if not lines:
+            yield Difference(terminal("file"), terminal("written again by another program"), terminal("other bytes"))
+        return
+    made = export.Report(result.case)
+    for wall in result.by_wall():
+        made.add(wall)
+    with tempfile.TemporaryDirectory() as name:
+        made.write(result, Path(name), report.stem)
+        if content.startswith(b"PK"):
+            again = (Path(name) / f"{report.stem}.xlsx").read_bytes()
+            yield from _bounded(report, of_workbooks, content, again)
+        else:
+            yield from of_results(reported, json.loads((Path(name) / f"{report.stem}.json").read_bytes()))
+
+
+def files_of(content: bytes) -> dict[str, bytes]:
+    """The files within a note that was made here."""
+    return unpacked(content, NOTE_FILES)

@@ -1,0 +1,128 @@
+"""Where two results, two workbooks or the words of two notes differ."""
+
+import difflib
+import io
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+OF_THE_RUN = ("started_utc", "seconds", "commit")
+"""Keys of the results that are of one run alone."""
+
+SHOWN = 80
+"""Letters of a value that are quoted."""
+
+
+class Difference(NamedTuple):
+    """place : path of a key, cell or line; reported, found : as text, "" where there is none; share : of two numbers"""
+
+    place: str
+    reported: str
+    found: str
+    share: float | None = None
+
+
+def of_results(reported: Any, found: Any, place: str = "") -> Iterator[Difference]:
+    """Of two results as read from their JSON, key by key."""
+    if isinstance(reported, dict) and isinstance(found, dict):
+        for key in [*reported, *(key for key in found if key not in reported)]:
+            if key not in OF_THE_RUN:
+                path = f"{place}.{key}" if place else key
+                yield from of_results(reported.get(key, ...), found.get(key, ...), path)
+    elif isinstance(reported, list) and isinstance(found, list) and len(reported) == len(found):
+        for n, (one, other) in enumerate(zip(reported, found, strict=True)):
+            yield from of_results(one, other, f"{place}[{n}]")
+    elif not _same(reported, found):
+        share = None
+        if _is_number(reported) and _is_number(found):
+            share = abs(found - reported) / max(abs(found), abs(reported))
+        yield Difference(place, _text(reported), _text(found), share)
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def _same(reported: Any, found: Any) -> bool:
+    if _is_number(reported) and _is_number(found):
+        return reported == found
+    return type(reported) is type(found) and reported == found
+
+
+def _text(value: Any) -> str:
+    return "" if value is ... else str(value)[:SHOWN]
+
+
+CASE_SHEETS = ("Case", "Caso")
+"""Names of the sheet that holds the case."""
+
+
+def case_of_workbook(content: bytes) -> str:
+    """The text of the case within a workbook, "" where there is none."""
+    import openpyxl
+
+    book = openpyxl.load_workbook(io.BytesIO(content))
+    name = next((name for name in CASE_SHEETS if name in book.sheetnames), None)
+    if name is None:
+        return ""
+    rows = book[name].iter_rows(min_row=3, values_only=True)
+    return "\n".join("" if row[0] is None else str(row[0]) for row in rows) + "\n"
+
+
+def of_workbooks(reported: bytes, found: bytes) -> list[Difference]:
+    """The differences of two workbooks, cell by cell: formulas, and the values that are kept beside them. Raises what
+    openpyxl raises of a file that is none."""
+    import openpyxl
+
+    differences: list[Difference] = []
+    for live in (True, False):  # values, then formulas
+        books = [openpyxl.load_workbook(io.BytesIO(one), data_only=live) for one in (reported, found)]
+        names = [book.sheetnames for book in books]
+        if live and names[0] != names[1]:
+            differences.append(Difference("", ", ".join(names[0]), ", ".join(names[1])))
+        for name in [name for name in names[0] if name in names[1]]:
+            cells = [
+                {
+                    cell.coordinate: cell.value
+                    for row in book[name].iter_rows()
+                    for cell in row
+                    if cell.value is not None
+                }
+                for book in books
+            ]
+            for place in [*cells[0], *(place for place in cells[1] if place not in cells[0])]:
+                one, other = (_of_cell(found.get(place)) for found in cells)
+                if one != other and not (live is False and not _is_formula(one) and not _is_formula(other)):
+                    differences += of_results(one, other, f"{name}!{place}")
+    return differences
+
+
+def _cells(sheet) -> dict[str, Any]:
+    """Coordinate -> value of the cells of a sheet that hold one."""
+    return {cell.coordinate: cell.value for row in sheet.iter_rows() for cell in row if cell.value is not None}
+
+
+def _of_cell(value: Any) -> Any:
+    """What a cell holds; of a formula of an array its text."""
+    value = getattr(value, "text", value)
+    return ... if value is None else value if isinstance(value, (str, int, float, bool)) else str(value)
+
+
+def _is_formula(value: Any) -> bool:
+    return isinstance(value, str) and value.startswith("=")
+
+
+def words_of_note(content: bytes) -> list[str]:
+    """Lines of a note, page after page, in a child process. Raises what pypdf raises of a file that is none."""
+    import pypdf
+
+    reader = pypdf.PdfReader(io.BytesIO(content))
+    return [line for page in reader.pages for line in page.extract_text().splitlines()]
+
+
+def of_lines(reported: list[str], found: list[str]) -> Iterator[Difference]:
+    """Of the lines of two notes, by their number in the reported one, from 1."""
+    matcher = difflib.SequenceMatcher(None, reported, found, autojunk=False)
+    for kind, start, end, first, last in matcher.get_opcodes():
+        if kind != "equal":
+            place = f"{start + 1}" if end <= start + 1 else f"{start + 1}-{end}"
+            yield Difference(place, " / ".join(reported[start:end])[:SHOWN], " / ".join(found[first:last])[:SHOWN])
