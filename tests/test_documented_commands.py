@@ -110,6 +110,9 @@ def small_words(words: tuple[str, ...], folder: Path) -> list[str]:
         case ("robustness", *_):
             kept, page = str(folder / "robustness.journal"), str(folder / "robustness.md")
             return ["robustness", "--share", "0.001", "--journal", kept, "--output", page, "kills"]
+        case ("--verify", *_):
+            batch.run(folder / "small.toml", folder / "verified", 1, True, False)
+            return ["--verify", str(folder / "verified" / "small.json"), "--records", str(folder)]
         case ("validate", *rest):
             invented(folder / "tests")
             return ["validate", "--data", str(folder / "tests"), "--output", str(folder / "validated")]

@@ -46,14 +46,10 @@ def verify(report: Path, records: Path | None, jobs: int, quiet: bool) -> int:
     content = _content(report)
     try:
         reported, case_text = _reported(report, content)
-        made_by = reported.get("program", {}).get("version")
+        made_by = reported.get("program", {}).get("version", VERSION)
         if made_by != VERSION:
             raise Unverifiable(
-                terminal(
-                    "it was made by version {made}, this is {here}: run it with that version",
-                    made=made_by,
-                    here=VERSION,
-                )
+                terminal("made by version {made}, this is {here}: take that version", made=made_by, here=VERSION)
             )
         folder = records or report.parent
         case = _case(case_text, report, folder)
@@ -111,10 +107,10 @@ def _reported(report: Path, content: bytes) -> tuple[dict, str]:
     if content.startswith(b"PK"):
         require("report")
         text = _bounded(report, case_of_workbook, content)
-        beside = report.with_suffix(".json")
         if not text:
             raise Unverifiable(terminal("it does not hold the text of its case"))
-        return _loaded(_content(beside), beside), text
+        beside = report.with_suffix(".json")  # it says which records; without it the sheet of them tells
+        return _loaded(_content(beside), beside) if beside.exists() else {"records": []}, text
     table = _loaded(content, report)
     if not table.get("case_toml"):
         raise Unverifiable(terminal("it does not hold the text of its case"))
@@ -126,11 +122,11 @@ def _loaded(content: bytes, place: Path) -> dict:
         found = json.loads(content)
     except (ValueError, RecursionError):
         found = None
-    if (
-        not isinstance(found, dict)
-        or "program" not in found
-        or not isinstance(found.get("case_toml", ""), (str, type(None)))
-    ):
+    text = found.get("case_toml") if isinstance(found, dict) else None
+    kinds = {"program": dict, "records": list}
+    if not isinstance(found, dict) or not all(isinstance(found.get(key), kind) for key, kind in kinds.items()):
+        raise InputError("not_a_report", place=(place,))
+    if not isinstance(text, (str, type(None))) or not all(isinstance(one, dict) for one in found["records"]):
         raise InputError("not_a_report", place=(place,))
     return found
 

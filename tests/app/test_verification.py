@@ -1,0 +1,170 @@
+"""`--verify`: a report that is what its case gives, one that was edited anywhere, and one that nobody can tell."""
+
+import io
+import json
+import shutil
+import zipfile
+
+import openpyxl
+import pytest
+
+from app.__main__ import main
+from core.report.differences import of_lines, of_results
+from tests.conftest import ROOT
+
+CASE = """
+title = "Verified"
+[report]
+language = "en"
+date = "2026-11-27"
+[[wall]]
+name = "facade"
+height_m = 5.0
+thickness_m = 0.5
+mechanism = "two_sided"
+base_z_m = 0.0
+[[record]]
+file = "motion.txt"
+[analysis]
+q_step = 0.05
+map_span = 1.2
+[demand]
+ag_g = 0.12
+spectrum = { code = "EN1998", type = 1, soil = "B" }
+"""
+
+
+@pytest.fixture(scope="module")
+def reports(tmp_path_factory):
+    """A folder with a case, its record and its three reports."""
+    folder = tmp_path_factory.mktemp("reports")
+    motion = (ROOT / "tests" / "motions" / "noise_1.txt").read_text().splitlines()
+    (folder / "motion.txt").write_text("\n".join([*motion[:602], ""]))
+    (folder / "case.toml").write_text(CASE)
+    assert main(["--batch", str(folder / "case.toml"), "--report", str(folder / "case.pdf"), "--quiet"]) == 0
+    return folder
+
+
+def verified(capsys, report, *more) -> tuple[int, str]:
+    capsys.readouterr()
+    code = main(["--verify", str(report), "--quiet", *map(str, more)])
+    said = capsys.readouterr()
+    return code, said.out + said.err
+
+
+@pytest.fixture
+def copied(reports, tmp_path):
+    shutil.copytree(reports, tmp_path / "copied")
+    return tmp_path / "copied"
+
+
+@pytest.mark.parametrize("end", [".json", ".xlsx", ".pdf"])
+def test_that_a_report_is_equal_to_its_case_run_again(reports, capsys, end):
+    code, said = verified(capsys, reports / f"case{end}")
+    assert code == 0 and "equal, run again by version" in said
+
+
+@pytest.mark.parametrize("end", [".json", ".xlsx", ".pdf"])
+def test_that_its_records_may_stand_elsewhere(copied, tmp_path, capsys, end):
+    apart = tmp_path / "apart"
+    apart.mkdir()
+    shutil.copy(copied / f"case{end}", apart)
+    code, said = verified(capsys, apart / f"case{end}")
+    assert code == 6 and "cannot be verified" in said and "motion.txt" in said
+    assert verified(capsys, apart / f"case{end}", "--records", copied)[0] == 0
+    assert [path.name for path in apart.iterdir()] == [f"case{end}"]
+
+
+def test_that_every_edited_number_of_the_results_is_named_with_how_much_it_is_off(copied, capsys):
+    path = copied / "case.json"
+    content = json.loads(path.read_text())
+    content["walls"][0]["q_set"] *= 1.01
+    content["verdicts"][0]["text_en"] = "verified"
+    path.write_text(json.dumps(content))
+    code, said = verified(capsys, path)
+    assert code == 5 and "walls[0].q_set: reported" in said and "different by 9.9e-03" in said
+    assert "verdicts[0].text_en: reported verified, found" in said and "2 differences" in said
+
+
+@pytest.mark.parametrize("kind", ["number", "text", "formula", "kept value"])
+def test_that_an_edited_cell_of_the_workbook_is_named(copied, capsys, kind):
+    path = copied / "case.xlsx"
+    if kind == "kept value":  # beside a formula, which stays
+        _replaced(path, "xl/worksheets/sheet", b"<v>0.", b"<v>7.")
+    else:
+        book = openpyxl.load_workbook(path)
+        cells = [cell for row in book["Check"].iter_rows() for cell in row]
+        of_kind = {
+            "number": lambda value: isinstance(value, float),
+            "text": lambda value: isinstance(value, str) and not value.startswith("="),
+            "formula": lambda value: isinstance(value, str) and value.startswith("="),
+        }[kind]
+        cell = next(cell for cell in cells if of_kind(cell.value))
+        cell.value = {"number": 12.5, "text": "verified", "formula": "=1+1"}[kind]
+        book.save(path)
+    code, said = verified(capsys, path)
+    assert code == 5 and "!" in said and "reported" in said
+
+
+def _replaced(path, member: str, old: bytes, new: bytes) -> None:
+    """Change the first of these bytes in the first sheets that hold them."""
+    made = io.BytesIO()
+    with zipfile.ZipFile(path) as archive, zipfile.ZipFile(made, "w") as written:
+        left = True
+        for name in archive.namelist():
+            content = archive.read(name)
+            if left and name.startswith(member) and old in content:
+                content, left = content.replace(old, new, 1), False
+            written.writestr(name, content)
+    assert not left
+    path.write_bytes(made.getvalue())
+
+
+def test_that_a_note_of_other_numbers_and_one_written_by_another_program_are_told(copied, reports, capsys):
+    import pypdf
+
+    path = copied / "case.pdf"
+    (copied / "other.toml").write_text(CASE.replace("thickness_m = 0.5", "thickness_m = 0.55"))
+    assert main(["--batch", str(copied / "other.toml"), "--report", str(copied / "other.pdf"), "--quiet"]) == 0
+    swapped = (copied / "other.pdf").read_bytes()
+    assert swapped != path.read_bytes()
+    writer = pypdf.PdfWriter(clone_from=io.BytesIO(path.read_bytes()))
+    writer.add_blank_page(100, 100)
+    writer.write(path)
+    code, said = verified(capsys, path)
+    assert code == 5 and "written again by another program" in said
+    found = list(of_lines(["a", "q = 2.10", "c"], ["a", "q = 1.10", "c"]))
+    assert [(one.place, one.reported, one.found) for one in found] == [("2", "q = 2.10", "q = 1.10")]
+
+
+def test_that_another_version_or_another_record_cannot_be_told(copied, capsys):
+    path = copied / "case.json"
+    whole = json.loads(path.read_text())
+    path.write_text(json.dumps(whole | {"program": whole["program"] | {"version": "0.1.0"}}))
+    code, said = verified(capsys, path)
+    assert code == 6 and "made by version 0.1.0" in said
+    path.write_text(json.dumps(whole))
+    *lines, last = (copied / "motion.txt").read_text().splitlines()
+    (copied / "motion.txt").write_text("\n".join([*lines, last[:-1] + ("1" if last[-1] != "1" else "2"), ""]))
+    code, said = verified(capsys, path)
+    assert code == 6 and "not those of the report" in said
+    path.write_text(json.dumps(whole | {"case_toml": None}))
+    code, said = verified(capsys, path)
+    assert code == 6 and "text of its case" in said
+
+
+@pytest.mark.parametrize(
+    "content", [b"", b"{}", b"[1]", b"PK\x03\x04", b"%PDF-1.7\n%%EOF", b'{"program": 1, "case_toml": 3}']
+)
+def test_that_what_is_no_report_is_refused_in_a_sentence(tmp_path, capsys, content):
+    path = tmp_path / "report.json"
+    assert verified(capsys, path)[0] == 1
+    path.write_bytes(content)
+    code, said = verified(capsys, path)
+    assert code == 1 and said.count("\n") == 1 and "report.json" in said
+
+
+def test_that_a_key_more_a_key_less_and_another_type_are_differences():
+    found = list(of_results({"a": 1.0, "b": [1, 2], "c": True}, {"b": [1, 2, 3], "c": 1, "d": None}))
+    assert [one.place for one in found] == ["a", "b", "c", "d"]
+    assert list(of_results({"seconds": 1.0, "q": 2.0}, {"seconds": 2.0, "q": 2.0})) == []
