@@ -64,6 +64,7 @@ SHOWN_BY = {
     "report/selection_words": "tests/core/report/test_selection_rows.py",
     "report/note/spectra_figure": "tests/core/report/test_selection_rows.py",
     "case/note_file": "tests/core/report/test_pdf.py",
+    "report/case_text": "tests/app/test_verification.py",
     "report/columns": LARGE,
     "report/parquet_file": LARGE,
     **{f"report/stated/{name}": STATED for name in ("quantity", "records", "walls", "checks", "verdicts")},

@@ -153,7 +153,9 @@ class Session:
                 case = parse_case(table_of(self.case))
                 if self.saved.sha256 and not self.dirty:  # what the batch says of the file
                     given = self.saved.given or case.given
-                    case = replace(case, sha256=self.saved.sha256, given=given, table=self.saved.table)
+                    case = replace(
+                        case, sha256=self.saved.sha256, given=given, table=self.saved.table, source=self.saved.source
+                    )
                 judged = (case, None)
             except InputError as error:
                 judged = (None, error)

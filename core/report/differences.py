@@ -52,8 +52,8 @@ def _text(value: Any) -> str:
     return "" if value is ... else str(value)[:SHOWN]
 
 
-CASE_SHEETS = ("Case", "Caso")
-"""Names of the sheet that holds the case."""
+CASE_SHEETS = {"Input": "The case as it was run", "Dati": "Il caso come è stato analizzato"}
+"""Sheet -> what stands above the text of the case on it."""
 
 
 def case_of_workbook(content: bytes) -> str:
@@ -61,11 +61,13 @@ def case_of_workbook(content: bytes) -> str:
     import openpyxl
 
     book = openpyxl.load_workbook(io.BytesIO(content))
-    name = next((name for name in CASE_SHEETS if name in book.sheetnames), None)
-    if name is None:
-        return ""
-    rows = book[name].iter_rows(min_row=3, values_only=True)
-    return "\n".join("" if row[0] is None else str(row[0]) for row in rows) + "\n"
+    for name, heading in CASE_SHEETS.items():
+        if name in book.sheetnames:
+            column = [row[0] for row in book[name].iter_rows(max_col=1, values_only=True)]
+            if heading in column:
+                lines = column[column.index(heading) + 1 :]
+                return "\n".join("" if line is None else str(line) for line in lines) + "\n"
+    return ""
 
 
 def of_workbooks(reported: bytes, found: bytes) -> list[Difference]:

@@ -4,6 +4,7 @@ from dataclasses import fields
 
 from core.case.keys import pretty
 from core.case.schema import Case, sections
+from core.report.case_text import text_of
 from core.report.cells import QUIET, Book, header, heighten, number, paragraph, rule, text, title
 from core.study.results import StudyResult
 from core.text.sentence import capital, choice, word
@@ -39,6 +40,9 @@ def inputs(book: Book, result: StudyResult) -> None:
             row = _line(book, sheet, row, key, value, source)
     for note in (*case.table_notes, *case.drawings):
         row = paragraph(sheet, row, f"• {note.text(book.language)}", 4, 110, color=QUIET)
+    title(sheet, row + 1, book.say("The case as it was run"), 12)
+    for n, line in enumerate(text_of(result).splitlines(), start=row + 2):
+        text(sheet, n, 1, line)
     sheet.freeze_panes = "A3"
 
 

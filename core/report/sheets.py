@@ -234,14 +234,6 @@ def results(book: Book, result: StudyResult) -> None:
     )
 
 
-def case_as_run(book: Book, result: StudyResult) -> None:
-    """The text of the case, line by line, to be run again."""
-    sheet = book.sheet("Case", [110])
-    title(sheet, 1, book.say("The case as it was run"))
-    for row, line in enumerate(result.case.source.splitlines(), start=3):
-        text(sheet, row, 1, line)
-
-
 def method(book: Book, result: StudyResult) -> None:
     """Equations, versions, hashes, range of use, misprints, what is left out."""
     say = book.say

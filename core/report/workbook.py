@@ -25,7 +25,7 @@ from core.study.results import CollapseHistories, StudyResult
 FIRST_PACKED = 5
 """Row from which on the rows of a sheet are packed: those before are changed to the last."""
 
-SHARES, SAVING = (0, 0, 1, 0, 0, 0, 1, 10, 5, 0, 0, 1, 12, 3, 1, 0), 13
+SHARES, SAVING = (0, 0, 1, 0, 0, 0, 1, 10, 5, 0, 0, 1, 12, 3, 1), 13
 """Hundredths of the writing that each sheet after Check in its order, and the file, take with 300 walls."""
 
 
@@ -79,12 +79,9 @@ class WorkbookReport:
             lambda book, result: plots.histories(book, result, histories),
             plots.survival_map,
             sheets.method,
-            sheets.case_as_run,
         )
         for sheet in steps.each(sheets_in_order, SHARES):
             if sheet is summary_sheet.overview and summary_sheet.lists_all(result):
-                continue
-            if sheet is sheets.case_as_run and not result.case.source:
                 continue
             if sheet is body_sheet.bodies and not body_sheet.has_bodies(result):
                 continue

@@ -88,7 +88,9 @@ def test_that_a_case_gives_workbook_and_json_beside_it(case, capsys):
     assert "case.xlsx" in shown.out
     assert shown.err == ""
     content = json.loads((case.parent / "case.json").read_text())
-    assert list(content) == ["program", "started_utc", "case", "case_sha256", "demand", "records", "verdicts", "walls"]
+    assert list(content) == [
+        *("program", "started_utc", "case", "case_toml", "case_sha256", "demand", "records", "verdicts", "walls")
+    ]
     run = content["walls"][0]["runs"][0]
     for key in (
         "record",

@@ -66,6 +66,7 @@ OWN = {
     "app/shell/guide.py": "the guide",
     "app/shell/menus.py": "the list of recent files, of the program",
     "app/terminal/command_line.py": "members of a workbook, the heads alone",
+    "app/terminal/verification.py": "reports of its own, in a folder of its own",
     "app/views/figure_file.py": "a buffer",
     "app/shell/client_view.py": "a buffer",
     "app/work/recovery.py": "drafts of the program",

@@ -84,7 +84,7 @@ def attached(result: StudyResult) -> tuple[Attachment, ...]:
     for motion in result.motions:
         named = plain_cell(motion.name), plain_cell(shown(motion.file))
         writer.writerow((*named, motion.file_sha256, motion.samples_sha256))
-    kept = result.case.source if result.case.walls is None else ""
+    kept = result.case.source if not result.case.table else ""
     results = json.dumps(table, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
     return (
         Attachment(CASE, dumps(case, kept), "application/toml", "source", say("The case as it was run")),

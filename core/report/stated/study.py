@@ -2,6 +2,7 @@
 
 from typing import Any, NamedTuple
 
+from core.report.case_text import text_of
 from core.report.stated.quantity import Quantity, free, many, one, text
 from core.report.stated.records import DEMAND, RECORD, SELECTION
 from core.report.stated.verdicts import PAIR, VERDICT, Compared, OfWall
@@ -25,7 +26,7 @@ HEAD = (
     free(
         "case", "the case with its defaults, by the keys of the page of the case", lambda result: result.case.as_dict()
     ),
-    text("case_toml", "the text of its file, to be run again", lambda result: result.case.source or None),
+    text("case_toml", "the text of its file, to be run again", text_of),
     text("case_sha256", "SHA-256 of the file of the case", "case.sha256"),
     Quantity(
         "drawings",

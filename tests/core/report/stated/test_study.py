@@ -1,21 +1,54 @@
 """The results of the shipped cases, and of walls with what these have not, against the schema of the results."""
 
 import json
+import tomllib
 
 import fastjsonschema
 import pytest
 
+from core.case.rules import parse_case
 from core.report import json_report
 from core.report.stated.quantity import listed, schema
 from core.report.stated.study import RESULTS
+from core.study.run import run
 from tests.reference_of_results import FOLDER, json_schema, page
 
 CHECK = fastjsonschema.compile(schema(RESULTS))
 
 
-@pytest.mark.parametrize("name", ["verdict", "facade", "example", "building"])
+@pytest.mark.parametrize("name", ["verdict", "facade", "example", pytest.param("building", marks=pytest.mark.long)])
 def test_that_the_results_of_a_shipped_case_are_as_the_schema_says(name, shipped):
     CHECK(json.loads(json_report.dumps(shipped(name))))
+
+
+HELD = {"name": "held", "mechanism": "vertical_bending", "height_m": 4.0, "thickness_m": 0.4, "length_m": 4.0}
+HELD |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "back_restraint": "cross walls"}
+HELD |= {"load": [{"kind": "vertical", "kn_m": 10.0, "d_m": 0.15, "h_m": 4.0, "mass": "none"}]}
+TIED = {"name": "tied", "mechanism": "one_sided", "height_m": 7.0, "thickness_m": 0.6, "length_m": 9.0}
+TIED |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "tie_height_m": 6.0, "tie_bar_length_m": 8.0}
+BARS = {"number": 1, "diameter_mm": 12.0}
+TIED |= {"load": [{"kind": "tie", "h_m": 6.5, "bar_length_m": 8.0, "bar": BARS, "elongation": 0.02}]}
+HIGH = {"name": "high", "mechanism": "both", "height_m": 1.5, "thickness_m": 0.3, "base_z_m": 9.0, "length_m": 4.0}
+HIGH |= {"unit_weight_kn_m3": 18.0, "free_element": True, "elastic_modulus_mpa": 900.0}
+HIGH |= {"openings": [{"s_m": 1.0, "z_m": 0.5, "width_m": 1.0, "height_m": 0.5}]}
+
+
+def test_that_walls_that_no_shipped_case_has_are_as_the_schema_says(tmp_path):
+    """Held at its top, with bars and a tie to be designed, free above the ground with an opening, before and after."""
+    spectrum = {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.3, "soil": "B", "topography": "T1"}
+    pair = [{**HIGH, "name": "pair", "variant": variant} for variant in ("stato di fatto", "progetto")]
+    table = {
+        "wall": [HELD, TIED, HIGH, *pair],
+        "building": {"storeys": 3, "height_m": 9.0},
+        "demand": {"ag_g": 0.2, "spectrum": spectrum},
+        "analysis": {"histories": False},
+    }
+    found = json.loads(json_report.dumps(run(parse_case(table), base_dir=tmp_path)))
+    CHECK(found)
+    keys = {key for wall in found["walls"] for key, value in wall.items() if value is not None}
+    assert {"body", "ties", "tie_design", "floor", "kinematic_check"} <= keys and "variants" in found
+    assert any((wall["kinematic_check"] or {}).get("bending") for wall in found["walls"])
+    assert parse_case(tomllib.loads(found["case_toml"])) == parse_case(table)
 
 
 def test_that_a_key_that_is_not_described_and_one_that_is_missing_are_refused(shipped):
