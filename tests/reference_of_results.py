@@ -16,7 +16,8 @@ HEAD = """# The results
 `--batch` writes beside the workbook `<case>.json`, with every number exact. Its keys and units are below; the same as a
 [JSON Schema](results.schema.json), against which the results of every shipped case are tested. A key may be null where
 there is no such number, and is left out where it says so. `[]` marks the items of a list, `.*` the values of a mapping.
-The rows of the table `<case>.parquet` of many walls ([scale.md](scale.md)) have the columns of the second table.
+A case of more than 10 000 walls has a table `<case>.parquet` with the columns of the second table, and in its JSON a
+summary of its own ([scale.md](scale.md)), which is not of this schema.
 
 ```
 python3 run.py --batch resources/cases/verdict.toml --output results

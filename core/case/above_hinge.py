@@ -79,10 +79,11 @@ def _shape_above(wall: Wall, hinge: float) -> dict:
     if faces is None:
         raise InputError("hinge_in_a_gap", place=(place("wall", name=wall.title),), key="hinge_heights", hinge=hinge)
     outer, inner = faces
-    _, thickness, own, _ = wall.complete_sizes()
+    _, thickness, _, _ = wall.complete_sizes()
+    weights = [solid.unit_weight_kn_m3 for solid in wall.solid] or [None] * len(parts)
     face = min(inner, thickness)
     there = snapped(parts, hinge)
-    cut = zip(there, above_cracks(there, hinge, face), strict=True)
+    cut = zip(there, above_cracks(there, hinge, face), weights, strict=True)
     solids = tuple(
         Solid(
             plane=part.plane,
@@ -92,9 +93,9 @@ def _shape_above(wall: Wall, hinge: float) -> dict:
             opening=part.weight < 0.0,
             x0_m=part.start - outer,
             angle_deg=math.degrees(part.angle) if part.plane == "oblique" else None,
-            unit_weight_kn_m3=None if abs(part.weight) == own else 1e-3 * abs(part.weight),
+            unit_weight_kn_m3=weight,
         )
-        for part, polygon in cut
+        for part, polygon, weight in cut
         if polygon
     )
     base = min(inner - outer, thickness)

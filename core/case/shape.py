@@ -121,6 +121,8 @@ class Shaped:
 
 
 def _given(solid: Solid, weight: float) -> Part:
+    if len(solid.polygon_m) < 3:  # of a draft
+        raise InputError("polygon_empty", key="polygon_m")
     angle = ANGLES[solid.plane] if solid.plane in ANGLES else math.radians(known(solid.angle_deg))
     weight = weight if solid.unit_weight_kn_m3 is None else 1e3 * solid.unit_weight_kn_m3
     ends = (solid.from_m, solid.to_m)

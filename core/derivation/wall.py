@@ -193,7 +193,7 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
             Line(checks.D0_WITH_TIES, kinematic.chain.d0_with_ties, RUN, VALUE, "not taken: a tie yields and breaks")
         ]
         a_limit = checks.a_limit_with_ties
-        held = sum(f * tie.bar.height for f, tie in zip(forces_at_limit(wall), ties, strict=True))
+        held = sum(f * tie.bar.height for f, tie in zip(forces_at_limit(wall), wall.wall.in_si.ties, strict=True))
         of_ties = [Line(checks.th_limit, held, LIVE, SYMBOLS)]
     if kinematic.chain.bending is not None:
         plain = known(kinematic.moved.bending).strip.is_plain

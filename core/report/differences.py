@@ -5,6 +5,8 @@ import io
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
+from core.text.sentence import LANGUAGES, localized
+
 OF_THE_RUN = ("started_utc", "seconds", "commit")
 """Keys of the results that are of one run alone."""
 
@@ -52,16 +54,17 @@ def _text(value: Any) -> str:
     return "" if value is ... else str(value)[:SHOWN]
 
 
-CASE_SHEETS = {"Input": "The case as it was run", "Dati": "Il caso come è stato analizzato"}
-"""Sheet -> what stands above the text of the case on it."""
-
-
 def case_of_workbook(content: bytes) -> str:
     """The text of the case within a workbook, "" where there is none."""
     import openpyxl
 
     book = openpyxl.load_workbook(io.BytesIO(content))
-    for name, heading in CASE_SHEETS.items():
+    for language in LANGUAGES:
+
+        def say(text: str, language: str = language) -> str:
+            return localized("report", text, language)
+
+        name, heading = say("Input"), say("The case as it was run")
         if name in book.sheetnames:
             column = [row[0] for row in book[name].iter_rows(max_col=1, values_only=True)]
             if heading in column:

@@ -8,13 +8,13 @@ the other; intervals are of the bootstrap over events, since strengths of one mo
 import csv
 import io
 import math
-import zipfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
+from core.child import Refused, bounded
 from core.errors import InputError
 from core.regular_file import read_regular
 from core.rocking.history import scan_records
@@ -28,6 +28,18 @@ from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
 
 MOST_BYTES = {"tests.csv": 20_000_000, "records.npz": 1_000_000_000, "bodies.csv": 100_000}
+SECONDS, MEGABYTES = 60.0, 4000
+"""That unpacking the motions may take."""
+
+UNITS = 1.5
+"""Factor by which the PGA of a motion may differ from the measured one: beyond it the unit or the motion is another."""
+
+RADII = 0.05, 60.0
+"""Of a body [m], as of a wall that is given by its radius."""
+
+LEAST_EVENTS = 4
+"""Of which intervals, and halves, are made."""
+
 TIME_STEP = 0.005
 """Of the table's motions [s]."""
 
@@ -68,7 +80,7 @@ the pose of the meshes."""
 
 @dataclass(frozen=True)
 class TableTests:
-    """TableTests that are of use.
+    """What was tested and is of use.
 
     names, events : of each test; motions : [m/s2]; velocity : PGV [m/s]
     overturned : of each body, whether it did, shape (bodies, tests)
@@ -123,99 +135,136 @@ class Found:
 
 
 def read_tests(folder: Path) -> TableTests:
-    """The tests of a folder. Raises InputError for a file that is missing, damaged, or without a column."""
-    table = _rows(folder, "tests.csv")
-    needed = ("test", "event", "stated_pga_g", "measured_pga_g", "pgv_over_pga_s")
-    for key in needed:
-        if not table or key not in table[0]:
-            raise InputError("validation_column", column=key, place=(folder / "tests.csv",))
+    """The tests of a folder. Raises InputError for a file that is missing, damaged, or does not say what it should."""
+    place = folder / "tests.csv"
+    table = _rows(folder, "tests.csv", ("test", "event", "stated_pga_g", "measured_pga_g", "pgv_over_pga_s"))
     bodies = _bodies(folder, table[0])
-    archive = _archive(folder)
-    kept, left_out = [], []
-    for row in table:
-        stated, measured = (_number(row, key, folder) for key in ("stated_pga_g", "measured_pga_g"))
-        (kept if abs(measured / stated - 1.0) <= AGREE else left_out).append(row)
-    motions = [G * _motion(archive, row["test"], folder) for row in kept]
+    names = [row["test"] for row in table]
+    if twice := next((name for name in names if names.count(name) > 1), None):
+        raise InputError("validation_twice", test=twice, place=(place,))
+    kept = [row for row in table if _agrees(row, place)]
+    if len({row["event"] for row in kept}) < LEAST_EVENTS:
+        raise InputError("validation_events", least=LEAST_EVENTS, place=(place,))
+    motions = _motions(folder, [row["test"] for row in kept])
+    for row, motion in zip(kept, motions, strict=True):
+        found, measured = float(np.abs(motion).max()), _number(row, "measured_pga_g", place)
+        if not measured / UNITS < found < measured * UNITS:
+            raise InputError("validation_unit", test=row["test"], found=found, stated=measured, place=(place,))
     others = tuple(
         {
-            key.removeprefix("dem: "): np.array([row[key].strip() == "1" for row in kept])
+            key.removeprefix("dem: "): np.array([_outcome(row, key, place) for row in kept])
             for key in table[0]
             if key.startswith("dem: ") and f"Specimen {body.name}-" in key
         }
         for body in bodies
     )
+    velocity = [_number(row, "pgv_over_pga_s", place) * _number(row, "measured_pga_g", place) for row in kept]
     return TableTests(
         bodies,
         tuple(row["test"] for row in kept),
         np.array([row["event"] for row in kept]),
-        motions,
-        np.array([G * _number(row, "pgv_over_pga_s", folder) * _number(row, "measured_pga_g", folder) for row in kept]),
-        np.array([[row[f"overturned_{body.name}"].strip() == "1" for row in kept] for body in bodies]),
+        [G * motion for motion in motions],
+        G * np.array(velocity),
+        np.array([[_outcome(row, f"overturned_{body.name}", place) for row in kept] for body in bodies]),
         others,
-        tuple(row["test"] for row in left_out),
+        tuple(name for name in names if name not in {row["test"] for row in kept}),
     )
 
 
-def _rows(folder: Path, name: str) -> list[dict[str, str]]:
+def _agrees(row: dict[str, str], place: Path) -> bool:
+    """Whether the measured PGA of a test is the stated one."""
+    stated, measured = (_number(row, key, place) for key in ("stated_pga_g", "measured_pga_g"))
+    return abs(measured / stated - 1.0) <= AGREE
+
+
+def _rows(folder: Path, name: str, needed: tuple[str, ...]) -> list[dict[str, str]]:
+    """The rows of a table that has these columns, each as long as its head."""
+    path = folder / name
     try:
-        content = read_regular(folder / name, MOST_BYTES[name])
-        return list(csv.DictReader(io.StringIO(content.decode("utf-8-sig"))))
+        text = read_regular(path, MOST_BYTES[name]).decode("utf-8-sig")
+        head, *rows = [row for row in csv.reader(io.StringIO(text), strict=True) if row]
     except OSError as error:
-        raise InputError("unreadable", reason=error.strerror, place=(folder / name,)) from None
-    except (UnicodeDecodeError, csv.Error):
-        raise InputError("validation_table", place=(folder / name,)) from None
+        raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
+    except (UnicodeDecodeError, csv.Error, ValueError):
+        raise InputError("validation_table", place=(path,)) from None
+    if missing := next((key for key in needed if key not in head), None):
+        raise InputError("validation_column", column=missing, place=(path,))
+    ragged = next((n for n, row in enumerate(rows, start=2) if len(row) != len(head)), None)
+    if ragged is not None or not rows or len(set(head)) < len(head):
+        raise InputError("validation_row", row=ragged or 1, place=(path,))
+    return [dict(zip(head, (cell.strip() for cell in row), strict=True)) for row in rows]
 
 
-def _number(row: dict[str, str], key: str, folder: Path) -> float:
+def _number(row: dict[str, str], key: str, place: Path) -> float:
     try:
         value = float(row[key])
-    except (TypeError, ValueError):
+    except ValueError:
         value = math.nan
-    if not 0.0 < value < math.inf:
-        raise InputError("validation_number", column=key, test=row["test"], place=(folder / "tests.csv",))
+    if not 1e-6 <= value <= 1e6:
+        raise InputError("validation_number", column=key, test=row.get("test") or row["name"], place=(place,))
     return value
+
+
+def _outcome(row: dict[str, str], key: str, place: Path) -> bool:
+    """Whether a body overturned: 1, and 0 where it stood."""
+    if row[key] not in ("0", "1"):
+        raise InputError("validation_outcome", column=key, test=row["test"], place=(place,))
+    return row[key] == "1"
 
 
 def _bodies(folder: Path, row: dict[str, str]) -> tuple[Body, ...]:
     """The bodies that tests.csv names, of bodies.csv where it is there."""
     names = [key.removeprefix("overturned_") for key in row if key.startswith("overturned_")]
-    known = {body.name: body for body in GRANITE}
-    if (folder / "bodies.csv").exists():
-        known = {
-            one["name"]: Body(
-                one["name"],
-                _number(one | {"test": one["name"]}, "radius_m", folder),
-                _number(one | {"test": one["name"]}, "inertia_over_mass_m2", folder),
-                math.radians(_number(one | {"test": one["name"]}, "slenderness_deg", folder)),
-            )
-            for one in _rows(folder, "bodies.csv")
-        }
-    missing = next((name for name in names if name not in known), None)
-    if not names or missing is not None:
-        column = "overturned_1" if not names else f"overturned_{missing}"
-        raise InputError("validation_column", column=column, place=(folder / "bodies.csv",))
+    if not names:
+        raise InputError("validation_column", column="overturned_1", place=(folder / "tests.csv",))
+    known, place = {body.name: body for body in GRANITE}, folder / "bodies.csv"
+    if place.exists():
+        keys = ("radius_m", "inertia_over_mass_m2", "slenderness_deg")
+        known = {}
+        for one in _rows(folder, "bodies.csv", ("name", *keys)):
+            radius, inertia, degrees = (_number(one, key, place) for key in keys)
+            if not RADII[0] <= radius <= RADII[1]:
+                raise InputError("validation_number", column="radius_m", test=one["name"], place=(place,))
+            body = Body(one["name"], radius, inertia, math.radians(degrees))
+            try:
+                restitution(with_setback(body, 0.0), "housner")
+            except InputError as error:
+                raise error.at(place) from None
+            known[body.name] = body
+    if missing := next((name for name in names if name not in known), None):
+        raise InputError("validation_body", name=missing, place=(place,))
     return tuple(known[name] for name in names)
 
 
-def _archive(folder: Path):
+def _motions(folder: Path, names: list[str]) -> list[np.ndarray]:
+    """Motions of these tests [g]; they are unpacked in a process of their own."""
     path = folder / "records.npz"
     try:
-        return np.load(io.BytesIO(read_regular(path, MOST_BYTES["records.npz"])), allow_pickle=False)
+        content = read_regular(path, MOST_BYTES["records.npz"])
+        return bounded(unpacked, content, tuple(names), seconds=SECONDS, megabytes=MEGABYTES)
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
-    except (ValueError, zipfile.BadZipFile):
+    except Refused as error:
+        if error.reason.startswith(NO_MOTION):
+            test = error.reason.removeprefix(NO_MOTION)
+            raise InputError("validation_motion", test=test, place=(path,)) from None
         raise InputError("validation_table", place=(path,)) from None
 
 
-def _motion(archive, test: str, folder: Path) -> np.ndarray:
-    """A motion [g]."""
-    try:
-        found = np.asarray(archive[f"t{test}"], float)
-    except (KeyError, ValueError, zipfile.BadZipFile):
-        raise InputError("validation_motion", test=test, place=(folder / "records.npz",)) from None
-    if found.ndim != 1 or found.size < 2 or not np.isfinite(found).all():
-        raise InputError("validation_motion", test=test, place=(folder / "records.npz",))
-    return found
+NO_MOTION = "no_motion "
+"""How the reason begins for which a test has none."""
+
+
+def unpacked(content: bytes, names: tuple[str, ...]) -> list[np.ndarray]:
+    """The motions of these tests within an archive. Raises ValueError, and what numpy raises of a damaged file."""
+    with np.load(io.BytesIO(content), allow_pickle=False) as archive:
+        found = []
+        for name in names:
+            motion = archive[f"t{name}"] if f"t{name}" in archive else np.zeros(0)
+            if motion.ndim != 1 or motion.size < 2 or motion.dtype.kind not in "fiu" or not np.isfinite(motion).all():
+                raise ValueError(NO_MOTION + name)
+            found.append(np.asarray(motion, float))
+        return found
 
 
 def halves(events: np.ndarray, seed: int) -> tuple[np.ndarray, np.ndarray]:

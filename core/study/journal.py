@@ -76,7 +76,7 @@ class Journal:
         head, end, lines = scanned(self._stream)
         self.places = {name: place for name, place in lines if name}
         self.dropped = sum(not name for name, _ in lines)
-        mine = parsed(head) == {HEAD: key}
+        mine = end > 0 and parsed(head) == {HEAD: key}  # a head without its line end is written again
         if (self.places and not resume) or (lines and not mine):
             self.set_aside, mine = self._copied(), False
         if not mine:
@@ -124,8 +124,12 @@ class Journal:
         its place. Raises OSError where not all of it could be written."""
         content = json.dumps(entry).encode() + b"\n"
         place = Place(self._stream.seek(0, os.SEEK_END), len(content))
-        while content:
-            content = content[self._stream.write(content) :]
+        try:
+            while content:
+                content = content[self._stream.write(content) :]
+        except OSError:
+            self._stream.truncate(place.start)  # what was begun would join the next line
+            raise
         if time.monotonic() - self._synced >= self._sync_seconds:
             os.fsync(self._stream.fileno())
             self._synced = time.monotonic()

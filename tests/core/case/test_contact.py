@@ -1,5 +1,7 @@
 """The body above a hinge is that of a wall of its own, however it is written (issue BO)."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -383,3 +385,16 @@ def test_that_a_body_in_the_making_has_no_hinges_and_no_error():
 
     half = Part(((0.0, 0.0), (4.0, 0.0)), (0.0, 0.5), 0.5 * np.pi, 0.0, 18.0, "elevation")
     assert changes((half,)) == ()
+
+
+def test_that_a_solid_keeps_the_unit_weight_it_states_and_another_that_of_the_wall_above_any_hinge():
+    """Another weight of the wall moves all hinges alike: what states its own keeps it, at the base and above."""
+    stated = box(0.0, 0.6, 0.0, 9.0) | {"to_m": 2.0, "unit_weight_kn_m3": 18.0}
+    left = box(0.0, 0.6, 0.0, 9.0) | {"from_m": 2.0, "to_m": 5.0}
+    wall = parse_wall(BASE | {"solid": [stated, left]})
+    for hinge in (0.0, 3.0):
+        part = above_hinge(wall, hinge)
+        lighter = replace(part, unit_weight_kn_m3=13.0)
+        high = 9.0 - hinge
+        assert part.in_si.weight * 5.0 == pytest.approx(18e3 * 0.6 * 5.0 * high)
+        assert lighter.in_si.weight * 5.0 == pytest.approx((18e3 * 2.0 + 13e3 * 3.0) * 0.6 * high)

@@ -11,7 +11,7 @@ from core.codes.target_spectrum import ntc2018
 from core.derivation import bending, body, checks, closed_forms, demand
 from core.derivation import wall as of_wall
 from core.derivation.closed_forms import closed
-from core.derivation.geometry import geometry
+from core.derivation.geometry import forces_at_limit, geometry
 from core.derivation.line import Columns
 from core.derivation.quantity import Quantity
 from core.derivation.site import demand_section
@@ -272,3 +272,20 @@ def test_that_the_sections_of_a_run_with_records_agree_too(reference, tmp_path):
     result = run(case, base_dir=tmp_path)
     for found in result.walls:
         assert evaluate([demand_section(result), geometry(found), *of_wall.checks_of(result, found)]) > 10
+
+
+def test_that_a_slack_tie_beside_one_that_counts_adds_nothing_to_what_the_ties_hold(tmp_path):
+    """Both are of one wall: the formula has all of them, and the slack one with no force."""
+    tie = {"kind": "tie", "kn_m": 1.5, "h_m": 5.5, "bar_length_m": 8.0, "elongation_m": 0.3}
+    slack = tie | {"h_m": 4.5, "slack_mm": 5.0}
+    sizes = {"height_m": 6.0, "thickness_m": 0.5, "unit_weight_kn_m3": 18.0, "base_z_m": 0.0}
+    table = {
+        "wall": [{"name": "w", "mechanism": "one_sided", **sizes, "load": [slack, tie], "hinge_heights": "base"}],
+        "demand": {"ag_g": 0.1, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}},
+        "analysis": {"histories": False},
+    }
+    result = run(parse_case(table), base_dir=tmp_path)
+    for wall in result.walls:
+        assert evaluate([demand_section(result), geometry(wall), *of_wall.checks_of(result, wall)]) > 10
+    first, second = forces_at_limit(result.walls[0])
+    assert first == 0.0 and second > 0.0

@@ -130,9 +130,27 @@ def test_that_a_second_body_is_tried_with_the_setback_of_the_first(tmp_path):
         (lambda folder: (folder / "records.npz").write_bytes(b"PK\x03\x04"), "validation_table"),
         (lambda folder: (folder / "tests.csv").write_bytes(b"\xff\xfe\x00"), "validation_table"),
         (lambda folder: (folder / "tests.csv").write_text("test,event\n1,E1\n"), "validation_column"),
-        (lambda folder: _replaced(folder, "overturned_1", "overturned_9"), "validation_column"),
+        (lambda folder: _replaced(folder, "overturned_1", "overturned_9"), "validation_body"),
         (lambda folder: _replaced(folder, "\n5,E0,", "\n5,E0,x"), "validation_number"),
         (lambda folder: _replaced(folder, "\n5,E0,", "\n500,E0,"), "validation_motion"),
+        (lambda folder: _replaced(folder, "\n5,E0,", "\n4,E0,"), "validation_twice"),
+        (lambda folder: _outcome(folder, "TRUE"), "validation_outcome"),
+        (lambda folder: _outcome(folder, "1.0"), "validation_outcome"),
+        (lambda folder: _outcome(folder, ""), "validation_outcome"),
+        (lambda folder: _replaced(folder, "\n5,E0,", "\n5,E0,1,"), "validation_row"),
+        (lambda folder: _replaced(folder, "\n5,E0,", "\n5,"), "validation_row"),
+        (lambda folder: _replaced(folder, "test,event", "test,test"), "validation_column"),
+        (lambda folder: _events(folder), "validation_events"),
+        (lambda folder: _motions(folder, lambda one: 9.81 * one), "validation_unit"),
+        (lambda folder: _motions(folder, lambda one: one + 0j), "validation_motion"),
+        (lambda folder: _motions(folder, lambda one: one.astype(object)), "validation_table"),
+        (lambda folder: _motions(folder, lambda one: one[None]), "validation_motion"),
+        (lambda folder: (folder / "records.npz").write_bytes(b""), "validation_table"),
+        (lambda folder: np.save(folder / "records.npy", np.ones(3)) or _renamed(folder), "validation_table"),
+        (lambda folder: (folder / "bodies.csv").write_text("name,radius_m\n1,2\n"), "validation_column"),
+        (lambda folder: _body(folder, "1,400,160000.1,9"), "validation_number"),
+        (lambda folder: _body(folder, "9,2.0,5.5,9"), "validation_body"),
+        (lambda folder: _body(folder, "1,2.0,4.0,9"), "not_accepted"),
     ],
 )
 def test_that_a_folder_that_is_none_is_refused_in_a_sentence(tmp_path, damage, code, capsys):
@@ -143,6 +161,33 @@ def test_that_a_folder_that_is_none_is_refused_in_a_sentence(tmp_path, damage, c
     assert main(["--validate", "--data", str(tmp_path)]) == 1
     said = capsys.readouterr()
     assert said.out == "" and said.err.count("\n") == 1 and str(tmp_path) in said.err
+
+
+def _outcome(folder, word):
+    """An outcome that is no 0 and no 1, of the last test."""
+    path = folder / "tests.csv"
+    content = path.read_text().rstrip()
+    path.write_text(content[:-1] + word + "\n")
+
+
+def _events(folder):
+    path = folder / "tests.csv"
+    head, *rows = path.read_text().splitlines()
+    path.write_text("\n".join([head, *rows[:18], ""]))
+
+
+def _motions(folder, changed):
+    with np.load(folder / "records.npz") as archive:
+        motions = {name: changed(archive[name]) for name in archive}
+    np.savez_compressed(folder / "records.npz", **motions)
+
+
+def _renamed(folder):
+    (folder / "records.npy").replace(folder / "records.npz")
+
+
+def _body(folder, row):
+    (folder / "bodies.csv").write_text(f"name,radius_m,inertia_over_mass_m2,slenderness_deg\n{row}\n")
 
 
 def _replaced(folder, old, new):

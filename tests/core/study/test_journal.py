@@ -136,6 +136,47 @@ def test_that_what_a_kill_left_of_the_first_line_is_a_journal_still(tmp_path):
         assert json.loads(path.read_bytes()) == {"Ribalta journal": KEY}
 
 
+def test_that_a_head_without_its_line_end_is_written_again(tmp_path):
+    """What a full disk leaves of the first line may be all of it but its end."""
+    path = tmp_path / "c.journal"
+    path.write_bytes(json.dumps({"Ribalta journal": KEY}).encode())
+    filled(path, 3, resume=True)
+    again = Journal(path, KEY, True)
+    assert len(again.places) == 3 and again.dropped == 0
+    again.close()
+
+
+def test_that_a_line_that_could_not_be_written_whole_is_taken_back(tmp_path):
+    path = tmp_path / "c.journal"
+    journal = Journal(path, KEY, False)
+    journal.add("run0", {"q": 1.0})
+    real = journal._stream
+
+    class Full:
+        """A disk that takes ten bytes more."""
+
+        def __getattr__(self, name):
+            return getattr(real, name)
+
+        def write(self, content):
+            if self.taken:
+                raise OSError(28, "No space left on device")
+            self.taken = True
+            return real.write(content[:10])
+
+        taken = False
+
+    journal._stream = Full()
+    with pytest.raises(OutputError, match="No space left"):
+        journal.add("run1", {"q": 2.0})
+    journal._stream = real
+    journal.add("run2", {"q": 3.0})
+    journal.close()
+    again = Journal(path, KEY, True)
+    assert sorted(again.places) == ["run0", "run2"] and again.dropped == 0
+    again.close()
+
+
 # rows of groups of a large case
 
 
