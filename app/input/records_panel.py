@@ -188,7 +188,7 @@ class RecordsPanel(QWidget):
         return bad[0] if bad and not self.pending else None
 
     def _motion(self, row: int) -> GroundMotion:
-        """Of a row whose record could be read."""
+        """The motion of a row whose record could be read."""
         motion = self.rows[row][1]
         assert not isinstance(motion, str)
         return motion

@@ -62,7 +62,7 @@ class BodyDrawing:
 
     @property
     def cracks(self) -> list[list[tuple[float, float]]]:
-        """Of its wedges."""
+        """Lines of the cracks of its wedges."""
         return [points[:2] for points, kind in self.section if kind == "wedge"]
 
     @property

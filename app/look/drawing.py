@@ -28,7 +28,7 @@ def outline(height: float, thickness: float, setback: float, rotation: float) ->
 
 
 class Bent(NamedTuple):
-    """Of a wall held at its top both blocks as they turn, and its three hinges at rest, as of `outline`."""
+    """Both blocks of a wall held at its top as they turn, and its three hinges at rest, as `outline` gives them."""
 
     blocks: tuple[list[QPointF], ...] = ()
     hinges: tuple[QPointF, ...] = ()

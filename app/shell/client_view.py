@@ -28,10 +28,10 @@ from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.variants import OTHER
 
 FRAME_MS, FILM_FPS, MOST_SECONDS = 33, 20, 20.0
-"""Of the animation on the screen [ms] and of a film [1/s], and the length of both [s]."""
+"""Time of a frame on the screen [ms], frames of a film [1/s], and the longest of both [s]."""
 
 ROOM = 1.2
-"""Of the axis beyond the longest bar."""
+"""Length of the axis over the longest bar."""
 
 
 @dataclass(frozen=True)

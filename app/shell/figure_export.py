@@ -23,12 +23,13 @@ CHARTS = 5
 
 
 def beginning(wall) -> str:
-    """Of the names of the files of a wall."""
+    """How the names of the files of a wall begin."""
     return f"{plain_name(f'{wall.name} {named(wall.mechanism)}')} - "
 
 
 class FigureExport(QObject):
-    """Of one wall; a change of the input, of the wall or of the window cancels it. All files are written, or none."""
+    """Exports the figures of one wall; a change of the input, of the wall or of the window cancels it. All files are written,
+    or none."""
 
     def __init__(self, window, folder: Path, size: FigureSize):
         super().__init__(window)

@@ -17,7 +17,7 @@ EXAMPLE = Path(__file__).resolve().parents[2] / "resources" / "cases" / "example
 RECENT = 8
 
 CASE_ENDS = (".toml", ".ribalta")
-"""Of a case file; the second is the one that opens the installed program."""
+"""Endings of a case file; the second is the one that opens the installed program."""
 KINDS = f" ({' '.join(f'*{end}' for end in CASE_ENDS)})"
 OPENED = f" ({' '.join(f'*{end}' for end in (*CASE_ENDS, '.pdf'))})"
 """A calculation note has its case within it."""

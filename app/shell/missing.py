@@ -22,7 +22,7 @@ MOST = 8
 """Lines that are shown."""
 
 MOST_LETTERS = 700
-"""Of a line: a longer sentence is whole in the tip of the notice."""
+"""Letters of a line: a longer sentence is whole in the tip of the notice."""
 
 
 class Problem(NamedTuple):
@@ -166,7 +166,7 @@ class Missing(QFrame):
         return field.named_in(error, title)
 
     def _is_given(self, field: Field) -> bool:
-        """Of a wall that lacks a size: whether this is none of those that are missing where its form shows them."""
+        """Whether a field of a wall that lacks a size is none of those that are missing where its form shows them."""
         wall = self.window_of.walls.wall
         shapes = (wall.thickness_m, wall.slenderness_deg, wall.height_over_thickness) if wall else ()
         lacks = wall is not None and (wall.height_m is None or shapes.count(None) == len(shapes))

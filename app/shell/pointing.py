@@ -53,6 +53,6 @@ def point_at_key(navigator, key: str, reason: bool = False) -> None:
 
 
 def first_empty(fields: list[Field]) -> Field | None:
-    """Of the fields that an error names the first in which nothing stands, else the first."""
+    """The first empty one of the fields that an error names, else the first."""
     empty = (one for one in fields if isinstance(one.editor, QLineEdit) and not one.editor.text().strip())
     return next(empty, fields[0] if fields else None)

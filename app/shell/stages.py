@@ -40,7 +40,7 @@ CHOICES = 300
 """Width of what stands beside the pages of the note [px]."""
 
 SHARES = {"wall": (44, 56), "demand": (44, 56), "building": (44, 56), "records": (70, 30), "report": (56, 44)}
-"""Of the width of the stage, forms and what stands beside them."""
+"""Shares of the width of the stage that forms and what stands beside them take."""
 
 
 def stage_of(page: str) -> str:

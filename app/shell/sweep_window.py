@@ -43,7 +43,7 @@ SHARE = 100
 """Parts of a value that the progress bar tells apart."""
 
 FIRST_RANGE = (0.7, 1.3)
-"""Of the value at hand."""
+"""Range that is proposed, over the value at hand."""
 
 
 def key_words(case: Case, k: int, key: SweepKey) -> str:

@@ -30,10 +30,10 @@ from core.report.verdict_words import tone_of
 from core.study.results import StudyResult, WallResult
 
 WIDTH, WIDE = 216, 280
-"""Of the tree in a window of 1280 and of 1920 [px]."""
+"""Width of the tree in a window of 1280 and of 1920 [px]."""
 
 MOST = 0.20
-"""Of the width of the window, that the tree takes for the words of its first level."""
+"""Share of the width of the window that the tree takes for the words of its first level."""
 
 WIDE_FROM = 1600
 """Width of the window from which the tree is wide [px]."""

@@ -44,7 +44,7 @@ FORCE, PLACE = 2, 3
 """Decimals of a load [kN/m] and of its place in the wall [m] that follow a slider."""
 
 TRIED = (0.98, 1.02)
-"""Of a value: where the wall is refused at both, as under a load that has to be at its top, there is no slider."""
+"""Factors of a value: where the wall is refused at both, as under a load that has to be at its top, there is no slider."""
 
 
 def captions() -> dict[str, str]:
@@ -161,7 +161,7 @@ class WhatIfWindow(QDialog):
             self.ladder.show_rungs([], 1.0)
 
     def case_changed(self) -> None:
-        """Of the session or of the form: the wall shown is taken again when the changes rest."""
+        """Take the wall shown again when changes of the session or of the form rest."""
         if self._is_as_shown():
             return
         self.stop()

@@ -36,7 +36,7 @@ from core.version import NAME
 AUTOSAVE_MS = 4000
 
 FIRST_SIZE, FRAME = QSize(1280, 800), QSize(8, 40)
-"""Of the window at first, and of what the desktop puts around it [px]."""
+"""Size of the window at first, and of what the desktop puts around it [px]."""
 
 
 class MainWindow(QMainWindow):

@@ -10,7 +10,7 @@ from core.errors import InputError
 from core.research.shake_table import AGREE, Found, Score, as_json, compared, read_tests
 
 SEED = 1
-"""Of the halves of the events."""
+"""Seed that draws the halves of the events."""
 
 NAME = "validation.json"
 

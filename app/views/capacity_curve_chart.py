@@ -14,7 +14,7 @@ from core.units import CM, G
 
 
 class CapacityCurveChart(Chart):
-    """Of a wall that has no time histories: in the place of the peaks at the demand."""
+    """Draws the capacity curve of a wall without time histories, in the place of the peaks at the demand."""
 
     def __init__(self):
         super().__init__("d [cm]", "a [g]", tr("Capacity curve"))

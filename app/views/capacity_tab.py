@@ -81,7 +81,7 @@ class CapacityTab(ResultTab):
     # fragility
 
     def _show_fragility(self) -> None:
-        """Of the wall, and dashed of another."""
+        """Draw the curve of the wall, and dashed that of another."""
         result, wall = known(self.shown)
         self.fragility.clear()
         self.fragility.caption = title_of(wall)

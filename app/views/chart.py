@@ -17,7 +17,7 @@ from app.views.chart_output import ChartOutput
 from core.text.sentence import numeral
 
 NEAR = 0.04
-"""Of the size of the axes: how close the cursor must be to a data point to be read there."""
+"""How close the cursor must be to a data point to be read there, over the size of the axes."""
 
 
 ROOM = 0.06

@@ -45,7 +45,7 @@ MOST_LIMITS = 3
 """Lines of limits that are always shown; what makes a verdict indicative is among them, however much it is."""
 
 MIN_HEIGHT = 340
-"""Of ladder and peaks together [px]: below it the page scrolls."""
+"""Least height of ladder and peaks together [px]: below it the page scrolls."""
 
 OF_THE_LAW = ("no_power_law", "narrow_si")
 """Warnings that are notes of an answer."""

@@ -58,7 +58,7 @@ def axis_limits(parent, labels, now) -> tuple[float, float, float, float] | None
 
 
 MOST_ROWS = 20_000
-"""Of a table of data: more nobody reads; the CSV has them all."""
+"""Rows of a table of data that are shown: more nobody reads; the CSV has them all."""
 
 
 def data_table(chart) -> QDialog:

@@ -331,7 +331,7 @@ class HistoriesTab(ResultTab):
         self.set_time(self.cursors[0].value())
 
     def _integrate_second(self, model) -> None:
-        """The same wall under another record, at the same multiple of it. model : FC on the strength included"""
+        """Integrate the wall under another record, at the same multiple of it. model : FC on the strength included"""
         result, wall = known(self.shown)
         k = self.other.currentIndex() - 1
         self.second = None

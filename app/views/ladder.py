@@ -24,7 +24,7 @@ class Rung(NamedTuple):
 
 
 ROOM = 1.25
-"""Of the axis beyond the zeta required or the largest bar."""
+"""Length of the axis over the zeta required or the largest bar."""
 
 MOST = 2.5
 """Times the zeta required that the axis shows: beyond it a bar ends at the edge, and its number says more."""
@@ -58,7 +58,7 @@ class Ladder(QWidget):
         return QSize(300, self.sizeHint().height())
 
     def _fonts(self) -> tuple[QFont, QFont]:
-        """Of clauses, and of what decides."""
+        """Fonts of clauses, and of what decides."""
         small, bold = QFont(self.font()), QFont(self.font())
         small.setPointSizeF(0.85 * small.pointSizeF())
         bold.setBold(True)

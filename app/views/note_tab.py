@@ -35,13 +35,13 @@ ZOOMS = (50, 75, 100, 125, 150, 200)
 """Sizes of a page on the screen [%], beside that as wide as the tab."""
 
 PAGE_WIDTH = 595.3
-"""Of A4 [pt]."""
+"""Width of an A4 page [pt]."""
 
 RESIZED_MS, TYPED_MS = 250, 800
 """Rest after which pages follow the width of the tab, and what is typed beside them [ms]."""
 
 DOTS, POINTS = 96.0, 72.0
-"""Of an inch on the screen at 100 %, and in a PDF."""
+"""Dots of an inch on the screen at 100 %, and points of one in a PDF."""
 
 GAP = 12
 """Between two pages [px]."""
@@ -210,7 +210,7 @@ class NoteTab(ResultTab):
         job.start()
 
     def _dots(self) -> float:
-        """Of an inch on the screen."""
+        """Count the dots of an inch on the screen."""
         percent = self.zoom.currentData()
         if percent is not None:
             return DOTS * percent / 100.0

@@ -15,7 +15,7 @@ _POINTS = re.compile(r'\b(?:d|points)="[^"]*"')
 _PAIR = re.compile(rf"({_NUMBER}),({_NUMBER})")
 
 QUARTER = 4.0 / 3.0 * (2.0**0.5 - 1.0)
-"""Of the radius: the arm of a cubic curve that is a quarter of a circle within 0.0003 of its radius."""
+"""Arm, over the radius, of a cubic curve that is a quarter of a circle within 0.0003 of its radius."""
 
 
 def in_page_units(drawing: str) -> str:

@@ -172,7 +172,7 @@ class SpectraTab(QWidget):
             self.rules_shown = rules
 
     def _show_spectra(self, motions, target) -> None:
-        """Of the records, their mean, the target."""
+        """Draw the spectra of the records, their mean, the target."""
         self.chart.clear()
         spectra = []
         for motion in motions:

@@ -85,7 +85,7 @@ def drop(file: Path) -> None:
 
 
 def describe(file: Path) -> str:
-    """Of which file a recovery file is, and from when."""
+    """Say of which file a recovery file is, and from when."""
     there = [state for state in states(file) if state.exists()] or [file]
     for state in there:
         with contextlib.suppress(InputError):

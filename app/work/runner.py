@@ -31,7 +31,7 @@ def progress_word(done: int, planned: int, elapsed: float, left: float | None) -
 
 
 def results_planned(case: Case) -> list[int]:
-    """Of each wall of a case one for each of its hinges and mechanisms."""
+    """Count the results of each wall of a case: one for each of its hinges and mechanisms."""
     return [(1 + len(hinges_of(wall, case.building))) * len(wall.mechanisms()) for wall in case.wall]
 
 

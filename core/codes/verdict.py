@@ -48,7 +48,7 @@ TAKEN = ("no_soil_factor", "period_estimated")
 
 @dataclass(frozen=True)
 class Circumstances:
-    """Circumstances a verdict must know beside the checks.
+    """What limits a verdict beside its checks: how the records were chosen, taken and integrated.
 
     stations : of the records, two components of one count once
     bundled : some are the example's

@@ -24,7 +24,7 @@ class Difference(NamedTuple):
 
 
 def of_results(reported: Any, found: Any, place: str = "") -> Iterator[Difference]:
-    """Of two results as read from their JSON, key by key."""
+    """Compare two results as read from their JSON, key by key."""
     if isinstance(reported, dict) and isinstance(found, dict):
         for key in [*reported, *(key for key in found if key not in reported)]:
             if key not in OF_THE_RUN:
@@ -125,7 +125,7 @@ def words_of_note(content: bytes) -> list[str]:
 
 
 def of_lines(reported: list[str], found: list[str]) -> Iterator[Difference]:
-    """Of the lines of two notes, by their number in the reported one, from 1."""
+    """Compare the lines of two notes; places are numbers of lines of the reported one, from 1."""
     matcher = difflib.SequenceMatcher(None, reported, found, autojunk=False)
     for kind, start, end, first, last in matcher.get_opcodes():
         if kind != "equal":

@@ -97,7 +97,7 @@ def summary(book: Book, result: StudyResult) -> None:
 
 
 SHOWN = of_keys(WALL, "height_m", "thickness_m", "slenderness_deg", "threshold_acceleration_g", "q_set", "q_robust_set")
-"""Of the results, in the table of the walls."""
+"""Quantities of the results that the table of the walls shows."""
 
 
 def lists_all(result: StudyResult) -> bool:

@@ -35,13 +35,13 @@ UNITS = 1.5
 """Factor by which the PGA of a motion may differ from the measured one: beyond it the unit or the motion is another."""
 
 RADII = 0.05, 60.0
-"""Of a body [m], as of a wall that is given by its radius."""
+"""Least and greatest R of a body [m], as of a wall that is given by its radius."""
 
 LEAST_EVENTS = 4
-"""Of which intervals, and halves, are made."""
+"""Events that halves and intervals need."""
 
 TIME_STEP = 0.005
-"""Of the table's motions [s]."""
+"""Time between two samples of the motions [s]."""
 
 AGREE = 0.30
 """Share by which a measured PGA may differ from the stated one: beyond it the channel was at fault."""

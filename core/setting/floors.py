@@ -37,7 +37,7 @@ CHART_PERIODS = np.geomspace(0.05, 4.0, 60)
 
 @dataclass(frozen=True)
 class Floor:
-    """Floor that moves a wall above the ground.
+    """The floor of a building that moves a wall: its spectrum and its motions.
 
     z : height of the hinge, of a wall held at its top of its middle [m]
     modes : of the building there; estimated : its period was not given

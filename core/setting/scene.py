@@ -48,7 +48,7 @@ def scaled(ground: Sequence[GroundMotion], demand: DemandResult, there: DemandRe
 
 @dataclass(frozen=True)
 class Scene:
-    """Scene that the checks of a wall follow from.
+    """A wall with its mechanism, its demand and its motions: all that its checks follow from.
 
     wall : of the case, about its hinge
     demand : with what the records add; asked : of the case

@@ -244,7 +244,7 @@ def valid(run: str | None, result: dict | None) -> dict:
 
 
 def hash_of(entry: dict) -> str:
-    """Of what a line says, whatever its hash."""
+    """Hash what a line says, whatever hash it states."""
     content = json.dumps([entry.get("run"), entry.get("result")])
     return hashlib.sha256(content.encode()).hexdigest()[:16]
 

@@ -154,7 +154,7 @@ class Masonry:
 
     @cached_property
     def body(self) -> Body | None:
-        """Of its solids; None of a rectangle."""
+        """The sums of its solids; None of a rectangle."""
         return sum_of(self.parts) if self.parts else None
 
     @cached_property
@@ -185,7 +185,7 @@ class Masonry:
 
     @cached_property
     def ties(self) -> tuple[Tie, ...]:
-        """In the order of its loads."""
+        """The ties among its loads, in their order."""
         return tuple(load.tie for load in self.loads if load.tie is not None)
 
     @cached_property

@@ -66,7 +66,7 @@ AT_DEMAND = (
     texts("not_counted", "records too weak beside the others to count"),
     one("branch", "the elastic branch that decides, null without one", BRANCH),
 )
-"""Of a DemandCheck."""
+"""Quantities read from DemandCheck."""
 
 CHECK = (
     text("check", "dynamic, nonlinear, linear_q_slv or linear_q_code", "name"),
@@ -113,7 +113,7 @@ START: tuple[Quantity, ...] = (
         lambda pair: pair[0].chain.alpha0 / (pair[0].chain.e_star * pair[1]),
     ),
 )
-"""Of (Kinematic, FC): the whole wall, without the friction of return walls."""
+"""Quantities read from (Kinematic, FC): the whole wall, without the friction of return walls."""
 
 
 def _own_mass(chain: Any) -> float | None:
@@ -149,7 +149,7 @@ KINEMATIC = (
     texts("missing", "keys without which a free element has no linear check", "kinematic.missing"),
     many("checks", "the rows of the table of methods", CHECK),
 )
-"""Of an Assessment with closed forms."""
+"""Quantities read from Assessment with closed forms."""
 
 VERDICT_OF_HINGE = (
     text("code", "outcome"),
@@ -172,7 +172,7 @@ RISK = (
     number("is_v", "-", "IS-V of this mechanism", "risk.index"),
     text("is_v_letter", "its letter", "risk.letter"),
 )
-"""Of an Assessment."""
+"""Quantities read from Assessment."""
 
 
 def _decided_by(assessment: Any, name: str) -> float | None:
@@ -210,7 +210,7 @@ FLOOR = (
         lambda wall: wall.assessment.sensitivity if wall.assessment else {},
     ),
 )
-"""Of a WallResult above the ground."""
+"""Quantities read from WallResult above the ground."""
 
 SOLVER = (
     text("method", "method of the run"),
@@ -269,4 +269,4 @@ UNCERTAINTY = (
     one("solver", "how exact the solver is", SOLVER, itself),
     one("definition", "how much q depends on its definition", DEFINITION, itself),
 )
-"""Of an Accuracy."""
+"""Quantities read from Accuracy."""

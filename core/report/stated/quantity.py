@@ -76,7 +76,7 @@ def named(key: str, meaning: str, group: Sequence[Quantity], of: Read = None) ->
 
 
 def itself(source: Any) -> Any:
-    """Of an object that is read from the same source as what holds it."""
+    """Read an object from the source of what holds it."""
     return source
 
 

@@ -47,7 +47,7 @@ MEASURES = (
     ),
     texts("warnings", "remarks on the reading", lambda motion: [warning.text() for warning in motion.warnings]),
 )
-"""Of a GroundMotion."""
+"""Quantities read from GroundMotion."""
 
 RECORD = (
     text("name", "name for people", lambda pair: pair[0].name),
@@ -55,7 +55,7 @@ RECORD = (
     number("scale", "-", "factor of the case", lambda pair: pair[0].scale),
     *through(itemgetter(0), MEASURES),
 )
-"""Of (GroundMotion, kind)."""
+"""Quantities read from (GroundMotion, kind)."""
 
 RULE = (
     text("code", "NTC, EN, or shown"),
@@ -134,7 +134,7 @@ DEMAND = (
     texts("warnings", "remarks on the demand", lambda result: [warning.text() for warning in result.required.warnings]),
     one("site", "the place", SITE, lambda result: result.case.site).optional(),
 )
-"""Of a StudyResult with a demand."""
+"""Quantities read from StudyResult with a demand."""
 
 AT_PERIOD = (
     number("period_s", "s", "period", lambda found: found[0]),
@@ -185,4 +185,4 @@ SELECTION = (
         ),
     ),
 )
-"""Of a Selection."""
+"""Quantities read from Selection."""

@@ -40,7 +40,7 @@ HEAD = (
         "selection", "how they were chosen from a folder", SELECTION, lambda result: result.selection or None
     ).optional(),
 )
-"""Of a StudyResult: what stands before the verdicts."""
+"""Quantities read from StudyResult: what stands before the verdicts."""
 
 VERDICTS = (
     many(
@@ -84,4 +84,4 @@ def _pairs(result: StudyResult) -> list[Pair] | None:
 PAIRS = (many("variants", "walls as they are beside as they are designed", PAIR, _pairs).optional(),)
 
 RESULTS = (*HEAD, *VERDICTS, *WALLS, *PAIRS)
-"""Of a StudyResult: the whole file."""
+"""Quantities read from StudyResult: the whole file."""

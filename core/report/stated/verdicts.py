@@ -17,7 +17,7 @@ SAID = (
     text("text_it", "in Italian", lambda said: said.text("it")),
     text("text_en", "in English", lambda said: said.text("en")),
 )
-"""Of a Sentence."""
+"""Quantities read from Sentence."""
 
 
 def _in_english(value: Shown) -> float | str:
@@ -36,7 +36,7 @@ ASSUMPTION = (
     text("text_it", "the row in Italian", lambda row: row.words.text("it")),
     text("text_en", "the row in English", lambda row: row.words.text("en")),
 )
-"""Of an Assumption."""
+"""Quantities read from Assumption."""
 
 INTERVAL = (
     number("low", "-", "lower end of zeta_E for nine of ten sets of as many stations"),
@@ -73,7 +73,7 @@ END = (
     text("text_it", "in Italian", lambda pair: move_words(*pair).text("it")),
     text("text_en", "in English", lambda pair: move_words(*pair).text("en")),
 )
-"""Of (Swing, its end)."""
+"""Quantities read from (Swing, its end)."""
 
 SENSITIVITY = (
     number("base_zeta", "-", "zeta_E as given", "base"),
@@ -110,7 +110,7 @@ SENSITIVITY = (
         "reach",
     ),
 )
-"""Of a Sensitivity."""
+"""Quantities read from Sensitivity."""
 
 
 class OfWall:
@@ -177,7 +177,7 @@ VERDICT = (
     many("rates", "how often limit states are exceeded", RATE, "one.rates"),
     one("sensitivity", "what other values of the inputs do", SENSITIVITY, lambda of: of.one.sensitivity or None),
 )
-"""Of OfWall."""
+"""Quantities read from OfWall."""
 
 
 class Compared(NamedTuple):

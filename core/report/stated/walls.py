@@ -54,7 +54,7 @@ RUN = (
     whole("clamped", "impacts with Eq. 7 held at 0", "ida.clamped"),
     one("method", "method of integration", (text("name", "name"), whole("order", "order"))),
 )
-"""Of OfRun."""
+"""Quantities read from OfRun."""
 
 PER_RECORD = (
     text("record", "record"),
@@ -87,7 +87,7 @@ EQ_9 = (
     number("ratio", "-", "capacity over demand", lambda of: of[2].ratio if of[2] else None),
     flag("passed", "whether the inequality holds", lambda of: of[2].passed if of[2] else None),
 )
-"""Of (WallResult, source of q, Inequality)."""
+"""Quantities read from (WallResult, source of q, Inequality)."""
 
 SOLID = (
     text("plane", "elevation, section or oblique"),
@@ -142,7 +142,7 @@ TIE = (
     number("stands_m", "m", "elongation beyond which it is gone", lambda of: of[1].bar.stands),
     free("elongation_m", "elongation at the demand and at the limits [m]", lambda of: elongations(of[0], of[1].bar)),
 )
-"""Of (WallResult, Tie)."""
+"""Quantities read from (WallResult, Tie)."""
 
 
 def _kilo(force: float | None) -> float | None:
@@ -179,7 +179,7 @@ TIE_DESIGN = (
         "curve",
     ),
 )
-"""Of a TieDesign."""
+"""Quantities read from TieDesign."""
 
 LIMIT_STATE = (
     text("limit_state", "limit state", "state"),
@@ -230,7 +230,7 @@ class OfAssessment:
 
 
 def _held(of: OfWallResult, read) -> Any:
-    """Of a wall with time histories."""
+    """Read a value of a wall that has time histories; None of another."""
     return None if of.histories is None else read(of.histories)
 
 
@@ -312,4 +312,4 @@ WALL = (
     one("uncertainty", "how exact its q is, where asked for", UNCERTAINTY, "wall.accuracy").optional(),
     texts("warnings", "remarks on the run", lambda of: [warning.text() for warning in of.wall.warnings]),
 )
-"""Of OfWallResult."""
+"""Quantities read from OfWallResult."""
