@@ -28,8 +28,8 @@ def beginning(wall) -> str:
 
 
 class FigureExport(QObject):
-    """Exports the figures of one wall; a change of the input, of the wall or of the window cancels it. All files are written,
-    or none."""
+    """Exports the figures of one wall; a change of the input, of the wall or of the window cancels it. All files are
+    written, or none."""
 
     def __init__(self, window, folder: Path, size: FigureSize):
         super().__init__(window)

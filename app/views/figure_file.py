@@ -32,8 +32,8 @@ LINE = 15
 """Height of a line of the caption [px of the layout]."""
 
 LENGTH, ROW = 2000.0, 4
-"""Length of the curves in a strip of a figure painted at once, and least height of a strip [px of the layout]: at 300 dpi
-1000 px of a curve take some 5 ms, a strip without a curve 4 ms."""
+"""Length of the curves in a strip of a figure painted at once, and least height of a strip [px of the layout]: at
+300 dpi 1000 px of a curve take some 5 ms, a strip without a curve 4 ms."""
 
 
 @dataclass(frozen=True)
