@@ -44,7 +44,7 @@ FORCE, PLACE = 2, 3
 """Decimals of a load [kN/m] and of its place in the wall [m] that follow a slider."""
 
 TRIED = (0.98, 1.02)
-"""Factors of a value: where the wall is refused at both, as under a load that has to be at its top, it has no slider."""
+"""Factors of a value: where the wall is refused at both, as under a load that is at its top, it has no slider."""
 
 
 def captions() -> dict[str, str]:
