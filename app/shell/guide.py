@@ -117,6 +117,22 @@ def show_validation(window) -> None:
     window.runner.start(work, arrived)
 
 
+def show_verification(window) -> None:
+    """What of a report differs from its case run again beside the files it reads; off the thread of the window."""
+    title = tr("Verify a report")
+    kinds = tr("Reports") + " (*.pdf *.xlsx *.json)"
+    name = QFileDialog.getOpenFileName(window, title, str(window.session.base_dir), kinds)[0]
+    if not name:
+        return
+    from app.terminal.verification import compared
+
+    def arrived(found: tuple[int, list[str]]) -> None:
+        window.show_word("")
+        QMessageBox.information(window, title, plain("\n".join(found[1])))
+
+    window.runner.start(lambda job: compared(Path(name), on_progress=job.progress, cancelled=job.cancelled), arrived)
+
+
 def save_template(window) -> None:
     """A copy of the empty table of walls, to be filled in."""
     title = tr("Save the table of walls")

@@ -78,6 +78,7 @@ def build(window) -> Actions:
     add(window, helps, tr("&Guide"), lambda: guide.show_guide(window))
     add(window, helps, tr("&Shortcuts"), lambda: guide.show_shortcuts(window))
     add(window, helps, tr("Save the empty table of &walls…"), lambda: guide.save_template(window))
+    add(window, helps, tr("&Verify a report…"), lambda: guide.show_verification(window))
     add(window, helps, tr("Tests on a shake &table…"), lambda: guide.show_validation(window))
     helps.addSeparator()
     add(window, helps, tr("&About"), lambda: about(window))

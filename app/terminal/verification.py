@@ -38,42 +38,45 @@ class Unverifiable(Exception):
 
 
 def verify(report: Path, records: Path | None, jobs: int, quiet: bool) -> int:
-    """Run the case within a report again and say what differs; returns the exit code.
+    """Run the case within a report again and say what differs; returns the exit code. The parameters are those of
+    `compared`. Raises InputError for a file that is no report."""
+    with progress(quiet) as show:
+        code, lines = compared(report, records, jobs=jobs, on_progress=show.runs)
+    for line in lines:
+        say(line)
+    return code
+
+
+def compared(report: Path, records: Path | None = None, **how: Any) -> tuple[int, list[str]]:
+    """(exit code, what to say) of a report whose case is run again.
 
     records : folder of the files that the case reads, that of the report if none is given
-    Raises InputError for a file that is no report.
+    how : jobs, on_progress and cancelled of `core.study.run.run`
+    Raises InputError for a file that is no report, Cancelled.
     """
-    content = _content(report)
+    content, folder = _content(report), records or report.parent
     try:
         reported, case_text = _reported(report, content)
         made_by = reported.get("program", {}).get("version", VERSION)
         if made_by != VERSION:
-            raise Unverifiable(
-                terminal("made by version {made}, this is {here}: take that version", made=made_by, here=VERSION)
-            )
-        folder = records or report.parent
+            text = "made by version {made}, this is {here}: take that version"
+            raise Unverifiable(terminal(text, made=made_by, here=VERSION))
         case = _case(case_text, report, folder)
         try:
-            with progress(quiet) as show:
-                result = run_study(case, base_dir=folder, jobs=jobs, on_progress=show.runs)
+            result = run_study(case, base_dir=folder, **how)
         except InputError as error:
             raise Unverifiable(described(error)) from None
-        changed = _other_records(reported, result)
-        if changed:
+        if changed := _other_records(reported, result):
             raise Unverifiable(terminal("these records are not those of the report: {names}", names=", ".join(changed)))
         found = list(itertools.islice(_compared(report, content, reported, result, folder), 10_000))
     except Unverifiable as reason:
-        say(terminal("{path}: cannot be verified: {reason}", path=report, reason=str(reason)))
-        return CANNOT
-    for one in found[:MOST_LINES]:
-        say(_line(one))
+        return CANNOT, [terminal("{path}: cannot be verified: {reason}", path=report, reason=str(reason))]
+    lines = [_line(one) for one in found[:MOST_LINES]]
     if len(found) > MOST_LINES:
-        say(terminal("… and {n} more", n=len(found) - MOST_LINES))
+        lines.append(terminal("… and {n} more", n=len(found) - MOST_LINES))
     if found:
-        say(terminal("{path}: {n} differences", path=report, n=len(found)))
-        return DIFFERS
-    say(terminal("{path}: equal, run again by version {version}", path=report, version=VERSION))
-    return EQUAL
+        return DIFFERS, [*lines, terminal("{path}: {n} differences", path=report, n=len(found))]
+    return EQUAL, [terminal("{path}: equal, run again by version {version}", path=report, version=VERSION)]
 
 
 def _line(one: Difference) -> str:

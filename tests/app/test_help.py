@@ -78,3 +78,18 @@ def test_that_the_help_tells_what_the_model_says_of_tests_on_a_shake_table(appli
     settle(application, lambda: said and opened.runner.job is None)
     ((title, text),) = said
     assert title == "Tests on a shake table" and "body 1: 71 tests" in text and "setback" in text
+
+
+def test_that_the_help_runs_the_case_within_a_report_again(application, opened, tmp_path, monkeypatch):
+    from app.terminal import batch
+
+    said = []
+    assert batch.run(opened.session.path, tmp_path, 1, True, False) == 0
+    report = opened.session.base_dir / "small.json"
+    report.write_bytes((tmp_path / "small.json").read_bytes())
+    monkeypatch.setattr(guide.QFileDialog, "getOpenFileName", lambda *_: (str(report), ""))
+    monkeypatch.setattr(guide.QMessageBox, "information", lambda _window, title, text: said.append((title, text)))
+    guide.show_verification(opened)
+    settle(application, lambda: said and opened.runner.job is None)
+    ((title, text),) = said
+    assert title == "Verify a report" and "equal, run again by version" in text
