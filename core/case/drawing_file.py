@@ -15,6 +15,7 @@ from core.case.drawing_outlines import (
     MOST_POINTS,
     Gap,
     Point,
+    distinct,
     gaps_of,
     joined,
     refuse_many,
@@ -260,7 +261,7 @@ class DxfFile:
             raise InputError("drawing_damaged", reason=str(error)[:120], place=(self.path,)) from None
         shapes, gaps, least = [], [], tolerance * SAME / TOLERANCE
         for layer, lines in pieces.items():
-            closed, loose = joined(lines, tolerance)
+            closed, loose = joined(distinct(lines), tolerance)
             seen = set()
             for outline in closed:
                 corners = tuple(simple(outline, least))
@@ -381,7 +382,7 @@ def _border(path: Any, tolerance: float) -> Iterator[list[Point]]:
         else:
             lines.append(_flat(_few(edge.construction_tool().flattening(tolerance))))
         refuse_many(sum(map(len, lines)))
-    closed, loose = joined(lines, tolerance)
+    closed, loose = joined(distinct(lines), tolerance)
     yield from ([*outline, outline[0]] for outline in closed)
     yield from loose
 

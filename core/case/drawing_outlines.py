@@ -70,6 +70,13 @@ def refuse_many(points: int) -> None:
         raise InputError("drawing_too_many_points", most=MOST_POINTS)
 
 
+def distinct(lines: Sequence[list[Point]]) -> list[list[Point]]:
+    """Lines without those that another one repeats from either end, and without lines of no length: CAD draws over
+    itself unseen, and of three ends that meet none goes on."""
+    kept = {min(tuple(line), tuple(reversed(line))): line for line in lines if len(set(line)) > 1}
+    return list(kept.values())
+
+
 def joined(pieces: Sequence[list[Point]], join: float) -> tuple[list[list[Point]], list[list[Point]]]:
     """(closed outlines, each corner once; lines that do not close) of pieces whose ends are nearer than `join`. Where
     three ends meet nothing goes on: which two belong together is not known."""

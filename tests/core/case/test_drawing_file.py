@@ -354,6 +354,19 @@ def test_that_a_circle_is_read_from_a_millimetre_to_10_km(tmp_path, radius, is_r
     assert (len(found.shapes), len(found.unread)) == ((1, 0) if is_read else (0, 1))
 
 
+def test_that_a_rectangle_of_lines_drawn_over_is_one_shape_without_a_gap(tmp_path):
+    corners = [(0, 0), (6, 0), (6, 5), (0, 5)]
+
+    def draw(space):
+        for one, other in zip(corners, corners[1:] + corners[:1], strict=True):
+            space.add_line(one, other)
+        space.add_line(corners[2], corners[1])
+        space.add_line(corners[0], corners[0])
+
+    found = DxfFile(sheet(tmp_path / "d.dxf", draw)).sheet()
+    assert [shape.extent for shape in found.shapes] == [(0.0, 0.0, 6.0, 5.0)] and not found.gaps
+
+
 def test_that_a_hatch_without_an_outline_is_a_shape(tmp_path):
     def draw(space):
         hatch = space.add_hatch(dxfattribs={"layer": "A"})

@@ -1,10 +1,11 @@
 """Lines of a drawing joined to outlines: what closes, at which distance, among how many ends; what is above a line."""
 
 import itertools
+import random
 
 import pytest
 
-from core.case.drawing_outlines import CROWD, joined, parts_above
+from core.case.drawing_outlines import CROWD, distinct, joined, parts_above
 from core.wall.body import polygon_sums
 
 JOIN = 0.5
@@ -65,6 +66,22 @@ def test_that_a_line_drawn_twice_is_open_and_one_there_and_back_has_two_corners(
     assert closed == [] and len(loose) == 1
     closed, loose = joined([[*line, line[0]]], 1e-3)
     assert closed == [line] and loose == []
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_that_lines_drawn_over_and_lines_of_no_length_change_no_outline(seed):
+    """A polygon around the origin, cut into lines that are drawn up to three times in either direction, and points."""
+    draw = random.Random(seed)
+    corners = [
+        (draw.uniform(1.0, 3.0) * x, draw.uniform(1.0, 3.0) * y) for x, y in ((1, 0), (1, 1), (0, 1), (-1, 0), (0, -1))
+    ]
+    lines = [list(pair) for pair in itertools.pairwise((*corners, corners[0]))]
+    over = [line[:: draw.choice((1, -1))] for line in lines for _ in range(draw.randint(1, 3))]
+    over += [[corner, corner] for corner in corners]
+    draw.shuffle(over)
+    closed, loose = joined(distinct(over), 1e-3)
+    assert loose == [] and len(closed) == 1
+    assert sorted(closed[0]) == sorted(corners)
 
 
 def test_that_legs_are_told_apart_by_where_the_line_cuts_them_not_by_where_they_lead():
