@@ -46,6 +46,14 @@ def test_that_a_generated_set_complies_and_half_of_it_does_not(tmp_path):
     assert compliance(motions[:2], ["artificial"] * 2, demand).compatible is False
 
 
+def test_that_there_is_nothing_to_compare_without_records_or_without_a_spectrum(tmp_path):
+    asked = case()
+    demand = demand_of(asked, tmp_path)
+    motions = generated(asked, demand)
+    assert compliance([], [], demand) is None
+    assert compliance(motions, ["artificial"] * 7, replace(demand, target=None)) is None
+
+
 def test_that_artificial_motions_are_as_long_as_the_code_asks(tmp_path):
     """A strong part of 10 s, 25 s in all: the limits themselves pass."""
     demand = demand_of(case(), tmp_path)

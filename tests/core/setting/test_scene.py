@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ import pytest
 from core.case.site import Demand
 from core.ground.ground_motion import GroundMotion
 from core.setting.demand_input import demand_asked
-from core.setting.scene import scaled
+from core.setting.scene import polarities_of, scaled
 
 GROUND = np.sin(np.arange(10.0))
 
@@ -21,3 +22,9 @@ def test_that_records_used_as_given_follow_the_demand_and_those_scaled_to_it_nee
     ground = [GroundMotion("m", GROUND, 0.01, "m.txt")]
     (found,) = scaled(ground, demand, replace(demand, pga=1.5 * demand.pga))
     assert found.acceleration.tolist() == pytest.approx((factor * GROUND).tolist(), rel=1e-15)
+
+
+@pytest.mark.parametrize("alike", [True, False])
+@pytest.mark.parametrize(("asked", "signs"), [("as_recorded", (1,)), ("reversed", (-1,)), ("both", (1, -1))])
+def test_that_a_record_runs_with_the_signs_asked_and_once_where_both_do_the_same(alike, asked, signs):
+    assert polarities_of(SimpleNamespace(both_signs_alike=alike), asked) == ((1,) if alike else signs)
