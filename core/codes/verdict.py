@@ -31,6 +31,7 @@ TO_MEND = {
     "not_compatible": Sentence("reason", "to_not_compatible"),
     "few_records": Sentence("reason", "to_few_records"),
     "too_weak": Sentence("reason", "to_too_weak"),
+    "weaker_records": Sentence("reason", "to_weaker_records"),
     "bundled": Sentence("reason", "to_bundled"),
     "one_sign": Sentence("reason", "to_one_sign", (("key", Key("polarity")),)),
     "no_soil_factor": Sentence("reason", "to_no_soil_factor"),
@@ -196,7 +197,7 @@ def verdict(
     wall, demand, dynamic = seen.wall, seen.demand, seen.dynamic
     missing, threshold = _missing(seen), _threshold(seen)
     unfounded = [row.words for row in assumed if (row.turns and row.open) or (row.turns and row.key == TOGETHER)]
-    blocking = [*_limits(seen), *unfounded, *_unconfirmed(seen)]
+    blocking = [words for words in (*_limits(seen), *unfounded, *_unconfirmed(seen)) if words != missing]
     agrees = passes_with_q2(seen.made("linear_q_code"), demand.zeta_target)
     rests_on = [Key(row.key) for row in assumed if row.turns_q and row.open] if agrees else []
     code = outcome_of(seen, unfounded, bool(rests_on))
@@ -300,6 +301,8 @@ def _missing(seen: Evidence) -> Sentence | None:
         keys = {"spectrum": "spectrum", "modulus": "elastic_modulus_mpa", "weight": "unit_weight_kn_m3"}
         return _reason("no_check", **{name: Key(key) for name, key in keys.items()})
     unknown = seen.zeta is None and seen.governing.passed is not False  # what is known to fail needs no number
+    if unknown and seen.demand.weak_share is not None:
+        return _reason("weaker_records", share=seen.demand.weak_share)
     return _reason("no_number") if unknown else None
 
 
@@ -347,7 +350,7 @@ def _to_do(code: str, blocking: list[Sentence], assumed: tuple[Assumption, ...])
     codes = {words.code for words in blocking}
     mends = [to_do for why, to_do in TO_MEND.items() if why in codes]
     if code == "undetermined":
-        return [one for one in mends if one.code in ("to_building", "to_no_check")]
+        return [one for one in mends if one.code in ("to_building", "to_no_check", "to_weaker_records")]
     if code == "indicative":
         for row in assumed:
             if row.words in blocking and row.key == RESTRAINT and row.source == DECLARED:

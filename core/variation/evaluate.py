@@ -153,9 +153,17 @@ def evaluate(
         return Evaluation(scene, None, None, (), precision)
     dynamic = histories(scene, precision, other, cancelled)
     made = checks_of(kinematic, scene.demand, _counted(kinematic, scene.q_slv[0]))
-    checks = ((dynamic.as_check(scene.demand.zeta_target),) if dynamic else ()) + made
+    checks = ((_as_check(dynamic, scene),) if dynamic else ()) + made
     found = Evaluation(scene, kinematic, dynamic, checks, precision)
     return replace(found, checks=_worse_first(found)) if scene.by_default else found
+
+
+def _as_check(dynamic: DemandCheck, scene: Scene) -> Check:
+    """The histories as a row of the checks: under records weaker than the demand, and not compatible with it, a wall
+    may fail, and how much more it bears is not known."""
+    check = dynamic.as_check(scene.demand.zeta_target)
+    at_demand = scene.demand.weak_share is None or (scene.compliance is not None and scene.compliance.compatible)
+    return check if at_demand or check.passed is False else replace(check, zeta=None, passed=None)
 
 
 def _worse_first(evaluation: Evaluation) -> tuple[Check, ...]:

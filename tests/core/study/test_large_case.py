@@ -155,7 +155,8 @@ def test_that_the_summary_counts_the_verdicts_and_names_the_worst(table, small, 
     codes = [small.walls[one.governing].assessment.verdict.code for one in small.verdicts]
     assert told["verdicts"] == {code: codes.count(code) for code in sorted(set(codes))}
     worst = [row["zeta_e"] for row in told["worst"]]
-    assert worst == sorted(worst) and len(worst) == 12
+    known = [zeta for zeta in worst if zeta is not None]  # what no record at the demand tells comes after what fails
+    assert worst[: len(known)] == sorted(known) and len(worst) == 12 and 0 < len(known) < 12
     assert told["case"]["wall"] == [] and told["case"]["walls"] == "walls.csv"
     assert told["demand"] == json_report.results(small)["demand"] and len(told["records"]) == 3
     assert [one["name"] for one in told["table"]["columns"]] == parquet.read_schema(table).names
@@ -189,7 +190,8 @@ def test_that_a_part_that_does_not_belong_is_refused(case, few, tmp_path):
     refused("part_of_another", part_path(tmp_path, "many", 1, 2).read_bytes())
     refused("part_not_finished", b"\n".join(whole.split(b"\n")[:-2]) + b"\n")
     lines = whole.split(b"\n")
-    refused("part_damaged", b"\n".join([lines[0], lines[1][:-9] + b"7" + lines[1][-8:], *lines[2:]]))
+    other = b"8" if lines[1][-9:-8] == b"7" else b"7"  # a digit of the hash
+    refused("part_damaged", b"\n".join([lines[0], lines[1][:-9] + other + lines[1][-8:], *lines[2:]]))
     batch.run_part(case, tmp_path, 2, True, 2, 2)
     assert batch.run(case, tmp_path, 1, True, False, merge=True) in (batch.DONE, batch.WITHOUT_NUMBER)
     (tmp_path / "many.parquet").unlink()
