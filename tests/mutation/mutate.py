@@ -42,7 +42,7 @@ KEYS = "tests/test_documents.py::test_that_the_page_of_the_case_has_every_key_as
 CONTACT = "tests/core/case/test_contact.py"
 BODIES = "tests/validation/test_bodies.py"
 TIES = "tests/core/codes/test_ties_in_the_clauses.py"
-BODIES = "tests/validation/test_bodies.py"
+LOADED = "tests/validation/test_loaded_walls.py::test_that_a_loaded_wall_is_the_worked_example"
 LOADS = "tests/core/case/test_load_rules.py"
 ASSUMED = "tests/core/variation/test_table_of_assumptions.py"
 
@@ -62,7 +62,7 @@ BESIDE: dict[str, tuple[str, ...]] = {
         (PRINTED,),
     ),
     "core/codes/target_spectrum.py": (PRINTED,),
-    "core/codes/kinematic_chain.py": (TIES, LOADS),
+    "core/codes/kinematic_chain.py": (TIES, LOADS, LOADED),
     "core/wall/bars.py": ("tests/validation/test_tied_walls.py",),
     "core/wall/body.py": (BODIES,),
     "core/wall/solids.py": (BODIES, CONTACT),
