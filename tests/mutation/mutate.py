@@ -260,6 +260,7 @@ class Trees:
             found = subprocess.run(command, cwd=tree, env=variables, capture_output=True, timeout=seconds)
             return found.returncode == 0
         except subprocess.TimeoutExpired:
+            print(f"{module or ' '.join(tests)}: ended by the clock", file=sys.stderr, flush=True)
             return False
         finally:
             if module:
@@ -302,7 +303,7 @@ def main() -> int:
         done = dict(json.loads(line) for line in options.journal.read_text(encoding="utf-8").splitlines())
     with tempfile.TemporaryDirectory() as name:
         for fault, killed in tried(asked, Path(name), options.jobs, done):
-            done[fault] = killed
+            done[fault] = killed and done.get(fault, True)  # equal places of a line have the same words
             if options.journal:
                 with options.journal.open("a", encoding="utf-8") as stream:
                     stream.write(json.dumps([fault, killed]) + "\n")
