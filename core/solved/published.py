@@ -223,6 +223,11 @@ def _of_one_body() -> tuple[Solved, ...]:
             ),
             comment=sentence("solved", "published_storeys_why"),
         ),
+    )
+
+
+def _of_forces() -> tuple[Solved, ...]:
+    return (
         Solved(
             "published_vault_thrust",
             Kind.PRINTED,
@@ -313,5 +318,5 @@ def _new_zealand() -> tuple[Solved, ...]:
     )
 
 
-CASES: tuple[Solved, ...] = (*_of_rocking(), *_of_one_body(), *_new_zealand())
+CASES: tuple[Solved, ...] = (*_of_rocking(), *_of_one_body(), *_of_forces(), *_new_zealand())
 """Worked examples of papers, codes and open programs."""

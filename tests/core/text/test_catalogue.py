@@ -58,6 +58,8 @@ OF_NO_SENTENCE = {
     ),
     "core/derivation/faces.py": "errors of whoever describes a quantity",
     "core/derivation/quantity.py": "errors of whoever describes a quantity",
+    "core/solved/experiments.py": "citations",
+    "core/solved/published.py": "citations",
     "core/variation/evaluate.py": "how the first line of a bundled motion begins",
     "core/ground/records/california.py": "patterns of heads of files",
     "core/ground/records/geonet.py": "patterns of heads of files",
