@@ -87,7 +87,7 @@ def _train() -> Solved:
         "experiment_train_of_1906",
         Kind.EXPERIMENT,
         sentence("solved", "experiment_train_of_1906"),
-        "Anooshehpoor, Heaton, Shi, Brune (1999), BSSA 89(1), abstract",
+        "Anooshehpoor, Heaton, Shi, Brune (1999), BSSA 89(4), abstract",
         tuple(needed),
         sketch=Sketch(section(3.76, 0.914), motion=tuple(np.sin(2.0 * np.pi * time))),
         comment=sentence("solved", "experiment_train_of_1906_why"),
@@ -106,7 +106,7 @@ def _restitutions() -> tuple[Solved, ...]:
             "experiment_interface",
             Kind.EXPERIMENT,
             sentence("solved", "experiment_interface"),
-            "ElGawady, Ma, Butterworth, Ingham (2006), abstract; ElGawady et al. (2011), EESD 40(4)",
+            "ElGawady et al., Effects of interface material on the dynamic behaviour of rigid blocks, abstract",
             (
                 measured(slender(5.0), "housner", 0.95 * theory[5.0], 0.06),
                 measured(slender(3.0), "housner", 0.97 * theory[3.0], 0.06),
