@@ -23,6 +23,9 @@ BY_HAND = [
 ]
 
 
+@pytest.mark.shows(
+    "kinematic.alpha0", "kinematic.d0", "kinematic.a0", "kinematic.e_star", "kinematic.q_2", "kinematic.sld_floor"
+)
 @pytest.mark.parametrize(
     ("height", "thickness", "kind", "a0", "zeta_linear", "period", "s_de", "raw", "counted"), BY_HAND
 )
@@ -45,6 +48,7 @@ def test_that_a_wall_on_the_ground_is_the_hand_calculation(
     assert nonlinear(found, demand).zeta == pytest.approx(counted, abs=5e-5)
 
 
+@pytest.mark.shows("kinematic.q_2")
 @pytest.mark.parametrize(
     ("height", "thickness", "modulus", "weight", "period_0", "zeta_linear", "zeta_displacement"),
     [
@@ -68,6 +72,7 @@ def test_that_walls_of_a_site_on_soil_c_are_the_hand_calculation(
     assert nonlinear(found, demand).zeta == pytest.approx(zeta_displacement, abs=5e-5)
 
 
+@pytest.mark.shows("kinematic.e_star", "kinematic.t0")
 def test_that_t_0_and_the_demand_of_a_free_element_are_the_hand_calculation():
     # 6.2 (3.0 / 0.45) 3.0 sqrt(18e3 / (600e6 9.80665)) = 0.216880 s, on the plateau: S_e = 0.312 2.5 g
     found, _ = mechanism_of(case({"height_m": 3.0, "thickness_m": 0.45, **FREE}))
@@ -88,6 +93,7 @@ def checks(result):
     return {check.name: check for check in result.walls[0].assessment.checks}
 
 
+@pytest.mark.shows("paper.eq_9")
 def test_that_the_wall_of_the_design_shows_its_disagreement(designed):
     wall = designed.walls[0]
     found = checks(designed)
@@ -106,6 +112,7 @@ def test_that_every_check_is_made_the_most_refined_first(designed):
     assert [check.name for check in designed.walls[0].assessment.checks] == list(CHECKS)
 
 
+@pytest.mark.shows("paper.eq_10")
 def test_that_q_and_its_multiplier_are_one_formula(designed):
     """The multiplier of a q is that of its search, to the last bit: the wall falls at it, not below."""
     wall, motion = designed.walls[0], designed.motions[0]
@@ -117,6 +124,7 @@ def test_that_q_and_its_multiplier_are_one_formula(designed):
     assert history(motion.acceleration, 0.01, low, wall.model, AUTO).outcome != COLLAPSED
 
 
+@pytest.mark.shows("kinematic.alpha0")
 def test_that_a_setback_turns_the_wall_about_its_hinge():
     # t = 0.83, u = 0.05: tan(alpha) = 0.73 / 7; R = sqrt(3.5^2 + 0.365^2); I0/m = (7^2 + 0.83^2)/12 + R^2
     block = case(wall={"hinge_setback_m": 0.05}).wall[0].block()
@@ -134,6 +142,7 @@ def test_that_the_strength_of_the_masonry_gives_the_setback():
     assert wall.setback == pytest.approx(0.036797, abs=1e-6)
 
 
+@pytest.mark.shows("kinematic.at_rest")
 def test_that_a_free_element_is_not_called_at_rest_by_the_pga(tmp_path):
     """FC S a_g is below a_RM, but FC S_e(T_0) is not (C8.7.1.9)."""
     wall = {"height_m": 1.2, "thickness_m": 0.35, "elastic_modulus_mpa": 200.0, "unit_weight_kn_m3": 18.0}

@@ -17,6 +17,7 @@ from core.wall.rocking_model import RockingModel, rocking_model
 LOOKAHEAD = np.zeros(4001)
 
 
+@pytest.mark.shows("paper.eq_1")
 @pytest.mark.parametrize("fraction, quarter", [(0.1, 0.323710), (0.5, 0.912068), (0.9, 2.072341), (0.99, 3.668056)])
 def test_that_the_quarter_period_is_that_of_the_exact_equation(make_model, fraction, quarter):
     model = make_model()
@@ -84,6 +85,7 @@ def half_sine(amplitude, omega, samples, quiet=0):
     return np.concatenate([amplitude * np.sin(omega * times), np.zeros(quiet)]), step
 
 
+@pytest.mark.shows("paper.eq_1")
 @pytest.mark.parametrize("ratio, exact", [(2.0, 1.800909), (4.0, 2.792334), (8.0, 4.791815)])
 def test_that_a_half_sine_overturns_from_the_closed_form_amplitude(make_model, ratio, exact):
     model = make_model()
@@ -138,6 +140,7 @@ def test_that_a_safe_band_lies_above_the_first_overturning():
     assert [outcome[a] for a in (7.8, 9.0)] == [COLLAPSED] * 2
 
 
+@pytest.mark.shows("paper.eq_2")
 @pytest.mark.parametrize("one_sided", [False, True])
 def test_that_a_ground_below_the_threshold_moves_nothing(make_model, reference, one_sided):
     model = make_model(one_sided=one_sided)

@@ -30,6 +30,7 @@ def q_of(record, alpha, height, one_sided=False, sign=1, q_step=0.005):
     return found.q
 
 
+@pytest.mark.shows("paper.eq_10")
 @pytest.mark.parametrize(
     "alpha, known",
     [
@@ -43,6 +44,7 @@ def test_that_two_sided_walls_collapse_at_the_known_q(el_centro, alpha, known):
         assert q_of(el_centro, alpha, height) == pytest.approx(q, abs=1e-3)
 
 
+@pytest.mark.shows("paper.eq_10")
 @pytest.mark.parametrize(
     "sign, known", [(1, (3.150, 4.646, 4.924, 5.052, 5.167)), (-1, (4.984, 5.263, 5.777, 6.425, 6.744))]
 )

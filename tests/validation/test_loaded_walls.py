@@ -67,6 +67,7 @@ WORKED = [
 ]
 
 
+@pytest.mark.shows("kinematic.loads", "kinematic.sums")
 @pytest.mark.parametrize("row", WORKED, ids=["none", "roof", "pushing", "carried", "inward", "thrust"])
 def test_that_a_loaded_wall_is_the_worked_example(row):
     loads, a, c, uplift, collapse, alpha0, e_star, d0, zeta_linear, raw = row
@@ -135,6 +136,7 @@ def test_that_a_mass_at_the_top_corner_lowers_the_frequency_as_in_closed_form(sh
     assert found.frequency_parameter / bare.frequency_parameter == pytest.approx(ratio, rel=1e-14)
 
 
+@pytest.mark.shows("mechanics.energy")
 @pytest.mark.parametrize("loads", [(ROOF, INWARD), (ROOF, THRUST), (PUSHING,)])
 def test_that_free_motion_with_loads_keeps_its_energy(loads):
     """V = a (cos(alpha - theta) - cos(alpha)) + c (sin(alpha) - sin(alpha - theta)); an impact leaves e^2 of it."""
@@ -170,6 +172,7 @@ def two_or_one(one_sided: bool) -> dict:
     return {} if one_sided else {"mechanism": "two_sided"}
 
 
+@pytest.mark.shows("mechanics.loaded")
 @pytest.mark.parametrize(("loads", "one_sided", "forces"), SETS)
 @pytest.mark.parametrize("times", [2.2, 2.6])
 def test_that_histories_with_loads_are_those_of_the_loads_own_moment(reference, loads, one_sided, forces, times):
@@ -186,6 +189,7 @@ def test_that_histories_with_loads_are_those_of_the_loads_own_moment(reference, 
         assert truth.min() < 0.0 < truth.max()
 
 
+@pytest.mark.shows("mechanics.loaded")
 @pytest.mark.parametrize("law", ["rigid", "al_shawa"])
 @pytest.mark.parametrize(("loads", "one_sided"), [entry[:2] for entry in SETS[:5]])
 def test_that_lanes_with_loads_are_single_histories(reference, loads, one_sided, law):
@@ -200,6 +204,7 @@ def test_that_lanes_with_loads_are_single_histories(reference, loads, one_sided,
     assert set(seen) == {STABLE, COLLAPSED}
 
 
+@pytest.mark.shows("mechanics.loaded")
 @pytest.mark.parametrize(("loads", "one_sided"), [entry[:2] for entry in SETS])
 def test_that_q_with_loads_is_that_of_multipliers_one_after_another(reference, loads, one_sided):
     """The first collapse among single histories on the grid of the search, q to its bracket."""
@@ -241,6 +246,7 @@ def test_that_a_two_sided_wall_of_unlike_sides_takes_both_signs_and_does_not_car
     assert {run.polarity for run in alike.runs} == {1}
 
 
+@pytest.mark.shows("kinematic.q_slv")
 def test_that_q_of_the_histories_is_not_raised_by_e_star_twice(tmp_path):
     """a_g,SLV = q a_g,SLD with q from uplift at alpha_0 g: q e* a0* FC = q alpha_0 g."""
     table = {

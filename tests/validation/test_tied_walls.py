@@ -56,6 +56,7 @@ def sines(amplitude, period, dt):
     return amplitude * G * np.sin(2.0 * np.pi * t / period)
 
 
+@pytest.mark.shows("ties.histories")
 @pytest.mark.parametrize("row", WORKED)
 def test_the_worked_walls(row):
     height, thickness, loads, force, h, stands, amplitude, period, peak, residual, _ = row
@@ -69,6 +70,7 @@ def test_the_worked_walls(row):
         assert 1e3 * h * found.residual[0, -1] == pytest.approx(residual, abs=0.006)
 
 
+@pytest.mark.shows("ties.work")
 @pytest.mark.parametrize("row", WORKED[:-1])
 def test_a_bar_that_does_not_stretch_before_it_yields_is_the_rigid_plastic_limit(row):
     height, thickness, loads, force, h, stands, amplitude, period, _, _, peak = row
@@ -134,6 +136,7 @@ def differ(model, found, small_steps) -> str:
     return ""
 
 
+@pytest.mark.shows("ties.histories")
 @pytest.mark.parametrize(
     "seed, count",
     [(5, 20), pytest.param(5, 150, marks=pytest.mark.long), pytest.param(6, 2000, marks=pytest.mark.long)],
@@ -149,6 +152,7 @@ def test_random_walls_against_an_integrator_of_small_steps(seed, count):
     assert sum(bool(work > 0.0) for _, _, (*_, work, _) in results) > 0.3 * count
 
 
+@pytest.mark.shows("mechanics.lanes")
 def test_many_multipliers_give_what_single_histories_give_bit_for_bit():
     rng = np.random.default_rng(11)
     outcomes_seen = set()
@@ -168,6 +172,7 @@ def test_many_multipliers_give_what_single_histories_give_bit_for_bit():
     assert outcomes_seen >= {STABLE, COLLAPSED}
 
 
+@pytest.mark.shows("ties.work")
 def test_the_work_of_a_bar_is_its_yield_force_times_its_plastic_elongation():
     bars = [TieBar(2.8, 3e3, 2e-3, 0.0, 9.0), TieBar(2.0, 1e3, 4e-3, 1e-3, 9.0)]
     model, bare = held_wall(3.0, 0.45, (), bars), held_wall(3.0, 0.45, (), [])
@@ -211,6 +216,7 @@ def test_a_slack_bar_is_no_bar_and_a_second_motion_meets_a_slack_one():
     assert twice.peak > 3.0 * once.peak
 
 
+@pytest.mark.shows("ties.prestress")
 def test_a_prestress_raises_the_ground_that_uplifts_the_wall_and_no_other_bar_does():
     still = held_wall(3.0, 0.45, (), [])
     for slack, held in ((0.0, 0.0), (-0.5 * AT_YIELD, 0.5)):

@@ -12,6 +12,7 @@ from core.wall.block import Block
 WALL = Block.rectangle(7.0, math.radians(6.8))
 
 
+@pytest.mark.shows("paper.eq_15")
 def test_that_eq_15_gives_the_q_eff_of_el_centro():
     """(30 x 6.8 + 78 x 7 + 90) / 124.27 = 6.76: q_eff, not q, against the print."""
     q_eff = closed_forms.closed_form_q_eff(WALL.slenderness, WALL.height, 1.2427, False)
@@ -21,11 +22,13 @@ def test_that_eq_15_gives_the_q_eff_of_el_centro():
     assert q == pytest.approx(6.7595 * 0.319, rel=1e-4)
 
 
+@pytest.mark.shows("paper.eq_16")
 def test_that_eq_16_is_the_one_sided_form():
     q_eff = closed_forms.closed_form_q_eff(WALL.slenderness, WALL.height, 1.0, True)
     assert q_eff == pytest.approx((23 * 6.8 + 65 * 7 + 840) * 100.0**-0.9, rel=1e-12)
 
 
+@pytest.mark.shows("paper.eq_12")
 def test_that_q_eff_is_eq_12():
     assert closed_forms.effective_q(2.336, 0.3188 * G) == pytest.approx(2.336 / 0.3188)
 
@@ -40,6 +43,7 @@ def test_that_a_power_law_is_found_back():
     assert fit.q_eff(0.5) == pytest.approx(321.0 * 50.0**-0.93)
 
 
+@pytest.mark.shows("paper.eq_13")
 def test_that_a_power_law_is_scipys_regression():
     from scipy.stats import linregress
 
@@ -52,11 +56,13 @@ def test_that_a_power_law_is_scipys_regression():
     assert fit.r_squared == pytest.approx(line.rvalue**2, rel=1e-9)
 
 
+@pytest.mark.shows("paper.eq_13")
 @pytest.mark.parametrize("si", [[], [1.0, 2.0], [1.0, 1.0, 1.0]])
 def test_that_a_power_law_needs_three_points_and_a_spread(si):
     assert closed_forms.fit_power_law(si, [5.0] * len(si)) is None
 
 
+@pytest.mark.shows("paper.eq_16")
 def test_that_leaving_the_fitted_range_is_said():
     inside = closed_forms.range_notices(math.radians(6.8), 7.0, [("a", 0.2 * G)])
     assert inside == []

@@ -20,16 +20,19 @@ def floor(z: float) -> FloorSpectrum:
     return FloorSpectrum(TARGET, first_mode(3, 9.0, z, PERIOD, 0.10))
 
 
+@pytest.mark.shows("kinematic.participation")
 def test_the_period_and_the_participation():
     assert pytest.approx(0.3897, abs=5e-5) == PERIOD
     assert first_participation(3) == pytest.approx(9.0 / 7.0)
 
 
+@pytest.mark.shows("kinematic.floor_spectrum")
 @pytest.mark.parametrize("z, a_z", [(6.0, 0.5567), (7.5, 0.69587), (9.0, 0.83505)])
 def test_the_largest_acceleration_of_the_floor(z, a_z):
     assert floor(z).a_z / G == pytest.approx(a_z, abs=5e-6)
 
 
+@pytest.mark.shows("kinematic.floor_spectrum")
 def test_the_spectrum_at_six_metres():
     periods = [0.0, 0.1, 0.3118, 0.4286, 0.6, 1.0]
     expected = [0.55670, 0.80702, 1.69840, 1.69840, 1.00961, 0.43606]
@@ -60,6 +63,7 @@ WALLS = {
 }
 
 
+@pytest.mark.shows("kinematic.at_height", "kinematic.displacement_at_height")
 @pytest.mark.parametrize("name", WALLS)
 def test_the_checks_of_the_worked_walls(name):
     height, thickness, z, free, zeta, period, s_de, displacement = WALLS[name]
@@ -102,6 +106,7 @@ def test_the_free_parapet():
     assert at.acceleration([0.06246180], 0.05)[0] / G == pytest.approx(1.06278, abs=6e-6)
 
 
+@pytest.mark.shows("kinematic.floor_spectrum")
 def test_that_the_spectrum_has_a_plateau_at_the_mode_not_a_dip():
     """xi_k in A is a fraction: in per cent A would be below 1."""
     at = floor(6.0)

@@ -22,6 +22,7 @@ NTC_TABLE_3_2_IV = """
 """Ground; S_S = a - b F_0 a_g/g within two bounds; C_C = c T_C*^d."""
 
 
+@pytest.mark.shows("demand.ntc_spectrum")
 @pytest.mark.parametrize("row", NTC_TABLE_3_2_IV.strip().splitlines())
 def test_that_the_grounds_of_ntc_are_those_of_table_3_2_iv(row):
     soil, *numbers = row.split()
@@ -41,6 +42,7 @@ def test_that_topography_use_and_limit_states_are_those_of_ntc():
     assert national_hazard.LEAST_REFERENCE == 35.0
 
 
+@pytest.mark.shows("kinematic.knowledge")
 def test_that_confidence_factors_are_those_of_table_c8_5_iv():
     assert FULL_FACTOR == 1.35
     assert KNOWLEDGE == {"LC2": 1.20, "LC3": 1.00}
@@ -59,6 +61,7 @@ TABLE_C8_5_I = """
 """Type; f, E [MPa], w [kN/m3], each from and to; of Table C8.5.II the greatest product of the factors."""
 
 
+@pytest.mark.shows("demand.masonry")
 def test_that_types_of_masonry_are_those_of_table_c8_5_i():
     rows = [line.split() for line in TABLE_C8_5_I.strip().splitlines()]
     assert list(TYPES) == [name for name, *_ in rows]
@@ -95,6 +98,7 @@ PLACES = {
 }
 
 
+@pytest.mark.shows("demand.place")
 @pytest.mark.parametrize("island", PLACES)
 def test_that_islands_have_the_hazard_of_table_2_of_annex_b(island):
     names, *rest = ANNEX_B_TABLE_2.split(island)[1].split("\n")
@@ -104,6 +108,7 @@ def test_that_islands_have_the_hazard_of_table_2_of_annex_b(island):
         assert (found.ag_g, found.f0, found.tc_star_s) == pytest.approx((ag / 10.0, f0, tc), rel=1e-12)
 
 
+@pytest.mark.shows("kinematic.displacement")
 def test_that_periods_and_dampings_are_those_of_c8_7_1_2_1_8():
     assert {state: factor / math.pi for state, factor in kinematic.PERIOD_FACTOR.items()} == pytest.approx(
         {"SLV": 1.68, "SLC": 1.56}, rel=1e-15
@@ -112,6 +117,7 @@ def test_that_periods_and_dampings_are_those_of_c8_7_1_2_1_8():
     assert (kinematic.FREE_DAMPING, kinematic.CANTILEVER) == (0.05, 6.2)
 
 
+@pytest.mark.shows("demand.artificial")
 def test_that_records_are_compared_by_the_bounds_of_3_2_3_6():
     assert record_compatibility.LOWER == {"artificial": -0.10, "simulated": -0.20, "natural": -0.10}
     assert record_compatibility.UPPER == {"natural": 0.30}
@@ -119,6 +125,7 @@ def test_that_records_are_compared_by_the_bounds_of_3_2_3_6():
     assert (record_compatibility.STRONG_PART, record_compatibility.WHOLE_LENGTH) == (10.0, 25.0)
 
 
+@pytest.mark.shows("risk.class")
 def test_that_classes_of_risk_are_those_of_the_guidelines_of_2017():
     letters = {1.01: "A+", 1.0: "A", 0.8: "A", 0.79: "B", 0.6: "B", 0.59: "C", 0.45: "C", 0.44: "D", 0.3: "D"}
     letters |= {0.29: "E", 0.15: "E", 0.14: "F"}
@@ -128,6 +135,7 @@ def test_that_classes_of_risk_are_those_of_the_guidelines_of_2017():
     assert by_ag == [pytest.approx(row) for row in ((0.25, 0.49), (0.15, 0.43), (0.05, 0.356), (0.0, 0.34))]
 
 
+@pytest.mark.shows("kinematic.floor_spectrum")
 @pytest.mark.parametrize(("damping", "amplification"), [(0.05, 4.92), (0.10, 3.48), (0.15, 2.84), (0.20, 2.46)])
 def test_that_a_floor_amplifies_as_c7_2_6_and_c7_2_7(damping, amplification):
     ground = target_spectrum.en1998(0.2 * G, 1, "A")  # S_e(0.3 s, 5 %) = 2.5 a_g, eta of 8 % is 0.877
@@ -143,6 +151,7 @@ def test_that_a_floor_amplifies_as_c7_2_6_and_c7_2_7(damping, amplification):
     assert estimated_period(9.0) == pytest.approx(0.05 * 9.0**0.75, rel=1e-15)
 
 
+@pytest.mark.shows("kinematic.displacement_at_height")
 def test_that_beyond_the_first_period_a_floor_moves_no_less_than_at_it():
     """C8.7.1.12: S_DeZ is not below S_eZ(T_1) (1.1 T_1 / 2 pi)^2."""
     floor = FloorSpectrum(target_spectrum.en1998(0.2 * G, 1, "A"), (Mode(0.3, 0.01, 1.2),))
@@ -154,6 +163,7 @@ def test_that_beyond_the_first_period_a_floor_moves_no_less_than_at_it():
     assert floor.displacement(0.4, 0.08) > 1.3 * floor.acceleration([0.4], 0.08)[0] * (0.4 / (2 * math.pi)) ** 2
 
 
+@pytest.mark.shows("kinematic.t0")
 def test_that_the_period_of_a_wall_with_masses_is_that_of_both():
     """T_0^2 is the sum of that of the wall alone, C8.7.1.7, and of what moves with it."""
     wall = {"name": "w", "mechanism": "one_sided", "height_m": 3.0, "thickness_m": 0.4, "unit_weight_kn_m3": 18.0}

@@ -30,6 +30,7 @@ def by_hand(t, ag_s, eta, f0, tb, tc, td):
     return ag_s * eta * f0 * tc * td / t**2
 
 
+@pytest.mark.shows("demand.en_spectrum")
 @pytest.mark.parametrize("damping", [0.02, 0.05, 0.08, 0.10, 0.30])
 @pytest.mark.parametrize("kind", [1, 2])
 @pytest.mark.parametrize("soil", ts.SOILS)
@@ -53,6 +54,7 @@ EN_TABLES = """
 """EN 1998-1, Tables 3.2 and 3.3: ground, then S, T_B, T_C, T_D of type 1 and of type 2."""
 
 
+@pytest.mark.shows("demand.en_spectrum")
 @pytest.mark.parametrize("row", EN_TABLES.strip().splitlines())
 def test_that_the_grounds_of_en1998_are_those_of_its_tables(row):
     soil, *numbers = row.split()
@@ -63,6 +65,7 @@ def test_that_the_grounds_of_en1998_are_those_of_its_tables(row):
         assert found.amplification == 2.5
 
 
+@pytest.mark.shows("demand.ntc_spectrum")
 @pytest.mark.parametrize(
     ("soil", "weak", "strong"), [("A", 1.0, 1.0), ("B", 1.2, 1.0), ("C", 1.5, 1.0), ("D", 1.8, 0.9), ("E", 1.6, 1.0)]
 )
@@ -82,6 +85,7 @@ def test_that_a_displacement_is_the_acceleration_over_the_squared_frequency():
     assert found == pytest.approx(expected, rel=1e-14)
 
 
+@pytest.mark.shows("demand.branches")
 def test_that_the_branches_meet_at_tb_tc_and_td():
     for target in (ts.en1998(A_G, 1, "C"), ts.ntc2018(A_G, 2.4, 0.33, "D", "T2")):
         for corner in (target.t_b, target.t_c, target.t_d):
@@ -99,6 +103,7 @@ def test_that_the_wrong_variants_of_public_codes_are_not_ours():
     assert four == pytest.approx(two / 4.0, rel=1e-13)
 
 
+@pytest.mark.shows("demand.ntc_spectrum")
 @pytest.mark.parametrize(
     ("soil", "s", "cc"),
     [
@@ -124,6 +129,7 @@ def test_that_the_soil_factor_is_held_within_its_limits():
     assert ts.ntc2018(0.9 * G, 2.5, 0.3, "D", "T1").soil == 0.9
 
 
+@pytest.mark.shows("paper.eq_11")
 def test_that_the_intensity_of_a_spectrum_is_the_integral_of_its_velocity():
     target = ts.en1998(A_G, 1, "B")
     t = np.linspace(0.1, 2.5, 240001)

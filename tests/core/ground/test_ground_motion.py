@@ -13,6 +13,7 @@ def motion(samples, dt=0.01):
     return GroundMotion("test", np.asarray(samples, float), dt)
 
 
+@pytest.mark.shows("mechanics.measures")
 def test_that_a_sine_has_its_closed_form_measures():
     dt, omega = 0.001, 2.0 * math.pi
     sine = motion(np.sin(omega * np.arange(0, 10.0005, dt)), dt)

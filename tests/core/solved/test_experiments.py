@@ -15,11 +15,13 @@ from core.wall.rocking_model import rocking_model
 from tests.core.solved.test_published import assert_complete
 
 
+@pytest.mark.shows("mechanics.experiments")
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.key)
 def test_that_every_answer_is_within_the_tolerance_it_states(case):
     assert_complete(case)
 
 
+@pytest.mark.shows("mechanics.experiments")
 def test_that_the_loss_of_impacts_is_what_the_faster_sines_are_held_by():
     """At 1 Hz it matters by 3 %, at 2 Hz by a third: the page says how much a ratio 3 % above Eq. 4 is worth."""
     housner = restitution(TRAIN, "housner").ratio_at_rest

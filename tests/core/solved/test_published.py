@@ -20,6 +20,7 @@ def assert_complete(case: Solved) -> None:
     assert case.comment is not None and case.comment.text("en") != case.comment.text("it")
 
 
+@pytest.mark.shows("mechanics.published")
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.key)
 def test_that_every_answer_is_within_the_tolerance_it_states(case):
     assert_complete(case)
