@@ -269,6 +269,8 @@ def _limits_of_the_number(seen: Evidence, code: str) -> list[Sentence]:
         limits.append(_reason("no_period", missing=keys))
     if seen.demand.target is None and not seen.dynamic and OUTCOMES[code].judgement == PASSES:
         limits.append(_reason("linear_alone"))
+    if OUTCOMES[code].judgement == PASSES and seen.wall.vertical_loads and seen.kinematic and seen.kinematic.d_limit:
+        limits.append(_reason("supports", d=seen.kinematic.d_limit, state=seen.demand.limit_state))
     if not seen.wall.bends and seen.wall.leans_inward:
         limits.append(_reason("leans_inward"))
     if fall := displacement_fall(seen.demand.target):

@@ -39,6 +39,9 @@ def case(ag=0.26, wall=None, **demand):
     )
 
 
+FLOOR = {"kind": "vertical", "kn_m": 20.0, "d_m": 0.4, "h_m": 4.0, "mass": "horizontal"}
+
+
 def said(
     dynamic=None,
     nonlinear=None,
@@ -418,3 +421,14 @@ def test_that_another_value_is_advised_only_where_the_one_given_turns_the_outcom
 def test_that_the_displacement_check_says_when_its_zeta_is_that_of_the_start(name, capacity, zeta, words):
     check = Check(name, "C8.7.1.2.1.8", "m", capacity, 0.20, zeta, False, 2.0)
     assert measured(check, None, demand_of(case(), None)).code == words
+
+
+@pytest.mark.shows("kinematic.supports")
+@pytest.mark.parametrize(("ag", "loads", "is_said"), [(0.08, [FLOOR], True), (0.08, [], False), (0.9, [FLOOR], False)])
+def test_that_a_wall_that_passes_says_that_the_supports_of_its_floors_are_not_checked(tmp_path, ag, loads, is_said):
+    wall = {"height_m": 4.0, "unit_weight_kn_m3": 18.0, "free_element": False}
+    wall |= {"load": loads} if loads else {"unloaded_confirmed": True}
+    asked = replace(case(ag, wall), analysis=replace(case().analysis, histories=False))
+    found = study.run(asked, base_dir=tmp_path).walls[0]
+    assert ("supports" in codes(found.assessment.verdict.limits)) == is_said
+    assert found.assessment.kinematic.d_limit == pytest.approx(0.40 * found.assessment.kinematic.d0, rel=1e-12)
