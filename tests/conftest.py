@@ -164,7 +164,7 @@ def reference():
     """name -> (ground [m/s2], rotation / alpha, impact times [s], velocities before impact)."""
 
     def load(name: str):
-        folder = Path(__file__).parent / "reference"
+        folder = ROOT / "resources" / "reference"
         record = np.loadtxt(folder / f"{name}_record.csv", delimiter=",", skiprows=1)
         impacts = np.loadtxt(folder / f"{name}_impacts.csv", delimiter=",", skiprows=1)
         return np.ascontiguousarray(record[:, 1]), record[:, 2], impacts[:, 0], impacts[:, 1]

@@ -1,4 +1,4 @@
-"""The 40-digit histories `standard` and `hard` of tests/reference (see its README)."""
+"""The 40-digit histories `standard` and `hard` of resources/reference (see its README)."""
 
 import mpmath as mp
 import numpy as np
