@@ -28,8 +28,8 @@ GROUND = (
 )
 
 KINEMATIC = (
-    "a_0^* = (alpha_0 g)/(e^* F C), quad zeta = (q a_0^*)/(a_g S), quad T_(S L V) = 1.68 pi sqrt(d_(S L V)/a(d_(S L V))), quad "
-    "zeta = d_(S L V)/(S_(D e)(T_(S L V), 8 %))"
+    'a_0^* = (alpha_0 g)/(e^* "FC"), quad zeta = (q a_0^*)/(a_g S), quad T_"SLV" = 1.68 pi sqrt(d_"SLV"/a(d_"SLV")), quad '
+    'zeta = d_"SLV"/(S_"De"(T_"SLV", 8 %))'
 )
 
 
@@ -274,7 +274,7 @@ CASES: tuple[Solved, ...] = (
         worded("Wall 7 × 0.83 m at SLC"),
         "Circolare 7/2019, C8.7.1.2.1.6, C8.7.1.11, C8.7.1.12",
         slc(),
-        "d_(S L C) = 0.60 d_0, quad T_(S L C) = 1.56 pi sqrt(d_(S L C)/a(d_(S L C))), quad S_(D e) = S_e T^2/(4 pi^2)",
+        'd_"SLC" = 0.60 d_0, quad T_"SLC" = 1.56 pi sqrt(d_"SLC"/a(d_"SLC")), quad S_"De" = S_e T^2/(4 pi^2)',
         Asked({"height_m": 7.0, "thickness_m": 0.83}, None).sketch,
         worded("The wall of the first case: 60 % of d_0 and 10 % of damping."),
         Asked({"height_m": 7.0, "thickness_m": 0.83, "mechanism": "two_sided", **HELD}, {**EN_B, "limit_state": "SLC"}).table,
@@ -376,7 +376,7 @@ CASES: tuple[Solved, ...] = (
         worded("A facade with gable, portal and rose window"),
         "Circolare 7/2019, C8.7.1.1-C8.7.1.8",
         facade(),
-        "alpha_0 = x_G/z_G, quad M^* = w/g A t/L, quad zeta = (2 alpha_0)/(F C thin a_g S)",
+        'alpha_0 = x_G/z_G, quad M^* = w/g A t/L, quad zeta = (2 alpha_0)/("FC" thin a_g S)',
         Sketch(
             ((0.0, 0.0), (10.0, 0.0), (10.0, 8.0), (5.0, 11.0), (0.0, 8.0)),
             others=(

@@ -249,7 +249,7 @@ CASES: tuple[Solved, ...] = (
         "T/4 = integral_0^(theta_0) (dif theta)/sqrt(2 p^2 (cos(alpha - theta_0) - cos(alpha - theta)))",
         BLOCK,
         worded(
-            "Wall of 7 m and 6.8°: the integral of the energy by quadrature. Housner's linear form is 0.001 to 0.0003 s "
+            "Wall of 7 m and 6.8°: the integral of the energy by quadrature. Housner's linear form is 0.0002 to 0.0004 s "
             "shorter."
         ),
     ),

@@ -173,6 +173,21 @@ class Figures:
 
 
 @dataclass(frozen=True)
+class Mathematics:
+    """A formula, in the mathematics of Typst: code of the program, never a text of a user."""
+
+    math: str
+
+
+@dataclass(frozen=True)
+class Beside:
+    """Parts beside a drawing, whose caption is for those who do not see it."""
+
+    parts: "Sequence[Part]"
+    figure: Figure | None
+
+
+@dataclass(frozen=True)
 class Box:
     """An empty frame the engineer writes into, of so many lines."""
 
@@ -186,4 +201,4 @@ class Blanks:
     labels: Sequence[str]
 
 
-Part = Heading | Paragraph | Item | Table | Bars | Contents | Derivation | Figures | Box | Blanks
+Part = Heading | Paragraph | Item | Table | Bars | Contents | Derivation | Figures | Mathematics | Beside | Box | Blanks

@@ -18,7 +18,7 @@ from core.errors import InputError, section
 from core.packages import require
 from core.report.note.equation import IN_PDF, TYPST, rows
 from core.report.note.figure_geometry import laid_out
-from core.report.note.parts import Bars, Blanks, Derivation, Figures, Heading, Item, Part, Table
+from core.report.note.parts import Bars, Beside, Blanks, Derivation, Figures, Heading, Item, Part, Table
 from core.report.note.words import Words
 from core.version import NAME, line
 
@@ -175,6 +175,9 @@ class Note:
                 return given | {"steps": [self._step(step) for step in part.steps], "short": short}
             case Figures():
                 return given | {"figures": [laid_out(one, self.words, len(part.figures)) for one in part.figures]}
+            case Beside():
+                drawn = None if part.figure is None else laid_out(part.figure, self.words, BESIDE)
+                return given | {"parts": [self._part(one) for one in part.parts], "figure": drawn}
             case Blanks():
                 return given | {"height": SIGNATURE}
         return given
@@ -185,6 +188,9 @@ class Note:
         alt = f"{step.written(language)} = {step.result_written(language)} {step.unit.replace('–', '')}".strip()
         return {"math": equation, "alt": alt, "label": step.label, "clause": step.clause}
 
+
+BESIDE = 3
+"""A drawing beside parts is as large as one of so many figures."""
 
 WORDS = {"page": "page", "fig": "Fig."}
 

@@ -37,6 +37,7 @@ SPOKEN = {
     "notice": "notice",
     "_reason": "reason",
     "phrase": "terminal",
+    "worded": "solved",
 }
 """Functions that take a code of a group."""
 
