@@ -93,7 +93,7 @@ def body(
         row(HEADS, values, found),
         "M = rho A T, quad tan alpha = x_G/z_G, quad p^2 = (M g R)/I_O, quad e_(P Q) = (I_G + M thin bold(G P) dot "
         "bold(G Q))/(I_G + M thin G Q^2)",
-        asked.sketch if loads or not solids or solids[0]["plane"] == "section" else elevation(asked),
+        elevation(asked) if solids and all(solid["plane"] == "elevation" for solid in solids) else asked.sketch,
         worded("18 kN/m³, {h:g} × {t:g} m, length {length:g} m; worked by Green's theorem and by quadrature.",
                h=height, t=thickness, length=length),
         asked.table,
@@ -102,8 +102,8 @@ def body(
 
 def elevation(asked: Asked) -> Callable[[], Sketch]:
     def drawn() -> Sketch:
-        outline, *others = [tuple(points) for points, _ in in_elevation(asked.wall)]
-        return Sketch(outline, others=tuple(others))
+        outlines = [tuple(points) for points, _ in in_elevation(asked.wall)]
+        return Sketch(outlines[0], others=tuple(outlines[1:])) if outlines else asked.sketch()  # none of a rectangle
 
     return drawn
 

@@ -28,10 +28,11 @@ SUBJECTS: tuple[Subject, ...] = (
 
 
 def subjects(records: Path | None = None) -> tuple[Subject, ...]:
-    """`SUBJECTS`, and q of El Centro 1940 where a folder holds its record, which does not come with the program."""
-    record = paper.el_centro(records) if records else None
-    if record is None:
+    """`SUBJECTS`, and q of El Centro 1940 by its record in a folder, which does not come with the program. Raises
+    InputError where it is not there."""
+    if records is None:
         return SUBJECTS
+    record = paper.el_centro(records)
     return (*SUBJECTS, Subject(worded("El Centro 1940"), paper.of_el_centro(record)))
 
 

@@ -29,7 +29,7 @@ GROUND = (
 
 KINEMATIC = (
     'a_0^* = (alpha_0 g)/(e^* "FC"), quad zeta = (q a_0^*)/(a_g S), quad T_"SLV" = 1.68 pi sqrt(d_"SLV"/a(d_"SLV")), quad '
-    'zeta = d_"SLV"/(S_"De"(T_"SLV", 8 %))'
+    'zeta = d_"SLV"/(S_"De" (T_"SLV", 8 %))'
 )
 
 

@@ -46,7 +46,7 @@ def above(key: str, height: float, thickness: float, z: float, free: bool, value
         worded("Wall {h:g} × {t:g} m at {z:g} m", h=height, t=thickness, z=z),
         "Circolare 7/2019, C7.2.5-C7.2.10, C8.7.1.8-C8.7.1.12",
         row(ABOVE_HEADS, values, found),
-        "a_Z = S_e(T_1, xi_1) gamma psi sqrt(1 + 4 xi_1^2), quad gamma = (3 n)/(2 n + 1), quad psi = z/H_b, quad "
+        "a_Z = S_e (T_1, xi_1) gamma psi sqrt(1 + 4 xi_1^2), quad gamma = (3 n)/(2 n + 1), quad psi = z/H_b, quad "
         "A = 1.1 xi_1^(-0.5) eta(xi)",
         asked.sketch,
         worded(
@@ -165,7 +165,7 @@ CASES: tuple[Solved, ...] = (
                 ("S_eZ(0.06246 s, 5 %)", "g"), "1.06278", lambda: float(floor(9.0).acceleration([0.06246180], 0.05)[0]) / G
             ),
         ),
-        'S_"eZ"(T_0, 5 %)',
+        'S_"eZ" (T_0, 5 %)',
         comment=worded("1.2 × 0.25 m at 9 m, E 600 MPa: the parapet of the case before."),
     ),
     Solved(
@@ -174,7 +174,7 @@ CASES: tuple[Solved, ...] = (
         worded("Motion of a floor under a sine"),
         "Chopra, Dynamics of Structures, 3.6",
         tuple(harmonic(*one) for one in ((0.5, 0.05), (1.0, 0.05), (1.0, 0.20), (2.0, 0.10))),
-        "|A|/a = sqrt((1 + (2 xi r)^2)/((1 - r^2)^2 + (2 xi r)^2)), quad r = omega\\/omega_k",
+        "abs(A)/a = sqrt((1 + (2 xi r)^2)/((1 - r^2)^2 + (2 xi r)^2)), quad r = omega\\/omega_k",
         GROUND,
         worded("Absolute acceleration of a mode of 0.4 s after twenty seconds, over that of the ground."),
     ),

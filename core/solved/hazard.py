@@ -93,7 +93,7 @@ def of_site(key: str, place: str, point: tuple[float, float], nodes: str, rows) 
         worded("Hazard of {place}", place=place),
         ANNEX,
         (*corners, *answers),
-        "p = (sum_i p_i\\/d_i)/(sum_i 1\\/d_i), quad log p = log p_1 + log p_2/p_1 (log T_R/T_1)/(log T_2/T_1)",
+        "p = (sum_i p_i\\/d_i)/(sum_i 1\\/d_i), quad log p = log p_1 + log(p_2\\/p_1) (log(T_R\\/T_1))/(log(T_2\\/T_1))",
         comment=worded(
             "Latitude {north}, longitude {east}; return periods in brackets. Worked from the table of the annex by another "
             "program.",
@@ -341,7 +341,7 @@ CASES: tuple[Solved, ...] = (
         worded("Grounds of NTC 2018"),
         "NTC 2018, Tab. 3.2.IV, 3.2.V",
         tuple(answer for soil in NTC_TABLE for answer in of_ntc(soil)),
-        "S = S_T (a - b F_0 a_g\\/g), quad T_C = c thin T_C^(*thin 1 + d)",
+        "S = S_T (a - b F_0 a_g\\/g), quad T_C = c (T_C^*)^(1 + d)",
         comment=worded("a, b, c, d and the bounds of S_S typed from the table; a weak, a usual and a strong motion, topography T3."),
     ),
     Solved(

@@ -222,7 +222,7 @@ def of_tuff_decay(share: float, peaks: str) -> tuple[Answer, ...]:
     def found() -> list[float]:
         return peaks_of(released(0.5, TUFF, 0.800, share * restitution(tuff(), "housner").ratio_at_rest), TUFF, 5)
 
-    heads = [(worded("peak {n} over α ({share:g} of Eq. 4)", n=k, share=share), "") for k in range(1, 6)]
+    heads = [(worded("peak {n} over α (e {share:g} × Eq. 4)", n=k, share=share), "") for k in range(1, 6)]
     return row(heads, peaks, found, 20.0)
 
 

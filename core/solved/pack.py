@@ -30,6 +30,9 @@ from core.version import NAME, VERSION, commit, line
 
 NAME_OF_PDF, NAME_OF_JSON = "solved.pdf", "solved.json"
 
+MOST_TOGETHER = 20
+"""Answers of a table that is not parted between pages, fewer than these."""
+
 KINDS: dict[Kind, Sentence] = {
     Kind.CLOSED_FORM: worded("closed form"),
     Kind.REFERENCE: worded("reference solution"),
@@ -218,7 +221,7 @@ def _summary(cases: Sequence[Solved], say: _Say) -> Table:
             )
         )
         tones[k, 6] = "good" if case.agrees else "bad"
-    return Table(heads, rows, (0.6, 5.4, 2.6, 1.1, 1.3, 1.3, 1.2), tones)
+    return Table(heads, rows, (0.6, 5.0, 3.0, 1.2, 1.5, 1.5, 1.3), tones)
 
 
 def _case(case: Solved, number: int, say: _Say) -> list[Part]:
@@ -251,7 +254,7 @@ def _case(case: Solved, number: int, say: _Say) -> list[Part]:
     return [
         Heading(f"{number}. {say(case.title)}", 3),
         Beside(about, _figure(case.drawing, say(case.title))),
-        Table(heads, rows, (4.6, 0.9, 1.9, 2.1, 1.3, 1.3, 1.0), tones),
+        Table(heads, rows, (4.4, 0.8, 1.9, 2.1, 1.5, 1.5, 1.2), tones, together=len(rows) < MOST_TOGETHER),
     ]
 
 
@@ -262,10 +265,10 @@ def _figure(sketch: Sketch, title: str) -> Figure | None:
     size = max(max(z for _, z in corners), 0.5 * (right - left))
     curves: list[Curve] = []
     if sketch.outline:
-        curves += [path([*outline, outline[0]], "quiet", "dash", 0.8) for outline in sketch.others]
+        curves += [path([*outline, outline[0]], "accent", width=1.0) for outline in sketch.others]
         curves.append(path([*sketch.outline, sketch.outline[0]], "accent", width=1.6))
         curves.append(path([(left - 0.3 * size, 0.0), (right + 0.3 * size, 0.0)], "quiet", width=1.0))
-        if left <= 0.0 and right - left < size:  # seen along the wall
+        if right - left < 0.6 * size:  # seen along the wall
             curves.append(Curve("", (0.0,), (0.0,), "bad", "points"))
     for x, z, across, up in sketch.loads:
         tail, head = (x - 0.2 * size * across, z - 0.2 * size * up), 0.04 * size

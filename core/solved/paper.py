@@ -8,7 +8,7 @@ from pathlib import Path
 from core.capacity import closed_forms
 from core.capacity.ida import Search, incremental_dynamic_analysis
 from core.codes.eq9 import inequality
-from core.errors import RecordError
+from core.errors import InputError
 from core.ground import records
 from core.ground.ground_motion import GroundMotion
 from core.known import known
@@ -81,16 +81,16 @@ def q_of(record: GroundMotion, alpha: float, height: float, one_sided: bool, sig
     return known(found.q)
 
 
-def el_centro(folder: Path) -> GroundMotion | None:
-    """The record of El Centro 1940 among the files of a folder, known by its samples; None where it is not there."""
+def el_centro(folder: Path) -> GroundMotion:
+    """The record of El Centro 1940 among the files of a folder, known by its samples. Raises InputError."""
     for path in sorted(folder.rglob("*[eE]l*[cC]entro*")):
         try:
             record = records.read(path)
-        except (RecordError, OSError):
+        except InputError:
             continue
         if record.samples_sha256.startswith(EL_CENTRO):
             return record
-    return None
+    raise InputError("no_el_centro", place=(folder,))
 
 
 def of_el_centro(record: GroundMotion) -> tuple[Solved, ...]:

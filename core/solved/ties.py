@@ -186,7 +186,7 @@ CASES: tuple[Solved, ...] = (
         worded("Vertical bending of a wall held at its top, with a load"),
         "Circolare 7/2019, C8.7.1.1, C8.7.1.4, C8.7.1.5; physics.md, 19",
         bent("middle", (10.0, 0.15), "0.66779 2.088 0.2333 1") + bent("outer", (10.0, 0.0), "0.84658 1.854 0.30000 1"),
-        "alpha_0(h_1) = [W_1 t\\/2 + W_2 (t + k t\\/2) + N (t + k (t - d))]/((W_1 + W_2) h_1\\/2), quad k = h_1/(H - h_1)",
+        "alpha_0 (h_1) = [W_1 t\\/2 + W_2 (t + k t\\/2) + N (t + k (t - d))]/((W_1 + W_2) h_1\\/2), quad k = h_1/(H - h_1)",
         bending_sketch((10.0, 0.15)),
         worded("3.0 × 0.30 m, 18 kN/m³: the lowest over the height h_1 of the hinge; d_C,0 by the finite geometry of both blocks."),
     ),

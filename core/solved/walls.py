@@ -86,8 +86,9 @@ class Asked:
     def sketch(self) -> Sketch:
         """Its section with its loads."""
         wall = self.wall
+        height = known(wall.height_m)
         solids = [tuple(points) for points, _ in in_section(wall)]
-        box: Outline = ((0.0, 0.0), (wall.thickness, 0.0), (wall.thickness, wall.height), (0.0, wall.height))
+        box: Outline = ((0.0, 0.0), (wall.thickness, 0.0), (wall.thickness, height), (0.0, height))
         loads = []
         for load in wall.load:
             across = 0.0 if load.is_weight else 1.0 if load.is_tie or known(load.kn_m) < 0.0 else -1.0

@@ -42,13 +42,14 @@ class Item:
 @dataclass(frozen=True)
 class Table:
     """Cells of text. widths : of the columns, relative; tones : by (row, column), as of Paragraph; walls : number of
-    the result of each row, where they have one."""
+    the result of each row, where they have one; together : on one page."""
 
     heads: Sequence[str]
     rows: Sequence[Sequence[str]]
     widths: Sequence[float]
     tones: dict[tuple[int, int], str] = field(default_factory=dict)
     walls: Sequence[int] = ()
+    together: bool = False
 
 
 @dataclass(frozen=True)

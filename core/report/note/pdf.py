@@ -36,7 +36,7 @@ NO_DATE = datetime.date(2000, 1, 1)
 SIGNATURE = 52.0
 """Room above a line to sign on [pt]."""
 
-NUMERIC = re.compile(r"[-−+]?[0-9][0-9.,  ]*|–")
+NUMERIC = re.compile(r"[-−+]?[0-9][0-9.,  ]*(e[-+][0-9]+)?|–")
 
 USUAL = re.compile("[\u0020-\u007e\u00a0-\u017f\u0391-\u03c9\u2009\u2013\u2014\u2018-\u201e\u2022\u2026\u2032]*")
 """Letters FONT surely has."""
@@ -189,8 +189,8 @@ class Note:
         return {"math": equation, "alt": alt, "label": step.label, "clause": step.clause}
 
 
-BESIDE = 3
-"""A drawing beside parts is as large as one of so many figures."""
+BESIDE = 4
+"""A drawing beside parts has the size of one of so many figures."""
 
 WORDS = {"page": "page", "fig": "Fig."}
 
