@@ -72,7 +72,12 @@ def parser() -> Parser:
     add("--batch", type=Path, metavar="CASE", help=terminal("run a case without a window"))
     add("--study", metavar="STUDY", help=terminal("run a parametric study: paper, law or a file"))
     add("--quick", action="store_true", help=terminal("a short form of the study"))
-    add("--records", type=Path, metavar="DIR", help=terminal("natural records of the study; of El Centro 1940 for --validate"))
+    add(
+        "--records",
+        type=Path,
+        metavar="DIR",
+        help=terminal("natural records of the study; of El Centro 1940 for --validate"),
+    )
     add("--output", type=Path, metavar="DIR", help=terminal("folder of the results"))
     add("--jobs", type=_jobs, metavar="N", help=terminal("threads (default: all cores)"))
     add("--report", type=Path, metavar="FILE", help=terminal("the calculation note too, as a PDF or for Word (.docx)"))

@@ -37,9 +37,16 @@ def run(output: Path | None, records: Path | None) -> int:
 
 
 def lines(cases: list[Solved]) -> list[str]:
-    """The table: of each case the answer nearest to what its tolerance allows, and every one beyond; then how many agree."""
+    """The table: of each case the answer nearest to its tolerance, or those beyond; then how many cases agree."""
     language = current_language()
-    heads = worded("Case"), worded("Answer"), worded("Expected"), worded("Found"), worded("Difference"), worded("Agrees")
+    heads = (
+        worded("Case"),
+        worded("Answer"),
+        worded("Expected"),
+        worded("Found"),
+        worded("Difference"),
+        worded("Agrees"),
+    )
     rows = [tuple(head.text(language) for head in heads)]
     for case in cases:
         for answer in [one for one in case.answers if not one.agrees] or [case.furthest]:

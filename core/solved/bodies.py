@@ -1,8 +1,9 @@
-"""Bodies of any shape about their hinges: mass, centroid, inertia, velocity ratios; worked by formula and by quadrature."""
+"""Bodies of any shape about their hinges: mass, centroid, inertia, velocity ratios; by formula and by quadrature."""
 
 import math
 from collections.abc import Callable
 
+from core.known import known
 from core.report.outlines import in_elevation
 from core.solved.solved import Head, Kind, Sketch, Solved, row, worded
 from core.solved.walls import Asked
@@ -25,15 +26,14 @@ def section_of(corners: list[list[float]], width: float) -> dict:
     return {"plane": "section", "polygon_m": corners, "to_m": width}
 
 
-def corner_of(height: float, lengths: tuple[float, float], thicknesses: tuple[float, float], angle: float) -> list[dict]:
+def corner_of(
+    height: float, lengths: tuple[float, float], thicknesses: tuple[float, float], angle: float
+) -> list[dict]:
     """Two walls of a corner, dragged along cracks to `lengths` at the top, turning towards `angle` [deg]."""
     (l1, l2), (t1, t2) = lengths, thicknesses
     first = {"plane": "oblique", "angle_deg": angle, "polygon_m": [[0, 0], [l1, height], [0, height]], "to_m": t1}
     polygon = [[t1, height * t1 / l2], [l2, height], [t1, height]]
-    return [
-        first,
-        {"plane": "oblique", "angle_deg": angle - 90.0, "polygon_m": polygon, "from_m": -t2, "to_m": 0.0},
-    ]
+    return [first, {"plane": "oblique", "angle_deg": angle - 90.0, "polygon_m": polygon, "from_m": -t2, "to_m": 0.0}]
 
 
 STEPPED = [
@@ -76,7 +76,7 @@ def body(
     def found() -> tuple[float, ...]:
         wall = asked.wall
         block = wall.block()
-        mass = wall.weight / G + sum(1e3 * (load.kn_m or 0.0) * length / G for load in wall.load)
+        mass = known(wall.weight) / G + sum(1e3 * (load.kn_m or 0.0) * length / G for load in wall.load)
         outer = *block.centroid, math.degrees(block.slenderness), block.radius, block.p2
         ratio = wall.restitution_of("one_sided").ratio_at_rest
         if values.split()[7] == "-":  # an inner hinge it does not turn about
@@ -94,10 +94,14 @@ def body(
         "M = rho A T, quad tan alpha = x_G/z_G, quad p^2 = (M g R)/I_O, quad e_(P Q) = (I_G + M thin bold(G P) dot "
         "bold(G Q))/(I_G + M thin G Q^2)",
         elevation(asked) if solids and all(solid["plane"] == "elevation" for solid in solids) else asked.sketch,
-        worded("18 kN/m³, {h:g} × {t:g} m, length {length:g} m; worked by Green's theorem and by quadrature.",
-               h=height, t=thickness, length=length),
+        worded(
+            "18 kN/m³, {h:g} × {t:g} m, length {length:g} m; worked by Green's theorem and by quadrature.",
+            h=height,
+            t=thickness,
+            length=length,
+        ),
         asked.table,
-    )  # fmt: skip
+    )
 
 
 def elevation(asked: Asked) -> Callable[[], Sketch]:
@@ -204,9 +208,9 @@ CASES: tuple[Solved, ...] = (
             [section_of([[0, 0], [thickness, 0], [thickness - lean, height], [-lean, height]], 1.0)],
         )
         for key, height, thickness, lean, values in (
-            ("tall", 7.0, 0.83, 0.10, "5.9536 2.08834 0.45338 7.5678 2.08486".split()),
-            ("storey", 3.0, 0.45, 0.06, "7.4069 4.85525 0.42638 9.6480 4.84103".split()),
-            ("church", 11.0, 0.90, 0.15, "3.9005 1.33343 0.47602 5.4526 1.33196".split()),
+            ("tall", 7.0, 0.83, 0.10, ["5.9536", "2.08834", "0.45338", "7.5678", "2.08486"]),
+            ("storey", 3.0, 0.45, 0.06, ["7.4069", "4.85525", "0.42638", "9.6480", "4.84103"]),
+            ("church", 11.0, 0.90, 0.15, ["3.9005", "1.33343", "0.47602", "5.4526", "1.33196"]),
         )
     ),
 )

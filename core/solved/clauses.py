@@ -3,6 +3,8 @@
 import math
 from functools import cache
 
+import numpy as np
+
 from core.case.reader import read_case
 from core.codes.kinematic import elastic_period
 from core.codes.kinematic_chain import chain, friction
@@ -28,8 +30,8 @@ GROUND = (
 )
 
 KINEMATIC = (
-    'a_0^* = (alpha_0 g)/(e^* "FC"), quad zeta = (q a_0^*)/(a_g S), quad T_"SLV" = 1.68 pi sqrt(d_"SLV"/a(d_"SLV")), quad '
-    'zeta = d_"SLV"/(S_"De" (T_"SLV", 8 %))'
+    'a_0^* = (alpha_0 g)/(e^* "FC"), quad zeta = (q a_0^*)/(a_g S), quad T_"SLV" = 1.68 pi '
+    'sqrt(d_"SLV"/a(d_"SLV")), quad zeta = d_"SLV"/(S_"De" (T_"SLV", 8 %))'
 )
 
 
@@ -45,18 +47,22 @@ def on_the_ground(key: str, height: float, thickness: float, kind: dict, values:
     return Solved(
         f"ground_{key}",
         Kind.HAND,
-        worded("Free element {h:g} × {t:g} m on the ground" if free else "Wall {h:g} × {t:g} m on the ground",
-               h=height, t=thickness),
+        worded(
+            "Free element {h:g} × {t:g} m on the ground" if free else "Wall {h:g} × {t:g} m on the ground",
+            h=height,
+            t=thickness,
+        ),
         "Circolare 7/2019, C8.7.1.1-C8.7.1.12",
         row(heads, values, found),
         KINEMATIC,
         asked.sketch,
         worded(
-            "a_g 0.26 g, EN 1998-1 type 1, ground B, FC 1.35. One wall is one block: e* = 1 and d = d_C at its centroid. "
-            "The displacement check is shown as it is, before a_g,SLD is counted for SLV (clause .8)."
+            "a_g 0.26 g, EN 1998-1 type 1, ground B, FC 1.35. One wall is one block: e* = 1 and d = d_C "
+            "at its centroid. The displacement check is shown as it is, before a_g,SLD is counted for "
+            "SLV (clause .8)."
         ),
         asked.table,
-    )  # fmt: skip
+    )
 
 
 SOIL_C = (
@@ -126,6 +132,12 @@ LOADED = (
         "- - - 0.126744 0.12743 0.88982 0.27783 0.6800 0.6540",
     ),
     (
+        "carried",
+        worded("Wall that carries a mass with it"),
+        ({"kind": "carried_mass", "kn_m": 10.0, "d_m": 0.30, "h_m": 3.0},),
+        "- - - 0.126744 0.12743 0.88982 0.27783 0.6800 0.6540",
+    ),
+    (
         "inward",
         worded("Wall with a roof and a constant force inward"),
         (ROOF, INWARD),
@@ -170,12 +182,14 @@ def with_loads(key: str, title, loads: tuple[dict, ...], values: str) -> Solved:
         title,
         "Circolare 7/2019, C8.7.1.1-C8.7.1.12; physics.md, 17",
         row(LOAD_HEADS, values, found),
-        "theta'' = -p^2 [a sin(alpha - theta) - ((u'')/g - c) cos(alpha - theta)], quad alpha_0 = (W t\\/2 + sum N d + sum F h)/"
-        "(W H\\/2 + sum Q h), quad e^* = (W H\\/2 + sum Q h)^2/((W + sum Q)(W H^2\\/4 + sum Q h^2))",
+        "theta'' = -p^2 [a sin(alpha - theta) - ((u'')/g - c) cos(alpha - theta)], quad alpha_0 = (W "
+        "t\\/2 + sum N d + sum F h)/(W H\\/2 + sum Q h), quad e^* = (W H\\/2 + sum Q h)^2/((W + sum "
+        "Q)(W H^2\\/4 + sum Q h^2))",
         asked.sketch,
         worded(
-            "3.0 × 0.45 m, 18 kN/m³; roof 10 kN/m at 0.30 m from the outer face, force 5 kN/m at 2.8 m, thrust 2 kN/m at "
-            "2.5 m; a_g 0.26 g, EN 1998-1 type 1, ground B, FC 1.35. Worked twice, by independent scripts."
+            "3.0 × 0.45 m, 18 kN/m³; roof 10 kN/m at 0.30 m from the outer face, force 5 kN/m at 2.8 m, "
+            "thrust 2 kN/m at 2.5 m; a_g 0.26 g, EN 1998-1 type 1, ground B, FC 1.35. Worked twice, by "
+            "independent scripts."
         ),
         asked.table,
     )
@@ -183,8 +197,6 @@ def with_loads(key: str, title, loads: tuple[dict, ...], values: str) -> Solved:
 
 def free_fall(loads: tuple[dict, ...], seconds: str) -> Answer:
     def found() -> float:
-        import numpy as np
-
         return float(history(np.zeros(2000), 0.005, 1.0, loaded(*loads).model, start=(0.06, 0.0)).impact_time[0])
 
     return printed((worded("time, with the roof") if loads else worded("time, without loads"), "s"), seconds, found)
@@ -195,7 +207,9 @@ ACROSS = {"number": 2, "thickness_m": 0.5, "brick_height_m": 0.25, "brick_length
 
 
 def slc() -> tuple[Answer, ...]:
-    asked = Asked({"height_m": 7.0, "thickness_m": 0.83, "mechanism": "two_sided", **HELD}, {**EN_B, "limit_state": "SLC"})
+    asked = Asked(
+        {"height_m": 7.0, "thickness_m": 0.83, "mechanism": "two_sided", **HELD}, {**EN_B, "limit_state": "SLC"}
+    )
     a0 = 0.83 / 7.0 / 1.35 * 9.80665
     period = 1.56 * math.pi * math.sqrt(0.249 / (0.4 * a0))
     s_de = 0.312 * 9.80665 * math.sqrt(10.0 / 15.0) * 2.5 * 0.5 * 2.0 / (4.0 * math.pi**2)
@@ -277,7 +291,9 @@ CASES: tuple[Solved, ...] = (
         'd_"SLC" = 0.60 d_0, quad T_"SLC" = 1.56 pi sqrt(d_"SLC"/a(d_"SLC")), quad S_"De" = S_e T^2/(4 pi^2)',
         Asked({"height_m": 7.0, "thickness_m": 0.83}, None).sketch,
         worded("The wall of the first case: 60 % of d_0 and 10 % of damping."),
-        Asked({"height_m": 7.0, "thickness_m": 0.83, "mechanism": "two_sided", **HELD}, {**EN_B, "limit_state": "SLC"}).table,
+        Asked(
+            {"height_m": 7.0, "thickness_m": 0.83, "mechanism": "two_sided", **HELD}, {**EN_B, "limit_state": "SLC"}
+        ).table,
     ),
     Solved(
         "soil_c",
@@ -285,7 +301,9 @@ CASES: tuple[Solved, ...] = (
         worded("Three walls of a site on ground C"),
         "NTC 2018, 3.2.3.2.1, Tab. 3.2.IV; Circolare 7/2019, C8.7.1.2.1",
         (
-            printed(("S", ""), "1.32980", lambda: Asked({"height_m": 3.0, "thickness_m": 0.4}, NTC_C).demand.soil_factor),
+            printed(
+                ("S", ""), "1.32980", lambda: Asked({"height_m": 3.0, "thickness_m": 0.4}, NTC_C).demand.soil_factor
+            ),
             *(answer for one in SOIL_C for answer in on_soil_c(*one)),
         ),
         "S = 1.70 - 0.60 F_0 a_g/g",
@@ -309,8 +327,8 @@ CASES: tuple[Solved, ...] = (
         worded("Free fall of a wall with and without its roof"),
         "physics.md, 17",
         (free_fall((), "0.502143"), free_fall((ROOF,), "0.423486")),
-        "T = integral_0^(theta_0) (dif theta)/sqrt(2 p^2 (V(theta_0) - V(theta))), quad V = a [cos(alpha - theta) - cos alpha] + "
-        "c [sin alpha - sin(alpha - theta)]",
+        "T = integral_0^(theta_0) (dif theta)/sqrt(2 p^2 (V(theta_0) - V(theta))), quad V = a "
+        "[cos(alpha - theta) - cos alpha] + c [sin alpha - sin(alpha - theta)]",
         loaded(ROOF).sketch,
         worded("The wall of the cases before from 0.06 rad at rest to its base; the integral by quadrature."),
     ),
@@ -365,8 +383,8 @@ CASES: tuple[Solved, ...] = (
         "alpha_0 = (W (t\\/2 - u) + N (d - u) - F h)/(W H\\/2 + N h), quad zeta = (2 a_0^*)/(a_g S)",
         CHURCH.sketch,
         worded(
-            "11.0 × 0.90 m, hinge u = 0.04 m inside the edge, roof 9 kN/m whose mass pushes, thrust 1.2 kN/m at 10.6 m; "
-            "a_g 0.29977 g, ground B."
+            "11.0 × 0.90 m, hinge u = 0.04 m inside the edge, roof 9 kN/m whose mass pushes, thrust 1.2 "
+            "kN/m at 10.6 m; a_g 0.29977 g, ground B."
         ),
         CHURCH.table,
     ),
@@ -381,7 +399,10 @@ CASES: tuple[Solved, ...] = (
             ((0.0, 0.0), (10.0, 0.0), (10.0, 8.0), (5.0, 11.0), (0.0, 8.0)),
             others=(
                 ((4.0, 0.0), (6.0, 0.0), (6.0, 3.5), (4.0, 3.5)),
-                tuple((5.0 + 1.2 * math.cos(k * math.pi / 8.0), 6.5 + 1.2 * math.sin(k * math.pi / 8.0)) for k in range(16)),
+                tuple(
+                    (5.0 + 1.2 * math.cos(k * math.pi / 8.0), 6.5 + 1.2 * math.sin(k * math.pi / 8.0))
+                    for k in range(16)
+                ),
             ),
         ),
         worded("Elevation of 10 × 8 m and a gable of 3 m, 0.90 m thick, areas and moments of the figures by hand."),

@@ -50,8 +50,8 @@ def above(key: str, height: float, thickness: float, z: float, free: bool, value
         "A = 1.1 xi_1^(-0.5) eta(xi)",
         asked.sketch,
         worded(
-            "Building of 9 m and three storeys, T_1 = 1.5 × 0.2598 s, ξ_1 10 %; a_g 0.26 g, EN 1998-1 type 1, ground B, FC 1.35. "
-            "ξ_k of A is a fraction, against the print of C7.2.6."
+            "Building of 9 m and three storeys, T_1 = 1.5 × 0.2598 s, ξ_1 10 %; a_g 0.26 g, EN 1998-1 "
+            "type 1, ground B, FC 1.35. ξ_k of A is a fraction, against the print of C7.2.6."
         ),
         asked.table,
     )
@@ -104,6 +104,8 @@ def measures() -> tuple[Answer, ...]:
         Answer("PGV", "m/s", 2.0 / omega, 1e-5, lambda: sine_motion().pgv),
         Answer("PGD", "m", 10.0 / omega, 1e-3, lambda: sine_motion().pgd),
         Answer("I_A", "m/s", math.pi / (2.0 * 9.80665) * 5.0, 1e-6, lambda: sine_motion().arias),
+        # from 5 % to 95 % of ten periods; the square of the sine moves each end by up to a tenth of one
+        Answer("t_5-95", "s", 9.0, 0.017, lambda: sine_motion().duration_5_95),
     )
 
 
@@ -141,7 +143,8 @@ CASES: tuple[Solved, ...] = (
                 ("1.0", "0.43606"),
             )
         ),
-        'S_"eZ" = (A a_Z)/(1 + (A - 1)(1 - T\\/(0.8 T_1))^1.6), quad A a_Z, quad (A a_Z)/(1 + (A - 1)(T\\/(1.1 T_1) - 1)^1.2)',
+        'S_"eZ" = (A a_Z)/(1 + (A - 1)(1 - T\\/(0.8 T_1))^1.6), quad A a_Z, quad (A a_Z)/(1 + (A - '
+        "1)(T\\/(1.1 T_1) - 1)^1.2)",
         comment=worded("The building of the cases before: below 0.8 T_1, up to 1.1 T_1, beyond."),
     ),
     Solved(
@@ -162,7 +165,9 @@ CASES: tuple[Solved, ...] = (
         "Circolare 7/2019, C8.7.1.7, C7.2.6",
         (
             printed(
-                ("S_eZ(0.06246 s, 5 %)", "g"), "1.06278", lambda: float(floor(9.0).acceleration([0.06246180], 0.05)[0]) / G
+                ("S_eZ(0.06246 s, 5 %)", "g"),
+                "1.06278",
+                lambda: float(floor(9.0).acceleration([0.06246180], 0.05)[0]) / G,
             ),
         ),
         'S_"eZ" (T_0, 5 %)',
@@ -209,6 +214,9 @@ CASES: tuple[Solved, ...] = (
         measures(),
         '"PGV" = 2/omega, quad "PGD" = t/omega, quad I_A = pi/(2 g) integral a^2 dif t = (pi t)/(4 g)',
         GROUND,
-        worded("Ten periods of 1 s of 1 m/s²: without correction of the base line the velocity has one sign and the ground drifts."),
+        worded(
+            "Ten periods of 1 s of 1 m/s²: without correction of the base line the velocity has one sign "
+            "and the ground drifts."
+        ),
     ),
 )

@@ -1,12 +1,12 @@
 """The demand: hazard of a place, islands, return periods, spectra of the codes, what zeta means for an owner."""
 
 import math
-from functools import cache
+from functools import cache, partial
 
 from core.codes import target_spectrum
 from core.codes.demand import DemandResult
 from core.codes.limits import return_period
-from core.codes.national_hazard import SiteHazard, hazard_at
+from core.codes.national_hazard import SiteHazard, Values, hazard_at
 from core.codes.risk import Risk, letter_of, risk
 from core.known import known
 from core.solved.solved import Answer, Kind, Solved, printed, row, worded
@@ -76,6 +76,10 @@ def site(point: tuple[float, float]) -> SiteHazard:
     return hazard_at(*point)
 
 
+def site_values(point: tuple[float, float], years: int) -> Values:
+    return site(point).at(float(years))
+
+
 def of_site(key: str, place: str, point: tuple[float, float], nodes: str, rows) -> Solved:
     corners = row([(worded("node {n}", n=k), "") for k in range(1, 5)], nodes, lambda: site(point).nodes)
     answers = [
@@ -84,7 +88,7 @@ def of_site(key: str, place: str, point: tuple[float, float], nodes: str, rows) 
         for answer in row(
             ((f"a_g ({years})", "g"), (f"F_0 ({years})", ""), (f"T_C* ({years})", "s")),
             values,
-            lambda years=years: site(point).at(float(years)),
+            partial(site_values, point, years),
         )
     ]
     return Solved(
@@ -93,10 +97,11 @@ def of_site(key: str, place: str, point: tuple[float, float], nodes: str, rows) 
         worded("Hazard of {place}", place=place),
         ANNEX,
         (*corners, *answers),
-        "p = (sum_i p_i\\/d_i)/(sum_i 1\\/d_i), quad log p = log p_1 + log(p_2\\/p_1) (log(T_R\\/T_1))/(log(T_2\\/T_1))",
+        "p = (sum_i p_i\\/d_i)/(sum_i 1\\/d_i), quad log p = log p_1 + log(p_2\\/p_1) "
+        "(log(T_R\\/T_1))/(log(T_2\\/T_1))",
         comment=worded(
-            "Latitude {north}, longitude {east}; return periods in brackets. Worked from the table of the annex by another "
-            "program.",
+            "Latitude {north}, longitude {east}; return periods in brackets. Worked from the table of "
+            "the annex by another program.",
             north=point[0],
             east=point[1],
         ),
@@ -145,10 +150,11 @@ YEARS = (30, 50, 72, 101, 140, 201, 475, 975, 2475)
 
 
 def of_island(name: str, point: tuple[float, float], *rows: str) -> Solved:
+    def found(k: int, years: int, scale: float) -> float:
+        return scale * site_values(point, years)[k]
+
     answers = [
-        printed(
-            (f"{symbol} ({years})", unit), value, lambda k=k, years=years, scale=scale: scale * site(point).at(float(years))[k]
-        )
+        printed((f"{symbol} ({years})", unit), value, partial(found, k, years, scale))
         for k, (symbol, unit, scale, values) in enumerate(
             zip(("a_g", "F_0", "T_C*"), ("g/10", "", "s"), (10.0, 1.0, 1.0), rows, strict=True)
         )
@@ -160,9 +166,12 @@ def of_island(name: str, point: tuple[float, float], *rows: str) -> Solved:
         worded("Hazard of an island: {name}", name=name),
         "D.M. 14/01/2008, B, Tab. 2",
         tuple(answers),
-        comment=worded("Latitude {north}, longitude {east}: one row of the table; return periods in brackets.",
-                       north=point[0], east=point[1]),
-    )  # fmt: skip
+        comment=worded(
+            "Latitude {north}, longitude {east}: one row of the table; return periods in brackets.",
+            north=point[0],
+            east=point[1],
+        ),
+    )
 
 
 DEMAND = DemandResult(
@@ -185,7 +194,7 @@ def of_zeta(zeta: float) -> Risk:
     return risk(zeta, DEMAND)
 
 
-LETTERS = "F E D C B A A+".split()
+LETTERS = ["F", "E", "D", "C", "B", "A", "A+"]
 LEAST = {"A+": 1.01, "A": 0.80, "B": 0.60, "C": 0.45, "D": 0.30, "E": 0.15, "F": 0.0}
 """Lower bounds of IS-V of the guidelines; of A+ a value above 1.00."""
 
@@ -205,16 +214,18 @@ EN_TABLES = (
 )
 
 
-def of_grounds(kind: int) -> tuple[Answer, ...]:
-    def found(soil: str) -> tuple[float, ...]:
-        made = target_spectrum.en1998(0.25 * G, kind, soil)
-        return made.soil, made.t_b, made.t_c, made.t_d
+OF_SPECTRUM = {"S": "soil", "T_B": "t_b", "T_C": "t_c", "T_D": "t_d"}
+"""Symbol of a quantity of a spectrum -> its name in the program."""
 
-    heads = ("S", ""), ("T_B", "s"), ("T_C", "s"), ("T_D", "s")
+
+def of_grounds(kind: int) -> tuple[Answer, ...]:
+    def found(soil: str, name: str) -> float:
+        return getattr(target_spectrum.en1998(0.25 * G, kind, soil), name)
+
     return tuple(
-        Answer(f"{head[0]} ({soil})", head[1], float(value), 1e-12, lambda soil=soil, k=k: found(soil)[k])
+        Answer(f"{symbol} ({soil})", "s" if symbol != "S" else "", float(value), 1e-12, partial(found, soil, name))
         for soil, *rows in EN_TABLES
-        for k, (head, value) in enumerate(zip(heads, rows[kind - 1].split(), strict=True))
+        for (symbol, name), value in zip(OF_SPECTRUM.items(), rows[kind - 1].split(), strict=True)
     )
 
 
@@ -229,19 +240,19 @@ NTC_TABLE = {
 
 
 def of_ntc(soil: str) -> tuple[Answer, ...]:
-    """S and T_C for a weak, a usual and a strong motion; topography T3."""
+    """S and the periods for a weak, a usual and a strong motion; topography T3."""
     a, b, low, high, c, d = NTC_TABLE[soil]
+
+    def found(ag: float, f0: float, tc: float, name: str) -> float:
+        return getattr(target_spectrum.ntc2018(ag * G, f0, tc, soil, "T3"), name)
+
     answers = []
     for ag, f0, tc in ((0.05, 2.4, 0.27), (0.25, 2.4, 0.35), (0.45, 2.55, 0.45)):
-
-        def found(ag=ag, f0=f0, tc=tc):
-            return target_spectrum.ntc2018(ag * G, f0, tc, soil, "T3")
-
-        s = 1.2 * min(max(a - b * f0 * ag, low), high)
-        answers += [
-            Answer(f"S ({soil}, {ag:g} g)", "", s, 1e-12, lambda found=found: found().soil),
-            Answer(f"T_C ({soil}, {ag:g} g)", "s", c * tc ** (1.0 + d), 1e-12, lambda found=found: found().t_c),
-        ]
+        t_c = c * tc ** (1.0 + d)
+        by_hand = {"S": 1.2 * min(max(a - b * f0 * ag, low), high), "T_B": t_c / 3.0, "T_C": t_c, "T_D": 4.0 * ag + 1.6}
+        for symbol, value in by_hand.items():
+            ask = partial(found, ag, f0, tc, OF_SPECTRUM[symbol])
+            answers.append(Answer(f"{symbol} ({soil}, {ag:g} g)", "s" if symbol != "S" else "", value, 1e-12, ask))
     return tuple(answers)
 
 
@@ -258,7 +269,7 @@ def of_branches(damping: float) -> tuple[Answer, ...]:
         return float(target_spectrum.en1998(0.25 * G, 1, "B").acceleration([t], damping)[0]) / G
 
     return tuple(
-        Answer(f"S_e({t:g} s, {100 * damping:g} %)", "g", by_hand(t), 1e-12, lambda t=t: found(t))
+        Answer(f"S_e({t:g} s, {100 * damping:g} %)", "g", by_hand(t), 1e-12, partial(found, t))
         for t in (0.0, 0.075, 0.15, 0.3, 0.5, 1.0, 2.0, 4.0)
     )
 
@@ -271,9 +282,13 @@ def spectrum() -> target_spectrum.CodeSpectrum:
 RISING = (0.15**2 - 0.1**2) / 2.0 + 10.0 * (0.15**3 - 0.1**3) / 3.0
 """Integral of (1 + 1.5 T / T_B) T up to T_B."""
 
-INTENSITY = 100.0 * 0.312 * 9.80665 / (2.0 * math.pi) * (
-    RISING + 2.5 * ((0.5**2 - 0.15**2) / 2.0 + 0.5 * (2.0 - 0.5) + 0.5 * 2.0 * math.log(2.5 / 2.0))
-)  # fmt: skip
+INTENSITY = (
+    100.0
+    * 0.312
+    * 9.80665
+    / (2.0 * math.pi)
+    * (RISING + 2.5 * ((0.5**2 - 0.15**2) / 2.0 + 0.5 * (2.0 - 0.5) + 0.5 * 2.0 * math.log(2.5 / 2.0)))
+)
 """Of the same, branch by branch [cm]."""
 
 CASES: tuple[Solved, ...] = (
@@ -285,7 +300,7 @@ CASES: tuple[Solved, ...] = (
         worded("Return periods of the limit states"),
         "NTC 2018, 2.4, 3.2.0, Tab. 3.2.I",
         tuple(
-            printed((f"T_R ({state}, {life:g})", ""), years, lambda life=life, state=state: return_period(life, state))
+            printed((f"T_R ({state}, {life:g})", ""), years, partial(return_period, life, state))
             for life, state, years in (
                 (50.0, "SLO", "30.11"),
                 (50.0, "SLD", "50.29"),
@@ -301,7 +316,7 @@ CASES: tuple[Solved, ...] = (
         "capacity_period",
         Kind.HAND,
         worded("Return period of the capacity"),
-        "D.M. 58/2017, A",
+        "D.M. 65/2017, A",
         (
             printed(("PGA_C (ζ = 0.52)", "g"), "0.16224", lambda: of_zeta(0.52).pga / G),
             printed(("T_R,C (ζ = 0.52, η = 1/0.41)", ""), "96.4", lambda: known(of_zeta(0.52).return_period)),
@@ -315,26 +330,12 @@ CASES: tuple[Solved, ...] = (
         "risk_letters",
         Kind.PRINTED,
         worded("Letters of IS-V"),
-        "D.M. 58/2017, A; D.M. 65/2017",
-        tuple(
-            Answer(f"IS-V ({letter})", "", LEAST[letter], 1e-12, lambda letter=letter: least_of(letter)) for letter in LETTERS
-        ),
+        "D.M. 65/2017, A",
+        tuple(Answer(f"IS-V ({letter})", "", LEAST[letter], 1e-12, partial(least_of, letter)) for letter in LETTERS),
         comment=worded("The lowest hundredth of IS-V that has the letter."),
     ),
-    Solved(
-        "grounds_en_1",
-        Kind.PRINTED,
-        worded("Grounds of EN 1998-1, type 1"),
-        "EN 1998-1, Tab. 3.2",
-        of_grounds(1),
-    ),
-    Solved(
-        "grounds_en_2",
-        Kind.PRINTED,
-        worded("Grounds of EN 1998-1, type 2"),
-        "EN 1998-1, Tab. 3.3",
-        of_grounds(2),
-    ),
+    Solved("grounds_en_1", Kind.PRINTED, worded("Grounds of EN 1998-1, type 1"), "EN 1998-1, Tab. 3.2", of_grounds(1)),
+    Solved("grounds_en_2", Kind.PRINTED, worded("Grounds of EN 1998-1, type 2"), "EN 1998-1, Tab. 3.3", of_grounds(2)),
     Solved(
         "grounds_ntc",
         Kind.PRINTED,
@@ -342,7 +343,9 @@ CASES: tuple[Solved, ...] = (
         "NTC 2018, Tab. 3.2.IV, 3.2.V",
         tuple(answer for soil in NTC_TABLE for answer in of_ntc(soil)),
         "S = S_T (a - b F_0 a_g\\/g), quad T_C = c (T_C^*)^(1 + d)",
-        comment=worded("a, b, c, d and the bounds of S_S typed from the table; a weak, a usual and a strong motion, topography T3."),
+        comment=worded(
+            "a, b, c, d and the bounds of S_S typed from the table; a weak, a usual and a strong motion, topography T3."
+        ),
     ),
     Solved(
         "spectrum_branches",
@@ -350,7 +353,8 @@ CASES: tuple[Solved, ...] = (
         worded("Branches of an elastic spectrum"),
         "EN 1998-1, 3.2.2.2; NTC 2018, 3.2.2",
         of_branches(0.05) + of_branches(0.08) + of_branches(0.30),
-        "S_e = a_g S [1 + T/T_B (2.5 eta - 1)], quad 2.5 eta a_g S, quad 2.5 eta a_g S T_C/T, quad 2.5 eta a_g S (T_C T_D)/T^2",
+        "S_e = a_g S [1 + T/T_B (2.5 eta - 1)], quad 2.5 eta a_g S, quad 2.5 eta a_g S T_C/T, quad "
+        "2.5 eta a_g S (T_C T_D)/T^2",
         comment=worded("Type 1, ground B, 0.25 g, at each corner and between; η not below 0.55."),
     ),
     Solved(
@@ -370,7 +374,9 @@ CASES: tuple[Solved, ...] = (
             ),
         ),
         '"SI" = integral_0.1^2.5 (S_e T)/(2 pi) dif T',
-        comment=worded("Type 1, ground B, 0.26 g, 5 %: branch by branch; by the trapezoids of each 0.02 s, and exactly."),
+        comment=worded(
+            "Type 1, ground B, 0.26 g, 5 %: branch by branch; by the trapezoids of each 0.02 s, and exactly."
+        ),
     ),
     Solved(
         "ground_displacement",

@@ -94,8 +94,8 @@ CASES: tuple[Solved, ...] = (
         whole("standard", 20, 0.604144410309676, 0.327914632438699, 1e-12),
         sketch=drawn("standard"),
         comment=worded(
-            "Wall of 7 m and 6.8°, two-sided, Eq. 4: Taylor series of order 20 to 26 in 40 digits, two orders alike to the "
-            "last digit of a double."
+            "Wall of 7 m and 6.8°, two-sided, Eq. 4: Taylor series of order 20 to 26 in 40 digits, two "
+            "orders alike to the last digit of a double."
         ),
     ),
     Solved(
@@ -132,6 +132,8 @@ CASES: tuple[Solved, ...] = (
         FORTY,
         part(True, "doherty", 19, 0.1186536284530826, 0.029904182135162813, 4.3809384355365286),
         sketch=drawn("standard", 450),
-        comment=worded("The same wall against its restraint, D1 0.06 and D2 0.28, the first 4.5 s, by a program in 40 digits."),
+        comment=worded(
+            "The same wall against its restraint, D1 0.06 and D2 0.28, the first 4.5 s, by a program in 40 digits."
+        ),
     ),
 )

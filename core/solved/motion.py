@@ -132,22 +132,27 @@ def full_sine_overturns(amplitude: float) -> bool:
 
 
 FULL_SINE = (
-    printed((worded("overturns after one impact from a/(α g)"), ""), "3.019", lambda: least(full_sine_overturns, 2.8, 3.3)),
+    printed(
+        (worded("overturns after one impact from a/(α g)"), ""), "3.019", lambda: least(full_sine_overturns, 2.8, 3.3)
+    ),
     printed(
         (worded("stands again from a/(α g)"), ""),
         "6.318",
         lambda: least(lambda a: not full_sine_overturns(a), 5.5, 6.8),
     ),
-    printed((worded("overturns without impact from a/(α g)"), ""), "7.168", lambda: least(full_sine_overturns, 6.8, 7.8)),
-)  # fmt: skip
+    printed(
+        (worded("overturns without impact from a/(α g)"), ""), "7.168", lambda: least(full_sine_overturns, 6.8, 7.8)
+    ),
+)
 
 
 def periodic(amplitude: float, omega: float, halves: int, ratio: float) -> tuple[float, float, float]:
-    """(velocity after an impact, cosine and sine of the phase of the ground there) of the symmetric motion of one impact
-    each `halves` half periods of u'' = a cos(omega t + phi); times over 1/p, rotations over alpha.
+    """(velocity after an impact, cosine and sine of the phase of the ground there) of the symmetric motion of one
+    impact each `halves` half periods of u'' = a cos(omega t + phi); times over 1/p, rotations over alpha.
 
-    Between impacts x = 1 + B cosh t + C sinh t - g cos(omega t + phi), g = a / (1 + omega2); x = 0 at both ends, and the
-    velocity v at the first is that at the last times -e. Both lines are linear in v, c = g cos(phi), s = g omega sin(phi).
+    Between impacts x = 1 + B cosh t + C sinh t - g cos(omega t + phi), g = a / (1 + omega2); x = 0 at both ends, and
+    the velocity v at the first is that at the last times -e. Both lines are linear in v, c = g cos(phi) and
+    s = g omega sin(phi).
     """
     length, g = halves * math.pi / omega, amplitude / (1.0 + omega**2)
     ch, sh = math.cosh(length), math.sinh(length)
@@ -177,8 +182,10 @@ def of_periodic(amplitude: float, omega: float, halves: int, ratio: float) -> tu
     times = worded("periods between two impacts {case}", case=case)
     return (
         Answer(f"θ'/(p α) {case}", "", velocity, 5e-6, lambda: abs(found().impact_velocity[-1]) / (p * SLENDER)),
-        Answer(times, "", 0.5 * halves, 5e-6, lambda: float(np.diff(found().impact_time)[-1]) * omega * p / (2 * math.pi)),
-    )  # fmt: skip
+        Answer(
+            times, "", 0.5 * halves, 5e-6, lambda: float(np.diff(found().impact_time)[-1]) * omega * p / (2 * math.pi)
+        ),
+    )
 
 
 def of_capped(share: float) -> Answer:
@@ -249,8 +256,8 @@ CASES: tuple[Solved, ...] = (
         "T/4 = integral_0^(theta_0) (dif theta)/sqrt(2 p^2 (cos(alpha - theta_0) - cos(alpha - theta)))",
         BLOCK,
         worded(
-            "Wall of 7 m and 6.8°: the integral of the energy by quadrature. Housner's linear form is 0.0002 to 0.0004 s "
-            "shorter."
+            "Wall of 7 m and 6.8°: the integral of the energy by quadrature. Housner's linear form is "
+            "0.0002 to 0.0004 s shorter."
         ),
     ),
     Solved(
@@ -259,7 +266,7 @@ CASES: tuple[Solved, ...] = (
         worded("Rectangular pulse that overturns"),
         "Housner (1963), Bull. Seism. Soc. Am. 53(2), 403-417",
         tuple(map(of_rectangular_pulse, (0.5, 1.0, 2.0))),
-        'cosh(p t) = 1 + 1/(2 a/(alpha g) (a/(alpha g) - 1)) quad arrow.r.double quad a/(alpha g) = 1/(1 - e^(-p t))',
+        "cosh(p t) = 1 + 1/(2 a/(alpha g) (a/(alpha g) - 1)) quad arrow.r.double quad a/(alpha g) = 1/(1 - e^(-p t))",
         pulse((0.0, *[1.0] * 40, 0.0, 0.0)),
         worded("Constant acceleration a for a time t, then none; least a that overturns, without impact."),
     ),
@@ -281,8 +288,10 @@ CASES: tuple[Solved, ...] = (
         tuple(of_ishiyama(h, t) for h, t in ((7.0, 0.83), (3.0, 0.45), (1.2, 0.25))),
         "v = sqrt((8 g R)/3 (1 - cos alpha)/(cos^2 alpha))",
         pulse((*[0.0] * 20, 1.0, *[0.0] * 20)),
-        worded("The ground takes the velocity v at once (in 0.01 ms): the block turns with v H/2 m/I_0, its energy just "
-               "reaches the barrier."),
+        worded(
+            "The ground takes the velocity v at once (in 0.01 ms): the block turns with v H/2 m/I_0, its energy just "
+            "reaches the barrier."
+        ),
     ),
     Solved(
         "half_sine",
@@ -295,7 +304,10 @@ CASES: tuple[Solved, ...] = (
         ),
         "p integral_(t_0)^infinity e^(-p (t - t_0)) (u''(t))/g dif t = alpha, quad u''(t_0) = alpha g",
         pulse((*SINE[:41], *[0.0] * 20)),
-        worded("Without impact; t_0 is the uplift. 1000 straight lines a pulse are off by some 1e-6, which is the tolerance."),
+        worded(
+            "Without impact; t_0 is the uplift. 1000 straight lines a pulse are off by some 1e-6, which "
+            "is the tolerance."
+        ),
     ),
     Solved(
         "half_sine_exact",
@@ -356,7 +368,9 @@ CASES: tuple[Solved, ...] = (
         tuple(map(of_capped, (0.01, 0.2, 1.0))),
         "hat(p)/p = sqrt((1 + 2 gamma)/(1 + 3 gamma))",
         Sketch(((0.0, 0.0), (0.45, 0.0), (0.45, 3.0), (0.0, 3.0)), ((0.45, 3.0, 0.0, -1.0),)),
-        worded("γ is the mass over that of the block. Columns with a beam turn as a block with the mass at its top corner."),
+        worded(
+            "γ is the mass over that of the block. Columns with a beam turn as a block with the mass at its top corner."
+        ),
     ),
     Solved(
         "decay",
@@ -391,8 +405,9 @@ CASES: tuple[Solved, ...] = (
         "theta_n\\/alpha = 1 - sqrt(1 - e^(2 n) (1 - (1 - theta_0\\/alpha)^2))",
         Sketch(((0.0, 0.0), (0.123, 0.0), (0.123, 0.8), (0.0, 0.8))),
         worded(
-            "0.800 × 0.123 m, let go at half of its slenderness. Period and peaks are of the linear form; at 8.7° the exact "
-            "ones differ in the fourth digit, up to 0.002, which is the tolerance."
+            "0.800 × 0.123 m, let go at half of its slenderness. Period and peaks are of the linear "
+            "form; at 8.7° the exact ones differ in the fourth digit, up to 0.002, which is the "
+            "tolerance."
         ),
     ),
     Solved(
@@ -410,8 +425,9 @@ CASES: tuple[Solved, ...] = (
                 math.sqrt(2.0 * (1.0 - math.cos(math.radians(6.8)))) * frequency(math.radians(6.8)),
                 1e-9,
                 lambda: least(
-                    lambda v: history(np.zeros(2), 0.01, 1.0, rocking(math.radians(6.8)), start=(0.0, v)).outcome
-                    == COLLAPSED,
+                    lambda v: (
+                        history(np.zeros(2), 0.01, 1.0, rocking(math.radians(6.8)), start=(0.0, v)).outcome == COLLAPSED
+                    ),
                     0.1,
                     0.3,
                 ),

@@ -77,7 +77,9 @@ def summary(cases: Sequence[Solved]) -> Sentence:
     count = {"n": len(cases), "answers": sum(len(case.answers) for case in cases)}
     if not differing:
         return worded("All {n} cases, {answers} answers, agree with their sources.", **count)
-    return worded("{m} of {n} cases do not agree with their sources: {keys}.", m=len(differing), keys=differing, **count)
+    return worded(
+        "{m} of {n} cases do not agree with their sources: {keys}.", m=len(differing), keys=differing, **count
+    )
 
 
 def as_json(cases: Sequence[Solved]) -> bytes:
@@ -120,7 +122,9 @@ def pdf(found: Sequence[Subject], language: str) -> bytes:
     cases = cases_of(found)
     files = {file_of(case): text for case in cases if (text := input_of(case))}
     say = _Say(language)
-    data = Attachment(NAME_OF_JSON, as_json(cases).decode(), "application/json", "data", say(worded("answers of the program")))
+    data = Attachment(
+        NAME_OF_JSON, as_json(cases).decode(), "application/json", "data", say(worded("answers of the program"))
+    )
     inputs = [
         Attachment(name, text, "application/toml", "source", say(worded("input file of a case")))
         for name, text in files.items()
@@ -162,10 +166,11 @@ def _parts(found: Sequence[Subject], say: _Say) -> list[Part]:
         Paragraph(
             say(
                 worded(
-                    "Test cases wholly solved and commented, as NTC 2018, 10.2 asks of the documentation of a program, with the "
-                    "input files by which they are run again. Each answer was known from elsewhere before the program was asked: "
-                    "a closed form, a solution to forty digits, a calculation by hand, a printed table. The program found every "
-                    "number of this document anew when the document was made."
+                    "Test cases wholly solved and commented, as NTC 2018, 10.2 asks of the documentation of a "
+                    "program, with the input files by which they are run again. Each answer was known from "
+                    "elsewhere before the program was asked: a closed form, a solution to forty digits, a "
+                    "calculation by hand, a printed table. The program found every number of this document anew "
+                    "when the document was made."
                 )
             )
         ),
@@ -175,8 +180,8 @@ def _parts(found: Sequence[Subject], say: _Say) -> list[Part]:
         Paragraph(
             say(
                 worded(
-                    "Difference: found over expected, less one, or the difference itself where zero is expected. Tolerance: "
-                    "what the digits of the source, or the samples of the ground, leave open."
+                    "Difference: found over expected, less one, or the difference itself where zero is expected. "
+                    "Tolerance: what the digits of the source, or the samples of the ground, leave open."
                 )
             ),
             "quiet",
@@ -281,9 +286,13 @@ def _figure(sketch: Sketch, title: str) -> Figure | None:
         start, level = 0.5 * (left + right - wide), -0.22 * size
         step = wide / (len(sketch.motion) - 1)
         samples = enumerate(sketch.motion)
-        curves.append(path([(start + k * step, level + 0.15 * size * a / strongest) for k, a in samples], "ink", width=0.7))
+        curves.append(
+            path([(start + k * step, level + 0.15 * size * a / strongest) for k, a in samples], "ink", width=0.7)
+        )
     if not curves:
         return None
     xs, zs = ([value for curve in curves for value in getattr(curve, axis)] for axis in ("x", "y"))
     margin = 0.05 * size
-    return Figure(title, curves, x_range=(min(xs) - margin, max(xs) + margin), y_range=(min(zs) - margin, max(zs) + margin))
+    return Figure(
+        title, curves, x_range=(min(xs) - margin, max(xs) + margin), y_range=(min(zs) - margin, max(zs) + margin)
+    )

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 
 from core.capacity import closed_forms
@@ -105,12 +105,7 @@ def of_el_centro(record: GroundMotion) -> tuple[Solved, ...]:
             (True, -1): worded("El Centro 1940 reversed: q of one-sided walls of {alpha:g}°", alpha=alpha),
         }[one_sided, sign]
         answers = tuple(
-            printed(
-                (f"q ({height:g} m)", ""),
-                value,
-                lambda height=height, alpha=alpha, one_sided=one_sided, sign=sign: q_of(record, alpha, height, one_sided, sign),
-                1.0,
-            )
+            printed((f"q ({height:g} m)", ""), value, partial(q_of, record, alpha, height, one_sided, sign), 1.0)
             for height, value in zip(HEIGHTS, values.split(), strict=True)
         )
         cases.append(
@@ -131,7 +126,7 @@ def of_el_centro(record: GroundMotion) -> tuple[Solved, ...]:
             "",
             expected,
             2e-3 / expected,
-            lambda alpha=alpha, height=height, step=step: q_of(record, alpha, height, False, 1, step),
+            partial(q_of, record, alpha, height, False, 1, step),
         )
         for alpha, height, step, expected in ((6.8, 11.0, 0.001, 3.754), (11.3, 7.0, 0.01, 4.00))
     )
@@ -176,10 +171,10 @@ CASES: tuple[Solved, ...] = (
             printed(("a_RM", "g"), "0.1186", lambda: example().threshold_acceleration / G),
             printed(("R", "m"), "3.5245", lambda: example().radius),
             printed(("p", "rad/s"), "1.4446", lambda: example().frequency_parameter),
-            printed((worded("velocity ratio, Eq. 4"), ""), "0.9792", lambda: restitution(example(), "housner").ratio_at_rest),
-            Answer(
-                worded("a_RM over S a_g / 2, Eq. 9"), "", 0.83 / 7.0 / (0.26 * 1.2 / 2.0), 1e-12, ratio_of_eq_9
+            printed(
+                (worded("velocity ratio, Eq. 4"), ""), "0.9792", lambda: restitution(example(), "housner").ratio_at_rest
             ),
+            Answer(worded("a_RM over S a_g / 2, Eq. 9"), "", 0.83 / 7.0 / (0.26 * 1.2 / 2.0), 1e-12, ratio_of_eq_9),
             printed(
                 (worded("q_eff, Eq. 15"), ""),
                 "6.93",
@@ -191,7 +186,10 @@ CASES: tuple[Solved, ...] = (
                 lambda: closed_forms.closed_form_q(example().slenderness, 7.0, 1.2097, 0.312 * G, False),
             ),
         ),
-        worded("a_g 0.26 g, S 1.2, SI 120.97 cm: the example of validation.md, each step by hand. The paper omits the factor a_g S / g of q."),
+        worded(
+            "a_g 0.26 g, S 1.2, SI 120.97 cm: the example of validation.md, each step by hand. The paper "
+            "omits the factor a_g S / g of q."
+        ),
     ),
     _of_paper(
         "paper_closed_forms",
@@ -225,4 +223,4 @@ CASES: tuple[Solved, ...] = (
         ),
         worded("Least squares of the logarithms of four points of 321 SI^-0.93."),
     ),
-)  # fmt: skip
+)

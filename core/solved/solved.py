@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 
 from core.text.sentence import Sentence
 
@@ -133,8 +133,12 @@ def row(
 ) -> tuple[Answer, ...]:
     """The answers of a row of a printed table, found at once. values : as printed, "-" where there is none"""
     once = cache(find)
+
+    def found(k: int) -> float:
+        return once()[k]
+
     return tuple(
-        printed(head, value, lambda k=k: once()[k], units)
+        printed(head, value, partial(found, k), units)
         for k, (head, value) in enumerate(zip(heads, values.split(), strict=True))
         if value != "-"
     )

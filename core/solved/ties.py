@@ -14,19 +14,20 @@ from core.solved.motion import SINE
 from core.solved.solved import Answer, Head, Kind, Sketch, Solved, printed, row, worded
 from core.solved.walls import Asked
 from core.units import G
+from core.wall.bars import TieBar
 from core.wall.ties import elongation_at_yield, stress_area
 
 STEP = 1e-4
 """Of the ground [s]: at 5e-4 the straight lines between its samples are a ten-thousandth off in the peaks."""
 
 TIED = (
-    # key, wall, H, t, load, F_y, h, stands, A [g], T; peak, residual [mm], without tie
-    ("low", 3.0, 0.45, (), 1.5, 2.8, 0.40, 0.30, 0.6, "0.017851 40.81 0.035443"),
-    ("weak", 3.0, 0.45, (), 1.0, 2.8, 0.40, 0.30, 0.4, "0.01142 22.80 0.012712"),
-    ("roof", 3.0, 0.45, (ROOF,), 2.0, 2.8, 0.40, 0.40, 0.5, "0.008657 15.07 0.011241"),
-    ("tall", 7.0, 0.83, (), 4.0, 6.5, 0.60, 0.25, 1.0, "0.028315 174.86 0.078924"),
-    ("saved", 7.0, 0.83, (), 8.0, 6.5, 0.60, 0.30, 1.5, "0.091962 587.74 -"),
-    ("broken", 7.0, 0.83, (), 8.0, 6.5, 0.30, 0.30, 1.5, "0.130346 - -"),
+    # key, wall, H, t, load, F_y, h, stands, A [g], T, peak of a rigid bar; peak, residual [mm], without tie
+    ("low", 3.0, 0.45, (), 1.5, 2.8, 0.40, 0.30, 0.6, 0.0122914, "0.017851 40.81 0.035443"),
+    ("weak", 3.0, 0.45, (), 1.0, 2.8, 0.40, 0.30, 0.4, 0.0059858, "0.01142 22.80 0.012712"),
+    ("roof", 3.0, 0.45, (ROOF,), 2.0, 2.8, 0.40, 0.40, 0.5, 0.0030685, "0.008657 15.07 0.011241"),
+    ("tall", 7.0, 0.83, (), 4.0, 6.5, 0.60, 0.25, 1.0, 0.0240060, "0.028315 174.86 0.078924"),
+    ("saved", 7.0, 0.83, (), 8.0, 6.5, 0.60, 0.30, 1.5, 0.0540081, "0.091962 587.74 -"),
+    ("broken", 7.0, 0.83, (), 8.0, 6.5, 0.30, 0.30, 1.5, None, "0.130346 - -"),
 )
 TIED_HEADS: tuple[Head, ...] = (
     (worded("largest rotation"), "rad"),
@@ -41,7 +42,9 @@ def sines(amplitude: float, period: float) -> np.ndarray:
     return amplitude * G * np.sin(2.0 * np.pi * t / period)
 
 
-def tied(key, height, thickness, loads, force, level, stands, amplitude, period, values: str) -> Solved:
+def tied(
+    key, height, thickness, loads, force, level, stands, amplitude, period, rigid: float | None, values: str
+) -> Solved:
     tie = {"kind": "tie", "kn_m": force, "h_m": level, "bar_length_m": 8.0, "elongation_m": stands}
     keys = {"height_m": height, "thickness_m": thickness, "velocity_ratio": 0.5}
     bare = Asked(keys | ({"load": list(loads)} if loads else {}), None)
@@ -54,7 +57,17 @@ def tied(key, height, thickness, loads, force, level, stands, amplitude, period,
     def found() -> tuple[float, ...]:
         return motion(held).peak, 1e3 * level * motion(held).residual[0, -1], motion(bare).peak
 
+    def without_elongation() -> float:
+        """The largest rotation with a bar that does not stretch before it yields."""
+        block = held.wall.block()
+        moment = 18e3 * height * thickness * block.radius
+        bar = TieBar(level, 1e3 * force, 1e-9, 0.0, stands).scaled(moment)
+        return history(sines(amplitude, period), STEP, 1.0, held.model._replace(bars=(bar,))).peak
+
     answers = row(TIED_HEADS, values, found, 1.5)  # by as much the two integrators differ
+    if rigid is not None:
+        # the bar of a nanometre is stiff, not rigid
+        answers = (*answers, Answer(worded("largest rotation, rigid bar"), "rad", rigid, 2e-4, without_elongation, 7))
     if values.endswith("-"):
         fallen = Answer(
             worded("overturns without the tie (1 yes)"), "", 1.0, 0.0, lambda: motion(bare).outcome == COLLAPSED
@@ -72,8 +85,9 @@ def tied(key, height, thickness, loads, force, level, stands, amplitude, period,
         "F = cases(0 & u <= u_p, k (u - u_p) & u_p < u < u_p + u_y, F_y & u >= u_p + u_y), quad u = h sin theta",
         lambda: Sketch(held.sketch().outline, held.sketch().loads, SINE * 3),
         worded(
-            "Bar of 8 m and 235 MPa at {h:g} m, it stands {stands:g} m; e = 0.5, three sines of {a:g} g and {period:g} s, then "
-            "none. Two integrators of steps of their own, one of them of the fourth order of Runge and Kutta.",
+            "Bar of 8 m and 235 MPa at {h:g} m, it stands {stands:g} m; e = 0.5, three sines of {a:g} g "
+            "and {period:g} s, then none. Two integrators of steps of their own, one of them of the "
+            "fourth order of Runge and Kutta.",
             h=level,
             stands=stands,
             a=amplitude,
@@ -90,7 +104,8 @@ def by_clauses(share: float, factor: float, state: str) -> tuple[Answer, ...]:
     from core.solved.walls import EN_B
 
     asked = Asked(
-        {"height_m": 3.0, "thickness_m": 0.45, "velocity_ratio": 0.6, "load": [ROOF, TIE]}, EN_B | {"limit_state": state}
+        {"height_m": 3.0, "thickness_m": 0.45, "velocity_ratio": 0.6, "load": [ROOF, TIE]},
+        EN_B | {"limit_state": state},
     )
     bare, held = (24.3 * 0.225 + 3.0) / 36.45, 5.0 * 2.8 / 36.45
     alpha, radius = math.atan(0.15), math.hypot(0.225, 1.5)
@@ -102,7 +117,9 @@ def by_clauses(share: float, factor: float, state: str) -> tuple[Answer, ...]:
         Answer(f"d_0 ({state})", "m", d0, 1e-9, lambda: asked.checked.d0),
         Answer(f"d_{state}", "m", share * d0, 1e-9, lambda: known(asked.checked.d_limit)),
         Answer(f"a(d_{state})", "m/s²", a, 1e-9, lambda: known(asked.checked.a_limit)),
-        Answer(f"T_{state}", "s", factor * math.pi * math.sqrt(share * d0 / a), 1e-9, lambda: known(asked.checked.period)),
+        Answer(
+            f"T_{state}", "s", factor * math.pi * math.sqrt(share * d0 / a), 1e-9, lambda: known(asked.checked.period)
+        ),
     )
 
 
@@ -139,11 +156,12 @@ CASES: tuple[Solved, ...] = (
         worded("A tie in the clauses"),
         "Circolare 7/2019, C8.7.1.1, C8.7.1.2.1.6, C8.7.1.10, C8.7.1.11",
         by_clauses(0.40, 1.68, "SLV") + by_clauses(0.60, 1.56, "SLC"),
-        'alpha_0 = (W t\\/2 + N d + F_y h)/(W H\\/2), quad a(d) = [(1 - d\\/d_0) alpha_(0,b) + F_y h/(W H\\/2)] g/("FC")',
+        "alpha_0 = (W t\\/2 + N d + F_y h)/(W H\\/2), quad a(d) = [(1 - d\\/d_0) alpha_(0,b) + F_y "
+        'h/(W H\\/2)] g/("FC")',
         loaded(ROOF, TIE).sketch,
         worded(
-            "3.0 × 0.45 m with its roof and a tie of 5 kN/m at 2.8 m: the force at yield counts in α_0 and in the capacity, d_0 "
-            "is of the wall without it."
+            "3.0 × 0.45 m with its roof and a tie of 5 kN/m at 2.8 m: the force at yield counts in α_0 "
+            "and in the capacity, d_0 is of the wall without it."
         ),
         loaded(ROOF, TIE).table,
     ),
@@ -186,9 +204,13 @@ CASES: tuple[Solved, ...] = (
         worded("Vertical bending of a wall held at its top, with a load"),
         "Circolare 7/2019, C8.7.1.1, C8.7.1.4, C8.7.1.5; physics.md, 19",
         bent("middle", (10.0, 0.15), "0.66779 2.088 0.2333 1") + bent("outer", (10.0, 0.0), "0.84658 1.854 0.30000 1"),
-        "alpha_0 (h_1) = [W_1 t\\/2 + W_2 (t + k t\\/2) + N (t + k (t - d))]/((W_1 + W_2) h_1\\/2), quad k = h_1/(H - h_1)",
+        "alpha_0 (h_1) = [W_1 t\\/2 + W_2 (t + k t\\/2) + N (t + k (t - d))]/((W_1 + W_2) h_1\\/2), "
+        "quad k = h_1/(H - h_1)",
         bending_sketch((10.0, 0.15)),
-        worded("3.0 × 0.30 m, 18 kN/m³: the lowest over the height h_1 of the hinge; d_C,0 by the finite geometry of both blocks."),
+        worded(
+            "3.0 × 0.30 m, 18 kN/m³: the lowest over the height h_1 of the hinge; d_C,0 by the finite "
+            "geometry of both blocks."
+        ),
     ),
     Solved(
         "bending_free",

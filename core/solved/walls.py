@@ -68,7 +68,7 @@ class Asked:
         """Of a wall above the ground."""
         if self.case.building is None or not self.wall.above_ground:
             return None
-        return floor_of(self.wall, self.case.building, self.demand, ()).spectrum
+        return known(floor_of(self.wall, self.case.building, self.demand, ())).spectrum
 
     @cached_property
     def checked(self) -> Kinematic:
@@ -88,7 +88,8 @@ class Asked:
         wall = self.wall
         height = known(wall.height_m)
         solids = [tuple(points) for points, _ in in_section(wall)]
-        box: Outline = ((0.0, 0.0), (wall.thickness, 0.0), (wall.thickness, height), (0.0, height))
+        thickness = known(wall.thickness)
+        box: Outline = ((0.0, 0.0), (thickness, 0.0), (thickness, height), (0.0, height))
         loads = []
         for load in wall.load:
             across = 0.0 if load.is_weight else 1.0 if load.is_tie or known(load.kn_m) < 0.0 else -1.0

@@ -25,7 +25,7 @@ GROUPS = (
     "report",  # workbook, calculation note, parametric study; the code is the English wording
     "window",  # the code is the English wording
     "solved",  # cases whose answer is known; the code is the English wording
-  "terminal",  # with run.py; the code is the English wording
+    "terminal",  # with run.py; the code is the English wording
 )
 
 
