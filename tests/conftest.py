@@ -188,10 +188,3 @@ def make_model():
         return rocking_model(block, one_sided, restitution(block, model, ratio), LAWS[law])
 
     return make
-
-
-@pytest.fixture(scope="session")
-def el_centro(shelf):
-    from core.ground import records
-
-    return records.read(shelf / "PEER_AT2" / "elCentro_variant_noheader4.AT2")

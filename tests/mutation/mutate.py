@@ -136,12 +136,12 @@ def deciding_modules() -> list[str]:
 
 def tests_of(module: str) -> list[str]:
     """Files of tests that hold the facts of a module."""
-    from tests.test_boundaries import SHOWN_BY
+    from tests.test_boundaries import SHOWN_BY, SOLVED
 
     path = Path(module)
     own = Path("tests") / path.with_name(f"test_{path.name}")
     shown = own.as_posix() if (ROOT / own).exists() else SHOWN_BY[path.relative_to("core").with_suffix("").as_posix()]
-    return [shown, *(name for name in BESIDE.get(module, ()) if name != shown)]
+    return [shown, *(name for name in BESIDE.get(module, ()) if name != shown), SOLVED]
 
 
 def faults(tree: ast.Module) -> list[tuple[Any, str]]:
