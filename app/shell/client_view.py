@@ -5,6 +5,7 @@ import html
 import io
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QElapsedTimer, QRectF, Qt, QTimer
@@ -26,6 +27,9 @@ from core.report.verdict_words import tone_of
 from core.study.demand_histories import history_at_demand
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.variants import OTHER
+
+if TYPE_CHECKING:
+    from app.shell.window import MainWindow
 
 FRAME_MS, FILM_FPS, MOST_SECONDS = 33, 20, 20.0
 """Time of a frame on the screen [ms], frames of a film [1/s], and the longest of both [s]."""
@@ -287,14 +291,14 @@ class ClientView(QDialog):
             QMessageBox.warning(self, tr("Not saved"), plain(described(error)))
 
 
-def show(window) -> None:
+def show(window: "MainWindow") -> None:
     """Open the view of the wall that is shown; says why where there is nothing to show."""
     result, wall = window.session.result, window.navigator.wall
     sides = sides_of(result, wall) if result and wall and not window.session.stale else []
     if not sides:
         window.show_word(tr("For this view a wall needs time histories at a demand: run it first (F5)."))
         return
-    state = result.demand.limit_state
+    state = known(known(result).demand).limit_state
     title = tr("{wall} under the earthquake of the code ({state})", wall=sides[0].wall.part.own_name, state=state)
     view = ClientView(window, title, sides)
     view.resize(window.size())

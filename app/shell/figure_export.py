@@ -4,6 +4,7 @@ paint; made into files and written off its thread."""
 import queue
 from collections.abc import Generator, Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtGui import QImage
@@ -17,6 +18,10 @@ from app.views.chart import Chart
 from app.views.figure_file import FigureSize, png, raster
 from app.views.histories_tab import HistoriesTab
 from core import atomic_write
+from core.known import known
+
+if TYPE_CHECKING:
+    from app.shell.window import MainWindow
 
 CHARTS = 5
 """The most of a page: their plots are made ahead, one in a turn."""
@@ -31,7 +36,7 @@ class FigureExport(QObject):
     """Exports the figures of one wall; a change of the input, of the wall or of the window cancels it. All files are
     written, or none."""
 
-    def __init__(self, window, folder: Path, size: FigureSize):
+    def __init__(self, window: "MainWindow", folder: Path, size: FigureSize):
         super().__init__(window)
         self.window, self.size, self.figures = window, size, queue.Queue()
         self.navigator = window.navigator
@@ -136,7 +141,7 @@ class FigureExport(QObject):
                             yield image
                         self.figures.put((chart.name, image))
                         yield None
-                self.job.progress(k + 1, len(navigator.pages))
+                known(self.job).progress(k + 1, len(navigator.pages))
         finally:
             while SPARE:
                 delete(SPARE.pop())

@@ -1,6 +1,7 @@
 """New, open, save, export: the files of a window, and the questions that go with them."""
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSettings, QStandardPaths
 from PySide6.QtWidgets import QFileDialog, QMessageBox
@@ -12,6 +13,9 @@ from app.work.session import Session
 from core import atomic_write
 from core.errors import InputError
 from core.known import known
+
+if TYPE_CHECKING:
+    from app.shell.window import MainWindow
 
 EXAMPLE = Path(__file__).resolve().parents[2] / "resources" / "cases" / "example.toml"
 RECENT = 8
@@ -26,7 +30,7 @@ OPENED = f" ({' '.join(f'*{end}' for end in (*CASE_ENDS, '.pdf'))})"
 class Files:
     """What the menu File does for a window and its session."""
 
-    def __init__(self, window, session: Session, settings: QSettings):
+    def __init__(self, window: "MainWindow", session: Session, settings: QSettings):
         self.window, self.session, self.settings = window, session, settings
 
     def open(self, path: Path) -> bool:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
@@ -13,6 +13,10 @@ from app.input.reasons_form import ReasonField
 from app.look.language import called, tr
 from app.look.section import Section
 from app.shell.pointing import point_at
+from core.known import known
+
+if TYPE_CHECKING:
+    from app.shell.window import MainWindow
 
 MOST = 60
 """Entries that are listed."""
@@ -54,7 +58,7 @@ def synonyms() -> dict[str, str]:
     }
 
 
-def entries_of(window) -> list[Entry]:
+def entries_of(window: "MainWindow") -> list[Entry]:
     """All that can be found: fields first, then walls and their hinges, pages, actions."""
     found, others = [], synonyms()
     for field in {(one.section, one.key, type(one)): one for one in window.stages.fields}.values():  # the title once
@@ -85,12 +89,14 @@ def entries_of(window) -> list[Entry]:
     return found
 
 
-def places_of(window, text: str) -> list[Entry]:
+def places_of(window: "MainWindow", text: str) -> list[Entry]:
     """Municipalities of these letters: the demand from there, then what else it asks for."""
 
+    place = known(window.demand.place)
+
     def take(name: str) -> None:
-        window.demand.place.take(name)
-        point_at(window.navigator, window.demand.place.municipality)
+        place.take(name)
+        point_at(window.navigator, place.municipality)
         window.missing.lead_in("demand")
 
     names = names_beginning_with(text, PLACES) if len(text.strip()) >= LETTERS else []
@@ -104,10 +110,10 @@ def _holds(one: Entry, words: list[str]) -> bool:
 class Finder(QDialog):
     """A line to type into and what fits it: every word must be there, in any order."""
 
-    def __init__(self, window):
+    def __init__(self, window: "MainWindow"):
         super().__init__(window)
         self.setWindowTitle(tr("Find"))
-        self.entries = entries_of(window)
+        self.owner, self.entries = window, entries_of(window)
         self.line, self.list = QLineEdit(), QListWidget()
         self.line.setPlaceholderText(tr("A field, a wall, a page, an action"))
         self.line.setAccessibleName(tr("Find"))
@@ -127,7 +133,7 @@ class Finder(QDialog):
         self.fitting = [one for one in self.entries if _holds(one, words)]
         self.fitting.sort(key=lambda one: not one.words.lower().startswith(text.lower()))
         del self.fitting[MOST:]
-        self.fitting += places_of(self.parent(), text)
+        self.fitting += places_of(self.owner, text)
         self.list.clear()
         self.list.addItems([one.words for one in self.fitting])
         if self.fitting:

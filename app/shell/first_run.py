@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCommandLinkButton, QVBoxLayout, QWidget
@@ -12,6 +13,9 @@ from app.look.language import tr
 from app.shell.files import EXAMPLE
 from app.work.draft import TO_BE_GIVEN
 from core.case.site import Demand
+
+if TYPE_CHECKING:
+    from app.shell.window import MainWindow
 
 
 class FirstRun(QWidget):
@@ -50,7 +54,7 @@ class FirstRun(QWidget):
         column.setAlignment(Qt.AlignmentFlag.AlignTop)
 
 
-def follow(window, name: str) -> None:
+def follow(window: "MainWindow", name: str) -> None:
     """Do what was chosen."""
     from app.shell import menus
 
@@ -84,6 +88,6 @@ def follow(window, name: str) -> None:
             window.missing.lead()
 
 
-def _ask_demand(window) -> None:
+def _ask_demand(window: "MainWindow") -> None:
     """a_g and the bases are asked for from the beginning: without a demand there is no answer."""
     window.session.edit(replace(window.session.case, demand=Demand(TO_BE_GIVEN)))

@@ -2,6 +2,7 @@
 
 import shutil
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, QUrl
 from PySide6.QtGui import QDesktopServices, QKeySequence
@@ -23,6 +24,9 @@ from app.look.labels import plain
 from app.look.language import current_language, of_key, tr
 from app.work.worker import Job
 
+if TYPE_CHECKING:
+    from app.shell.window import MainWindow
+
 DOCS = Path(__file__).resolve().parents[2] / "resources" / "docs"
 TEMPLATE = Path(__file__).resolve().parents[2] / "resources" / "templates" / "walls.xlsx"
 FOLDERS = {"en": DOCS / "guide", "it": DOCS / "guida"}
@@ -33,7 +37,7 @@ def help_of(field: Field) -> str:
     return of_key(field.section, field.key, ".help") or field.editor.toolTip()
 
 
-def explain(window) -> None:
+def explain(window: "MainWindow") -> None:
     """F1: the field that has the focus, else the guide."""
     widget: QWidget | None = QApplication.focusWidget()
     while widget is not None and not isinstance(widget, Field):
@@ -79,14 +83,14 @@ class Guide(QDialog):
             self.text.setMarkdown(self.paths[k].read_text(encoding="utf-8"))
 
 
-def show_guide(window) -> None:
+def show_guide(window: "MainWindow") -> None:
     """Open the guide, or bring it to the front."""
     opened = window.findChild(Guide) or Guide(window)
     opened.show()
     opened.raise_()
 
 
-def show_shortcuts(window) -> None:
+def show_shortcuts(window: "MainWindow") -> None:
     """Every entry of the menus that has a key."""
     lines = []
     for action in window.actions_with_keys:
@@ -96,7 +100,7 @@ def show_shortcuts(window) -> None:
     QMessageBox.information(window, tr("Shortcuts"), plain("\n".join(lines)))
 
 
-def show_validation(window) -> None:
+def show_validation(window: "MainWindow") -> None:
     """What the model tells of tests on a shake table, of a folder that is chosen; off the thread of the window."""
     title = tr("Tests on a shake table")
     name = QFileDialog.getExistingDirectory(window, tr("Folder with tests.csv and records.npz"))
@@ -117,7 +121,7 @@ def show_validation(window) -> None:
     window.runner.start(work, arrived)
 
 
-def save_solved_cases(window) -> None:
+def save_solved_cases(window: "MainWindow") -> None:
     """Save and open the solved cases, run now, as a PDF; off the thread of the window."""
     title = tr("Solved cases")
     path = path_to_write(window, title, "solved.pdf", "PDF (*.pdf)", (".pdf",))
@@ -148,7 +152,7 @@ def save_solved_cases(window) -> None:
     window.runner.start(work, arrived, to_end=True)
 
 
-def show_verification(window) -> None:
+def show_verification(window: "MainWindow") -> None:
     """What of a report differs from its case run again beside the files it reads; off the thread of the window."""
     title = tr("Verify a report")
     kinds = tr("Reports") + " (*.pdf *.xlsx *.json)"
@@ -164,7 +168,7 @@ def show_verification(window) -> None:
     window.runner.start(lambda job: compared(Path(name), on_progress=job.progress, cancelled=job.cancelled), arrived)
 
 
-def save_template(window) -> None:
+def save_template(window: "MainWindow") -> None:
     """A copy of the empty table of walls, to be filled in."""
     title = tr("Save the table of walls")
     path = path_to_write(window, title, "walls.xlsx", "Excel (*.xlsx)", (".xlsx",))

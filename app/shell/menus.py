@@ -1,7 +1,7 @@
 """The menus of the window."""
 
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from PySide6.QtCore import QSettings
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
@@ -15,6 +15,9 @@ from app.shell.header import stage_names
 from core.text.sentence import LANGUAGES
 from core.version import NAME, VERSION
 
+if TYPE_CHECKING:
+    from app.shell.window import MainWindow
+
 
 class Actions(NamedTuple):
     """Entries of the menus that a window switches on and off; recent : the menu of files opened of late."""
@@ -26,7 +29,7 @@ class Actions(NamedTuple):
     cancel: QAction
 
 
-def build(window) -> Actions:
+def build(window: "MainWindow") -> Actions:
     """The menus behind the first button, with all actions and their keys."""
     close_what_if(window)
     window.actions_with_keys = []
@@ -94,26 +97,26 @@ def title_of(path: Path) -> str:
     return path.stem
 
 
-def explain(window) -> None:
+def explain(window: "MainWindow") -> None:
     """What the field in focus is."""
     guide.explain(window)
 
 
-def find(window) -> None:
+def find(window: "MainWindow") -> None:
     """Find a field, an action, a wall, a page by its name."""
     from app.shell.finder import Finder
 
     Finder(window).exec()
 
 
-def client(window) -> None:
+def client(window: "MainWindow") -> None:
     """The walls before and after, for one who knows no symbols."""
     from app.shell.client_view import show
 
     show(window)
 
 
-def study(window) -> None:
+def study(window: "MainWindow") -> None:
     """The window of a parametric study, imported here: few starts of the program need it."""
     from app.shell.study_window import StudyWindow
 
@@ -122,7 +125,7 @@ def study(window) -> None:
     opened.raise_()
 
 
-def sweep(window) -> None:
+def sweep(window: "MainWindow") -> None:
     """The window of a sweep, with what it found; made again in another language or theme."""
     from app.shell.sweep_window import SweepWindow
 
@@ -137,7 +140,7 @@ def sweep(window) -> None:
     opened.raise_()
 
 
-def what_if(window) -> None:
+def what_if(window: "MainWindow") -> None:
     """The sliders of the wall of the form."""
     from app.shell.what_if_window import WhatIfWindow
 
@@ -145,7 +148,7 @@ def what_if(window) -> None:
     WhatIfWindow(window).show()
 
 
-def close_what_if(window) -> None:
+def close_what_if(window: "MainWindow") -> None:
     """Also where the window is built again: its words and colours are of the language and theme before."""
     old = window.findChild(QDialog, "what_if")
     if old is not None:
@@ -153,14 +156,14 @@ def close_what_if(window) -> None:
         old.setParent(None)
 
 
-def show_recent(window, menu: QMenu) -> None:
+def show_recent(window: "MainWindow", menu: QMenu) -> None:
     """Fill the menu of files opened or saved of late."""
     menu.clear()
     for name in window.files.recent:
         add(window, menu, name, lambda name=name: window.files.open(Path(name)))
 
 
-def add(window, menu, label: str, slot, keys=None) -> QAction:
+def add(window: "MainWindow", menu, label: str, slot, keys=None) -> QAction:
     """An entry of a menu."""
     action = QAction(label, menu)  # it goes with its menu
     action.triggered.connect(lambda _=False: slot())
@@ -172,7 +175,7 @@ def add(window, menu, label: str, slot, keys=None) -> QAction:
     return action
 
 
-def choices(window, menu, label: str, setting: str, names: dict, current: str) -> None:
+def choices(window: "MainWindow", menu, label: str, setting: str, names: dict, current: str) -> None:
     """A menu of which one entry is ticked."""
     inside = menu.addMenu(label)
     group = QActionGroup(inside)
@@ -189,7 +192,7 @@ def chosen(settings: QSettings, key: str, names) -> str | None:
     return value if isinstance(value, str) and value in names else None
 
 
-def about(window) -> None:
+def about(window: "MainWindow") -> None:
     """What this program is."""
     QMessageBox.about(
         window,

@@ -3,7 +3,7 @@
 import html
 from collections.abc import Callable
 from functools import partial
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QVBoxLayout
@@ -17,6 +17,9 @@ from app.shell.pointing import first_empty, point_at
 from core.case.loads import Bars, Load
 from core.case.problems import load_of, wall_of
 from core.errors import InputError
+
+if TYPE_CHECKING:
+    from app.shell.window import MainWindow
 
 MOST = 8
 """Lines that are shown."""
@@ -37,7 +40,7 @@ class Missing(QFrame):
     """Says the problems of the input of a window, in this order: broken rules of the case, fields that hold what is not
     accepted, a record in use or a logo that cannot be read, what the last run of this case refused."""
 
-    def __init__(self, window):
+    def __init__(self, window: "MainWindow"):
         super().__init__()
         self.window_of = window
         self.problems: list[Problem] = []
@@ -76,7 +79,7 @@ class Missing(QFrame):
                 found.append(Problem(words, partial(point_at, window.navigator, field)))
         row = window.records.unreadable_row()
         if row is not None:
-            words = window.records.rows[row][1]
+            words = str(window.records.rows[row][1])
             found.append(Problem(words, lambda: self._record(row), False))
         if logo:
             found.append(Problem(described(logo), lambda: self._lead_to(logo), False))

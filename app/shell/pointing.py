@@ -1,6 +1,8 @@
 """The cursor into a field, wherever its form is; what links, errors and the finder lead to."""
 
-from PySide6.QtWidgets import QGroupBox, QLineEdit, QWidget
+from typing import TYPE_CHECKING
+
+from PySide6.QtWidgets import QGroupBox, QLineEdit, QScrollArea, QWidget
 
 from app.input.fields import Field
 from app.input.reasons_form import ReasonField
@@ -8,8 +10,11 @@ from app.look.section import Section, unfold_to
 from core.case.load_rules import OF_A_TIE
 from core.case.loads import Bars, Load
 
+if TYPE_CHECKING:
+    from app.shell.navigator import Navigator
 
-def point_at(navigator, widget: QWidget) -> None:
+
+def point_at(navigator: "Navigator", widget: QWidget) -> None:
     """Put the cursor into a field, or where it begins to be: one that is hidden takes nothing into the case."""
     navigator.show_form_of(widget)
     unfold_to(widget)
@@ -17,12 +22,12 @@ def point_at(navigator, widget: QWidget) -> None:
         there = widget.isVisibleTo(widget.window()) and widget.isEnabled()
         widget = widget.editor if there else _way_to(navigator, widget)
     area = navigator.stages.input.forms.currentWidget()
-    if area.isAncestorOf(widget):
+    if isinstance(area, QScrollArea) and area.isAncestorOf(widget):
         area.ensureWidgetVisible(widget)
     widget.setFocus()
 
 
-def _way_to(navigator, field: Field) -> QWidget:
+def _way_to(navigator: "Navigator", field: Field) -> QWidget:
     """What makes a field there is none of appear: a load to be added, the tick of its group, its section."""
     loads = navigator.walls.loads
     if loads.isAncestorOf(field) and not loads.list.isVisibleTo(loads.window()):
@@ -37,7 +42,7 @@ def _way_to(navigator, field: Field) -> QWidget:
     return field.editor
 
 
-def point_at_key(navigator, key: str, reason: bool = False) -> None:
+def point_at_key(navigator: "Navigator", key: str, reason: bool = False) -> None:
     """The cursor into the field of a key of the wall that is shown, of the demand or of the building; of a tie that of
     its first tie. reason : into that of the engineer's reason for it"""
     fields = [field for field in navigator.stages.fields if field.key == key]

@@ -1,17 +1,22 @@
 """Texts that are in no case yet, through a change of language or theme, which makes the forms anew."""
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtWidgets import QListWidget
+
+if TYPE_CHECKING:
+    from app.shell.window import MainWindow
 
 
 class RefusedTexts:
     """What stands in the fields of a window and is refused, with the row that is chosen in each list of a wall, whose
     fields show one entry."""
 
-    def __init__(self, window):
+    def __init__(self, window: "MainWindow"):
         self.rows = [entries.currentRow() for entries in window.walls.findChildren(QListWidget)]
         self.texts = [field.text if field.wrong else None for field in window.stages.fields]
 
-    def type_into(self, window) -> None:
+    def type_into(self, window: "MainWindow") -> None:
         """Choose the same rows and type the same texts: the forms of a window are made in one order."""
         for entries, row in zip(window.walls.findChildren(QListWidget), self.rows, strict=True):
             if 0 <= row < entries.count():

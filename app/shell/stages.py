@@ -1,5 +1,7 @@
 """The frame of the window: a bar, the tree, and beside it the stage: input, answer, why, report."""
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QFrame,
@@ -29,6 +31,9 @@ from app.shell.missing import Missing
 from app.shell.pages import Page, Veil, delete
 from app.work.session import Session
 from core.errors import place
+
+if TYPE_CHECKING:
+    from app.shell.window import MainWindow
 
 BESIDE_FROM = 1250
 """Width of the stage [px] from which the rocking wall stands beside the answer."""
@@ -79,7 +84,7 @@ def name_sections() -> None:
 class InputStage(QSplitter):
     """The form of what is chosen in the tree; beside it the drawing or the spectrum, and all that is missing."""
 
-    def __init__(self, window, session: Session):
+    def __init__(self, window: "MainWindow", session: Session):
         super().__init__(Qt.Orientation.Horizontal)
         self.setHandleWidth(5)
         self.walls, self.demand = WallForm(session), DemandForm(session)
@@ -175,7 +180,7 @@ class AnswerStage(QWidget):
 class Stages(QWidget):
     """The four stages, one in front; progress above them."""
 
-    def __init__(self, window, session: Session, pages: dict[str, tuple[Page, str]], beside: Page):
+    def __init__(self, window: "MainWindow", session: Session, pages: dict[str, tuple[Page, str]], beside: Page):
         super().__init__()
         made = self.pages = {name: page for name, (page, _) in pages.items()}
         self.input = InputStage(window, session)
@@ -232,7 +237,7 @@ class Stages(QWidget):
         self.stack.setCurrentIndex(STAGES.index(name))
 
 
-def remove(window) -> None:
+def remove(window: "MainWindow") -> None:
     """Take away what an earlier build of a window made."""
     centre = window.takeCentralWidget()
     if centre is not None:
@@ -241,7 +246,7 @@ def remove(window) -> None:
     window.setStatusBar(QStatusBar())
 
 
-def build_status(window) -> QLabel:
+def build_status(window: "MainWindow") -> QLabel:
     """Make the status line of a window: a word."""
     word = Plain()
     word.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)

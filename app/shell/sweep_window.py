@@ -2,6 +2,7 @@
 
 import os
 import time
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
@@ -38,6 +39,9 @@ from core.known import known
 from core.research.figures import DASHED, LINE_POINTS, Figure, Series, Table
 from core.study.sweep import MOST_VALUES, SweepKey, SweepPoint, sweep, sweep_keys, value_at
 from core.text.sentence import Number, sentence
+
+if TYPE_CHECKING:
+    from app.shell.window import MainWindow
 
 SHARE = 100
 """Parts of a value that the progress bar tells apart."""
@@ -102,11 +106,12 @@ def table_of_points(points: list[SweepPoint], x: str, factor: float, case: Case)
 class SweepWindow(QDialog):
     """One sweep at a time, off the thread of the window; nothing of the case changes."""
 
-    def __init__(self, window):
+    def __init__(self, window: "MainWindow"):
         super().__init__(window)
         self.setWindowTitle(tr("Sweep of one value"))
         self.resize(1040, 700)
-        self.owner, self.job, self.began = window, None, 0.0
+        self.owner, self.began = window, 0.0
+        self.job: Job | None = None
         self.look = (current_language(), theme.current.name)
         self.case: Case | None = None
         self.keys: list[SweepKey] = []
@@ -245,8 +250,8 @@ class SweepWindow(QDialog):
     def _take_case(self) -> bool:
         """Take the case as it is now; False where it has no longer what was chosen."""
         now, k = self.owner.session.checked(), self.wall.currentIndex()
-        same = now is not None and k < len(now.wall) and called(now.wall[k].title) == self.wall.currentText()
-        if same and self.keys[self.key.currentIndex()] in sweep_keys(now, k):
+        same = now and k < len(now.wall) and called(now.wall[k].title) == self.wall.currentText()
+        if now and same and self.keys[self.key.currentIndex()] in sweep_keys(now, k):
             self.case = now
             return True
         self.show_case()

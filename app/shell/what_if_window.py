@@ -2,6 +2,7 @@
 
 import html
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QDialog, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSlider, QVBoxLayout, QWidget
@@ -21,6 +22,9 @@ from core.variation.evaluate import GLANCE, RUN, Precision
 from core.variation.swings import Reach
 from core.variation.turned_round import keys_of, moved_keys, reach_of, with_values
 from core.variation.whole_wall import NONE, Setting, WholeWall, evaluate_wall, setting_of, with_wall
+
+if TYPE_CHECKING:
+    from app.shell.window import MainWindow
 
 STEPS, RANGE = 200, 2.0
 """Places of a slider, and the factor of the value at hand at its upper end; its inverse is at the lower."""
@@ -76,7 +80,7 @@ def why_ag_stays(case: Case) -> str:
 class WhatIfWindow(QDialog):
     """The wall of the form; nothing of the case changes until it is taken."""
 
-    def __init__(self, window):
+    def __init__(self, window: "MainWindow"):
         super().__init__(window)
         self.setObjectName("what_if")
         self.setWindowTitle(tr("What if"))
@@ -306,8 +310,8 @@ class WhatIfWindow(QDialog):
         result = self.owner.session.result
         if result is None or self.owner.session.stale:
             return {}
-        walls = [wall for wall in result.walls if wall.part.origin == self.row and wall.assessment]
-        found = [(check.label, check.zeta) for wall in walls for check in wall.assessment.checks]
+        assessed = [wall.assessment for wall in result.walls if wall.part.origin == self.row and wall.assessment]
+        found = [(check.label, check.zeta) for one in assessed for check in one.checks]
         return {label: least(zeta for name, zeta in found if name == label) for label, _ in found if label != OWN_Q}
 
     def search(self) -> None:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pyqtgraph as pg
 from PySide6.QtCore import QByteArray, QEvent, QSettings, QSize, QTimer
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QMessageBox, QVBoxLayout, QWidget
 
 from app.look import language, theme
@@ -58,6 +59,7 @@ class MainWindow(QMainWindow):
         self.parts = Parts(self)
         self.focus_frame = FocusFrame(self)
         self.closing = False
+        self.actions_with_keys: list[QAction] = []
         self.runner = Runner(self.session, self)
         self._follow_runner()
         self.build()

@@ -1,17 +1,21 @@
 """Kernels compiled or loaded in the background, as soon as a case needs them; then what sets a note."""
 
 import contextlib
+from typing import TYPE_CHECKING
 
 from app.look.language import tr
 from app.work.worker import Job
 from core.errors import InputError
 from core.jit import cache
 
+if TYPE_CHECKING:
+    from app.shell.window import MainWindow
+
 
 class Preparation:
     """Makes the kernels of the case's method ready, once for each method, while the window has no job."""
 
-    def __init__(self, window):
+    def __init__(self, window: "MainWindow"):
         self.window = window
         self.started = False
         self.methods: set[str] = set()

@@ -12,8 +12,6 @@ from core.wall.moment_rotation import LAWS, MomentLaw
 from core.wall.restitution import overturning_velocity
 
 Coefficients = tuple[float, float, float, float]
-FIRST_GUESS = (0.0, 3.0, 1.0, -0.5)
-"""First guess of the coefficients in a fit."""
 
 
 @dataclass(frozen=True)
@@ -110,17 +108,10 @@ def fit_law(pi, loss, q, limit: float) -> Coefficients:
     """Coefficients by least squares of ln(law / q). pi, loss, q : [-], shape (n,)."""
     from scipy.optimize import least_squares
 
-    log_q, log_pi, loss = np.log(q), np.log(pi), np.asarray(loss)
+    def residual(coefficients):
+        return np.log(law_value(coefficients, limit, pi, loss) / q)
 
-    def residual(c):
-        return np.log(limit + np.exp(c[0] + c[1] * loss - (c[2] + c[3] * loss) * log_pi)) - log_q
-
-    def jacobian(c):
-        part = np.exp(c[0] + c[1] * loss - (c[2] + c[3] * loss) * log_pi)
-        share = part / (limit + part)
-        return np.column_stack([share, share * loss, -share * log_pi, -share * loss * log_pi])
-
-    a0, a1, b0, b1 = map(float, least_squares(residual, FIRST_GUESS, jacobian).x)
+    a0, a1, b0, b1 = map(float, least_squares(residual, np.zeros(4)).x)
     return a0, a1, b0, b1
 
 

@@ -197,7 +197,7 @@ def verdict(
     wall, demand, dynamic = seen.wall, seen.demand, seen.dynamic
     missing, threshold = _missing(seen), _threshold(seen)
     unfounded = [row.words for row in assumed if (row.turns and row.open) or (row.turns and row.key == TOGETHER)]
-    blocking = [words for words in (*_limits(seen), *unfounded, *_unconfirmed(seen)) if words != missing]
+    blocking = [*_limits(seen), *unfounded, *_unconfirmed(seen)]
     agrees = passes_with_q2(seen.made("linear_q_code"), demand.zeta_target)
     rests_on = [Key(row.key) for row in assumed if row.turns_q and row.open] if agrees else []
     code = outcome_of(seen, unfounded, bool(rests_on))
@@ -406,7 +406,7 @@ def _limits(seen: Evidence) -> list[Sentence]:
             reasons.append(_reason("narrow_range", low=low, high=high, least=least, most=most))
         if demand.record_scaling == "pga":
             reasons.append(_reason("pga_scaling"))
-        if demand.weak_share is not None:
+        if demand.weak_share is not None and seen.checks[0].passed is not None:  # else it is what is missing
             reasons.append(_reason("weaker_records", share=demand.weak_share))
         stations = compliance.stations if compliance else circumstances.stations
         if stations < MINIMUM_FROM:

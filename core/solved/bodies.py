@@ -74,6 +74,7 @@ def body(
     asked = Asked(keys, None)
 
     def found() -> tuple[float, ...]:
+        """The numbers by HEADS."""
         wall = asked.wall
         block = wall.block()
         mass = known(wall.weight) / G + sum(1e3 * (load.kn_m or 0.0) * length / G for load in wall.load)

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from core.solved import bodies, clauses, floors, hazard, histories, motion, paper, ties
+from core.solved import bodies, clauses, experiments, floors, hazard, histories, motion, paper, published, ties
 from core.solved.solved import Solved, worded
 from core.text.sentence import Sentence
 
@@ -18,7 +18,8 @@ SUBJECTS: tuple[Subject, ...] = (
     Subject(worded("The rocking block in closed form"), motion.CASES),
     Subject(worded("Histories to forty digits"), histories.CASES),
     Subject(worded("The equations of the paper"), paper.CASES),
-    # published worked examples (published.CASES) and shake-table tests (experiments.CASES) stand here
+    Subject(worded("Published worked examples"), published.CASES),
+    Subject(worded("Experiments"), experiments.CASES),
     Subject(worded("The Circolare by hand"), clauses.CASES),
     Subject(worded("Ties and walls held at their top"), ties.CASES),
     Subject(worded("Bodies of any shape"), bodies.CASES),

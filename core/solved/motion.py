@@ -388,7 +388,7 @@ CASES: tuple[Solved, ...] = (
         "tuff_wall",
         Kind.PRINTED,
         worded("The paper's example: tuff wall of Fig. 4"),
-        "Coccia, Di Carlo, Imperatore (2016), Fig. 4; Sorrentino et al. (2011)",
+        "Coccia, Di Carlo, Imperatore (2016), Fig. 4; Sorrentino, Al Shawa, Decanini (2011)",
         row(
             (("α", "rad"), ("R", "m"), ("p", "rad/s"), (worded("velocity ratio, Eq. 4"), "")),
             "0.1526 0.4047 4.2631 0.9654",

@@ -2,6 +2,7 @@
 
 import math
 from functools import cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,14 +21,37 @@ from core.wall.ties import elongation_at_yield, stress_area
 STEP = 1e-4
 """Of the ground [s]: at 5e-4 the straight lines between its samples are a ten-thousandth off in the peaks."""
 
+
+class Tied(NamedTuple):
+    """A wall on a bar under three sines.
+
+    height, thickness : [m]; loads : as [[wall.load]] has them
+    force : F_y [kN/m]; level : of the bar above the hinge [m]; stands : its elongation when it goes [m]
+    amplitude, period : of the sines [g], [s]
+    rigid : largest rotation with a bar that does not stretch before it yields [rad]; None where none was worked
+    values : by TIED_HEADS
+    """
+
+    key: str
+    height: float
+    thickness: float
+    loads: tuple[dict, ...]
+    force: float
+    level: float
+    stands: float
+    amplitude: float
+    period: float
+    rigid: float | None
+    values: str
+
+
 TIED = (
-    # key, wall, H, t, load, F_y, h, stands, A [g], T, peak of a rigid bar; peak, residual [mm], without tie
-    ("low", 3.0, 0.45, (), 1.5, 2.8, 0.40, 0.30, 0.6, 0.0122914, "0.017851 40.81 0.035443"),
-    ("weak", 3.0, 0.45, (), 1.0, 2.8, 0.40, 0.30, 0.4, 0.0059858, "0.01142 22.80 0.012712"),
-    ("roof", 3.0, 0.45, (ROOF,), 2.0, 2.8, 0.40, 0.40, 0.5, 0.0030685, "0.008657 15.07 0.011241"),
-    ("tall", 7.0, 0.83, (), 4.0, 6.5, 0.60, 0.25, 1.0, 0.0240060, "0.028315 174.86 0.078924"),
-    ("saved", 7.0, 0.83, (), 8.0, 6.5, 0.60, 0.30, 1.5, 0.0540081, "0.091962 587.74 -"),
-    ("broken", 7.0, 0.83, (), 8.0, 6.5, 0.30, 0.30, 1.5, None, "0.130346 - -"),
+    Tied("low", 3.0, 0.45, (), 1.5, 2.8, 0.40, 0.30, 0.6, 0.0122914, "0.017851 40.81 0.035443"),
+    Tied("weak", 3.0, 0.45, (), 1.0, 2.8, 0.40, 0.30, 0.4, 0.0059858, "0.01142 22.80 0.012712"),
+    Tied("roof", 3.0, 0.45, (ROOF,), 2.0, 2.8, 0.40, 0.40, 0.5, 0.0030685, "0.008657 15.07 0.011241"),
+    Tied("tall", 7.0, 0.83, (), 4.0, 6.5, 0.60, 0.25, 1.0, 0.0240060, "0.028315 174.86 0.078924"),
+    Tied("saved", 7.0, 0.83, (), 8.0, 6.5, 0.60, 0.30, 1.5, 0.0540081, "0.091962 587.74 -"),
+    Tied("broken", 7.0, 0.83, (), 8.0, 6.5, 0.30, 0.30, 1.5, None, "0.130346 - -"),
 )
 TIED_HEADS: tuple[Head, ...] = (
     (worded("largest rotation"), "rad"),
@@ -42,45 +66,47 @@ def sines(amplitude: float, period: float) -> np.ndarray:
     return amplitude * G * np.sin(2.0 * np.pi * t / period)
 
 
-def tied(
-    key, height, thickness, loads, force, level, stands, amplitude, period, rigid: float | None, values: str
-) -> Solved:
-    tie = {"kind": "tie", "kn_m": force, "h_m": level, "bar_length_m": 8.0, "elongation_m": stands}
-    keys = {"height_m": height, "thickness_m": thickness, "velocity_ratio": 0.5}
-    bare = Asked(keys | ({"load": list(loads)} if loads else {}), None)
-    held = Asked(keys | {"load": [*loads, tie]}, None)
+def tied(one: Tied) -> Solved:
+    """The case of a wall with and without its bar."""
+    tie = {"kind": "tie", "kn_m": one.force, "h_m": one.level, "bar_length_m": 8.0, "elongation_m": one.stands}
+    keys = {"height_m": one.height, "thickness_m": one.thickness, "velocity_ratio": 0.5}
+    bare = Asked(keys | ({"load": list(one.loads)} if one.loads else {}), None)
+    held = Asked(keys | {"load": [*one.loads, tie]}, None)
 
     @cache
     def motion(asked: Asked) -> History:
-        return history(sines(amplitude, period), STEP, 1.0, asked.model)
+        return history(sines(one.amplitude, one.period), STEP, 1.0, asked.model)
 
     def found() -> tuple[float, ...]:
-        return motion(held).peak, 1e3 * level * motion(held).residual[0, -1], motion(bare).peak
+        return motion(held).peak, 1e3 * one.level * motion(held).residual[0, -1], motion(bare).peak
 
     def without_elongation() -> float:
         """The largest rotation with a bar that does not stretch before it yields."""
         block = held.wall.block()
-        moment = 18e3 * height * thickness * block.radius
-        bar = TieBar(level, 1e3 * force, 1e-9, 0.0, stands).scaled(moment)
-        return history(sines(amplitude, period), STEP, 1.0, held.model._replace(bars=(bar,))).peak
+        moment = 18e3 * one.height * one.thickness * block.radius
+        bar = TieBar(one.level, 1e3 * one.force, 1e-9, 0.0, one.stands).scaled(moment)
+        return history(sines(one.amplitude, one.period), STEP, 1.0, held.model._replace(bars=(bar,))).peak
 
-    answers = row(TIED_HEADS, values, found, 1.5)  # by as much the two integrators differ
-    if rigid is not None:
+    answers = row(TIED_HEADS, one.values, found, 1.5)  # by as much the two integrators differ
+    if one.rigid is not None:
         # the bar of a nanometre is stiff, not rigid
-        answers = (*answers, Answer(worded("largest rotation, rigid bar"), "rad", rigid, 2e-4, without_elongation, 7))
-    if values.endswith("-"):
+        answers = (
+            *answers,
+            Answer(worded("largest rotation, rigid bar"), "rad", one.rigid, 2e-4, without_elongation, 7),
+        )
+    if one.values.endswith("-"):
         fallen = Answer(
             worded("overturns without the tie (1 yes)"), "", 1.0, 0.0, lambda: motion(bare).outcome == COLLAPSED
         )
         answers = (*answers, fallen)
-    if key == "broken":
+    if one.key == "broken":
         gone = Answer(worded("the bar is gone (1 yes)"), "", 1.0, 0.0, lambda: np.isinf(motion(held).residual[0, -1]))
         answers = (*answers, gone)
     return Solved(
-        f"tie_{key}",
+        f"tie_{one.key}",
         Kind.HAND,
-        worded("Wall {h:g} × {t:g} m on a tie of {force:g} kN/m", h=height, t=thickness, force=force),
-        "AlShawa et al. (2019), Int. J. Archit. Herit.; physics.md, 18",
+        worded("Wall {h:g} × {t:g} m on a tie of {force:g} kN/m", h=one.height, t=one.thickness, force=one.force),
+        "AlShawa, Liberatore, Liberatore, Mollaioli, Sorrentino (2019), Int. J. Archit. Herit.; physics.md, 18",
         answers,
         "F = cases(0 & u <= u_p, k (u - u_p) & u_p < u < u_p + u_y, F_y & u >= u_p + u_y), quad u = h sin theta",
         lambda: Sketch(held.sketch().outline, held.sketch().loads, SINE * 3),
@@ -88,10 +114,10 @@ def tied(
             "Bar of 8 m and 235 MPa at {h:g} m, it stands {stands:g} m; e = 0.5, three sines of {a:g} g "
             "and {period:g} s, then none. Two integrators of steps of their own, one of them of the "
             "fourth order of Runge and Kutta.",
-            h=level,
-            stands=stands,
-            a=amplitude,
-            period=period,
+            h=one.level,
+            stands=one.stands,
+            a=one.amplitude,
+            period=one.period,
         ),
     )
 
@@ -149,7 +175,7 @@ def bending_sketch(*loads: tuple[float, float]) -> Sketch:
 
 
 CASES: tuple[Solved, ...] = (
-    *(tied(*one) for one in TIED),
+    *map(tied, TIED),
     Solved(
         "tie_clauses",
         Kind.HAND,

@@ -26,7 +26,7 @@ NTC_C = {
     "spectrum": {"code": "NTC2018", "f0": 2.364, "tc_star_s": 0.347, "soil": "C", "topography": "T1"},
 }
 
-BY_CLAUSES = {"histories": "the case is of the clauses"}
+BY_CLAUSES = {"histories": "clauses C8.7.1.2.1.1 to .8 alone"}
 """Reason why a case is run without histories."""
 
 

@@ -24,7 +24,7 @@ GROUPS = (
     "method_body",
     "report",  # workbook, calculation note, parametric study; the code is the English wording
     "window",  # the code is the English wording
-    "solved",  # cases whose answer is known; the code is the English wording
+    "solved",  # titles, answers and comments of solved cases
     "terminal",  # with run.py; the code is the English wording
 )
 

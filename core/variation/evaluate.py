@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 
+from core.codes.demand import LARGE_SCALING
 from core.codes.dynamic_check import DemandCheck
 from core.codes.elastic_branch import can_have_branch, wants_branch
 from core.codes.kinematic import Check, Kinematic, checks_of, linear
@@ -159,11 +160,11 @@ def evaluate(
 
 
 def _as_check(dynamic: DemandCheck, scene: Scene) -> Check:
-    """The histories as a row of the checks: under records weaker than the demand, and not compatible with it, a wall
-    may fail, and how much more it bears is not known."""
-    check = dynamic.as_check(scene.demand.zeta_target)
-    at_demand = scene.demand.weak_share is None or (scene.compliance is not None and scene.compliance.compatible)
-    return check if at_demand or check.passed is False else replace(check, zeta=None, passed=None)
+    """The histories as a row of the checks: under records as given that no usual factor brings to the demand a wall may
+    fail, and how much more it bears is not known."""
+    check, share = dynamic.as_check(scene.demand.zeta_target), scene.demand.weak_share
+    of_demand = share is None or share * LARGE_SCALING >= 1.0
+    return check if of_demand or check.passed is False else replace(check, zeta=None, passed=None)
 
 
 def _worse_first(evaluation: Evaluation) -> tuple[Check, ...]:

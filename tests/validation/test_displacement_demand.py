@@ -93,3 +93,14 @@ def test_that_a_wall_elastic_up_to_d_slv_has_no_linear_check():
     assert linear("linear_q_code", found, demand, 2.0) is None
     check = nonlinear(found, demand)
     assert check.zeta == pytest.approx(0.080 / 0.170, abs=2e-3) and check.passed is False
+
+
+@pytest.mark.parametrize(("share", "missing"), [(1.01, ()), (0.99, ("period_0",))])
+def test_that_a_wall_is_elastic_up_to_d_slv_where_its_modulus_is_below_that_of_the_closed_form(share, missing):
+    """a_0* (T_0 / 2 pi)^2 = 0.4 d_0 with a_0* = (t / h) g / FC, d_0 = t / 2 and T_0 = 6.2 (h / t) h sqrt(w / (E g)):
+    E = 6.2^2 h^3 w / (4 pi^2 0.2 FC t^2)."""
+    height, thickness, weight = 12.0, 0.40, 19e3
+    modulus = 6.2**2 * height**3 * weight / (4.0 * math.pi**2 * 0.2 * 1.35 * thickness**2)
+    wall = {"height_m": height, "thickness_m": thickness, "unit_weight_kn_m3": 1e-3 * weight, "free_element": True}
+    found, _ = mechanism_of(case({**wall, "elastic_modulus_mpa": 1e-6 * share * modulus}))
+    assert found.missing == missing

@@ -59,7 +59,7 @@ def read(lines: list[str], options: Options) -> Parsed:
 def _segment(lines: list[str], options: Options) -> tuple[_Segment, int]:
     """The only segment of a file, and how many lines stand above its first row. Raises RecordError."""
     ends = [k for k, line in enumerate(lines) if line.startswith(_END)]
-    if len(ends) != 2 or ends[1] + 2 >= len(lines):
+    if len(ends) != 2:
         raise RecordError("lvm_segments", n=max(len(ends) - 1, 0))
     tags = dict(re.split(r"[\t,]", line + "\t", maxsplit=1) for line in lines[1 : ends[0]])
     mark = "," if tags.get("Separator", "Tab").strip("\t, ").lower() == "comma" else "\t"
@@ -68,7 +68,7 @@ def _segment(lines: list[str], options: Options) -> tuple[_Segment, int]:
         raise RecordError("lvm_marks")
     cells = [[cell.strip() for cell in line.split(mark)] for line in lines]
     head = {row[0]: row[1:] for row in cells[ends[0] + 1 : ends[1]] if row[0]}
-    names, rows = cells[ends[1] + 1], cells[ends[1] + 2 :]
+    names, *rows = cells[ends[1] + 1 :] or [[]]
     filled = [k for k, row in enumerate(rows) if any(row)]
     rows = rows[: filled[-1] + 1] if filled else []
     if len(filled) < len(rows):  # a blank line begins another segment
@@ -81,7 +81,7 @@ def _segment(lines: list[str], options: Options) -> tuple[_Segment, int]:
         if own == "multi"
         else list(range(1, min(many, MAX_COLUMNS_READ) + 1))
     )
-    if not rows or not many or any(place >= len(names) for place in places):
+    if not many or any(place >= len(names) for place in places):
         raise RecordError("head_lacks", label="Channels")
     units = head.get("Y_Unit_Label", [])
     unit_of = {place: units[place - 1] if place - 1 < len(units) else "" for place in places}

@@ -140,6 +140,12 @@ def test_that_a_wedge_drawn_as_a_solid_begins_at_the_hinge_as_the_short_form_doe
         assert above_hinge(cut, hinge).block().slenderness == pytest.approx(first.slenderness, rel=1e-12)
 
 
+def test_that_a_step_as_thick_as_the_wall_takes_no_wedge_off_it():
+    wedges = BASE | {"return_wedges": {"number": 2, "thickness_m": 0.4, "length_at_top_m": 2.0, "from_z_m": 1.0}}
+    stepped = checked(wedges | {"steps": [{"from_z_m": 4.0, "thickness_m": 0.6}]})
+    assert stepped.block().slenderness == pytest.approx(checked(wedges).block().slenderness, rel=1e-12)
+
+
 CUT = BASE | {"thickness_m": 0.6}
 REFUSED = {
     "a cavity from the foot to the top": (
@@ -327,6 +333,8 @@ def test_that_a_foot_inside_of_a_wall_that_rocks_both_ways_is_none_to_stand_on()
     with pytest.raises(InputError) as refused:
         checked(BASE | {"mechanism": "two_sided", "solid": [foot]})
     assert refused.value.code == "inner_foot_alone"
+    # the face is at 0.4 of 0.6 m
+    assert refused.value.values == {"found": pytest.approx(0.2), "z": pytest.approx(0.45), "most": pytest.approx(0.06)}
 
 
 def test_that_a_foot_alone_is_told_with_the_face_of_the_wall_behind_it():
@@ -378,6 +386,16 @@ def test_that_a_joint_drawn_open_by_millimetres_parts_no_wall(slot, gap, code):
         with pytest.raises(InputError) as refused:
             checked(BASE | {"solid": solids})
         assert refused.value.code == code
+
+
+@pytest.mark.parametrize(("cavity", "gap", "code"), [(0.9, 2.9, None), (1.1, 3.1, "body_of_leaves")])
+def test_that_a_joint_along_the_wall_open_by_millimetres_makes_no_leaves_of_it(cavity, gap, code):
+    """From the foot to the top, closed at its ends: an opening up to 1 mm wide, or two solids up to 3 mm apart."""
+    outer, behind = elevation(0.0, 5.0, 0.0, 9.0, 0.0, 0.3), elevation(0.0, 5.0, 0.0, 9.0, 0.3 + 1e-3 * gap, 0.6)
+    ties = [elevation(s, s + 0.3, 0.0, 9.0, 0.3, 0.3 + 1e-3 * gap) for s in (0.0, 4.7)]
+    slot = elevation(0.3, 4.7, 0.0, 9.0, 0.3, 0.3 + 1e-3 * cavity, opening=True)
+    for solids in ([elevation(0.0, 5.0, 0.0, 9.0, 0.0, 0.6), slot], [outer, behind, *ties]):
+        refused_or_built(solids, code)
 
 
 def test_that_a_body_in_the_making_has_no_hinges_and_no_error():

@@ -53,11 +53,15 @@ def test_that_a_line_goes_on_among_32_ends_and_among_no_more(ends, lines):
     assert closed == [] and len(whole) == lines
 
 
-def test_that_what_is_closed_stays_closed_where_others_begin_at_its_corner():
-    square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)]
+@pytest.mark.parametrize("open_by", [0.0, 1e-3])
+def test_that_what_is_closed_stays_closed_where_others_begin_at_its_corner(open_by):
+    """Also one that is open by the whole tolerance: its ends are none for lines that meet there."""
+    square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, open_by)]
     beside = [(-x, -y) for x, y in square]
     closed, loose = joined([square, beside, [(0.0, 0.0), (-3.0, 3.0)]], 1e-3)
     assert closed == [square[:-1], beside[:-1]] and loose == [[(0.0, 0.0), (-3.0, 3.0)]]
+    closed, loose = joined([square, [(3.0, -3.0), (0.0, 0.0)], [(0.0, 0.0), (-3.0, 3.0)]], 1e-3)
+    assert closed == [square[:-1]] and len(loose) == 1 and len(loose[0]) == 3
 
 
 def test_that_a_line_drawn_twice_is_open_and_one_there_and_back_has_two_corners():

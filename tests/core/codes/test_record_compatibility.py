@@ -125,6 +125,16 @@ def test_that_natural_records_are_compared_up_to_the_longest_period_of_the_walls
     assert compliance(motions, ["natural"] * 7, chosen, 3.4).period_range == (0.3, 2.6)
 
 
+@pytest.mark.parametrize("asked", [(0.05, 2.0), (0.15, 2.0), (0.15, 3.4)])
+def test_that_no_two_periods_compared_are_farther_apart_than_a_hundredth(asked):
+    """From the shortest to the longest of those asked and those shown, 0.1 to 2.5 s."""
+    shown, periods = rules.compared_periods(asked, 1.2)
+    assert shown == pytest.approx((0.1, 2.5))
+    assert periods[[0, -1]] == pytest.approx((min(0.1, asked[0]), max(2.5, asked[1])))
+    ratios = periods[1:] / periods[:-1]
+    assert ratios.min() > 1.0 and ratios.max() <= 1.01 + 1e-6
+
+
 def test_that_a_range_beyond_the_spectrum_of_a_file_is_refused(tmp_path):
     rows = [(t, 0.312 * 2.0 / max(1.0, t)) for t in np.linspace(0.05, 3.0, 60)]
     (tmp_path / "s.txt").write_text("\n".join(f"{t} {s}" for t, s in rows))

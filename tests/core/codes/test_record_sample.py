@@ -113,7 +113,8 @@ def test_that_zeta_of_a_set_is_where_half_of_its_neighbours_fail(mean):
 
 @pytest.mark.parametrize("target", [1.0, 0.6])
 def test_that_the_peaks_begin_at_half_of_zeta_unless_a_record_alone_breaks_the_rule_there(scene, target):
-    """A tall wall that rocks long before it overturns; half of three times zeta_E is beyond what it bears."""
+    """A tall wall that rocks long before it overturns; half of three times zeta_E is beyond what it bears. Nothing is
+    asked of a wall at rest."""
     _, motions, demand = scene
     wall = {"name": "w", "height_m": 12.0, "thickness_m": 0.8, "mechanism": "two_sided", "base_z_m": 0.0}
     model = model_of(parse_case({"wall": [wall]}).wall[0], "two_sided")
@@ -125,7 +126,8 @@ def test_that_the_peaks_begin_at_half_of_zeta_unless_a_record_alone_breaks_the_r
     (whole,) = zeta_of_sets(found, np.ones((1, 8), int))
     assert zeta / WITHIN < whole < zeta * WITHIN
     rest = DemandRuns(model, motions, (1,), demand, demand.confidence_on, AUTO, lambda: False).rest
-    assert rest / step <= record_peaks(model, motions, (1,), demand, AUTO, 3.0 * zeta).multipliers[0] <= rest
+    for asked in (3.0 * zeta, 1.9 * rest):
+        assert rest / step <= record_peaks(model, motions, (1,), demand, AUTO, asked).multipliers[0] <= rest
 
 
 def test_that_a_set_that_fails_nowhere_has_an_open_end(peaks):

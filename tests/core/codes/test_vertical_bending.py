@@ -358,3 +358,10 @@ def test_that_a_stepped_wall_is_drawn_with_both_its_thicknesses_at_the_step():
     inner = ((0.45, 2.0), (0.45, 2.4), (0.32, 2.4), (0.32, 5.6))
     outer = ((0.0, 5.6), (0.0, 2.4), (0.0, 2.4), (0.0, 2.0))
     assert upper == [pytest.approx(corner, abs=1e-12) for corner in ((0.0, 2.0), *inner, *outer)]
+
+
+def test_that_each_block_of_a_wall_that_bends_at_its_step_is_drawn_with_one_thickness():
+    blocks = outlines(strip_of(shaped("a step outside").in_si), 2.4, 0.0)
+    for block, (low, high, thickness) in zip(blocks, ((0.0, 2.4, 0.45), (2.4, 5.6, 0.32)), strict=True):
+        corners = ((0.0, low), (thickness, low), (thickness, high), (0.0, high), (0.0, low))
+        assert block == [pytest.approx(corner, abs=1e-12) for corner in corners]

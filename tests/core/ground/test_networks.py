@@ -187,6 +187,13 @@ def test_that_blank_lines_below_the_last_row_of_labview_are_no_segment(blank):
     assert caught.value.code == "lvm_segments"
 
 
+@pytest.mark.parametrize("segments", [0, 2, 3])
+def test_that_the_segments_of_labview_are_counted_by_their_heads(segments):
+    with pytest.raises(RecordError) as caught:
+        read(lvm(segments=segments))
+    assert (caught.value.code, caught.value.values) == ("lvm_segments", {"n": segments})
+
+
 @pytest.mark.parametrize("content", [lvm("No", comma=True), lvm(mark=",")])
 def test_that_the_tags_of_labview_stand_in_any_order(content):
     lines = content.split(b"\n")

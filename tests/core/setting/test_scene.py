@@ -17,11 +17,12 @@ GROUND = np.sin(np.arange(10.0))
 
 @pytest.mark.parametrize(("scaling", "factor"), [("as_given", 1.5), ("pga", 1.0)])
 def test_that_records_used_as_given_follow_the_demand_and_those_scaled_to_it_need_not(scaling, factor):
-    """0.3 g after 0.2 g: half as much again."""
+    """0.3 g after 0.2 g: half as much again. What need not follow stays the same object, as `Scene` asks."""
     demand = demand_asked(Demand(ag_g=0.2, demand_scaling=scaling), Path())
     ground = [GroundMotion("m", GROUND, 0.01, "m.txt")]
     (found,) = scaled(ground, demand, replace(demand, pga=1.5 * demand.pga))
     assert found.acceleration.tolist() == pytest.approx((factor * GROUND).tolist(), rel=1e-15)
+    assert (found is ground[0]) == (factor == 1.0)
 
 
 @pytest.mark.parametrize("alike", [True, False])
