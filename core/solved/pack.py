@@ -259,7 +259,7 @@ def _case(case: Solved, number: int, say: _Say) -> list[Part]:
     return [
         Heading(f"{number}. {say(case.title)}", 3),
         Beside(about, _figure(case.drawing, say(case.title))),
-        Table(heads, rows, (4.4, 0.8, 1.9, 2.1, 1.5, 1.5, 1.2), tones, together=len(rows) < MOST_TOGETHER),
+        Table(heads, rows, (4.2, 1.0, 1.9, 2.1, 1.5, 1.5, 1.2), tones, together=len(rows) < MOST_TOGETHER),
     ]
 
 
