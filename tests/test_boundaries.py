@@ -316,6 +316,7 @@ def test_that_a_function_of_many_parameters_gives_each_its_meaning():
     assert silent == []
 
 
+@pytest.mark.shows("records.none_bundled")
 def test_that_no_record_of_the_shelf_is_in_the_project(shelf, index):
     import hashlib
 
@@ -325,6 +326,7 @@ def test_that_no_record_of_the_shelf_is_in_the_project(shelf, index):
             assert hashlib.sha256(path.read_bytes()).hexdigest() not in known, path
 
 
+@pytest.mark.shows("records.none_bundled")
 def test_that_the_motions_of_the_tests_are_those_the_program_makes(tmp_path):
     from tests.example_motions import write_example_records
 

@@ -210,6 +210,7 @@ def test_that_every_long_command_is_documented():
     assert all(any(f"run.py {words}" in command for command in COMMANDS) for words in LONG)
 
 
+@pytest.mark.shows("batch.commands")
 @pytest.mark.parametrize(
     "command", [pytest.param(command, marks=[pytest.mark.long] if is_long(command) else []) for command in COMMANDS]
 )
@@ -246,6 +247,14 @@ def test_that_a_documented_command_runs(command, place):
         case [".venv/bin/python", "-m", "tests.reference_of_results"]:
             tried((sys.executable, "-P", "-m", "tests.reference_of_results", str(place)), place)
             assert (place / "results.md").exists() and (place / "results.schema.json").exists()
+        case [".venv/bin/python", "-m", "tests.requirements"]:
+            tried((sys.executable, "-P", "-m", "tests.requirements", str(place)), place)
+            assert (place / "requirements.md").exists() and (place / "codes.md").exists()
+        case [".venv/bin/python", "-m", "tests.requirements", "--run", *_]:
+            small = ("--run", str(place / "verification.md"), "--only", "paper.eq_12")
+            tried((sys.executable, "-P", "-m", "tests.requirements", *small), place)
+            assert "| passed | `paper.eq_12` |" in (place / "verification.md").read_text(encoding="utf-8")
+            assert (place / "verification.json").exists()
         case [".venv/bin/python", "-m", "tests.validation.scatter_of_records", *_]:  # of a folder of records, minutes
             tried((sys.executable, "-P", "-m", "tests.validation.scatter_of_records", "--help"), place)
         case [".venv/bin/python", "-m", "tests.core.ground.damage", *_]:  # of a folder of records, minutes

@@ -31,6 +31,7 @@ def text_of(name: str) -> str:
     return (ROOT / name).read_text(encoding="utf-8")
 
 
+@pytest.mark.shows("batch.commands")
 def test_that_every_option_is_in_the_page_of_running_it():
     known = [name for action in command_line.parser()._actions for name in action.option_strings]
     for name in known:
@@ -134,6 +135,7 @@ def test_that_a_key_without_a_word_is_named_with_what_to_do():
         word_of("[[wall]]", "colour_rgb")
 
 
+@pytest.mark.shows("case.every_key")
 def test_that_the_page_of_the_case_has_every_key_as_it_is():
     page = text_of("resources/docs/case.md")
     assert page == with_reference(page), "write it anew: .venv/bin/python -m tests.reference_of_keys"
@@ -212,6 +214,7 @@ def test_that_every_clause_of_a_derivation_is_in_the_page_of_the_clauses():
 # the page of Python
 
 
+@pytest.mark.shows("batch.commands")
 def test_that_every_block_of_the_page_of_python_runs_after_those_before_it(tmp_path, monkeypatch, capsys):
     """As a reader types them, one after another, in the folder of the program; what they write goes elsewhere."""
     blocks = re.findall(r"```python\n(.*?)```", text_of("resources/docs/python.md"), re.S)

@@ -46,6 +46,7 @@ def without_starter(licences, monkeypatch) -> None:
     monkeypatch.setattr(licences, "_of_distribution", lambda name: own if name == "pyinstaller" else real(name))
 
 
+@pytest.mark.shows("install.licences")
 def test_that_every_part_has_its_licence_and_is_in_the_parts_list(licences, tmp_path, monkeypatch):
     without_starter(licences, monkeypatch)
     packed(tmp_path)
@@ -57,6 +58,7 @@ def test_that_every_part_has_its_licence_and_is_in_the_parts_list(licences, tmp_
     assert all(part["purl"].startswith("pkg:") for part in listing["components"])
 
 
+@pytest.mark.shows("install.licences")
 def test_that_a_part_without_a_licence_ends_the_build(licences, tmp_path, monkeypatch):
     without_starter(licences, monkeypatch)
     packed(tmp_path, ("/nowhere/libstranger.so.1", "BINARY"))

@@ -59,6 +59,7 @@ def test_that_what_the_table_has_is_installed(here, python, row):
             assert lacking[group] in refused and refused.count("\n") == 0
 
 
+@pytest.mark.shows("install.refused")
 @pytest.mark.parametrize(
     "seems, groups, said",
     [
@@ -110,6 +111,7 @@ def test_that_a_python_of_2016_reads_what_refuses_it(name):
             assert isinstance(node.annotation, ast.Constant)
 
 
+@pytest.mark.shows("install.refused")
 def test_that_a_batch_runs_where_the_window_cannot(here):
     here(python=(3, 15))
     assert platforms.refusal(["base", "report", "study", "accuracy"]) is None
@@ -133,6 +135,7 @@ def test_that_this_system_is_read_from_the_interpreter(monkeypatch):
     assert platforms.this_system()[2] == "no glibc"
 
 
+@pytest.mark.shows("install.refused")
 def test_that_nothing_is_fetched_before_the_refusal(monkeypatch, tmp_path, here):
     monkeypatch.setenv("RIBALTA_ENV", str(tmp_path / "env"))
     run = load()

@@ -67,6 +67,7 @@ def of_another_lock(run, monkeypatch, *added):
     monkeypatch.setattr(run, "lock_sections", lambda: changed)
 
 
+@pytest.mark.shows("install.environment")
 def test_that_an_environment_is_made_once(run):
     run.ensure(["base"])
     assert len(run.calls) == 2
@@ -171,6 +172,7 @@ def test_that_only_the_program_starts_with_packages_of_another_lock(run):
         assert not run.plan(words)[2]
 
 
+@pytest.mark.shows("install.environment")
 def test_that_each_word_installs_what_it_needs_and_no_more(run, tmp_path):
     stated = tmp_path / "stated.toml"
     stated.write_text("[analysis]\naccuracy = true\n")
@@ -215,6 +217,7 @@ def test_that_each_word_installs_what_it_needs_and_no_more(run, tmp_path):
         assert run.plan(words)[0] == ["base", *extras], words
 
 
+@pytest.mark.shows("batch.code_2")
 @pytest.mark.parametrize(
     "words, code, said",
     [
@@ -257,6 +260,7 @@ def test_that_run_py_speaks_the_language_of_the_system(tmp_path):
     assert set(LANGUAGES) == set(CODES)
 
 
+@pytest.mark.shows("install.environment")
 def test_that_only_wheels_are_installed_and_the_size_is_said_before(run, capsys):
     run.ensure(["base", "gui"])
     pip = run.calls[-1]
@@ -325,6 +329,7 @@ def test_that_an_environment_in_use_is_not_lost_and_the_new_one_waits(run, monke
     assert len(run.calls) == 4 and set(run.installed_groups()) == {"base"}
 
 
+@pytest.mark.shows("install.foreign")
 @pytest.mark.parametrize("place", ["ENVIRONMENT", "NEXT", "PREVIOUS"])
 def test_that_no_environment_of_another_tool_is_emptied(run, monkeypatch, place):
     """As `uv run` makes one: `.venv` of the project is none of ours without the mark."""
@@ -353,6 +358,7 @@ def test_that_the_scripts_of_an_environment_name_the_place_it_was_moved_to(run, 
         assert file.is_symlink() or os.fsencode(fresh.NEXT) not in file.read_bytes()
 
 
+@pytest.mark.shows("install.foreign")
 def test_that_a_folder_of_the_user_is_never_deleted(run):
     os.makedirs(run.ENVIRONMENT)
     precious = os.path.join(run.ENVIRONMENT, "thesis.tex")
@@ -391,6 +397,7 @@ def test_that_what_a_kill_left_of_an_environment_of_ours_is_made_anew(run):
     assert not os.path.exists(os.path.join(run.ENVIRONMENT, "half"))
 
 
+@pytest.mark.shows("install.failure")
 def test_that_a_package_that_differs_from_the_lock_is_not_a_matter_of_the_network(run):
     fresh = load()
     os.makedirs(os.path.dirname(fresh.LOG), exist_ok=True)
@@ -414,6 +421,7 @@ def test_that_a_place_that_cannot_be_written_is_one_sentence(tmp_path):
     assert "RIBALTA_ENV" in found.stderr
 
 
+@pytest.mark.shows("install.failure")
 def test_that_a_failed_installation_is_one_sentence_with_its_log(run, monkeypatch, capsys):
     fresh = load()
     os.makedirs(os.path.dirname(fresh.LOG), exist_ok=True)
@@ -451,6 +459,7 @@ def test_that_two_starts_take_turns(run, tmp_path):
     assert out == "mine\n"
 
 
+@pytest.mark.shows("install.environment")
 def test_that_the_lock_is_hashed_and_names_no_address():
     text = (ROOT / "requirements.lock").read_text()
     assert "://" not in text and "file:" not in text

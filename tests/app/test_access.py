@@ -161,6 +161,7 @@ def dialogs(window, application, monkeypatch, visit) -> set[str]:
     return titles
 
 
+@pytest.mark.shows("window.access")
 def test_that_every_control_of_a_stage_is_reached_by_the_keys_and_shows_it(opened, application):
     run(application, opened)
     opened.activateWindow()
@@ -181,6 +182,7 @@ def test_that_the_arrows_go_from_stage_to_stage(opened, application):
         assert opened.stages.front == name and application.focusWidget() is opened.header.buttons[name]
 
 
+@pytest.mark.shows("window.access")
 def test_that_every_control_of_a_dialog_is_reached_by_the_keys_and_shows_it(opened, application, monkeypatch):
     run(application, opened)
     found = dialogs(opened, application, monkeypatch, lambda dialog: must_be_reached(application, dialog))
@@ -250,6 +252,7 @@ def large(application):
     application.setFont(usual)
 
 
+@pytest.mark.shows("window.access")
 @pytest.mark.parametrize("language", ["en", "it"])
 def test_that_no_word_is_cut_in_large_letters(large, fresh, application, monkeypatch, language):
     fresh.session.edit_section("report", author="N. N.")

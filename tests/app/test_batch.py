@@ -57,6 +57,7 @@ def start(*arguments, **keywords):
     )
 
 
+@pytest.mark.shows("batch.italian")
 def test_that_an_italian_terminal_is_spoken_to_in_italian(case):
     words = dict(os.environ, PYTHONPATH=str(ROOT), LC_ALL="it_IT.UTF-8", PYTHONIOENCODING="ascii")
     command = [sys.executable, "-P", "-m", "app"]
@@ -75,6 +76,7 @@ def test_that_an_italian_terminal_is_spoken_to_in_italian(case):
     assert code == 0 and "parete" in out and "serie" in out and "Traceback" not in err
 
 
+@pytest.mark.shows("batch.batch")
 def test_that_a_case_gives_workbook_and_json_beside_it(case, capsys):
     assert call("--batch", case) == 0
     assert sorted(path.name for path in case.parent.iterdir()) == [
@@ -124,6 +126,7 @@ def test_that_a_case_gives_workbook_and_json_beside_it(case, capsys):
     assert content["case"]["analysis"]["q_limit"] == 100.0
 
 
+@pytest.mark.shows("batch.batch")
 def test_that_a_batch_leaves_no_qt_behind(case):
     code = (
         "import sys; from app.__main__ import main; "
@@ -135,6 +138,7 @@ def test_that_a_batch_leaves_no_qt_behind(case):
     subprocess.run([sys.executable, "-P", "-c", code], check=True, env=variables)
 
 
+@pytest.mark.shows("batch.code_3")
 def test_that_a_run_without_number_is_code_3_and_named(case, capsys):
     case.write_text(CASE.replace("q_step = 0.02", "q_step = 0.05\nq_limit = 1.5"))
     assert call("--batch", case) == 3
@@ -142,6 +146,7 @@ def test_that_a_run_without_number_is_code_3_and_named(case, capsys):
     assert (case.parent / "case.xlsx").exists()
 
 
+@pytest.mark.shows("batch.code_1")
 @pytest.mark.parametrize(
     "change, words",
     [
@@ -169,6 +174,7 @@ def test_that_wrong_input_is_one_line_and_code_1_and_old_results_stay(case, caps
     assert not (case.parent / "case.journal").exists()
 
 
+@pytest.mark.shows("files.inputs_stay")
 def test_that_the_case_itself_is_never_overwritten(case, capsys):
     for name in ("case.json", "case.journal"):
         odd = case.with_name(name)
@@ -197,6 +203,7 @@ def test_that_a_full_or_narrow_terminal_ends_no_run(case):
     assert subprocess.run(command, stdout=subprocess.PIPE, env=variables).returncode == 0
 
 
+@pytest.mark.shows("batch.output", "batch.code_1")
 def test_that_an_output_folder_is_made_or_refused(case, capsys):
     assert call("--batch", case, "--output", case.parent / "new" / "deep", "--quiet") == 0
     assert (case.parent / "new" / "deep" / "case.json").exists()
@@ -206,6 +213,7 @@ def test_that_an_output_folder_is_made_or_refused(case, capsys):
     assert "cannot be written" in capsys.readouterr().err
 
 
+@pytest.mark.shows("files.whole")
 def test_that_a_full_disk_leaves_the_old_report_and_nothing_half_written(case, capsys, monkeypatch):
     assert call("--batch", case, "--quiet") == 0
     before = {path.name: path.read_bytes() for path in case.parent.iterdir()}
@@ -228,6 +236,7 @@ def test_that_a_full_disk_leaves_the_old_report_and_nothing_half_written(case, c
     assert after == before
 
 
+@pytest.mark.shows("batch.code_2")
 @pytest.mark.parametrize("arguments", [["--nonsense"], ["--batch"], ["--batch", "x", "--jobs", "0"], ["--output", "x"]])
 def test_that_wrong_usage_is_code_2(arguments, capsys):
     with pytest.raises(SystemExit) as caught:
@@ -235,6 +244,7 @@ def test_that_wrong_usage_is_code_2(arguments, capsys):
     assert caught.value.code == 2
 
 
+@pytest.mark.shows("batch.code_4")
 def test_that_an_internal_error_is_code_4_with_a_log(case, capsys, monkeypatch):
     def broken(*arguments, **keywords):
         raise ZeroDivisionError("a bug")
@@ -248,6 +258,7 @@ def test_that_an_internal_error_is_code_4_with_a_log(case, capsys, monkeypatch):
     os.unlink(log)
 
 
+@pytest.mark.shows("batch.inspect")
 def test_that_inspect_tells_what_a_record_holds(case, capsys):
     assert call("--inspect", ROOT / "tests" / "motions" / "noise_1.txt") == 0
     assert "2501 samples every 0.01 s" in capsys.readouterr().out
@@ -274,9 +285,30 @@ def test_that_inspect_names_the_channel_that_is_refused(tmp_path, capsys):
         assert f'two sheets.xlsx, channel = "{sheet}": ' in line
 
 
+@pytest.mark.shows("batch.version")
 def test_that_version_names_program_and_version(capsys):
     assert call("--version") == 0
     assert capsys.readouterr().out.startswith("Ribalta 0.")
+
+
+@pytest.mark.shows("batch.code_0")
+def test_that_a_wall_that_fails_is_code_0(case):
+    case.write_text(CASE.replace("0.2", "0.9"))
+    assert call("--batch", case, "--quiet") == 0
+    verdicts = json.loads(case.with_suffix(".json").read_text())["verdicts"]
+    assert [one["code"] for one in verdicts] == ["not_verified"]
+
+
+@pytest.mark.shows("batch.jobs")
+def test_that_jobs_change_no_digit_and_quiet_says_nothing(case, capsys):
+    written = []
+    for jobs in ("1", "2"):
+        assert call("--batch", case, "--jobs", jobs, "--quiet") == 0
+        said = capsys.readouterr()
+        assert said.out == said.err == ""
+        written.append(json.loads(case.with_suffix(".json").read_text()) | {"started_utc": None})
+    assert written[0] == written[1]
+    assert call("--batch", case) == 0 and "case.xlsx" in capsys.readouterr().out
 
 
 def finished(*arguments) -> int:
@@ -295,6 +327,7 @@ def waited(path, lines, limit=60.0):
         assert time.monotonic() < end, "the journal does not grow"
 
 
+@pytest.mark.shows("batch.code_130")
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
 def test_that_ctrl_c_stops_with_130_and_keeps_the_journal_and_no_workbook(case):
     case.write_text(LONG)
@@ -308,6 +341,7 @@ def test_that_ctrl_c_stops_with_130_and_keeps_the_journal_and_no_workbook(case):
     assert not case.with_suffix(".xlsx").exists()
 
 
+@pytest.mark.shows("batch.resume")
 @pytest.mark.parametrize("module", ["check_sheet", "demand_sheets"])
 def test_that_ctrl_c_while_the_files_are_made_stops_and_resumes(case, monkeypatch, capsys, module):
     from core.report import check_sheet, demand_sheets
@@ -341,6 +375,7 @@ def test_that_a_line_of_progress_counts_runs_and_checks_and_says_no_time_it_does
     assert lines[-3:] == ["2/23 runs and checks", "3/23 runs and checks, about 41 s left", "writing the results: 50 %"]
 
 
+@pytest.mark.shows("batch.resume")
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
 def test_that_a_killed_batch_resumes_to_the_same_digits(case, tmp_path):
     case.write_text(LONG)
@@ -362,6 +397,7 @@ def test_that_a_killed_batch_resumes_to_the_same_digits(case, tmp_path):
 CASES = sorted(path.stem for path in (ROOT / "resources" / "cases").glob("*.toml"))
 
 
+@pytest.mark.shows("batch.commands")
 @pytest.mark.parametrize(
     ("name", "motions"),
     [
@@ -382,6 +418,7 @@ def test_that_every_shipped_case_runs(name, motions, tmp_path, capsys):
     assert (tmp_path / "out" / f"{name}.xlsx").stat().st_size > 10_000
 
 
+@pytest.mark.shows("files.inputs_stay")
 def test_that_the_table_of_walls_and_the_spectrum_are_not_overwritten(tmp_path, capsys):
     shutil.copy(ROOT / "resources" / "templates" / "walls.xlsx", tmp_path / "c.xlsx")
     before = (tmp_path / "c.xlsx").read_bytes()
@@ -458,6 +495,7 @@ def test_that_an_a_g_beyond_any_of_italy_is_asked_about_by_terminal_workbook_and
     assert asked in json.loads((tmp_path / "case.json").read_text())["demand"]["warnings"][0]
 
 
+@pytest.mark.shows("files.two_batches")
 def test_that_a_second_batch_on_the_same_output_is_refused(case, tmp_path, capsys):
     from core.study.journal import Journal
 
@@ -478,6 +516,7 @@ def test_that_a_batch_without_any_stream_says_nothing_and_opens_no_dialog(case, 
     assert (tmp_path / "case.xlsx").exists()
 
 
+@pytest.mark.shows("batch.output")
 def test_that_the_results_of_an_example_land_where_one_stands(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     before = sorted((ROOT / "resources" / "cases").iterdir())

@@ -130,6 +130,7 @@ def drawn_svg(content: bytes, width: int) -> QImage:
     return image
 
 
+@pytest.mark.shows("window.stale")
 def test_that_a_copied_picture_of_stale_results_says_so(application, monkeypatch):
     chart = Chart("x", "y", "c")
     chart.resize(400, 300)

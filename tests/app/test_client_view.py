@@ -29,6 +29,7 @@ def result():
     return run(parse_case(table), base_dir=Path())
 
 
+@pytest.mark.shows("window.client")
 def test_that_whichever_hinge_is_shown_the_share_and_the_outcome_are_those_of_the_wall(result):
     assert len(result.walls) > len(result.verdicts) == 2
     zetas = {wall.assessment.verdict.zeta_e for wall in result.walls}

@@ -67,6 +67,7 @@ def test_that_the_simulation_confuses_what_these_eyes_confuse():
         assert abs(seen("#808080", eyes)[1:]).max() < 0.1
 
 
+@pytest.mark.shows("window.themes")
 @pytest.mark.parametrize("eyes", EYES)
 @pytest.mark.parametrize("group", BESIDE)
 def test_that_colours_drawn_together_are_told_apart(group, eyes):
@@ -81,6 +82,7 @@ def test_that_the_note_has_the_same_colours_in_both_its_forms():
         assert f'{name}: rgb("{COLORS[name].lower()}")' in template
 
 
+@pytest.mark.shows("window.themes")
 def test_that_no_verdict_is_told_by_a_colour_alone(opened, application):
     """In shades of grey each chip of the tree, each bar and each outcome in a table still says it."""
     run(application, opened)

@@ -44,6 +44,7 @@ KINDS = {
 }
 
 
+@pytest.mark.shows("doors.endless")
 @pytest.mark.skipif(os.name == "nt", reason="no pipes with names")
 @pytest.mark.parametrize("kind", ENDLESS)
 @pytest.mark.parametrize("name", KINDS)
@@ -99,6 +100,7 @@ INPUTS = {
 """Name of an input -> (what names it: the case, a logo, a hazard, a drawing, a folder of records; what makes it)."""
 
 
+@pytest.mark.shows("files.inputs_stay")
 @pytest.mark.parametrize("name", INPUTS)
 def test_that_a_note_never_takes_the_place_of_an_input(name, tmp_path, capsys):
     """The note is asked for under another name of the input, a link that ends as a note does."""
@@ -125,6 +127,7 @@ def test_that_a_folder_under_the_name_of_a_result_is_said_before_the_run(name, t
     assert name in capsys.readouterr().err
 
 
+@pytest.mark.shows("files.two_batches")
 def test_that_no_other_batch_begins_while_the_results_are_written(tmp_path, monkeypatch):
     from app.terminal import export
 
@@ -184,6 +187,7 @@ def test_that_batches_in_one_folder_at_random_times_leave_whole_results(count, m
     assert {path.name for path in tmp_path.iterdir()} - aside == {"case.json", "case.toml", "case.xlsx"}
 
 
+@pytest.mark.shows("note.holds_case")
 def test_that_a_case_edited_during_its_run_leaves_the_note_that_of_the_run(tmp_path, monkeypatch):
     """Its comments are those of what was run, beside the hash of that."""
     pytest.importorskip("pypdf", reason="without the group report")

@@ -128,6 +128,7 @@ def held(case) -> dict[str, float]:
     return {key: value for key, value in values.items() if value is not None} | {"thickness_m": wall.thickness}
 
 
+@pytest.mark.shows("window.drafts")
 @pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.long) for seed in (1, 2))])
 def test_that_the_draft_holds_the_last_valid_value_of_every_field_on_a_walk_with_refused_texts(
     opened, application, tmp_path, seed
@@ -172,6 +173,7 @@ def test_that_the_draft_holds_the_last_valid_value_of_every_field_on_a_walk_with
 RED = (("height_m", "9..5"), ("thickness_m", "abc"), ("base_z_m", "-4"))
 
 
+@pytest.mark.shows("window.language")
 @pytest.mark.parametrize("choice", [("language", "it"), ("theme", "dark")])
 def test_that_red_text_survives_a_change_of_language_or_theme(opened, application, choice):
     for key, text in RED:

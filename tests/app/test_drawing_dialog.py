@@ -208,6 +208,7 @@ def test_that_every_control_has_a_name_and_is_reached_by_tab(dialog, tmp_path):
     assert shown.canvas.accessibleName()
 
 
+@pytest.mark.shows("window.from_drawing")
 def test_that_ok_writes_the_solids_into_the_wall_and_undo_takes_them_back(opened, tmp_path, monkeypatch):
     path = sheets.church(tmp_path / "church.dxf")[0]
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
@@ -233,6 +234,7 @@ def test_that_ok_writes_the_solids_into_the_wall_and_undo_takes_them_back(opened
     assert opened.session.case == before
 
 
+@pytest.mark.shows("window.from_drawing")
 def test_that_opening_a_case_takes_its_drawings_over_and_says_so(opened, tmp_path, monkeypatch):
     """As solids, which are what is saved; of a draft too; a drawing that cannot be read is said with its reason."""
     said = []

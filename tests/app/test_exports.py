@@ -150,6 +150,7 @@ def test_that_a_picture_is_whole_and_light(chart, end):
     assert chart.view.backgroundBrush().color().lightness() < 100  # the screen stays dark
 
 
+@pytest.mark.shows("files.no_formula_of_a_user")
 def test_that_the_data_of_a_chart_can_be_read_back_and_run_no_formula(chart):
     chart.curve("=HYPERLINK(1)", [1.0], [2.0])
     rows = list(csv.reader(io.StringIO(chart.content(".csv").decode())))
@@ -158,6 +159,7 @@ def test_that_the_data_of_a_chart_can_be_read_back_and_run_no_formula(chart):
     assert rows[-1] == ["'=HYPERLINK(1)", "1.0", "2.0"]
 
 
+@pytest.mark.shows("files.no_formula_of_a_user")
 @pytest.mark.parametrize(
     ("text", "copied"),
     [

@@ -112,6 +112,7 @@ def test_that_rules_between_fields_stand_at_the_fields(opened, application):
     assert "Level of knowledge" in said and "Strength f" in said
 
 
+@pytest.mark.shows("window.undo")
 def test_that_undo_in_a_field_is_that_of_the_case_and_takes_refused_text_back_first(opened, application):
     field = opened.walls.fields["thickness_m"]
     before = opened.session.case.wall[0].thickness_m
@@ -307,6 +308,7 @@ def test_that_a_wall_above_the_ground_shows_its_floor(opened, application):
     assert histories.motion is wall.floor.motions[0]
 
 
+@pytest.mark.shows("window.marks")
 def test_that_an_a_g_beyond_any_of_italy_is_asked_about_where_it_is_typed_and_with_the_result(
     opened, application, tmp_path
 ):

@@ -82,6 +82,7 @@ def test_that_tree_form_and_pages_show_one_wall(walls):
     assert walls.navigator.wall.name == "Timpano" == walls.walls.wall.name
 
 
+@pytest.mark.shows("window.missing")
 def test_that_an_error_leads_to_its_field_on_another_stage(opened, application):
     opened.session.edit_wall(0, height_m=7.0, thickness_m=0.4, slenderness_deg=None)
     type_into(opened.walls.fields["height_m"], "70")
@@ -122,6 +123,7 @@ def test_that_a_record_that_cannot_be_read_leads_to_its_row(opened, application)
     assert "nowhere.AT2" not in opened.missing.text()
 
 
+@pytest.mark.shows("window.missing")
 def test_that_what_a_run_refuses_leads_to_its_field(opened, application, monkeypatch):
     def refuse(*arguments, **options):
         raise InputError(
@@ -150,6 +152,7 @@ def test_that_a_strength_takes_the_setback_with_it(opened):
     assert opened.session.case.wall[0].hinge_setback_m == 0.0 and opened.session.problem() is None
 
 
+@pytest.mark.shows("window.no_site")
 def test_that_a_new_demand_assumes_nothing_of_the_site(opened):
     opened.session.edit(replace(opened.session.case, demand=None, generate=None))
     opened.demand.last = None
@@ -161,6 +164,7 @@ def test_that_a_new_demand_assumes_nothing_of_the_site(opened):
     assert opened.demand.fields["tc_star_s"].editor.text() == ""
 
 
+@pytest.mark.shows("window.stages")
 def test_that_finished_walls_appear_while_others_run(own_walls, application):
     seen = []
     tab = own_walls.pages["walls"].content
@@ -180,6 +184,7 @@ def test_that_the_common_factor_brings_the_mean_to_the_target(walls):
     assert np.log(ratio).mean() == pytest.approx(0.0, abs=2e-3)
 
 
+@pytest.mark.shows("window.figures")
 @pytest.mark.parametrize(
     ("width", "dpi"), [(80.0, 300), (160.0, 300), pytest.param(160.0, 600, marks=pytest.mark.long)]
 )
@@ -203,6 +208,7 @@ def test_that_a_figure_is_as_wide_as_asked_light_and_has_its_caption(walls, widt
     walls.set_choice("theme", "light")
 
 
+@pytest.mark.shows("window.stale")
 def test_that_stale_results_say_so_where_they_leave_and_live_ones_do_not(walls):
     chart, table = walls.pages["check"].content.peaks, walls.pages["check"].content.table
     live = walls.pages["spectra"].content.chart
@@ -221,6 +227,7 @@ def test_that_stale_results_say_so_where_they_leave_and_live_ones_do_not(walls):
     assert not ChartOutput.stale
 
 
+@pytest.mark.shows("window.figures")
 def test_that_all_figures_are_written_together_while_the_window_lives(walls, application, tmp_path):
     folder = tmp_path / "figures"
     folder.mkdir()
@@ -353,6 +360,7 @@ def test_that_empty_charts_say_why(walls):
     assert "press the button" in walls.pages["validation"].content.chart.reason.text()
 
 
+@pytest.mark.shows("window.marks")
 def test_that_numbers_have_a_comma_in_the_italian_window(walls):
     walls.set_choice("language", "it")
     assert walls.walls.fields["thickness_m"].editor.text() == "83"

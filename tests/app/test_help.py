@@ -27,6 +27,7 @@ def contrast(one: QColor, other: QColor) -> float:
     return (high + 0.05) / (low + 0.05)
 
 
+@pytest.mark.shows("window.themes")
 @pytest.mark.parametrize("name", ["light", "dark"])
 def test_that_edges_and_marks_stand_out(application, name):
     theme.set_theme(name)
@@ -44,6 +45,7 @@ def test_that_edges_and_marks_stand_out(application, name):
     theme.set_theme("light")
 
 
+@pytest.mark.shows("window.help")
 def test_that_every_number_field_has_help_in_both_languages(opened):
     for field in opened.findChildren(Field):
         if type(field).__name__ in ("NumberField", "RangeField"):
@@ -52,6 +54,7 @@ def test_that_every_number_field_has_help_in_both_languages(opened):
         assert english != italian or not code.endswith(".help"), code
 
 
+@pytest.mark.shows("window.help")
 @pytest.mark.parametrize("tongue", ["en", "it"])
 def test_that_the_guide_opens_in_its_language(opened, tongue):
     opened.set_choice("language", tongue)

@@ -99,6 +99,7 @@ def test_that_the_tab_asks_for_the_moves_and_shows_them(application, asked):
     assert asked.session.case.sensitivity is None
 
 
+@pytest.mark.shows("window.what_if")
 def test_that_the_sliders_give_the_zeta_of_the_changed_wall_and_change_nothing_until_taken(application, plain):
     before = plain.session.case
     sliders = sliders_of(plain)

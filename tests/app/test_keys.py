@@ -58,6 +58,7 @@ ELSEWHERE = {
 SECTIONS = tuple(sections().values())
 
 
+@pytest.mark.shows("window.help")
 @pytest.mark.parametrize("section", SECTIONS, ids=lambda section: section.__name__)
 def test_that_every_key_has_a_field_in_the_window(opened, section):
     made = {(field.section, field.key) for field in opened.findChildren(Field)}

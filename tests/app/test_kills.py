@@ -79,6 +79,7 @@ def killed_at_random_times(folder: Path, kills: int, seed: int = 1) -> int:
     return lost
 
 
+@pytest.mark.shows("window.autosave")
 @pytest.mark.parametrize("kills", [1, pytest.param(40, marks=pytest.mark.long)])
 def test_that_a_kill_of_the_window_loses_nothing_it_acknowledged(tmp_path, kills):
     assert killed_at_random_times(tmp_path, kills) == 0

@@ -20,6 +20,7 @@ def wait(application, tab):
     settle(application, lambda: not tab.is_setting)
 
 
+@pytest.mark.shows("window.note_pages")
 def test_that_the_pages_are_those_of_the_note(opened, shown):
     assert len(shown.pages.images) == len(shown.pages.note.pages(30.0)) >= 3
     first = shown.pages.images[0]
@@ -91,6 +92,7 @@ def test_that_a_note_that_cannot_be_set_says_why(opened, application):
     assert "none.png" in tab.word.text() and tab.pages.images == []
 
 
+@pytest.mark.shows("window.note_pages")
 def test_that_a_judgement_typed_beside_the_pages_is_in_them_without_another_run(opened, shown, application):
     before = opened.session.result
     judgement = next(field for field in opened.stages.note_form.fields if field.key == "judgement")
@@ -103,6 +105,7 @@ def test_that_a_judgement_typed_beside_the_pages_is_in_them_without_another_run(
     assert judgement.editor.toPlainText() == "" and not opened.session.stale
 
 
+@pytest.mark.shows("note.office")
 def test_that_a_short_note_has_fewer_pages_and_every_verdict(opened, shown, application):
     full = len(shown.pages.images)
     opened.session.edit_section("report", extent="short")

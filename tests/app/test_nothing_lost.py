@@ -28,6 +28,7 @@ def own_record(opened, application, tmp_path) -> Path:
     return mine
 
 
+@pytest.mark.shows("window.not_overwritten")
 @pytest.mark.parametrize("answer, written", [("Yes", True), ("No", False)])
 def test_that_an_ending_added_to_a_name_overwrites_nothing_unasked(opened, tmp_path, monkeypatch, answer, written):
     (tmp_path / "v1.2.toml").write_text("another")
@@ -71,6 +72,7 @@ def test_that_a_case_of_another_shape_is_refused_in_words(opened, tmp_path, monk
     assert not opened.files.open(bad) and said
 
 
+@pytest.mark.shows("window.not_overwritten")
 def test_that_a_case_changed_by_another_program_is_not_overwritten_unasked(opened, monkeypatch):
     path = opened.session.path
     path.write_text(path.read_text() + "# a note\n")
@@ -120,6 +122,7 @@ def test_that_the_newest_of_two_autosaves_comes_first_and_says_of_which_file(ope
     assert recovery.describe(found[0]).startswith("/a/b.toml 20")
 
 
+@pytest.mark.shows("window.stale")
 def test_that_a_record_changed_on_disk_makes_the_results_stale(opened, application, tmp_path):
     mine = own_record(opened, application, tmp_path)
     run(application, opened)
@@ -199,6 +202,7 @@ def test_that_only_the_word_discard_deletes_an_autosave(opened, monkeypatch, tmp
     assert bad.exists() and "cannot be read" in said[0]
 
 
+@pytest.mark.shows("doors.swap")
 @pytest.mark.parametrize(
     "content",
     [
@@ -224,6 +228,7 @@ def test_that_no_content_of_a_swap_file_ends_the_program(opened, content):
     assert swap.exists()
 
 
+@pytest.mark.shows("doors.swap")
 @pytest.mark.parametrize("value", ["nonsense", ["a", "b"], 5, b"\xff", ""])
 def test_that_no_value_of_the_settings_keeps_the_window_from_starting(application, tmp_path, value):
     from PySide6.QtCore import QSettings

@@ -32,6 +32,7 @@ def test_that_labels_are_made_plain_or_rich_by_one_helper():
             assert not made, path
 
 
+@pytest.mark.shows("doors.markup")
 def test_that_no_label_of_the_window_takes_a_name_as_markup(opened, application):
     wall = replace(opened.session.case.wall[0], name=EVIL, floor=EVIL, notes=EVIL)
     opened.session.edit(replace(opened.session.case, wall=(wall,), title=EVIL))
@@ -57,6 +58,7 @@ def test_that_no_name_makes_a_line_or_a_colour_of_a_sentence(name):
 BOXES = ("warning", "critical", "question", "information")
 
 
+@pytest.mark.shows("doors.markup")
 def test_that_message_boxes_and_tips_take_no_name_as_markup():
     """What they say is a text of the program without values, or goes through `plain`."""
     import ast

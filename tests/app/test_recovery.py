@@ -43,6 +43,7 @@ def recovered(session: Session, tmp_path: Path) -> float:
     return other.case.wall[0].height_m
 
 
+@pytest.mark.shows("window.autosave")
 def test_that_the_last_three_states_are_kept_and_a_case_at_rest_adds_none(session):
     for height in (6.0, 6.0, 6.25, 6.5, 6.75):
         autosave(session, height)
@@ -52,6 +53,7 @@ def test_that_the_last_three_states_are_kept_and_a_case_at_rest_adds_none(sessio
     assert not any(state.exists() for state in recovery.states(session.recovery_file))
 
 
+@pytest.mark.shows("window.autosave")
 @pytest.mark.parametrize("damage", [b"", b"{", None], ids=["empty", "truncated", "unreadable"])
 def test_that_a_bad_newest_state_neither_hides_nor_replaces_a_good_one(session, tmp_path, damage):
     for height in (6.0, 6.25, 6.5):

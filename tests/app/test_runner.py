@@ -25,6 +25,7 @@ def test_that_a_job_that_cannot_stop_is_left_at_once_and_nothing_of_it_arrives(o
     assert arrived == []
 
 
+@pytest.mark.shows("window.reuse")
 def test_that_finished_runs_are_used_again(opened, application, monkeypatch):
     from core.study import wall_work
 

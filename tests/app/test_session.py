@@ -29,6 +29,7 @@ from tests.conftest import ROOT
 EXAMPLE = ROOT / "tests" / "cases" / "records.toml"
 
 
+@pytest.mark.shows("note.holds_case")
 def test_that_a_note_opens_as_the_case_it_is_of_and_is_never_written_into(session, tmp_path):
     pytest.importorskip("typst")
     from core.report.note.archive import note_as_pdf
@@ -57,6 +58,7 @@ def session(tmp_path):
     return made
 
 
+@pytest.mark.shows("window.undo")
 def test_that_undo_and_redo_walk_over_every_edit(session):
     first = session.case
     session.edit_wall(0, "a", height_m=6.0)
@@ -74,6 +76,7 @@ def test_that_undo_and_redo_walk_over_every_edit(session):
     assert session.case == second
 
 
+@pytest.mark.shows("window.undo")
 @settings(max_examples=50, deadline=None)
 @given(st.lists(st.tuples(st.sampled_from(["height_m", "thickness_m"]), st.floats(0.2, 9.0)), max_size=12))
 def test_that_undoing_everything_gives_the_first_case(edits):
@@ -91,6 +94,7 @@ def test_that_undoing_everything_gives_the_first_case(edits):
         assert session.case == first
 
 
+@pytest.mark.shows("window.same_files")
 def test_that_what_is_saved_is_what_the_batch_reads(session, tmp_path):
     session.edit_wall(0, height_m=6.25)
     session.edit(replace(session.case, demand=Demand(0.3, spectrum=None, soil_factor=1.4)))
@@ -143,6 +147,7 @@ def drafts(case):
     yield "a row of hazard", replace(case, demand=Demand(0.2, hazard=(HazardRow(30.0, ""),)))
 
 
+@pytest.mark.shows("window.drafts")
 def test_that_every_case_in_the_making_is_autosaved_saved_and_opened_again(session, tmp_path):
     for name, draft in drafts(session.case):
         session.edit(draft)
@@ -253,6 +258,7 @@ def test_that_excluded_records_are_kept_in_the_file_and_not_run(session, tmp_pat
     assert len(motions) == 7
 
 
+@pytest.mark.shows("window.autosave")
 def test_that_a_killed_program_leaves_its_unsaved_case(tmp_path):
     """kill -9 while editing: the next start finds the case as it was last autosaved."""
     case = tmp_path / "case.toml"
@@ -295,6 +301,7 @@ def test_that_a_damaged_swap_is_refused(tmp_path):
             session.recover(path)
 
 
+@pytest.mark.shows("window.same_files")
 def test_that_saving_keeps_comments_and_what_the_batch_says_of_the_file(session, tmp_path):
     path = tmp_path / "c.toml"
     text = EXAMPLE.read_text(encoding="utf-8").replace("[[wall]]", "# of mine\n[[wall]]", 1)

@@ -27,6 +27,7 @@ def chips(window) -> dict[str, str]:
     return {row.text: row.chip for row in window.tree.rows}
 
 
+@pytest.mark.shows("window.stages")
 def test_that_a_run_leads_to_the_answer_and_the_tree_says_zeta(opened, application):
     assert opened.stages.front == "input" and chips(opened)["w"] == ""
     opened.session.edit_section("report", author="N. N.")
@@ -51,6 +52,7 @@ def test_that_a_run_leads_to_the_answer_and_the_tree_says_zeta(opened, applicati
         assert opened.stages.front == name and opened.header.buttons[name].isChecked()
 
 
+@pytest.mark.shows("window.missing")
 def test_that_all_that_is_missing_is_listed_each_with_its_field(opened, application):
     opened.walls.add()
     opened.session.edit(replace(opened.session.case, demand=Demand("")))
@@ -65,6 +67,7 @@ def test_that_all_that_is_missing_is_listed_each_with_its_field(opened, applicat
     assert opened.header.notice.isVisible() and str(len(words)) in opened.header.notice.text()
 
 
+@pytest.mark.shows("window.find")
 def test_that_a_field_a_wall_and_an_action_are_found_by_name(opened):
     found = finder.Finder(opened)
     found.line.setText("modulus")
@@ -79,6 +82,7 @@ def test_that_a_field_a_wall_and_an_action_are_found_by_name(opened):
         assert any(entry.words.startswith(shown) for entry in again.fitting)
 
 
+@pytest.mark.shows("window.drawing")
 def test_that_the_drawing_leads_to_fields_and_drags_a_load(opened, application):
     load = Load("vertical", 5.0, 3.0, 0.25, "none")
     opened.session.edit_wall(0, load=(load,), unit_weight_kn_m3=18.0)
@@ -106,6 +110,7 @@ def test_that_the_drawing_leads_to_fields_and_drags_a_load(opened, application):
     assert opened.session.case.wall[0].load[0].h_m == 3.0
 
 
+@pytest.mark.shows("window.client")
 def test_that_a_variant_is_one_click_and_the_client_sees_before_and_after(opened, application, tmp_path):
     opened.walls.add_variant()
     assert [wall.variant for wall in opened.session.case.wall] == [AS_IS, DESIGNED]
@@ -151,6 +156,7 @@ def test_that_the_first_page_asks_what_there_is_and_goes_with_the_first_choice(o
     assert opened.session.path.name == "facade.toml"
 
 
+@pytest.mark.shows("window.themes")
 @pytest.mark.parametrize("name", ["light", "dark"])
 def test_that_words_stand_out_from_what_is_behind_them(name):
     """WCAG 2: at least 4.5 for text, 3 for what is chosen."""

@@ -97,6 +97,7 @@ def test_that_a_file_the_system_asks_to_open_opens(tmp_path):
     assert words.stdout.strip() == str(path), words.stderr
 
 
+@pytest.mark.shows("install.refused")
 @pytest.mark.parametrize(("platform", "displays"), [("", {}), ("xcb", {"WAYLAND_DISPLAY": "w"})])
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="displays are of Linux")
 def test_that_no_display_is_said_in_a_sentence(platform, displays):

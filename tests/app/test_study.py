@@ -68,6 +68,7 @@ def content(folder, stem="small"):
     return whole, (folder / f"{stem}.csv").read_bytes()
 
 
+@pytest.mark.shows("batch.study")
 def test_that_a_study_writes_files_that_open(small, tmp_path, capsys):
     pillow = pytest.importorskip("PIL.Image")
     assert call("--study", small, "--jobs", "2") == 0
@@ -93,6 +94,7 @@ def test_that_a_study_writes_files_that_open(small, tmp_path, capsys):
             assert shades.shape == (690, 1080) and 0.005 < (shades < 200).mean() < 0.3
 
 
+@pytest.mark.shows("batch.study")
 @pytest.mark.long
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
 def test_that_a_killed_study_resumes_to_the_same_digits(small, tmp_path):
@@ -108,6 +110,7 @@ def test_that_a_killed_study_resumes_to_the_same_digits(small, tmp_path):
     assert content(tmp_path / "fresh") == resumed
 
 
+@pytest.mark.shows("files.inputs_stay")
 @pytest.mark.parametrize("place", ["small.csv", "small.json", "small.xlsx"])
 def test_that_a_study_never_takes_the_place_of_a_file_it_reads(place, small, tmp_path, capsys):
     motion = (ROOT / "tests" / "motions" / "noise_1.txt").read_bytes()
@@ -142,6 +145,7 @@ def test_that_a_title_may_change_and_figures_of_an_earlier_run_go(small, tmp_pat
     assert (old / "mine.png").exists() and not (old / "fig21_natural.png").exists()
 
 
+@pytest.mark.shows("batch.study")
 @pytest.mark.parametrize("report", ["paper", "law"])
 @pytest.mark.parametrize(
     "grid",
@@ -170,6 +174,7 @@ def test_that_a_run_without_a_number_is_named_and_gives_exit_code_3(tmp_path, ca
     assert "no_collapse_found" in capsys.readouterr().err
 
 
+@pytest.mark.shows("batch.study")
 def test_that_a_short_run_has_its_own_files(small, tmp_path):
     assert call("--study", small, "--quick", "--quiet") == 0
     whole, _ = content(tmp_path, "small_quick")
@@ -216,6 +221,7 @@ def paper(tmp_path_factory):
     return folder, made.result, report
 
 
+@pytest.mark.shows("paper.claims")
 @pytest.mark.long
 def test_that_the_claims_of_the_paper_are_counted(paper):
     _, _, report = paper
@@ -245,6 +251,7 @@ def test_that_every_figure_of_the_paper_is_there_but_those_of_records(paper):
     assert [table.key for table in report.tables] == ["table1", "eq13", "eq14", "distance"]
 
 
+@pytest.mark.shows("paper.law")
 @pytest.mark.long
 @pytest.mark.parametrize("mechanism, quantity", [(m, q) for m in ("two_sided", "one_sided") for q in ("q", "q_slv")])
 def test_that_the_stored_law_holds_for_shapes_and_seeds_it_has_never_seen(paper, mechanism, quantity):
@@ -267,6 +274,7 @@ def test_that_the_italian_study_has_the_same_numbers(small, tmp_path):
     assert load_workbook(tmp_path / "small.xlsx").sheetnames[0] == "Studio"
 
 
+@pytest.mark.shows("window.of_a_study")
 def test_that_the_window_of_a_study_runs_cancels_goes_on_and_shows_it(application, small, tmp_path, monkeypatch):
     from PySide6.QtWidgets import QMessageBox
 

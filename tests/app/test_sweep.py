@@ -38,6 +38,7 @@ def swept(application, made: SweepWindow) -> None:
     settle(application, lambda: made.job is None)
 
 
+@pytest.mark.shows("window.sweep")
 def test_that_a_sweep_shows_each_check_and_q_and_changes_nothing(application, opened, asked):
     case, past, result = opened.session.case, list(opened.session.past), opened.session.result
     choose(asked, Wall, "thickness_m", "40", "60")  # [cm]

@@ -238,6 +238,7 @@ def test_that_walls_pasted_are_shown_and_counted(opened):
     assert opened.stages.front == "input" and opened.walls.wall.name == "nord" and "2" in opened.word.text()
 
 
+@pytest.mark.shows("window.not_overwritten")
 def test_that_nothing_is_written_over_or_beside_an_example(opened, monkeypatch, tmp_path):
     asked = []
     monkeypatch.setattr(files, "path_to_write", lambda *given: asked.append(Path(given[2])))

@@ -60,6 +60,7 @@ def test_that_a_number_typed_where_the_program_puts_the_cursor_is_the_number_of_
     assert opened.session.case.wall[0].height_m == 3.2
 
 
+@pytest.mark.shows("window.marks")
 @pytest.mark.parametrize("language", ["en", "it"])
 def test_that_a_slenderness_few_mean_is_asked_about_where_it_is_typed(opened, application, language):
     """46.4 m and 40 cm, H/t 116: accepted, and said."""
@@ -148,6 +149,7 @@ def test_that_a_wall_still_to_be_given_is_asked_nothing(wall):
     assert doubts_of(wall) == {}
 
 
+@pytest.mark.shows("window.marks")
 @pytest.mark.parametrize(
     ("language", "key", "text", "asked"),
     [

@@ -57,12 +57,14 @@ def copied(reports, tmp_path):
     return tmp_path / "copied"
 
 
+@pytest.mark.shows("batch.verify")
 @pytest.mark.parametrize("end", [".json", ".xlsx", ".pdf"])
 def test_that_a_report_is_equal_to_its_case_run_again(reports, capsys, end):
     code, said = verified(capsys, reports / f"case{end}")
     assert code == 0 and "equal, run again by version" in said
 
 
+@pytest.mark.shows("batch.verify")
 @pytest.mark.parametrize("end", [".json", ".xlsx", ".pdf"])
 def test_that_its_records_may_stand_elsewhere(copied, tmp_path, capsys, end):
     apart = tmp_path / "apart"
@@ -74,6 +76,7 @@ def test_that_its_records_may_stand_elsewhere(copied, tmp_path, capsys, end):
     assert [path.name for path in apart.iterdir()] == [f"case{end}"]
 
 
+@pytest.mark.shows("batch.verify")
 def test_that_every_edited_number_of_the_results_is_named_with_how_much_it_is_off(copied, capsys):
     path = copied / "case.json"
     content = json.loads(path.read_text())
@@ -85,6 +88,7 @@ def test_that_every_edited_number_of_the_results_is_named_with_how_much_it_is_of
     assert "verdicts[0].text_en: reported verified, found" in said and "2 differences" in said
 
 
+@pytest.mark.shows("batch.verify")
 @pytest.mark.parametrize("kind", ["number", "text", "formula", "kept value"])
 def test_that_an_edited_cell_of_the_workbook_is_named(copied, capsys, kind):
     path = copied / "case.xlsx"
@@ -134,6 +138,7 @@ def test_that_a_note_of_other_numbers_and_one_written_by_another_program_are_tol
     assert code == 5 and "written again by another program" in said
 
 
+@pytest.mark.shows("batch.verify")
 def test_that_another_version_or_another_record_cannot_be_told(copied, capsys):
     path = copied / "case.json"
     whole = json.loads(path.read_text())

@@ -279,6 +279,7 @@ def walk_through(window, application, tmp_path, monkeypatch, faults, seed: int, 
         raise AssertionError(f"seed {seed}, after {len(walk.done)} steps: " + "; ".join(walk.done[-12:])) from error
 
 
+@pytest.mark.shows("window.drafts")
 @pytest.mark.parametrize(("seed", "acts"), [(2, 30), *(pytest.param(k, 80, marks=pytest.mark.long) for k in (1, 2))])
 def test_that_every_state_the_forms_reach_is_kept(opened, application, tmp_path, monkeypatch, faults, seed, acts):
     """A load without its size, a spectrum without its soil, an empty name among them."""

@@ -23,6 +23,7 @@ from tests.app.driving import run, settle, type_into
 from tests.conftest import ROOT
 
 
+@pytest.mark.shows("window.marks")
 @pytest.mark.parametrize("locale", ["it_IT", "de_DE", "en_US", "C"])
 def test_that_comma_and_point_mean_the_same_in_every_locale(opened, locale):
     QLocale.setDefault(QLocale(locale))
@@ -92,6 +93,7 @@ def test_that_a_new_wall_has_no_mechanism_until_one_is_chosen(opened):
     assert opened.session.case.wall[-1].base_z_m == 0.0 and opened.run_button.isEnabled()
 
 
+@pytest.mark.shows("window.paste")
 def test_that_rows_copied_from_excel_become_walls(opened):
     QApplication.clipboard().setText("Parete\tz\tH\tt\tMeccanismo\n\tm\tm\tcm\t\nnord\t0\t4,5\t45\tun lato\n")
     opened.walls.paste()
@@ -100,6 +102,7 @@ def test_that_rows_copied_from_excel_become_walls(opened):
     assert wall.thickness_m == pytest.approx(0.45)
 
 
+@pytest.mark.shows("window.job")
 def test_the_whole_job(opened, application, tmp_path):
     """Run, look at every tab, edit, see it stale, run again, cancel, export, save, open again."""
     run(application, opened)
@@ -130,6 +133,7 @@ def test_the_whole_job(opened, application, tmp_path):
     assert read_case(opened.session.path) == opened.session.case
 
 
+@pytest.mark.shows("window.same_files")
 def test_that_the_exported_workbook_is_the_batchs_cell_for_cell(opened, application, tmp_path):
     import openpyxl
 
@@ -202,6 +206,7 @@ def test_that_a_file_that_is_no_record_is_said_in_the_dialog(opened, tmp_path):
     dialog.deleteLater()
 
 
+@pytest.mark.shows("window.slider")
 def test_that_the_slider_integrates_what_the_core_says(opened, application):
     from core.capacity.ida import threshold_of
     from core.rocking.history import history
@@ -239,6 +244,7 @@ def test_that_tables_copy_with_tabs(opened, application):
     assert len(lines) > 3 and all(line.count("\t") == 7 for line in lines)
 
 
+@pytest.mark.shows("window.language")
 def test_that_the_window_speaks_italian(opened, application):
     opened.set_choice("language", "it")
     assert opened.page_labels["walls"] == "Quadro generale" and opened.header.buttons["why"].text() == "3 Perché"

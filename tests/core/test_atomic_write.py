@@ -35,6 +35,7 @@ class Faults:
         return call
 
 
+@pytest.mark.shows("files.whole")
 @pytest.mark.parametrize("for_ever", [False, True])
 @pytest.mark.parametrize("number", range(1, 32))
 def test_that_a_fault_of_any_call_leaves_both_old_files_or_both_new(tmp_path, monkeypatch, number, for_ever):
@@ -126,6 +127,7 @@ def killed():
         starter.stdin.close()
 
 
+@pytest.mark.shows("files.whole")
 @pytest.mark.parametrize("number", range(1, 30))
 def test_that_a_kill_between_any_two_calls_is_finished_or_undone_at_the_next_start(killed, tmp_path, number):
     one, two = tmp_path / "a.xlsx", tmp_path / "a.json"

@@ -35,6 +35,7 @@ KNOWN = {
 """Typed from the definitions: 1 kgf = 9.80665 N, 1 ft = 0.3048 m, 1 in = 0.0254 m."""
 
 
+@pytest.mark.shows("case.units")
 @pytest.mark.parametrize(("text", "unit"), KNOWN)
 def test_that_a_unit_is_converted_by_its_definition(text, unit):
     assert factor_to(text, unit) == pytest.approx(KNOWN[text, unit], rel=1e-14)
@@ -58,6 +59,7 @@ NUMBERS = [name for name, column in columns().items() if column.entry.metadata["
 GIVEN = {"height_m": "5", "thickness_m": "0.5", "mechanism": "su due lati"}
 
 
+@pytest.mark.shows("case.units")
 @pytest.mark.parametrize("every", [5, pytest.param(1, marks=pytest.mark.long)])
 @pytest.mark.parametrize("place", ["head", "row"])
 def test_that_every_key_with_every_unit_is_converted_or_refused(place, every):

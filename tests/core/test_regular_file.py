@@ -90,6 +90,7 @@ OWN = {
 """Modules that open or read files without the door -> whose."""
 
 
+@pytest.mark.shows("doors.endless")
 def test_that_files_a_user_names_are_read_by_one_door():
     found = set()
     for path in SOURCES:

@@ -139,6 +139,7 @@ def quadrature(polygon, ends, angle, start, density):
     return total * math.copysign(1.0, total[0] * density)
 
 
+@pytest.mark.shows("bodies.integrals")
 def test_that_a_thousand_random_bodies_agree_with_quadrature():
     random = np.random.default_rng(38)
     for _ in range(1000):
@@ -161,6 +162,7 @@ def test_that_a_body_cut_in_two_is_the_whole_body():
         assert tuple(parts) == pytest.approx(tuple(whole), rel=1e-14)
 
 
+@pytest.mark.shows("bodies.integrals")
 @pytest.mark.parametrize(
     "solid",
     [
@@ -229,6 +231,7 @@ def moment_of_lumps(theta, side, wall, loads):
     return restoring, pushed, inertia
 
 
+@pytest.mark.shows("bodies.histories")
 @pytest.mark.parametrize(
     ("wall", "scale"),
     [
@@ -257,6 +260,7 @@ def test_that_histories_agree_with_a_solver_written_from_coordinates(wall, scale
     assert np.abs(found.rotation - truth).max() <= 1e-9 * model.slenderness
 
 
+@pytest.mark.shows("bodies.histories")
 def test_that_many_analyses_are_single_histories():
     model = model_of(wall_of(STEPPED, 8.0, 0.6, 5.0, "two_sided"), "two_sided")
     scales = np.linspace(-1.5, 1.5, 61)
@@ -269,6 +273,7 @@ def test_that_many_analyses_are_single_histories():
     assert [one.peak for one, kept in zip(whole, stable, strict=True) if kept] == peaks[stable].tolist()
 
 
+@pytest.mark.shows("bodies.histories")
 def test_that_energy_is_kept_between_impacts_and_angular_momentum_across_them():
     wall = wall_of([BATTERED], 5.0, 0.8, 1.0, "two_sided")
     model, body = model_of(wall, "two_sided"), wall.in_si.body
@@ -360,6 +365,7 @@ REFUSED = [
 ]  # fmt: skip
 
 
+@pytest.mark.shows("bodies.refused")
 @pytest.mark.parametrize(("code", "solids", "changes"), REFUSED)
 def test_that_a_body_that_is_none_is_refused_in_a_sentence(code, solids, changes):
     with pytest.raises(InputError) as refused:
@@ -392,6 +398,7 @@ STEPPED_WALL = {
 PLAIN_WALL = {key: value for key, value in STEPPED_WALL.items() if key != "steps"}
 
 
+@pytest.mark.shows("bodies.above")
 def test_that_the_part_above_a_hinge_is_the_body_cut_there():
     found = study_of({**STEPPED_WALL, "hinge_heights": [2.0, 4.0]})
     whole, low, high = found.walls
@@ -457,6 +464,7 @@ def test_that_a_stepped_wall_that_rocks_both_ways_has_q_by_the_exact_method_alon
         assert refused.value.code == code
 
 
+@pytest.mark.shows("bodies.checks")
 def test_that_the_checks_are_those_of_the_whole_body():
     """alpha_0, e*, M*, d_0 by hand: one body, W x_G / (W z_G) and the displacement of its centroid."""
     (wall,) = study_of(STEPPED_WALL | {"hinge_heights": "base"}).walls
@@ -466,6 +474,7 @@ def test_that_the_checks_are_those_of_the_whole_body():
     assert kinematic.m_star == pytest.approx(38545.3 / 5.0, rel=1e-6)
 
 
+@pytest.mark.shows("lifts.bodies")
 def test_that_wedges_and_a_low_restraint_are_shown_with_zeta_without_them():
     wedges = {"number": 2, "thickness_m": 0.6, "length_at_top_m": 2.0}
     (wall,) = study_of({**PLAIN_WALL, "return_wedges": wedges, "hinge_heights": "base"}).walls
@@ -489,6 +498,7 @@ def test_that_what_lies_beyond_the_base_is_left_out_also_of_one_polygon_and_with
     assert [clipped(part, 0.5) is not None for part in wall.parts] == [True, False, False]
 
 
+@pytest.mark.shows("paper.eq_6")
 def test_that_a_body_whose_eq_6_exceeds_1_loses_nothing_and_says_so_and_that_it_leans_inward():
     heavy = section_of([[0.5, 0], [1.5, 6], [0.5, 6]], 3.9)
     table = {**PLAIN_WALL, "height_m": 3.0, "thickness_m": 0.5, "length_m": 4.0, "hinge_heights": "base"}

@@ -15,6 +15,7 @@ def result(kept):
     return kept("church", lambda: run(read_case(CASE), base_dir=CASE.parent, jobs=2))
 
 
+@pytest.mark.shows("verdict.names_failures")
 def test_that_the_verdict_names_every_check_that_fails(result):
     (entry,) = json_report.results(result)["verdicts"]
     assert entry["code"] == "not_verified" and entry["zeta_e"] < 1.0
@@ -24,6 +25,7 @@ def test_that_the_verdict_names_every_check_that_fails(result):
     assert {"weaker_fails", "generated_motions"} <= {one["key"] for one in entry["limits"]}
 
 
+@pytest.mark.shows("lifts.velocity_ratio")
 def test_that_a_velocity_ratio_of_one_s_own_is_shown_with_what_theory_makes_of_it(result):
     """The ratio of a wall that pushes a roof is derived; 0.30 in its place verifies the facade."""
     from dataclasses import replace

@@ -13,6 +13,7 @@ from core.study import run as study
 from tests.validation.circolare import HELD, case, mechanism_of
 
 
+@pytest.mark.shows("kinematic.sld_floor")
 def test_that_zeta_is_capacity_over_demand_and_counts_a_g_sld_for_slv():
     """1.0 x 0.20 m, a_g 0.26 g, EN 1998-1 type 1, ground B: a_g,SLV against a_g, in g; clause .8. The other numbers of
     these checks are solved cases (core/solved/clauses.py)."""
@@ -34,6 +35,7 @@ def checks(result):
     return {check.name: check for check in result.walls[0].assessment.checks}
 
 
+@pytest.mark.shows("paper.eq_9")
 def test_that_the_wall_of_the_design_shows_its_disagreement(designed):
     wall = designed.walls[0]
     found = checks(designed)
@@ -52,6 +54,7 @@ def test_that_every_check_is_made_the_most_refined_first(designed):
     assert [check.name for check in designed.walls[0].assessment.checks] == list(CHECKS)
 
 
+@pytest.mark.shows("paper.eq_10")
 def test_that_q_and_its_multiplier_are_one_formula(designed):
     """The multiplier of a q is that of its search, to the last bit: the wall falls at it, not below."""
     wall, motion = designed.walls[0], designed.motions[0]
@@ -63,6 +66,7 @@ def test_that_q_and_its_multiplier_are_one_formula(designed):
     assert history(motion.acceleration, 0.01, low, wall.model, AUTO).outcome != COLLAPSED
 
 
+@pytest.mark.shows("kinematic.alpha0")
 def test_that_a_setback_turns_the_wall_about_its_hinge():
     # t = 0.83, u = 0.05: tan(alpha) = 0.73 / 7; R = sqrt(3.5^2 + 0.365^2); I0/m = (7^2 + 0.83^2)/12 + R^2
     block = case(wall={"hinge_setback_m": 0.05}).wall[0].block()
@@ -80,6 +84,7 @@ def test_that_the_strength_of_the_masonry_gives_the_setback():
     assert wall.setback == pytest.approx(0.036797, abs=1e-6)
 
 
+@pytest.mark.shows("kinematic.at_rest")
 def test_that_a_free_element_is_not_called_at_rest_by_the_pga(tmp_path):
     """FC S a_g is below a_RM, but FC S_e(T_0) is not (C8.7.1.9)."""
     wall = {"height_m": 1.2, "thickness_m": 0.35, "elastic_modulus_mpa": 200.0, "unit_weight_kn_m3": 18.0}

@@ -36,6 +36,7 @@ def without(demand):
     return {key: value for key, value in demand.items() if value is not None}
 
 
+@pytest.mark.shows("kinematic.displacement")
 def test_that_the_displacement_demand_of_a_site_is_its_largest_up_to_t_slv(tmp_path):
     wall = {"height_m": 5.0, "thickness_m": 0.5, "free_element": False}
     table = {
@@ -60,6 +61,7 @@ def test_that_the_displacement_demand_of_a_site_is_its_largest_up_to_t_slv(tmp_p
     assert slow.s_de == pytest.approx(values[inside].max(), rel=1e-5)
 
 
+@pytest.mark.shows("kinematic.displacement")
 def test_that_the_largest_s_de_is_found_inside_a_branch():
     # S_e falls from 1 g at 1 s to 0.1 g at 2 s: S_e T^2 with S_e = 1.9 - 0.9 T is largest at T = 1.9/1.35 s
     rows = [(0.0, 0.4 * G), (0.1, 1.0 * G), (1.0, 1.0 * G), (2.0, 0.1 * G), (3.0, 0.01 * G)]
@@ -69,6 +71,7 @@ def test_that_the_largest_s_de_is_found_inside_a_branch():
     assert largest_displacement(target, 0.0, 3.0, 0.05) == pytest.approx(by_hand, rel=1e-12)
 
 
+@pytest.mark.shows("kinematic.displacement")
 def test_that_a_spectrum_that_ends_before_t_slv_is_refused(tmp_path):
     demand = demand_of(
         parse_case(
@@ -84,6 +87,7 @@ def test_that_a_spectrum_that_ends_before_t_slv_is_refused(tmp_path):
         kinematic(wall.in_si, "two_sided", demand)
 
 
+@pytest.mark.shows("kinematic.elastic_to_d_slv")
 def test_that_a_wall_elastic_up_to_d_slv_has_no_linear_check():
     """12 x 0.40 m, E 200 MPa: T_0 = 6.9 s beyond T_SLV, where S_e(T_0) is next to nothing and would let a wall of
     d_SLV / S_De = 0.47 pass."""

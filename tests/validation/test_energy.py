@@ -7,6 +7,7 @@ import pytest
 
 from core.rocking.history import history
 from core.rocking.outcome import COLLAPSED
+from core.units import G
 from core.wall.rocking_model import RockingModel
 
 
@@ -24,6 +25,7 @@ def energy(rotation, velocity, model):
     return 0.5 * velocity**2 + model.p2 * stored
 
 
+@pytest.mark.shows("paper.eq_3", "mechanics.energy")
 @pytest.mark.parametrize("law", ["rigid", "doherty", "al_shawa"])
 @pytest.mark.parametrize("one_sided", [False, True])
 def test_that_free_motion_keeps_its_energy_and_an_impact_takes_its_share(make_model, law, one_sided):
@@ -47,6 +49,7 @@ def test_that_free_motion_keeps_its_energy_and_an_impact_takes_its_share(make_mo
     assert np.allclose(speeds[1:] / speeds[:-1], 0.93, rtol=1e-11, atol=0)
 
 
+@pytest.mark.shows("mechanics.end_of_record")
 @pytest.mark.parametrize("law", ["rigid", "doherty", "al_shawa"])
 @pytest.mark.parametrize(
     "one_sided, restitution", [(False, "housner"), (True, "housner"), (True, "one_sided_experimental")]
@@ -68,6 +71,7 @@ def test_that_the_energy_decision_is_what_integrating_on_gives(make_model, law, 
     assert len(seen) == 2
 
 
+@pytest.mark.shows("mechanics.end_of_record")
 def test_that_an_outcome_is_decided_just_below_and_above_the_separatrix(make_model):
     """The free block with the energy of the barrier is the separatrix: 1e-9 decides."""
     for law in ("rigid", "al_shawa"):
@@ -80,6 +84,17 @@ def test_that_an_outcome_is_decided_just_below_and_above_the_separatrix(make_mod
             for factor in (1 - 1e-9, 1 + 1e-9)
         ]
         assert outcomes == [0, 1]
+
+
+@pytest.mark.shows("mechanics.end_of_record")
+@pytest.mark.parametrize("law", ["rigid", "al_shawa"])
+def test_that_a_wall_that_falls_ends_at_a_right_angle(make_model, law):
+    """The ground goes on; the history ends at the sample after theta = pi/2."""
+    model = make_model(law=law)
+    pushed = np.full(4000, 3.0 * G * math.tan(model.slenderness))
+    found = history(pushed, 0.01, 1.0, model)
+    assert found.outcome == COLLAPSED and found.rotation.size < 4000
+    assert (np.abs(found.rotation[:-1]) <= 0.5 * math.pi).all() and found.peak >= 0.5 * math.pi
 
 
 @pytest.mark.parametrize("ratio", [0.0, 0.3, 0.9, 0.999, 1.0])

@@ -15,6 +15,7 @@ SAMPLES = 800
 """8 s of `standard`: a dozen impacts, and the amplification of rounding stays below 1e-9."""
 
 
+@pytest.mark.shows("paper.eq_1")
 @pytest.mark.parametrize("scale", [1.0, pytest.param(2.5, marks=pytest.mark.long)])
 @pytest.mark.parametrize(
     "one_sided, restitution, law",
@@ -93,6 +94,7 @@ def test_that_strong_motion_of_a_small_wall_shortens_the_steps(reference, make_m
     assert difference.max() / model.slenderness <= 1e-10
 
 
+@pytest.mark.shows("mechanics.loaded")
 @pytest.mark.parametrize("mechanism", ["one_sided", "two_sided"])
 def test_that_dop853_gives_the_same_history_of_a_wall_with_a_roof(reference, mechanism):
     """a sin(alpha - phi) + c cos(alpha - phi), with a and c of either side."""

@@ -11,6 +11,7 @@ from core.rocking.outcome import STABLE
 from core.units import G
 
 
+@pytest.mark.shows("mechanics.mirror")
 @pytest.mark.parametrize("method", METHODS.values(), ids=METHODS)
 @pytest.mark.parametrize("law", ["rigid", "doherty"])
 def test_that_a_mirrored_ground_moves_the_block_mirrored(reference, make_model, method, law):
@@ -23,6 +24,7 @@ def test_that_a_mirrored_ground_moves_the_block_mirrored(reference, make_model, 
         assert mirrored.peak == there.peak
 
 
+@pytest.mark.shows("mechanics.mirror")
 @pytest.mark.parametrize("one_sided", [False, True])
 @pytest.mark.parametrize("law", ["rigid", "al_shawa"])
 def test_that_zeros_in_front_change_nothing(reference, make_model, one_sided, law):
@@ -48,6 +50,7 @@ def test_that_zeros_behind_leave_outcome_and_peak(reference, make_model):
                 assert bare.peak == pytest.approx(padded.peak, rel=1e-11)
 
 
+@pytest.mark.shows("mechanics.time")
 def test_that_four_times_the_height_at_twice_the_step_is_the_same_history(reference, make_model):
     ground = reference("standard")[0]
     small, large = make_model(height=7.0), make_model(height=28.0)
@@ -57,6 +60,7 @@ def test_that_four_times_the_height_at_twice_the_step_is_the_same_history(refere
     assert difference.max() <= 1e-12  # p2 rounds differently, amplified 1e4 times
 
 
+@pytest.mark.shows("mechanics.time")
 def test_that_linear_resampling_changes_nothing(reference, make_model):
     ground = reference("standard")[0]
     fine = np.interp(np.arange(2 * ground.size - 1) / 2, np.arange(ground.size), ground)
@@ -68,6 +72,7 @@ def test_that_linear_resampling_changes_nothing(reference, make_model):
     assert difference.max() <= 2e-13
 
 
+@pytest.mark.shows("mechanics.mirror")
 @pytest.mark.parametrize("factor", [0.5, 3.0])
 def test_that_scaling_the_record_is_scaling_the_multiplier(reference, make_model, factor):
     ground = reference("standard")[0]
@@ -77,6 +82,7 @@ def test_that_scaling_the_record_is_scaling_the_multiplier(reference, make_model
     assert np.array_equal(scaled.rotation, multiplied.rotation)
 
 
+@pytest.mark.shows("paper.eq_2")
 @pytest.mark.parametrize("one_sided", [False, True])
 def test_that_a_ground_below_the_threshold_moves_nothing(make_model, reference, one_sided):
     model = make_model(one_sided=one_sided)

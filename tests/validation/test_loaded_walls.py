@@ -84,6 +84,7 @@ def test_that_a_load_on_the_ray_of_the_centroid_is_a_stronger_gravity(reference)
     assert np.abs(one.rotation - other.rotation).max() < 1e-10 * block.slenderness
 
 
+@pytest.mark.shows("mechanics.energy")
 @pytest.mark.parametrize("loads", [(ROOF, INWARD), (ROOF, THRUST), (PUSHING,)])
 def test_that_free_motion_with_loads_keeps_its_energy(loads):
     """V = a (cos(alpha - theta) - cos(alpha)) + c (sin(alpha) - sin(alpha - theta)); an impact leaves e^2 of it."""
@@ -119,6 +120,7 @@ def two_or_one(one_sided: bool) -> dict:
     return {} if one_sided else {"mechanism": "two_sided"}
 
 
+@pytest.mark.shows("mechanics.loaded")
 @pytest.mark.parametrize(("loads", "one_sided", "forces"), SETS)
 @pytest.mark.parametrize("times", [2.2, 2.6])
 def test_that_histories_with_loads_are_those_of_the_loads_own_moment(reference, loads, one_sided, forces, times):
@@ -135,6 +137,7 @@ def test_that_histories_with_loads_are_those_of_the_loads_own_moment(reference, 
         assert truth.min() < 0.0 < truth.max()
 
 
+@pytest.mark.shows("mechanics.loaded")
 @pytest.mark.parametrize("law", ["rigid", "al_shawa"])
 @pytest.mark.parametrize(("loads", "one_sided"), [entry[:2] for entry in SETS[:5]])
 def test_that_lanes_with_loads_are_single_histories(reference, loads, one_sided, law):
@@ -149,6 +152,7 @@ def test_that_lanes_with_loads_are_single_histories(reference, loads, one_sided,
     assert set(seen) == {STABLE, COLLAPSED}
 
 
+@pytest.mark.shows("mechanics.loaded")
 @pytest.mark.parametrize(("loads", "one_sided"), [entry[:2] for entry in SETS])
 def test_that_q_with_loads_is_that_of_multipliers_one_after_another(reference, loads, one_sided):
     """The first collapse among single histories on the grid of the search, q to its bracket."""
@@ -190,6 +194,7 @@ def test_that_a_two_sided_wall_of_unlike_sides_takes_both_signs_and_does_not_car
     assert {run.polarity for run in alike.runs} == {1}
 
 
+@pytest.mark.shows("kinematic.q_slv")
 def test_that_q_of_the_histories_is_not_raised_by_e_star_twice(tmp_path):
     """a_g,SLV = q a_g,SLD with q from uplift at alpha_0 g: q e* a0* FC = q alpha_0 g."""
     table = {

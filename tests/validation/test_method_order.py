@@ -53,6 +53,7 @@ def stepped_step(code):
     return step
 
 
+@pytest.mark.shows("mechanics.orders")
 @pytest.mark.parametrize(
     "name, step, order, h",
     [
@@ -70,6 +71,7 @@ def test_that_the_local_error_falls_with_the_stated_order(name, step, order, h):
         assert METHODS[name].order == order
 
 
+@pytest.mark.shows("mechanics.orders")
 def test_that_the_linearised_form_converges_to_its_own_equation_only():
     """Halving the step leaves its error: the equation is another one."""
     step = stepped_step(stepped.LINEARISED)
@@ -93,6 +95,7 @@ def test_that_the_linearised_form_converges_to_its_own_equation_only():
     assert METHODS["linearised"].order == 0
 
 
+@pytest.mark.shows("mechanics.orders")
 def test_that_the_papers_integrator_is_of_order_one_through_its_impacts(make_model):
     """Free decay through six impacts: the error falls with the step, not with its square."""
     model = make_model()

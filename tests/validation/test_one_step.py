@@ -39,6 +39,7 @@ def whole_and_cut(model, first, second, dt, order, phi, speed, peak=0.0):
     return whole, cut
 
 
+@pytest.mark.shows("mechanics.double_crossing")
 @pytest.mark.parametrize(
     "alpha, p2, dt, first, second, phi, speed",
     [

@@ -86,11 +86,13 @@ def unexplained(seed: int, count: int) -> list[tuple]:
     return found
 
 
+@pytest.mark.shows("mechanics.noise")
 @pytest.mark.parametrize("seed", [1, 2])
 def test_that_no_history_of_a_thousand_strays_unexplained(seed):
     assert unexplained(seed, 1000) == []
 
 
+@pytest.mark.shows("mechanics.noise")
 def test_that_histories_keep_what_is_promised_of_them():
     """Against 31 digits: the larger of 1e-9 and so many times what noise of 1e-15 on the samples does. In some of them
     noise moves the wall further than that."""

@@ -4,10 +4,12 @@ import math
 
 import mpmath
 import numpy as np
+import pytest
 
 from core.rocking.short_series import SHORT_SERIES, sine_and_cosine_short
 
 
+@pytest.mark.shows("mechanics.sine")
 def test_that_sine_and_cosine_are_exact_but_for_the_last_digit():
     worst = np.zeros(2)
     with mpmath.workdps(50):

@@ -97,6 +97,7 @@ def differ(model, found, small_steps) -> str:
     return ""
 
 
+@pytest.mark.shows("ties.histories")
 @pytest.mark.parametrize(
     "seed, count",
     [(5, 20), pytest.param(5, 150, marks=pytest.mark.long), pytest.param(6, 2000, marks=pytest.mark.long)],
@@ -112,6 +113,7 @@ def test_random_walls_against_an_integrator_of_small_steps(seed, count):
     assert sum(bool(work > 0.0) for _, _, (*_, work, _) in results) > 0.3 * count
 
 
+@pytest.mark.shows("mechanics.lanes")
 def test_many_multipliers_give_what_single_histories_give_bit_for_bit():
     rng = np.random.default_rng(11)
     outcomes_seen = set()
@@ -131,6 +133,7 @@ def test_many_multipliers_give_what_single_histories_give_bit_for_bit():
     assert outcomes_seen >= {STABLE, COLLAPSED}
 
 
+@pytest.mark.shows("ties.work")
 def test_the_work_of_a_bar_is_its_yield_force_times_its_plastic_elongation():
     bars = [TieBar(2.8, 3e3, 2e-3, 0.0, 9.0), TieBar(2.0, 1e3, 4e-3, 1e-3, 9.0)]
     model, bare = held_wall(3.0, 0.45, (), bars), held_wall(3.0, 0.45, (), [])
@@ -174,6 +177,7 @@ def test_a_slack_bar_is_no_bar_and_a_second_motion_meets_a_slack_one():
     assert twice.peak > 3.0 * once.peak
 
 
+@pytest.mark.shows("ties.prestress")
 def test_a_prestress_raises_the_ground_that_uplifts_the_wall_and_no_other_bar_does():
     still = held_wall(3.0, 0.45, (), [])
     for slack, held in ((0.0, 0.0), (-0.5 * AT_YIELD, 0.5)):

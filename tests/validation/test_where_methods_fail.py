@@ -35,6 +35,7 @@ def off(rotation, truth, model) -> float:
     return float(np.abs(rotation[:size] - truth[:size]).max() / model.slenderness)
 
 
+@pytest.mark.shows("mechanics.uplift")
 @pytest.mark.parametrize(
     "name, wrong, right", [("standard", 0.01, 1e-12), pytest.param("hard", 0.1, 1e-11, marks=pytest.mark.long)]
 )
@@ -61,6 +62,7 @@ def test_impact_at_the_end_of_the_step_does_not_converge_on_hard(reference, make
     assert off(history(ground, DT, 1.0, model).rotation, truth, model) < 1e-11
 
 
+@pytest.mark.shows("mechanics.double_crossing")
 def test_an_interior_double_crossing_within_a_sample(make_model):
     """A record with few samples: the block touches down and lifts again within one of them. A method
     that looks at the sample's end sees no impact."""
@@ -90,6 +92,7 @@ def test_a_grazing_impact_is_continuous_from_both_sides(make_model):
     assert (steps > 0).all() and steps.max() < 3.0 * steps.min()
 
 
+@pytest.mark.shows("mechanics.end_of_record")
 @pytest.mark.parametrize("law", ["rigid", "al_shawa"])
 def test_the_rotation_at_the_last_sample_is_wrong_near_the_separatrix(make_model, law):
     """theta > alpha is no collapse if it comes back, theta < alpha no survival if it goes on."""
@@ -109,6 +112,7 @@ def test_the_rotation_at_the_last_sample_is_wrong_near_the_separatrix(make_model
     assert wrong == 4
 
 
+@pytest.mark.shows("mechanics.law")
 @pytest.mark.long
 @pytest.mark.parametrize("law, wrong", [("doherty", 1e-3), ("al_shawa", 2e-3)])
 def test_trilinear_kinks_ignored(reference, make_model, law, wrong):
@@ -133,6 +137,7 @@ def test_trilinear_kinks_ignored(reference, make_model, law, wrong):
     assert off(found, np.array([float(value) for value in truth]), model) < 1e-11
 
 
+@pytest.mark.shows("mechanics.rest")
 @pytest.mark.parametrize("one_sided, ratio", [(False, 0.7), pytest.param(True, 0.45, marks=pytest.mark.long)])
 def test_chatter_without_a_rest_rule_never_ends(make_model, one_sided, ratio):
     """Zeno: impacts shrink geometrically. With the rule a few dozen, without it as many as are allowed."""
@@ -145,6 +150,7 @@ def test_chatter_without_a_rest_rule_never_ends(make_model, one_sided, ratio):
     assert result[0] == IMPACT_LIMIT and result[2] > 1_000
 
 
+@pytest.mark.shows("paper.eq_3")
 def test_energy_ratio_taken_for_the_velocity_ratio_is_unsafe(reference, make_model):
     """r for sqrt(r): more damping, more q. One-sided, Eq. 6: 0.206 for 0.454."""
     ground = reference("standard")[0]
@@ -160,6 +166,7 @@ def test_energy_ratio_taken_for_the_velocity_ratio_is_unsafe(reference, make_mod
         assert q(wrong) > unsafe * q(right)
 
 
+@pytest.mark.shows("paper.eq_8")
 def test_eq_8_as_printed_turns_eq_7_off():
     """Without its root theta_r' is 0.029 for 0.171 at 6.8 deg, 7 m: Eq. 7 is 0 from 0.27 theta_r'."""
     block = Block.rectangle(7.0, math.radians(6.8))
@@ -183,6 +190,7 @@ def test_eq_7_outside_its_range_is_held_at_zero_and_counted(reference, make_mode
     assert found.outcome in (0, 1)
 
 
+@pytest.mark.shows("search.definition")
 def test_bisection_over_the_multiplier_is_unsafe_by_more_than_half(reference, make_model):
     """It lands on whichever edge it meets: here above the first collapse by more than 50 %."""
     worst = 0.0
@@ -204,6 +212,7 @@ def test_bisection_over_the_multiplier_is_unsafe_by_more_than_half(reference, ma
     assert worst > 0.5
 
 
+@pytest.mark.shows("mechanics.fma")
 def test_fastmath_deletes_the_check_for_nan():
     """Why no kernel uses it: the guard that turns NaN into a word is compiled away."""
     from numba import njit
@@ -234,6 +243,7 @@ def test_steps_from_1e_4_to_0_05_s_on_blocks_from_5_cm_to_45_m(make_model, dt, h
     assert difference[inside].max() / model.slenderness < 1e-8
 
 
+@pytest.mark.shows("mechanics.time")
 def test_a_decimated_record_is_another_record(reference, make_model):
     """Every second sample of `standard`: another history though nothing failed. No silent resampling."""
     ground = reference("standard")[0]
@@ -273,6 +283,7 @@ def test_a_million_samples(make_model, samples):
     assert np.isfinite(long.rotation).all()
 
 
+@pytest.mark.shows("mechanics.bad_input")
 @settings(max_examples=150, deadline=None, derandomize=True)
 @given(
     alpha=st.floats(0.1, 45.0),
@@ -309,6 +320,7 @@ def test_no_wall_and_no_record_hangs_or_gives_nan(alpha, height, ratio, one_side
         assert found.rotation.min() >= 0.0
 
 
+@pytest.mark.shows("mechanics.time")
 def test_very_small_and_very_large_blocks_follow_the_scale_of_time(reference):
     """p t is the only time of the equation: H x 10 000 at dt x 100 is the same history."""
     ground = reference("standard")[0][:500]

@@ -28,6 +28,7 @@ def said(make_model, reference):
     return ida, accuracy(motion, 1, ida, None, model, METHODS["taylor_6"], search)
 
 
+@pytest.mark.shows("search.accuracy")
 def test_that_the_default_agrees_with_independent_solvers(said):
     ida, found = said
     assert found.q == ida.q and found.q_reference == ida.q
@@ -108,6 +109,7 @@ def test_that_noise_in_the_last_digit_has_a_small_effect_far_from_collapse(make_
     assert (found < 1e-9) is bounded
 
 
+@pytest.mark.shows("search.accuracy")
 def test_that_a_history_next_to_collapse_has_no_bound(make_model, reference):
     """The multiplier at which the wall falls, to the last digits: noise decides whether it does."""
     model, ground = make_model(), reference("standard")[0]

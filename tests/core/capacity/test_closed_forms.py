@@ -22,6 +22,7 @@ def test_that_a_power_law_is_found_back():
     assert fit.q_eff(0.5) == pytest.approx(321.0 * 50.0**-0.93)
 
 
+@pytest.mark.shows("paper.eq_13")
 def test_that_a_power_law_is_scipys_regression():
     from scipy.stats import linregress
 
@@ -34,11 +35,13 @@ def test_that_a_power_law_is_scipys_regression():
     assert fit.r_squared == pytest.approx(line.rvalue**2, rel=1e-9)
 
 
+@pytest.mark.shows("paper.eq_13")
 @pytest.mark.parametrize("si", [[], [1.0, 2.0], [1.0, 1.0, 1.0]])
 def test_that_a_power_law_needs_three_points_and_a_spread(si):
     assert closed_forms.fit_power_law(si, [5.0] * len(si)) is None
 
 
+@pytest.mark.shows("paper.eq_16")
 def test_that_leaving_the_fitted_range_is_said():
     inside = closed_forms.range_notices(math.radians(6.8), 7.0, [("a", 0.2 * G)])
     assert inside == []

@@ -10,6 +10,7 @@ from core.capacity.ida import Search
 from tests.core.capacity.searches import scripted, search_of
 
 
+@pytest.mark.shows("search.fragility")
 def test_that_fragility_is_the_mean_share_of_the_runs(ground, make_model):
     search = Search()
     runs = [search_of(ground, make_model(height=h), search) for h in (5.0, 7.0, 9.0)]

@@ -37,6 +37,7 @@ def brute(ground, model, q, sign=1):
     return found.outcome, found.peak / model.slenderness
 
 
+@pytest.mark.shows("search.definition")
 @pytest.mark.parametrize("one_sided", [False, True])
 @pytest.mark.parametrize("law", ["rigid", "doherty"])
 def test_that_every_number_is_its_definition(ground, make_model, one_sided, law):
@@ -188,6 +189,7 @@ def test_that_a_search_can_be_cancelled_between_chunks(ground, make_model):
     assert len(calls) == 4
 
 
+@pytest.mark.shows("search.definition")
 def test_that_a_trilinear_map_goes_down_until_a_whole_window_survives(make_model):
     """A square wave of 2 s pumps a small trilinear wall over at a quarter of a_RM, below 0.5."""
     ground = np.where((np.arange(2001) // 100) % 2 == 0, 1.0, -1.0)
@@ -205,6 +207,7 @@ def test_that_the_share_counts_missing_points_as_surviving():
     assert share.tolist() == [2, 2, 2, 3, 2, 1]
 
 
+@pytest.mark.shows("search.unknown")
 def test_that_an_unknown_outcome_before_collapse_leaves_no_number(make_model, monkeypatch):
     scripted(monkeypatch, lambda q: IMPACT_LIMIT if 1.5 < q < 1.52 else int(q > 2.0))
     found = search_of(np.ones(5), make_model())
@@ -243,6 +246,7 @@ def test_that_an_unknown_midpoint_takes_the_number_it_belongs_to(make_model, mon
         assert found.q_slc == found.q and found.q_robust is not None
 
 
+@pytest.mark.shows("search.unknown")
 def test_that_unknown_points_above_collapse_are_counted_and_left_out(make_model, monkeypatch):
     def outcome(q):
         if 2.0 < q < 2.2:
@@ -270,6 +274,7 @@ def test_that_the_map_goes_as_far_as_asked(make_model, monkeypatch, span):
     assert last <= span * found.q < last * 1.005
 
 
+@pytest.mark.shows("mechanics.impact_limit")
 def test_that_a_real_wall_can_reach_the_impact_limit(make_model):
     """Elastic impacts pressed down by a steady ground: hops without end within a sample."""
     model = make_model(30.7, 1.747, one_sided=True, ratio=1.0)
@@ -334,6 +339,7 @@ def test_that_a_failure_below_the_lowest_q_of_a_trilinear_search_is_said(make_mo
     assert not search_of(np.ones(5), model).below_floor
 
 
+@pytest.mark.shows("search.q_slv_low")
 @pytest.mark.parametrize("seed", [0, 2])
 def test_that_copies_of_a_record_as_alike_as_1e_9_share_the_lower_end_of_q_slv(ground, make_model, seed):
     """Between two copies q_slv jumps somewhere: bisection finds where, to 1e-9 of PGA, and q_slv_low stays."""

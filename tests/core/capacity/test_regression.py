@@ -8,6 +8,7 @@ from core.capacity import regression
 RNG = np.random.default_rng(7)
 
 
+@pytest.mark.shows("paper.eq_14")
 def test_that_planted_coefficients_of_eq14_come_back():
     alpha, height = (axis.ravel() for axis in np.meshgrid([3.1, 6.8, 11.3], [3.0, 5.0, 7.0, 9.0, 11.0]))
     fit = regression.linear_c1(alpha, height, 30.0 * alpha + 78.0 * height + 90.0)

@@ -42,6 +42,7 @@ DENIED += [
 ]
 
 
+@pytest.mark.shows("verdict.empty_reason")
 @pytest.mark.parametrize("text", DENIED)
 def test_that_a_text_that_denies_a_restraint_or_leaves_it_open_is_refused(text):
     with pytest.raises(InputError) as refused:

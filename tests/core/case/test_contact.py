@@ -25,6 +25,7 @@ def box(outer: float, inner: float, low: float, high: float) -> dict:
     return section((outer, low), (inner, low), (inner, high), (outer, high))
 
 
+@pytest.mark.shows("bodies.above")
 @pytest.mark.parametrize("outer", [-0.10, -0.02, 0.0, 0.05])
 def test_that_what_overhangs_turns_about_the_edge_it_rests_on(outer):
     """A wall of 0.8 m that carries one of 0.35 m which overhangs it: above the joint it is the body drawn alone."""
@@ -55,6 +56,7 @@ def test_that_loads_above_a_hinge_are_measured_from_its_edge():
     assert above_hinge(outward, 5.0).load[0].d_m == pytest.approx(0.2)
 
 
+@pytest.mark.shows("bodies.one")
 @pytest.mark.parametrize("seed", range(20))
 def test_that_steps_solids_and_one_outline_have_the_same_hinges_and_bodies(seed):
     """A wall that becomes thinner twice, flush with its outer face: by `steps`, solids in any order, one polygon."""
@@ -187,6 +189,7 @@ REFUSED = {
 }
 
 
+@pytest.mark.shows("bodies.refused")
 @pytest.mark.parametrize("name", REFUSED)
 def test_that_what_is_no_body_or_weighs_twice_is_refused(name):
     code, solids = REFUSED[name]
@@ -234,6 +237,7 @@ def test_that_pieces_above_a_hinge_are_walls_of_their_own():
     above_hinge(wall, 3.0)
 
 
+@pytest.mark.shows("bodies.above")
 def test_that_sills_and_lintels_are_usual_hinges():
     openings = [{"s_m": 1.0, "z_m": 1.0, "width_m": 1.2, "height_m": 1.5}]
     found = usual_hinges(parse_wall(BASE | {"openings": openings}), None)

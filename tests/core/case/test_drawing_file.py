@@ -76,6 +76,7 @@ def area_of(solids):
     return body.difference(shapely.union_all([Polygon(s.polygon_m) for s in solids if s.opening]))
 
 
+@pytest.mark.shows("bodies.drawing")
 @pytest.mark.parametrize("name", SHEETS)
 def test_that_area_and_centroid_are_those_of_shapely(tmp_path, name):
     """By shapely from its own description, within the tolerance of an arc along the outline; by shapely from the
@@ -98,6 +99,7 @@ def test_that_a_ring_within_an_opening_and_a_frame_within_a_window_count_once(tm
     assert {name: sum(one.opening for one in solids) for name, solids in openings.items()} == {"church": 4, "palace": 4}
 
 
+@pytest.mark.shows("bodies.drawing")
 def test_that_a_batch_from_a_drawing_is_that_of_its_solids(tmp_path, capsys):
     """And its file is named by its hash, in the JSON and in the sheet Input."""
     case, _ = written(tmp_path, "church")
@@ -240,6 +242,7 @@ def _windows_that_overlap(space):
 OPENINGS = 'opening_layers = "O"'
 
 
+@pytest.mark.shows("bodies.drawing_refused")
 @pytest.mark.parametrize(
     ("draw", "more", "code", "words"),
     [
@@ -465,6 +468,7 @@ def test_that_a_wall_is_taken_to_be_between_80_cm_and_80_m_large(size, unit):
     assert likely_unit(size) == unit
 
 
+@pytest.mark.shows("bodies.drawing_refused")
 def test_that_the_limits_of_a_drawing_are_those_the_page_names(tmp_path):
     page = (ROOT / "resources" / "docs" / "case.md").read_text(encoding="utf-8")
     most_mb, most = re.search(r"one of more than (\d+) MB or ([\d ]+) entities", page).groups()
@@ -557,6 +561,7 @@ def test_that_without_ezdxf_the_absence_is_said_before_the_run(tmp_path, monkeyp
         read_case(case)
 
 
+@pytest.mark.shows("batch.inspect")
 def test_that_inspect_lists_the_layers_of_a_drawing(tmp_path, capsys):
     church = sheets.church(tmp_path / "church.dxf")[0]
     nave = sheets.nave(tmp_path / "nave.dxf")[0]
@@ -685,6 +690,7 @@ LEFT = {
 }
 
 
+@pytest.mark.shows("bodies.drawing_refused")
 @pytest.mark.parametrize("name", LEFT)
 def test_that_what_may_be_wall_and_is_not_read_is_refused_on_a_chosen_layer(name, tmp_path):
     def draw(space, document):
@@ -799,6 +805,7 @@ HOSTILE = {
 }
 
 
+@pytest.mark.shows("doors.bombs")
 @pytest.mark.parametrize("kind", HOSTILE)
 def test_that_a_hostile_drawing_takes_no_more_than_its_size(kind, tmp_path, monkeypatch):
     random.seed(1)

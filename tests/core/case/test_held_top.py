@@ -47,6 +47,7 @@ REFUSED = {
 }
 
 
+@pytest.mark.shows("case.loads")
 @pytest.mark.parametrize("what", REFUSED)
 def test_that_what_does_not_go_with_a_held_top_is_refused(what):
     more, code = REFUSED[what]

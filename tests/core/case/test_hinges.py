@@ -57,6 +57,7 @@ def test_that_given_heights_are_taken_in_order_and_once():
     assert len({wall.thickness for wall in found}) == 1
 
 
+@pytest.mark.shows("verdict.hinges")
 def test_that_the_part_above_a_hinge_is_the_wall_one_would_write():
     part = walls_of(case([6.0]))[1]
     alone = case(None, name="top", base_z_m=6.0, height_m=3.0).wall[0]
@@ -67,6 +68,7 @@ def test_that_the_part_above_a_hinge_is_the_wall_one_would_write():
     assert both[1].assessment.verdict == single.assessment.verdict
 
 
+@pytest.mark.shows("verdict.hinges")
 def test_that_without_a_word_a_hinge_is_where_a_load_or_a_storey_is_and_three_times_t_is_above():
     """A wall of 9.0 x 0.60 m, three storeys of 3 m: above 7.2 m its top is stockier than 3."""
     roof = {"kind": "vertical", "kn_m": 8.0, "d_m": 0.4, "h_m": 8.8, "mass": "none"}

@@ -76,6 +76,7 @@ def wall_of(*loads, **changes):
     return case_of(*loads, **changes).wall[0]
 
 
+@pytest.mark.shows("case.loads")
 @pytest.mark.parametrize(("code", "loads", "changes"), REFUSED)
 def test_that_loads_a_wall_cannot_have_are_refused(code, loads, changes):
     wall = {**WALL, **changes}
@@ -106,6 +107,7 @@ def test_that_every_kind_of_load_is_a_weight_or_a_force_and_moves_no_other_mass(
         assert caught.value.code == "load_mass_refused"
 
 
+@pytest.mark.shows("ties.too_strong")
 @pytest.mark.parametrize("load, sign", [(TIE, 1.0), (INWARD, -1.0)])
 def test_that_no_kind_of_load_holds_more_than_one_rigid_block_can_take(load, sign):
     case_of(ROOF, {**load, "kn_m": 8.6 * sign})
@@ -242,6 +244,7 @@ def of_weight(**parts):
     return parse_case({"wall": [WALLED | {"load": [weight]}]}).wall[0].load[0]
 
 
+@pytest.mark.shows("demand.psi")
 def test_that_the_variable_load_counts_by_its_share():
     """8 kN/m of a floor and 2.5 kN/m of dwellings, psi_2 0.3: 8.75 kN/m."""
     assert of_weight(g_kn_m=8.0, q_kn_m=2.5, psi_2=0.3).kn_m == pytest.approx(8.75)

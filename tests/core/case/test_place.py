@@ -24,6 +24,7 @@ def case_of(place=None, **demand):
     return {"site": {**SITE, **(place or {})}, "demand": {"spectrum": SPECTRUM, **demand}, "wall": [WALL]}
 
 
+@pytest.mark.shows("demand.place")
 def test_that_a_place_gives_the_demand():
     case = parse_case(case_of())
     demand = case.demand
@@ -35,6 +36,7 @@ def test_that_a_place_gives_the_demand():
     assert parse_case(case_of(spectrum=en)).demand.ag_g == demand.ag_g
 
 
+@pytest.mark.shows("demand.place")
 @pytest.mark.parametrize(
     ("given", "code"),
     [

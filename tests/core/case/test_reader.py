@@ -6,6 +6,7 @@ from core.case.reader import read_case
 from core.errors import InputError
 
 
+@pytest.mark.shows("case.refused")
 def test_that_files_that_are_no_case_are_one_sentence(tmp_path):
     for name, content, word in (
         ("a.toml", b"[[wall\n", "not TOML"),
@@ -46,6 +47,7 @@ def test_that_a_key_of_thousands_of_parts_is_refused_at_once(tmp_path):
             read_case(path)
 
 
+@pytest.mark.shows("case.refused")
 @pytest.mark.parametrize(
     ("written", "words"),
     [

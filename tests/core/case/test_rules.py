@@ -19,6 +19,7 @@ SCALED = {"demand": {**CHOSEN["demand"], "demand_scaling": "pga"}}
 STRENGTH = {"compressive_strength_mpa": 2.0, "unit_weight_kn_m3": 18.0}
 
 
+@pytest.mark.shows("kinematic.knowledge", "case.refused", "case.never_guessed")
 @pytest.mark.parametrize(
     "table, words",
     [
@@ -136,6 +137,7 @@ def test_that_a_wrong_case_is_refused_in_one_sentence(table, words):
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.shows("case.never_guessed")
 def test_that_the_height_of_the_base_is_never_guessed(tmp_path):
     bare = {k: v for k, v in WALL.items() if k != "base_z_m"}
     assert parse_case({"wall": [bare]}).wall[0].base_z_m is None
@@ -150,6 +152,7 @@ def test_that_the_height_of_the_base_is_never_guessed(tmp_path):
     assert [wall.base_z_m for wall in read_case(path).wall] == [0.0, None]
 
 
+@pytest.mark.shows("demand.return_period")
 @pytest.mark.parametrize(
     ("demand", "words"),
     [

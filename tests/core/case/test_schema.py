@@ -12,6 +12,7 @@ from core.errors import InputError
 from tests.core.case.tables import case, without
 
 
+@pytest.mark.shows("case.ways")
 def test_that_defaults_follow_the_mechanism():
     both = parse_case(case({"mechanism": "both"})).wall[0]
     assert both.mechanisms() == ("two_sided", "one_sided")
@@ -21,6 +22,7 @@ def test_that_defaults_follow_the_mechanism():
     assert given.restitution_of("two_sided").ratio_at_rest == 0.9
 
 
+@pytest.mark.shows("case.ways")
 def test_that_three_ways_to_write_a_wall_are_one_block():
     import math
 
@@ -83,6 +85,7 @@ def test_that_two_cases_of_the_same_keys_are_the_same_wherever_they_were_read():
     assert replace(one, title="another") != one
 
 
+@pytest.mark.shows("demand.return_period")
 @pytest.mark.parametrize(
     ("demand", "years"),
     [

@@ -35,6 +35,7 @@ def case_of(text: str):
     return parse_case(tomllib.loads(text))
 
 
+@pytest.mark.shows("case.variant")
 def test_that_a_variant_is_the_named_wall_with_what_differs():
     before, after = case_of(WALL + '[[wall]]\nvariant_of = "South wall"  # cut back\nheight_m = 5.5').wall
     assert before == replace(case_of(WALL).wall[0], variant=AS_IS)

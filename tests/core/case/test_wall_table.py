@@ -42,6 +42,7 @@ def book(rows, change=None) -> bytes:
 ROWS = [["Wall", "H", "t", "mechanism"], ["", "m", "m", ""], ["a", 5.0, "0,5", "two_sided"]]
 
 
+@pytest.mark.shows("case.table")
 def test_that_an_italian_csv_gives_its_walls(tmp_path):
     path = tmp_path / "w.csv"
     for encoding in ("utf-8-sig", "cp1252"):
@@ -140,6 +141,7 @@ def test_that_a_lying_dimension_changes_nothing(tmp_path):
     assert len(read_walls(path)) == 1
 
 
+@pytest.mark.shows("case.table_refused")
 @pytest.mark.parametrize(
     ("content", "words"),
     [
@@ -237,6 +239,7 @@ def workbook(tmp_path, hide=(), sheets=()):
     return path
 
 
+@pytest.mark.shows("case.table_refused")
 def test_that_hidden_rows_and_sheets_are_not_read_and_said(tmp_path):
     walls, notes = read_table(workbook(tmp_path, hide=(4,), sheets=[("Old", True), ("Note", False)]))
     assert [wall.name for wall in walls] == ["a", "c"]
@@ -352,6 +355,7 @@ def test_that_hinges_stand_in_a_column(cell, heights):
         walls_of(text_rows(text.replace(cell, "high")))
 
 
+@pytest.mark.shows("case.table")
 def test_that_a_table_takes_every_key_of_a_wall():
     columns = wall_table.columns()
     for entry in fields(Wall):
@@ -417,6 +421,7 @@ def saved(tmp_path):
     return save
 
 
+@pytest.mark.shows("case.table")
 @pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
 def test_that_a_table_is_the_same_whoever_wrote_it(writer, saved):
     walls, notes = read_table(saved(written_by(writer, THRUST, hidden_rows=(4,), others=[("Note", [["x"]])])), True)
@@ -439,6 +444,7 @@ def test_that_all_cells_without_a_value_of_their_own_are_named_at_once(writer, s
         read_table(path)
 
 
+@pytest.mark.shows("case.table_refused")
 def test_that_hidden_columns_are_not_read_and_said(saved):
     rows = [[*row[:2], *row[2:]] for row in THRUST]
     walls, notes = read_table(saved(written_by(Writer(), rows, hidden_columns=(7, 8, 9))))
@@ -471,6 +477,7 @@ def test_that_a_text_of_countless_cells_is_refused_before_they_are_made(text, mo
 STYLES, STRINGS, SHEET = "xl/styles.xml", "xl/sharedStrings.xml", "xl/worksheets/sheet1.xml"
 
 
+@pytest.mark.shows("doors.bombs")
 @pytest.mark.parametrize(
     ("part", "before", "unit"),
     [
@@ -523,6 +530,7 @@ def test_that_a_table_cut_anywhere_is_refused_read_as_fewer_walls_or_said(tmp_pa
     assert refused > 90 and said > 0
 
 
+@pytest.mark.shows("case.table_refused")
 @pytest.mark.parametrize("row", ["c;su due lati;5,0;0,50", 'c;"su due lati;5,0;0,50;0', "c"])
 def test_that_a_short_row_and_an_open_quote_are_refused(row):
     with pytest.raises(InputError) as caught:

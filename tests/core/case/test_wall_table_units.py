@@ -36,6 +36,7 @@ def test_that_each_unit_of_a_table_has_its_factor(head, unit, cell, key, value):
     assert getattr(wall, key) == pytest.approx(value, rel=1e-15)
 
 
+@pytest.mark.shows("case.units")
 @pytest.mark.parametrize(
     ("head", "unit"), [("E", "kN/m3"), ("E", ""), ("γ", "MPa"), ("H", "kN/m3"), ("H", ""), ("Meccanismo", "m")]
 )

@@ -11,6 +11,7 @@ from core.errors import InputError
 from tests.core.case.tables import case
 
 
+@pytest.mark.shows("case.written")
 def test_that_a_case_written_and_read_again_is_the_same():
     full = case(
         {"law": {"elastic_limit": 0.05, "plateau_end": 0.3}, "velocity_ratio": 0.91},
@@ -80,6 +81,7 @@ spectrum = { code = "NTC2018", f0 = 2.4, tc_star_s = 0.33, soil = "B", topograph
 """
 
 
+@pytest.mark.shows("case.written")
 def test_that_comments_order_and_stated_defaults_of_a_file_stay():
     case = parse_case(tomllib.loads(COMMENTED))
     assert dumps(case, COMMENTED) == COMMENTED

@@ -43,6 +43,7 @@ def by_quadrature(median, deviation, hazard=HAZARD):
     return sum(parts) + above, above / (sum(parts) + above), norm.cdf(math.log(first / median) / deviation)
 
 
+@pytest.mark.shows("risk.rate")
 @pytest.mark.parametrize("median, deviation", [(3.0, 0.4), (1.0, 0.3), (6.0, 0.5), (2.0, 0.05), (0.7, 0.8)])
 def test_that_the_closed_form_is_the_integral(median, deviation):
     assert rate(median, deviation) == pytest.approx(by_quadrature(median, deviation), rel=1e-9)
@@ -56,6 +57,7 @@ def test_that_rows_close_in_a_g_and_records_that_scatter_leave_its_digits(median
     assert rate(median, deviation, rows) == pytest.approx(by_quadrature(median, deviation, rows), rel=1e-8)
 
 
+@pytest.mark.shows("risk.rate")
 def test_that_on_one_straight_hazard_it_is_cornell_s():
     """lambda = H(median) exp(k^2 beta^2 / 2), Cornell 1996; the tail above the last row adds its upper bound."""
     k, at = 2.5, 1.0
@@ -95,6 +97,7 @@ def test_the_rate_of_a_state_with_fc_its_interval_and_its_life():
     assert in_years(1e-12, 50.0) == pytest.approx(5e-11, rel=1e-9)
 
 
+@pytest.mark.shows("risk.rate")
 def test_that_the_components_of_one_station_are_drawn_together():
     """Two files of each station: the interval is that of the stations, wider than that of as many of their own."""
     capacities = [2.0, 2.0, 3.0, 3.0, 4.0, 4.0, 5.0, 5.0]
@@ -104,6 +107,7 @@ def test_that_the_components_of_one_station_are_drawn_together():
     assert paired.in_life is None
 
 
+@pytest.mark.shows("risk.rate")
 def test_that_the_interval_is_nine_tenths_of_the_drawn_sets():
     """The rate of each set by itself: a record drawn twice is there twice."""
     capacities, names = np.array([2.0, 3.0, 2.5, 4.0, 3.3, 2.2, 2.8]), list("aabcdef")
@@ -113,6 +117,7 @@ def test_that_the_interval_is_nine_tenths_of_the_drawn_sets():
     assert found.rate == pytest.approx(typical_rate(capacities / 1.35, HAZARD), rel=1e-12)
 
 
+@pytest.mark.shows("risk.rate")
 def test_that_two_stations_and_a_site_without_hazard_have_no_rate():
     assert state_rate("SLV", [2.0, 3.0, 4.0], ["a", "a", "b"], HAZARD, 1.0, 50.0) is None
     assert state_rate("SLV", [2.0, 3.0, 4.0], ["a", "b", "c"], (), 1.0, 50.0) is None

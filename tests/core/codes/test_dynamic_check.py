@@ -36,6 +36,7 @@ def reduced(model, factor=1.35):
     return model._replace(p2=model.p2 / factor)
 
 
+@pytest.mark.shows("dynamic.fc")
 @pytest.mark.parametrize("one_sided", [False, True])
 def test_that_fc_on_the_strength_is_the_restoring_moment_over_fc(designed, one_sided):
     """theta'' = -p^2 [sin(alpha - theta) / FC - u''/g cos(alpha - theta)] by scipy's DOP853, with its own
@@ -91,6 +92,7 @@ def solved(ground, dt, alpha, p2, one_sided, ratio, strength):
     return np.array(theta)
 
 
+@pytest.mark.shows("dynamic.rule")
 def test_that_the_dynamic_check_is_what_single_histories_say(designed):
     wall = designed.walls[0]
     found = wall.assessment.dynamic
@@ -158,6 +160,7 @@ def lowest_with(fails: np.ndarray, share: float) -> float:
     return 1.0025 ** (next(places) - 700)
 
 
+@pytest.mark.shows("dynamic.zeta")
 @pytest.mark.parametrize("every", [False, pytest.param(True, marks=pytest.mark.long)])
 def test_that_zeta_is_where_half_of_the_multipliers_around_fail(designed, every):
     """every : at each multiplier, also far below the first failure, above zeta and twice the demand."""
@@ -199,6 +202,7 @@ def wall_of(k: int):
     return model, motions, (1, -1) if one_sided else (1,), demand_of(case(**table), None)
 
 
+@pytest.mark.shows("dynamic.grid")
 @pytest.mark.parametrize("walls", [range(0, 100, 20), pytest.param(range(100), marks=pytest.mark.long)])
 def test_that_zeta_of_a_hundred_walls_is_that_of_every_point_of_the_grid(walls):
     """From below the multiplier at which the wall begins to move on, no point left out. What is found is at a point of
@@ -267,6 +271,7 @@ def test_that_a_run_that_rocks_is_told_also_where_the_rule_holds(scripted, count
     assert rocks.tolist() == (multipliers >= 2.0).tolist()
 
 
+@pytest.mark.shows("dynamic.no_number")
 def test_that_runs_without_a_number_give_no_zeta_and_satisfy_nothing(scripted):
     found = demand_check(*scripted(lambda at, which: (STABLE, 0.1) if at < 1.2 else (IMPACT_LIMIT, 0.1)), AUTO)
     assert found.zeta is None and found.zeta_spread is None and not found.passed

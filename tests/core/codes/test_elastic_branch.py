@@ -27,6 +27,7 @@ def by_hand(modulus: float, weight: float, height: float = 1.2, thickness: float
     return period, 1.0 / (1.0 + (2.0 * math.pi / period) ** 2 * d0 / (thickness / height * G))
 
 
+@pytest.mark.shows("kinematic.branch")
 def test_that_the_branch_ends_where_it_meets_the_curve():
     by_curve, by_motion = found_of()
     period, limit = by_hand(1200.0, 18.0)
@@ -37,6 +38,7 @@ def test_that_the_branch_ends_where_it_meets_the_curve():
     assert by_curve.own_period != pytest.approx(period, rel=1e-3)
 
 
+@pytest.mark.shows("kinematic.branch_without_modulus")
 def test_that_without_a_modulus_both_ends_of_the_table_are_taken_with_the_weight_that_makes_each_further():
     slow, fast = found_of(elastic_modulus_mpa=None, unit_weight_kn_m3=None)
     assert (slow.modulus, fast.modulus) == (690e6, 5600e6) and slow.assumed and fast.assumed
@@ -51,6 +53,7 @@ def test_that_a_wall_elastic_up_to_its_limit_has_none_and_a_stiff_one_the_least(
     assert all(branch.limit >= elastic_branch.LEAST_LIMIT for branch in stiff)
 
 
+@pytest.mark.shows("kinematic.branch_without_modulus")
 def test_that_ties_and_unlike_sides_have_no_branch():
     tie = {"kind": "tie", "kn_m": 2.0, "h_m": 1.0, "bar_length_m": 6.0, "elongation_m": 0.2}
     assert found_of(load=[tie]) == ()

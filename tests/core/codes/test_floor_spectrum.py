@@ -30,6 +30,7 @@ def test_that_beyond_the_first_period_the_floor_is_not_below_the_ground():
     assert at.acceleration([1.6959], 0.08) == pytest.approx(TARGET.acceleration([1.6959], 0.08))
 
 
+@pytest.mark.shows("kinematic.floor_spectrum")
 def test_that_the_spectrum_has_a_plateau_at_the_mode_not_a_dip():
     """xi_k in A is a fraction: in per cent A would be below 1."""
     at = floor(6.0)

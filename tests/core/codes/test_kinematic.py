@@ -14,6 +14,7 @@ def test_that_a_wall_is_free_as_said_else_by_its_mechanism():
     assert case({**FREE, "mechanism": "one_sided"}).wall[0].in_si.is_free("one_sided")
 
 
+@pytest.mark.shows("kinematic.sld_free")
 def test_that_a_free_element_without_its_period_has_no_linear_check():
     found, demand = mechanism_of(case({"unit_weight_kn_m3": 18.0}))
     assert found.missing == ("elastic_modulus_mpa",) and found.zeta_sld is None
@@ -28,6 +29,7 @@ def test_that_a_free_element_without_its_period_has_no_linear_check():
     assert mechanism_of(parse_case(bare))[0].missing == ("spectrum",)
 
 
+@pytest.mark.shows("kinematic.sld_restrained", "kinematic.sld_free")
 def test_that_the_check_at_sld_is_against_the_ground_or_the_spectrum_at_t_0():
     for kind, demanded in ((HELD, 0.312), (FREE, 0.780)):
         asked = case({"height_m": 3.0, "thickness_m": 0.45, **kind}, {"limit_state": "SLD"})

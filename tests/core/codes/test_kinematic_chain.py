@@ -22,6 +22,7 @@ def across(**changes):
     return case_of(return_walls=ACROSS, length_m=5.0, **changes).wall[0]
 
 
+@pytest.mark.shows("kinematic.friction")
 def test_that_friction_counts_in_alpha0_alone_and_at_its_least():
     wall = across()
     found, bare = chain(wall.in_si, False), chain(replace(wall, return_walls=None).in_si, False)
@@ -64,6 +65,7 @@ FRICTION = (
 """Loads of walls whose upper part turns, held by return walls."""
 
 
+@pytest.mark.shows("kinematic.sums", "kinematic.a0")
 @pytest.mark.parametrize("loads", FRICTION)
 def test_that_the_numbers_of_a_mechanism_are_of_one_body(loads):
     """a0* = alpha_0 g / (e* FC), M* = e* of the mass of the same body, in the results and in the JSON; beside them
@@ -102,6 +104,7 @@ def test_that_the_friction_does_not_raise_what_the_histories_lead_to(tmp_path):
     assert row.zeta == pytest.approx(wall.q_slv_low_set * 0.15 / (1.35 * 0.312), rel=1e-9)
 
 
+@pytest.mark.shows("kinematic.friction")
 def test_that_the_displacement_check_does_not_count_the_friction():
     case = case_of(return_walls=ACROSS, length_m=5.0)
     demand = demand_of(case, Path())
@@ -111,6 +114,7 @@ def test_that_the_displacement_check_does_not_count_the_friction():
     assert with_it.zeta_sld > without.zeta_sld
 
 
+@pytest.mark.shows("kinematic.d0")
 def test_that_a_two_sided_wall_takes_its_weaker_side():
     """The load at 0.30 of 0.45 m holds the outer hinge more than the inner one."""
     wall = case_of(ROOF, mechanism="two_sided").wall[0]

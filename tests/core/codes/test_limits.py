@@ -20,11 +20,13 @@ from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
 
 
+@pytest.mark.shows("kinematic.d_slv")
 def test_that_the_limits_are_those_of_the_clauses():
     assert LIMIT_FRACTION == {"SLV": 0.40, "SLC": 0.60}  # C8.7.1.2.1.6
     assert (MEAN_FROM, MINIMUM_FROM) == (7, 3)  # EN 1998-1 4.3.3.4.3(3)
 
 
+@pytest.mark.shows("dynamic.stations")
 @pytest.mark.parametrize(
     ("count", "rule"), [(0, "too_few"), (2, "too_few"), (3, "minimum"), (6, "minimum"), (7, "mean"), (30, "mean")]
 )
@@ -32,6 +34,7 @@ def test_that_the_stations_decide_the_rule_of_a_set(count, rule):
     assert set_rule({f"station {k}" for k in range(count)}) == rule
 
 
+@pytest.mark.shows("search.set")
 @pytest.mark.parametrize(
     ("values", "rule", "value"),
     [
@@ -51,6 +54,7 @@ def test_that_a_set_is_the_mean_or_the_most_unfavourable_of_its_numbers(values, 
     assert set_value(opposite, rule, max) == (None if value is None else -value)
 
 
+@pytest.mark.shows("dynamic.silent")
 def test_that_a_record_below_a_fifth_of_the_mean_pga_does_not_count():
     """Six of 1 m/s2 and one of x: x = 0.2 (6 + x) / 7 is 3/17. By the PGA on the ground, at the demand."""
 
@@ -70,6 +74,7 @@ def test_that_a_record_below_a_fifth_of_the_mean_pga_does_not_count():
     assert are_counted([], SimpleNamespace()) == []
 
 
+@pytest.mark.shows("paper.eq_10")
 def test_that_q_is_c_pga_over_a_rm():
     # Eq. 10: q = 2.4 under a PGA of 3 m/s2 with a_RM = 1.2 m/s2 is C = 0.96
     assert multiplier_of(2.4, 3.0, 1.2) == pytest.approx(0.96, rel=1e-15)
@@ -80,6 +85,7 @@ SLV = {35: 332.2, 50: 474.6, 75: 711.8, 100: 949.1, 150: 1423.7, 200: 1898.2}
 SLD = {35: 35.2, 50: 50.3, 75: 75.4, 100: 100.6, 150: 150.9, 200: 201.2}
 
 
+@pytest.mark.shows("demand.return_period")
 @pytest.mark.parametrize("life", SLV)
 def test_that_the_period_of_a_weaker_limit_state_is_refused(life):
     # at SLC the T_R of SLV of every usual V_R, from the shortest that SLC has (682 years)

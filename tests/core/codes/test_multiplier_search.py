@@ -84,6 +84,7 @@ def test_that_a_failure_at_the_target_itself_is_seen_beside_a_zeta_beyond():
     assert found.half > 1.25 and not found.holds_at_target
 
 
+@pytest.mark.shows("dynamic.zeta")
 @pytest.mark.parametrize("seeds", [range(20), pytest.param(range(200), marks=pytest.mark.long)], ids=len)
 @pytest.mark.parametrize("every", [1, 2, 4, 8])
 def test_that_what_is_found_is_that_of_all_points_wherever_the_walk_starts(every, seeds):
@@ -119,6 +120,7 @@ def test_that_what_is_found_is_that_of_all_points_wherever_the_walk_starts(every
         assert found[0].half == pytest.approx(multiplier(middle - 0.5), rel=1e-12)
 
 
+@pytest.mark.shows("dynamic.grid")
 def test_that_points_are_left_out_only_where_no_run_rocks():
     """Between points 4 % apart at which every run hardly rocks nothing is analysed; beside one that rocks all is."""
     asked = []

@@ -60,6 +60,7 @@ def plain(latitude, longitude, years):
     return None
 
 
+@pytest.mark.shows("demand.place")
 @pytest.mark.parametrize("count", [60, pytest.param(1000, marks=pytest.mark.long)])
 def test_that_points_agree_with_an_implementation_in_plain_python(count):
     draw, compared = random.Random(53), 0
@@ -128,6 +129,7 @@ def test_that_each_group_of_islands_has_its_row_of_table_2(name):
     assert tuple(found.at(475.0)) == pytest.approx((0.1 * group.ag[6], group.f0[6], group.tc[6]), rel=1e-14)
 
 
+@pytest.mark.shows("demand.place")
 @pytest.mark.parametrize("point", [(48.85, 2.35), (41.0, 11.0), (43.0, 15.0), (0.0, 0.0), (90.0, 0.0)])
 def test_that_abroad_and_the_sea_are_refused_with_the_nearest_node(point):
     with pytest.raises(InputError) as refused:

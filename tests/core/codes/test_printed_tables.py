@@ -20,6 +20,7 @@ def test_that_topography_use_and_limit_states_are_those_of_ntc():
     assert national_hazard.LEAST_REFERENCE == 35.0
 
 
+@pytest.mark.shows("kinematic.knowledge")
 def test_that_confidence_factors_are_those_of_table_c8_5_iv():
     assert FULL_FACTOR == 1.35
     assert KNOWLEDGE == {"LC2": 1.20, "LC3": 1.00}
@@ -38,6 +39,7 @@ TABLE_C8_5_I = """
 """Type; f, E [MPa], w [kN/m3], each from and to; of Table C8.5.II the greatest product of the factors."""
 
 
+@pytest.mark.shows("demand.masonry")
 def test_that_types_of_masonry_are_those_of_table_c8_5_i():
     rows = [line.split() for line in TABLE_C8_5_I.strip().splitlines()]
     assert list(TYPES) == [name for name, *_ in rows]
@@ -46,6 +48,7 @@ def test_that_types_of_masonry_are_those_of_table_c8_5_i():
         assert [*kind.strength, *kind.modulus, *kind.weight, kind.most_factor] == [float(number) for number in numbers]
 
 
+@pytest.mark.shows("kinematic.displacement")
 def test_that_periods_and_dampings_are_those_of_c8_7_1_2_1_8():
     assert {state: factor / math.pi for state, factor in kinematic.PERIOD_FACTOR.items()} == pytest.approx(
         {"SLV": 1.68, "SLC": 1.56}, rel=1e-15
@@ -54,6 +57,7 @@ def test_that_periods_and_dampings_are_those_of_c8_7_1_2_1_8():
     assert (kinematic.FREE_DAMPING, kinematic.CANTILEVER) == (0.05, 6.2)
 
 
+@pytest.mark.shows("demand.artificial")
 def test_that_records_are_compared_by_the_bounds_of_3_2_3_6():
     assert record_compatibility.LOWER == {"artificial": -0.10, "simulated": -0.20, "natural": -0.10}
     assert record_compatibility.UPPER == {"natural": 0.30}
@@ -61,12 +65,14 @@ def test_that_records_are_compared_by_the_bounds_of_3_2_3_6():
     assert (record_compatibility.STRONG_PART, record_compatibility.WHOLE_LENGTH) == (10.0, 25.0)
 
 
+@pytest.mark.shows("risk.class")
 def test_that_exponents_of_risk_are_those_of_the_guidelines_of_2017():
     assert pytest.approx(1.0 / 0.41, rel=1e-15) == risk.EXPONENT
     by_ag = [(ag / G, 1.0 / exponent) for ag, exponent in risk.EXPONENT_BY_AG]
     assert by_ag == [pytest.approx(row) for row in ((0.25, 0.49), (0.15, 0.43), (0.05, 0.356), (0.0, 0.34))]
 
 
+@pytest.mark.shows("kinematic.floor_spectrum")
 @pytest.mark.parametrize(("damping", "amplification"), [(0.05, 4.92), (0.10, 3.48), (0.15, 2.84), (0.20, 2.46)])
 def test_that_a_floor_amplifies_as_c7_2_6_and_c7_2_7(damping, amplification):
     ground = target_spectrum.en1998(0.2 * G, 1, "A")  # S_e(0.3 s, 5 %) = 2.5 a_g, eta of 8 % is 0.877
@@ -82,6 +88,7 @@ def test_that_a_floor_amplifies_as_c7_2_6_and_c7_2_7(damping, amplification):
     assert estimated_period(9.0) == pytest.approx(0.05 * 9.0**0.75, rel=1e-15)
 
 
+@pytest.mark.shows("kinematic.displacement_at_height")
 def test_that_beyond_the_first_period_a_floor_moves_no_less_than_at_it():
     """C8.7.1.12: S_DeZ is not below S_eZ(T_1) (1.1 T_1 / 2 pi)^2."""
     floor = FloorSpectrum(target_spectrum.en1998(0.2 * G, 1, "A"), (Mode(0.3, 0.01, 1.2),))
@@ -93,6 +100,7 @@ def test_that_beyond_the_first_period_a_floor_moves_no_less_than_at_it():
     assert floor.displacement(0.4, 0.08) > 1.3 * floor.acceleration([0.4], 0.08)[0] * (0.4 / (2 * math.pi)) ** 2
 
 
+@pytest.mark.shows("kinematic.t0")
 def test_that_the_period_of_a_wall_with_masses_is_that_of_both():
     """T_0^2 is the sum of that of the wall alone, C8.7.1.7, and of what moves with it."""
     wall = {"name": "w", "mechanism": "one_sided", "height_m": 3.0, "thickness_m": 0.4, "unit_weight_kn_m3": 18.0}

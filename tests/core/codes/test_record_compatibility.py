@@ -27,6 +27,7 @@ def case(**demand):
     )
 
 
+@pytest.mark.shows("demand.artificial")
 def test_that_a_generated_set_complies_and_half_of_it_does_not(tmp_path):
     asked = case()
     demand = demand_of(asked, tmp_path)
@@ -54,6 +55,7 @@ def test_that_there_is_nothing_to_compare_without_records_or_without_a_spectrum(
     assert compliance(motions, ["artificial"] * 7, replace(demand, target=None)) is None
 
 
+@pytest.mark.shows("demand.artificial")
 def test_that_artificial_motions_are_as_long_as_the_code_asks(tmp_path):
     """A strong part of 10 s, 25 s in all: the limits themselves pass."""
     demand = demand_of(case(), tmp_path)
@@ -109,6 +111,7 @@ def test_that_scaling_to_pga_scales_the_spectra(tmp_path):
     assert not compliance(motions, ["artificial"] * 7, plain).compatible
 
 
+@pytest.mark.shows("demand.natural")
 def test_that_natural_records_are_compared_up_to_the_longest_period_of_the_walls(tmp_path):
     """Weak beyond 2 s, as a set at -22 % there that passed: kind and range decide whether it is seen."""
     asked = case()
@@ -196,6 +199,7 @@ def test_that_a_spectrum_that_is_kept_is_that_of_its_own_samples_step_and_period
         found[0] = 0.0
 
 
+@pytest.mark.shows("demand.natural")
 @pytest.mark.parametrize(
     ("code", "bounds"), [("EN1998", (0.9, np.inf, 1.0)), ("NTC2018", (0.9, 1.3, 0.0)), (None, (0.9, 1.3, 1.0))]
 )

@@ -65,6 +65,7 @@ def test_that_a_record_taken_twice_counts_twice(scene, peaks):
     assert alone / WITHIN < twice < alone * WITHIN
 
 
+@pytest.mark.shows("search.sample")
 def test_that_the_interval_is_that_of_the_drawn_stations_and_the_same_again(scene, peaks):
     _, motions, _ = scene
     found = sample_interval(peaks[1], motions, peaks[0])

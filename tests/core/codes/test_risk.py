@@ -25,6 +25,7 @@ DEMAND = DemandResult(
 )
 
 
+@pytest.mark.shows("risk.return_period")
 def test_that_the_shorter_return_period_is_taken_on_either_side_of_one():
     weak = replace(DEMAND, ag=0.04 * G)
     for demand in (DEMAND, weak):
@@ -34,6 +35,7 @@ def test_that_the_shorter_return_period_is_taken_on_either_side_of_one():
     assert risk(0.5, weak).return_period == pytest.approx(475.0 * 0.5 ** (1.0 / 0.34))
 
 
+@pytest.mark.shows("risk.return_period")
 @pytest.mark.parametrize(
     ("ag_g", "inverse"),
     [
@@ -57,6 +59,7 @@ def test_that_the_letter_is_of_the_lower_end_of_what_zeta_is_known_to_be():
     assert not risk(0.9, DEMAND).by_hazard and risk(0.9, DEMAND).known_years == (30.0, 2475.0)
 
 
+@pytest.mark.shows("risk.class")
 @pytest.mark.parametrize(
     "index, letter",
     [
@@ -78,17 +81,20 @@ def test_the_letters(index, letter):
     assert letter_of(index) == letter
 
 
+@pytest.mark.shows("risk.class")
 def test_that_the_index_is_of_slv_and_the_return_period_needs_that_of_the_demand():
     found = risk(0.7, replace(DEMAND, limit_state="SLD", return_period=None))
     assert found.index is None and found.letter is None and found.return_period is None
 
 
+@pytest.mark.shows("risk.hazard")
 def test_that_beyond_the_hazard_of_ntc_it_is_said():
     found = risk(1.0, DEMAND)
     shown = [replace(found, return_period=years).years for years in (29.9, 30.0, 475.4, 2476.0)]
     assert shown == ["< 30", "30", "475", "> 2475"]
 
 
+@pytest.mark.shows("risk.hazard")
 def test_that_beyond_the_rows_of_the_hazard_it_is_said():
     short = replace(DEMAND, hazard=((50.0, 0.10 * G), (475.0, 0.26 * G), (975.0, 0.33 * G)))
     assert risk(1.0, short).years == "475"
@@ -98,6 +104,7 @@ def test_that_beyond_the_rows_of_the_hazard_it_is_said():
 HAZARD = ((30.0, 0.06 * G), (72.0, 0.09 * G), (475.0, 0.22 * G), (2475.0, 0.40 * G))
 
 
+@pytest.mark.shows("risk.hazard")
 def test_the_return_period_by_the_hazard_of_the_site():
     """At the rows their own, halfway between two in the logarithms the geometric mean of both."""
     for period, ag in HAZARD:

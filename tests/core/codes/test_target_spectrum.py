@@ -30,6 +30,7 @@ def by_hand(t, ag_s, eta, f0, tb, tc, td):
     return ag_s * eta * f0 * tc * td / t**2
 
 
+@pytest.mark.shows("demand.en_spectrum")
 @pytest.mark.parametrize("damping", [0.02, 0.05, 0.08, 0.10, 0.30])
 @pytest.mark.parametrize("kind", [1, 2])
 @pytest.mark.parametrize("soil", ts.SOILS)
@@ -43,6 +44,7 @@ def test_that_every_branch_of_en1998_is_its_formula(kind, soil, damping):
         assert value == pytest.approx(by_hand(t, A_G * s, eta, 2.5, tb, tc, td), rel=1e-13)
 
 
+@pytest.mark.shows("demand.ntc_spectrum")
 @pytest.mark.parametrize(
     ("soil", "weak", "strong"), [("A", 1.0, 1.0), ("B", 1.2, 1.0), ("C", 1.5, 1.0), ("D", 1.8, 0.9), ("E", 1.6, 1.0)]
 )
@@ -62,6 +64,7 @@ def test_that_a_displacement_is_the_acceleration_over_the_squared_frequency():
     assert found == pytest.approx(expected, rel=1e-14)
 
 
+@pytest.mark.shows("demand.branches")
 def test_that_the_branches_meet_at_tb_tc_and_td():
     for target in (ts.en1998(A_G, 1, "C"), ts.ntc2018(A_G, 2.4, 0.33, "D", "T2")):
         for corner in (target.t_b, target.t_c, target.t_d):
@@ -84,6 +87,7 @@ def test_that_the_soil_factor_is_held_within_its_limits():
     assert ts.ntc2018(0.9 * G, 2.5, 0.3, "D", "T1").soil == 0.9
 
 
+@pytest.mark.shows("paper.eq_11")
 def test_that_the_intensity_of_a_spectrum_is_the_integral_of_its_velocity():
     target = ts.en1998(A_G, 1, "B")
     t = np.linspace(0.1, 2.5, 240001)

@@ -25,6 +25,7 @@ def found_of(*loads, state="SLV", **changes):
     return kinematic(case.wall[0].in_si, case.wall[0].mechanism, demand), demand
 
 
+@pytest.mark.shows("kinematic.ties", "kinematic.d_slv")
 def test_that_alpha_0_counts_the_tie_at_yield_and_d_0_does_not_count_it():
     found, demand = found_of(ROOF, TIE)
     bare = (WX + ND) / WY
@@ -38,6 +39,7 @@ def test_that_alpha_0_counts_the_tie_at_yield_and_d_0_does_not_count_it():
     assert always.d0 == pytest.approx(found.chain.d0_with_ties, rel=1e-12)
 
 
+@pytest.mark.shows("kinematic.d_slv_of_ties")
 def test_that_d_slv_ends_where_a_tie_breaks_that_holds_more_than_half():
     """Of 0.2323 and 0.3841 at yield 62 % go with the bar: at 60 mm of its own, a rotation of 0.0214."""
     short = {**TIE, "elongation_m": 0.06}
@@ -51,6 +53,7 @@ def test_that_d_slv_ends_where_a_tie_breaks_that_holds_more_than_half():
     assert found.a_limit == pytest.approx(a, rel=1e-12)
 
 
+@pytest.mark.shows("kinematic.d_slv_of_ties")
 def test_that_a_tie_that_holds_less_than_half_is_gone_at_d_slv():
     found, demand = found_of(ROOF, {**TIE, "kn_m": 2.0, "elongation_m": 0.06})
     assert found.d_limit == pytest.approx(0.40 * found.d0, rel=1e-12)
@@ -63,6 +66,7 @@ def test_that_a_tie_that_holds_less_than_half_is_gone_at_d_slv():
     assert len(drops) == 1 and drops[0] == pytest.approx(2.0 * 2.8 / WY * G / 1.35, rel=1e-6)
 
 
+@pytest.mark.shows("kinematic.d_slv_of_ties")
 def test_that_ties_of_several_heights_break_one_after_another():
     """Neither holds half, both together do: d_SLV ends where the second breaks."""
     pair = ({**TIE, "kn_m": 2.2, "elongation_m": 0.03}, {**TIE, "kn_m": 2.2, "h_m": 2.7, "elongation_m": 0.08})
@@ -79,6 +83,7 @@ def test_that_the_inward_side_of_a_two_sided_wall_has_no_tie():
     assert found.chain.ties == () and found.chain.d0_with_ties is None
 
 
+@pytest.mark.shows("kinematic.ties")
 @pytest.mark.parametrize("slack", [0.1, 110.0, 400.0])
 def test_that_a_slack_bar_counts_nothing_but_in_the_other_reading(slack):
     """At 0.40 theta_c, 142 mm of its own, one of 110 mm would just be taut."""
@@ -87,12 +92,14 @@ def test_that_a_slack_bar_counts_nothing_but_in_the_other_reading(slack):
     assert [getattr(found, name) for name in same] == pytest.approx([getattr(bare, name) for name in same], rel=1e-12)
 
 
+@pytest.mark.shows("kinematic.ties_at_sld")
 def test_that_at_sld_no_tie_counts():
     found, bare = found_of(ROOF, TIE, state="SLD")[0], found_of(ROOF, state="SLD")[0]
     assert (found.alpha0, found.zeta_sld, found.d0) == pytest.approx((bare.alpha0, bare.zeta_sld, bare.d0), rel=1e-12)
     assert found_of(ROOF, TIE)[0].alpha0 > 1.5 * found.alpha0
 
 
+@pytest.mark.shows("kinematic.ties")
 def test_that_a_long_bar_gives_what_it_is_stretched_for():
     """100 m of 1500 MPa yield at 732 mm: at 0.40 theta_c, 142 mm, a fifth of its force is counted in alpha_0."""
     found, _ = found_of(ROOF, {**TIE, "bar_length_m": 100.0, "fy_mpa": 1500.0, "elongation_m": None})
@@ -100,6 +107,7 @@ def test_that_a_long_bar_gives_what_it_is_stretched_for():
     assert found.alpha0 == pytest.approx((WX + ND + share * 5.0 * 2.8) / WY, rel=1e-5) and share < 0.25
 
 
+@pytest.mark.shows("kinematic.sld_shown")
 def test_that_no_floor_of_the_displacement_check_counts_a_tie():
     """a_g,SLD counts for SLV too, but a tie has to be stretched first."""
     found, _ = found_of(ROOF, TIE)

@@ -88,6 +88,7 @@ def codes(sentences) -> list[str]:
     return [one.code for one in sentences]
 
 
+@pytest.mark.shows("dynamic.rule", "dynamic.at_limit", "dynamic.exact_methods", "verdict.codes")
 @pytest.mark.parametrize(
     ("wanted", "given"),
     [
@@ -147,6 +148,7 @@ def test_that_the_checks_give_this_verdict(wanted, given):
     assert len(found.to_do) <= 2
 
 
+@pytest.mark.shows("dynamic.no_number")
 def test_that_an_outcome_without_number_leaves_the_wall_undetermined():
     found = said(1.0, check={"zeta": None, "passed": False, "holds_at_target": False})
     assert found.code == "undetermined" and "without a number" in found.text("en")
@@ -159,6 +161,7 @@ def test_that_what_is_missing_is_in_the_sentence_with_its_key():
     assert "spectrum" in said().text("en")
 
 
+@pytest.mark.shows("dynamic.at_limit")
 def test_that_zeta_around_the_one_required_is_at_the_limit_and_counted_as_not_verified():
     found = said(1.004, q2=0.9, check={"zeta_spread": (0.994, 1.006)}, wall={"unloaded_confirmed": True})
     assert found.text("en").startswith(
@@ -179,6 +182,7 @@ def test_that_a_weaker_motion_that_fails_is_said_also_above_the_target():
     assert "weaker_fails" not in codes(said(1.3, q2=1.1, check={"zeta_first": 1.3}).reasons)
 
 
+@pytest.mark.shows("dynamic.rule")
 def test_that_the_rule_failing_at_the_demand_alone_is_not_verified_and_said():
     found = said(1.2, q2=1.1, check={"holds_at_target": False, "passed": False})
     assert found.code == "q2_unsafe" and "demand_fails" in codes(found.limits)
@@ -193,6 +197,7 @@ def test_that_q2_and_its_agreement_are_only_said_where_the_row_was_made():
     assert slc.text("en") == ("Verified at SLC, ζ 1.20, by time histories (mean peak 0.10 θ_c, limit 0.40).")
 
 
+@pytest.mark.shows("verdict.names_failures")
 def test_that_every_check_that_fails_is_in_the_sentence():
     other = OtherConfidence("demand", 0.89, False)
     found = said(1.02, nonlinear=1.05, q2=0.29, check={"zeta_other": other})
@@ -204,6 +209,7 @@ def test_that_every_check_that_fails_is_in_the_sentence():
     assert failed.code == "not_verified" and "displacement 0.65, q = 2 0.29" in failed.text("en")
 
 
+@pytest.mark.shows("verdict.alone")
 def test_that_histories_that_neither_displacement_nor_fc_on_the_demand_confirm_are_indicative():
     other = OtherConfidence("demand", 0.89, False)
     found = said(1.02, nonlinear=0.65, q2=0.29, check={"zeta_other": other})
@@ -215,6 +221,7 @@ def test_that_histories_that_neither_displacement_nor_fc_on_the_demand_confirm_a
         assert said(1.02, q2=0.29, **given).code == "verified_refined"
 
 
+@pytest.mark.shows("verdict.q_2_alone")
 def test_that_a_larger_q_than_2_never_agrees_where_2_does_not():
     """The row of q = 5 passes with 1.2; with 2 it is 0.48."""
     assert said(1.2, q2=1.2, q_code=5.0).code == "verified_refined"
@@ -223,6 +230,7 @@ def test_that_a_larger_q_than_2_never_agrees_where_2_does_not():
     assert "agrees" not in said(1.2, q2=1.2, q_code=5.0).text("en")
 
 
+@pytest.mark.shows("verdict.reason")
 def test_that_an_input_that_turns_the_outcome_is_indicative_until_it_is_justified():
     words = sentence("reason", "lift_return_walls", zeta=Number(0.8))
     row = Assumption("return_walls", words, "given", "none", turns=True)
@@ -251,6 +259,7 @@ def test_that_another_target_than_one_is_said():
     assert any("fails at the demand itself" in one.text() for one in whole.limits)
 
 
+@pytest.mark.shows("demand.natural")
 def test_that_a_range_that_leaves_out_periods_that_matter_is_indicative():
     asked = case()
     rules = Compliance(None, None, None, None, (), 8, True, (0.4, 0.42), 0, (0.15, 2.5))
@@ -263,6 +272,7 @@ def test_that_a_range_that_leaves_out_periods_that_matter_is_indicative():
     assert found.code == "indicative" and "0.15 to 2.50 s" in found.limits[0].text()
 
 
+@pytest.mark.shows("kinematic.unloaded")
 def test_that_a_load_nobody_excluded_stands_with_the_outcome():
     assert said(dynamic=1.2, q2=1.1).text("en").startswith("Verified at SLV if the wall carries no load, ζ")
     assert said(dynamic=1.2, q2=1.1).text("it").startswith("Verificata allo SLV se la parete non porta carichi,")
@@ -279,6 +289,7 @@ def test_that_the_name_and_the_hinge_stand_in_the_sentence_of_a_wall():
     assert found.text("it", "w", at_hinge(0.0, 0.0)).startswith("w: non verificata allo SLV, ζ 0,83, secondo")
 
 
+@pytest.mark.shows("dynamic.stations")
 def test_that_few_stations_are_advised_of_and_unnamed_ones_counted():
     assert codes(said(dynamic=1.2, q2=1.1, records=7).notes) == ["more_records"]
     assert said(dynamic=1.2, q2=1.1, records=8).reasons == ()
@@ -311,6 +322,7 @@ def test_that_a_soil_factor_nobody_gave_is_said(tmp_path):
         assert ("no_soil_factor" in codes(verdict_.limits)) == (factor is None)
 
 
+@pytest.mark.shows("kinematic.without_building")
 def test_that_a_wall_above_the_ground_gets_no_check_at_all(tmp_path):
     asked = case(wall={"base_z_m": 3.5})
     result = study.run(asked, base_dir=tmp_path)
@@ -320,6 +332,7 @@ def test_that_a_wall_above_the_ground_gets_no_check_at_all(tmp_path):
     assert "ground motion alone" in wall.assessment.verdict.text("en")
 
 
+@pytest.mark.shows("kinematic.sld_restrained")
 def test_that_sld_is_checked_without_q(tmp_path):
     result = study.run(case(wall={"free_element": False}, limit_state="SLD"), base_dir=tmp_path)
     (check,) = result.walls[0].assessment.checks
@@ -329,6 +342,7 @@ def test_that_sld_is_checked_without_q(tmp_path):
     assert text.startswith("Not verified at SLD, ζ 0.28, by the linear check (acceleration 0.312 g, limit 0.088 g)")
 
 
+@pytest.mark.shows("verdict.weak_records")
 @pytest.mark.parametrize("scale", [1.0, 0.5, 0.1])
 def test_that_records_weaker_than_the_demand_give_no_pga_of_capacity(tmp_path, scale):
     """The same motions whole, by half, which zeta is read with, and at a tenth: what these do not overturn says nothing
@@ -373,6 +387,7 @@ def test_that_a_spectrum_of_a_file_that_falls_limits_the_verdict(tmp_path):
     assert "spectrum_falls" in [words.code for words in found.limits]
 
 
+@pytest.mark.shows("kinematic.at_rest")
 def test_that_a_wall_whose_threshold_the_motion_just_reaches_stays_at_rest():
     """It stands still while FC |u''| <= a_RM = g t / H."""
     a_rm = G * case().wall[0].in_si.uplift_multiplier("two_sided")
@@ -389,6 +404,7 @@ def test_that_another_value_is_advised_only_where_the_one_given_turns_the_outcom
     assert codes(turning.to_do) == ["to_usual", "to_bundled"]
 
 
+@pytest.mark.shows("kinematic.sld_floor")
 @pytest.mark.parametrize(
     ("name", "capacity", "zeta", "words"),
     [

@@ -47,6 +47,7 @@ def test_that_without_load_the_hinge_is_as_high_as_it_may_be():
     assert not mechanism(strip([(10.0, 0.15)])).highest
 
 
+@pytest.mark.shows("held.mechanism")
 @pytest.mark.parametrize("seed", range(20))
 def test_that_the_hinge_is_that_of_a_dense_scan_and_of_the_closed_form(seed):
     asked = random_strip(random.Random(seed))
@@ -103,6 +104,7 @@ def potential_top(asked, h1):
     return theta, asked.thickness - asked.setback - placed(asked, h1, theta)[3][0]
 
 
+@pytest.mark.shows("held.mechanism")
 @pytest.mark.parametrize("seed", range(20))
 def test_that_start_capacity_and_collapse_are_those_of_coordinates(seed):
     asked = random_strip(random.Random(100 + seed))
@@ -120,6 +122,7 @@ def test_that_start_capacity_and_collapse_are_those_of_coordinates(seed):
         assert found.alpha(d) < (1.0 - share) * found.alpha0
 
 
+@pytest.mark.shows("held.mechanism")
 def test_that_the_equivalent_oscillator_moves_as_the_centroids():
     """C8.7.1.4: both move half as far as the hinge."""
     found = mechanism(strip([(10.0, 0.15)]))
@@ -128,6 +131,7 @@ def test_that_the_equivalent_oscillator_moves_as_the_centroids():
     assert found.alpha(0.0) == pytest.approx(found.alpha0, rel=1e-12)
 
 
+@pytest.mark.shows("held.mechanism")
 @pytest.mark.parametrize("seed", range(5))
 def test_that_what_holds_the_top_balances_the_upper_block_about_the_hinge(seed):
     asked = random_strip(random.Random(200 + seed))
@@ -177,6 +181,7 @@ def test_that_a_wall_that_bends_under_its_loads_alone_is_refused():
     assert error.value.code == "bending_unstable"
 
 
+@pytest.mark.shows("held.own_hinge")
 @pytest.mark.parametrize("walls", [4, pytest.param(20, marks=pytest.mark.long)])
 def test_that_the_displacement_check_has_the_hinge_of_its_least_zeta(walls):
     """MECHANISMS 6: 5.12 x 0.33 m, N 4.1 at 0.25: 0.473 with the hinge at 0.936 H, where that of alpha_0 gives 0.516;
@@ -202,6 +207,7 @@ def test_that_the_displacement_check_has_the_hinge_of_its_least_zeta(walls):
     assert ratios[0] == pytest.approx(0.473 / 0.516, abs=0.004) and max(ratios) <= 1.0 + 1e-12 and min(ratios) < 0.97
 
 
+@pytest.mark.shows("held.own_hinge")
 def test_that_each_check_of_a_wall_held_at_its_top_has_its_own_hinge():
     """The case as a whole: the displacement check is at most that of the hinge of alpha_0."""
     (wall,) = run_case(5.12, 0.33, 4.1, 0.25)
@@ -284,6 +290,7 @@ def shaped(name: str):
     return held(**more)
 
 
+@pytest.mark.shows("held.shapes")
 @pytest.mark.parametrize("name", SHAPED)
 def test_that_a_wall_with_openings_steps_and_loads_bends_as_its_slices(name):
     wall = shaped(name)

@@ -213,6 +213,7 @@ def evaluate(sections):
     return compared
 
 
+@pytest.mark.shows("files.derivations")
 @pytest.mark.parametrize("walls", [60, pytest.param(90, marks=pytest.mark.long)])
 def test_that_every_description_gives_the_number_of_the_program_and_none_is_of_nothing(walls):
     described = {
@@ -238,6 +239,7 @@ def test_that_every_description_gives_the_number_of_the_program_and_none_is_of_n
     assert described - seen - branches == set()
 
 
+@pytest.mark.shows("demand.branches")
 @pytest.mark.parametrize("damping", [5.0, 8.0, 10.0])
 def test_that_each_branch_of_the_note_is_the_spectrum_of_the_program(damping):
     target = ntc2018(2.0, 2.45, 0.33, "C", "T1")

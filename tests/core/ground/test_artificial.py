@@ -13,6 +13,7 @@ PERIODS = np.arange(0.1, 2.501, 0.02)
 TARGETS = [ts.en1998(0.26 * G, 1, "B"), ts.en1998(0.10 * G, 2, "D"), ts.ntc2018(0.26 * G, 2.4, 0.35, "C", "T1")]
 
 
+@pytest.mark.shows("demand.generated")
 @pytest.mark.parametrize("target", TARGETS, ids=lambda target: target.name)
 @pytest.mark.parametrize("seed", [1, 500])
 def test_that_a_set_of_seven_follows_its_spectrum(target, seed):
@@ -33,6 +34,7 @@ def test_that_a_set_of_seven_follows_its_spectrum(target, seed):
         assert motion[0] == 0.0 == motion[-1]
 
 
+@pytest.mark.shows("demand.generated")
 @pytest.mark.parametrize("seeds", [6, pytest.param(30, marks=pytest.mark.long)])
 @pytest.mark.parametrize("soil", ["D", "E"])
 def test_that_the_peak_is_a_g_s_where_peaks_stand_side_by_side(soil, seeds):
@@ -47,6 +49,7 @@ def test_that_a_seed_gives_the_same_motion_and_another_seed_another():
     assert not np.array_equal(one, compatible_motion(TARGETS[0], 6))
 
 
+@pytest.mark.shows("mechanics.spectra")
 def test_that_looks_between_samples_find_the_peak_of_a_harmonic():
     # resonance of a 0.1 s oscillator sampled four times a period: the samples miss the peaks
     dt, period = 0.025, 0.1

@@ -25,6 +25,7 @@ def read(content: bytes, **given):
     return records._motion(content, Path("x.txt"), Options(**given), 1.0, "x")
 
 
+@pytest.mark.shows("records.peer_esm", "records.california", "records.pacific", "records.networks", "records.labview")
 @pytest.mark.parametrize("name", [*DIALECTS, *EXACT])
 def test_that_one_motion_is_the_same_bit_for_bit_in_every_dialect(name):
     content, given = {**DIALECTS, **EXACT}[name]
@@ -49,6 +50,7 @@ def test_that_pairs_at_uneven_times_are_drawn_on_a_grid_that_holds_them_all():
     assert {w.code for w in found.warnings} >= {"drawn_on_grid", "unprocessed"}
 
 
+@pytest.mark.shows("records.cut")
 @pytest.mark.parametrize("name", DIALECTS)
 def test_that_a_dialect_cut_at_any_byte_is_refused_or_gives_the_same_samples(name):
     content, given = DIALECTS[name]
@@ -66,6 +68,7 @@ def test_that_a_dialect_cut_at_any_byte_is_refused_or_gives_the_same_samples(nam
         assert found.size == whole.size or not counted, size
 
 
+@pytest.mark.shows("records.channels")
 @pytest.mark.parametrize(
     ("name", "names", "vertical"),
     [
@@ -209,6 +212,7 @@ def test_that_channels_are_for_files_that_have_them():
     assert read(dialects.knet(), channel="E-W").channel == ""
 
 
+@pytest.mark.shows("records.pacific")
 @pytest.mark.parametrize(
     ("direction", "codes"),
     [
@@ -296,6 +300,7 @@ def notes(content: bytes, **given) -> list[str]:
     return [w.text() for w in read(content, **given).warnings if w.code not in ("ends_moving", "unit_as_given")]
 
 
+@pytest.mark.shows("records.plain")
 @pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
 def test_that_a_sheet_is_the_same_record_whoever_wrote_it(writer):
     found = read(written_by(writer, SAMPLES))
@@ -357,6 +362,7 @@ def test_that_a_number_is_that_of_the_channel_where_the_file_numbers_them():
         read(rest, channel="1")
 
 
+@pytest.mark.shows("records.peer_esm")
 def test_that_every_name_that_is_offered_reads_also_within_zips(tmp_path):
     one, two = ({"a.V2": dialects.volume2()}, {"a.V2": dialects.volume2(), "b/b.V2": dialects.volume2()})
     for members, count in ((one, 3), (two, 6), (dialects.ESM_ZIP, 4)):

@@ -18,6 +18,7 @@ def ground():
     return 3.0 * walk / np.abs(walk).max()
 
 
+@pytest.mark.shows("mechanics.floor_samples")
 def test_that_no_participation_gives_the_record_bit_for_bit(ground):
     for modes in ((), (Mode(0.4, 0.1, 0.0),), (Mode(0.4, 0.1, 0.0), Mode(0.1, 0.05, 0.0))):
         floor, dt = floor_acceleration(ground, DT, modes)
@@ -26,6 +27,7 @@ def test_that_no_participation_gives_the_record_bit_for_bit(ground):
     assert floor_motion(motion, (Mode(0.4, 0.1, 0.0),)) is motion
 
 
+@pytest.mark.shows("mechanics.floor_samples")
 @pytest.mark.parametrize("participation", [0.3, 1.2, -0.5, 4.0])
 def test_that_a_stiff_building_moves_as_the_ground(ground, participation):
     floor, dt = floor_acceleration(ground, DT, [Mode(1e-5, 0.1, participation)])
@@ -34,6 +36,7 @@ def test_that_a_stiff_building_moves_as_the_ground(ground, participation):
     assert np.abs(whole - ground[: whole.size]).max() < 1e-5 * np.abs(ground).max()
 
 
+@pytest.mark.shows("mechanics.floor_motion")
 @pytest.mark.parametrize("period", [0.08, 0.39, 1.1])
 @pytest.mark.parametrize("damping", [0.02, 0.1, 0.25])
 def test_that_the_recursion_is_exact_for_a_ground_linear_between_samples(ground, period, damping):
@@ -48,6 +51,7 @@ def test_that_the_recursion_is_exact_for_a_ground_linear_between_samples(ground,
         assert np.abs(found - expected).max() < 1e-11 * np.abs(expected).max()
 
 
+@pytest.mark.shows("mechanics.floor_motion")
 def test_that_a_three_storey_shear_building_is_that_of_direct_integration(ground):
     """Uniform storeys: frequencies 1 : 2.80194 : 4.04892, gamma psi at the roof 1.22041, -0.28011, 0.05970."""
     from scipy.linalg import eigh
@@ -79,6 +83,7 @@ def test_that_a_three_storey_shear_building_is_that_of_direct_integration(ground
         assert np.abs(floor - expected).max() < 1e-9 * np.abs(expected).max()
 
 
+@pytest.mark.shows("mechanics.floor_samples")
 @pytest.mark.parametrize("dt", [0.005, 0.01, 0.02])
 @pytest.mark.parametrize(
     "modes",
@@ -131,6 +136,7 @@ def test_that_a_smooth_ground_is_sampled_eight_times_in_the_shortest_period(peri
     assert dt == pytest.approx(DT / parts)
 
 
+@pytest.mark.shows("mechanics.floor_samples")
 @pytest.mark.parametrize("damping", [0.05, 0.1, 0.3, 0.5])
 @pytest.mark.parametrize("period", [0.3, 1.0])
 def test_that_no_free_motion_above_a_thousandth_of_the_peak_is_left_out(ground, period, damping):

@@ -15,6 +15,7 @@ from tests.core.ground.test_dialects import read
 from tests.core.ground.test_signatures import MADE
 
 
+@pytest.mark.shows("records.film")
 @pytest.mark.parametrize("name", TENTH)
 def test_that_parts_of_g_are_the_motion_in_g(name):
     content, given, factor = TENTH[name]
@@ -24,6 +25,7 @@ def test_that_parts_of_g_are_the_motion_in_g(name):
     assert "unprocessed" in {warning.code for warning in found.warnings}
 
 
+@pytest.mark.shows("records.networks")
 @pytest.mark.parametrize("name", REFUSED)
 def test_that_what_such_a_file_cannot_mean_is_refused(name):
     content, given, code = REFUSED[name]
@@ -32,6 +34,7 @@ def test_that_what_such_a_file_cannot_mean_is_refused(name):
     assert caught.value.code == code
 
 
+@pytest.mark.shows("records.cut")
 @pytest.mark.parametrize("name", [*EXACT, *TENTH])
 def test_that_a_file_cut_at_any_byte_is_refused_or_gives_the_same_samples(name):
     content, given, *_ = {**EXACT, **TENTH}[name]
@@ -55,6 +58,7 @@ def test_that_pairs_touch_from_100_s_on_and_are_cut_by_their_columns():
     assert caught.value.code == "uneven_pairs"
 
 
+@pytest.mark.shows("records.film")
 def test_that_uneven_pairs_are_drawn_on_a_grid_and_doubted_as_they_stand_in_the_file():
     times = np.round(np.cumsum([0.0, *([0.01, 0.012] * N)])[:N], 3)
     found = read(film(times), channel="1: NS")
@@ -112,6 +116,7 @@ def test_that_the_type_of_a_station_of_cosmos_is_named_where_it_is_no_free_field
     assert ("in_structure" in {warning.code for warning in found.warnings}) == named
 
 
+@pytest.mark.shows("records.california")
 def test_that_each_head_speaks_for_its_own_channel():
     """A file of three channels, of which one stood on the roof."""
     content = dialects.volume2().replace(b"Concord", b"Concord ground", 1)
@@ -134,6 +139,7 @@ def test_that_every_line_of_a_file_is_counted(name):
         assert sum(found.lines) == len(content.decode("latin-1").rstrip("\n").split("\n"))
 
 
+@pytest.mark.shows("records.not_read")
 def test_that_the_page_of_formats_lists_every_file_tried_with_its_outcome():
     """At least 40, nine of ten read or refused by name: here all are."""
     page = (ROOT / "resources" / "docs" / "record_formats.md").read_text(encoding="utf-8")
@@ -194,6 +200,7 @@ def test_that_the_segments_of_labview_are_counted_by_their_heads(segments):
     assert (caught.value.code, caught.value.values) == ("lvm_segments", {"n": segments})
 
 
+@pytest.mark.shows("records.labview")
 @pytest.mark.parametrize("content", [lvm("No", comma=True), lvm(mark=",")])
 def test_that_the_tags_of_labview_stand_in_any_order(content):
     lines = content.split(b"\n")

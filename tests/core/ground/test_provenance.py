@@ -51,6 +51,7 @@ def shelf():
     return folder
 
 
+@pytest.mark.shows("demand.stations")
 @pytest.mark.parametrize(("file", "station", "event", "date", "magnitude", "corners"), SHELF)
 def test_that_the_header_of_each_dialect_is_read(shelf, file, station, event, date, magnitude, corners):
     path = shelf / file
@@ -60,6 +61,7 @@ def test_that_the_header_of_each_dialect_is_read(shelf, file, station, event, da
     assert (found.date, found.magnitude, found.filter) == (date, magnitude, corners)
 
 
+@pytest.mark.shows("demand.stations")
 @pytest.mark.parametrize(
     ("first", "second"),
     [
@@ -86,6 +88,7 @@ def test_that_stations_and_events_that_differ_are_more(shelf):
     assert len(stations([records.read(shelf / file) for file in files])) == 6
 
 
+@pytest.mark.shows("demand.stations")
 def test_that_a_file_without_a_station_counts_as_one_and_is_said(tmp_path):
     for name in "ab":
         lines = "\n".join(f"{0.01 * k} {(-1) ** k * (1 + k % 3) + ord(name)}" for k in range(60)) + "\n"

@@ -32,6 +32,7 @@ def test_that_a_velocity_without_unit_is_not_guessed(shelf):
         records.read(shelf / "plain_txt/RSN1063_NORTHR_RRS228.txt")
 
 
+@pytest.mark.shows("records.refused")
 @pytest.mark.parametrize(
     "content, options, word",
     [
@@ -124,6 +125,7 @@ CUT = {
 COUNTED = ("PEER_AT2", "SIGMA", "plain_txt/eqsig")
 
 
+@pytest.mark.shows("records.cut")
 @pytest.mark.parametrize("most", [25, pytest.param(90, marks=pytest.mark.long)])
 @pytest.mark.parametrize("file", CUT)
 def test_that_a_file_cut_at_any_byte_of_its_end_gives_no_other_sample(shelf, file, most):
@@ -165,6 +167,7 @@ def test_that_numbers_of_no_one_shape_need_a_line_end(write):
         records.read(write(content), Options("m/s2", 0.01))
 
 
+@pytest.mark.shows("records.refused")
 @pytest.mark.parametrize(
     "head, words",
     [
@@ -259,6 +262,7 @@ def test_that_a_record_without_count_that_ends_moving_is_warned_of(write):
     assert "ends_moving" in [warning.code for warning in found.warnings]
 
 
+@pytest.mark.shows("doors.bombs")
 @pytest.mark.parametrize(
     "line",
     [

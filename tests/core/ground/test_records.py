@@ -34,6 +34,7 @@ def options_of(file: str, row: dict) -> Options:
     return Options(**given)
 
 
+@pytest.mark.shows("mechanics.measures")
 def test_that_every_file_of_these_formats_has_its_known_measures(shelf, index):
     read = 0
     for file, row in index.items():
@@ -70,6 +71,7 @@ def test_that_every_file_of_the_shelf_is_read_or_refused_in_one_sentence(shelf, 
                 assert str(shelf) in str(error)
 
 
+@pytest.mark.shows("records.plain")
 @pytest.mark.parametrize(
     "content, options",
     [

@@ -15,6 +15,7 @@ def motion(samples, dt=0.01):
     return GroundMotion("test", np.asarray(samples, float), dt)
 
 
+@pytest.mark.shows("mechanics.spectra")
 @pytest.mark.parametrize("period", [0.05, 0.1, 0.5, 1.0, 2.5, 5.0])
 def test_that_an_oscillator_follows_scipys_exact_linear_response(reference, period):
     """lsim with linear interpolation is exact for piecewise linear ground: another program, same peak."""
@@ -28,6 +29,7 @@ def test_that_an_oscillator_follows_scipys_exact_linear_response(reference, peri
     assert found == pytest.approx(np.abs(response).max(), rel=1e-9)
 
 
+@pytest.mark.shows("mechanics.spectra")
 @pytest.mark.parametrize("u, v", [(1.0, 0.0), (0.3, 2.0), (-0.3, 2.0), (0.0, -1.5), (0.7, -40.0)])
 def test_that_the_free_peak_is_the_largest_of_the_free_motion(u, v):
     z, w = 0.05, 7.0
@@ -80,6 +82,7 @@ def test_that_the_housner_intensity_is_the_known_one(shelf, file, options, known
     assert 100 * found.housner_intensity == pytest.approx(known, rel=1e-3)
 
 
+@pytest.mark.shows("paper.eq_11")
 def test_that_el_centro_has_the_intensity_of_the_paper(shelf):
     """Table 2 prints 124.27 cm, for the 0.319 g digitisation."""
     found = records.read(shelf / "plain_txt/elcentro_NS_trunc.dat", Options(unit="m/s2"))

@@ -48,6 +48,7 @@ def read(lines: list[str], tmp_path, options: dict):
     return records.read(path, Options(**options))
 
 
+@pytest.mark.shows("records.refused")
 @pytest.mark.parametrize("name", DIALECTS)
 def test_that_a_remark_a_mark_or_a_blank_never_makes_samples_a_head(name, tmp_path):
     rng, refused = np.random.default_rng(11), 0
@@ -221,6 +222,7 @@ DAMAGE = {
 }
 
 
+@pytest.mark.shows("records.refused")
 @pytest.mark.parametrize("every", [100, pytest.param(5, marks=pytest.mark.long)])
 def test_that_damage_one_could_see_is_refused_or_said(shelf, every):
     """Of every so many-th file of the shelf; all of it by the command of damage.py."""

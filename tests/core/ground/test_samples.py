@@ -53,6 +53,7 @@ SHAPES = {
 }
 
 
+@pytest.mark.shows("records.refused")
 @pytest.mark.parametrize("shape", SHAPES)
 @pytest.mark.parametrize("where", [[0], [1999], [0, 1, 2], [1997, 1998, 1999], [700, 701, 702, 703], [100, 800, 1500]])
 @pytest.mark.parametrize("mark", [-999.0, 9999.0, 99.99, -32768.0, 999.9, -1.0, -9.0, 10.0])

@@ -18,6 +18,7 @@ def motions():
     return scattered_set(TARGET, 14, 1, SPREAD, BAND)
 
 
+@pytest.mark.shows("demand.scattered")
 def test_that_the_correlation_is_the_published_one():
     """Baker and Jayaram (2008): 1 at one period, near 1 beside it, and C1 by hand for 0.2 and 2 s."""
     assert correlation(1.0, 1.0) == pytest.approx(1.0) and correlation(0.05, 0.05) == pytest.approx(1.0)
@@ -31,6 +32,7 @@ def test_that_the_correlation_is_the_published_one():
     assert np.linalg.eigvalsh(matrix).min() > -1e-3 and matrix.max() <= 1.0 + 1e-12
 
 
+@pytest.mark.shows("demand.scattered")
 def test_that_the_deviations_of_a_set_have_no_mean_and_the_spread_and_correlation_asked_for():
     periods = np.array([0.2, 0.5, 1.0, 2.0])
     eps = deviations(2000, 4, periods)
@@ -38,6 +40,7 @@ def test_that_the_deviations_of_a_set_have_no_mean_and_the_spread_and_correlatio
     assert np.corrcoef(eps[:, 0], eps[:, 3])[0, 1] == pytest.approx(correlation(0.2, 2.0), abs=0.05)
 
 
+@pytest.mark.shows("demand.scattered")
 def test_that_the_mean_of_a_set_is_compatible_and_its_motions_scatter(motions):
     periods = np.geomspace(*BAND, 90)
     spectra = np.array([pseudo_acceleration_spectrum(one, TIME_STEP, periods) for one in motions])

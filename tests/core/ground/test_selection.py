@@ -49,6 +49,7 @@ def by_hand(ratios, members, bounds: Bounds) -> tuple[float, float]:
     return best
 
 
+@pytest.mark.shows("demand.select")
 @pytest.mark.parametrize("bounds", [NTC, FREE, EN])
 @pytest.mark.parametrize("strong", [0.0, 1.5])
 @pytest.mark.parametrize("seed", range(4))

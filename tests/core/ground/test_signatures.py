@@ -30,6 +30,7 @@ def made() -> dict[str, tuple[bytes, str]]:
 MADE = made()
 
 
+@pytest.mark.shows("records.not_read")
 @pytest.mark.parametrize("name", MADE)
 def test_that_a_format_that_is_not_read_is_named_with_the_way_out(name, tmp_path):
     content, code = MADE[name]

@@ -102,6 +102,7 @@ NPTS, DT: 80, 0.01
 """
 
 
+@pytest.mark.shows("records.plain")
 @pytest.mark.parametrize("head", wordings(COUNTS))
 def test_that_a_count_must_be_that_of_the_samples(head):
     head = head.replace("accelerogram points", "data points")
@@ -135,6 +136,7 @@ Acc (mm/s2)|mm/s²|units: mm/s/s|accelerazioni in mm/s2|units of 1.00 mm/s/s|val
 UNIT_ROWS = [(head.replace("@", "\n"), unit) for unit in UNITS for head in wordings(UNITS[unit])]
 
 
+@pytest.mark.shows("records.plain")
 @pytest.mark.parametrize(("head", "unit"), UNIT_ROWS)
 def test_that_a_unit_is_that_of_the_samples(head, unit):
     other = "g" if unit != "g" else "cm/s2"
@@ -202,6 +204,7 @@ scale factor (-): 2.5|scale factor 5/2|scale factor 2.5 x 10^0
 """
 
 
+@pytest.mark.shows("records.plain")
 @pytest.mark.parametrize("head", wordings(FACTORS))
 def test_that_a_factor_is_refused_until_scale_says_the_same(head):
     for given in (1.0, 2.0, 0.4):
@@ -259,6 +262,7 @@ HORIZONTALS = [
 ]
 
 
+@pytest.mark.shows("records.channels")
 @pytest.mark.parametrize("head", wordings(VERTICALS) + HORIZONTALS)
 def test_that_a_vertical_is_named_wherever_the_head_says_it(head):
     codes = [warning.code for warning in read(f"{head}\n{TIMES}", unit="g").warnings]

@@ -12,12 +12,14 @@ from tests.conftest import ROOT
 from tests.core.jit.digest import run
 
 
+@pytest.mark.shows("mechanics.any_processor")
 @pytest.mark.long
 def test_that_the_kernels_without_compiler_are_bit_identical():
     compiled = run()[0]
     assert run(NUMBA_DISABLE_JIT="1")[0] == compiled
 
 
+@pytest.mark.shows("mechanics.any_processor")
 @pytest.mark.long
 def test_that_a_processor_without_wide_registers_or_fused_products_gives_the_same_bits(tmp_path):
     orders = ("taylor", "taylor_6")
@@ -25,6 +27,7 @@ def test_that_a_processor_without_wide_registers_or_fused_products_gives_the_sam
     assert plain[0] == run(*orders)[0]
 
 
+@pytest.mark.shows("mechanics.fma")
 def test_that_no_kernel_is_fast_math_or_parallel():
     for source in (ROOT / "core").rglob("*.py"):
         text = source.read_text()

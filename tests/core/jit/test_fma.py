@@ -3,6 +3,7 @@
 import math
 from fractions import Fraction
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -18,6 +19,7 @@ def compiled(x, y, z):
     return fma(x, y, z)
 
 
+@pytest.mark.shows("mechanics.fma")
 @settings(max_examples=2000, deadline=None)
 @given(number, number, number)
 def test_that_the_kernels_instruction_and_python_round_the_exact_value(x, y, z):

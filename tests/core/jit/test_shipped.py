@@ -49,6 +49,7 @@ def test_that_nothing_is_shipped_with_the_source_tree():
     assert shipped.level() == "" and cache.name() == cache.stamp()
 
 
+@pytest.mark.shows("install.machine_code")
 @pytest.mark.parametrize("harm", ["changed", "missing", "{", "null", "5", "[]", '["a.nbi"]', "[" * 9999])
 def test_that_damaged_machine_code_is_not_used(level, harm):
     folder = shipped.FOLDER / "x86-64"

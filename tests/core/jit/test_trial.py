@@ -49,6 +49,7 @@ def process_that_ended():
     return done.pid
 
 
+@pytest.mark.shows("install.machine_code")
 def test_that_machine_code_is_kept_once_its_numbers_are_right(start):
     folder = start()
     assert folder.name == "kernels-0123456789abcdef-x86-64" and holds_files(folder)
@@ -62,6 +63,7 @@ def test_that_machine_code_is_kept_once_its_numbers_are_right(start):
     cache.proven()
 
 
+@pytest.mark.shows("install.machine_code")
 def test_that_wrong_numbers_refuse_every_kernel_and_are_not_used_again(start):
     folder = start()
     trial.self_test.append(lambda: False)

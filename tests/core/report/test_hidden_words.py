@@ -78,6 +78,7 @@ def test_that_no_word_of_the_document_is_hidden(which, request, tmp_path):
     assert_seen(printed(path, tmp_path), result)
 
 
+@pytest.mark.shows("note.hidden")
 @pytest.mark.parametrize("which", ["verdict", pytest.param("whole_building", marks=pytest.mark.long)])
 def test_that_no_word_of_the_pdf_is_hidden(which, request, tmp_path):
     pytest.importorskip("typst")

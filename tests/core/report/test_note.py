@@ -31,6 +31,7 @@ from core.study.run import run
 from core.units import G
 from tests.conftest import ROOT
 from tests.core.report import whole_workbook
+from tests.validation.circolare import HELD, case
 
 
 def steps_of(parts):
@@ -65,6 +66,7 @@ def held():
     return run(case, base_dir=ROOT)
 
 
+@pytest.mark.shows("note.lines")
 def test_that_each_line_of_a_derivation_gives_its_result(building, verdict, held):
     """The numbers of a line, computed as they stand there, give the result to the digits they are written with."""
     counted = 0
@@ -124,6 +126,7 @@ IN_TABLES = {"loads", "modes", "solids"}
 CONSTANTS = {"zeta", "share", "factor", "damping", "gravity", "topography", "area_run", "si_run", "pga_run"}
 
 
+@pytest.mark.shows("note.lines")
 def test_that_whatever_a_line_is_made_of_stands_above_it(building, verdict):
     """Each number of the note is counted from numbers of the note: of lines, of its tables, constants of a clause."""
     for result in (building, verdict):
@@ -135,6 +138,7 @@ def test_that_whatever_a_line_is_made_of_stands_above_it(building, verdict):
             known |= {step.cell, re.sub(r"^wall\d+_", "", step.cell or "")}
 
 
+@pytest.mark.shows("note.walls")
 def test_that_every_check_has_its_zeta_in_the_note_and_on_the_check_sheet(verdict):
     steps = {step.cell for step in steps_of(note(verdict, "en"))}
     names = set(whole_workbook.build(verdict, []).workbook.defined_names)
@@ -145,6 +149,17 @@ def test_that_every_check_has_its_zeta_in_the_note_and_on_the_check_sheet(verdic
             assert cell in steps and cell in names, check.name
 
 
+@pytest.mark.shows("kinematic.sld_shown")
+@pytest.mark.parametrize("state", ["SLD", "SLV", "SLC"])
+def test_that_a_g_sld_over_a_g_is_printed_at_every_limit_state(state):
+    """t/H over FC and a_g S, of 7.0 x 0.83 m at 0.26 g with S = 1.2."""
+    made = run(case(HELD, {"limit_state": state}, analysis={"histories": False}), base_dir=ROOT)
+    (step,) = [step for step in steps_of(note(made, "en")) if (step.cell or "").endswith("zeta_sld")]
+    assert step.result == pytest.approx(0.83 / 7.0 / 1.35 / 0.312, rel=1e-12)
+    assert step.cell in whole_workbook.build(made, []).workbook.defined_names
+
+
+@pytest.mark.shows("note.walls")
 def test_that_every_wall_has_its_verdict_with_all_reasons_its_checks_and_its_figures(building):
     parts = note(building, "en")
     words = lines_within(parts)
@@ -165,6 +180,7 @@ def test_that_every_wall_has_its_verdict_with_all_reasons_its_checks_and_its_fig
         assert [row[2] for row in one.rows] == [check.zeta for check in checks] and one.rows[0][4]
 
 
+@pytest.mark.shows("note.first_page")
 def test_that_the_first_page_is_the_answer(whole_building):
     """Works and demand in six lines at most, every wall, what decides and what is to be done, a place to sign."""
     parts = note(whole_building, "it")
@@ -200,6 +216,7 @@ def _unloaded(wall):
     return replace(wall, part=replace(wall.part, wall=replace(wall.wall, unloaded_confirmed=True)))
 
 
+@pytest.mark.shows("note.engineer")
 def test_that_what_the_engineer_confirms_judges_and_signs_is_left_blank(whole_building, verdict):
     """Ticked is only what every wall says; with loads and ties these are what is confirmed."""
     parts = note(whole_building, "en")
@@ -226,6 +243,7 @@ def test_that_what_no_file_states_of_the_records_takes_no_column(verdict):
         assert said == (["No file states: Date, Distance [km], Filter [Hz], processing."] if columns else [])
 
 
+@pytest.mark.shows("note.walls")
 def test_that_the_histories_at_the_demand_are_those_of_the_check(building):
     for wall in building.walls:
         runs = deciding_runs(wall)
@@ -254,6 +272,7 @@ def test_the_capacity_curve_over_the_demand(verdict):
     assert capacity_curve(replace(mechanism, d_limit=None), verdict.demand) is None
 
 
+@pytest.mark.shows("note.word")
 def test_the_document_opens_and_says_what_the_note_says(verdict):
     docx = pytest.importorskip("docx")
     from PIL import Image
@@ -288,6 +307,7 @@ def test_that_no_equation_is_wider_than_its_column(which, request):
             assert width(ElementTree.fromstring(line)) <= WIDEST, step.symbol
 
 
+@pytest.mark.shows("batch.report")
 def test_that_the_batch_writes_the_document_or_refuses_before_the_run(tmp_path, monkeypatch, capsys):
     pytest.importorskip("docx")
     case, out = tmp_path / "one.toml", tmp_path / "new"
@@ -345,6 +365,7 @@ def cell_of(book, name):
     return sheet, place
 
 
+@pytest.mark.shows("files.live")
 def test_that_a_changed_input_is_stated_and_moves_what_follows_from_it(building, tmp_path):
     made = whole_workbook.build(building, []).workbook
     sheet, place = cell_of(made, "demand_ag")
@@ -370,6 +391,7 @@ def test_that_a_changed_input_is_stated_and_moves_what_follows_from_it(building,
     assert shown[sheet][place].value == pytest.approx(1.1 * building.demand.pga / G)
 
 
+@pytest.mark.shows("files.live")
 @pytest.mark.long
 def test_that_a_changed_sheet_agrees_with_a_new_run_or_stays_that_of_the_run(verdict, tmp_path):
     """The thickness of the first wall and a_g changed in the workbook, against the case run with both."""
@@ -417,6 +439,7 @@ def test_that_many_walls_keep_their_reasons_and_the_lowest_their_figures(buildin
         assert sentence_of(building, wall, "en") in words
 
 
+@pytest.mark.shows("note.engineer")
 def test_that_the_reasons_of_the_engineer_are_printed():
     wall = {
         "name": "w",

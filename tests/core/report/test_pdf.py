@@ -63,6 +63,7 @@ def structure(reader):
         open_ones += kids if isinstance(kids, list) else [kids]
 
 
+@pytest.mark.shows("note.standards")
 def test_that_the_file_says_it_is_pdf_a_3a_and_pdf_ua_1(file):
     root = file.trailer["/Root"]
     said = root["/Metadata"].get_object().get_data().decode()
@@ -74,6 +75,7 @@ def test_that_the_file_says_it_is_pdf_a_3a_and_pdf_ua_1(file):
     assert file.metadata.title.startswith("Three-storey building") and not file.is_encrypted
 
 
+@pytest.mark.shows("note.standards")
 def test_that_every_font_is_within_the_file_and_nothing_leads_out_of_it(file):
     fonts = [one for one in objects(file) if one.get("/Type") == "/FontDescriptor"]
     assert fonts and all(set(one) & {"/FontFile", "/FontFile2", "/FontFile3"} for one in fonts)
@@ -94,6 +96,7 @@ def test_that_figures_and_formulas_have_words_and_headings_follow_one_another(fi
     assert any(re.match(r"a_0\* = α0/\(e\* FC\) = [\d.]+/\([\d.]+ · 1.35\) = [\d.]+ g$", one) for one in words)
 
 
+@pytest.mark.shows("note.standards")
 def test_that_a_checker_of_pdf_ua_finds_nothing(content, tmp_path):
     """pdfua, by others: a part of the conditions of PDF/UA-1 that a machine can judge."""
     pdfua = pytest.importorskip("pdfua")
@@ -102,6 +105,7 @@ def test_that_a_checker_of_pdf_ua_finds_nothing(content, tmp_path):
     assert [f"{one.rule_id}: {one.message}" for one in report.findings] == []
 
 
+@pytest.mark.shows("note.walls")
 def test_that_each_wall_begins_a_page_and_has_three_at_most(whole_building, file):
     note = note_of(whole_building, Path())
     begun = [one["page"] for one in note.places() if "wall" in one and one["y"] < 80.0]
@@ -117,6 +121,7 @@ def _plain(page) -> str:
     return page.extract_text()
 
 
+@pytest.mark.shows("batch.extract", "note.holds_case")
 def test_that_the_case_its_results_and_the_list_of_records_lie_within(whole_building, content, tmp_path):
     path = tmp_path / "note.pdf"
     path.write_bytes(content)
@@ -142,6 +147,7 @@ def test_that_a_case_is_attached_as_it_was_written_with_its_comments(verdict, wh
     assert attached(verdict)[0].content.count("[[wall]]") == len(verdict.case.wall)
 
 
+@pytest.mark.shows("note.same_bytes")
 def test_that_the_same_result_gives_the_same_bytes_on_any_day(whole_building, content):
     other = replace(whole_building, started_utc="2031-01-01T00:00:00Z")
     assert note_as_pdf(other, Path()) == content
@@ -151,6 +157,7 @@ def test_that_the_same_result_gives_the_same_bytes_on_any_day(whole_building, co
     assert day_of("in autumn") == NO_DATE and day_of("2026-02-30") == NO_DATE
 
 
+@pytest.mark.shows("note.standards")
 def test_that_a_note_of_pdf_a_1b_has_no_files_within(whole_building, tmp_path):
     asked = replace(whole_building.case.report, pdf_standard="a-1b")
     path = tmp_path / "n.pdf"
@@ -194,6 +201,7 @@ def test_that_files_of_others_within_a_note_are_not_unpacked(tmp_path, monkeypat
     assert note_file.unpacked(path.read_bytes(), note_file.NOTE_FILES) == {}
 
 
+@pytest.mark.shows("doors.bombs")
 def test_that_what_unpacks_without_an_end_is_refused_after_its_time(tmp_path, monkeypatch):
     monkeypatch.setattr(note_file, "SECONDS", 1.0)
     path = tmp_path / "n.pdf"
@@ -203,6 +211,16 @@ def test_that_what_unpacks_without_an_end_is_refused_after_its_time(tmp_path, mo
     assert refused.value.code == "note_too_much"
 
 
+@pytest.mark.shows("batch.extract")
+def test_that_a_note_gives_its_files_to_the_command_line(content, tmp_path, capsys):
+    path = tmp_path / "note.pdf"
+    path.write_bytes(content)
+    assert program.main(["--extract", str(path), "--output", str(tmp_path / "x")]) == 0
+    assert sorted(one.name for one in (tmp_path / "x").iterdir()) == ["case.toml", "records.csv", "results.json"]
+    assert "case.toml" in capsys.readouterr().out
+
+
+@pytest.mark.shows("note.holds_case")
 def test_that_a_note_is_a_case_for_the_batch(verdict, tmp_path, capsys):
     path = tmp_path / "n.pdf"
     one = replace(verdict, case=replace(verdict.case, record=(), wall=verdict.case.wall[:1]))
@@ -211,6 +229,7 @@ def test_that_a_note_is_a_case_for_the_batch(verdict, tmp_path, capsys):
     assert (tmp_path / "n.xlsx").exists()
 
 
+@pytest.mark.shows("note.office")
 def test_that_logo_letterhead_and_font_are_of_the_office_or_refused(whole_building, tmp_path):
     def set_with(**report):
         asked = replace(whole_building.case.report, **report)
@@ -250,6 +269,7 @@ def typed(parts) -> str:
     return "".join(page.extract_text() for page in pypdf.PdfReader(io.BytesIO(Note(parts, "it").pdf())).pages)
 
 
+@pytest.mark.shows("doors.markup")
 def test_that_texts_of_a_user_are_text_and_no_code():
     code = [
         '#panic("x")',

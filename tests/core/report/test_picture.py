@@ -54,6 +54,7 @@ def of_head(width: int, height: int) -> bytes:
     return SVG.replace(b"<rect", f'<image href="data:image/png;base64,{data}" width="9" height="9"/><rect'.encode())
 
 
+@pytest.mark.shows("doors.bombs")
 def test_that_whatever_cannot_be_set_is_named_and_ends_no_program():
     chance = random.Random(3)
     whole = png(30, 20)

@@ -13,6 +13,7 @@ from core.research.parametric import ParametricResult, Row, StudyMotion
 from core.research.study_files import csv_text
 
 
+@pytest.mark.shows("files.no_formula_of_a_user")
 @pytest.mark.parametrize(
     ("text", "cell"),
     [

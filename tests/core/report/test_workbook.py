@@ -95,6 +95,7 @@ def formulas(book):
     }
 
 
+@pytest.mark.shows("files.formulas")
 def test_that_every_formula_carries_its_value_and_nothing_else_is_a_formula(book):
     assert set(formulas(book)) == set(book.cached)
     assert len(book.cached) > 100
@@ -104,6 +105,7 @@ def test_that_every_formula_carries_its_value_and_nothing_else_is_a_formula(book
         assert ("" if found is None else found) == value
 
 
+@pytest.mark.shows("files.formulas")
 def test_that_formulas_stand_on_the_check_sheet_with_named_cells(book):
     found = formulas(book)
     assert {sheet for sheet, _ in found} == {
@@ -303,6 +305,7 @@ def test_that_loads_are_on_every_sheet_that_a_reader_needs(loads):
     assert beside[0] == "ζ_16" and sixteen and sixteen <= set(beside)
 
 
+@pytest.mark.shows("paper.eq_16")
 def test_that_no_closed_form_is_drawn_for_a_wall_with_loads(loads):
     """Eq. 15, 16 and Ribalta's law were fitted without loads."""
     sheet = loads[1].workbook["q against SI"]
@@ -379,6 +382,7 @@ def recalculated(books, tmp_path_factory):
     return place / "out"
 
 
+@pytest.mark.shows("files.formulas")
 @pytest.mark.parametrize("which", BOOKS)
 def test_that_libreoffice_recalculates_every_formula_to_the_programs_value(which, books, recalculated):
     book, shown = books[which], openpyxl.load_workbook(recalculated / f"{which}.xlsx", data_only=True)
@@ -399,6 +403,7 @@ def _formula_cells(path) -> bytes:
     return b"".join(re.findall(rb"<c [^>]*><f>.*?</c>", text))
 
 
+@pytest.mark.shows("files.no_formula_of_a_user")
 def test_that_user_text_never_becomes_a_formula(book):
     wanted = {HOSTILE, "=1+1", "@cmd", "-2+3", "=cmd|'/c calc'!A1"}
     seen = set()
@@ -411,6 +416,7 @@ def test_that_user_text_never_becomes_a_formula(book):
     assert seen == wanted
 
 
+@pytest.mark.shows("files.sheets")
 def test_that_the_sheets_are_those_of_the_contract(folder, book):
     assert book.workbook.sheetnames == [
         "Summary",
@@ -439,6 +445,7 @@ def test_that_the_sheets_are_those_of_the_contract(folder, book):
         assert english not in text
 
 
+@pytest.mark.shows("files.sheets")
 def test_that_a_sheet_in_italian_says_nothing_in_english(ntc):
     text = " ".join(
         str(cell.value)
@@ -464,6 +471,7 @@ def test_that_displayed_numbers_are_the_results(folder):
     assert record["G4"].value == result.motions[0].pga / 9.80665
 
 
+@pytest.mark.shows("files.words_for_nan")
 def test_that_a_wall_without_number_shows_words_not_nan(folder):
     result, book = made(folder, wall=[STANDING], analysis={"q_step": 0.05, "q_limit": 1.5})
     assert result.walls[0].q_set is None

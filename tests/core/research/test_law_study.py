@@ -93,6 +93,7 @@ def test_that_an_estimate_at_slv_is_not_above_that_at_collapse():
             assert (at_slv.q(x, ratio) < 1.03 * at_collapse.q(x, ratio)).all()
 
 
+@pytest.mark.shows("paper.law")
 def test_that_an_estimate_is_scale_free_and_says_where_it_does_not_hold():
     block = Block.rectangle(7.0, np.radians(6.8))
     impact = restitution(block, "housner")
@@ -105,6 +106,7 @@ def test_that_an_estimate_is_scale_free_and_says_where_it_does_not_hold():
     assert law.loss_ratio(block, drop) == pytest.approx(drop.ratio_at_rest * (1.18 - 0.473) / 1.18, rel=1e-12)
 
 
+@pytest.mark.shows("paper.law")
 def test_that_the_fits_are_those_of_the_page():
     """resources/docs/paper.md, section 3: coefficients to two digits, scatters to three."""
     page = (ROOT / "resources" / "docs" / "paper.md").read_text(encoding="utf-8")

@@ -34,6 +34,7 @@ def run(content, **options):
     return parametric.run(parse_study(content), "", base_dir=ROOT, **options)
 
 
+@pytest.mark.shows("mechanics.mirror")
 @pytest.mark.parametrize("count", [2, pytest.param(10, marks=pytest.mark.long)])
 @pytest.mark.parametrize("one_sided, law", [(False, "rigid"), (True, "rigid"), (False, "doherty")])
 def test_that_q_does_not_depend_on_the_scale_of_the_record(one_sided, law, count, make_model):

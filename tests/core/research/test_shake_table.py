@@ -69,6 +69,7 @@ def test_that_a_body_that_does_what_the_model_says_is_found_with_its_slenderness
     assert found.tried is None
 
 
+@pytest.mark.shows("batch.validate")
 def test_that_misses_and_false_alarms_are_of_what_fell_and_of_what_stood():
     events = np.array(["a", "a", "b", "b", "c"])
     fell = np.array([True, True, False, False, False])
@@ -80,6 +81,7 @@ def test_that_misses_and_false_alarms_are_of_what_fell_and_of_what_stood():
     assert (every.right, every.missed, every.false, every.interval) == (1.0, 0.0, 0.0, (1.0, 1.0))
 
 
+@pytest.mark.shows("batch.validate")
 def test_that_no_event_is_in_both_halves_and_the_seed_decides():
     events = np.repeat([f"E{k}" for k in range(9)], 5)
     first, second = halves(events, 1)
@@ -204,6 +206,7 @@ def test_that_the_bodies_of_a_folder_take_the_place_of_the_granite_ones(tmp_path
     assert body == Body("1", 2.0, 5.5, math.radians(9.0))
 
 
+@pytest.mark.shows("batch.validate")
 def test_that_the_command_says_and_writes_what_was_found(tmp_path, capsys):
     data, output = tmp_path / "data", tmp_path / "out"
     data.mkdir()

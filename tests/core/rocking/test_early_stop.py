@@ -9,6 +9,7 @@ from core.rocking.early_stop import LOOKAHEAD, lookahead_bounds
 from tests.core.rocking.lanes_and_histories import assert_lanes_are_histories
 
 
+@pytest.mark.shows("mechanics.early_end")
 def test_that_what_is_settled_or_chatters_to_rest_is_what_integrating_on_would_say(reference, make_model):
     """Analyses that stop early, and chatter not followed to its end, change no bit of what is reported."""
     ground = np.concatenate([reference("standard")[0], 0.02 * reference("hard")[0]])
@@ -18,6 +19,7 @@ def test_that_what_is_settled_or_chatters_to_rest_is_what_integrating_on_would_s
             assert_lanes_are_histories(ground, 0.01, np.linspace(0.4, 2.5, 40), model)
 
 
+@pytest.mark.shows("mechanics.early_end")
 @pytest.mark.parametrize("ratio", [0.0, 0.3, 0.9, 0.99, 0.999, 1.0])
 def test_that_chatter_under_a_nearly_lifting_ground_is_followed(make_model, ratio):
     """The ground stays a hair below what lifts the block, or goes beyond it, while the bounces die down."""
@@ -32,6 +34,7 @@ def test_that_chatter_under_a_nearly_lifting_ground_is_followed(make_model, rati
             assert_lanes_are_histories(ground, 0.01, np.linspace(0.9, 1.1, 16), model)
 
 
+@pytest.mark.shows("mechanics.early_end")
 def test_that_what_lies_ahead_is_what_a_plain_loop_finds():
     rng = np.random.default_rng(3)
     ground, dt = rng.normal(size=50), 0.02

@@ -16,6 +16,7 @@ from core.wall.rocking_model import RockingModel
 from tests.core.rocking.lanes_and_histories import assert_lanes_are_histories
 
 
+@pytest.mark.shows("mechanics.lanes")
 @pytest.mark.parametrize("name", ["standard", "hard"])
 @pytest.mark.parametrize("one_sided", [False, True])
 @pytest.mark.parametrize("law", ["rigid", "doherty"])
@@ -30,6 +31,7 @@ def test_that_lanes_equal_single_analyses_on_the_references(reference, make_mode
     assert len(set(outcomes)) == 2 or size < 7
 
 
+@pytest.mark.shows("mechanics.lanes")
 def test_that_lanes_equal_single_analyses_on_random_walls_and_grounds():
     rng = np.random.default_rng(11)
     seen = set()
@@ -61,6 +63,7 @@ def test_that_lanes_take_long_steps_in_the_parts_of_single_analyses(reference, m
                 assert_lanes_are_histories(ground, dt, scales, model, method)
 
 
+@pytest.mark.shows("mechanics.bad_input")
 def test_that_a_ground_that_is_no_number_ends_at_once_with_its_code(make_model):
     """It hung `history` and `scan` for ever, where no signal reached them."""
     sound = 3.0 * np.sin(np.arange(300) * 0.1)
@@ -90,6 +93,7 @@ def test_that_a_ground_that_is_no_number_ends_at_once_with_its_code(make_model):
     assert search.status == "bad_input" and search.q is None
 
 
+@pytest.mark.shows("mechanics.impact_limit")
 def test_that_nearly_elastic_impacts_reach_their_limit_in_lanes_as_in_histories():
     """A spike barely above a_RM lifts the wall, which then bounces 10 000 times within a sample."""
     rng = np.random.default_rng(1)
@@ -103,6 +107,7 @@ def test_that_nearly_elastic_impacts_reach_their_limit_in_lanes_as_in_histories(
     assert IMPACT_LIMIT in seen
 
 
+@pytest.mark.shows("mechanics.lanes")
 def test_that_lanes_of_several_records_run_together(reference, make_model):
     """More analyses than lanes, of records of different length, one after another in the same pass."""
     grounds = [reference("standard")[0], 1.4 * reference("hard")[0][:700], np.zeros(5)]

@@ -35,6 +35,7 @@ def forcing(model: RockingModel) -> float:
     return model.p2 * math.cos(model.slenderness - model.elastic_end) / G
 
 
+@pytest.mark.shows("mechanics.branch")
 def test_an_event_of_a_swing_is_where_50_digits_find_it():
     rng = np.random.default_rng(4)
     seen = {SWING_ENDS: 0, SWING_FALLS: 0, SWING_RISES: 0}
@@ -109,6 +110,7 @@ def independent(model: RockingModel, record: np.ndarray, impacts: int):
     return np.array(times), np.array(values)
 
 
+@pytest.mark.shows("mechanics.branch")
 @pytest.mark.parametrize("seed", range(6))
 def test_a_history_with_the_branch_is_that_of_an_independent_solver(seed):
     rng = np.random.default_rng(20 + seed)
@@ -136,6 +138,7 @@ def test_many_multipliers_are_as_their_histories(one_sided):
         assert peaks[stable] == pytest.approx([one.peak for one in alone if one.outcome == 0], rel=1e-5)
 
 
+@pytest.mark.shows("mechanics.branch")
 def test_on_the_branch_a_motion_is_proportional_to_its_ground():
     rng = np.random.default_rng(9)
     model, record = wall(rng, 0.0), ground(rng, 800, 1.0)

@@ -5,6 +5,7 @@ import pytest
 from core.rocking import taylor_polynomial
 
 
+@pytest.mark.shows("mechanics.impact")
 def test_that_a_landing_is_found_to_rounding():
     """Newton with a wrong curvature is 1e-9 off here (root by 50 digits); where the fourth coefficient is ten times as
     large, two third-order steps are not enough, and the time is not said to be sure."""

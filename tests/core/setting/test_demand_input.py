@@ -25,6 +25,7 @@ def test_that_a_hazard_holds_the_return_periods_of_its_rows_and_one_percent_beyo
     assert within(ROWS, years) == held
 
 
+@pytest.mark.shows("risk.hazard_agrees")
 @pytest.mark.parametrize(
     ("key", "given", "agrees"),
     [

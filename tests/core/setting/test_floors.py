@@ -40,6 +40,7 @@ def result():
     return run(case(6.0), base_dir=ROOT)
 
 
+@pytest.mark.shows("mechanics.floor_search")
 def test_that_the_search_multiplies_the_ground_record(result):
     """q = C PFA / a_RM, and the wall collapses under C times the floor motion."""
     wall = result.walls[0]
@@ -52,6 +53,7 @@ def test_that_the_search_multiplies_the_ground_record(result):
         assert made.outcome == 1
 
 
+@pytest.mark.shows("paper.eq_16")
 def test_that_the_checks_are_made_at_height_and_eq_9_15_16_are_not_shown(result):
     wall = result.walls[0]
     names = [check.name for check in wall.assessment.checks]
@@ -63,6 +65,7 @@ def test_that_the_checks_are_made_at_height_and_eq_9_15_16_are_not_shown(result)
     assert {"other_building", "at_centroid"} <= set(codes) and "upper_floor" not in codes
 
 
+@pytest.mark.shows("mechanics.floor_search")
 def test_that_compatibility_is_that_of_the_ground_records(result):
     ground = run(case(0.0), base_dir=ROOT)
     assert np.array_equal(result.compliance.spectra, ground.compliance.spectra)
@@ -70,6 +73,7 @@ def test_that_compatibility_is_that_of_the_ground_records(result):
     assert [m.pga for m in result.motions] == [m.pga for m in ground.motions]
 
 
+@pytest.mark.shows("kinematic.without_building")
 def test_that_without_a_building_the_wall_is_undetermined_and_names_what_is_missing():
     verdict = run(case(6.0, None), base_dir=ROOT).walls[0].assessment.verdict
     assert verdict.code == "undetermined"
@@ -79,6 +83,7 @@ def test_that_without_a_building_the_wall_is_undetermined_and_names_what_is_miss
     assert words.endswith("indicare edificio (altezza, piani e, se noto, periodo).")
 
 
+@pytest.mark.shows("kinematic.estimated_period")
 def test_that_an_estimated_period_is_said():
     building = {"height_m": 9.0, "storeys": 3}
     found = run(case(6.0, building, records=1), base_dir=ROOT).walls[0]
@@ -87,6 +92,7 @@ def test_that_an_estimated_period_is_said():
     assert "period_estimated" in [reason.code for reason in found.assessment.verdict.reasons]
 
 
+@pytest.mark.shows("kinematic.participation", "kinematic.damaged_building")
 def test_the_damaged_building_of_each_limit_state():
     asked = case(6.0).building
     assert floors.modes_at(asked, 6.0, "SLV")[0] == floors.Mode(0.39, 0.10, 9.0 / 7.0 * 6.0 / 9.0)
@@ -138,6 +144,7 @@ def test_that_demand_scaling_is_of_the_record_of_the_ground():
     assert factors == {found.demand.pga / motion.pga}
 
 
+@pytest.mark.shows("kinematic.at_height", "kinematic.displacement_at_height")
 def test_that_no_demand_of_the_floor_is_below_that_of_the_ground():
     """The spectra of the floor go to zero with its height: a wall a centimetre up had zeta 324."""
     building = {"height_m": 30.0, "storeys": 8, "period_s": 0.8}

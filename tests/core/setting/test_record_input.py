@@ -23,6 +23,7 @@ def test_that_names_that_collide_become_paths(tmp_path, reference):
     assert [motion.name for motion in motions] == ["a.txt", "a.txt.txt", "s/a.txt"]
 
 
+@pytest.mark.shows("records.twice")
 def test_that_the_same_samples_under_two_names_are_refused(tmp_path, reference):
     text = "\n".join(f"{value:.9e}" for value in reference("standard")[0][:400])
     for name in ("a.txt", "b.txt"):
@@ -47,6 +48,7 @@ def test_that_a_record_that_is_a_generated_motion_is_refused_and_others_stand_be
     )
 
 
+@pytest.mark.shows("records.twice")
 def test_that_a_record_twice_in_a_case_is_refused(folder):
     twice = [{"file": "r0.txt", "unit": "m/s2", "time_step_s": 0.01}] * 2
     with pytest.raises(InputError, match="twice"):

@@ -42,6 +42,7 @@ def found_in(base, asked):
     return select_records(asked.select, base, demand, longest_of(asked, base, demand))
 
 
+@pytest.mark.shows("demand.select_accounts")
 def test_that_the_files_of_a_folder_are_all_accounted_for(folder):
     found = found_in(folder, case())
     assert (found.files, found.candidates, found.every) == (23, 20, True)
@@ -53,6 +54,7 @@ def test_that_the_files_of_a_folder_are_all_accounted_for(folder):
     assert "HNZ" in next(one for one in found.left_out if one.reason.code == "vertical_component").file.name
 
 
+@pytest.mark.shows("demand.select")
 @pytest.mark.parametrize("scaling", ["none", "common", "individual"])
 @pytest.mark.parametrize("spectrum", [NTC, EN])
 @pytest.mark.parametrize("ag", [0.08, 0.12, 0.2])
@@ -94,6 +96,7 @@ def test_that_a_sweep_keeps_the_records_that_were_chosen_once(folder, monkeypatc
     assert [point.error for point in points] == [None, None] and len(calls) == 1
 
 
+@pytest.mark.shows("demand.select")
 def test_that_each_record_is_of_another_station_and_no_event_has_three(folder):
     _, motions, _ = read_inputs(case(count=5), folder)
     stations = [dict(motion.details)["STATION_CODE"] for motion in motions]
@@ -105,6 +108,7 @@ def test_that_each_record_is_of_another_station_and_no_event_has_three(folder):
         found_in(folder, case(count=6, per_event=1))
 
 
+@pytest.mark.shows("demand.select_accounts")
 def test_that_the_order_of_the_files_and_their_names_change_no_set(folder, tmp_path):
     """The same motions under other names, so that they come in another order."""
     (tmp_path / "recs").mkdir()
@@ -145,6 +149,7 @@ def test_that_limits_leave_out_what_is_beyond_and_what_does_not_say(folder):
         found_in(folder, case(magnitude=[7.0, 8.0]))
 
 
+@pytest.mark.shows("demand.select")
 def test_that_what_cannot_be_met_is_the_nearest_set_and_said_so(folder):
     asked = case(demand={"ag_g": 1.5, "spectrum": NTC})
     result = study.run(asked, base_dir=folder)
@@ -217,6 +222,7 @@ def silent_folder(base, amplitudes, strong=4.0):
         write_esm(base / "recs" / f"{k}.ASC", k + 1, f"S{k}", f"EV-{k}", times=times)
 
 
+@pytest.mark.shows("demand.select")
 @pytest.mark.parametrize("scaling", ["none", "common", "individual"])
 def test_that_silent_records_do_not_fill_up_the_seven_stations(scaling, tmp_path):
     """Of PGA below 0.001 g, and of a hundredth of what is asked."""
@@ -232,6 +238,7 @@ def test_that_silent_records_do_not_fill_up_the_seven_stations(scaling, tmp_path
         found_in(tmp_path, case(count=7, scaling=scaling))
 
 
+@pytest.mark.shows("dynamic.silent")
 def test_that_silent_records_written_by_hand_verify_nothing(tmp_path):
     """Four records alone take the most unfavourable; with four that move no wall the mean of eight was taken."""
     silent_folder(tmp_path, [0.04, 0.04, 0.04, 0.04], strong=2.0)

@@ -14,6 +14,7 @@ from core.wall.restitution import housner_ratio, restitution
 from core.wall.rocking_model import rocking_model
 
 
+@pytest.mark.shows("mechanics.experiments")
 def test_that_the_loss_of_impacts_is_what_the_faster_sines_are_held_by():
     """At 1 Hz it matters by 3 %, at 2 Hz by a third: the page says how much a ratio 3 % above Eq. 4 is worth."""
     housner = restitution(TRAIN, "housner").ratio_at_rest

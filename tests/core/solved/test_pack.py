@@ -62,6 +62,7 @@ def few(monkeypatch):
     return FEW[0].cases
 
 
+@pytest.mark.shows("batch.solved")
 def test_that_validate_without_data_runs_the_solved_cases(few, tmp_path, capsys):
     assert main(["--validate", "--output", str(tmp_path / "out")]) == 0
     said = capsys.readouterr().out
@@ -70,6 +71,7 @@ def test_that_validate_without_data_runs_the_solved_cases(few, tmp_path, capsys)
     assert main(["--validate"]) == 0
 
 
+@pytest.mark.shows("batch.solved")
 def test_that_a_case_that_does_not_agree_ends_in_5(few, monkeypatch, capsys):
     wrong = replace(few[0], answers=(*few[0].answers, printed(("x", ""), "1.0", lambda: 1.2)))
     monkeypatch.setattr(cases, "SUBJECTS", (FEW[0]._replace(cases=(wrong, few[1])),))

@@ -62,6 +62,7 @@ def whole(case):
     return timeless(run(read_case(case), base_dir=case.parent, jobs=2))
 
 
+@pytest.mark.shows("batch.part")
 @pytest.mark.parametrize("n", [3, *(pytest.param(n, marks=pytest.mark.long) for n in (1, 7))])
 def test_that_parts_in_any_order_and_number_are_the_undivided_run(case, whole, tmp_path, n):
     order = list(range(1, n + 1))
@@ -89,6 +90,7 @@ def test_that_a_part_that_was_stopped_goes_on(case, tmp_path):
     assert sorted(path.read_bytes().split(b"\n")) == sorted(whole.split(b"\n"))
 
 
+@pytest.mark.shows("batch.part")
 def test_that_a_part_that_does_not_belong_is_refused(case, tmp_path):
     asked, key = read_case(case), journal_key()
 
@@ -145,6 +147,7 @@ class Losing(Executor):
         return future
 
 
+@pytest.mark.shows("batch.part")
 @pytest.mark.parametrize("kind", ["threads", "processes", "one is lost"])
 def test_that_walls_on_an_executor_are_the_undivided_run(case, whole, kind):
     pool = {"threads": lambda: ThreadPoolExecutor(2), "processes": lambda: ProcessPoolExecutor(2)}.get(kind, Losing)()
@@ -152,6 +155,7 @@ def test_that_walls_on_an_executor_are_the_undivided_run(case, whole, kind):
         assert timeless(run(read_case(case), base_dir=case.parent, executor=pool)) == whole
 
 
+@pytest.mark.shows("batch.part")
 def test_that_a_process_that_is_killed_loses_no_result(case, whole):
     with ProcessPoolExecutor(2) as pool:
         pool.submit(os._exit, 1)

@@ -68,6 +68,7 @@ def test_that_the_rates_are_of_the_capacities_of_the_searches(result):
     assert rates == sorted(rates, reverse=True)
 
 
+@pytest.mark.shows("search.sample")
 def test_that_the_interval_is_beside_the_verdict_and_changes_nothing(result, monkeypatch, case):
     assert result.verdicts[0].interval.stations == 14
     monkeypatch.setattr(how_sure, "MOST_INTERVALS", 0)
@@ -114,6 +115,7 @@ def test_that_s_follows_a_g_where_the_code_says_so(result):
     assert ag_of(replace(demand, target=None), asked, CASES)(1.7) == 1.7 * demand.ag
 
 
+@pytest.mark.shows("risk.rate")
 def test_that_of_several_hinges_each_state_has_the_rate_of_the_worst(case):
     """Each hinge by itself, with FC and in the nominal life of the case."""
     table = table_of(case)

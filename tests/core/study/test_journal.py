@@ -20,6 +20,7 @@ def filled(path, runs=6, resume=False):
     return path.read_bytes()
 
 
+@pytest.mark.shows("files.journal")
 def test_that_finished_runs_come_back_digit_for_digit(tmp_path):
     path = tmp_path / "c.journal"
     filled(path)
@@ -29,6 +30,7 @@ def test_that_finished_runs_come_back_digit_for_digit(tmp_path):
     assert not path.exists()
 
 
+@pytest.mark.shows("files.journal")
 @pytest.mark.parametrize("count", [200, pytest.param(1500, marks=pytest.mark.long)])
 def test_that_no_mutation_of_a_byte_changes_a_result(tmp_path, count):
     """Each line is whole or run again: bits flipped, bytes cut out, lines doubled, exchanged, cut."""

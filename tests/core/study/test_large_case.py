@@ -103,6 +103,7 @@ def read(path) -> list[dict]:
     return parquet.read_table(path).to_pylist()
 
 
+@pytest.mark.shows("files.parquet")
 def test_that_the_numbers_are_those_of_the_same_walls_in_a_small_case(table, small):
     found = {(row["wall"], row["hinge_m"], row["mechanism"]): row for row in read(table)}
     known = json.loads(json_report.dumps(small))
@@ -149,6 +150,7 @@ def test_that_what_is_said_of_a_wall_is_said_of_all_its_hinges_and_variants(tabl
     assert not any("variant_alone" in row["warnings"] for row in found)
 
 
+@pytest.mark.shows("files.parquet")
 def test_that_the_summary_counts_the_verdicts_and_names_the_worst(table, small, case):
     told = json.loads(table.with_suffix(".json").read_text())
     assert told["walls"] == 12 and told["table"]["rows"] == len(small.walls)
@@ -162,6 +164,7 @@ def test_that_the_summary_counts_the_verdicts_and_names_the_worst(table, small, 
     assert told["case_sha256"] == read_case(case).sha256
 
 
+@pytest.mark.shows("files.parquet")
 @pytest.mark.parametrize("n", [5, pytest.param(1, marks=pytest.mark.long)])
 def test_that_parts_in_any_order_make_the_table_of_the_undivided_run(case, table, few, tmp_path, n):
     for k in reversed(range(1, n + 1)):

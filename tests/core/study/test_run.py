@@ -48,11 +48,13 @@ def numbers(result) -> str:
     return json.dumps(content)
 
 
+@pytest.mark.shows("batch.jobs")
 def test_that_threads_and_their_number_change_no_digit(folder, result):
     for jobs in (2, 5):
         assert numbers(run(case(), base_dir=folder, jobs=jobs)) == numbers(result)
 
 
+@pytest.mark.shows("dynamic.signs")
 def test_that_a_wall_with_both_mechanisms_gives_two_entries(result):
     assert [(wall.name, wall.mechanism) for wall in result.walls] == [
         ("w", "two_sided"),
@@ -63,6 +65,7 @@ def test_that_a_wall_with_both_mechanisms_gives_two_entries(result):
     assert [run.polarity for run in result.walls[0].runs] == [1] * 3
 
 
+@pytest.mark.shows("paper.eq_10")
 def test_that_q_is_c_pga_over_a_rm(result):
     for wall in result.walls:
         for run in wall.runs:
@@ -72,6 +75,7 @@ def test_that_q_is_c_pga_over_a_rm(result):
             assert run.q_eff == pytest.approx(run.ida.q * G / motion.pga, rel=1e-14)
 
 
+@pytest.mark.shows("mechanics.impact_limit")
 def test_that_an_impact_limit_makes_the_set_incomplete(folder, monkeypatch):
     real = wall_work.incremental_dynamic_analyses
     calls = []
@@ -174,6 +178,7 @@ def test_that_collapse_histories_stand_on_both_sides_of_collapse(result):
         assert pair.scales[0] != pair.scales[1]
 
 
+@pytest.mark.shows("batch.resume")
 def test_that_a_cancelled_run_keeps_its_journal_and_resumes_bit_identical(folder, tmp_path, result):
     path = tmp_path / "case.journal"
     state = {"done": 0}
@@ -197,6 +202,7 @@ def test_that_a_cancelled_run_keeps_its_journal_and_resumes_bit_identical(folder
     assert numbers(again) == numbers(result)
 
 
+@pytest.mark.shows("files.other_case")
 def test_that_a_start_without_resume_sets_finished_runs_aside(folder, tmp_path):
     path = tmp_path / "case.journal"
     run(case(), base_dir=folder, journal=(path, False))
@@ -205,6 +211,7 @@ def test_that_a_start_without_resume_sets_finished_runs_aside(folder, tmp_path):
     assert (tmp_path / "case.journal.old").read_bytes() == kept
 
 
+@pytest.mark.shows("files.other_case")
 def test_that_a_journal_of_another_case_is_not_used(folder, tmp_path):
     path = tmp_path / "case.journal"
     run(case(), base_dir=folder, journal=(path, False))
@@ -277,6 +284,7 @@ def renamed(folder, tmp_path_factory):
     return found
 
 
+@pytest.mark.shows("files.names")
 def test_that_names_of_files_and_walls_change_no_number(renamed):
     expected, *others = [json.loads(json_report.dumps(result)) for result in renamed]
     for content in (expected, *others):
@@ -285,6 +293,7 @@ def test_that_names_of_files_and_walls_change_no_number(renamed):
         assert only_numbers(content) == only_numbers(expected)
 
 
+@pytest.mark.shows("files.names")
 def test_that_names_of_files_and_walls_change_no_number_of_the_workbook(renamed):
     """Numbers and formulas of every sheet, the note among them, one after the other."""
     found = []
@@ -316,6 +325,7 @@ def test_that_a_file_of_a_generated_motion_is_refused_beside_it(folder, tmp_path
         run(case(record=[entry], **asked), base_dir=tmp_path)
 
 
+@pytest.mark.shows("install.batch_alone")
 @pytest.mark.long
 def test_that_a_batch_needs_no_package_that_is_not_installed_with_the_program(tmp_path):
     """scipy, there in the tests, is not on a fresh machine: generated sets that scatter ended there in an error."""

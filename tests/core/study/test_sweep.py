@@ -32,6 +32,7 @@ def points(case, key, values, k=0, **options):
     return list(sweep(case, k, key, values, base_dir=CASES, **options))
 
 
+@pytest.mark.shows("window.sweep")
 def test_that_the_point_of_the_value_at_hand_is_the_run_of_the_wall(case):
     before = table_of(case)
     now = value_at(case, 0, THICKNESS)

@@ -15,6 +15,7 @@ BEFORE = {**WALL, "name": "facade", "variant": "stato di fatto", "load": [ROOF]}
 AFTER = {**WALL, "name": "facade", "variant": "progetto", "load": [ROOF, TIE], "thickness_m": 0.40}
 
 
+@pytest.mark.shows("case.variant")
 def test_that_two_walls_of_one_name_are_compared_and_what_changed_is_named():
     walls = [BEFORE, AFTER, {**WALL, "name": "other"}, {**BEFORE, "name": "alone"}]
     table = {"wall": walls, "demand": DEMAND}

@@ -15,6 +15,7 @@ from tests.core.report import whole_workbook
 from tests.core.study.cases import case
 
 
+@pytest.mark.shows("dynamic.signs")
 def test_that_the_lower_sign_governs_quantity_by_quantity(result):
     wall = result.walls[1]
     for entry in wall.per_record:
@@ -56,6 +57,7 @@ def of_stations(folder, reference, names: str, **more):
     return study.run(parse_case(table), base_dir=folder)
 
 
+@pytest.mark.shows("dynamic.stations")
 def test_that_seven_files_of_four_stations_take_the_minimum_in_every_check(tmp_path, reference):
     wall = of_stations(tmp_path, reference, STATIONS).walls[0]
     check = wall.assessment.dynamic
@@ -71,6 +73,7 @@ def test_that_seven_files_of_four_stations_take_the_minimum_in_every_check(tmp_p
     assert "4 stazioni" in said.text("it")
 
 
+@pytest.mark.shows("dynamic.stations")
 def test_that_seven_stations_take_the_mean_in_every_check(tmp_path, reference):
     wall = of_stations(tmp_path, reference, "ABCDEFG").walls[0]
     assert (wall.set_rule, wall.assessment.dynamic.set_rule) == ("mean", "mean")
@@ -96,18 +99,21 @@ def test_that_the_stations_are_counted_where_no_spectrum_is_given(tmp_path, refe
     assert said.text("en").startswith("1 station")
 
 
+@pytest.mark.shows("search.set")
 def test_that_three_records_take_the_minimum(result):
     wall = result.walls[0]
     assert wall.set_rule == "minimum"
     assert wall.q_set == wall.q_min == min(entry.q for entry in wall.per_record)
 
 
+@pytest.mark.shows("search.set")
 def test_that_fewer_records_are_flagged(folder):
     few = study.run(case(record=[{"file": "r0.txt", "unit": "m/s2", "time_step_s": 0.01}]), base_dir=folder)
     assert few.walls[0].set_rule == "too_few"
     assert any(notice.code == "too_few" for notice in few.walls[0].warnings)
 
 
+@pytest.mark.shows("search.set")
 def test_that_a_standing_wall_is_left_out_and_counted(folder):
     found = study.run(case(wall=[STANDING], analysis={"q_step": 0.05, "q_limit": 1.5}), base_dir=folder)
     wall = found.walls[0]
@@ -146,6 +152,7 @@ def test_that_input_no_engineer_means_is_questioned(wall, code, tmp_path):
     assert not [w for w in found.demand.warnings if w.code == "large_ag"]
 
 
+@pytest.mark.shows("kinematic.q_slv")
 def test_that_the_linear_check_takes_the_lower_end_of_q_slv_and_says_where_that_decides(tmp_path, reference):
     """a_g between those at which the check with either end of the spread just passes: it fails."""
 

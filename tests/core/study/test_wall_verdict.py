@@ -46,6 +46,7 @@ def fake(zeta, code="not_verified", target=1.0):
     return SimpleNamespace(assessed=SimpleNamespace(verdict=verdict))
 
 
+@pytest.mark.shows("verdict.worst")
 def test_that_hinges_are_ordered_by_the_table_of_outcomes_and_then_by_zeta():
     order = [
         fake(0.5),
@@ -63,6 +64,7 @@ def test_that_hinges_are_ordered_by_the_table_of_outcomes_and_then_by_zeta():
         assert sorted(turned, key=severity) == order
 
 
+@pytest.mark.shows("verdict.worst")
 def test_that_the_worst_hinge_and_mechanism_is_the_wall_s():
     result = made({"mechanism": "both", "load": [{**ROOF, "d_m": 0.3}]})
     (found,) = result.verdicts
@@ -88,6 +90,7 @@ def test_that_each_variant_is_a_wall_of_its_own():
     assert entries[0]["zeta_e"] < entries[1]["zeta_e"]
 
 
+@pytest.mark.shows("verdict.hinges")
 def test_that_without_a_building_the_heights_left_out_are_named():
     loads = {"load": [{**ROOF, "h_m": 5.0}]}
     (left,) = made(loads, building=None).verdicts
@@ -100,6 +103,7 @@ def test_that_without_a_building_the_heights_left_out_are_named():
     assert "base is checked" not in some.extra[0].text("en") and "5 m" not in some.extra[0].text("en")
 
 
+@pytest.mark.shows("risk.states")
 def test_that_every_limit_state_has_its_outcome_and_a_failing_one_limits_the_verdict():
     result = made({"thickness_m": 1.5, "height_m": 6.0}, building=None, **SITE)
     (entry,) = json_report.results(result)["verdicts"]
@@ -114,6 +118,7 @@ def test_that_every_limit_state_has_its_outcome_and_a_failing_one_limits_the_ver
     assert without["SLD"] == without["SLC"] == {"code": "no_hazard", "zeta_e": None, "check": None}
 
 
+@pytest.mark.shows("risk.states")
 def test_that_another_state_that_fails_is_in_limits_and_never_in_code():
     result = made({"thickness_m": 1.5, "height_m": 6.0}, building=None, **SITE)
     wall = result.walls[0]

@@ -131,6 +131,7 @@ CONDITION = {
 """They name such an input together with what it takes: code -> words of it."""
 
 
+@pytest.mark.shows("verdict.advice")
 def test_that_every_sentence_that_names_what_lifts_zeta_was_read():
     """A new one is read for advice to the unsafe side, and put where it belongs."""
     found = {
@@ -144,6 +145,7 @@ def test_that_every_sentence_that_names_what_lifts_zeta_was_read():
         assert any(words in CATALOGUE[group].get(code, ("",))[0] for group in ("error", "reason"))
 
 
+@pytest.mark.shows("verdict.advice")
 def test_that_no_wall_is_sent_to_the_one_sided_mechanism_without_what_is_behind_it():
     """A free pillar: zeta 0.64 two-sided, 1.04 one-sided."""
     for group in ("error", "reason", "notice", "missing"):
@@ -154,6 +156,7 @@ def test_that_no_wall_is_sent_to_the_one_sided_mechanism_without_what_is_behind_
             assert "come parete su un lato" not in italian, code
 
 
+@pytest.mark.shows("verdict.advice")
 def test_that_no_lower_fc_and_no_other_restitution_is_offered_for_nothing():
     for english, italian in CATALOGUE["window"].values():
         assert "lower with a hinge setback" not in english, italian

@@ -141,6 +141,7 @@ def test_that_both_languages_name_the_same_values(group):
         assert placeholders(english) == placeholders(italian), (group, code)
 
 
+@pytest.mark.shows("window.language")
 def test_that_a_sentence_in_italian_is_not_the_english_one():
     for group, texts in CATALOGUE.items():
         for code, (english, italian) in texts.items():
@@ -194,6 +195,7 @@ def test_that_every_text_of_the_catalogue_is_used():
         assert unused == set(), group
 
 
+@pytest.mark.shows("window.language")
 def test_that_no_sentence_stands_outside_the_catalogue():
     found = []
     for path in SOURCES:

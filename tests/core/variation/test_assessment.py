@@ -36,6 +36,7 @@ def judged(zeta, wall=WALL, demand=SOIL, **values):
 # the table of methods
 
 
+@pytest.mark.shows("kinematic.sld_shown", "dynamic.fc")
 def test_that_beside_the_checks_stand_the_histories_with_fc_on_the_other_side_and_a_g_of_sld():
     """a_0* = 0.05 g / 1.35; S of soil B at a_g 0.1 is 1.2: zeta_SLD = 0.05 / (1.35 x 0.12)."""
     for other in (OtherConfidence("demand", 1.1, True), OtherConfidence("demand", None, False)):
@@ -167,6 +168,7 @@ def test_that_a_tie_with_slack_is_said_not_to_be_counted_by_the_checks_of_the_cl
     assert "slack_not_counted" in limits(assess(judged(1.5, slack)))
 
 
+@pytest.mark.shows("kinematic.ties_at_sld")
 def test_that_at_sld_the_zeta_with_the_ties_is_shown_beside_the_one_without():
     """By hand, W 28.8 kN/m, a tie of 0.5 kN/m at 3.6 m within its yield: alpha = (2.88 + 1.8) / 57.6."""
     tie = TIE | {"kn_m": 0.5, "h_m": 3.6}

@@ -263,6 +263,7 @@ def lift(found, code):
     return said.get(code)
 
 
+@pytest.mark.shows("lifts.velocity_ratio")
 def test_that_a_given_velocity_ratio_is_shown_with_more_and_by_theory():
     found = made({"velocity_ratio": 0.0})
     said = lift(found, "lift_velocity_ratio")
@@ -275,6 +276,7 @@ def test_that_a_given_velocity_ratio_is_shown_with_more_and_by_theory():
     assert lift(theory, "lift_velocity_ratio") is None
 
 
+@pytest.mark.shows("lifts.velocity_ratio")
 @pytest.mark.parametrize("model", [name for name, model in MODELS.items() if not model.by_theory and name != "user"])
 def test_that_a_model_of_experiments_is_shown_by_theory_too(model):
     assert lift(made({"restitution": model}), "lift_velocity_ratio") is not None
@@ -291,6 +293,7 @@ def test_that_with_nothing_changed_every_check_has_its_own_zeta(monkeypatch):
     assert [(check.name, check.zeta) for check in again.checks] == [(check.name, check.zeta) for check in own]
 
 
+@pytest.mark.shows("lifts.confidence")
 def test_that_an_fc_below_1_35_is_shown_with_1_35():
     tested = {"confidence_factor": 1.2, "knowledge_level": "LC2", "investigations": "flat jacks"}
     found = made({"compressive_strength_mpa": 2.0}, tested)
@@ -300,6 +303,7 @@ def test_that_an_fc_below_1_35_is_shown_with_1_35():
     assert said["zeta"].value < found.verdict.zeta_e and said["investigations"] == "flat jacks"
 
 
+@pytest.mark.shows("verdict.reason", "lifts.q_code")
 def test_that_another_q_than_2_is_shown_with_2_and_turns_what_rests_on_it():
     case = {"wall": [WALL], "demand": {"ag_g": 0.2, "soil_factor": 1.2, "q_code": 5.0}}
     found = run(parse_case(case), base_dir=ROOT).walls[0].assessment
@@ -313,6 +317,7 @@ def test_that_another_q_than_2_is_shown_with_2_and_turns_what_rests_on_it():
     assert lift(justified, "lift_q_code") is not None
 
 
+@pytest.mark.shows("lifts.return_walls")
 def test_that_the_friction_of_return_walls_is_shown_without_it():
     across = {"number": 2, "thickness_m": 0.5, "brick_height_m": 0.25, "brick_length_m": 0.2}
     case = {"wall": [{**WALL, "return_walls": across, "length_m": 4.0}], "demand": {"ag_g": 0.2, "soil_factor": 1.2}}
@@ -322,6 +327,7 @@ def test_that_the_friction_of_return_walls_is_shown_without_it():
     assert lift(found, "lift_return_walls")["zeta"].value == pytest.approx(without.verdict.zeta_e)
 
 
+@pytest.mark.shows("lifts.free_element")
 def test_that_a_two_sided_wall_declared_held_is_shown_as_a_free_element():
     wall = {"mechanism": "two_sided", "back_restraint": None, "free_element": False, "elastic_modulus_mpa": 600.0}
     found = made(wall, records=False)
@@ -330,6 +336,7 @@ def test_that_a_two_sided_wall_declared_held_is_shown_as_a_free_element():
     assert lift(found, "lift_free_element")["zeta"].value == pytest.approx(linear.zeta)
 
 
+@pytest.mark.shows("lifts.participation")
 def test_that_a_participation_below_that_of_the_clause_is_shown_with_it():
     """C7.2.10: gamma psi = 9/7 z/H_b."""
     modes = [{"period_s": 0.26, "damping": 0.10, "participation": 0.3}]
@@ -343,6 +350,7 @@ def test_that_a_participation_below_that_of_the_clause_is_shown_with_it():
     assert lift(other, "lift_participation") is None
 
 
+@pytest.mark.shows("kinematic.damaged_building", "lifts.centroid")
 def test_that_the_other_building_and_the_centroid_stand_beside_a_wall_at_height():
     wall = {"base_z_m": 6.0, "height_m": 3.0, "thickness_m": 0.45, "mechanism": "two_sided", "back_restraint": None}
     found = made(wall, building=BUILDING, records=False)
@@ -356,6 +364,7 @@ def test_that_the_other_building_and_the_centroid_stand_beside_a_wall_at_height(
     }
 
 
+@pytest.mark.shows("lifts.generated")
 def test_that_generated_motions_are_named_and_natural_ones_are_not():
     assert lift(made(), "generated_motions") == {}
     natural = {"record": [{"file": "tests/motions/noise_*.txt"}]}
@@ -427,6 +436,7 @@ def test_that_a_building_damped_beyond_the_clause_is_indicative_at_sld_until_it_
     assert made(ABOVE, {**demand, **reason}, records=False, building=damped).verdict.code == "not_activated"
 
 
+@pytest.mark.shows("verdict.reason")
 def test_that_inputs_that_turn_the_outcome_together_alone_are_indicative():
     wall, demand = {"compressive_strength_mpa": 10.0}, {"ag_g": 0.13, "soil_factor": 1.2}
     demand |= {"q_code": 3.0, **TESTED}
@@ -441,6 +451,7 @@ def test_that_inputs_that_turn_the_outcome_together_alone_are_indicative():
     assert made(wall, demand, records=False).verdict.code == "verified"
 
 
+@pytest.mark.shows("verdict.q_2_alone")
 def test_that_q_2_does_not_agree_by_an_fc_below_1_35_alone():
     wall = {"compressive_strength_mpa": 10.0}
     found, full = (made(wall, {"ag_g": 0.13, **more}, records=False) for more in (TESTED, {}))
@@ -450,6 +461,7 @@ def test_that_q_2_does_not_agree_by_an_fc_below_1_35_alone():
     assert lift(found, "q_rests_on") is not None and lift(full, "q_rests_on") is None
 
 
+@pytest.mark.shows("lifts.law")
 def test_that_a_trilinear_law_is_shown_with_the_rigid_one():
     wall = {"mechanism": "two_sided", "back_restraint": None, "thickness_m": 0.5, "law": "rigid"}
     law = {"law": {"elastic_limit": 0.3, "plateau_end": 0.301}}

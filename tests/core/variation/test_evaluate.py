@@ -20,6 +20,7 @@ def judged(zeta=1.3, wall=WALL, demand=SOIL, by_default=False, **values):
     return evaluate(with_histories(scene_of(wall, demand), lambda *_: history(zeta, **values), by_default=by_default))
 
 
+@pytest.mark.shows("dynamic.exact_methods")
 @pytest.mark.parametrize("method", [AUTO, *METHODS.values()], ids=lambda method: method.name)
 def test_that_a_verdict_rests_on_the_methods_that_solve_the_equation_alone(method):
     """The series of Taylor and Dormand and Prince; the others are there for comparison."""
@@ -59,6 +60,7 @@ def test_that_a_check_that_was_not_made_or_has_no_number_leaves_its_wall_open():
     assert failing.judgement(failing.decides) == FAILS
 
 
+@pytest.mark.shows("dynamic.by_default")
 @pytest.mark.parametrize(
     "zeta, values, decides",
     [
@@ -153,6 +155,7 @@ def test_that_a_verdict_knows_the_strongest_motion_and_whether_one_is_of_the_exa
     assert of_scaled.strongest == pytest.approx(0.1 * 9.80665)
 
 
+@pytest.mark.shows("dynamic.signs")
 @pytest.mark.parametrize(
     "mechanism, polarity, both",
     [
@@ -185,6 +188,7 @@ PARAPET = {"name": "p", "height_m": 1.2, "thickness_m": 0.25, "mechanism": "two_
 PARAPET |= {"unit_weight_kn_m3": 18.0, "unloaded_confirmed": True}
 
 
+@pytest.mark.shows("kinematic.branch")
 @pytest.mark.parametrize(
     "zetas, calls, worst",
     [

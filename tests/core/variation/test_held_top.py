@@ -41,6 +41,7 @@ def codes(wall):
     return [one.code for one in wall.assessment.verdict.limits]
 
 
+@pytest.mark.shows("held.demand")
 def test_that_the_demand_is_that_of_the_floor_spectrum_at_mid_height():
     result = study(WALL)
     (wall,) = result.walls
@@ -55,6 +56,7 @@ def test_that_the_demand_is_that_of_the_floor_spectrum_at_mid_height():
     assert found.moved.d0 < bending(wall.wall.in_si).d0  # its own hinge, where zeta is least
 
 
+@pytest.mark.shows("held.demand")
 def test_that_low_in_a_building_the_demand_is_not_below_that_of_the_ground():
     (wall,) = study(WALL | {"base_z_m": 0.0, "height_m": 2.0, "load": [TOP | {"h_m": 2.0}]}).walls
     assert wall.floor.spectrum.a_z < wall.assessment.kinematic.acceleration_demand == pytest.approx(1.2 * 0.35 * G)
@@ -66,6 +68,7 @@ def test_that_without_the_building_there_is_no_verdict_even_for_a_base_on_the_gr
     assert verdict.code == "undetermined" and "1.5 m above the ground" in verdict.text("en")
 
 
+@pytest.mark.shows("held.no_histories")
 def test_that_the_verdict_rests_on_the_kinematic_checks_and_says_so():
     (wall,) = study(WALL).walls
     verdict = wall.assessment.verdict
@@ -81,6 +84,7 @@ def test_that_the_verdict_rests_on_the_kinematic_checks_and_says_so():
     assert check["d0_m"] == pytest.approx(0.5 * check["bending"]["d_c0_m"])
 
 
+@pytest.mark.shows("held.restraint")
 def test_that_a_top_nobody_names_gives_no_verification_however_strong_the_wall_is():
     strong = {"thickness_m": 0.9, "load": [TOP | {"kn_m": 200.0, "d_m": 0.45}]}
     named, unnamed = (study(WALL | strong | {"back_restraint": text}).walls[0] for text in ("kerb", ""))
@@ -90,6 +94,7 @@ def test_that_a_top_nobody_names_gives_no_verification_however_strong_the_wall_i
     assert verdict.to_do[0].code == "to_no_top_restraint"
 
 
+@pytest.mark.shows("held.restraint")
 def test_that_zeta_of_the_overturning_stands_beside_it():
     """The same wall, no longer held: it is that of a one-sided wall by the same checks."""
     (wall,) = study(WALL).walls
@@ -98,6 +103,7 @@ def test_that_zeta_of_the_overturning_stands_beside_it():
     assert wall.assessment.verdict.lower_bound < wall.assessment.verdict.zeta_e and "top_fails" in codes(wall)
 
 
+@pytest.mark.shows("lifts.inward")
 def test_that_loads_that_hold_less_inward_are_said_and_make_it_indicative():
     """A wall satisfied outward alone, for its load stands near the outer face."""
     near = WALL | {"load": [TOP | {"d_m": 0.02, "kn_m": 30.0}]}

@@ -54,6 +54,7 @@ def test_that_a_tie_with_slack_counts_nothing_in_a_check_of_the_clauses(BARE):
         assert lift(found, "slack_not_counted") == {} and found.verdict.code == "not_verified"
 
 
+@pytest.mark.shows("lifts.slack")
 def test_that_slack_that_lifts_zeta_of_the_histories_is_shown_without_it_and_without_the_tie():
     given = reasons(elongation_m="S 235, certificate 3", anchorage_kn="calculation 7")
     found = found_of({**LONG, "slack_mm": 3.0}, records=True, demand={"ag_g": 0.12}, **given)
@@ -75,6 +76,7 @@ def test_that_slack_makes_no_tie_weaker_than_the_wall_can_take(slack):
     assert refused.value.code == "tie_too_strong"
 
 
+@pytest.mark.shows("lifts.brittle")
 @pytest.mark.parametrize("more", [{}, {"elongation_m": 0.0069}, {"elongation_m": 0.01}])
 def test_that_a_tie_that_breaks_before_the_displacement_counted_on_is_named(BARE, more):
     """It yields at 6.88 mm; 0.40 theta_c stretches it by 96 mm. A further tie that holds out changes nothing."""
@@ -90,6 +92,7 @@ def test_that_a_tie_that_breaks_before_the_displacement_counted_on_is_named(BARE
     assert lift(found_of(LONG, **given), "lift_brittle") is None
 
 
+@pytest.mark.shows("verdict.q_2_alone")
 def test_that_a_tie_that_breaks_does_not_make_q_2_agree_with_the_histories():
     tie, demand = {**TIE, "kn_m": 0.9}, {"ag_g": 0.12}
     given = reasons(anchorage_kn="calculation 7")
@@ -111,6 +114,7 @@ def test_that_alpha_0_counts_ties_where_they_act_together():
     assert both == pytest.approx((13.5e3 * 0.125 + held) / (13.5e3 * 1.5), rel=1e-12)
 
 
+@pytest.mark.shows("kinematic.ties_at_sld")
 def test_that_no_tie_is_counted_at_sld_and_the_other_reading_is_shown(BARE):
     demand = {"ag_g": 0.09, "limit_state": "SLD"}
     found, bare = found_of({**LONG, "prestress": 0.3}, demand=demand), found_of(demand=demand)
@@ -121,6 +125,7 @@ def test_that_no_tie_is_counted_at_sld_and_the_other_reading_is_shown(BARE):
     assert lift(bare, "ties_at_sld") is None
 
 
+@pytest.mark.shows("lifts.anchorage")
 def test_that_the_anchorage_of_a_tie_is_named_until_something_shows_that_it_holds(BARE):
     given = reasons(elongation_m="S 235, certificate 3")
     by_bar = {"kind": "tie", "h_m": 2.9, "bar_length_m": 6.0, "elongation": 0.05}

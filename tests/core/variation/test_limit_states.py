@@ -39,6 +39,7 @@ def test_that_the_hazard_is_linear_in_logarithms_between_its_rows():
         assert interpolated(rows, row.return_period_years).ag_g == pytest.approx(row.ag_g, rel=1e-12)
 
 
+@pytest.mark.shows("risk.states")
 def test_that_each_limit_state_has_its_return_period_and_its_own_check():
     case = site()
     demands = demands_of(case, Path())
@@ -73,6 +74,7 @@ def test_that_a_limit_state_outside_the_rows_has_none_and_is_said():
     assert "V_N" in words.text("it")
 
 
+@pytest.mark.shows("risk.hazard_agrees")
 @pytest.mark.parametrize(
     ("key", "value", "refused"),
     [
@@ -159,6 +161,7 @@ def test_that_a_file_of_the_hazard_is_the_same_as_its_rows(tmp_path):
     assert {state: d.ag / G for state, d in read.items()} == {state: d.ag / G for state, d in given.items()}
 
 
+@pytest.mark.shows("risk.states")
 def test_that_a_state_asked_for_has_its_time_histories(tmp_path):
     """Under the motions of the case times the ratio of the peaks; at SLD the clause has no rule for them."""
     wall = {key: value for key, value in WALL.items() if key != "velocity_ratio"}

@@ -35,6 +35,7 @@ def rank(code):
     return list(OUTCOMES).index(code)
 
 
+@pytest.mark.shows("verdict.worst", "verdict.zeta_least")
 @pytest.mark.parametrize("walls", [12, pytest.param(40, marks=pytest.mark.long)])
 def test_that_a_wall_has_the_worst_outcome_of_its_hinges_and_the_least_zeta(walls):
     milder = 0
@@ -88,6 +89,7 @@ def check_left_out(table) -> int:
     return compared
 
 
+@pytest.mark.shows("verdict.left_out")
 def test_that_leaving_a_key_out_never_makes_an_outcome_milder():
     assert sum(map(check_left_out, random_tables(8, first=500))) > 5
 
@@ -97,6 +99,7 @@ def test_that_leaving_a_key_out_makes_no_outcome_of_three_hundred_walls_milder()
     assert sum(map(check_left_out, random_tables(300, first=500))) > 250
 
 
+@pytest.mark.shows("verdict.zeta_least")
 def test_that_among_equal_outcomes_a_missing_zeta_comes_first():
     rows = [("verified", 1.2, 1.0), ("undetermined", None, 1.0), ("undetermined", 0.3, 1.0), ("verified", 1.1, 0.8)]
     ordered = sorted(rows, key=lambda row: severity(*row))

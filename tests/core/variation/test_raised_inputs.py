@@ -137,12 +137,14 @@ def asked_at(row):
     return row.ends[0].change(SimpleNamespace(generated_as=lambda asked: asked))
 
 
+@pytest.mark.shows("lifts.motions")
 def test_that_a_set_that_scatters_less_than_nature_is_shown_with_its_scatter(usual):
     row = set_rows(scatter=0.64)["scatter"]
     assert (row.value, row.ends[0].value, asked_at(row)) == (0.64, 0.65, Generate(10, 1, 0.65))
     assert not set_rows(scatter=0.65) and not set_rows(scatter=0.7)
 
 
+@pytest.mark.shows("lifts.motions")
 @pytest.mark.parametrize(
     "count, code, permitted",
     [(6, "lift_count", False), (7, "lift_count", True), (9, "lift_count", True), (11, "lift_more", False)],
@@ -157,6 +159,7 @@ def test_that_another_count_of_motions_is_shown_with_the_usual_one(usual, count,
     assert values(row, [0.9])["usual"] == 10 and not set_rows(count=10)
 
 
+@pytest.mark.shows("lifts.motions")
 def test_that_another_seed_is_shown_with_the_first(usual):
     row = set_rows(seed=4)["seed"]
     assert (row.value, row.ends[0].value, asked_at(row), row.reason) == (4.0, 1.0, Generate(10, 1, 0.65), "")
@@ -169,6 +172,7 @@ def test_that_the_set_of_a_wall_that_fails_or_is_there_by_default_has_no_rows(us
     assert not set_rows(zeta=0.9, **odd) and not set_rows(by_default=True, **odd)
 
 
+@pytest.mark.shows("lifts.motions")
 @pytest.mark.parametrize("spread, n, said", [(0.31, 3, True), (0.33, 3, False), (0.31, 2, False)])
 def test_that_given_records_that_scatter_less_than_half_as_much_as_natural_ones_are_shown_with_a_set(
     usual, spread, n, said
@@ -252,6 +256,7 @@ def test_that_a_rigid_law_of_a_free_element_that_passes_is_shown_with_its_branch
 AT_EDGE = {key: value for key, value in WALL.items() if key != "hinge_setback_m"}
 
 
+@pytest.mark.shows("lifts.hinge")
 @pytest.mark.parametrize(
     "given, weight, end",
     [
@@ -275,6 +280,7 @@ def test_that_a_hinge_nearer_to_the_edge_than_the_weakest_masonry_lets_it_is_sho
         assert (said["given"], said["cm"], said["f"]) == pytest.approx((100.0 * (given or 0.0), 100.0 * end, 1.0))
 
 
+@pytest.mark.shows("lifts.hinge")
 def test_that_a_hinge_is_at_least_a_centimetre_inside_the_edge_of_any_masonry():
     low = AT_EDGE | {"height_m": 1.0}
     rows, scene = rows_of(low)
@@ -351,6 +357,7 @@ def test_that_a_body_by_its_radius_turns_about_a_point_farther_inside():
 # the body
 
 
+@pytest.mark.shows("lifts.weights")
 @pytest.mark.parametrize("over, said", [(1.001, True), (1.0, False), (0.9, False)])
 def test_that_a_moment_of_inertia_above_that_of_a_rectangle_is_shown_with_it(over, said):
     rows, scene = rows_of(GENERAL | {"inertia_over_mass_m2": over * 16.0 / 3.0}, SPECTRUM)
@@ -361,6 +368,7 @@ def test_that_a_moment_of_inertia_above_that_of_a_rectangle_is_shown_with_it(ove
     assert "lift_inertia" not in rows_of()[0]
 
 
+@pytest.mark.shows("lifts.weights")
 @pytest.mark.parametrize(
     "modulus, permitted", [(1201.0, True), (1800.0, True), (1801.0, False), (1200.0, None), (900.0, None)]
 )
@@ -377,6 +385,7 @@ def test_that_a_modulus_of_a_free_element_is_shown_with_the_lowest_of_its_masonr
     assert "lift_modulus" not in rows_of(WALL | {"elastic_modulus_mpa": modulus})[0]
 
 
+@pytest.mark.shows("lifts.weights")
 @pytest.mark.parametrize(
     "given, masonry, ends, permitted",
     [
@@ -403,6 +412,7 @@ def test_that_a_unit_weight_beside_loads_is_shown_at_the_ends_of_its_masonry(giv
 # the shape
 
 
+@pytest.mark.shows("lifts.bodies")
 def test_that_wedges_of_return_walls_are_shown_cut_off_behind_the_base():
     wall = WALL | {"length_m": 5.0, "return_wedges": {"number": 2, "thickness_m": 0.4, "length_at_top_m": 0.5}}
     rows, scene = rows_of(wall)
@@ -420,6 +430,7 @@ def test_that_wedges_of_return_walls_are_shown_cut_off_behind_the_base():
     assert "lift_return_wedges" not in rows_of()[0]
 
 
+@pytest.mark.shows("lifts.bodies")
 @pytest.mark.parametrize("h, said", [(4.0, True), (4.49, True), (4.496, False), (4.5, False)])
 def test_that_a_restraint_that_meets_a_body_below_its_top_is_shown_at_it(h, said):
     """A body of 4.5 m whose restraint reaches h: beyond 99.9 % of it is its top."""

@@ -32,6 +32,7 @@ def loads_at(row, scene, k=0):
 # ties
 
 
+@pytest.mark.shows("lifts.elongation", "lifts.brittle")
 @pytest.mark.parametrize("clauses", [True, False])
 @pytest.mark.parametrize("state, share", [("SLV", 0.4), ("SLC", 0.6), ("SLD", 0.4)])
 def test_that_a_tie_that_breaks_before_the_rotation_it_is_counted_up_to_is_asked_about(state, share, clauses):
@@ -55,6 +56,7 @@ def test_that_a_tie_that_breaks_before_the_rotation_it_is_counted_up_to_is_asked
             assert [load.kind for load in loads_at(row, scene)] == ["vertical"]
 
 
+@pytest.mark.shows("lifts.elongation")
 def test_that_a_tie_that_stands_no_more_than_its_yield_has_no_row_of_its_elongation():
     """u_y = 235 / 205000 x 6 m = 6.88 mm."""
     for elongation, said in ((None, False), (0.0070, True)):
@@ -72,6 +74,7 @@ def test_that_slack_is_shown_taut_and_without_the_ties_that_have_it():
     assert "lift_slack" not in rows_of(TIE | {"slack_mm": 0.0})[0]
 
 
+@pytest.mark.shows("lifts.prestress")
 def test_that_a_prestress_is_shown_without_it():
     found, scene = rows_of(TIE | {"prestress": 0.3}, WEIGHT)
     assert [one.prestress for one in loads_at(found["lift_prestress"], scene)] == [None, None]
@@ -93,6 +96,7 @@ def test_that_a_tie_of_whose_anchorage_nothing_is_said_is_shown_without_it():
 # forces that pull inward
 
 
+@pytest.mark.shows("lifts.prestress")
 @pytest.mark.parametrize("kn_m, said", [(-0.2, True), (-0.001, True), (0.05, False), (0.3, False)])
 def test_that_a_force_that_always_pulls_inward_is_shown_without_it(kn_m, said):
     found, scene = rows_of(THRUST | {"kn_m": kn_m}, WEIGHT)
@@ -104,6 +108,7 @@ def test_that_a_force_that_always_pulls_inward_is_shown_without_it(kn_m, said):
     assert "lift_inward" not in rows_of(TIE, CARRIED)[0]
 
 
+@pytest.mark.shows("lifts.inward")
 def test_that_a_wall_held_at_its_top_is_shown_bending_inward():
     held = {
         "mechanism": "vertical_bending",
@@ -119,6 +124,7 @@ def test_that_a_wall_held_at_its_top_is_shown_bending_inward():
 # where weights stand, and what their mass does
 
 
+@pytest.mark.shows("lifts.weights")
 def test_that_the_mass_of_a_weight_is_shown_as_each_of_the_two_others():
     for mass, others in (("none", ["horizontal", "moving"]), ("horizontal", ["none", "moving"])):
         found, scene = rows_of(WEIGHT | {"mass": mass}, TIE)
@@ -159,6 +165,7 @@ def test_that_walls_without_weights_have_no_rows_of_them():
 # weights that may not be there
 
 
+@pytest.mark.shows("lifts.weights")
 @pytest.mark.parametrize(
     "height, h, said",
     [
@@ -188,6 +195,7 @@ def test_that_a_weight_lower_than_any_floor_is_asked_about(height, h, said):
     assert "lift_low_load" not in rows_of(TIE | {"h_m": h, "kn_m": 0.1}, WEIGHT | {"h_m": height}, height_m=height)[0]
 
 
+@pytest.mark.shows("lifts.weights")
 def test_that_without_its_variable_part_a_weight_is_its_permanent_one():
     found, scene = rows_of(BOTH_PARTS, CARRIED)
     row = found["lift_variable"]

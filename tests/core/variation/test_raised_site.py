@@ -30,6 +30,7 @@ def values(row, zetas):
 # what is required
 
 
+@pytest.mark.shows("lifts.site")
 @pytest.mark.parametrize(
     "years, reasons, reason",
     [
@@ -53,6 +54,7 @@ def test_that_slc_is_founded_by_its_return_period_or_by_the_words_of_the_enginee
     assert "limit_state" not in rows_of(SOIL | {"limit_state": "SLD"})[0] and "limit_state" not in rows_of(SOIL)[0]
 
 
+@pytest.mark.shows("lifts.site")
 def test_that_a_zeta_required_below_1_and_a_soil_factor_below_1_are_shown_with_1():
     rows, scene = rows_of(SOIL | {"zeta_target": 0.99, "soil_factor": 0.99})
     assert rows["zeta_target"].value == 0.99 and there(rows["zeta_target"], scene).zeta_target == 1.0
@@ -63,6 +65,7 @@ def test_that_a_zeta_required_below_1_and_a_soil_factor_below_1_are_shown_with_1
     assert not rows_of({"ag_g": 0.1, "spectrum": NTC})[0]
 
 
+@pytest.mark.shows("lifts.site")
 @pytest.mark.parametrize("state, years", [("SLV", 474.56), ("SLC", 974.79)])
 def test_that_a_short_reference_period_is_shown_with_a_g_of_fifty_years_by_the_hazard(state, years):
     """a_g = 0.03 (T_R / 30)^0.5, a straight line in the logarithms: T_R = -50 / ln(1 - P_VR)."""
@@ -88,6 +91,7 @@ def test_that_a_reference_period_of_ordinary_works_has_no_row(years, said):
     assert "nominal_life_years" not in rows_of(SOIL | life)[0]
 
 
+@pytest.mark.shows("lifts.site")
 @pytest.mark.parametrize(
     "key, given, most",
     [
@@ -124,6 +128,7 @@ HAZARD = [
 EUROPEAN = {"code": "EN1998", "type": 2, "soil": "B"}
 
 
+@pytest.mark.shows("lifts.site")
 def test_that_another_spectrum_than_that_of_ntc_is_shown_with_it_where_the_hazard_gives_it():
     asked = {"ag_g": 0.1, "return_period_years": 475.0, "hazard": HAZARD, "spectrum": EUROPEAN}
     rows, scene = rows_of(asked)
@@ -143,6 +148,7 @@ def test_that_another_spectrum_than_that_of_ntc_is_shown_with_it_where_the_hazar
         assert "spectrum" not in rows_of(other)[0]
 
 
+@pytest.mark.shows("lifts.site")
 def test_that_a_spectrum_of_a_file_is_shown_with_that_of_rock(tmp_path):
     file = tmp_path / "soft.txt"
     file.write_text("0 0.1\n0.1 0.15\n0.2 0.15\n0.5 0.05\n4 0.01\n")
@@ -223,6 +229,7 @@ def test_that_a_period_that_is_not_given_has_no_row():
     assert "period_s" not in {row.key for row in of_the_building(taken, taken.building)}
 
 
+@pytest.mark.shows("lifts.building")
 @pytest.mark.parametrize(
     "given, state, ends, source, permitted",
     [
@@ -261,6 +268,7 @@ def test_that_the_modes_of_a_building_take_the_damping_of_the_ends():
     assert [mode.period_s for mode in there.modes] == [0.26, 0.1] and rows["building"].source == "given"
 
 
+@pytest.mark.shows("lifts.centroid")
 @pytest.mark.parametrize(
     "wall, z", [({}, 5.0), ({"base_z_m": 6.0}, 8.0), ({"base_z_m": 7.5}, 9.0), ({"base_z_m": 9.0}, None)]
 )
@@ -285,6 +293,7 @@ def test_that_the_centroid_of_a_body_is_that_of_its_solids():
     assert rows["base_z_m"].ends[0].value == pytest.approx(3.0 + 2.0 * 0.996194698)  # R cos(5 deg)
 
 
+@pytest.mark.shows("lifts.participation")
 @pytest.mark.parametrize(
     "share, said", [(0.4285, True), (-0.4285, True), (0.4286, False), (-0.4286, False), (1.2, False)]
 )

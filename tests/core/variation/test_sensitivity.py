@@ -81,6 +81,7 @@ def ends(found, key):
     return {end.value: end.zeta for end in swing.ends}
 
 
+@pytest.mark.shows("verdict.written_is_run", "search.moves")
 def test_that_each_move_of_a_loaded_wall_is_the_run_of_the_changed_case():
     table = case_of(LOADED)
     found, _ = sensitivity(table)
@@ -101,6 +102,7 @@ def test_that_each_move_of_a_loaded_wall_is_the_run_of_the_changed_case():
     assert {"thickness_factor", "load_factor", "ag_factor", "setback_m"}.isdisjoint(still)
 
 
+@pytest.mark.shows("search.moves")
 def test_that_each_move_of_the_building_is_the_run_of_the_changed_case():
     table = case_of(PARAPET, building={"height_m": 10.0, "storeys": 3, "period_s": 0.3})
     found, _ = sensitivity(table)
@@ -147,6 +149,7 @@ def test_that_each_move_with_records_is_the_run_of_the_changed_case(tmp_path):
         assert end.zeta == zeta_of(fewer)
 
 
+@pytest.mark.shows("search.moves")
 def test_that_what_turns_a_satisfied_verdict_is_said_and_the_verdict_stays():
     wall = {**LOADED, "thickness_m": 0.6}
     table = case_of(wall)

@@ -92,6 +92,7 @@ def test_that_the_edge_of_any_masonry_is_at_least_a_centimetre_inside():
     )
 
 
+@pytest.mark.shows("verdict.permitted_default")
 def test_that_a_default_the_circolare_permits_leaves_the_outcome_and_its_sentence_says_what_turns_it():
     """Between a wall that holds either way and one that fails either way there is one the setback turns."""
     wall = WALL | {"unloaded_confirmed": True}
@@ -127,6 +128,7 @@ def test_that_a_masonry_gives_its_unit_weight_and_questions_what_is_unlike_it():
 # the elastic branch
 
 
+@pytest.mark.shows("kinematic.branch")
 def test_that_the_branch_meets_the_falling_line_where_the_curve_does():
     """D = 1 / (1 + (2 pi / T_0)^2 d_0 / a_0), C8.7.1.2.1.3; T_0 0.0484 s by hand for 1.2 x 0.25 m, E 1000, w 18."""
     wall = rules.parse_case({"wall": [PARAPET]}).wall[0]
@@ -139,6 +141,7 @@ def test_that_the_branch_meets_the_falling_line_where_the_curve_does():
     assert 1.15 < by_curve.own_period / period < 1.18  # I_0 = 4/3 m R^2 against e* = 1
 
 
+@pytest.mark.shows("kinematic.branch")
 def test_that_a_free_element_rocks_less_well_with_its_branch_and_that_the_worse_of_both_decides(fine):
     demand = {"ag_g": 0.13, "spectrum": NTC | {"f0": 2.4}}
     generate = {"count": 7, "seed": 3, "scatter": 0.0}
@@ -157,6 +160,7 @@ def test_that_a_free_element_rocks_less_well_with_its_branch_and_that_the_worse_
     assert min(both) == zetas["auto"]
 
 
+@pytest.mark.shows("kinematic.branch_without_modulus")
 def test_that_a_wall_held_by_cross_walls_has_no_branch_and_a_tied_free_one_is_only_indicative():
     held = scene_of(WALL | {"unloaded_confirmed": True}, {"ag_g": 0.1, "spectrum": NTC}, generate={"count": 3})
     assert held.branches == ()
@@ -166,6 +170,7 @@ def test_that_a_wall_held_by_cross_walls_has_no_branch_and_a_tied_free_one_is_on
     assert found.evidence.circumstances.unbranched == "rigid_free" and found.outcome == "indicative"
 
 
+@pytest.mark.shows("kinematic.elastic_to_d_slv")
 def test_that_a_wall_elastic_up_to_d_slv_is_said_not_to_rock():
     soft = PARAPET | {"height_m": 4.0, "elastic_modulus_mpa": 20.0}
     found = evaluate(scene_of(soft, {"ag_g": 0.02, "spectrum": NTC}, generate={"count": 7}), other=False)
@@ -176,6 +181,7 @@ def test_that_a_wall_elastic_up_to_d_slv_is_said_not_to_rock():
 # histories by default
 
 
+@pytest.mark.shows("dynamic.by_default")
 def test_that_without_records_the_worse_of_displacement_check_and_histories_decides(whole_set):
     """Thirty one-sided walls: histories by default lower an outcome or leave it."""
     draw, lowered = np.random.default_rng(3), 0
@@ -251,6 +257,7 @@ def test_that_the_check_with_q_2_is_not_said_to_agree_of_a_target_below_1_or_of_
 # the table
 
 
+@pytest.mark.shows("verdict.table")
 def test_that_the_turning_rows_come_first_and_all_together_last_and_each_says_its_source():
     load = {"kind": "vertical", "kn_m": 20.0, "d_m": 0.3, "h_m": 4.0, "mass": "none"}
     rows = list(rows_of(found_of(WALL | {"load": [load]}, {"ag_g": 0.1, "soil_factor": 1.2})).values())
@@ -261,6 +268,7 @@ def test_that_the_turning_rows_come_first_and_all_together_last_and_each_says_it
     assert rows[-1]["zeta"] <= min(row["zeta"] for row in rows[:-1]) + 1e-9
 
 
+@pytest.mark.shows("kinematic.estimated_period")
 def test_that_a_building_without_a_period_is_judged_by_the_worst_of_those_it_may_have():
     building = {"height_m": 9.0, "storeys": 3}
     wall = WALL | {"base_z_m": 4.0, "unloaded_confirmed": True, "hinge_heights": "base"}
@@ -293,6 +301,7 @@ HAZARD = [
 ]
 
 
+@pytest.mark.shows("demand.ordinary_works")
 def test_that_a_life_below_that_of_ordinary_works_is_shown_with_a_g_at_theirs():
     """V_N 50, class I: V_R 35 years, T_R 332; with V_R 50 a_g is that of 475 years."""
     demand = {"nominal_life_years": 50, "use_class_factor": 0.7, "hazard": HAZARD}
@@ -415,6 +424,7 @@ def test_that_a_seed_is_not_chosen_by_what_comes_of_it(seeds):
     assert seen
 
 
+@pytest.mark.shows("lifts.hidden_rows")
 def test_that_hidden_rows_of_a_table_of_walls_are_among_the_limits_of_each_verdict(tmp_path):
     head = ["name", "base_z_m", "height_m", "thickness_m", "mechanism", "unit_weight_kn_m3"]
     rows = [
@@ -453,6 +463,7 @@ def test_that_fewer_motions_than_the_usual_count_stand_in_the_table(whole_set):
 # many walls
 
 
+@pytest.mark.shows("verdict.many_walls")
 def test_that_of_many_walls_the_table_is_left_out_where_no_row_changes_the_outcome(monkeypatch):
     draw, walls = np.random.default_rng(8), []
     for k in range(24):
@@ -591,6 +602,7 @@ def test_that_a_short_life_without_the_hazard_is_a_limit():
     assert "short_life" not in [one.code for one in found_of(LONE, NTC_AG).walls[0].assessment.verdict.limits]
 
 
+@pytest.mark.shows("verdict.empty_reason")
 @pytest.mark.parametrize(
     "words",
     [

@@ -89,6 +89,7 @@ PASSING = {"nonlinear": (1.2, 0.0), "linear": (1.0, 0.0)}
 BAR = {"tie_bar_length_m": 8.0, "tie_elongation_m": 0.4}
 
 
+@pytest.mark.shows("ties.design")
 def test_that_the_force_of_each_check_is_the_largest_of_all_hinges_below_the_tie(designed):
     """0.6 + 0.1 F = 1 at 4 kN/m, 0.8 + 0.1 F at 2; 0.5 + 0.2 F at 2.5; with q = 1 half of it, so that F is 7.5 and
     of the upper hinge 11."""
@@ -215,6 +216,7 @@ def test_that_without_the_length_of_its_bar_the_force_is_at_least_that_of_the_ot
     assert (lost.force, lost.asked, lost.at_least) == (None, None, None)
 
 
+@pytest.mark.shows("ties.design")
 def test_that_the_smallest_bars_that_hold_the_force_at_their_spacing_are_named(designed):
     """4 kN/m x 1.5 m and 6 m: 6 and 24 kN; a bar of 12 mm holds 113.1 x 235 / 1.05 = 25.3 kN."""
     for spacing, bar in ((1.5, 12), (6.0, 12), (6.5, 14)):
@@ -260,6 +262,7 @@ def church(**changes):
     return json_report.results(result)["walls"][0]["tie_design"], tuple(told)
 
 
+@pytest.mark.shows("ties.design")
 def test_that_each_check_asks_of_the_church_what_the_hand_does():
     found, _ = church()
     asked = {"nonlinear": 15.58, "linear_q_code": 17.33, "linear_q_1": 41.48, "thrust": 1.2 * 10.6 / 10.2}
@@ -377,6 +380,7 @@ def test_that_no_tie_below_a_hinge_that_fails_is_enough(tmp_path):
     assert tie.hinges == 1 and tie.forces["nonlinear"] is None and tie.force is None
 
 
+@pytest.mark.shows("ties.design")
 @pytest.mark.parametrize("seconds", [4.0, pytest.param(None, marks=pytest.mark.long)])
 @pytest.mark.long
 def test_that_the_tie_found_in_a_study_brings_the_dynamic_check_to_its_target(tmp_path, seconds):

@@ -44,6 +44,7 @@ def with_thickness(table, key, value):
     return changed
 
 
+@pytest.mark.shows("search.inverse")
 @pytest.mark.parametrize("wall, keys", [(LOADED, ["ag_g", "thickness_m"]), (TIED, ["ag_g", "thickness_m", "tie_kn_m"])])
 def test_that_the_value_found_gives_what_is_required(wall, keys):
     table = case_of(wall, demand={"ag_g": 0.2})
@@ -80,6 +81,7 @@ def test_that_histories_hold_in_the_run_at_what_is_found():
     assert 0.75 * now < ag / 0.35 < 1.03 * now
 
 
+@pytest.mark.shows("search.inverse")
 def test_that_what_no_value_reaches_is_none():
     """A thin wall on which nothing but its own height acts: no tie, and a_g far beyond the search."""
     bare = {key: value for key, value in LOADED.items() if key not in ("load", "free_element")}
@@ -129,6 +131,7 @@ def found_where(monkeypatch):
     return found
 
 
+@pytest.mark.shows("search.inverse")
 @pytest.mark.parametrize("key, widest", [("thickness_m", 4.0), ("tie_kn_m", 64.0), ("ag_g", 16.0)])
 def test_that_a_value_is_sought_within_the_range_stated_and_found_to_two_thousandths(found_where, key, widest):
     """So many times the value given and its inverse; of a_g the largest value at which the check holds."""

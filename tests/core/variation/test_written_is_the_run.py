@@ -191,6 +191,7 @@ def check_bound(table):
 KINDS = (check_raised, check_moves, check_states, check_turned_round, check_bound)
 
 
+@pytest.mark.shows("verdict.written_is_run")
 @pytest.mark.parametrize("walls", [4, pytest.param(9, marks=pytest.mark.long)])
 @pytest.mark.parametrize("kind", KINDS)
 def test_that_what_is_written_of_a_changed_wall_is_its_run(kind, walls):
@@ -292,6 +293,7 @@ def check_monotone(table):
     return count
 
 
+@pytest.mark.shows("verdict.left_out")
 def test_that_more_strength_never_gives_less_without_a_word():
     assert sum(map(check_monotone, random_tables(16, first=200))) > 25
 

@@ -10,6 +10,7 @@ from core.wall.bars import TieBar, forces
 BAR = TieBar(height=2.0, strength=6000.0, elongation_at_yield=0.01, slack=0.0, stands=0.4)
 
 
+@pytest.mark.shows("ties.law")
 @pytest.mark.parametrize(
     ("elongation", "residual", "force"),
     [
@@ -30,6 +31,7 @@ def test_that_a_bar_pulls_by_what_it_is_longer_than_its_residual_elongation(elon
     assert forces(BAR, rotation, np.array([residual / 2.0])) == pytest.approx(force, rel=1e-9, abs=1e-9)
 
 
+@pytest.mark.shows("ties.law")
 def test_that_a_pulled_bar_does_nothing_on_a_wall_that_has_turned_inward():
     found = forces(BAR, np.array([-1e-4, 0.0]), np.array([-0.002, -0.002]))
     assert found.tolist() == pytest.approx([0.0, 2400.0], rel=1e-12)

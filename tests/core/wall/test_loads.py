@@ -18,6 +18,7 @@ FORCES = [
 ]
 
 
+@pytest.mark.shows("mechanics.loaded")
 @pytest.mark.parametrize("forces", [*([force] for force in FORCES), FORCES])
 def test_that_a_and_c_hold_the_moment_of_every_force_at_every_rotation(forces):
     """The point of a force turns about the pivot: inward d cos(phi) - h sin(phi), up h cos(phi) + d sin(phi); a

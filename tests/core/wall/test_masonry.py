@@ -30,6 +30,7 @@ def test_that_a_tie_of_a_wall_that_turns_both_ways_holds_its_outward_side_alone(
     assert wall.restoring == (BARE, BARE) and len(wall.bars) == 1
 
 
+@pytest.mark.shows("kinematic.d_slv")
 def test_that_theta_c_is_of_the_wall_without_its_ties():
     assert case_of(ROOF, TIE).wall[0].in_si.restoring == case_of(ROOF).wall[0].in_si.restoring
 

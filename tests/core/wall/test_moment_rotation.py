@@ -21,6 +21,7 @@ def test_that_an_impossible_law_is_refused(ends):
         MomentLaw(*ends)
 
 
+@pytest.mark.shows("mechanics.law")
 @pytest.mark.parametrize("name", ["doherty", "al_shawa"])
 def test_that_a_trilinear_law_is_continuous_and_meets_the_rigid_one(name):
     from core.wall.moment_rotation import moment, potential
@@ -42,6 +43,7 @@ def test_that_a_trilinear_law_is_continuous_and_meets_the_rigid_one(name):
 LOADED = RestoringMoment(1.3, -0.02, math.hypot(1.3, -0.02), math.atan2(-0.02, 1.3))
 
 
+@pytest.mark.shows("mechanics.law")
 def test_that_the_energy_of_the_rigid_law_is_the_rise_of_its_weights():
     """a (cos(alpha - phi) - cos(alpha)) + c (sin(alpha) - sin(alpha - phi)): a and c one by one."""
     from core.wall.moment_rotation import potential

@@ -31,6 +31,7 @@ def union(group: list[Piece]):
     return shapely.union_all([Polygon(piece.corners) for piece in group])
 
 
+@pytest.mark.shows("bodies.one")
 @pytest.mark.parametrize("slanted", [False, True])
 @pytest.mark.parametrize("seed", range(30))
 def test_that_areas_of_sections_and_of_what_they_share_are_those_of_shapely(seed, slanted):

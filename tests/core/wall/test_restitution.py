@@ -15,6 +15,7 @@ from core.wall.rocking_model import rocking_model
 WALL = Block.rectangle(7.0, math.radians(6.8))
 
 
+@pytest.mark.shows("paper.eq_8")
 def test_that_the_overturning_velocity_has_the_root_the_print_lacks():
     """6.8 deg, 7 m: 0.1713 rad/s; as printed it would be 0.0294 in 1/s2."""
     assert overturning_velocity(WALL) == pytest.approx(0.1713, abs=5e-5)
@@ -24,6 +25,7 @@ def test_that_the_overturning_velocity_has_the_root_the_print_lacks():
     assert kinetic == pytest.approx(WALL.p2 * (1 - math.cos(WALL.slenderness)))
 
 
+@pytest.mark.shows("paper.eq_4", "paper.eq_5", "paper.eq_6")
 def test_that_restitution_models_are_their_equations():
     sine2 = math.sin(WALL.slenderness) ** 2
     cosine2 = math.cos(WALL.slenderness) ** 2
@@ -58,6 +60,7 @@ def test_that_a_given_ratio_is_taken_up_to_its_limits():
         assert (found.model, found.ratio_at_rest, found.ratio_drop) == ("user", ratio, 0.0)
 
 
+@pytest.mark.shows("paper.eq_7")
 def test_that_the_ratio_falls_with_the_square_of_the_velocity():
     from core.wall.impact import velocity_ratio
 
@@ -72,6 +75,7 @@ def test_that_the_ratio_falls_with_the_square_of_the_velocity():
     assert velocity_ratio(2.0, at_zero) == (0.0, 0)  # reached, not passed
 
 
+@pytest.mark.shows("paper.eq_7")
 def test_that_eq_7_is_held_at_zero_and_counted():
     from core.wall.impact import velocity_ratio
 
@@ -90,6 +94,7 @@ def test_that_a_restitution_outside_its_range_is_refused(model, ratio):
         restitution(WALL, model, ratio)
 
 
+@pytest.mark.shows("paper.eq_4")
 def test_that_a_block_too_stocky_for_eq_4_is_refused():
     with pytest.raises(InputError, match="too stocky") as caught:
         restitution(Block.rectangle(1.0, math.radians(56.0)), "housner")
@@ -100,6 +105,7 @@ def test_that_a_block_too_stocky_for_eq_4_is_refused():
     assert restitution(Block(alpha, 1.0, 2.0 * math.sin(alpha) ** 2), "housner").ratio_at_rest == 0.0
 
 
+@pytest.mark.shows("paper.eq_4")
 def test_that_a_general_block_follows_the_general_equations():
     block = Block(math.radians(8.0), 2.0, 6.0)
     assert block.p2 == pytest.approx(G * 2.0 / 6.0)
@@ -121,6 +127,7 @@ def carrying(kilograms, distance, height):
     return composite(bare, mass, [PointMass(kilograms, distance, height)]), Contact(0.5, 6.0)
 
 
+@pytest.mark.shows("paper.eq_6")
 @pytest.mark.parametrize(
     "mass, place, one_sided, outward, inward",
     [
@@ -145,6 +152,7 @@ def test_that_the_ratio_of_a_wall_that_moves_a_mass_is_that_of_its_impacts(mass,
     assert experimental.ratio_at_rest == pytest.approx(1.18 * ratio, rel=1e-15)
 
 
+@pytest.mark.shows("paper.eq_6")
 def test_that_a_mass_that_vanishes_leaves_eq_4_and_6():
     block, contact = carrying(1e-9, 0.1, 6.0)
     bare = Block.with_setback(6.0, 0.5, 0.0)
@@ -153,6 +161,7 @@ def test_that_a_mass_that_vanishes_leaves_eq_4_and_6():
         assert with_mass == pytest.approx(restitution(bare, model).ratio_at_rest, rel=1e-12)
 
 
+@pytest.mark.shows("paper.eq_6")
 def test_that_an_impact_keeps_the_angular_momentum_of_every_part_of_the_body():
     """Summed over 200 000 points of wall and masses, about the new pivot, before and after."""
     import numpy as np
@@ -174,6 +183,7 @@ def test_that_an_impact_keeps_the_angular_momentum_of_every_part_of_the_body():
         assert impact_ratio(block, pivot, new) == pytest.approx(momentum(pivot) / momentum(new), rel=1e-9)
 
 
+@pytest.mark.shows("paper.eq_7")
 @pytest.mark.parametrize("inertia", [14.0, 50.0])
 def test_that_eq_7_cannot_create_energy(inertia):
     block = Block(math.radians(1.0), 1.0, inertia)

@@ -31,6 +31,7 @@ def test_that_a_force_gives_the_elongation_at_yield_and_what_is_counted_on():
     assert tie(kn_m=6.0, slack_mm=3.0).bar.breaks_at == pytest.approx(0.003 + plain.elongation_at_yield)
 
 
+@pytest.mark.shows("ties.bar")
 def test_that_the_weakest_part_of_a_bar_governs():
     """24 mm of S 235: steel 452.4 x 235 / 1.05 = 101.2 kN; its thread 0.9 x 353 x 360 / 1.25 = 91.4 kN."""
     bar = Bars(4, 24.0)
@@ -44,6 +45,7 @@ def test_that_the_weakest_part_of_a_bar_governs():
     assert existing["steel"] == pytest.approx(AREA_24 * 235.0)
 
 
+@pytest.mark.shows("ties.ductile")
 def test_that_an_elongation_counts_only_where_steel_yields_before_anything_else_goes():
     """An upset thread of 30 mm, and an anchorage that stands the bar at its tensile strength, 162.9 kN."""
     strongest = AREA_24 * 360e-3
@@ -72,6 +74,7 @@ def test_that_a_wall_without_ties_has_none():
     assert Wall("w", "one_sided", height_m=7.0, thickness_m=0.6).in_si.ties == ()
 
 
+@pytest.mark.shows("ties.law")
 def test_that_the_force_of_a_bar_on_its_first_way_out_is_slack_elastic_plastic_and_gone():
     bar = tie(kn_m=6.0, slack_mm=10.0, elongation_m=0.3).bar
     at = lambda u: bar.force_at(math.asin(u / 6.5))  # noqa: E731

@@ -13,6 +13,7 @@ def wall_of(*loads, **changes):
     return case_of(*loads, **changes).wall[0]
 
 
+@pytest.mark.shows("ties.too_strong")
 def test_that_the_largest_tie_is_where_the_resultant_of_a_section_leaves_the_wall():
     """At the multiplier lambda that uplifts the wall the moment of the part above y about the middle of the wall is
     lambda w t (H - y)^2 / 2 - F (h - y) - N (d - t/2), its weight w t (H - y) + N: beyond N' t/2 it hinges there."""
@@ -55,6 +56,7 @@ def test_that_the_strength_of_the_masonry_moves_hinge_and_largest_tie():
     assert worst == pytest.approx(1.0, abs=1e-6)
 
 
+@pytest.mark.shows("kinematic.loads")
 def test_that_the_start_multiplier_is_holding_over_pushing_moments():
     wall = wall_of(PUSHING, TIE, THRUST).in_si
     held = (24.3e3 * 0.225, 10e3 * 0.30, -2e3 * 2.5, 5e3 * 2.8, 24.3e3 * 1.5, 10e3 * 3.0)

@@ -16,6 +16,7 @@ from tests.reference_of_results import FOLDER, json_schema, page
 CHECK = fastjsonschema.compile(schema(RESULTS))
 
 
+@pytest.mark.shows("files.schema")
 @pytest.mark.parametrize("name", ["verdict", "facade", "example", pytest.param("building", marks=pytest.mark.long)])
 def test_that_the_results_of_a_shipped_case_are_as_the_schema_says(name, shipped):
     CHECK(json.loads(json_report.dumps(shipped(name))))
@@ -62,6 +63,7 @@ def test_that_a_key_that_is_not_described_and_one_that_is_missing_are_refused(sh
         CHECK(found)
 
 
+@pytest.mark.shows("files.schema")
 def test_that_every_number_of_the_results_has_a_unit_and_every_key_a_meaning():
     silent = [
         path for path, one in listed(RESULTS) if not one.meaning or (one.kind.startswith("number") and not one.unit)
@@ -99,6 +101,7 @@ def test_that_a_unit_in_the_name_of_a_key_is_the_unit_of_its_value():
     assert wrong == []
 
 
+@pytest.mark.shows("files.schema")
 def test_that_the_page_and_the_schema_of_the_results_are_those_of_the_program():
     words = "write them anew: .venv/bin/python -m tests.reference_of_results"
     assert (FOLDER / "results.md").read_text(encoding="utf-8") == page(), words
