@@ -9,7 +9,7 @@
     python3 run.py bench [...]     the benchmarks; --work-precision for error against time
     python3 run.py mutate [...]    small faults in the modules that decide: do the tests find them?
     python3 run.py fuzz [...]      hostile input for everything that reads, as long as asked
-    python3 run.py validate --data DIR   the model against tests on a shake table
+    python3 run.py validate [--output DIR]   the solved cases; with --data DIR tests on a shake table
     python3 run.py robustness      all of these and kills, counted: hours, to be gone on with after a stop
 
 The environment is .venv beside this file, or the folder named by RIBALTA_ENV. Standard library only.

@@ -95,10 +95,14 @@ def main(arguments: list[str] | None = None) -> int:
             return verification.verify(
                 options.verify, options.records, options.jobs or os.cpu_count() or 1, options.quiet
             )
-        if options.validate:
+        if options.validate and options.data:
             from app.terminal import validation
 
             return validation.run(options.data, options.output)
+        if options.validate:
+            from app.terminal import solved_cases
+
+            return solved_cases.run(options.output, options.records)
         jobs = options.jobs or os.cpu_count() or 1
         if options.study:
             from app.terminal import study

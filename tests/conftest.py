@@ -164,7 +164,7 @@ def reference():
     """name -> (ground [m/s2], rotation / alpha, impact times [s], velocities before impact)."""
 
     def load(name: str):
-        folder = Path(__file__).parent / "reference"
+        folder = ROOT / "resources" / "reference"
         record = np.loadtxt(folder / f"{name}_record.csv", delimiter=",", skiprows=1)
         impacts = np.loadtxt(folder / f"{name}_impacts.csv", delimiter=",", skiprows=1)
         return np.ascontiguousarray(record[:, 1]), record[:, 2], impacts[:, 0], impacts[:, 1]
@@ -188,10 +188,3 @@ def make_model():
         return rocking_model(block, one_sided, restitution(block, model, ratio), LAWS[law])
 
     return make
-
-
-@pytest.fixture(scope="session")
-def el_centro(shelf):
-    from core.ground import records
-
-    return records.read(shelf / "PEER_AT2" / "elCentro_variant_noheader4.AT2")

@@ -54,7 +54,25 @@ DIALECTS = "tests/core/ground/test_dialects.py"
 REFUSALS = "tests/core/ground/test_record_refusals.py"
 BODIES = "tests/validation/test_bodies.py"
 
+SOLVED = "tests/core/solved/test_cases.py"
+
 SHOWN_BY = {
+    **{
+        f"solved/{name}": SOLVED
+        for name in (
+            "solved",
+            "walls",
+            "shipped",
+            "motion",
+            "histories",
+            "paper",
+            "clauses",
+            "ties",
+            "bodies",
+            "floors",
+            "hazard",
+        )
+    },
     "variation/raised": "tests/core/variation/test_table_of_assumptions.py",
     "variation/changes": "tests/core/variation/test_whole_wall.py",
     "codes/outcomes": "tests/core/variation/test_one_decision.py",

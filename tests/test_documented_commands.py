@@ -113,6 +113,8 @@ def small_words(words: tuple[str, ...], folder: Path) -> list[str]:
         case ("--verify", *_):
             batch.run(folder / "small.toml", folder / "verified", 1, True, False)
             return ["--verify", str(folder / "verified" / "small.json"), "--records", str(folder)]
+        case ("validate", "--output", *_):
+            return ["validate"]
         case ("validate", *rest):
             invented(folder / "tests")
             return ["validate", "--data", str(folder / "tests"), "--output", str(folder / "validated")]

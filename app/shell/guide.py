@@ -4,8 +4,8 @@ import shutil
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QPoint
-from PySide6.QtGui import QKeySequence
+from PySide6.QtCore import QPoint, QUrl
+from PySide6.QtGui import QDesktopServices, QKeySequence
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
@@ -119,6 +119,37 @@ def show_validation(window: "MainWindow") -> None:
         QMessageBox.information(window, title, plain("\n".join(said)))
 
     window.runner.start(work, arrived)
+
+
+def save_solved_cases(window: "MainWindow") -> None:
+    """Save and open the solved cases, run now, as a PDF; off the thread of the window."""
+    title = tr("Solved cases")
+    path = path_to_write(window, title, "solved.pdf", "PDF (*.pdf)", (".pdf",))
+    if path is None:
+        return
+    from core import atomic_write
+    from core.solved import cases, pack
+
+    language = current_language()
+
+    def work(job: Job) -> str:
+        known = cases.cases_of(cases.SUBJECTS)
+
+        def told(done: int, planned: int) -> None:
+            job.check()
+            job.progress(done, planned, None)
+
+        cases.solve(known, told)
+        content = pack.pdf(cases.SUBJECTS, language)
+        job.commit()
+        atomic_write.write({path: content})
+        return pack.summary(known).text(language)
+
+    def arrived(said: str) -> None:
+        window.show_word(said)
+        QDesktopServices.openUrl(QUrl.fromLocalFile(str(path)))
+
+    window.runner.start(work, arrived, to_end=True)
 
 
 def show_verification(window: "MainWindow") -> None:

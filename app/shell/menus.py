@@ -82,6 +82,7 @@ def build(window: "MainWindow") -> Actions:
     add(window, helps, tr("&Shortcuts"), lambda: guide.show_shortcuts(window))
     add(window, helps, tr("Save the empty table of &walls…"), lambda: guide.save_template(window))
     add(window, helps, tr("&Verify a report…"), lambda: guide.show_verification(window))
+    add(window, helps, tr("Solved &cases as a PDF…"), lambda: guide.save_solved_cases(window))
     add(window, helps, tr("Tests on a shake &table…"), lambda: guide.show_validation(window))
     helps.addSeparator()
     add(window, helps, tr("&About"), lambda: about(window))

@@ -72,7 +72,12 @@ def parser() -> Parser:
     add("--batch", type=Path, metavar="CASE", help=terminal("run a case without a window"))
     add("--study", metavar="STUDY", help=terminal("run a parametric study: paper, law or a file"))
     add("--quick", action="store_true", help=terminal("a short form of the study"))
-    add("--records", type=Path, metavar="DIR", help=terminal("natural records of the study"))
+    add(
+        "--records",
+        type=Path,
+        metavar="DIR",
+        help=terminal("natural records of the study; of El Centro 1940 for --validate"),
+    )
     add("--output", type=Path, metavar="DIR", help=terminal("folder of the results"))
     add("--jobs", type=_jobs, metavar="N", help=terminal("threads (default: all cores)"))
     add("--report", type=Path, metavar="FILE", help=terminal("the calculation note too, as a PDF or for Word (.docx)"))
@@ -88,7 +93,7 @@ def parser() -> Parser:
         metavar="REPORT",
         help=terminal("run the case within a report again and compare, see --records"),
     )
-    add("--validate", action="store_true", help=terminal("the model against tests on a shake table, see --data"))
+    add("--validate", action="store_true", help=terminal("the solved cases; with --data, tests on a shake table"))
     add("--data", type=Path, metavar="DIR", help=terminal("folder of the tests"))
     add("--inspect", nargs="+", type=Path, metavar="FILE", help=contents)
     add("--version", action="store_true", help=terminal("version and commit"))
@@ -116,8 +121,8 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     jobs = (options.batch, options.inspect, options.study, options.extract, options.validate, options.verify)
     if sum(map(bool, jobs)) > 1:
         line.error(terminal("--batch, --study, --inspect, --extract, --validate and --verify do not go together"))
-    if bool(options.validate) != bool(options.data):
-        line.error(terminal("--validate and --data DIR go together"))
+    if options.data and not options.validate:
+        line.error(terminal("--data goes with --validate"))
     if not (options.batch or options.study) and (options.resume or (options.jobs and not options.verify)):
         line.error(terminal("--jobs and --resume go with --batch or --study"))
     if options.output and not (options.batch or options.study or options.extract or options.validate):
@@ -128,8 +133,9 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
         line.error(terminal("--part and --merge go with --batch"))
     if options.part and (options.merge or options.report or options.resume):
         line.error(terminal("--part goes on by itself and writes no results: leave out --merge, --report and --resume"))
-    if not options.study and (options.quick or (options.records and not options.verify)):
-        line.error(terminal("--quick and --records go with --study"))
+    takes_records = options.study or options.verify or (options.validate and not options.data)
+    if (options.quick and not options.study) or (options.records and not takes_records):
+        line.error(terminal("--quick goes with --study, --records with --study, --verify or --validate"))
     return options
 
 
@@ -164,7 +170,7 @@ def extras(options: argparse.Namespace) -> list[str]:
     if options.inspect:
         return ["dxf"] if any(is_drawing(file) for path in options.inspect for file in files_of(path)) else []
     if options.validate:
-        return []
+        return ["report"] if options.output and not options.data else []
     if options.verify:
         return ["report", "accuracy", "dxf"]
     if options.study:

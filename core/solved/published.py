@@ -113,7 +113,7 @@ def _of_rocking() -> tuple[Solved, ...]:
                     for w, a in HALF_SINES
                 ),
             ),
-            formula="cosh p t_1 = 1 + 1/(2 r (r - 1)), quad r = u dot.double / (g alpha)",
+            formula="cosh p t_1 = 1 + 1/(2 r (r - 1)), quad r = dot.double(u) / (g alpha)",
             comment=sentence("solved", "published_housner_pulses_why"),
         ),
         Solved(

@@ -1,12 +1,15 @@
 """A solved case: a question whose answer is known from elsewhere, and what the program finds (NTC 2018, 10.2)."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from functools import cached_property
+from functools import cache, cached_property, partial
 
 from core.text.sentence import Sentence
+
+Outline = tuple[tuple[float, float], ...]
+"""Corners of a body [m], x from the hinge and z upwards."""
 
 
 class Kind(StrEnum):
@@ -26,27 +29,32 @@ class Sketch:
     outline : corners of the body [m], x from the hinge and z upwards
     loads : (x, z, horizontal, vertical), a point [m] and the direction of the force there
     motion : samples of the ground to draw beneath, of any unit; empty where there is none
+    others : outlines of other solids and of openings
     """
 
-    outline: tuple[tuple[float, float], ...] = ()
+    outline: Outline = ()
     loads: tuple[tuple[float, float, float, float], ...] = ()
     motion: tuple[float, ...] = ()
+    others: tuple[Outline, ...] = ()
 
 
 @dataclass(frozen=True)
 class Answer:
     """One number of a case.
 
-    words : what it is; unit : "" of a ratio
-    expected : by the source; tolerance : share of it that the source's own digits or its method leave open
+    words : what it is, or its symbol; unit : "" of a ratio
+    expected : by the source; tolerance : share of it that the source's own digits or its method leave open, where zero
+        is expected the difference itself
     find : what the program finds, in the same unit
+    decimals : of the source, by which it is written; None : six digits
     """
 
-    words: Sentence
+    words: Sentence | str
     unit: str
     expected: float
     tolerance: float
     find: Callable[[], float]
+    decimals: int | None = None
 
     @cached_property
     def found(self) -> float:
@@ -71,7 +79,10 @@ class Solved:
     key : unique, letters, digits and underscores
     title : what is asked; source : author, year, page or equation, as it is cited
     formula : Typst mathematics, empty where the source alone is cited
+    sketch : or what makes it
     comment : what is to be known of it: the assumptions, why an answer differs from what a textbook prints
+    table : the case as a case file has it, by which it is run again; None of what no case file says
+    shipped : name of the case of resources/cases by which it is run again
     """
 
     key: str
@@ -80,10 +91,54 @@ class Solved:
     source: str
     answers: tuple[Answer, ...]
     formula: str = ""
-    sketch: Sketch = Sketch()
+    sketch: Sketch | Callable[[], Sketch] = Sketch()
     comment: Sentence | None = None
+    table: Mapping[str, object] | None = None
+    shipped: str = ""
+
+    @property
+    def drawing(self) -> Sketch:
+        """Its sketch."""
+        return self.sketch() if callable(self.sketch) else self.sketch
 
     @property
     def agrees(self) -> bool:
         """Whether every answer does."""
         return all(answer.agrees for answer in self.answers)
+
+    @property
+    def furthest(self) -> Answer:
+        """The answer nearest to what its tolerance allows, or furthest beyond."""
+        return max(self.answers, key=lambda one: (abs(one.difference) / (one.tolerance or 1e-300), one.tolerance))
+
+
+def worded(english: str, /, **values) -> Sentence:
+    """A text of the cases."""
+    return Sentence("solved", english, tuple(values.items()))
+
+
+Head = tuple[Sentence | str, str]
+"""What a number is, and its unit."""
+
+
+def printed(head: Head, value: str, find: Callable[[], float], units: float = 0.5) -> Answer:
+    """An answer as its source prints it: a whole number is exact. units : of the last decimal that are left open"""
+    expected, decimals = float(value), len(value.partition(".")[2])
+    room = units * 10.0**-decimals * (1.0 + 1e-6) if decimals else 1e-12  # a bound in decimals is rounded
+    return Answer(*head, expected, room / abs(expected) if expected else room, find, decimals)
+
+
+def row(
+    heads: Sequence[Head], values: str, find: Callable[[], Sequence[float]], units: float = 0.5
+) -> tuple[Answer, ...]:
+    """The answers of a row of a printed table, found at once. values : as printed, "-" where there is none"""
+    once = cache(find)
+
+    def found(k: int) -> float:
+        return once()[k]
+
+    return tuple(
+        printed(head, value, partial(found, k), units)
+        for k, (head, value) in enumerate(zip(heads, values.split(), strict=True))
+        if value != "-"
+    )

@@ -23,8 +23,8 @@ GROUPS = (
     "method_label",  # paragraphs of the sheet Method
     "method_body",
     "report",  # workbook, calculation note, parametric study; the code is the English wording
-    "solved",  # titles, answers and comments of solved cases
     "window",  # the code is the English wording
+    "solved",  # titles, answers and comments of solved cases
     "terminal",  # with run.py; the code is the English wording
 )
 

@@ -83,6 +83,19 @@ def test_that_the_help_tells_what_the_model_says_of_tests_on_a_shake_table(appli
     assert title == "Tests on a shake table" and "body 1: 71 tests" in text and "setback" in text
 
 
+def test_that_the_help_saves_the_solved_cases_and_opens_them(application, opened, tmp_path, monkeypatch):
+    from core.solved import cases
+
+    few = cases.SUBJECTS[0]._replace(cases=cases.SUBJECTS[0].cases[:2])
+    monkeypatch.setattr(cases, "SUBJECTS", (few,))
+    path, shown = tmp_path / "solved.pdf", []
+    monkeypatch.setattr(guide, "path_to_write", lambda *_: path)
+    monkeypatch.setattr(guide.QDesktopServices, "openUrl", lambda url: shown.append(url.toLocalFile()))
+    guide.save_solved_cases(opened)
+    settle(application, lambda: shown and opened.runner.job is None)
+    assert shown == [str(path)] and path.read_bytes().startswith(b"%PDF")
+
+
 def test_that_the_help_runs_the_case_within_a_report_again(application, opened, tmp_path, monkeypatch):
     from app.terminal import batch
 

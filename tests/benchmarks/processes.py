@@ -40,7 +40,7 @@ def figures(small: bool) -> dict[str, float]:
 
     turns, calls = (1000, 7) if small else (500_000, CALLS)
     turn = min(seconds(lambda: sine_cosine_loop(turns), 5)) / turns
-    data = np.loadtxt(ROOT / "tests/reference/standard_record.csv", delimiter=",", skiprows=1)
+    data = np.loadtxt(ROOT / "resources/reference/standard_record.csv", delimiter=",", skiprows=1)
     ground, taylor = np.ascontiguousarray(data[:, 1]), METHODS["taylor"]
     scales, outcomes, peaks = np.linspace(0.8, 1.2, 64), np.zeros(64, np.int64), np.zeros(64)
     grounds, which, samples, found = Grounds.of([ground], 0.01), np.zeros(64, np.int64), ground.size - 1, {}

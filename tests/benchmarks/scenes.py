@@ -53,7 +53,7 @@ def _scene(name: str, ground, dt: float, model: RockingModel) -> Scene:
 
 
 def reference(name: str) -> np.ndarray:
-    path = ROOT / "tests" / "reference" / f"{name}_record.csv"
+    path = ROOT / "resources" / "reference" / f"{name}_record.csv"
     return np.loadtxt(path, delimiter=",", skiprows=1)[:, 1].copy()
 
 

@@ -7,7 +7,7 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 
 SAMPLES = slice(150, 200)
-"""Samples of tests/reference/standard_record.csv in which walls of either kind and either law lift off and fall
+"""Samples of resources/reference/standard_record.csv in which walls of either kind and either law lift off and fall
 back several times."""
 
 CASE = """title = "Small"
@@ -32,7 +32,7 @@ soil_factor = 1.2
 
 def small_case(folder: Path) -> Path:
     """A case of one wall under one record of 6 s, written in this folder."""
-    data = np.loadtxt(ROOT / "tests/reference/standard_record.csv", delimiter=",", skiprows=1)
+    data = np.loadtxt(ROOT / "resources/reference/standard_record.csv", delimiter=",", skiprows=1)
     lines = [f"{value / 9.80665:.8f}" for value in data[:600, 1]]
     (folder / "motion.txt").write_text("\n".join([*lines, ""]))
     path = folder / "small.toml"

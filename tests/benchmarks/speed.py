@@ -120,7 +120,7 @@ def main(options: argparse.Namespace) -> None:
     print(f"{platform.processor() or platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}")
     print(f"{'measured':58} {'value':>12} {'unit':22} {'in loops':>10}")
     line("loop of sin and cos", yardstick * 1e9, "ns per turn", 1.0)
-    data = np.loadtxt(ROOT / "tests/reference/standard_record.csv", delimiter=",", skiprows=1)
+    data = np.loadtxt(ROOT / "resources/reference/standard_record.csv", delimiter=",", skiprows=1)
     ground = np.ascontiguousarray(data[SAMPLES if small else slice(None), 1])
     pga = float(np.abs(ground).max())
     # spread as a search has them: with one multiplier all lanes would fall together

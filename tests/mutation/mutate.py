@@ -42,7 +42,6 @@ KEYS = "tests/test_documents.py::test_that_the_page_of_the_case_has_every_key_as
 CONTACT = "tests/core/case/test_contact.py"
 BODIES = "tests/validation/test_bodies.py"
 TIES = "tests/core/codes/test_ties_in_the_clauses.py"
-LOADED = "tests/validation/test_loaded_walls.py::test_that_a_loaded_wall_is_the_worked_example"
 LOADS = "tests/core/case/test_load_rules.py"
 ASSUMED = "tests/core/variation/test_table_of_assumptions.py"
 
@@ -62,7 +61,7 @@ BESIDE: dict[str, tuple[str, ...]] = {
         (PRINTED,),
     ),
     "core/codes/target_spectrum.py": (PRINTED,),
-    "core/codes/kinematic_chain.py": (TIES, LOADS, LOADED),
+    "core/codes/kinematic_chain.py": (TIES, LOADS),
     "core/wall/bars.py": ("tests/validation/test_tied_walls.py",),
     "core/wall/body.py": (BODIES,),
     "core/wall/solids.py": (BODIES, CONTACT),
@@ -136,12 +135,12 @@ def deciding_modules() -> list[str]:
 
 def tests_of(module: str) -> list[str]:
     """Files of tests that hold the facts of a module."""
-    from tests.test_boundaries import SHOWN_BY
+    from tests.test_boundaries import SHOWN_BY, SOLVED
 
     path = Path(module)
     own = Path("tests") / path.with_name(f"test_{path.name}")
     shown = own.as_posix() if (ROOT / own).exists() else SHOWN_BY[path.relative_to("core").with_suffix("").as_posix()]
-    return [shown, *(name for name in BESIDE.get(module, ()) if name != shown)]
+    return [shown, *(name for name in BESIDE.get(module, ()) if name != shown), SOLVED]
 
 
 def faults(tree: ast.Module) -> list[tuple[Any, str]]:

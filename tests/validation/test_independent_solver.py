@@ -94,28 +94,6 @@ def test_that_strong_motion_of_a_small_wall_shortens_the_steps(reference, make_m
     assert difference.max() / model.slenderness <= 1e-10
 
 
-@pytest.mark.shows("paper.eq_1")
-@pytest.mark.parametrize(
-    "one_sided, law, samples",
-    [
-        (True, "rigid", 200),
-        pytest.param(True, "rigid", 450, marks=pytest.mark.long),
-        pytest.param(False, "al_shawa", 450, marks=pytest.mark.long),
-    ],
-)
-def test_that_thirty_digits_give_the_same_history(reference, make_model, one_sided, law, samples):
-    ground = reference("standard")[0][:samples]
-    model = make_model(one_sided=one_sided, law=law)
-    kinks = None if law == "rigid" else (model.elastic_end, model.plateau_end)
-    truth, impacts = high_precision.history(
-        ground, 0.01, model.slenderness, model.p2, one_sided, lambda v: mp.mpf(model.ratio_at_rest), kinks
-    )
-    found = history(ground, 0.01, 1.0, model)
-    assert found.impact_time.size == len(impacts) > 2
-    difference = np.abs(found.rotation - np.array([float(value) for value in truth]))
-    assert difference.max() / model.slenderness <= 1e-12
-
-
 @pytest.mark.shows("mechanics.loaded")
 @pytest.mark.parametrize("mechanism", ["one_sided", "two_sided"])
 def test_that_dop853_gives_the_same_history_of_a_wall_with_a_roof(reference, mechanism):

@@ -1,11 +1,14 @@
 """What the equation of motion leaves unchanged, on the reference history `standard`."""
 
+import math
+
 import numpy as np
 import pytest
 
 from core.rocking.history import history
 from core.rocking.methods import METHODS
 from core.rocking.outcome import STABLE
+from core.units import G
 
 
 @pytest.mark.shows("mechanics.mirror")
@@ -77,3 +80,18 @@ def test_that_scaling_the_record_is_scaling_the_multiplier(reference, make_model
     scaled = history(ground * factor, 0.01, 1.0, model)
     multiplied = history(ground, 0.01, factor, model)
     assert np.array_equal(scaled.rotation, multiplied.rotation)
+
+
+@pytest.mark.shows("paper.eq_2")
+@pytest.mark.parametrize("one_sided", [False, True])
+def test_that_a_ground_below_the_threshold_moves_nothing(make_model, reference, one_sided):
+    model = make_model(one_sided=one_sided)
+    ground, _, _, _ = reference("standard")
+    threshold = G * math.tan(model.slenderness)
+    found = history(ground * (threshold / np.abs(ground).max()), 0.01, 1.0, model)
+    exactly = np.clip(ground, -threshold, threshold)
+    for quiet in (found, history(exactly, 0.01, 1.0, model)):
+        assert not quiet.rotation.any()
+        assert not quiet.velocity.any()
+        assert quiet.impact_time.size == 0
+        assert quiet.peak == 0.0

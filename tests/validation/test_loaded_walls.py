@@ -1,27 +1,22 @@
 """Walls with loads: worked values, closed forms, energy, and histories by the load's own moment."""
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.integrate import quad
 
 from core.capacity.ida import Search, incremental_dynamic_analysis, multiplier_of
-from core.case.loads import Load
 from core.case.rules import parse_case
-from core.case.values import field_of
-from core.codes.kinematic import kinematic, linear, nonlinear
 from core.rocking.history import history
 from core.rocking.methods import METHODS
 from core.rocking.outcome import COLLAPSED, STABLE
-from core.setting.demand_input import demand_of
 from core.setting.scene import model_of
 from core.study import run as study
 from core.units import G
 from core.wall.block import Block
 from core.wall.impact import Restitution
-from core.wall.loads import Force, PointMass, composite, restoring_moment
+from core.wall.loads import Force, restoring_moment
 from core.wall.moment_rotation import LAWS
 from core.wall.rocking_model import rocking_model
 from tests.core.rocking.lanes_and_histories import assert_lanes_are_histories
@@ -56,44 +51,8 @@ def wall_model(*loads, **changes):
     return model_of(wall, wall.mechanisms()[0])
 
 
-WORKED = [
-    # a, c, uplift/g, theta_c, alpha_0, e*, d_0, zeta linear, zeta displacement
-    ((), 1.0, 0.0, 0.15, 0.148890, 0.15, 1.0, 0.225, 0.7123, 0.5409),
-    ((ROOF,), 1.817008, -0.040247, 0.23230, 0.126744, 0.23230, 1.0, 0.19141, 1.1031, 0.6209),
-    ((PUSHING,), 1.0, 0.0, 0.12743, 0.126744, 0.12743, 0.88982, 0.27783, 0.6800, 0.6540),
-    ((CARRIED,), 1.0, 0.0, 0.12743, 0.126744, 0.12743, 0.88982, 0.27783, 0.6800, 0.6540),
-    ((ROOF, INWARD), 1.873354, 0.335389, 0.61639, 0.326045, 0.61639, 1.0, 0.49230, 2.9268, 1.6219),
-    ((ROOF, THRUST), 1.796885, -0.174402, 0.09513, 0.052135, 0.09513, 1.0, 0.07847, 0.4517, 0.2544),
-]
-
-
-@pytest.mark.shows("kinematic.loads", "kinematic.sums")
-@pytest.mark.parametrize("row", WORKED, ids=["none", "roof", "pushing", "carried", "inward", "thrust"])
-def test_that_a_loaded_wall_is_the_worked_example(row):
-    loads, a, c, uplift, collapse, alpha0, e_star, d0, zeta_linear, raw = row
-    case = case_of(*loads)
-    model = wall_model(*loads)
-    assert model.restoring.sine == pytest.approx(a, abs=6e-7)
-    assert model.restoring.cosine == pytest.approx(c, abs=6e-7)
-    assert model.threshold / G == pytest.approx(uplift, abs=6e-6)
-    assert model.collapse_rotation == pytest.approx(collapse, abs=6e-7)
-    demand = demand_of(case, Path())
-    found = kinematic(case.wall[0].in_si, "one_sided", demand)
-    assert found.alpha0 == pytest.approx(alpha0, abs=6e-6)
-    assert found.e_star == pytest.approx(e_star, abs=6e-6)
-    assert found.d0 == pytest.approx(d0, abs=6e-6)
-    assert linear("linear_q_code", found, demand, 2.0).zeta == pytest.approx(zeta_linear, abs=6e-5)
-    assert found.d_limit / found.s_de == pytest.approx(raw, abs=6e-5)
-    assert nonlinear(found, demand) is not None
-
-
-def test_that_every_kind_of_load_is_worked_by_hand():
-    worked = {load["kind"] for loads, *_ in WORKED for load in loads} | {"tie"}  # test_tied_walls.py
-    assert worked == set(field_of(Load, "kind").metadata["names"])
-
-
-@pytest.mark.parametrize(("loads", "seconds"), [((), 0.502143), ((ROOF,), 0.423486)])
-def test_that_the_free_fall_takes_the_time_of_the_energy_integral(loads, seconds):
+@pytest.mark.parametrize("loads", [(), (ROOF,)])
+def test_that_the_free_fall_takes_the_time_of_the_energy_integral(loads):
     """From 0.06 rad at rest to the base; the integral of d(theta) / sqrt(2 p2 (V(0.06) - V)) by quadrature."""
     model = wall_model(*loads)
     a, c, alpha = model.restoring.sine, model.restoring.cosine, model.slenderness
@@ -106,7 +65,6 @@ def test_that_the_free_fall_takes_the_time_of_the_energy_integral(loads, seconds
     integral = quad(slowness, 1e-12, math.sqrt(0.06), epsabs=1e-13)[0]
     fall = history(np.zeros(2000), 0.005, 1.0, model, start=(0.06, 0.0))
     assert fall.impact_time[0] == pytest.approx(integral, rel=1e-10)
-    assert fall.impact_time[0] == pytest.approx(seconds, abs=6e-7)
 
 
 def test_that_a_load_on_the_ray_of_the_centroid_is_a_stronger_gravity(reference):
@@ -124,16 +82,6 @@ def test_that_a_load_on_the_ray_of_the_centroid_is_a_stronger_gravity(reference)
     other = history(ground / held.sine, 0.01, 3.0, bare)
     assert one.outcome == other.outcome == STABLE and one.impact_time.size > 3
     assert np.abs(one.rotation - other.rotation).max() < 1e-10 * block.slenderness
-
-
-@pytest.mark.parametrize("share", [0.01, 0.2, 1.0])
-def test_that_a_mass_at_the_top_corner_lowers_the_frequency_as_in_closed_form(share):
-    """p / p of the wall = sqrt((1 + 2 gamma) / (1 + 3 gamma)), alpha as before."""
-    bare = Block.with_setback(3.0, 0.45, 0.0)
-    found = composite(bare, 100.0, [PointMass(100.0 * share, 0.45, 3.0)])
-    assert found.slenderness == pytest.approx(bare.slenderness, rel=1e-14)
-    ratio = math.sqrt((1.0 + 2.0 * share) / (1.0 + 3.0 * share))
-    assert found.frequency_parameter / bare.frequency_parameter == pytest.approx(ratio, rel=1e-14)
 
 
 @pytest.mark.shows("mechanics.energy")

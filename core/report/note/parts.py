@@ -42,13 +42,14 @@ class Item:
 @dataclass(frozen=True)
 class Table:
     """Cells of text. widths : of the columns, relative; tones : by (row, column), as of Paragraph; walls : number of
-    the result of each row, where they have one."""
+    the result of each row, where they have one; together : on one page."""
 
     heads: Sequence[str]
     rows: Sequence[Sequence[str]]
     widths: Sequence[float]
     tones: dict[tuple[int, int], str] = field(default_factory=dict)
     walls: Sequence[int] = ()
+    together: bool = False
 
 
 @dataclass(frozen=True)
@@ -173,6 +174,21 @@ class Figures:
 
 
 @dataclass(frozen=True)
+class Mathematics:
+    """A formula, in the mathematics of Typst: code of the program, never a text of a user."""
+
+    math: str
+
+
+@dataclass(frozen=True)
+class Beside:
+    """Parts beside a drawing, whose caption is for those who do not see it."""
+
+    parts: "Sequence[Part]"
+    figure: Figure | None
+
+
+@dataclass(frozen=True)
 class Box:
     """An empty frame the engineer writes into, of so many lines."""
 
@@ -186,4 +202,4 @@ class Blanks:
     labels: Sequence[str]
 
 
-Part = Heading | Paragraph | Item | Table | Bars | Contents | Derivation | Figures | Box | Blanks
+Part = Heading | Paragraph | Item | Table | Bars | Contents | Derivation | Figures | Mathematics | Beside | Box | Blanks

@@ -18,7 +18,7 @@ from core.errors import InputError, section
 from core.packages import require
 from core.report.note.equation import IN_PDF, TYPST, rows
 from core.report.note.figure_geometry import laid_out
-from core.report.note.parts import Bars, Blanks, Derivation, Figures, Heading, Item, Part, Table
+from core.report.note.parts import Bars, Beside, Blanks, Derivation, Figures, Heading, Item, Part, Table
 from core.report.note.words import Words
 from core.version import NAME, line
 
@@ -36,7 +36,7 @@ NO_DATE = datetime.date(2000, 1, 1)
 SIGNATURE = 52.0
 """Room above a line to sign on [pt]."""
 
-NUMERIC = re.compile(r"[-−+]?[0-9][0-9.,  ]*|–")
+NUMERIC = re.compile(r"[-−+]?[0-9][0-9.,  ]*(e[-+][0-9]+)?|–")
 
 USUAL = re.compile("[\u0020-\u007e\u00a0-\u017f\u0391-\u03c9\u2009\u2013\u2014\u2018-\u201e\u2022\u2026\u2032]*")
 """Letters FONT surely has."""
@@ -175,6 +175,9 @@ class Note:
                 return given | {"steps": [self._step(step) for step in part.steps], "short": short}
             case Figures():
                 return given | {"figures": [laid_out(one, self.words, len(part.figures)) for one in part.figures]}
+            case Beside():
+                drawn = None if part.figure is None else laid_out(part.figure, self.words, BESIDE)
+                return given | {"parts": [self._part(one) for one in part.parts], "figure": drawn}
             case Blanks():
                 return given | {"height": SIGNATURE}
         return given
@@ -185,6 +188,9 @@ class Note:
         alt = f"{step.written(language)} = {step.result_written(language)} {step.unit.replace('–', '')}".strip()
         return {"math": equation, "alt": alt, "label": step.label, "clause": step.clause}
 
+
+BESIDE = 4
+"""A drawing beside parts has the size of one of so many figures."""
 
 WORDS = {"page": "page", "fig": "Fig."}
 

@@ -12,27 +12,6 @@ from core.wall.block import Block
 WALL = Block.rectangle(7.0, math.radians(6.8))
 
 
-@pytest.mark.shows("paper.eq_15")
-def test_that_eq_15_gives_the_q_eff_of_el_centro():
-    """(30 x 6.8 + 78 x 7 + 90) / 124.27 = 6.76: q_eff, not q, against the print."""
-    q_eff = closed_forms.closed_form_q_eff(WALL.slenderness, WALL.height, 1.2427, False)
-    assert q_eff == pytest.approx(840.0 / 124.27, rel=1e-12)
-    assert round(q_eff, 2) == 6.76
-    q = closed_forms.closed_form_q(WALL.slenderness, WALL.height, 1.2427, 0.319 * G, False)
-    assert q == pytest.approx(6.7595 * 0.319, rel=1e-4)
-
-
-@pytest.mark.shows("paper.eq_16")
-def test_that_eq_16_is_the_one_sided_form():
-    q_eff = closed_forms.closed_form_q_eff(WALL.slenderness, WALL.height, 1.0, True)
-    assert q_eff == pytest.approx((23 * 6.8 + 65 * 7 + 840) * 100.0**-0.9, rel=1e-12)
-
-
-@pytest.mark.shows("paper.eq_12")
-def test_that_q_eff_is_eq_12():
-    assert closed_forms.effective_q(2.336, 0.3188 * G) == pytest.approx(2.336 / 0.3188)
-
-
 def test_that_a_power_law_is_found_back():
     si = np.array([0.2, 0.5, 0.9, 1.4])
     fit = closed_forms.fit_power_law(list(si), list(321.0 * (100 * si) ** -0.93))

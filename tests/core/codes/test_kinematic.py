@@ -1,12 +1,9 @@
 """C8.7.1.2.1.1 to .8: quantities of the mechanism."""
 
-import math
-
 import pytest
 
 from core.case.rules import parse_case
 from core.codes.kinematic import linear, nonlinear, sld
-from core.units import G
 from tests.validation.circolare import FREE, HELD, case, mechanism_of
 
 
@@ -42,16 +39,6 @@ def test_that_the_check_at_sld_is_against_the_ground_or_the_spectrum_at_t_0():
         assert check.demand == pytest.approx(demanded, rel=1e-12)
         assert check.capacity == pytest.approx(0.45 / 3.0 / 1.35, rel=1e-12)
         assert check.zeta == pytest.approx(0.45 / 3.0 / 1.35 / demanded, rel=1e-12)
-
-
-@pytest.mark.shows("kinematic.d_slv", "kinematic.displacement")
-def test_that_slc_has_its_own_fraction_period_and_damping():
-    found, _ = mechanism_of(case(HELD, {"limit_state": "SLC"}))
-    assert found.d_limit == pytest.approx(0.6 * 0.415, rel=1e-12)
-    assert found.period == pytest.approx(1.56 * math.pi * math.sqrt(0.249 / (0.4 * found.a0)), rel=1e-12)
-    eta = math.sqrt(10.0 / 15.0)
-    by_hand = 0.312 * G * eta * 2.5 * 0.5 * 2.0 / (4.0 * math.pi**2)
-    assert found.period > 2.0 and found.s_de == pytest.approx(by_hand, rel=1e-12)
 
 
 def test_that_only_the_check_of_sld_goes_without_its_q_in_words():

@@ -23,12 +23,6 @@ def across(**changes):
 
 
 @pytest.mark.shows("kinematic.friction")
-def test_that_the_friction_is_the_worked_value():
-    """n 12, h_b 0.25, l 0.20, t_s 0.5, w 18: 16.202 kN."""
-    assert friction(across().in_si, 3.0) == pytest.approx(16202.0, abs=0.6)
-
-
-@pytest.mark.shows("kinematic.friction")
 def test_that_friction_counts_in_alpha0_alone_and_at_its_least():
     wall = across()
     found, bare = chain(wall.in_si, False), chain(replace(wall, return_walls=None).in_si, False)

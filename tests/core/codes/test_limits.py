@@ -13,19 +13,11 @@ from core.codes.limits import (
     are_counted,
     check_return_period,
     counted_stations,
-    return_period,
     set_rule,
     set_value,
 )
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
-
-
-@pytest.mark.shows("demand.return_period")
-@pytest.mark.parametrize(("state", "years"), [("SLO", 30.11), ("SLD", 50.29), ("SLV", 474.56), ("SLC", 974.79)])
-def test_that_t_r_of_fifty_years_is_the_known_one(state, years):
-    # NTC 2018 3.2.0: -50 / ln(1 - P_VR), P_VR 81, 63, 10, 5 %
-    assert return_period(50.0, state) == pytest.approx(years, abs=0.005)
 
 
 @pytest.mark.shows("kinematic.d_slv")

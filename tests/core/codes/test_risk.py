@@ -25,16 +25,6 @@ DEMAND = DemandResult(
 )
 
 
-@pytest.mark.shows("risk.return_period", "risk.class")
-def test_the_worked_return_periods():
-    """0.52 -> 96.4 years, by a_g 0.26 g (1/0.49) 125.1; 0.75 -> 235.5."""
-    found = risk(0.52, DEMAND)
-    assert found.return_period == pytest.approx(96.4, abs=0.05)
-    assert found.other_return_period == pytest.approx(125.1, abs=0.05)
-    assert risk(0.75, DEMAND).return_period == pytest.approx(235.5, abs=0.05)
-    assert found.pga == pytest.approx(0.52 * 0.312 * G)
-
-
 @pytest.mark.shows("risk.return_period")
 def test_that_the_shorter_return_period_is_taken_on_either_side_of_one():
     weak = replace(DEMAND, ag=0.04 * G)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from core.codes.capacity_curve import capacity_curve
-from core.codes.kinematic import kinematic, linear, nonlinear
+from core.codes.kinematic import kinematic, linear
 from core.setting.demand_input import demand_of
 from core.units import G
 from tests.validation.test_loaded_walls import INWARD, ROOF, TIE, case_of
@@ -37,17 +37,6 @@ def test_that_alpha_0_counts_the_tie_at_yield_and_d_0_does_not_count_it():
     assert found.chain.d0_with_ties == pytest.approx(0.49230, abs=6e-6)
     always, _ = found_of(ROOF, INWARD)
     assert always.d0 == pytest.approx(found.chain.d0_with_ties, rel=1e-12)
-
-
-@pytest.mark.parametrize(("state", "share", "factor"), [("SLV", 0.40, 1.68), ("SLC", 0.60, 1.56)])
-def test_that_the_capacity_at_the_limit_is_that_of_wall_and_bar(state, share, factor):
-    found, demand = found_of(ROOF, TIE, state=state)
-    bare, held = (WX + ND) / WY, 5.0 * 2.8 / WY
-    a = ((1.0 - share) * bare + held) * G / 1.35
-    assert found.d_limit == pytest.approx(share * found.d0, rel=1e-12)
-    assert found.a_limit == pytest.approx(a, rel=1e-12)
-    assert found.period == pytest.approx(factor * math.pi * math.sqrt(share * found.d0 / a), rel=1e-12)
-    assert nonlinear(found, demand).zeta > 1.0
 
 
 @pytest.mark.shows("kinematic.d_slv_of_ties")

@@ -6,22 +6,10 @@ import numpy as np
 import pytest
 
 from core.ground.ground_motion import GroundMotion
-from core.units import G
 
 
 def motion(samples, dt=0.01):
     return GroundMotion("test", np.asarray(samples, float), dt)
-
-
-@pytest.mark.shows("mechanics.measures")
-def test_that_a_sine_has_its_closed_form_measures():
-    dt, omega = 0.001, 2.0 * math.pi
-    sine = motion(np.sin(omega * np.arange(0, 10.0005, dt)), dt)
-    assert sine.pga == pytest.approx(1.0)
-    assert sine.pgv == pytest.approx(2.0 / omega, rel=1e-5)
-    assert sine.pgd == pytest.approx(10.0 / omega, rel=1e-3)
-    assert sine.arias == pytest.approx(math.pi / (2 * G) * 5.0, rel=1e-6)
-    assert sine.duration_5_95 == pytest.approx(9.0, abs=0.15)
 
 
 def test_that_measures_scale_as_they_must(reference):

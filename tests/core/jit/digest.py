@@ -35,7 +35,7 @@ print(digest.hexdigest(), cache.folder())
 
 def run(*scanned, **variables):
     """(digest of histories by all methods and of scans by these, the cache's folder) of a process."""
-    known = ROOT / "tests" / "reference" / "standard_record.csv"
+    known = ROOT / "resources" / "reference" / "standard_record.csv"
     found = subprocess.run(
         [sys.executable, "-P", "-c", SCRIPT, known, *scanned],
         capture_output=True,

@@ -37,6 +37,7 @@ SPOKEN = {
     "notice": "notice",
     "_reason": "reason",
     "phrase": "terminal",
+    "worded": "solved",
 }
 """Functions that take a code of a group."""
 
@@ -58,6 +59,7 @@ OF_NO_SENTENCE = {
     ),
     "core/derivation/faces.py": "errors of whoever describes a quantity",
     "core/derivation/quantity.py": "errors of whoever describes a quantity",
+    **dict.fromkeys(["core/solved/bodies.py", "core/solved/floors.py"], "formulas"),
     "core/solved/experiments.py": "citations",
     "core/solved/published.py": "citations",
     "core/variation/evaluate.py": "how the first line of a bundled motion begins",

@@ -6,23 +6,13 @@ import pytest
 
 from core.case.loads import Bars, Load
 from core.case.wall import Wall
-from core.wall.ties import bars_for, stress_area
+from core.wall.ties import bars_for
 
 AREA_24 = 0.25 * math.pi * 24.0**2
 
 
 def tie(**load):
     return Load("tie", load.pop("kn_m", None), 6.5, bar_length_m=8.0, **load).tie(10.0)
-
-
-@pytest.mark.shows("ties.bar")
-@pytest.mark.parametrize(
-    ("diameter", "area"),
-    [(12, 84.3), (14, 115), (16, 157), (18, 192), (20, 245), (22, 303), (24, 353), (30, 561), (48, 1473), (64, 2676)],
-)
-def test_that_the_area_of_a_thread_is_that_of_the_table(diameter, area):
-    """A_res of Tab. 4.2.XVI."""
-    assert stress_area(1e-3 * diameter) == pytest.approx(1e-6 * area, rel=5e-3)
 
 
 def test_that_a_force_gives_the_elongation_at_yield_and_what_is_counted_on():
