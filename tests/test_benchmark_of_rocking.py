@@ -29,6 +29,7 @@ DIGITS = {
     "trilinear_stiff": 11,
     "small_long_steps": 10,
     "earthquake": 11,
+    "set_two_sided": 12,
 }
 """Right of a scene that amplifies what doubles leave, one less than in the table of its README; 14 of every other."""
 
@@ -61,7 +62,8 @@ def test_that_no_sample_is_so_near_to_a_half_that_a_sine_of_another_machine_roun
         finer = scene["ground"] | {"formula": f"{2**30} * ({scene['ground']['formula']})"}
         for seed in range(1, min(seeds, scene["ask"].get("seeds", 1)) + 1):
             parts = [round(1e6 * sample) % 2**30 for sample in RUNNER.samples(finer, seed)]
-            assert min(abs(part - 2**29) for part in parts) > 64, scene["name"]
+            # another sine moves a sum of 29 of them by no more than 2
+            assert min(abs(part - 2**29) for part in parts) > 16, scene["name"]
 
 
 @pytest.mark.parametrize("name", [scene["name"] for scene in SCENES if "seeds" not in scene["ask"]])
