@@ -1,0 +1,255 @@
+"""A wall as a script that checks it without this program: by a second engine, numpy and scipy, and by hand."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from core.capacity.ida import multiplier_of, threshold_of
+from core.capacity.limit_states import LIMIT_FRACTION
+from core.codes.demand import DemandResult, with_records
+from core.codes.dynamic_check import at_demand
+from core.codes.kinematic import PERIOD_FACTOR, STATE_DAMPING
+from core.codes.kinematic_chain import chain
+from core.codes.target_spectrum import CodeSpectrum
+from core.ground.ground_motion import GroundMotion
+from core.rocking.history import history
+from core.rocking.methods import AUTO
+from core.rocking.outcome import COLLAPSED, STABLE
+from core.setting.plan import Entry, Plan
+from core.units import G
+from core.version import line
+from core.wall.masonry import as_force
+from core.wall.rocking_model import RockingModel, seen_from
+
+TEMPLATE = Path(__file__).resolve().parents[2] / "resources" / "templates" / "check_wall.py"
+
+NOISE, DRAWS = 1e-14, 8
+"""Noise on the samples, of each, and how often it is drawn, for the tolerance of a rotation."""
+
+LEAST, TIMES_NOISE, MOST = 1e-9, 30.0, 1e-3
+"""The tolerance over theta_c is the larger of the first and so many times the effect of the noise; beyond the last the
+history says nothing (tests/core/study/test_check_script.py)."""
+
+BY_HAND = 1e-9
+"""Tolerance of what is worked by hand, of each number."""
+
+MOVES = 1.5
+"""q at which a motion is taken that does not move the wall at the demand."""
+
+
+class NoCheck(Exception):
+    """Why a wall has no script: held_at_top, no_records or too_sensitive."""
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """One history.
+
+    scale : multiplier of the motion, its sign that of the record
+    chosen : why this one, in words of the script
+    rotation : largest one [rad], of a wall that overturns that at the sample `last`; tolerance : of it [rad]
+    """
+
+    motion: GroundMotion
+    scale: float
+    model: RockingModel
+    chosen: str
+    overturns: bool
+    last: int
+    rotation: float
+    tolerance: float
+
+
+def check_script(plan: Plan, k: int) -> str:
+    """The script that checks the k-th entry of a plan. Raises NoCheck."""
+    entry = plan.entries[k]
+    if entry.part.wall.bends:
+        raise NoCheck("held_at_top")
+    demand = with_records(plan.demand, plan.motions) if plan.demand else None
+    one = _chosen(plan, k, demand)
+    lines = {**_of(entry, one), **_model_lines(one), **_wall_lines(entry)}
+    expected = {"rotation": (one.rotation, one.tolerance)}
+    if demand is not None:
+        lines |= _demand_lines(entry, demand)
+        if demand.confidence_on == "capacity":
+            lines["FC_OF_MODEL"] = demand.confidence_factor
+    for name, value in _by_hand(entry, demand, one.model).items():
+        expected[name] = value, BY_HAND * abs(value)
+    return _filled({**lines, "EXPECTED": expected}, one.motion.acceleration)
+
+
+def _runs(plan: Plan, k: int, demand: DemandResult | None) -> Iterator[tuple[GroundMotion, float, RockingModel]]:
+    """(motion, multiplier, model) of every history at the demand, or of the records as they are without one; of an
+    element free to vibrate with each of its elastic branches."""
+    entry = plan.entries[k]
+    models = [entry.model]
+    if demand is not None:
+        scene = plan.scene(k, demand)
+        models = [branch.of(entry.model) for branch in scene.branches] or models
+    for motion in entry.felt:
+        for model in models:
+            there, factor = at_demand(model, demand, demand.confidence_on, motion) if demand else (model, 1.0)
+            for sign in entry.signs:
+                yield motion, sign * factor, there
+
+
+def _chosen(plan: Plan, k: int, demand: DemandResult | None) -> Chosen:
+    """The history that governs at the demand, or the next one if noise in the last digits of the samples decides it.
+    Raises NoCheck."""
+    runs = [(*run, found) for run in _runs(plan, k, demand) if (found := _rotation(*run))]
+    if not runs:
+        raise NoCheck("no_records")
+    runs.sort(key=lambda run: (run[3][0], run[3][2]), reverse=True)
+    chosen = "the largest rotation at the demand" if demand else "the largest rotation of the records as they are"
+    if runs[0][3][2] == 0.0:
+        motion, scale, model, _ = runs[0]
+        scale = float(np.sign(scale) * multiplier_of(MOVES, motion.pga, threshold_of(model)))
+        runs = [(motion, scale, model, _rotation(motion, scale, model))]
+        chosen = f"no record moves the wall at the demand: PGA {MOVES} a_RM"
+    for n, (motion, scale, model, found) in enumerate(runs):
+        tolerance = _tolerance(motion, scale, model, found)
+        if tolerance <= MOST * model.collapse_rotation:
+            words = chosen if n == 0 else f"{chosen}, but for {n} that noise in the last digits of the samples decides"
+            return Chosen(motion, scale, model, words, *found, tolerance)
+    raise NoCheck("too_sensitive")
+
+
+def _rotation(
+    motion: GroundMotion, scale: float, model: RockingModel, ground: np.ndarray | None = None, last: int | None = None
+) -> tuple[bool, int, float] | None:
+    """(whether the wall overturns, sample, rotation [rad]): the largest rotation, with the free motion after the
+    record; of a wall that overturns that at the last sample within theta_c, or at a given one. None where its outcome is not known."""
+    one = history(motion.acceleration if ground is None else ground, motion.time_step, scale, model, AUTO)
+    if one.outcome != COLLAPSED:
+        return (False, 0, one.peak) if one.outcome == STABLE else None
+    within = np.nonzero(np.abs(one.rotation) <= model.collapse_rotation)[0]
+    last = int(within[-1]) if last is None else min(last, one.rotation.size - 1)
+    return True, last, float(abs(one.rotation[last]))
+
+
+def _tolerance(motion: GroundMotion, scale: float, model: RockingModel, found: tuple[bool, int, float]) -> float:
+    """Tolerance of a rotation [rad]: what noise in the last digits of the samples does to it, infinite where it
+    decides whether the wall stands."""
+    draw, effect = np.random.default_rng(1), 0.0
+    for _ in range(DRAWS):
+        noise = 1.0 + NOISE * draw.uniform(-1.0, 1.0, motion.acceleration.size)
+        moved = _rotation(motion, scale, model, motion.acceleration * noise, found[1])
+        effect = max(effect, abs(moved[2] - found[2])) if moved and moved[0] == found[0] else np.inf
+    return max(LEAST * model.collapse_rotation, TIMES_NOISE * effect)
+
+
+def _of(entry: Entry, one: Chosen) -> dict[str, Any]:
+    """Lines of what is checked."""
+    return {
+        "WALL": f"{entry.part.wall.name} ({entry.mechanism})",
+        "MADE_BY": line(),
+        "RECORD": one.motion.name,
+        "CHOSEN": one.chosen,
+    }
+
+
+def _model_lines(one: Chosen) -> dict[str, Any]:
+    """Lines of the equation of motion."""
+    model = one.model
+    sides = {}
+    for side in (1,) if model.one_sided else (1, -1):
+        seen = seen_from.py_func(model, float(side))
+        held = seen.restoring
+        sides[side] = (seen.slenderness, seen.p2, held.sine, held.cosine, seen.ratio_at_rest, seen.ratio_drop)
+    return {
+        "SIDES": sides,
+        "PHI1, PHI2, OSCILLATOR": (model.elastic_end, model.plateau_end, model.driven is not None),
+        "BARS": [tuple(bar[1:]) for bar in model.bars],
+        "SCALE, DT": (one.scale, one.motion.time_step),
+        "OVERTURNS, LAST": (one.overturns, one.last),
+    }
+
+
+def _wall_lines(entry: Entry) -> dict[str, Any]:
+    """Lines of the geometry and the loads, as they are worked by hand; what is no number is an expression."""
+    wall = entry.kinematic.wall if entry.kinematic else entry.part.wall.in_si
+    bare, t, u = wall.bare, wall.thickness, wall.setback
+    x, z = bare.centroid
+    weighs = wall.unit_weight is not None and wall.height is not None and t is not None
+    geometry = [repr(wall.weight) if weighs else "1.0", repr(x), repr(z), repr(bare.inertia_over_mass - bare.radius**2)]
+    if weighs and not wall.parts:
+        h = wall.height
+        geometry = [
+            f"{wall.unit_weight!r} * {t!r} * {h!r}",
+            f"{t!r} / 2 - {u!r}",
+            f"{h!r} / 2",
+            f"({h!r}**2 + {t!r}**2) / 12",
+        ]
+    width = f"{2.0 * x!r}" if t is None else f"{t!r} - 2 * {u!r}"
+    forces = [as_force(load, wall, 1.0) for load in wall.loads if load.tie is None]
+    held = [as_force(load, wall, 1.0) for load in wall.loads if load.tie is not None]
+    return {
+        "WEIGHT": Expression(geometry[0]),
+        "X, Z, INERTIA, WIDTH": Expression(", ".join([*geometry[1:], width])),
+        "LOADS": [(one.vertical, one.horizontal, one.distance, one.height) for one in forces],
+        "TIES": [(one.horizontal, one.height) for one in held],
+        "MASSES": [(one.mass * G, one.distance, one.height) for one in wall.masses],
+        "TWO_SIDED": entry.mechanism == "two_sided",
+    }
+
+
+def _demand_lines(entry: Entry, demand: DemandResult) -> dict[str, Any]:
+    """Lines of the checks by hand."""
+    lines: dict[str, Any] = {"FC": demand.confidence_factor}
+    if (state := demand.limit_state) in LIMIT_FRACTION:
+        lines["PERIOD, DAMPING, SHARE"] = PERIOD_FACTOR[state], STATE_DAMPING[state], LIMIT_FRACTION[state]
+        if isinstance(target := demand.target, CodeSpectrum) and entry.floor is None:
+            lines["SPECTRUM"] = target.pga, target.amplification, target.t_b, target.t_c, target.t_d
+    return lines
+
+
+def _by_hand(entry: Entry, demand: DemandResult | None, model: RockingModel) -> dict[str, float]:
+    """Name in the script -> number of the program."""
+    found, own = {}, entry.kinematic
+    for side, name in ((1.0, "outer"), (-1.0, "inner")) if entry.mechanism == "two_sided" else ((1.0, "outer"),):
+        seen = seen_from.py_func(model, side)
+        held, alpha = seen.restoring, seen.slenderness
+        found[f"alpha, {name} hinge [rad]"] = alpha
+        found[f"p^2, {name} hinge [1/s2]"] = seen.p2
+        found[f"collapse rotation, {name} hinge [rad]"] = alpha + held.lean
+        found[f"uplift a_RM / g, {name} hinge"] = held.sine * np.tan(alpha) + held.cosine
+    sums = own.chain if own else chain(entry.part.wall.in_si, entry.mechanism == "two_sided")
+    found |= {"alpha_0 (C8.7.1.1)": sums.alpha0, "e* (C8.7.1.5)": sums.e_star, "d_0 [m]": sums.d0}
+    if own is None or demand is None:
+        return found
+    if sums.alpha0_friction is None:
+        found["a_0* / g (C8.7.1.3)"] = own.a0 / G
+    if displacement := own.without_ties or (None if sums.ties else own.displacement):
+        found["d of the limit state [m] (C8.7.1.2.1.6)"] = displacement.limit
+        found["a(d) / g"] = displacement.capacity / G
+        found["T(d) [s] (C8.7.1.10)"] = displacement.period
+        if isinstance(demand.target, CodeSpectrum) and entry.floor is None:
+            found["S_De(T) [m]"] = displacement.demand
+            found["d / S_De (C8.7.1.12)"] = displacement.ratio
+    return found
+
+
+class Expression(str):
+    """A value written as arithmetic."""
+
+
+def _filled(lines: dict[str, Any], samples: np.ndarray) -> str:
+    """The template with these values. lines : what stands left of the sign -> value"""
+    text = TEMPLATE.read_text(encoding="utf-8")
+    for name, value in lines.items():
+        if isinstance(value, Expression):
+            written = str(value)
+        elif isinstance(value, tuple):
+            written = ", ".join(map(repr, value))
+        else:
+            written = repr(value)
+        pattern = re.compile(rf"^{re.escape(name)} = .*?(?=  #|$)", re.MULTILINE)
+        text, count = pattern.subn(lambda _, name=name, written=written: f"{name} = {written}", text)
+        assert count == 1, name
+    head, _, tail = text.partition('SAMPLES = """\n')
+    numbers = re.sub(r"(.{90,}?) ", r"\1\n", " ".join(map(repr, samples.tolist())))
+    return f'{head}SAMPLES = """\n{numbers}{tail[tail.index(chr(10)) :]}'
