@@ -34,6 +34,7 @@ from core.study.bar_histories import BarHistory, bar_histories, work_of_impacts
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import numeral
 from core.units import G
+from core.wall.rocking_model import weakened
 
 SLIDER = 2000
 PAUSE = 5.0
@@ -281,8 +282,8 @@ class HistoriesTab(ResultTab):
             q = known(demand).scaling(self.motion) * self.motion.pga / threshold_of(wall.model)
         elif k == 2:  # as the dynamic check has it
             demand = known(demand)
-            weakened, factor = at_demand(wall.model, demand, demand.confidence_on, self.motion)
-            strength_factor = wall.model.p2 / weakened.p2
+            model, factor = at_demand(wall.model, demand, demand.confidence_on, self.motion)
+            strength_factor = wall.model.p2 / model.p2
             q = factor / strength_factor * self.motion.pga / threshold_of(wall.model)
         else:
             q = {3: bracket and bracket[0], 4: bracket and bracket[1], 5: 2.0}.get(k)
@@ -297,8 +298,8 @@ class HistoriesTab(ResultTab):
         scale = self.run.polarity * multiplier_of(self.q, self.motion.pga, threshold_of(wall.model))
         ground, dt = self.acceleration, self.motion.time_step
         # strength over FC is p^2 / FC under the ground times FC (core/codes/dynamic_check.py)
-        weakened = wall.model._replace(p2=wall.model.p2 / self.strength_factor)
-        self.history = history(ground, dt, self.strength_factor * scale, weakened, result.method)
+        model = weakened(wall.model, self.strength_factor)
+        self.history = history(ground, dt, self.strength_factor * scale, model, result.method)
         ratio = self.history.rotation / wall.model.collapse_rotation
         self.curve.setData(self.times[: ratio.size], ratio)
         felt = scale * ground / G  # multiplier and sign in use

@@ -30,7 +30,7 @@ from core.rocking.history import scan_records
 from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import Method
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
-from core.wall.rocking_model import RockingModel
+from core.wall.rocking_model import RockingModel, weakened
 
 ONE_BY_ONE = 2
 """Records, the worst at the demand, that are analysed alone: most failures need no other."""
@@ -145,7 +145,7 @@ def at_demand(
     demand."""
     confidence = demand.confidence_factor
     if confidence_on == "capacity":  # strength over FC is p^2 / FC under the ground times FC
-        model = model._replace(p2=model.p2 / confidence)
+        model = weakened(model, confidence)
     return model, confidence * demand.scaling(motion)
 
 

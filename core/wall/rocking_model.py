@@ -107,6 +107,13 @@ def with_branch(model: RockingModel, limit: float) -> RockingModel:
     return model._replace(elastic_end=end, plateau_end=end, driven=Oscillator(stiffness, static))
 
 
+def weakened(model: RockingModel, factor: float) -> RockingModel:
+    """The model with its strength over a factor, to be shaken by the ground times that factor: exactly, p^2 of both its
+    sides over it."""
+    other = model.other and model.other._replace(p2=model.other.p2 / factor)
+    return model._replace(p2=model.p2 / factor, other=other)
+
+
 @subkernel
 def own_side(model, other, side):
     """alpha, p2 and velocity ratio about the hinge of this side. other : of the model, which decides at compile time"""

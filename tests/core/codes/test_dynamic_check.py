@@ -8,12 +8,13 @@ import pytest
 
 from core.capacity import independent_solver
 from core.codes import dynamic_check
-from core.codes.dynamic_check import DemandCheck, DemandRuns, demand_check
+from core.codes.dynamic_check import DemandCheck, DemandRuns, at_demand, demand_check
 from core.ground.ground_motion import GroundMotion
 from core.rocking.history import history
 from core.rocking.methods import AUTO, METHODS
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.setting.demand_input import demand_of
+from core.setting.scene import model_of
 from core.study import run as study
 from core.units import G
 from core.wall.block import Block
@@ -21,6 +22,7 @@ from core.wall.moment_rotation import LAWS
 from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
 from tests.conftest import whole_grid
+from tests.validation import test_bodies as bodies
 from tests.validation.circolare import HELD, case
 
 
@@ -90,6 +92,21 @@ def solved(ground, dt, alpha, p2, one_sided, ratio, strength):
                 moving = speed > 1e-6 * math.sqrt(p2 / strength) * alpha or lifts
         theta.append(side * phi if moving else 0.0)
     return np.array(theta)
+
+
+@pytest.mark.parametrize("confidence_on", ["capacity", "demand"])
+def test_that_fc_acts_on_both_sides_of_a_body_that_is_not_symmetric(designed, confidence_on):
+    """A battered wall and the same seen from its other face, at the demand: mirrored histories."""
+    walls = (bodies.wall_of([solid], 5.0, 0.8, 1.0, "two_sided") for solid in (bodies.BATTERED, bodies.TURNED))
+    one, other = (model_of(wall, "two_sided") for wall in walls)
+    motion, found = designed.motions[0], []
+    for model, sign in ((one, 1), (other, -1)):
+        there, factor = at_demand(model, designed.demand, confidence_on, motion)
+        weaker = factor if confidence_on == "capacity" else 1.0
+        assert there.other.p2 == model.other.p2 / weaker and there.p2 == model.p2 / weaker
+        found.append(history(motion.acceleration[:700], motion.time_step, 0.7 * sign * factor, there))
+    assert found[0].impact_time.size > 5
+    assert found[0].rotation == pytest.approx(-found[1].rotation, abs=1e-9)
 
 
 @pytest.mark.shows("dynamic.rule")
