@@ -47,10 +47,12 @@ def demand_histories(result: StudyResult, wall: WallResult) -> list[DemandHistor
 
 
 def history_at_demand(result: StudyResult, wall: WallResult, run: DemandRun) -> tuple[GroundMotion, History]:
-    """The motion of a run of the dynamic check and the history of the wall under it, FC included as in the check."""
+    """The motion of a run of the dynamic check and the history of the wall under it, with FC and elastic branch as in the
+    check."""
     motion, demand, check = result.motion_of(wall, run.motion), result.demand, wall.assessed.dynamic
     assert demand is not None and check is not None
-    model, factor = at_demand(wall.model, demand, check.confidence_on, motion)
+    own = check.branch.of(wall.model) if check.branch else wall.model
+    model, factor = at_demand(own, demand, check.confidence_on, motion)
     return motion, history(motion.acceleration, motion.time_step, run.polarity * factor, model, result.method)
 
 

@@ -256,6 +256,18 @@ def test_that_the_histories_at_the_demand_are_those_of_the_check(building):
                 assert np.abs(one.displacement).max() < wall.assessment.kinematic.d0
 
 
+def test_that_the_histories_of_an_element_free_to_vibrate_have_its_elastic_branch():
+    wall = {"name": "parapet", "mechanism": "two_sided", "height_m": 1.2, "thickness_m": 0.25, "base_z_m": 0.0}
+    wall |= {"unit_weight_kn_m3": 18.0, "elastic_modulus_mpa": 600.0}
+    demand = {"ag_g": 0.13, "demand_scaling": "pga", "spectrum": {"code": "EN1998", "soil": "B", "type": 1}}
+    record = {"file": "motions/noise_2.txt", "kind": "artificial"}
+    case = parse_case({"wall": [wall], "record": [record], "demand": demand, "analysis": {"q_limit": 3.0}})
+    result = run(case, base_dir=Path(__file__).parents[2])
+    (one,) = demand_histories(result, result.walls[0])
+    assert result.walls[0].assessment.dynamic.branch and one.run.peak_ratio > 0.2
+    assert one.history.peak / result.walls[0].model.collapse_rotation == pytest.approx(one.run.peak_ratio, rel=1e-6)
+
+
 def test_the_capacity_curve_over_the_demand(verdict):
     wall = verdict.walls[0]
     mechanism = wall.assessment.kinematic
