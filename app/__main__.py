@@ -73,7 +73,13 @@ def main(arguments: list[str] | None = None) -> int:
             stream.reconfigure(errors="replace")
     options = parse(arguments)
     windowless = (
-        options.batch or options.study or options.inspect or options.extract or options.validate or options.verify
+        options.batch
+        or options.study
+        or options.inspect
+        or options.extract
+        or options.validate
+        or options.verify
+        or options.export_check
     )  # nothing is said in a dialog
     if windowless and not (sys.stdout and sys.stderr):
         nowhere = open(os.devnull, "w")  # noqa: SIM115
@@ -103,6 +109,10 @@ def main(arguments: list[str] | None = None) -> int:
             from app.terminal import solved_cases
 
             return solved_cases.run(options.output, options.records)
+        if options.export_check:
+            from app.terminal import check_export
+
+            return check_export.run(options.export_check, options.output)
         jobs = options.jobs or os.cpu_count() or 1
         if options.study:
             from app.terminal import study

@@ -41,3 +41,13 @@ def shown(name: str) -> str:
     return "".join(
         letter if is_text(letter) else letter.encode("unicode_escape", "backslashreplace").decode() for letter in name
     )
+
+
+LONGEST = 60
+"""Letters of a name of a file that is made of a name of a wall."""
+
+
+def file_name(name: str) -> str:
+    """A name that every system takes for a file: letters and digits, _ for what lies between."""
+    letters = "".join(letter if letter.isalnum() else " " for letter in unicodedata.normalize("NFC", name))
+    return "_".join(letters.split())[:LONGEST] or "_"

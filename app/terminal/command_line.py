@@ -94,6 +94,7 @@ def parser() -> Parser:
         help=terminal("run the case within a report again and compare, see --records"),
     )
     add("--validate", action="store_true", help=terminal("the solved cases; with --data, tests on a shake table"))
+    add("--export-check", type=Path, metavar="CASE", help=terminal("write each wall as a script that checks it by scipy"))
     add("--data", type=Path, metavar="DIR", help=terminal("folder of the tests"))
     add("--inspect", nargs="+", type=Path, metavar="FILE", help=contents)
     add("--version", action="store_true", help=terminal("version and commit"))
@@ -119,14 +120,16 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     line = parser()
     options = line.parse_args(arguments)
     jobs = (options.batch, options.inspect, options.study, options.extract, options.validate, options.verify)
-    if sum(map(bool, jobs)) > 1:
-        line.error(terminal("--batch, --study, --inspect, --extract, --validate and --verify do not go together"))
+    if sum(map(bool, (*jobs, options.export_check))) > 1:
+        text = "--batch, --study, --inspect, --extract, --validate, --verify and --export-check do not go together"
+        line.error(terminal(text))
     if options.data and not options.validate:
         line.error(terminal("--data goes with --validate"))
     if not (options.batch or options.study) and (options.resume or (options.jobs and not options.verify)):
         line.error(terminal("--jobs and --resume go with --batch or --study"))
-    if options.output and not (options.batch or options.study or options.extract or options.validate):
-        line.error(terminal("--output goes with --batch, --study, --extract or --validate"))
+    writes = options.batch or options.study or options.extract or options.validate or options.export_check
+    if options.output and not writes:
+        line.error(terminal("--output goes with --batch, --study, --extract, --validate or --export-check"))
     if options.report and not options.batch:
         line.error(terminal("--report goes with --batch"))
     if (options.part or options.merge) and not options.batch:
@@ -148,7 +151,7 @@ def study_file(asked: str) -> Path:
 def refuse_missing(options: argparse.Namespace) -> None:
     """Raise InputError for a file that is not there or a note that is no Word document: before anything is installed
     or imported for it."""
-    for case in (options.case, options.batch, options.extract):
+    for case in (options.case, options.batch, options.extract, options.export_check):
         if case is not None and not case.exists():
             raise InputError("no_case_file", place=(case,))
     if options.data is not None and not options.data.is_dir():
@@ -177,6 +180,10 @@ def extras(options: argparse.Namespace) -> list[str]:
         return ["study"]
     if options.extract:
         return ["report"]
+    if options.export_check:
+        of_note = options.export_check.suffix.lower() == ".pdf"
+        drawn = _states(options.export_check, lambda case: any("drawing" in wall for wall in case["wall"]))
+        return ["report"] * of_note + ["dxf"] * drawn
     if not options.batch:
         return ["gui", "accuracy", "study", "report", "dxf"]
     of_note = options.batch.suffix.lower() == ".pdf"

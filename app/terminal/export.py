@@ -32,25 +32,35 @@ def refuse_overwriting(case: Case, case_path: Path, folder: Path, stem: str, not
     """Raise InputError where a result would take the place of the case or of a file it reads. note : the calculation
     note, where one is asked for"""
     results = {(folder / (stem + end)).resolve() for end in (".xlsx", ".json", ".journal", ".parquet")}
+    sources, asked = sources_of(case, case_path), results | ({note.resolve()} if note else set())
+    if case.select:  # any file there may be a record
+        inside = (case_path.parent / name_of(case.select.folder)).resolve()
+        taken = [] if _ours(folder / f"{stem}.json") else [*results]  # else it is beside results of its own
+        for path in [*taken, *([note.resolve()] if note else [])]:
+            if path.exists() and inside in (path, *path.parents):
+                sources.add(path)
+    refuse_taking(asked, sources)
+
+
+def sources_of(case: Case, case_path: Path) -> set[Path]:
+    """The file of a case and those it reads by name. Raises InputError."""
     base, demand = case_path.parent, case.demand
     sources = {case_path.resolve()}
     of_demand = (demand.spectrum_file, demand.hazard_file) if demand else ()
     for name in (case.table, case.report.logo, *of_demand, *case.drawn_from):
         if name:
             sources.add((base / name_of(name)).resolve())
-    if case.select:  # any file there may be a record
-        inside = (base / name_of(case.select.folder)).resolve()
-        taken = [] if _ours(folder / f"{stem}.json") else [*results]  # else it is beside results of its own
-        for path in [*taken, *([note.resolve()] if note else [])]:
-            if path.exists() and inside in (path, *path.parents):
-                sources.add(path)
     for k, entry in enumerate(case.record, start=1):
         try:
             paths = records.expand(entry.file, case_path.parent)
         except InputError as error:
             raise error.at(place("record", n=k)) from None
         sources |= {path.resolve() for path in paths}
-    asked = results | ({note.resolve()} if note else set())
+    return sources
+
+
+def refuse_taking(asked: set[Path], sources: set[Path]) -> None:
+    """Raise InputError where a file that is to be written is a source, OutputError where it is a folder."""
     for path in asked & sources:
         raise InputError("would_overwrite", path=path)
     for path in sorted(asked):

@@ -69,14 +69,24 @@ def uplift(u0, u1, t, residual):
     return (max(time, t), side) if time < DT else (DT, 0)
 
 
-def event(value, direction=0, ends=True):
-    """An event of solve_ivp: where a value of (phi, phi') passes through zero."""
+def event(of, at, direction=0, ends=True):
+    """An event of solve_ivp: phi (of = 0) or its speed (1) passes a value."""
 
     def crossing(_, y):
-        return value(y)
+        return y[of] - at
 
     crossing.direction, crossing.terminal = direction, ends
     return crossing
+
+
+def kinks_of(_, taut, __, breaks, left):
+    """sin(phi) at which a tie is taut, yields and breaks. left: its residual elongation."""
+    return left, left + taut, breaks
+
+
+def after(sine, _, taut, __, breaks, left):
+    """Residual elongation of a tie that was stretched to sin(phi): it follows where it yields; inf once it is gone."""
+    return math.inf if sine >= breaks * (1.0 - 1e-12) else max(left, sine - taut)
 
 
 def history(ground):
@@ -88,7 +98,7 @@ def history(ground):
             still += 1
             if not moving or impacts >= 3 or still * DT * math.sqrt(SIDES[1][1]) > 60.0:
                 break
-        t, ended = 0.0, None
+        t = 0.0
         while t < DT:
             if not moving:
                 t, begins = uplift(u0, u1, t, residual)
@@ -103,37 +113,24 @@ def history(ground):
                 beta = side * (u0 + (u1 - u0) * t / DT) / G
                 return y[1], -p2 * (moment(side, y[0]) + pull * math.cos(y[0]) - beta * arm(side, y[0]))
 
-            # impact, turn, then the kinks: each ends a smooth piece but for the turn of a wall without ties
-            ends = [event(lambda y: y[0], -1), event(lambda y: y[1], -1, bool(bars))]
-            ends += [event(lambda y, at=at: y[0] - at) for at in {PHI1, PHI2} if PHI1]
-            for _, taut, _, breaks, left in bars:
-                ends += [event(lambda y, at=at: math.sin(y[0]) - at) for at in (left, left + taut, breaks)]
-            asked = [n for n in range(len(ends)) if n != ended]
+            # a smooth piece ends with an impact, at a kink of the moment, or where a wall with ties turns back
+            kinks = [PHI1, PHI2, *(math.asin(at) for bar in bars for at in kinks_of(*bar) if 0.0 < at < 1.0)]
+            kinks = [at for at in set(kinks) if at > 0.0 and abs(at - phi) > 1e-12]
+            ends = [event(0, 0.0, -1), event(1, 0.0, -1, bool(bars)), *(event(0, at) for at in kinks)]
             found = solve_ivp(
-                motion, (t, DT), (phi, speed), "DOP853", rtol=3e-14, atol=1e-18, max_step=DT / 4,
-                events=[ends[n] for n in asked],
-            )  # fmt: skip
+                motion, (t, DT), (phi, speed), "DOP853", events=ends, rtol=3e-14, atol=1e-18, max_step=DT / 4
+            )
             t, (phi, speed) = found.t[-1], found.y[:, -1]
-            turns = found.y_events[asked.index(1)] if 1 in asked else []
-            peak = max(peak, phi, *(y[0] for y in turns))
-            if found.status != 1:
-                ended = None
-                continue
-            ended = next(n for n, times in zip(asked, found.t_events, strict=True) if len(times) and times[-1] == t)
-            if bars and ended >= 1:
-                sine = math.sin(phi)
-                residual = [max(left, sine - taut) for _, taut, _, _, left in bars]  # those that yielded
-                residual = [
-                    math.inf if sine >= breaks * (1.0 - 1e-12) else left
-                    for left, (_, _, _, breaks) in zip(residual, BARS, strict=True)
-                ]
-            if ended == 0:  # an impact (Eq. 3, 7), after which the wall rests below 1e-6 p alpha
+            peak = max(peak, phi, *(y[0] for y in found.y_events[1]))
+            if len(found.t_events[0]):  # an impact (Eq. 3, 7), after which the wall rests below 1e-6 p alpha
                 ratio = max(0.0, SIDES[side][4] - SIDES[side][5] * speed**2)
                 phi, speed, impacts = 0.0, -ratio * speed, impacts + (len(theta) == len(ground))
                 slow = speed < 1e-6 * math.sqrt(p2) * alpha
                 side = -side if TWO_SIDED else side
                 moving = speed > 0.0 and not (slow and uplift(u0, u1, t, residual)[0] > t)
-                ended = None  # phi = 0 is left outward: it may come back to it
+            elif bars and found.status == 1:
+                residual = [after(math.sin(phi), *bar) for bar in bars]
+                speed = -1e-300 if len(found.t_events[1]) else speed  # it turns once
         if len(theta) < len(ground):
             theta.append(side * phi if moving else 0.0)
         if phi > math.pi / 2:
