@@ -168,6 +168,41 @@ def show_verification(window: "MainWindow") -> None:
     window.runner.start(lambda job: compared(Path(name), on_progress=job.progress, cancelled=job.cancelled), arrived)
 
 
+def self_test_words(window: "MainWindow") -> str:
+    """What the self-test told."""
+    outcome = window.preparation.outcome
+    if outcome is None:
+        return tr("Self-test: not run yet, for no motion is there.")
+    if not outcome.wrong:
+        exact = tr("Self-test: passed, to the last digit.")
+        return exact if outcome.exact else tr("Self-test: passed; some last digits differ on this machine.")
+    names = {
+        "intensity": tr("the Housner intensity"),
+        "kinematic": tr("the checks by the clauses"),
+        "two_sided_q": tr("q of a two-sided wall"),
+        "two_sided_history": tr("a history of a two-sided wall"),
+        "one_sided_q": tr("q of a one-sided wall"),
+        "one_sided_history": tr("a history of a one-sided wall"),
+        "trilinear_q": tr("q by the trilinear law"),
+        "trilinear_history": tr("a history by the trilinear law"),
+    }
+    text = "Self-test: FAILED. On this machine {names} come out wrong: do not use any result of this installation."
+    return tr(text, names=", ".join(names[name] for name in outcome.wrong))
+
+
+def show_self_test(window: "MainWindow") -> None:
+    """Compare known searches and histories with their stored answers; off the thread of the window."""
+    from core.study.self_test import Outcome, tell
+
+    def arrived(outcome: Outcome) -> None:
+        window.show_word("")
+        window.preparation.tested(outcome)
+        if not outcome.wrong:
+            QMessageBox.information(window, tr("Self-test"), plain(self_test_words(window)))
+
+    window.runner.start(lambda job: tell(), arrived)
+
+
 def save_template(window: "MainWindow") -> None:
     """A copy of the empty table of walls, to be filled in."""
     title = tr("Save the table of walls")

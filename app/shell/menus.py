@@ -84,6 +84,7 @@ def build(window: "MainWindow") -> Actions:
     add(window, helps, tr("&Verify a report…"), lambda: guide.show_verification(window))
     add(window, helps, tr("Solved &cases as a PDF…"), lambda: guide.save_solved_cases(window))
     add(window, helps, tr("Tests on a shake &table…"), lambda: guide.show_validation(window))
+    add(window, helps, tr("Self-t&est"), lambda: guide.show_self_test(window))
     helps.addSeparator()
     add(window, helps, tr("&About"), lambda: about(window))
     return Actions(recent, undo, redo, run, cancel)
@@ -202,5 +203,6 @@ def about(window: "MainWindow") -> None:
             "Circolare 7/2019 C8.7.1.2.1). The results are the engineer's responsibility.",
             name=NAME,
             version=VERSION,
-        ),
+        )
+        + f"\n{guide.self_test_words(window)}",
     )

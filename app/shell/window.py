@@ -13,7 +13,7 @@ from app.look.focus import FocusFrame
 from app.look.labels import plain
 from app.look.language import tr
 from app.look.parts import Parts
-from app.shell import menus, stages, tabs, tree
+from app.shell import guide, menus, stages, tabs, tree
 from app.shell.files import Files
 from app.shell.first_run import FirstRun, follow
 from app.shell.header import Header
@@ -269,6 +269,12 @@ class MainWindow(QMainWindow):
     def _refused(self, sentence: str) -> None:
         self.closing = False
         QMessageBox.warning(self, tr("Not done"), plain(sentence))
+
+    def warn_of_self_test(self) -> None:
+        """The numbers of this machine are not to be used."""
+        words = guide.self_test_words(self)
+        self.show_word(words)
+        QMessageBox.warning(self, tr("Self-test"), plain(words))
 
     def _ended(self, partly: bool) -> None:
         self.stages.bar.setFormat("")

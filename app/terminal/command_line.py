@@ -94,7 +94,12 @@ def parser() -> Parser:
         help=terminal("run the case within a report again and compare, see --records"),
     )
     add("--validate", action="store_true", help=terminal("the solved cases; with --data, tests on a shake table"))
-    add("--export-check", type=Path, metavar="CASE", help=terminal("write each wall as a script that checks it by scipy"))
+    add(
+        "--export-check",
+        type=Path,
+        metavar="CASE",
+        help=terminal("write each wall as a script that checks it by scipy"),
+    )
     add("--data", type=Path, metavar="DIR", help=terminal("folder of the tests"))
     add("--inspect", nargs="+", type=Path, metavar="FILE", help=contents)
     add("--version", action="store_true", help=terminal("version and commit"))

@@ -1,4 +1,5 @@
-"""Kernels compiled or loaded in the background, as soon as a case needs them; then what sets a note."""
+"""Kernels compiled or loaded in the background, as soon as a case needs them, and the self-test of them; then what sets
+a note."""
 
 import contextlib
 from typing import TYPE_CHECKING
@@ -10,16 +11,21 @@ from core.jit import cache
 
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
+    from core.study.self_test import Outcome
 
 
 class Preparation:
-    """Makes the kernels of the case's method ready, once for each method, while the window has no job."""
+    """Makes the kernels of the case's method ready, once for each method, while the window has no job.
+
+    outcome : of the self-test, None before it
+    """
 
     def __init__(self, window: "MainWindow"):
         self.window = window
         self.started = False
         self.methods: set[str] = set()
         self.job: Job | None = None
+        self.outcome: Outcome | None = None
 
     def begin(self) -> None:
         """From now on; before it the window is still being made."""
@@ -46,9 +52,12 @@ class Preparation:
 
         def work(job):
             from core.study.run import warm
+            from core.study.self_test import tell
 
-            warm(case, motion)
+            ready = warm(case, motion)
             cache.record(cache.folder())
+            if ready:
+                job.found.emit(tell(ready))
             with contextlib.suppress(InputError):  # without its packages the note says so itself
                 from core.report.note.archive import Note
                 from core.report.note.parts import Paragraph
@@ -63,5 +72,13 @@ class Preparation:
 
         self.job = Job(work)
         self.job.failed.connect(lambda sentence, log: window.show_word(f"{sentence} {log}"))
+        self.job.found.connect(self.tested)
         self.job.finished.connect(ended)
         self.job.start()
+
+    def tested(self, outcome: "Outcome") -> None:
+        """Keep what the self-test tells; a failure is said at once, and stays."""
+        if not (self.outcome and self.outcome.wrong):
+            self.outcome = outcome
+        if outcome.wrong:
+            self.window.warn_of_self_test()

@@ -47,8 +47,8 @@ def demand_histories(result: StudyResult, wall: WallResult) -> list[DemandHistor
 
 
 def history_at_demand(result: StudyResult, wall: WallResult, run: DemandRun) -> tuple[GroundMotion, History]:
-    """The motion of a run of the dynamic check and the history of the wall under it, with FC and elastic branch as in the
-    check."""
+    """The motion of a run of the dynamic check and the history of the wall under it, with FC and the elastic branch
+    as in the check."""
     motion, demand, check = result.motion_of(wall, run.motion), result.demand, wall.assessed.dynamic
     assert demand is not None and check is not None
     own = check.branch.of(wall.model) if check.branch else wall.model

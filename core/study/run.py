@@ -27,6 +27,7 @@ from core.study.how_sure import ag_of
 from core.study.journal import Journal, Memory
 from core.study.progress import OnProgress, Progress, Started, costs_of
 from core.study.results import StudyResult, WallResult, WallVerdict
+from core.study.self_test import order_of
 from core.study.wall_work import Finished, Given, works
 from core.threads import Threads
 from core.variation.limit_states import demands_of, rules_of, unsaid
@@ -199,8 +200,9 @@ def _found_on(executor: Executor, case: Case, base_dir: Path, cancelled: Callabl
     return memory
 
 
-def warm(case: Case, motion: GroundMotion) -> None:
-    """Make the kernels of a case ready: a few analyses of its first wall."""
+def warm(case: Case, motion: GroundMotion) -> tuple[str, ...]:
+    """Make the kernels of a case ready: a few analyses of its first wall; returns the methods whose self-test needs no
+    others."""
     cache.proven()
     model = model_of(case.wall[0], case.wall[0].mechanisms()[0])
     method = METHODS.get(case.analysis.method, AUTO)
@@ -209,6 +211,7 @@ def warm(case: Case, motion: GroundMotion) -> None:
     scales = np.full(16, multiplier_of(1.1, motion.pga, threshold_of(model)))
     scan(method, ground, dt, scales, model, np.zeros(16, np.int64), np.zeros(16))
     history(ground, dt, scales[0], model, method)
+    return order_of(method, model, dt)
 
 
 def begin_compiling(plan: Plan) -> None:

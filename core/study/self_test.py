@@ -1,39 +1,109 @@
-"""Does machine code that was compiled on another machine give the numbers it was compiled for?"""
+"""Does the program compute on this machine what it computed where it was made?
 
+The stored answers are told at every start of the window, from source too. Those of the machine that a frozen program
+was built on decide whether its machine code is used at all (core/jit/trial.py).
+"""
+
+import json
 import math
+from collections.abc import Iterable
+from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
 from core.capacity.ida import Search, incremental_dynamic_analysis, multiplier_of, threshold_of
+from core.codes.demand import DemandResult
+from core.codes.kinematic import kinematic
+from core.codes.target_spectrum import en1998
 from core.ground.ground_motion import GroundMotion
-from core.rocking.history import history
-from core.rocking.methods import METHODS
+from core.rocking.history import history, in_lanes
+from core.rocking.methods import METHODS, Method, resolve_auto
+from core.units import G
 from core.version import build
 from core.wall.block import Block
+from core.wall.masonry import Masonry
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import restitution
-from core.wall.rocking_model import rocking_model
+from core.wall.rocking_model import RockingModel, rocking_model
+
+STORED = Path(__file__).resolve().parents[2] / "resources" / "self_test.json"
+
+ORDERS = ("taylor", "taylor_6")
+"""Methods whose searches and histories have stored answers."""
+
+LAST_DIGITS = 1e-9
+"""Difference, over the largest number of an answer, up to which it is not wrong: functions such as the tangent may end
+in another digit on another system, which no result shows."""
 
 
-def numbers() -> list[str]:
-    """Doubles, as hexadecimal text: the Housner intensity of a motion; q, SLV and a history of a wall 3 m high,
-    rigid and free to rock to both sides, then trilinear beside a transverse wall. The motion is made of whole numbers,
-    so that it is the same everywhere."""
+class Outcome(NamedTuple):
+    """wrong : names of the questions that have another answer; exact : every answer is the same to the last bit."""
+
+    wrong: tuple[str, ...]
+    exact: bool
+
+
+def answers(method: str) -> dict[str, list[str]]:
+    """Question -> doubles, as hexadecimal text: the Housner intensity of a motion; q, SLV and a history of a wall 3 m
+    high, rigid and free to rock to both sides, then one-sided, rigid and trilinear, beside a transverse wall; its
+    checks by the clauses. The motion is made of whole numbers, so that it is the same everywhere. method : of ORDERS"""
     count = np.arange(400)
     samples = ((count * count * 7 + count * 13) % 101 - 50.0) * (count % 40 < 23) / 16.0
     motion = GroundMotion("whole numbers", samples, 0.01)
     block = Block.rectangle(3.0, 0.13)
-    found = [motion.housner_intensity]
-    for one_sided, law in ((False, "rigid"), (True, "doherty")):
+    found: dict[str, list[float]] = {"intensity": [motion.housner_intensity], "kinematic": _by_clauses(block)}
+    walls = (("two_sided", False, "rigid"), ("trilinear", True, "doherty"), ("one_sided", True, "rigid"))
+    for name, one_sided, law in walls:
         model = rocking_model(block, one_sided, restitution(block, "housner"), LAWS[law])
-        ground, pga, method = motion.acceleration, motion.pga, METHODS["taylor"]
-        run = incremental_dynamic_analysis(ground, 0.01, pga, 1, model, method, Search(q_limit=20.0))
-        found += [value if value is not None else math.nan for value in (run.q, run.q_slv)]
-        scale = float(multiplier_of(1.2, pga, threshold_of(model)))
-        found += list(history(ground, 0.01, scale, model, method).rotation[::40])
-    return [float(value).hex() for value in found]
+        ground, pga, by = motion.acceleration, motion.pga, METHODS[method]
+        run = incremental_dynamic_analysis(ground, 0.01, pga, 1, model, by, Search(q_step=0.02, q_limit=10.0))
+        found[f"{name}_q"] = [math.nan if value is None else value for value in (run.q, run.q_slv)]
+        scale = float(multiplier_of(3.0, pga, threshold_of(model)))
+        found[f"{name}_history"] = list(history(ground, 0.01, scale, model, by).rotation[::40])
+    return {name: [float(value).hex() for value in values] for name, values in found.items()}
+
+
+def _by_clauses(block: Block) -> list[float]:
+    """alpha_0, d_0 [m], T_SLV [s] and S_De [m] of a wall under a spectrum of EN 1998-1."""
+    spectrum = en1998(0.25 * G, 1, "B")
+    demand = DemandResult("SLV", 0.25 * G, 1.2, spectrum.pga, None, None, 2.0, 1.35, 1.0, spectrum)
+    found = kinematic(Masonry("", "one_sided", block), "one_sided", demand)
+    assert found.period is not None and found.s_de is not None
+    return [found.alpha0, found.d0, found.period, found.s_de]
+
+
+def numbers() -> list[str]:
+    """All answers of the series of order 8, as a build keeps them."""
+    return [number for values in answers(ORDERS[0]).values() for number in values]
 
 
 def numbers_are_right() -> bool:
     """Whether they are those of the machine this program was built on."""
     return numbers() == build().get("self_test")
+
+
+def order_of(method: Method, model: RockingModel, dt: float) -> tuple[str, ...]:
+    """Of ORDERS the one whose kernels the analyses of a wall compile; none where they are others. dt : [s]"""
+    resolved = resolve_auto(method, model, dt)
+    return (resolved.name,) if in_lanes(resolved, model) else ()
+
+
+def tell(methods: Iterable[str] = ORDERS) -> Outcome:
+    """What is not as it is stored, some 0.1 s once the kernels are there. methods : of ORDERS"""
+    stored = json.loads(STORED.read_bytes())
+    found = {method: answers(method) for method in methods}
+    wrong = [
+        name for method, own in found.items() for name, values in own.items() if _differs(values, stored[method][name])
+    ]
+    return Outcome(tuple(dict.fromkeys(wrong)), all(stored[method] == own for method, own in found.items()))
+
+
+def _differs(values: list[str], stored: list[str]) -> bool:
+    found, known = ([float.fromhex(number) for number in each] for each in (values, stored))
+    most = LAST_DIGITS * max(map(abs, known))
+    return not all(abs(one - other) <= most for one, other in zip(found, known, strict=True))
+
+
+if __name__ == "__main__":  # after a change that is meant to change a result: it is named in the changelog
+    STORED.write_text(json.dumps({method: answers(method) for method in ORDERS}, indent=1) + "\n", encoding="ascii")

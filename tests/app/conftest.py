@@ -243,6 +243,7 @@ class SharedWindow:
         made.runner.last_refusal = (None, None)
         made.preparation.started = False
         made.preparation.methods.clear()
+        made.preparation.outcome = None
         made.timer.start()
         made.show_word("", "")
         made.resize(*SIZE)

@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QApplication, QLineEdit
 
 from app.input.fields import Field
 from app.look import theme
-from app.shell import guide
+from app.shell import guide, menus
+from core.study import self_test
 from core.text.catalogue import CATALOGUE
 from tests.app.driving import settle
 from tests.core.research.test_shake_table import invented
@@ -109,3 +110,34 @@ def test_that_the_help_runs_the_case_within_a_report_again(application, opened, 
     settle(application, lambda: said and opened.runner.job is None)
     ((title, text),) = said
     assert title == "Verify a report" and "equal, run again by version" in text
+
+
+def test_that_the_self_test_runs_in_the_background_of_a_start_and_about_and_help_tell_it(
+    application, opened, monkeypatch
+):
+    said = []
+    for name in ("about", "information", "warning"):
+        monkeypatch.setattr(guide.QMessageBox, name, lambda *given, name=name: said.append((name, given[2])))
+    menus.about(opened)
+    assert "Self-test: not run yet" in said.pop()[1]
+    opened.preparation.begin()
+    settle(application, lambda: opened.preparation.job is None)
+    menus.about(opened)
+    assert said.pop()[1].endswith("Self-test: passed, to the last digit.") and not said
+    guide.show_self_test(opened)
+    settle(application, lambda: opened.runner.job is None)
+    assert said.pop() == ("information", "Self-test: passed, to the last digit.") and not said
+
+
+def test_that_a_wrong_answer_of_the_self_test_is_said_in_the_window_and_stays(application, opened, monkeypatch):
+    said, stored = [], self_test.answers("taylor")
+    wrong = {**stored, "one_sided_q": stored["two_sided_q"], "kinematic": stored["kinematic"][::-1]}
+    monkeypatch.setattr(self_test, "answers", lambda method: wrong)
+    monkeypatch.setattr(guide.QMessageBox, "warning", lambda *given: said.append(given[2]))
+    opened.preparation.begin()
+    settle(application, lambda: opened.preparation.job is None)
+    (words,) = said
+    assert "FAILED" in words and "the checks by the clauses, q of a one-sided wall come out wrong" in words
+    assert "do not use any result" in words and opened.word.text() == words
+    opened.preparation.tested(self_test.Outcome((), True))
+    assert guide.self_test_words(opened) == words

@@ -94,7 +94,10 @@ def drawn(chance) -> dict:
     wall = {"height_m": height, "thickness_m": thickness, "mechanism": str(chance.choice(["one_sided", "two_sided"]))}
 
     def load(kind, most, **more):
-        place = {"d_m": round(thickness * chance.uniform(0.3, 0.9), 3), "h_m": round(height * chance.uniform(0.5, 1), 3)}
+        place = {
+            "d_m": round(thickness * chance.uniform(0.3, 0.9), 3),
+            "h_m": round(height * chance.uniform(0.5, 1), 3),
+        }
         return {"kind": kind, "kn_m": round(chance.uniform(1.0, most), 3), **place, **more}
 
     match chance.integers(8):
@@ -123,7 +126,9 @@ def test_that_random_walls_come_to_the_numbers_of_the_program(folder, seed, caps
     chance = np.random.default_rng(seed)
     side = str(chance.choice(["capacity", "demand"]))
     try:
-        script = written(folder, drawn(chance), chance.integers(1, 8), ag_g=chance.uniform(0.08, 0.4), confidence_on=side)
+        script = written(
+            folder, drawn(chance), chance.integers(1, 8), ag_g=chance.uniform(0.08, 0.4), confidence_on=side
+        )
     except (InputError, NoCheck):
         return  # no wall of the model, or one whose history noise decides
     code, said = run(script, capsys)
