@@ -314,10 +314,10 @@ class HistoriesTab(ResultTab):
             ("θ/θc", self.times[: ratio.size], ratio),
             (tr("impacts"), self.history.impact_time, np.zeros(self.history.impact_time.size)),
         ]
-        energy = energy_ratios(self.history, weakened)
+        energy = energy_ratios(self.history, model)
         self.energy_curve.setData(self.times[: energy.size], np.minimum(energy, 9.0))
         self.energy.data = [(tr("energy"), self.times[: energy.size], energy)]
-        self._integrate_second(weakened)
+        self._integrate_second(model)
         if self.history.outcome == COLLAPSED:  # its largest rotation is where the analysis ended
             outcome = named("overturned")
         else:

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -45,22 +45,28 @@ class NoCheck(Exception):
     """Why a wall has no script: held_at_top, no_records or too_sensitive."""
 
 
+class Answer(NamedTuple):
+    """rotation : the largest one [rad], of a wall that overturns that at the sample `last`."""
+
+    overturns: bool
+    last: int
+    rotation: float
+
+
 @dataclass(frozen=True)
 class Chosen:
     """One history.
 
     scale : multiplier of the motion, its sign that of the record
     chosen : why this one, in words of the script
-    rotation : largest one [rad], of a wall that overturns that at the sample `last`; tolerance : of it [rad]
+    tolerance : of the rotation [rad]
     """
 
     motion: GroundMotion
     scale: float
     model: RockingModel
     chosen: str
-    overturns: bool
-    last: int
-    rotation: float
+    answer: Answer
     tolerance: float
 
 
@@ -72,7 +78,7 @@ def check_script(plan: Plan, k: int) -> str:
     demand = with_records(plan.demand, plan.motions) if plan.demand else None
     one = _chosen(plan, k, demand)
     lines = {**_of(entry, one), **_model_lines(one), **_wall_lines(entry)}
-    expected = {"rotation": (one.rotation, one.tolerance)}
+    expected = {"rotation": (one.answer.rotation, one.tolerance)}
     if demand is not None:
         lines |= _demand_lines(entry, demand)
         if demand.confidence_on == "capacity":
@@ -100,46 +106,48 @@ def _runs(plan: Plan, k: int, demand: DemandResult | None) -> Iterator[tuple[Gro
 def _chosen(plan: Plan, k: int, demand: DemandResult | None) -> Chosen:
     """The history that governs at the demand, or the next one if noise in the last digits of the samples decides it.
     Raises NoCheck."""
-    runs = [(*run, found) for run in _runs(plan, k, demand) if (found := _rotation(*run))]
+    runs = [(*run, found) for run in _runs(plan, k, demand) if (found := _answer(*run))]
     if not runs:
         raise NoCheck("no_records")
-    runs.sort(key=lambda run: (run[3][0], run[3][2]), reverse=True)
+    runs.sort(key=lambda run: (run[3].overturns, run[3].rotation), reverse=True)
     chosen = "of all records and signs the largest rotation" + (" at the demand, with FC" if demand else "")
-    if runs[0][3][2] == 0.0:
-        motion, scale, model, _ = runs[0]
+    motion, scale, model, most = runs[0]
+    if most.rotation == 0.0:
         scale = float(np.sign(scale) * multiplier_of(MOVES, motion.pga, threshold_of(model)))
-        runs = [(motion, scale, model, _rotation(motion, scale, model))]
+        moved = _answer(motion, scale, model)
+        runs = [] if moved is None else [(motion, scale, model, moved)]
         chosen = f"no record moves the wall: PGA {MOVES} a_RM"
-    for n, (motion, scale, model, found) in enumerate(runs):
-        tolerance = _tolerance(motion, scale, model, found)
+    for n, (motion, scale, model, answer) in enumerate(runs):
+        tolerance = _tolerance(motion, scale, model, answer)
         if tolerance <= MOST * model.collapse_rotation:
             words = chosen if n == 0 else f"{chosen}, after {n} that the last digits of the samples decide"
-            return Chosen(motion, scale, model, words, *found, tolerance)
+            return Chosen(motion, scale, model, words, answer, tolerance)
     raise NoCheck("too_sensitive")
 
 
-def _rotation(
+def _answer(
     motion: GroundMotion, scale: float, model: RockingModel, ground: np.ndarray | None = None, last: int | None = None
-) -> tuple[bool, int, float] | None:
-    """(whether the wall overturns, sample, rotation [rad]): the largest rotation, with the free motion after the
-    record; of a wall that overturns that at the last sample within theta_c, or at a given one. None where its outcome
-    is not known."""
+) -> Answer | None:
+    """The largest rotation, with the free motion after the record; of a wall that overturns that at the last sample
+    within theta_c, or at a given one. None where its outcome is not known."""
     one = history(motion.acceleration if ground is None else ground, motion.time_step, scale, model, AUTO)
     if one.outcome != COLLAPSED:
-        return (False, 0, one.peak) if one.outcome == STABLE else None
+        return Answer(False, 0, one.peak) if one.outcome == STABLE else None
     within = np.nonzero(np.abs(one.rotation) <= model.collapse_rotation)[0]
     last = int(within[-1]) if last is None else min(last, one.rotation.size - 1)
-    return True, last, float(abs(one.rotation[last]))
+    return Answer(True, last, float(abs(one.rotation[last])))
 
 
-def _tolerance(motion: GroundMotion, scale: float, model: RockingModel, found: tuple[bool, int, float]) -> float:
+def _tolerance(motion: GroundMotion, scale: float, model: RockingModel, answer: Answer) -> float:
     """Tolerance of a rotation [rad]: what noise in the last digits of the samples does to it, infinite where it
     decides whether the wall stands."""
     draw, effect = np.random.default_rng(1), 0.0
     for _ in range(DRAWS):
         noise = 1.0 + NOISE * draw.uniform(-1.0, 1.0, motion.acceleration.size)
-        moved = _rotation(motion, scale, model, motion.acceleration * noise, found[1])
-        effect = max(effect, abs(moved[2] - found[2])) if moved and moved[0] == found[0] else np.inf
+        moved = _answer(motion, scale, model, motion.acceleration * noise, answer.last)
+        if moved is None or moved.overturns != answer.overturns:
+            return np.inf
+        effect = max(effect, abs(moved.rotation - answer.rotation))
     return max(LEAST * model.collapse_rotation, TIMES_NOISE * effect)
 
 
@@ -166,7 +174,7 @@ def _model_lines(one: Chosen) -> dict[str, Any]:
         "PHI1, PHI2, OSCILLATOR": (model.elastic_end, model.plateau_end, model.driven is not None),
         "BARS": [tuple(bar[1:]) for bar in model.bars],
         "SCALE, DT": (one.scale, one.motion.time_step),
-        "OVERTURNS, LAST": (one.overturns, one.last),
+        "OVERTURNS, LAST": (one.answer.overturns, one.answer.last),
     }
 
 
@@ -248,9 +256,9 @@ def _filled(lines: dict[str, Any], samples: np.ndarray) -> str:
             written = ", ".join(map(repr, value))
         else:
             written = repr(value)
-        pattern = re.compile(rf"^{re.escape(name)} = .*?(?=  #|$)", re.MULTILINE)
-        text, count = pattern.subn(lambda _, name=name, written=written: f"{name} = {written}", text)
-        assert count == 1, name
+        pattern = rf"^{re.escape(name)} = .*?(?=  #|$)"
+        (place,) = re.finditer(pattern, text, re.MULTILINE)
+        text = f"{text[: place.start()]}{name} = {written}{text[place.end() :]}"
     head, _, tail = text.partition('SAMPLES = """\n')
     numbers = re.sub(r"(.{90,}?) ", r"\1\n", " ".join(map(repr, samples.tolist())))
     return f'{head}SAMPLES = """\n{numbers}{tail[tail.index(chr(10)) :]}'
