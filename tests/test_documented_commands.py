@@ -115,6 +115,8 @@ def small_words(words: tuple[str, ...], folder: Path) -> list[str]:
             return ["--verify", str(folder / "verified" / "small.json"), "--records", str(folder)]
         case ("validate", "--output", *_):
             return ["validate"]
+        case ("--export-check", *_):
+            return ["--export-check", str(folder / "small.toml"), "--output", str(folder / "checks")]
         case ("validate", *rest):
             invented(folder / "tests")
             return ["validate", "--data", str(folder / "tests"), "--output", str(folder / "validated")]

@@ -186,8 +186,10 @@ def self_test_words(window: "MainWindow") -> str:
         "trilinear_q": tr("q by the trilinear law"),
         "trilinear_history": tr("a history by the trilinear law"),
     }
-    text = "Self-test: FAILED. On this machine {names} come out wrong: do not use any result of this installation."
-    return tr(text, names=", ".join(names[name] for name in outcome.wrong))
+    return tr(
+        "Self-test: FAILED. On this machine {names} come out wrong: do not use any result of this installation.",
+        names=", ".join(names[name] for name in outcome.wrong),
+    )
 
 
 def show_self_test(window: "MainWindow") -> None:

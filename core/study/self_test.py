@@ -105,5 +105,5 @@ def _differs(values: list[str], stored: list[str]) -> bool:
     return not all(abs(one - other) <= most for one, other in zip(found, known, strict=True))
 
 
-if __name__ == "__main__":  # after a change that is meant to change a result: it is named in the changelog
+if __name__ == "__main__":  # python -m core.study.self_test, after a change of a result that the changelog names
     STORED.write_text(json.dumps({method: answers(method) for method in ORDERS}, indent=1) + "\n", encoding="ascii")

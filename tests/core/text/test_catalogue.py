@@ -57,6 +57,7 @@ OF_NO_SENTENCE = {
         ],
         "what each key of the results is: its page and its schema are in English, as the keys are",
     ),
+    "core/study/check_script.py": "a script is in English, as programs are",
     "core/derivation/faces.py": "errors of whoever describes a quantity",
     "core/derivation/quantity.py": "errors of whoever describes a quantity",
     **dict.fromkeys(["core/solved/bodies.py", "core/solved/floors.py"], "formulas"),
