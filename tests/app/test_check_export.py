@@ -51,6 +51,7 @@ def ran(script):
     return subprocess.run([sys.executable, script], capture_output=True, text=True, encoding="utf-8")
 
 
+@pytest.mark.shows("batch.export_check")
 def test_that_each_wall_is_a_script_that_runs_by_itself_and_finds_an_altered_rotation(case, tmp_path, capsys):
     names = ["check_parete_à_1_one_sided.py", "check_Parete_à_1_one_sided_2.py"]
     for _ in range(2):  # its own scripts are replaced
@@ -65,6 +66,7 @@ def test_that_each_wall_is_a_script_that_runs_by_itself_and_finds_an_altered_rot
     assert found.returncode == 1 and found.stdout.count("DIFFERS") == 1
 
 
+@pytest.mark.shows("batch.export_check")
 def test_that_a_wall_without_a_check_is_named_and_the_others_are_written(case, tmp_path, capsys):
     case.write_text(CASE.replace("[[record]]", HELD + "[[record]]"), encoding="utf-8")
     assert main(["--export-check", str(case)]) == 3

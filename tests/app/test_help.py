@@ -112,6 +112,7 @@ def test_that_the_help_runs_the_case_within_a_report_again(application, opened, 
     assert title == "Verify a report" and "equal, run again by version" in text
 
 
+@pytest.mark.shows("window.self_test")
 def test_that_the_self_test_runs_in_the_background_of_a_start_and_about_and_help_tell_it(
     application, opened, monkeypatch
 ):
@@ -129,6 +130,7 @@ def test_that_the_self_test_runs_in_the_background_of_a_start_and_about_and_help
     assert said.pop() == ("information", "Self-test: passed, to the last digit.") and not said
 
 
+@pytest.mark.shows("window.self_test")
 def test_that_a_wrong_answer_of_the_self_test_is_said_in_the_window_and_stays(application, opened, monkeypatch):
     said, stored = [], self_test.answers("taylor")
     wrong = {**stored, "one_sided_q": stored["two_sided_q"], "kinematic": stored["kinematic"][::-1]}

@@ -94,6 +94,7 @@ def solved(ground, dt, alpha, p2, one_sided, ratio, strength):
     return np.array(theta)
 
 
+@pytest.mark.shows("dynamic.fc")
 @pytest.mark.parametrize("confidence_on", ["capacity", "demand"])
 def test_that_fc_acts_on_both_sides_of_a_body_that_is_not_symmetric(designed, confidence_on):
     """A battered wall and the same seen from its other face, at the demand: mirrored histories."""

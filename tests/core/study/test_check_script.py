@@ -54,6 +54,7 @@ KINDS = {
 }
 
 
+@pytest.mark.shows("batch.export_check")
 @pytest.mark.parametrize("kind", KINDS)
 def test_that_the_script_comes_to_the_numbers_of_the_program(folder, kind, capsys):
     code, said = run(written(folder, KINDS[kind], ag_g=0.25), capsys)

@@ -10,6 +10,7 @@ from core.setting.scene import model_of
 from core.study import self_test
 
 
+@pytest.mark.shows("window.self_test")
 def test_that_the_stored_answers_come_out_to_the_last_bit_by_both_orders():
     assert self_test.tell() == ((), True)
 
