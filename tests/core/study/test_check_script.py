@@ -17,11 +17,11 @@ SPECTRUM = {"code": "EN1998", "type": 1, "soil": "B"}
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """A folder with seven records of four seconds."""
+    """A folder with seven records of three seconds."""
     place = tmp_path_factory.mktemp("records")
     for k in range(1, 8):
         lines = (ROOT / "tests" / "motions" / f"noise_{k}.txt").read_text().splitlines()
-        (place / f"{k}.txt").write_text("\n".join([*lines[:402], ""]))
+        (place / f"{k}.txt").write_text("\n".join([*lines[:302], ""]))
     return place
 
 
