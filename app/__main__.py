@@ -1,5 +1,6 @@
 """The program: `--batch` without a window, else the window; wrong input is one line and exit code 1."""
 
+import argparse
 import contextlib
 import faulthandler
 import os
@@ -62,6 +63,51 @@ def extract(note: Path, folder: Path | None) -> int:
     return 0
 
 
+def carry_out(options: argparse.Namespace) -> int:
+    """Do what the command line asks for; returns the exit code."""
+    if options.version:
+        print(line())
+        return 0
+    refuse_missing(options)
+    if options.extract:
+        return extract(options.extract, options.output)
+    if options.inspect:
+        from app.terminal.inspection import inspect
+
+        return inspect(options.inspect)
+    if options.verify:
+        from app.terminal import verification
+
+        return verification.verify(options.verify, options.records, options.jobs or os.cpu_count() or 1, options.quiet)
+    if options.validate and options.data:
+        from app.terminal import validation
+
+        return validation.run(options.data, options.output)
+    if options.validate:
+        from app.terminal import solved_cases
+
+        return solved_cases.run(options.output, options.records)
+    if options.export_check:
+        from app.terminal import check_export
+
+        return check_export.run(options.export_check, options.output)
+    jobs = options.jobs or os.cpu_count() or 1
+    if options.study:
+        from app.terminal import study
+
+        return study.run(
+            options.study, options.output, options.records, jobs, options.quiet, options.quick, options.resume
+        )
+    if options.batch:
+        from app.terminal import batch
+
+        if options.part:
+            return batch.run_part(options.batch, options.output, jobs, options.quiet, *options.part)
+        how = (options.quiet, options.resume, options.report, options.merge)
+        return batch.run(options.batch, options.output, jobs, *how)
+    return window(options.case)
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Run the program; returns its exit code."""
     with contextlib.suppress(OSError, AttributeError, RuntimeError):  # no stderr: ribaltaw, a test
@@ -85,49 +131,7 @@ def main(arguments: list[str] | None = None) -> int:
         nowhere = open(os.devnull, "w")  # noqa: SIM115
         sys.stdout, sys.stderr = sys.stdout or nowhere, sys.stderr or nowhere
     try:
-        if options.version:
-            print(line())
-            return 0
-        refuse_missing(options)
-        if options.extract:
-            return extract(options.extract, options.output)
-        if options.inspect:
-            from app.terminal.inspection import inspect
-
-            return inspect(options.inspect)
-        if options.verify:
-            from app.terminal import verification
-
-            return verification.verify(
-                options.verify, options.records, options.jobs or os.cpu_count() or 1, options.quiet
-            )
-        if options.validate and options.data:
-            from app.terminal import validation
-
-            return validation.run(options.data, options.output)
-        if options.validate:
-            from app.terminal import solved_cases
-
-            return solved_cases.run(options.output, options.records)
-        if options.export_check:
-            from app.terminal import check_export
-
-            return check_export.run(options.export_check, options.output)
-        jobs = options.jobs or os.cpu_count() or 1
-        if options.study:
-            from app.terminal import study
-
-            return study.run(
-                options.study, options.output, options.records, jobs, options.quiet, options.quick, options.resume
-            )
-        if options.batch:
-            from app.terminal import batch
-
-            if options.part:
-                return batch.run_part(options.batch, options.output, jobs, options.quiet, *options.part)
-            how = (options.quiet, options.resume, options.report, options.merge)
-            return batch.run(options.batch, options.output, jobs, *how)
-        return window(options.case)
+        return carry_out(options)
     except InputError as error:
         tell(terminal("error: {error}", error=quoted_from_file(error)))
         return 1

@@ -6,6 +6,7 @@ import sys
 import pytest
 
 from app.__main__ import main
+from core.file_names import file_name
 from tests.conftest import ROOT
 
 CASE = """
@@ -84,3 +85,11 @@ def test_that_no_file_but_a_script_of_its_own_is_replaced(case, tmp_path, capsys
     with pytest.raises(SystemExit) as ended:
         main(["--export-check", str(case), "--batch", str(case)])
     assert ended.value.code == 2
+
+
+@pytest.mark.parametrize(
+    "name, expected",
+    [("a/../b: c*", "a_b_c"), ("e\u0301", "é"), ("con\u202egpj.", "con_gpj"), ("\udcff?", "_"), ("x" * 300, "x" * 60)],
+)
+def test_that_a_name_of_a_wall_becomes_a_name_that_every_system_takes(name, expected):
+    assert file_name(name) == expected
