@@ -4,14 +4,16 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtWidgets import QGridLayout, QGroupBox, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QGridLayout, QPushButton, QVBoxLayout, QWidget
 
 from app.input.drawing_dialog import drawing_button
 from app.input.editors import Line
 from app.input.entries_form import EntriesForm
 from app.input.fields import Field, blank, connect
 from app.input.made_fields import make_fields
+from app.input.optional_group import OptionalGroup
+from app.input.wall_editor import WallEditor
 from app.look.labels import Plain
 from app.look.language import FORM_NAMES, current_language, number, tr
 from app.work.draft import TO_BE_GIVEN
@@ -72,14 +74,13 @@ def _first_solid(wall: Wall) -> Solid:
     return Solid("elevation", rectangle, wall.thickness or TO_BE_GIVEN)
 
 
-class BodyForm(QWidget):
+class BodyForm(WallEditor):
     """Edits what makes the wall at `index()` another shape than a rectangle."""
 
     def __init__(self, session: Session, index: Callable[[], int]):
-        super().__init__()
-        self.session, self.index = session, index
+        super().__init__(session, index)
         self.gable_fields = make_fields(Wall, "body")
-        connect(self.gable_fields, lambda field, value: self._edit((field.key,), **{field.key: value}))
+        connect(self.gable_fields, lambda field, value: self.edit(field.key, **{field.key: value}))
         empty: dict[str, Any] = {"s_m": TO_BE_GIVEN, "z_m": TO_BE_GIVEN}
         self.openings = EntriesForm(
             session,
@@ -119,22 +120,16 @@ class BodyForm(QWidget):
         self.forget()
 
     def forget(self) -> None:
-        """Another wall: no wedge and no brick of the last one comes back in this."""
-        self.former: Wedges | None = None
+        """Another wall: no brick of the last one comes back in this."""
         self.brick_length.clear()
         self.brick_height.clear()
 
     def _make_wedges(self) -> None:
         """The wedges, and a length of theirs from the bricks, which a button fills in."""
-        self.wedges = QGroupBox(tr("Wedges of return walls, dragged along"))
-        self.wedges.setCheckable(True)
-        self.wedges.toggled.connect(self._wedges_toggled)
-        inside = QVBoxLayout(self.wedges)
-        self.wedge_fields = make_fields(Wedges)
-        connect(self.wedge_fields, self._wedges_changed)
-        for field in self.wedge_fields:
+        title, empty = tr("Wedges of return walls, dragged along"), Wedges(TO_BE_GIVEN, TO_BE_GIVEN, TO_BE_GIVEN)
+        self.wedges = OptionalGroup(title, "return_wedges", empty, lambda: self.wall, self.edit)
+        for field in self.wedges.fields:
             field.inside = lambda problem, field=field: self._names(problem, field)
-            inside.addWidget(field)
         self.bricks = QWidget()
         grid = QGridLayout(self.bricks)
         grid.setContentsMargins(0, 0, 0, 0)
@@ -154,14 +149,9 @@ class BodyForm(QWidget):
         self.fill = QPushButton()
         self.fill.clicked.connect(self._fill_length)
         grid.addWidget(self.fill, 3, 0, 1, 3)
-        inside.addWidget(self.bricks)
+        self.wedges.column.addWidget(self.bricks)
 
     # showing
-
-    @property
-    def wall(self) -> Wall | None:
-        walls = self.session.case.wall
-        return walls[self.index()] if self.index() < len(walls) else None
 
     def show_case(self) -> None:
         """Fill the form from the wall."""
@@ -169,17 +159,11 @@ class BodyForm(QWidget):
         for entries in self.lists:
             entries.show_case()
         if wall is None:
-            blank((*self.gable_fields, *self.wedge_fields))
+            blank(self.gable_fields)
         for field in self.gable_fields if wall else ():
             field.show_value(getattr(wall, field.key))
-        wedges = wall.return_wedges if wall else None
-        with QSignalBlocker(self.wedges):
-            self.wedges.setChecked(wedges is not None)
-        for field in self.wedge_fields:
-            field.setVisible(wedges is not None)
-            if wedges is not None:
-                field.show_value(getattr(wedges, field.key))
-        self.bricks.setVisible(wedges is not None)
+        self.wedges.show_case()
+        self.bricks.setVisible(self.wedges.isChecked())
         self._show_offer()
 
     @property
@@ -214,25 +198,8 @@ class BodyForm(QWidget):
 
     # changes
 
-    def _edit(self, place: tuple | None = None, **values) -> None:
-        if self.wall is not None:
-            self.session.edit_wall(self.index(), place and ("wall", self.index(), *place), **values)
-
-    def _wedges_toggled(self, on: bool) -> None:
-        if self.wall is None:
-            return
-        if not on:
-            self.former = self.wall.return_wedges
-        empty = Wedges(TO_BE_GIVEN, TO_BE_GIVEN, TO_BE_GIVEN)
-        self._edit(return_wedges=(self.former or empty) if on else None)
-
-    def _wedges_changed(self, field: Field, value) -> None:
-        if self.wall is not None and self.wall.return_wedges is not None:
-            changed = replace(self.wall.return_wedges, **{field.key: value})
-            self._edit(("return_wedges", field.key), return_wedges=changed)
-
     def _fill_length(self) -> None:
         """What the bricks give, as asked for."""
         wedges = self.wall.return_wedges if self.wall else None
         if wedges is not None and self.offered is not None:
-            self._edit(return_wedges=replace(wedges, length_at_top_m=self.offered))
+            self.edit(return_wedges=replace(wedges, length_at_top_m=self.offered))

@@ -2,10 +2,9 @@
 
 from dataclasses import replace
 
-from PySide6.QtWidgets import QGroupBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from app.input.fields import blank, connect
-from app.input.made_fields import make_fields
+from app.input.optional_group import OptionalGroup
 from app.look.labels import Plain
 from app.look.language import tr
 from app.work.draft import TO_BE_GIVEN
@@ -21,18 +20,12 @@ class BuildingForm(QWidget):
     def __init__(self, session: Session):
         super().__init__()
         self.session = session
-        self.forget()
-        self.given = QGroupBox(tr("Building of the walls above the ground"))
-        self.given.setCheckable(True)
-        self.given.toggled.connect(self._toggled)
-        self.fields = make_fields(Building)
-        connect(self.fields, self._changed)
+        title, empty = tr("Building of the walls above the ground"), Building(TO_BE_GIVEN, TO_BE_GIVEN)
+        self.given = OptionalGroup(title, "building", empty, lambda: session.case, self._edit)
+        self.fields = self.given.fields
         self.summary = Plain()
         self.summary.setWordWrap(True)
-        inside = QVBoxLayout(self.given)
-        for field in self.fields:
-            inside.addWidget(field)
-        inside.addWidget(self.summary)
+        self.given.column.addWidget(self.summary)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.given)
@@ -40,21 +33,17 @@ class BuildingForm(QWidget):
 
     def forget(self) -> None:
         """Another case: the building switched off in the last one does not come back in this."""
-        self.last: Building | None = None
+        self.given.forget()
 
     def show_case(self) -> None:
         """Fill the form from the session."""
         case = self.session.case
         building = case.building
-        self.given.blockSignals(True)
-        self.given.setChecked(building is not None)
-        self.given.blockSignals(False)
+        self.given.show_case()
         if building is None:
-            blank(self.fields)
             self.summary.setText(tr("Needed where a wall has its base above the ground."))
             return
         for field in self.fields:
-            field.show_value(getattr(building, field.key))
             field.setVisible(not building.modes or field.key not in ("period_s", "damping"))
         self.summary.setText(self._said(building, case.demand.limit_state if case.demand else "SLV"))
 
@@ -79,15 +68,5 @@ class BuildingForm(QWidget):
             words.append(tr("T_1 {period:.3f} s is an estimate.", period=estimate))
         return "\n".join(words)
 
-    def _toggled(self, on: bool) -> None:
-        case = self.session.case
-        if on:
-            building = self.last or Building(TO_BE_GIVEN, TO_BE_GIVEN)
-            self.session.edit(replace(case, building=building))
-        else:
-            self.last = case.building
-            self.session.edit(replace(case, building=None))
-
-    def _changed(self, field, value) -> None:
-        if self.session.case.building is not None:
-            self.session.edit_section("building", ("building", field.key), **{field.key: value})
+    def _edit(self, *place, **values) -> None:
+        self.session.edit(replace(self.session.case, **values), place or None)

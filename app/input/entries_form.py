@@ -5,10 +5,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from PySide6.QtCore import QSignalBlocker
-from PySide6.QtWidgets import QHBoxLayout, QListWidget, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QListWidget, QToolButton, QVBoxLayout
 
 from app.input.fields import Field, blank, connect
 from app.input.made_fields import make_fields
+from app.input.wall_editor import WallEditor
 from app.look.labels import Plain
 from app.look.language import tr
 from app.work.session import Session
@@ -32,7 +33,7 @@ def entry_named(problem: InputError, key: str) -> int | None:
     return problem.values.get("n", 0) if problem.key == key else None
 
 
-class EntriesForm(QWidget):
+class EntriesForm(WallEditor):
     """Edits the tables of a key of the wall at `index()`, one at a time.
 
     made : words of a button -> a new table, its values still to be given
@@ -51,9 +52,8 @@ class EntriesForm(QWidget):
         first: Sequence[str] = (),
         lead: str = "",
     ):
-        super().__init__()
-        self.session, self.index, self.key = session, index, key
-        self.words, self.is_shown = words, is_shown
+        super().__init__(session, index)
+        self.key, self.words, self.is_shown = key, words, is_shown
         self.fields = make_fields(field_of(Wall, key).metadata["of"], first=first)
         self.lead = lead or self.fields[0].key
         connect(self.fields, self._changed)
@@ -64,14 +64,14 @@ class EntriesForm(QWidget):
         for label, new in made.items():
             button = QToolButton()
             button.setText(label)
-            button.clicked.connect(lambda _=False, new=new: self.add(new(self.wall)) if self.wall else None)
+            button.clicked.connect(lambda _=False, new=new: self.append(new(self.wall)) if self.wall else None)
             self.buttons.addWidget(button)
         self.delete_button = QToolButton()
         self.delete_button.setText(tr("Delete"))
         self.delete_button.clicked.connect(self.delete)
         self.buttons.addWidget(self.delete_button)
         self.buttons.addStretch(1)
-        column = QVBoxLayout(self)
+        column = self.column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.addLayout(self.buttons)
         for widget in (self.list, *self.fields):
@@ -85,11 +85,6 @@ class EntriesForm(QWidget):
         self.list.setAccessibleName(title)
         for button in self.findChildren(QToolButton):
             button.setAccessibleName(f"{button.text()}: {title}")
-
-    @property
-    def wall(self) -> Wall | None:
-        walls = self.session.case.wall
-        return walls[self.index()] if self.index() < len(walls) else None
 
     @property
     def entries(self) -> tuple:
@@ -140,14 +135,13 @@ class EntriesForm(QWidget):
         if n := entry_named(problem, self.key):
             self.list.setCurrentRow(n - 1)
 
-    def _edit(self, entries: tuple, *place) -> None:
-        at = ("wall", self.index(), self.key, *place) if place else None
-        self.session.edit_wall(self.index(), at, **{self.key: entries})
+    def _edit(self, entries: tuple, *place, **values) -> None:
+        self.edit(*((self.key, *place) if place else ()), **{self.key: entries}, **values)
 
-    def add(self, entry) -> None:
-        """One more, which is then the one that is chosen."""
+    def append(self, entry, **values) -> None:
+        """One more, which is then the one that is chosen. values : keys of the wall that change with it"""
         count = len(self.entries)
-        self._edit((*self.entries, entry))
+        self._edit((*self.entries, entry), **values)
         self.list.setCurrentRow(count)
 
     def delete(self) -> None:
@@ -156,8 +150,15 @@ class EntriesForm(QWidget):
         if self.entry is not None:
             self._edit(tuple(entry for k, entry in enumerate(self.entries) if k != row))
 
+    def put(self, entry, *place) -> None:
+        """Put another in the place of the one that is chosen. place : key by key to what is typed"""
+        row = self.list.currentRow()
+        self._edit(tuple(entry if k == row else one for k, one in enumerate(self.entries)), row, *place)
+
+    def changed(self, entry, key: str, value):
+        """A table with another value of a key."""
+        return replace(entry, **{key: value})
+
     def _changed(self, field: Field, value) -> None:
-        entry, row = self.entry, self.list.currentRow()
-        if entry is not None:
-            changed = replace(entry, **{field.key: value})
-            self._edit(tuple(changed if k == row else one for k, one in enumerate(self.entries)), row, field.key)
+        if self.entry is not None:
+            self.put(self.changed(self.entry, field.key, value), field.key)

@@ -14,7 +14,7 @@ from app.look.labels import Plain, plain
 from app.look.language import FORM_NAMES, current_language, number, of_key, tr
 from app.look.whole_text import tell_whole
 from core.case.keys import unit_in_form
-from core.case.loads import Bars, Load, ReturnWalls
+from core.case.loads import Bars, ReturnWalls
 from core.case.number import parse_number, parse_quantity
 from core.case.place import Site
 from core.case.schema import Analysis, Report
@@ -36,7 +36,7 @@ SECTIONS = {
 }
 """Sections of a case; errors of a wall name the wall."""
 
-OF_WALL: dict[type, str] = {Wall: "", Load: "", Bars: ".bar]", ReturnWalls: ".return_walls]"}
+OF_WALL: dict[type, str] = {Wall: "", Bars: ".bar]", ReturnWalls: ".return_walls]"}
 """Sections of a wall, and how the place of an error inside one ends."""
 
 OF_THOUSANDS = ("m", "cm", "mm", "m2", "MPa", "kN", "kN/m", "kN/m3")

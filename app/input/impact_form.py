@@ -4,11 +4,12 @@ import math
 import re
 from collections.abc import Callable
 
-from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout
 
 from app.input.editors import Choice
 from app.input.fields import ChoiceField, NumberField, blank
 from app.input.law_curve import LawCurve
+from app.input.wall_editor import WallEditor
 from app.look.labels import Plain
 from app.look.language import current_language, described, named, number, tr
 from app.work.session import Session
@@ -102,12 +103,12 @@ class LawField(NumberField):
         return self.end
 
 
-class ImpactForm(QWidget):
+class ImpactForm(WallEditor):
     """Edits restitution and law of the wall at `index()`."""
 
     def __init__(self, session: Session, index: Callable[[], int]):
-        super().__init__()
-        self.session, self.index, self.scopes = session, index, scopes()
+        super().__init__(session, index)
+        self.scopes = scopes()
         self.law_curve = LawCurve()
         column = QVBoxLayout(self)
         self.model = ChoiceField(Wall, "restitution", named_models())
@@ -122,7 +123,7 @@ class ImpactForm(QWidget):
         self.first.edited.connect(lambda value: self._law_end("elastic_limit", value))
         self.last.edited.connect(lambda value: self._law_end("plateau_end", value))
         self.model.edited.connect(self._model_chosen)
-        self.velocity_ratio.edited.connect(lambda value: self._edit(("velocity_ratio",), velocity_ratio=value))
+        self.velocity_ratio.edited.connect(lambda value: self.edit("velocity_ratio", velocity_ratio=value))
         self.formula = Plain()
         self.formula.setWordWrap(True)
         for widget in (self.model, self.velocity_ratio, self.formula):
@@ -136,15 +137,6 @@ class ImpactForm(QWidget):
         row.addLayout(ends, 1)
         row.addWidget(self.law_curve, 1)
         column.addLayout(row)
-
-    @property
-    def wall(self) -> Wall | None:
-        walls = self.session.case.wall
-        return walls[self.index()] if self.index() < len(walls) else None
-
-    def _edit(self, place=None, **values) -> None:
-        if self.wall is not None:
-            self.session.edit_wall(self.index(), place and ("wall", self.index(), *place), **values)
 
     def show_case(self) -> None:
         """Fill the form from the wall."""
@@ -192,15 +184,13 @@ class ImpactForm(QWidget):
                 ratio = round(wall.restitution_of(wall.mechanisms()[0]).ratio_at_rest, 3)
             except (InputError, TypeError):
                 ratio = 0.9
-        self.session.edit_wall(self.index(), restitution=model, velocity_ratio=ratio)
+        self.edit(restitution=model, velocity_ratio=ratio)
 
     def _law_chosen(self, index: int) -> None:
         name = self.law.itemData(index)
         law = {"elastic_limit": 0.06, "plateau_end": 0.28} if name == "own" else name
-        if self.wall is not None:
-            self.session.edit_wall(self.index(), law=law)
+        self.edit(law=law)
 
     def _law_end(self, key: str, value) -> None:
         if self.wall is not None and isinstance(self.wall.law, dict):
-            law = {**self.wall.law, key: value}
-            self.session.edit_wall(self.index(), ("wall", self.index(), key), law=law)
+            self.edit(key, law={**self.wall.law, key: value})

@@ -11,10 +11,13 @@ from PySide6.QtWidgets import QFileDialog, QGridLayout, QMessageBox, QToolButton
 from app.input.body_form import BodyForm
 from app.input.editors import Choice
 from app.input.fields import Field, blank, connect
+from app.input.hinges_field import HingesField
 from app.input.impact_form import ImpactForm
 from app.input.loads_form import LoadsForm
 from app.input.made_fields import make_field, make_fields
+from app.input.optional_group import OptionalGroup
 from app.input.reasons_form import reasons_of_wall
+from app.input.wall_editor import WallEditor
 from app.input.wall_words import (
     contents_of,
     differences,
@@ -31,7 +34,9 @@ from app.look.labels import Plain, plain
 from app.look.language import FORM_NAMES, current_language, described, named, number, quoted_from_file, tr
 from app.look.parts import Parts
 from app.look.section import Section, unfold_to
+from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
+from core.case.loads import ReturnWalls
 from core.case.values import check_value
 from core.case.wall import AS_IS, BENDS, DESIGNED, Wall
 from core.case.wall_table import read_table, text_rows, walls_of
@@ -49,7 +54,7 @@ BASE = ("base_z_m", "back_restraint", "restraint_evidence", "restraint_note", "f
 """Keys beside the mechanism."""
 
 
-class WallForm(QWidget):
+class WallForm(WallEditor):
     """Edits one wall of the session at a time; `current` is its row. selected(row) : another is shown; told(words) :
     what was done"""
 
@@ -57,8 +62,7 @@ class WallForm(QWidget):
     told = Signal(str)
 
     def __init__(self, session: Session):
-        super().__init__()
-        self.session = session
+        super().__init__(session, lambda: self.current)
         self.row = 0
         self.shown: tuple[Wall | None, int] = (None, 0)
         self.former: tuple[Wall | None, Wall | None] = (None, None)
@@ -74,14 +78,18 @@ class WallForm(QWidget):
         self.body = BodyForm(session, lambda: self.current)
         self.reasons = reasons_of_wall(session, lambda: self.current)
         self.shape_fields = make_fields(Wall, "shape")
-        self.check_fields = make_fields(Wall, "checks", first=BASE)
-        self.fields = {field.key: field for field in (make_field(Wall, "name"), *self.shape_fields, *self.check_fields)}
+        check_fields = make_fields(Wall, "checks", first=BASE)
+        held = make_fields(Wall, "held", first=("tie_height_m",))
+        every = (make_field(Wall, "name"), *self.shape_fields, *check_fields, *held)
+        self.fields = {field.key: field for field in every}
         connect(list(self.fields.values()), self._changed)
         self._make_shape()
         self.mechanisms = {}
-        held = {field.key: field for field in self.loads.wall_fields}
+        empty = ReturnWalls(TO_BE_GIVEN, TO_BE_GIVEN, TO_BE_GIVEN, TO_BE_GIVEN)
+        title = tr("Friction of return walls (in α0 only)")
+        self.across = OptionalGroup(title, "return_walls", empty, lambda: self.wall, self.edit)
         base = [self.fields[key] for key in BASE]
-        notes = [field for field in self.check_fields if field.key not in (*BASE, "unloaded_confirmed")]
+        notes = [field for field in check_fields if field.key not in (*BASE, "unloaded_confirmed")]
         self.sections = {
             "geometry": Section(tr("Geometry"), [self.fields["name"], self.shape, *self.shape_fields], open=True),
             "body": Section(tr("Shape"), [self.body]),
@@ -89,11 +97,11 @@ class WallForm(QWidget):
             "loads": Section(tr("Loads and ties"), [self.fields["unloaded_confirmed"], self.loads]),
             "held": Section(
                 tr("Tie to be designed, return walls"),
-                [*(field for key, field in held.items() if key.startswith("tie_")), self.loads.across],
+                [*(field for field in held if field.key.startswith("tie_")), self.across],
             ),
-            "hinges": Section(tr("Hinges"), [held["hinge_heights"]]),
+            "hinges": Section(tr("Hinges"), [self.fields["hinge_heights"]]),
             "impact": Section(tr("Restitution and law"), [self.impact]),
-            "notes": Section(tr("Material, variant, notes"), [*notes, held["variant"], self.differs]),
+            "notes": Section(tr("Material, variant, notes"), [*notes, self.fields["variant"], self.differs]),
         }
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -109,6 +117,7 @@ class WallForm(QWidget):
             self._show_fields,
             self.impact.show_case,
             self.loads.show_case,
+            self.across.show_case,
             self.body.show_case,
             self.reasons.show_case,
             self._show_contents,
@@ -170,11 +179,6 @@ class WallForm(QWidget):
     def current(self) -> int:
         return max(0, min(self.row, len(self.session.case.wall) - 1))
 
-    @property
-    def wall(self) -> Wall | None:
-        walls = self.session.case.wall
-        return walls[self.current] if walls else None
-
     def select(self, row: int) -> None:
         """Show the wall of this row."""
         if row == self.row:
@@ -188,7 +192,8 @@ class WallForm(QWidget):
         """Another wall: nothing that was typed or switched off in the last one stays."""
         for field in self.findChildren(Field):
             field.forget()
-        self.loads.forget()
+        for group in self.findChildren(OptionalGroup):
+            group.forget()
         self.body.forget()
         self.former = (None, None)
 
@@ -226,6 +231,8 @@ class WallForm(QWidget):
             return
         for field in self.fields.values():
             field.show_value(getattr(wall, field.key))
+            if isinstance(field, HingesField):
+                field.show_usual(wall, self.session.case.building)
         # only what the mechanism needs, and what stands there all the same
         held = wall.mechanism in ("one_sided", "both", BENDS)
         self.fields["back_restraint"].setVisible(held or bool(wall.back_restraint))
@@ -237,7 +244,7 @@ class WallForm(QWidget):
         for name, said in said_of_histories(wall).items():
             self.sections[name].setVisible(not wall.bends or said)
         doubts = doubts_of(wall)
-        for field in (*self.fields.values(), *self.loads.load_fields):
+        for field in (*self.fields.values(), *self.loads.fields):
             field.show_doubt(doubts.get(field.key, ""))
 
     def _show_contents(self) -> None:
@@ -292,7 +299,7 @@ class WallForm(QWidget):
             if field.key == "masonry" and value and self.wall.unit_weight_kn_m3 is None:
                 least, greatest = TYPES[value].weight
                 values["unit_weight_kn_m3"] = least if least == greatest else None
-            self.session.edit_wall(self.current, ("wall", self.current, field.key), **values)
+            self.edit(field.key, **values)
 
     def _shape_chosen(self, index: int) -> None:
         """Write the same block in another way."""
@@ -313,7 +320,7 @@ class WallForm(QWidget):
                 self.show_case()
                 self.told.emit(tr("The shape stays as it is given. {reason}", reason=reason))
                 return
-        self.session.edit_wall(self.current, **values)
+        self.edit(**values)
         self.former = (wall, self.wall) if shape == "general" else (None, None)
 
     def _refused(self, key: str, value: float | None) -> str:
@@ -333,7 +340,7 @@ class WallForm(QWidget):
         values: dict[str, Any] = {"mechanism": name}
         if name != "one_sided" and wall.restitution and MODELS[wall.restitution].one_sided:
             values["restitution"] = None
-        self.session.edit_wall(self.current, **values)
+        self.edit(**values)
         self.show_case()
 
     def _picked_in_drawing(self, kind: str, k: int) -> None:
@@ -341,8 +348,8 @@ class WallForm(QWidget):
         if kind == "load":
             self.loads.list.setCurrentRow(k)
         place = {
-            "load": self.loads.load_fields[1],
-            "hinge": next(field for field in self.loads.wall_fields if field.key == "hinge_heights"),
+            "load": self.loads.fields[1],
+            "hinge": self.fields["hinge_heights"],
             "height": next((field for field in self.shape_fields if not field.isHidden()), self.fields["name"]),
             "thickness": next((field for field in self.shape_fields[1:] if not field.isHidden()), self.fields["name"]),
         }[kind]
@@ -354,7 +361,7 @@ class WallForm(QWidget):
         wall = self.wall
         if wall is not None and k < len(wall.load) and height > 0.0:
             loads = tuple(replace(one, h_m=height) if n == k else one for n, one in enumerate(wall.load))
-            self.session.edit_wall(self.current, ("wall", self.current, "load", k, "h_m"), load=loads)
+            self.edit("load", k, "h_m", load=loads)
 
     def add(self) -> None:
         self.session.add_walls([Wall(tr("wall"), "")])  # mechanism and sizes are to be given

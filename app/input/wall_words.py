@@ -139,7 +139,7 @@ def said_of_histories(wall: Wall) -> dict[str, bool]:
 
 def _load_words(load: Load) -> str:
     size = f" {number(load.kn_m, 'g')} kN/m" if load.kn_m else ""
-    return named(f"load_{load.kind}") + size
+    return named(f"choice_{load.kind}") + size
 
 
 def differences(case: Case, wall: Wall) -> list[str]:
@@ -189,7 +189,7 @@ def contents_of(wall: Wall) -> dict[str, str]:
     except TypeError:  # still to be given
         thickness = ""
     base = "" if wall.base_z_m is None else tr("base {z} m", z=number(wall.base_z_m, "g"))
-    kinds = [named(f"load_{load.kind}") for load in wall.load]
+    kinds = [named(f"choice_{load.kind}") for load in wall.load]
     carries = [f"{kinds.count(kind)} × {kind}" for kind in dict.fromkeys(kinds)]
     held = []
     if wall.tie_height_m is not None:

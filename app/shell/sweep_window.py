@@ -59,7 +59,7 @@ def key_words(case: Case, k: int, key: SweepKey) -> str:
         words = f"{tr('Building') if key.section is Building else named('key_return_walls')}: {words}"
     if key.load is not None:
         load = case.wall[k].load[key.load]
-        words = f"{named(f'load_{load.kind}')} {key.load + 1}: {words}"
+        words = f"{named(f'choice_{load.kind}')} {key.load + 1}: {words}"
     return f"{words} [{unit}]" if unit else words
 
 

@@ -65,20 +65,20 @@ class Load:
     """
 
     kind: str = choice_key("vertical", "thrust", "tie", "carried_mass")
-    kn_m: float | None = number_key(-10000.0, 10000.0, unit="kN/m", form="size")
-    h_m: float = number_key(0.0, 120.0, unit="m", exclusive=True, form="size", required=True)
-    d_m: float | None = number_key(0.0, 20.0, unit="m", form="size")
-    mass: str | None = choice_key("none", "horizontal", "moving", default=None, form="size")
-    bar_length_m: float | None = number_key(0.2, 100.0, unit="m", form="size")
-    fy_mpa: float | None = number_key(100.0, 1500.0, unit="MPa", form="size")
-    elongation_m: float | None = number_key(0.0, 10.0, unit="m", form="size")
-    elongation: float | None = number_key(0.0, 0.3, form="size")
-    slack_mm: float | None = number_key(0.0, 500.0, unit="mm", form="size")
-    prestress: float | None = number_key(0.0, 0.9, form="size")
+    kn_m: float | None = number_key(-10000.0, 10000.0, unit="kN/m")
+    h_m: float = number_key(0.0, 120.0, unit="m", exclusive=True, required=True)
+    d_m: float | None = number_key(0.0, 20.0, unit="m")
+    mass: str | None = choice_key("none", "horizontal", "moving", default=None)
+    bar_length_m: float | None = number_key(0.2, 100.0, unit="m")
+    fy_mpa: float | None = number_key(100.0, 1500.0, unit="MPa")
+    elongation_m: float | None = number_key(0.0, 10.0, unit="m")
+    elongation: float | None = number_key(0.0, 0.3)
+    slack_mm: float | None = number_key(0.0, 500.0, unit="mm")
+    prestress: float | None = number_key(0.0, 0.9)
     bar: Bars | None = key("section", of=Bars, columns="load{n}_bar_")
-    g_kn_m: float | None = number_key(0.0, 10000.0, unit="kN/m", form="size")
-    q_kn_m: float | None = number_key(0.0, 10000.0, unit="kN/m", form="size")
-    psi_2: float | None = number_key(0.0, 1.0, form="size")
+    g_kn_m: float | None = number_key(0.0, 10000.0, unit="kN/m")
+    q_kn_m: float | None = number_key(0.0, 10000.0, unit="kN/m")
+    psi_2: float | None = number_key(0.0, 1.0)
 
     def __post_init__(self):
         if self.kn_m is None and self.combined is not None:

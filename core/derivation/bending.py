@@ -236,7 +236,7 @@ def geometry(wall: WallResult) -> Section:
     shaped = bool(asked.parts)
     lines.append(Line(WEIGHT, weight, RUN, VALUE) if shaped else Line(body.w, weight, note=FULL))
     if asked.load:
-        rows = [(Word(f"load_{load.kind}"), (known(load.kn_m), known(load.d_m))) for load in asked.load]
+        rows = [(Word(f"choice_{load.kind}"), (known(load.kn_m), known(load.d_m))) for load in asked.load]
         lines.append(Columns("Loads on the top, from the outer face", LOADS, ("kN/m", "m"), rows, INPUT))
     return Section("The wall, held at its top", lines)
 

@@ -139,7 +139,7 @@ def _loaded(wall: WallResult) -> list[Line | Columns]:
         constant = 0.0 if load.tie else 1e-3 * force.horizontal
         values = (1e-3 * force.vertical, constant, distance, force.height, pushed)
         of_tie = (held, at_limit.pop(0) if load.tie else 0.0) if tied else ()
-        rows.append((Word(f"load_{load.kind}"), (*values, *of_tie)))
+        rows.append((Word(f"choice_{load.kind}"), (*values, *of_tie)))
     units = ("kN/m", "kN/m", "m", "m", "kN/m", *(("kN/m", "kN/m") if tied else ()))
     symbols = body.LOADS | body.TIES if tied else body.LOADS
     weight = 1e-3 * asked.in_si.weight

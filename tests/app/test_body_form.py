@@ -65,7 +65,7 @@ def test_that_a_gable_openings_steps_and_wedges_are_typed_and_said_in_the_head(o
     assert body.openings.list.item(1).text() == "⌀ 0.8 m, s 2, z 4 m"
     assert not field(body.openings, "width_m").isVisibleTo(body) and head_of(opened) == "gable 2 m, 2 openings"
     body.wedges.setChecked(True)
-    for one, text in zip(body.wedge_fields, ("2", "40", "1,5"), strict=False):
+    for one, text in zip(body.wedges.fields, ("2", "40", "1,5"), strict=False):
         type_into(one, text)
     assert opened.session.case.wall[0].return_wedges == Wedges(2, 0.4, 1.5)
     assert opened.session.problem() is None and head_of(opened).endswith(", wedges")
@@ -84,7 +84,7 @@ def test_that_a_gable_openings_steps_and_wedges_are_typed_and_said_in_the_head(o
 
 def test_that_the_length_of_a_wedge_follows_from_the_bricks_only_when_asked_for(opened, body):
     body.wedges.setChecked(True)
-    for one, text in zip(body.wedge_fields, ("2", "40"), strict=False):
+    for one, text in zip(body.wedges.fields, ("2", "40"), strict=False):
         type_into(one, text)
     assert not body.fill.isEnabled()
     for line, text in ((body.brick_length, "12"), (body.brick_height, "20")):
@@ -128,7 +128,7 @@ def test_that_nothing_of_one_opening_or_wall_stays_in_the_fields_of_the_next(ope
     body.wedges.setChecked(False)
     while opened.session.case.wall:
         opened.walls.delete()
-    assert body.openings.list.count() == 0 and body.former is None and not body.brick_length.text()
+    assert body.openings.list.count() == 0 and body.wedges.former is None and not body.brick_length.text()
     assert body.gable_fields[0].editor.text() == "" and head_of(opened) == ""
 
 
@@ -146,7 +146,7 @@ def test_that_what_is_wrong_with_a_shape_stands_at_its_field(opened, body):
     opened.session.edit_wall(0, solid=(replace(crossed, plane="oblique"),))
     assert field(body.solids, "angle_deg").message.text()
     opened.session.edit_wall(0, solid=(), return_wedges=Wedges(2, 0.4, 1.0, 7.0))
-    assert "leaves no wedge" in body.wedge_fields[3].message.text()
+    assert "leaves no wedge" in body.wedges.fields[3].message.text()
     opened.session.edit_wall(0, return_wedges=None, gable_m=2.0, length_m=None)
     assert "length" in opened.walls.fields["length_m"].message.text()
 
@@ -216,7 +216,7 @@ def test_that_the_facade_is_drawn_in_section_and_where_there_is_room_in_elevatio
 
 def test_that_an_empty_thickness_marks_the_field_of_the_wedges_or_of_the_wall_alone(opened, body):
     own = next(one for one in opened.walls.shape_fields if one.key == "thickness_m")
-    of_wedges = next(one for one in body.wedge_fields if one.key == "thickness_m")
+    of_wedges = next(one for one in body.wedges.fields if one.key == "thickness_m")
     opened.session.edit_wall(0, return_wedges=Wedges(2, "", 1.0))
     assert of_wedges.rule and not own.rule
     assert "[wall.return_wedges]" not in of_wedges.rule and "Wedges of return walls" in of_wedges.rule

@@ -196,7 +196,7 @@ def test_that_red_text_of_a_load_and_of_a_solid_that_are_chosen_survives(opened,
     for kind in ("vertical", "thrust"):
         loads.add(kind)
     loads.list.setCurrentRow(1)
-    type_into(next(field for field in loads.load_fields if field.key == "kn_m"), "5,5,5")
+    type_into(next(field for field in loads.fields if field.key == "kn_m"), "5,5,5")
     solids = opened.walls.body.solids
     for button in itertools.islice(solids.findChildren(type(solids.delete_button)), 1):
         button.click()
@@ -207,7 +207,7 @@ def test_that_red_text_of_a_load_and_of_a_solid_that_are_chosen_survives(opened,
     before = opened.session.case
     opened.set_choice("language", "it")
     loads, solids = opened.walls.loads, opened.walls.body.solids
-    size = next(field for field in loads.load_fields if field.key == "kn_m")
+    size = next(field for field in loads.fields if field.key == "kn_m")
     assert loads.list.currentRow() == 1 and size.wrong and size.editor.text() == "5,5,5"
     corners = next(field for field in solids.fields if field.key == "polygon_m")
     assert corners.wrong and corners.editor.toPlainText() == "0 0\n4 x" and opened.session.case == before

@@ -71,7 +71,7 @@ def test_that_a_carried_mass_to_be_sized_leaves_undo_alive(opened, faults):
 def test_that_a_form_that_fails_stops_no_other(opened, faults, monkeypatch, form):
     kind = type(getattr(opened, form)) if isinstance(form, str) else form
     slots = ("_show_sizes", "_show_demand", "show_case", "show_rows")
-    broken = next(name for name in slots if name in vars(kind))
+    broken = next(name for name in slots if hasattr(kind, name))
 
     failing = [True]
 

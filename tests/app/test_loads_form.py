@@ -16,7 +16,7 @@ from tests.app.driving import run, type_into
 
 
 def field(form, key):
-    return next(one for one in form.load_fields + form.wall_fields + form.across_fields if one.key == key)
+    return next(one for one in form.fields if one.key == key)
 
 
 def loaded(opened):
@@ -65,7 +65,7 @@ def test_that_the_bars_of_a_tie_are_given_in_place_of_its_force(opened):
     form.add("tie")
     type_into(field(form, "bar_length_m"), "8")
     form.bars.setChecked(True)
-    (number, diameter), anchorage = form.bar_fields[:2], form.bar_fields[-1]
+    (number, diameter), anchorage = form.bars.fields[:2], form.bars.fields[-1]
     type_into(number, "4")
     type_into(diameter, "6")
     type_into(anchorage, "60")
@@ -89,22 +89,22 @@ def test_that_an_unstable_wall_is_said_in_one_sentence(opened):
 
 
 def test_that_hinges_and_return_walls_are_edited(opened):
-    form = opened.walls.loads
+    hinges, across = opened.walls.fields["hinge_heights"], opened.walls.across
     opened.session.edit_wall(0, mechanism="one_sided", unit_weight_kn_m3=18.0, length_m=4.0)
-    type_into(field(form, "hinge_heights"), "1,5; 3")
+    type_into(hinges, "1,5; 3")
     assert opened.session.case.wall[0].hinge_heights == (1.5, 3.0)
     assert [level for level, _ in opened.walls.drawing.hinges] == [0.0, 1.5, 3.0]
-    type_into(field(form, "hinge_heights"), "high")
-    assert "not heights" in field(form, "hinge_heights").message.text()
-    type_into(field(form, "hinge_heights"), "")
-    form.across.setChecked(True)
+    type_into(hinges, "high")
+    assert "not heights" in hinges.message.text()
+    type_into(hinges, "")
+    across.setChecked(True)
     assert opened.session.problem() is not None
     for key, text in (("number", "2"), ("thickness_m", "40"), ("brick_height_m", "20"), ("brick_length_m", "30")):
-        type_into(field(form, key), text)
+        type_into(field(across, key), text)
     assert opened.session.problem() is None
     assert opened.session.case.wall[0].return_walls.brick_length_m == pytest.approx(0.30)
-    form.across.setChecked(False)
-    form.across.setChecked(True)
+    across.setChecked(False)
+    across.setChecked(True)
     assert opened.session.case.wall[0].return_walls.number == 2
 
 

@@ -96,7 +96,7 @@ def test_that_a_reason_is_typed_saved_read_and_taken_back(opened, application):
 
 @pytest.mark.parametrize("text, value", [("base", "base"), ("floors", "floors"), ("", None), ("3 6", (3.0, 6.0))])
 def test_that_the_field_of_hinges_takes_words_and_heights(opened, text, value):
-    (field,) = (one for one in opened.walls.loads.wall_fields if one.key == "hinge_heights")
+    field = opened.walls.fields["hinge_heights"]
     type_into(field, "4.5")
     field.editor.clear()
     type_into(field, text)

@@ -101,9 +101,7 @@ def test_that_a_tie_that_is_too_strong_is_marked_and_led_to(opened, bar):
     problem.lead()
     loads_form = opened.walls.loads
     field = next(
-        one
-        for one in (*loads_form.load_fields, *loads_form.bar_fields)
-        if one.key == ("diameter_mm" if bar else "kn_m")
+        one for one in (*loads_form.fields, *loads_form.bars.fields) if one.key == ("diameter_mm" if bar else "kn_m")
     )
     assert loads_form.list.currentRow() == 1 and opened.focusWidget() is field.editor and field.rule
 
@@ -212,7 +210,7 @@ def test_that_a_stage_without_a_result_says_what_to_do_and_leads_there(opened, a
 
 
 def test_that_hinges_that_are_not_given_are_said_in_their_field(opened):
-    field = next(one for one in opened.walls.loads.wall_fields if one.key == "hinge_heights")
+    field = opened.walls.fields["hinge_heights"]
     assert field.editor.placeholderText() == "the usual ones: 0 m"
     opened.session.edit_wall(0, load=(Load("vertical", 5.0, 2.5, 0.25, "none"),), unit_weight_kn_m3=18.0)
     assert field.editor.placeholderText() == "the usual ones: 0; 2.5 m" and field.value is None

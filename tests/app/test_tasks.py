@@ -170,7 +170,7 @@ def test_that_a_missing_sentence_of_a_load_leads_to_its_field(opened):
     opened.navigator.show_stage("answer")
     (problem,) = opened.missing.problems
     problem.lead()
-    field = next(field for field in opened.walls.loads.load_fields if field.key == "bar_length_m")
+    field = next(field for field in opened.walls.loads.fields if field.key == "bar_length_m")
     assert opened.walls.loads.list.currentRow() == 1 and field.isVisibleTo(opened) and field.rule
     opened.session.edit_wall(0, load=())
     opened.session.edit(replace(opened.session.case, building=Building(9.0, "")))
@@ -183,7 +183,7 @@ def test_that_a_missing_sentence_of_a_load_leads_to_its_field(opened):
 
 def test_that_finding_a_field_of_a_load_there_is_none_of_leads_to_adding_one(opened, application):
     found = finder.Finder(opened)
-    field = next(field for field in opened.walls.loads.load_fields if field.key == "bar_length_m")
+    field = next(field for field in opened.walls.loads.fields if field.key == "bar_length_m")
     opened.activateWindow()
     found.line.setText(field.caption.text())
     found._go()

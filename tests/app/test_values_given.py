@@ -103,7 +103,7 @@ def test_that_a_stress_a_weight_or_a_thickness_out_of_range_is_asked_about_at_it
 def test_that_a_load_that_crushes_the_base_is_asked_about_at_its_size(opened, application):
     opened.session.edit_wall(0, unit_weight_kn_m3=18.0, length_m=4.0)
     opened.walls.loads.add("vertical")
-    size = next(field for field in opened.walls.loads.load_fields if field.key == "kn_m")
+    size = next(field for field in opened.walls.loads.fields if field.key == "kn_m")
     type_into(size, "9000")
     application.processEvents()
     assert "MPa" in size.message.text()

@@ -12,9 +12,10 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QPlainTextEdit, QToolButton
 
 from app.input.fields import ChoiceField, FlagField
-from app.input.loads_form import KINDS
 from app.look.section import Section, unfold_to
 from app.work.session import Session
+from core.case.loads import Load
+from core.case.values import field_of
 from core.case.writer import table_of
 from tests.app.driving import settle
 
@@ -119,7 +120,7 @@ class Walk:
         return self._choose(self.window.walls.impact.law)
 
     def add_a_load(self):
-        kind = self.one_of(KINDS)
+        kind = self.one_of(field_of(Load, "kind").metadata["names"])
         self.window.walls.loads.add(kind)
         return kind
 
@@ -141,7 +142,7 @@ class Walk:
         return self._tick(self.window.walls.loads.bars)
 
     def tick_return_walls(self):
-        return self._tick(self.window.walls.loads.across) if self.window.walls.wall else None
+        return self._tick(self.window.walls.across) if self.window.walls.wall else None
 
     def drag_a_load(self):
         wall = self.window.walls.wall

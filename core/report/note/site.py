@@ -99,7 +99,7 @@ def loads(wall: WallResult, words: Words) -> list[Part]:
     heads = [words.say("Loads"), "[kN/m]", "h [m]", "d [m]", words.word("key_mass")]
     rows = [
         [
-            words.word(f"load_{load.kind}"),
+            words.word(f"choice_{load.kind}"),
             _size(load, asked, words),
             words.number(load.h_m, ".2f"),
             words.number(load.d_m, ".3f"),
