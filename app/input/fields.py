@@ -112,7 +112,17 @@ class Field(QWidget):
         raise NotImplementedError
 
     def show_value(self, value: Any) -> None:
-        """Show a value of the case."""
+        """Show a value of the case, in the place of anything but a text the user has yet to mend."""
+        if self.holds_invalid_text(value):
+            return
+        if value != self.value:
+            self.value_before, self.reading = value, ""
+        self.value = value
+        self.write(value)
+        self.show_error("")
+
+    def write(self, value: Any) -> None:
+        """Put a value into the editor, unless what stands there already means it."""
         raise NotImplementedError
 
     def refuse(self, sentence: str) -> None:
@@ -216,7 +226,11 @@ class LineField(Field):
     def make_editor(self) -> Line:
         line = Line(lambda: bool(self.error), self.revert)
         line.entered.connect(self._entered)
+        line.textEdited.connect(self._typed)
         return line
+
+    def _typed(self, text: str) -> None:
+        self.offer(text)
 
     def _entered(self) -> None:
         """Editing begins: what stands here comes back should the text be refused."""
@@ -251,7 +265,6 @@ class NumberField(LineField):
         editor = super().make_editor()
         editor.setAlignment(Qt.AlignmentFlag.AlignRight)
         editor.setMinimumWidth(64)
-        editor.textEdited.connect(self._typed)
         return editor
 
     def _typed(self, text: str) -> None:
@@ -290,19 +303,12 @@ class NumberField(LineField):
         shown, meant = f"{number(value, 'g')} {self.unit}", re.sub("[.,]", "", text)
         return tr("{text} is read as {shown}: was {meant} meant?", text=text, shown=shown, meant=meant)
 
-    def show_value(self, value: float | None) -> None:
-        """Show a value of the case, unless what stands there already means it."""
-        if self.holds_invalid_text(value):
-            return
-        if value != self.value:
-            self.value_before, self.reading = value, ""
-        self.value = value
+    def write(self, value: float | None) -> None:
         if self.editor.hasFocus() and self._means(value):
             return
         shown = "" if value is None or value == "" else number(value * self.factor, f".{FIGURES}g")
         if self.editor.text() != shown:
             self.editor.setText(shown)
-        self.show_error("")
 
     def _means(self, value) -> bool:
         text = self.editor.text()
@@ -321,7 +327,6 @@ class RangeField(LineField):
     def make_editor(self) -> Line:
         editor = super().make_editor()
         editor.setAlignment(Qt.AlignmentFlag.AlignRight)
-        editor.textEdited.connect(self._typed)
         return editor
 
     def _typed(self, text: str) -> None:
@@ -335,35 +340,18 @@ class RangeField(LineField):
         except InputError:
             self.refuse(tr("{text}: not two numbers", text=text.strip()))
 
-    def show_value(self, value) -> None:
-        if self.holds_invalid_text(value):
-            return
-        if value != self.value:
-            self.value_before = value
-        self.value = value
+    def write(self, value) -> None:
         if not (self.editor.hasFocus() and value is not None):
             self.editor.setText("" if value is None else " – ".join(f"{number(end, 'g')}" for end in value))
-        self.show_error("")
 
 
 class TextField(LineField):
     """A line of text."""
 
-    def make_editor(self) -> Line:
-        editor = super().make_editor()
-        editor.textEdited.connect(self.offer)
-        return editor
-
-    def show_value(self, value: str) -> None:
-        if self.holds_invalid_text(value):
-            return
-        if value != self.value:
-            self.value_before = value
-        self.value = value
+    def write(self, value: str) -> None:
         if self.editor.text() != (value or ""):
             self.editor.setText(value or "")
             self.editor.setCursorPosition(0)
-        self.show_error("")
 
 
 class ChoiceField(Field):

@@ -2,7 +2,6 @@
 
 import re
 
-from app.input.editors import Line
 from app.input.fields import LineField
 from app.look.language import number, tr
 from core.case.hinges import BASE, FLOORS, usual_hinges
@@ -21,11 +20,6 @@ def hinge_words() -> dict[str, str]:
 class HingesField(LineField):
     """Heights above the base [m] with spaces or semicolons between them, or the word for the floors or for the base
     alone; empty for the usual ones."""
-
-    def make_editor(self) -> Line:
-        editor = super().make_editor()
-        editor.textEdited.connect(self._typed)
-        return editor
 
     def show_usual(self, wall, building) -> None:
         """What applies while it is empty, in its place. wall : it may still be incomplete"""
@@ -49,13 +43,8 @@ class HingesField(LineField):
             except InputError:
                 self.refuse(tr("{text}: not heights in m", text=text))
 
-    def show_value(self, value) -> None:
-        """Show a value of the case."""
-        if self.holds_invalid_text(value):
-            return
-        self.value = value
+    def write(self, value) -> None:
         if not self.editor.hasFocus():
             heights = () if isinstance(value, str) else value or ()
             words = hinge_words()[value] if isinstance(value, str) else "; ".join(number(h, "g") for h in heights)
             self.editor.setText(words)
-        self.show_error("")

@@ -33,13 +33,6 @@ class ParagraphsField(Field):
     def type_again(self, text: str) -> None:
         self.editor.setPlainText(text)
 
-    def show_value(self, value: str) -> None:
-        """Show a value of the case, unless it stands there."""
-        if self.holds_invalid_text(value):
-            return
-        if value != self.value:
-            self.value_before = value
-        self.value = value
+    def write(self, value: str) -> None:
         if self.editor.toPlainText() != value:
             self.editor.setPlainText(value)
-        self.show_error("")

@@ -39,7 +39,6 @@ class MunicipalityField(LineField):
         completer.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
         completer.activated.connect(self.choose)
         editor.setCompleter(completer)
-        editor.textEdited.connect(self._typed)
         return editor
 
     def text_of(self, part: str) -> str:
@@ -85,11 +84,6 @@ class CoordinatesField(LineField):
         FORM_NAMES.add("longitude", tr("Coordinates"), "[site]")
         self.editor.setPlaceholderText("42.3498 N 13.3995 E, 42°20'59\" 13°23'58\"")
 
-    def make_editor(self) -> Line:
-        editor = super().make_editor()
-        editor.textEdited.connect(self._typed)
-        return editor
-
     def text_of(self, part: str) -> str:
         return tr("Coordinates") if part == ".caption" else ""
 
@@ -103,15 +97,9 @@ class CoordinatesField(LineField):
         self.value = value
         self.edited.emit(value)
 
-    def show_value(self, value) -> None:
-        if self.holds_invalid_text(value):
-            return
-        if value != self.value:
-            self.value_before = value
-        self.value = value
+    def write(self, value) -> None:
         if not self._means(value):
             self.editor.setText("" if value is None else ", ".join(f"{angle:.9g}" for angle in value))
-        self.show_error("")
 
     def _means(self, value) -> bool:
         text = self.editor.text()

@@ -1,6 +1,5 @@
 """The headless run of a case of more walls than a workbook holds: a Parquet file and a summary."""
 
-import functools
 import threading
 from collections.abc import Iterator
 from pathlib import Path
@@ -155,18 +154,15 @@ def _write(large: LargeCase, book, folder: Path, stem: str, show, cancel: thread
             tally.add(found)
             yield found
 
+    def put_table(stream: BinaryIO) -> None:
+        parquet_file.write(stream, rows(), {"program": f"{NAME} {VERSION}", "case_sha256": large.case.sha256})
+
     def put_summary(stream: BinaryIO) -> None:  # after the table, whose rows it counts
         content = large_report.summary(large.case, without_walls(large), tally, table.name)
         stream.write(large_report.dumps(content).encode())
 
-    about = {"program": f"{NAME} {VERSION}", "case_sha256": large.case.sha256}
-    put_table = functools.partial(_put_table, rows, about)
     atomic_write.write({table: put_table, folder / f"{stem}.json": put_summary})
     return tally
-
-
-def _put_table(rows, about: dict[str, str], stream: BinaryIO) -> None:
-    parquet_file.write(stream, rows(), about)
 
 
 def summary(tally: Tally, folder: Path, stem: str) -> str:
