@@ -24,7 +24,7 @@ class Plain(QLabel):
 class Rich(QLabel):
     """A label whose text is HTML: what comes from a case is escaped in it."""
 
-    def __init__(self, text: str = "", parent: QWidget | None = None):
-        super().__init__(parent)
+    def __init__(self, text: str = ""):
+        super().__init__()
         self.setTextFormat(Qt.TextFormat.RichText)
         self.setText(text)

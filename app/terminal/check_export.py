@@ -31,7 +31,7 @@ def run(case_path: Path, output: Path | None) -> int:
     case = read_case(case_path)
     folder, _ = results_of(case_path, output)
     with made(case_path, folder):
-        plan = plan_of(case, case_path.parent, read_inputs(case, case_path.parent))
+        plan = plan_of(case, read_inputs(case, case_path.parent))
         files: dict[Path, bytes] = {}
         taken: dict[str, int] = {}
         refused = []

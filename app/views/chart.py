@@ -124,14 +124,14 @@ class Chart(ChartOutput):
         self.data.append((name, x, y))
         return item
 
-    def bundle(self, names: Sequence[str], lines: Sequence[tuple], color=6, width=0.8) -> None:
+    def bundle(self, names: Sequence[str], lines: Sequence[tuple]) -> None:
         """Lines (x, y) drawn as one item, without entries: items of their own would hold up the hand that types."""
         known = [(numbers(x), numbers(y)) for x, y in lines]
         if known:
             x, y = (np.concatenate([np.append(one[k], np.nan) for one in known]) for k in (0, 1))
             item = pg.PlotDataItem(x, y, connect="finite")
             self.plot.addItem(item)
-            self._keep(item, color, width, False, False)
+            self._keep(item, 6, 0.8, False, False)
         self.extents += known
         self.data += [(name, *one) for name, one in zip(names, known, strict=True)]
 

@@ -210,7 +210,7 @@ class CheckTab(ResultTab):
         verdict = assessment.verdict
         self.heading.setText(f"{called(wall.name)}: {word(verdict.code, self.language)}, ζ {digits(verdict.zeta_e)}")
         self.heading.setStyleSheet(f"{theme.points(1.75)} font-weight: 700; color: {shade};")
-        self.sentence.setText(called(sentence_of(result, wall, self.language)))
+        self.sentence.setText(called(sentence_of(wall, self.language)))
         lines = limits(result, wall, self.language, self._warnings(result, wall))
         shown = max(MOST_LIMITS, verdict.blocking) if len(lines) > MOST_LIMITS + 1 else len(lines)
         self.important.setText("<br>\n".join([*to_do(result, wall, self.language), *lines[:shown]]))

@@ -70,7 +70,7 @@ class SureTab(ResultTab):
         if verdict:
             lines.append(sure_words.interval_line(self._say, verdict, self.language))
             lines += sure_words.still_lines(self._say, result, verdict, self.language) if found else []
-            lines += sure_words.rate_lines(self._say, result, verdict.rates, self.language)
+            lines += sure_words.rate_lines(self._say, result, verdict.rates)
             if not verdict.rates and result.demand and not result.demand.hazard:
                 lines.append(tr("The rates need the hazard of the site: give the place, or the rows of the hazard."))
         self.words.setText("\n".join(line for line in lines if line) or tr("No demand: nothing to be sure of."))

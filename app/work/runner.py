@@ -12,9 +12,9 @@ from app.look.language import tr
 from app.work.session import Session
 from app.work.worker import Job
 from core.capacity.accuracy import Accuracy
-from core.case.hinges import hinges_of
 from core.case.schema import Case
 from core.errors import InputError
+from core.setting.plan import results_by_wall
 from core.study.journal import Memory
 from core.study.results import StudyResult, WallResult
 
@@ -28,11 +28,6 @@ def progress_word(done: int, planned: int, elapsed: float, left: float | None) -
     if left is None:
         return tr("{done} of {planned}, {elapsed:.0f} s", **values)
     return tr("{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left", left=left, **values)
-
-
-def results_planned(case: Case) -> list[int]:
-    """Count the results of each wall of a case: one for each of its hinges and mechanisms."""
-    return [(1 + len(hinges_of(wall, case.building))) * len(wall.mechanisms()) for wall in case.wall]
 
 
 class Runner(QObject):
@@ -78,7 +73,7 @@ class Runner(QObject):
             return
         generation, made = self.session.generation, self.finished_runs.analyses
         base = self.session.base_dir
-        self.planned_results = dict(enumerate(results_planned(case)))
+        self.planned_results = dict(enumerate(results_by_wall(case)))
 
         def arrived(result: StudyResult) -> None:
             if generation != self.session.generation:

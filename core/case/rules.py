@@ -48,7 +48,7 @@ TIE_METHODS = ("auto", "taylor", "taylor_6")
 def parse_case(table: dict) -> Case:
     """The case of a mapping with the keys of the file; every rule is checked here, once."""
     table = expanded(table)
-    refuse_unknown(Case, table, "case", "case")
+    refuse_unknown(Case, table, "case")
     title = value_of(field_of(Case, "title"), table.get("title", "Ribalta"))
     analysis = section_of(Analysis, table.get("analysis", {}), "analysis", section("[analysis]"))
     if round(analysis.robust_window / math.log1p(analysis.q_step)) < 1:
@@ -109,12 +109,12 @@ def draft_case(table: dict) -> Case:
     """The case of a mapping that may not be complete: unknown keys are refused, values are taken as they
     are, a missing one is empty. For work in progress; `parse_case` decides what can run."""
     table = expanded(table)
-    refuse_unknown(Case, table, "case", "case")
+    refuse_unknown(Case, table, "case")
 
     def part(cls, content, name):
         if not isinstance(content, dict):
             raise InputError("not_a_table_of_keys", name=name, value=repeated(content))
-        refuse_unknown(cls, content, name, name)
+        refuse_unknown(cls, content, name)
         values = {entry.name: "" for entry in fields(cls) if is_required(entry)}
         for entry in fields(cls):
             if entry.name in content:

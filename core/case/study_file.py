@@ -154,7 +154,7 @@ def cells_of(study: Study) -> dict[Cell, frozenset[str]]:
 
 def parse_study(table: dict) -> Study:
     """The study of a mapping with the keys of the file; every rule is checked here. Raises InputError."""
-    refuse_unknown(Study, table, "study", "study")
+    refuse_unknown(Study, table, "study")
     quick = table.get("quick")
     study = section_of(Study, {key: table[key] for key in table if key != "quick"}, "study", "study")
     if quick is not None:

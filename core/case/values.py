@@ -41,12 +41,8 @@ def field_of(cls, key: str):
     return next(entry for entry in fields(cls) if entry.name == key)
 
 
-def refuse_unknown(cls, table: dict, name: str, here) -> None:
-    """Refuse keys that are not of this section.
-
-    name : of the section
-    here : its place
-    """
+def refuse_unknown(cls, table: dict, here) -> None:
+    """Refuse keys that are not of this section. here : its place"""
     keys = [entry.name for entry in fields(cls) if entry.name not in OWN_FIELDS]
     for key in table:
         if key not in keys:
@@ -64,7 +60,7 @@ def section_of(cls, table, name: str, here):
     """
     if not isinstance(table, dict):
         raise InputError("not_a_table_of_keys", name=here, value=repeated(table))
-    refuse_unknown(cls, table, name, here)
+    refuse_unknown(cls, table, here)
     table = getattr(cls, "of_older", lambda keys: keys)(table)
     values = {}
     for entry in fields(cls):

@@ -197,7 +197,6 @@ def _mark(text: str) -> str:
 
 
 _SEPARATOR = re.compile(r"\s*sep=([;,\t])[;,\t]*\r?\n", re.IGNORECASE)
-_NUMBER = re.compile(r"^[+−-]?[\d.,]*\d[\d.,]*$")
 _DIGIT = re.compile(r"\d")
 _COMMA = re.compile(r"[+−-]?\d+,\d+(?!\d|,).*")
 _THOUSANDS = re.compile(r"[+−-]?[1-9]\d{0,2}(\.\d{3})+(\s*[^\W\d].*)?")

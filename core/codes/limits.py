@@ -1,7 +1,7 @@
 """The rule of a set of records, and the return period of a limit state."""
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from statistics import fmean
 
 from core.codes.demand import DemandResult
@@ -54,15 +54,13 @@ def counted_stations(motions: Sequence[GroundMotion], demand: DemandResult) -> s
     return {station_of(motions[k], k) for k, counts in enumerate(are_counted(motions, demand)) if counts}
 
 
-def set_value(
-    values: Iterable[float | None], rule: str | None, unfavourable: Callable[[Sequence[float]], float] = min
-) -> float | None:
-    """Value of a set under its rule, files without a number left out; None where the set is incomplete or has none.
-    unfavourable : which of the files is, the smallest of capacities, the largest of demands"""
+def set_value(values: Iterable[float | None], rule: str | None) -> float | None:
+    """Capacity of a set under its rule, files without a number left out; None where the set is incomplete or has
+    none."""
     known = [value for value in values if value is not None]
     if not known or rule in (None, "incomplete"):
         return None
-    return fmean(known) if rule == "mean" else unfavourable(known)
+    return fmean(known) if rule == "mean" else min(known)
 
 
 def return_period(reference_period: float, limit_state: str) -> float:

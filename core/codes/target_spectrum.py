@@ -79,11 +79,6 @@ class CodeSpectrum:
         )
         return self.pga * shape
 
-    @property
-    def ground_displacement(self) -> float:
-        """d_g = 0.025 a_g S T_C T_D [m] (NTC 3.2.12)."""
-        return 0.025 * self.pga * self.t_c * self.t_d
-
 
 @dataclass(frozen=True)
 class GivenSpectrum:
@@ -114,10 +109,6 @@ class GivenSpectrum:
         base = np.where(beyond, values[-1] * (known[-1] / np.maximum(t, known[-1])) ** 2, base)
         first = known[1]
         return base * np.where(t < first, 1.0 + (eta - 1.0) * t / first, eta)
-
-    @property
-    def ground_displacement(self) -> float | None:
-        return None
 
 
 Target = CodeSpectrum | GivenSpectrum

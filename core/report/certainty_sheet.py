@@ -53,7 +53,7 @@ def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, 
                 text(sheet, row, column, cell, align="left" if column == 1 else "right")
             rule(sheet, row, 1, LAST)
         row += 1
-        for line in sure_words.rate_lines(say, result, verdict.rates, language):
+        for line in sure_words.rate_lines(say, result, verdict.rates):
             row = paragraph(sheet, row, line, LAST, LINE, color=QUIET)
     return row
 

@@ -116,7 +116,7 @@ def _wall(book: Book, sheet, result: StudyResult, wall: WallResult, demand: Rows
     say, assessment = book.say, wall.assessment
     row = heads(book, sheet, row, f"{wall.name} – {word(wall.mechanism, book.language)}")
     if assessment is not None:
-        row = paragraph(sheet, row, sentence_of(result, wall, book.language), 13, 150)
+        row = paragraph(sheet, row, sentence_of(wall, book.language), 13, 150)
         for line in (*lines_of(result, wall, book.language), *tie_lines(wall, book.language)):
             row = paragraph(sheet, row, f"• {line}", 13, 150, color=QUIET)
     rows = Rows(book, sheet, result, cell_prefix(result, wall), demand)

@@ -218,7 +218,7 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
     row = paragraph(
         sheet,
         row + 2,
-        sentence_of(result, wall, book.language),
+        sentence_of(wall, book.language),
         LAST,
         120,
         bold=True,

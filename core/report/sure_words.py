@@ -171,7 +171,7 @@ def rate_row(say: Say, rate: StateRate, language: str) -> list[str]:
     ]
 
 
-def rate_lines(say: Say, result: StudyResult, rates: tuple[StateRate, ...], language: str) -> list[str]:
+def rate_lines(say: Say, result: StudyResult, rates: tuple[StateRate, ...]) -> list[str]:
     """Sentences with which the rates are to be read."""
     if not rates:
         return []

@@ -32,7 +32,7 @@ def in_order(result: StudyResult) -> list[tuple[WallResult, bool]]:
     return [(result.walls[k], k == one.governing) for one in found for k in one.results]
 
 
-def sentence_of(result: StudyResult, wall: WallResult, language: str) -> str:
+def sentence_of(wall: WallResult, language: str) -> str:
     """The verdict of a result in words: of its wall where it decides about it, else of its hinge."""
     return wall.assessed.verdict.text(language, wall.part.asked.title, where(wall), names_in(language))
 

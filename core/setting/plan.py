@@ -1,6 +1,6 @@
 """Plan of a study, known before its first analysis: its demand, its motions, and its walls about every hinge."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import groupby
@@ -149,7 +149,7 @@ def with_chosen(
         return case, None
     demand = demand_of(case, base_dir)
     assert demand is not None
-    found = select_records(case.select, base_dir, demand, longest_of(case, base_dir, demand), told, cancelled)
+    found = select_records(case.select, base_dir, demand, longest_of(case, demand), told, cancelled)
     return replace(case, select=None, record=found.chosen.records), found
 
 
@@ -161,12 +161,12 @@ GROUP = 128
 """Walls whose mechanisms are looked at together."""
 
 
-def longest_of(case: Case, base_dir: Path, demand: DemandResult) -> float:
+def longest_of(case: Case, demand: DemandResult) -> float:
     """Longest period of the mechanisms of a case [s], known before its records. Raises InputError."""
     floors, longest = Floors(16), 0.0
     for first in range(0, len(case.wall), GROUP):
         walls = tuple(case.wall[k] for k in range(first, min(first + GROUP, len(case.wall))))
-        plan = plan_of(replace(case, wall=walls), base_dir, (demand, [], []), floors=floors)
+        plan = plan_of(replace(case, wall=walls), (demand, [], []), floors=floors)
         longest = max(longest, plan.longest_period)
     return longest
 
@@ -189,7 +189,6 @@ class Floors:
 
 def plan_of(
     case: Case,
-    base_dir: Path,
     inputs: Inputs,
     share: tuple[int, int] | None = None,
     longest: float | None = None,
@@ -230,9 +229,14 @@ def plan_of(
     return plan
 
 
+def results_by_wall(case: Case) -> Iterator[int]:
+    """Number of results of each wall of a case: about each hinge, by each mechanism."""
+    return ((1 + len(hinges_of(wall, case.building))) * len(wall.mechanisms()) for wall in case.wall)
+
+
 def results_in(case: Case) -> int:
-    """Number of results of a case: of its walls about each hinge, by each mechanism."""
-    return sum((1 + len(hinges_of(wall, case.building))) * len(wall.mechanisms()) for wall in case.wall)
+    """Number of results of a case."""
+    return sum(results_by_wall(case))
 
 
 def is_large(case: Case) -> bool:

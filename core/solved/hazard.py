@@ -378,20 +378,4 @@ CASES: tuple[Solved, ...] = (
             "Type 1, ground B, 0.26 g, 5 %: branch by branch; by the trapezoids of each 0.02 s, and exactly."
         ),
     ),
-    Solved(
-        "ground_displacement",
-        Kind.HAND,
-        worded("Displacement of the ground"),
-        "NTC 2018, 3.2.12; EN 1998-1, 3.2.2.4",
-        (
-            Answer(
-                "d_g",
-                "m",
-                0.025 * 0.25 * 9.80665 * 1.2 * 0.5 * 2.0,
-                1e-12,
-                lambda: known(target_spectrum.en1998(0.25 * G, 1, "B").ground_displacement),
-            ),
-        ),
-        "d_g = 0.025 a_g S T_C T_D",
-    ),
 )

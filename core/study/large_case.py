@@ -79,7 +79,7 @@ def in_order(case: Case, base_dir: Path, cancelled: Callable[[], bool] = lambda:
     for group in groups:
         if cancelled():
             raise Cancelled
-        plan = _plan(case, base_dir, inputs, group, 0.0, floors)
+        plan = _plan(case, inputs, group, 0.0, floors)
         tasks.append(len(costs_of(plan)))
         longest = max(longest, replace(plan, longest=None).longest_period)
     if demand and demand.target and motions:
@@ -87,16 +87,16 @@ def in_order(case: Case, base_dir: Path, cancelled: Callable[[], bool] = lambda:
     return LargeCase(case, base_dir, inputs, groups, tasks, longest, selection)
 
 
-def _plan(case: Case, base_dir: Path, inputs: Inputs, group: list[int], longest: float, floors: Floors):
+def _plan(case: Case, inputs: Inputs, group: list[int], longest: float, floors: Floors):
     """The plan of a group of walls. longest : of the mechanisms of all walls [s]"""
     walls = tuple(case.wall[k] for k in group)
-    return plan_of(replace(case, wall=walls), base_dir, inputs, None, longest, floors, len(case.wall))
+    return plan_of(replace(case, wall=walls), inputs, None, longest, floors, len(case.wall))
 
 
 def without_walls(large: LargeCase) -> StudyResult:
     """Result that all groups have in common: demand, records, whether these comply with it."""
     case, (demand, motions, kinds) = replace(large.case, wall=()), large.inputs
-    plan, rules = plan_of(case, large.base_dir, large.inputs, None, large.longest), None
+    plan, rules = plan_of(case, large.inputs, None, large.longest), None
     if demand:
         demand = with_records(demand, motions)
         rules = compliance(motions, kinds, demand, large.longest)
@@ -131,7 +131,7 @@ def group_results(
         on_progress(before + done, planned, left)
 
     for g in todo:
-        plan = _plan(large.case, large.base_dir, large.inputs, large.groups[g], large.longest, floors)
+        plan = _plan(large.case, large.inputs, large.groups[g], large.longest, floors)
         if g == todo[0]:
             begin_compiling(plan)
         yield g, result_of(plan, large.base_dir, threads, Started(), None, Progress(costs_of(plan), told))

@@ -69,7 +69,7 @@ def run(
     if executor:
         finished = _found_on(executor, case, base_dir, cancelled)
     chosen, selection = with_chosen(case, base_dir, cancelled=cancelled)
-    plan = plan_of(case, base_dir, read_inputs(chosen, base_dir), share)
+    plan = plan_of(case, read_inputs(chosen, base_dir), share)
     begin_compiling(plan)
     if journal and not executor:
         finished = journal(journal_key())
@@ -169,7 +169,7 @@ def wall_alone(case: Case, base_dir: Path, k: int) -> dict[str, dict]:
     if place not in _kept:
         _kept.clear()
         _kept[place] = read_inputs(case, base_dir)
-    plan, memory = plan_of(case, base_dir, _kept[place], (k, len(case.wall))), Memory(EVERYTHING)
+    plan, memory = plan_of(case, _kept[place], (k, len(case.wall))), Memory(EVERYTHING)
     begin_compiling(plan)
     progress = Progress(costs_of(plan), lambda done, planned, left: None)
     result_of(plan, base_dir, Threads(1, lambda: False), Started(), memory, progress)

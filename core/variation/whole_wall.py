@@ -128,7 +128,7 @@ def evaluate_wall(
     floors : of the building, kept for the next call with the same demand and building
     Raises InputError, Cancelled.
     """
-    plan = plan_of(setting.case, setting.base_dir, setting.inputs, floors=floors)
+    plan = plan_of(setting.case, setting.inputs, floors=floors)
     scenes = [plan.scene(k, setting.demand, histories=setting.histories) for k in range(len(plan.entries))]
     if precision is None:
         return WholeWall(tuple(evaluate(scene.without_records()) for scene in scenes))

@@ -142,9 +142,9 @@ def cells_of(*groups: Sequence[Piece], same: float = SAME) -> list[Cell]:
     return cells
 
 
-def section_at(parts: Iterable, z: float, below: bool = False, grown: float = 0.0) -> list[Cell]:
+def section_at(parts: Iterable, z: float, below: bool = False) -> list[Cell]:
     """The section of solids less their openings just above or below a height [m]."""
-    return cells_of(pieces_at(parts, z, below, grown))
+    return cells_of(pieces_at(parts, z, below))
 
 
 def area_of(cells: Iterable[Cell]) -> float:

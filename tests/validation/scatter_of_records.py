@@ -100,7 +100,7 @@ def zeta_of(table: dict, generate: dict | None, motions: list | None) -> float |
     case = parse_case(table | ({"generate": generate} if generate else {}))
     demand, made, kinds = read_inputs(case, Path())
     inputs = (demand, made, kinds) if motions is None else (demand, motions, ["natural"] * len(motions))
-    found = evaluate(plan_of(case, Path(), inputs).scene(0, demand), other=False)
+    found = evaluate(plan_of(case, inputs).scene(0, demand), other=False)
     return found.dynamic.zeta if found.dynamic else None
 
 

@@ -33,7 +33,7 @@ def certainty(result: StudyResult, words: Words) -> list[Part]:
             life = known(result.case.demand).nominal_life_years
             rows = [sure_words.rate_row(say, rate, language) for rate in verdict.rates]
             parts.append(Table(sure_words.rate_heads(say, life), rows, (1.1, 1.4, 0.7, 2.0, 1.0, 1.2, 1.1, 1.6)))
-        parts += [Item(line, "quiet") for line in sure_words.rate_lines(say, result, verdict.rates, language)]
+        parts += [Item(line, "quiet") for line in sure_words.rate_lines(say, result, verdict.rates)]
     return [Heading(say("How sure"), new_page=True), *parts] if parts else []
 
 

@@ -93,7 +93,7 @@ def _answer(result: StudyResult, words: Words) -> list[Part]:
     told = [(wall, one) for wall, one in in_order(result) if one and wall.assessment]
     for wall, _ in told[:TOLD]:
         tone = tone_of(result, wall)
-        parts.append(Paragraph(sentence_of(result, wall, words.language), tone))
+        parts.append(Paragraph(sentence_of(wall, words.language), tone))
         parts += [Item(line, sign="→") for line in lines_of(result, wall, words.language, ("to_do",))]
         parts += [*_assumed(result, wall, words), *_limiting(result, wall, words)]
     if told[TOLD:]:
@@ -297,7 +297,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     held = say("element free to vibrate") if kinematic.free_element else say("not free to vibrate")
     if kinematic.floor:
         held = say("wall at {z:g} m, {kind}", z=float(known(wall.wall.felt_z_m)), kind=held)
-    parts.append(Paragraph(sentence_of(result, wall, language), tone_of(result, wall)))
+    parts.append(Paragraph(sentence_of(wall, language), tone_of(result, wall)))
     reasons = lines_of(result, wall, language)
     parts += [Item(line) for line in reasons[:REASONS]]
     parts += [_checks(result, wall, words), Paragraph(held, "quiet")]
@@ -354,7 +354,7 @@ def _verdict(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
     found, language = wall.assessment, words.language
     parts: list[Part] = []
     if found is not None:
-        parts = [Paragraph(sentence_of(result, wall, language), tone_of(result, wall))]
+        parts = [Paragraph(sentence_of(wall, language), tone_of(result, wall))]
         parts += [Item(line) for line in (*lines_of(result, wall, language), *tie_lines(wall, language))]
     return [*parts, *(Item(warning.text(language), "quiet") for warning in wall.warnings)]
 

@@ -50,8 +50,6 @@ def test_that_the_stations_decide_the_rule_of_a_set(count, rule):
 )
 def test_that_a_set_is_the_mean_or_the_most_unfavourable_of_its_numbers(values, rule, value):
     assert set_value(values, rule) == value
-    opposite = [None if one is None else -one for one in values]
-    assert set_value(opposite, rule, max) == (None if value is None else -value)
 
 
 @pytest.mark.shows("dynamic.silent")

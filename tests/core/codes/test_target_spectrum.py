@@ -117,10 +117,6 @@ def test_that_the_integral_of_a_shape_is_that_of_its_branches_within_the_periods
     assert ts.shape_integral(target) == pytest.approx(total / target.pga, rel=1e-8)
 
 
-def test_that_the_displacement_of_the_ground_of_a_file_is_not_known():
-    assert ts.given("f", 3.0, 1.0, FILE).ground_displacement is None
-
-
 FILE = [(0.0, 3.0), (0.1, 7.0), (0.5, 7.0), (1.0, 3.5), (2.5, 1.0)]
 
 

@@ -83,7 +83,7 @@ def test_that_what_the_hazard_does_not_hold_is_said_from_a_twentieth_on(result, 
     rates = [replace(one, beyond=0.0, weaker=0.0) for one in result.verdicts[0].rates]
 
     def lines(*changed):
-        return rate_lines(lambda text, **values: text.format(**values), result, changed, "en")
+        return rate_lines(lambda text, **values: text.format(**values), result, changed)
 
     plain = lines(*rates)
     beyond = [line for line in lines(rates[0], *rates[1:3], replace(rates[3], beyond=share)) if line not in plain]

@@ -48,7 +48,7 @@ def assert_seen(pdf, result):
         if decides:
             rows = tabled(wall, language)
             lines = [line for line in lines_of(result, wall, language) if line not in rows]
-            said = (sentence_of(result, wall, language), *lines)
+            said = (sentence_of(wall, language), *lines)
             assert set(" ".join(said).split()) <= words
 
 

@@ -166,7 +166,7 @@ def test_that_every_wall_has_its_verdict_with_all_reasons_its_checks_and_its_fig
     decide = [wall for wall, decides in in_order(building) if decides]
     for wall in building.walls:
         # in its section, and that of the hinge that decides on the first page
-        assert words.count(sentence_of(building, wall, "en")) == 1 + (wall in decide)
+        assert words.count(sentence_of(wall, "en")) == 1 + (wall in decide)
         said = [*lines_of(building, wall, "en"), *(warning.text("en") for warning in wall.warnings)]
         assert set(said) - tabled(wall, "en") <= set(words)  # those stand in the table of the first page
     figures = [figure for part in parts if isinstance(part, Figures) for figure in part.figures]
@@ -448,7 +448,7 @@ def test_that_many_walls_keep_their_reasons_and_the_lowest_their_figures(buildin
     assert sum(isinstance(part, Figures) for part in parts) == 5  # one of them that of the records
     words = lines_within(parts)
     for wall in building.walls:
-        assert sentence_of(building, wall, "en") in words
+        assert sentence_of(wall, "en") in words
 
 
 @pytest.mark.shows("note.engineer")

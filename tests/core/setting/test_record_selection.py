@@ -39,7 +39,7 @@ def folder(tmp_path_factory):
 
 def found_in(base, asked):
     demand = demand_of(asked, base)
-    return select_records(asked.select, base, demand, longest_of(asked, base, demand))
+    return select_records(asked.select, base, demand, longest_of(asked, demand))
 
 
 @pytest.mark.shows("demand.select_accounts")
@@ -62,7 +62,7 @@ def test_that_what_is_chosen_is_what_the_rules_of_the_code_then_judge(folder, sc
     asked = case(demand={"ag_g": ag, "spectrum": spectrum}, scaling=scaling)
     chosen, found = with_chosen(asked, folder)
     demand, motions, kinds = read_inputs(chosen, folder)
-    judged = compliance(motions, kinds, demand, longest_of(asked, folder, demand))
+    judged = compliance(motions, kinds, demand, longest_of(asked, demand))
     assert judged.compatible == found.chosen.fits
     by_name = {rule.name: rule.value for rule in judged.rules if rule.code == spectrum["code"][:-4]}
     assert by_name["mean_lower"] == pytest.approx(found.chosen.lowest[1] - 1.0, abs=1e-9)
@@ -82,7 +82,7 @@ def test_that_two_records_are_too_few_for_the_code_that_asks_for_three(folder):
         asked = case(demand={"ag_g": 0.12, "spectrum": spectrum}, count=2)
         chosen, found = with_chosen(asked, folder)
         demand, motions, kinds = read_inputs(chosen, folder)
-        judged = compliance(motions, kinds, demand, longest_of(asked, folder, demand))
+        judged = compliance(motions, kinds, demand, longest_of(asked, demand))
         assert found.chosen.miss == 0.0 and found.chosen.fits == judged.compatible == enough
 
 

@@ -234,5 +234,5 @@ def test_that_the_statement_of_accuracy_is_made_where_the_parts_come_together(ca
     asked = read_case(case)
     asked = replace(asked, analysis=replace(asked.analysis, accuracy=True))
     inputs = read_inputs(asked, case.parent)
-    stated = [("accuracy", 0) in costs_of(plan_of(asked, case.parent, inputs, share)) for share in (None, (0, 2))]
+    stated = [("accuracy", 0) in costs_of(plan_of(asked, inputs, share)) for share in (None, (0, 2))]
     assert stated == [True, False]

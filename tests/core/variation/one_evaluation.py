@@ -27,7 +27,7 @@ def scene_of(wall=WALL, demand=SOIL, k=0, **more):
     """The k-th scene of a case with one wall."""
     case = parse_case({"wall": [wall], "demand": demand, **more})
     inputs = read_inputs(case, Path())
-    return plan_of(case, Path(), inputs).scene(k, inputs[0])
+    return plan_of(case, inputs).scene(k, inputs[0])
 
 
 def history(zeta, passed=True, **values):

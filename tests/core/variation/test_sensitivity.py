@@ -328,7 +328,7 @@ def test_that_the_record_left_out_is_the_one_whose_loss_moves_zeta_most_and_its_
     made = records_left_out([RecordPeaks(multipliers, peaks, 0.4, True)])
     assert {move.value for move in made} >= {3.0} and len(made) == 2
     demand, motions, _ = setting.inputs
-    (entry,) = plan_of(setting.case, CASES, setting.inputs).entries
+    (entry,) = plan_of(setting.case, setting.inputs).entries
     for move in made:
         others = [motion for k, motion in enumerate(motions) if k != int(move.value)]
         there = demand_check(entry.model, others, entry.signs, demand, AUTO, 1, False)

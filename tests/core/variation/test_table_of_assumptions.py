@@ -68,7 +68,7 @@ def whole_set(monkeypatch):
 def scene_of(wall, demand, **more):
     case = rules.parse_case({"wall": [wall], "demand": demand, **more})
     inputs = read_inputs(case, Path())
-    return plan_of(case, Path(), inputs).scene(0, inputs[0])
+    return plan_of(case, inputs).scene(0, inputs[0])
 
 
 # the hinge at the edge

@@ -73,7 +73,7 @@ def agree(found, result, decided=True):
 def scenes_of(case):
     """The scenes of a case's walls, about every hinge."""
     inputs = read_inputs(case, HERE)
-    plan = plan_of(case, HERE, inputs)
+    plan = plan_of(case, inputs)
     return [plan.scene(k, inputs[0], None) for k in range(len(plan.entries))]
 
 
