@@ -34,9 +34,6 @@ from core.codes.limits import check_return_period
 from core.errors import InputError, place, section
 from core.text.sentence import Key, Quantity, sentence
 
-SECTIONS = ("wall", "record", "report", "analysis", "site", "demand", "generate", "select", "building", "sensitivity")
-"""Whose keys the user writes."""
-
 TESTED_STRENGTH = (0.5, 10.0)
 """Compressive strengths of masonry [MPa] that tests give."""
 

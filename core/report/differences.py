@@ -85,15 +85,7 @@ def of_workbooks(reported: bytes, found: bytes) -> list[Difference]:
         if live and names[0] != names[1]:
             differences.append(Difference("", ", ".join(names[0]), ", ".join(names[1])))
         for name in [name for name in names[0] if name in names[1]]:
-            cells = [
-                {
-                    cell.coordinate: cell.value
-                    for row in book[name].iter_rows()
-                    for cell in row
-                    if cell.value is not None
-                }
-                for book in books
-            ]
+            cells = [_cells(book[name]) for book in books]
             for place in [*cells[0], *(place for place in cells[1] if place not in cells[0])]:
                 one, other = (_of_cell(found.get(place)) for found in cells)
                 if one != other and not (live is False and not _is_formula(one) and not _is_formula(other)):
