@@ -10,7 +10,7 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMessageBox
 
-from core.case.loads import Load
+from core.case.loads import Bars, Load
 from core.case.wall import AS_IS, DESIGNED
 from tests.app.driving import run, type_into
 
@@ -78,6 +78,22 @@ def test_that_the_bars_of_a_tie_are_given_in_place_of_its_force(opened):
     assert opened.session.case.wall[0].load[0].bar.number == 4
     form.delete()
     assert opened.session.case.wall[0].load == () and not form.list.isVisibleTo(form)
+
+
+def test_that_nothing_of_one_load_stays_at_the_next(opened):
+    """Neither a refused text, nor bars that were switched off."""
+    form = opened.walls.loads
+    for _ in range(2):
+        form.add("tie")
+    form.bars.setChecked(True)
+    type_into(form.bars.fields[0], "4")
+    form.bars.setChecked(False)
+    type_into(field(form, "kn_m"), "5,5,5")
+    assert field(form, "kn_m").wrong
+    form.list.setCurrentRow(0)
+    assert not field(form, "kn_m").wrong and field(form, "kn_m").editor.text() == ""
+    form.bars.setChecked(True)
+    assert opened.session.case.wall[0].load[0].bar == Bars("", "")
 
 
 def test_that_an_unstable_wall_is_said_in_one_sentence(opened):
