@@ -25,7 +25,7 @@ def test_that_an_oscillator_follows_scipys_exact_linear_response(reference, peri
     ground = np.concatenate([reference("standard")[0], np.zeros(4000)])
     system = ([[0.0, 1.0], [-w * w, -2 * z * w]], [[0.0], [-1.0]], [[1.0, 0.0]], [[0.0]])
     _, response, _ = lsim(system, ground, np.arange(ground.size) * 0.01, interp=True)
-    found = response_spectrum.peak_displacement(ground, 0.01, period, z, 1)
+    found = response_spectrum.displacement_spectrum(ground, 0.01, np.array([period]), z, 0)[0]
     assert found == pytest.approx(np.abs(response).max(), rel=1e-9)
 
 
@@ -51,6 +51,18 @@ def test_that_zero_padding_changes_no_spectrum(reference):
     assert np.all(padded <= bare * (1 + 1e-12))
     assert np.allclose(padded, bare, rtol=3e-3)
     assert np.array_equal(response_spectrum.displacement_spectrum(before, 0.01, periods, 0.05, 0), bare)
+
+
+@pytest.mark.parametrize("per_period", [0, 40])
+def test_that_an_oscillator_beside_others_moves_as_one_alone(reference, per_period):
+    ground, drawn = reference("standard")[0], np.random.default_rng(5)
+    periods = drawn.permutation(np.geomspace(0.02, 4.0, 75))
+    found = response_spectrum.displacement_spectrum(ground, 0.01, periods, 0.05, per_period)
+    alone = [
+        response_spectrum.displacement_spectrum(ground, 0.01, periods[k : k + 1], 0.05, per_period)[0]
+        for k in range(75)
+    ]
+    assert np.array_equal(found, alone)
 
 
 def test_that_spectra_and_arias_agree_with_scipy(reference):
