@@ -27,8 +27,14 @@ A11, A12, A21, A22, STIFFNESS, VISCOUS, U, V, PEAK = range(9)
 def _fill_peaks(ground, dt, periods, damping, parts, rows, peaks):
     """Largest |relative displacement| of oscillators at rest under a ground motion [m], each as if alone.
 
-    ground : acceleration, linear between samples [m/s2], shape (n,); dt [s]; periods [s], shape (m,); damping [-];
-    parts : per_period taken per sample; rows : room for them, shape (9, at least m); peaks : results, shape (m,).
+    ground : acceleration, linear between samples [m/s2], shape (n,)
+    dt : [s]
+    periods : [s], shape (m,)
+    damping : ratio [-]
+    parts : looks a sample
+    rows : room for the oscillators, shape (9, at least m)
+    peaks : results, shape (m,)
+
     Exact recursion of Nigam and Jennings (1969). With one look a sample, as is the custom, few samples a period give a
     peak too low (6 % at T = 0.1 s, dt = 0.02 s; 0.1 % of SI). The free motion after the record counts too, exactly, so
     that zeros appended to the record change little.
@@ -89,6 +95,12 @@ def _parts(dt, period, per_period):
 
 @kernel
 def _fill_spectrum(ground, dt, periods, damping, per_period, rows, spectrum):
+    """`displacement_spectrum` of neighbours with the same number of looks a sample, up to LANES at once.
+
+    ground, dt, periods, damping, per_period : of `displacement_spectrum`
+    rows : room, shape (9, LANES)
+    spectrum : results, shape of periods
+    """
     first = 0
     while first < periods.size:
         parts = _parts(dt, periods[first], per_period)

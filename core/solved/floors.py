@@ -9,7 +9,7 @@ from core.codes.floor_spectrum import FloorSpectrum, estimated_period, first_mod
 from core.codes.target_spectrum import en1998
 from core.ground.floor_motion import Mode, floor_acceleration, modal_acceleration
 from core.ground.ground_motion import GroundMotion
-from core.ground.response_spectrum import peak_displacement
+from core.ground.response_spectrum import displacement_spectrum
 from core.known import known
 from core.solved.clauses import ZETA_DISPLACEMENT, ZETA_LINEAR
 from core.solved.motion import SINE
@@ -86,9 +86,9 @@ def harmonic(ratio: float, damping: float) -> Answer:
 def step_response(damping: float) -> Answer:
     """Of an oscillator of 0.5 s, the largest displacement under a constant acceleration."""
     expected = (0.5 / (2.0 * math.pi)) ** 2 * (1.0 + math.exp(-math.pi * damping / math.sqrt(1.0 - damping**2)))
-    return Answer(
-        f"S_D (ξ = {damping:g})", "m", expected, 5e-6, lambda: peak_displacement(np.ones(2000), 0.001, 0.5, damping, 1)
-    )
+    ground, period = np.ones(2000), np.array([0.5])
+    words = f"S_D (ξ = {damping:g})"
+    return Answer(words, "m", expected, 5e-6, lambda: displacement_spectrum(ground, 0.001, period, damping, 0)[0])
 
 
 @cache
