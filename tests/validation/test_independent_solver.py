@@ -40,8 +40,9 @@ def test_that_dop853_gives_the_same_history(reference, make_model, one_sided, re
     truth, impacts = independent_solver.history(ground, 0.01, model.slenderness, model.p2, one_sided, ratio_of, kinks)
     found = history(ground, 0.01, 1.0, model)
     assert found.impact_time.size == impacts
-    assert truth.size == found.rotation.size == SAMPLES
     size = min(found.rotation.size, truth.size)
+    falls = np.abs(truth).max() > 0.5 * math.pi  # it ends with the first sample beyond, or before it
+    assert abs(truth.size - found.rotation.size) <= falls and (size < SAMPLES) == falls
     inside = np.abs(truth[:size]) < 0.4 * math.pi
     difference = np.abs(found.rotation[:size] - truth[:size])[inside]
     assert difference.max() / model.slenderness <= 1e-9

@@ -321,3 +321,10 @@ def test_that_fc_on_the_other_side_is_looked_at_where_it_is_asked_for_and_more_t
     assert demand_check(model, motions, signs, demand, AUTO, other=False).zeta_other is None
     full = replace(demand, confidence_factor=1.0)
     assert demand_check(model, motions, signs, full, AUTO).zeta_other is None
+
+
+def test_that_one_run_beyond_theta_c_fails_the_rule_though_the_mean_holds(scripted):
+    """One of seven peaks: at 1.05 theta_c the mean is 0.19, far below 0.40."""
+    model, motions, signs, demand = scripted(lambda at, which: (STABLE, 1.05 if which == 3 and at > 1.5 else 0.05))
+    work = DemandRuns(model, motions, signs, demand, "capacity", AUTO, lambda: False)
+    assert work.mean and work.failures(np.array([1.0, 2.0]))[0].tolist() == [False, True]

@@ -432,3 +432,10 @@ def test_that_a_wall_that_passes_says_that_the_supports_of_its_floors_are_not_ch
     found = study.run(asked, base_dir=tmp_path).walls[0]
     assert ("supports" in codes(found.assessment.verdict.limits)) == is_said
     assert found.assessment.kinematic.d_limit == pytest.approx(0.40 * found.assessment.kinematic.d0, rel=1e-12)
+
+
+def test_that_all_rows_together_limit_nothing_of_their_own():
+    """They stand in the table for the eye; a row alone is among the limits, unless its words stand elsewhere."""
+    words = sentence("reason", "lift_return_walls", zeta=Number(0.8))
+    for key, limits in (("together", []), ("unit_weight_kn_m3", []), ("seed", ["lift_return_walls"])):
+        assert codes(said(1.2, q2=1.1, assumed=(Assumption(key, words, 1.0, 2.0),)).limits) == limits
