@@ -190,7 +190,7 @@ def test_that_blank_lines_below_the_last_row_of_labview_are_no_segment(blank):
     middle = content[: content.rindex(b"\n", 0, -1) + 1]
     with pytest.raises(RecordError) as caught:
         read(middle + blank + content[len(middle) :])
-    assert caught.value.code == "lvm_segments"
+    assert (caught.value.code, caught.value.values) == ("lvm_segments", {"n": 2})
 
 
 @pytest.mark.parametrize("segments", [0, 2, 3])

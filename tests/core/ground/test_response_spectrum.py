@@ -65,6 +65,19 @@ def test_that_an_oscillator_beside_others_moves_as_one_alone(reference, per_peri
     assert np.array_equal(found, alone)
 
 
+def test_that_looks_between_samples_are_of_the_ground_between_them(reference):
+    """Four looks a sample are the same ground with four times as many samples."""
+    ground = reference("standard")[0][:900]
+    fine = np.interp(np.arange(4 * (ground.size - 1) + 1) / 4.0, np.arange(ground.size), ground)
+    periods = np.array([0.1, 0.11, 0.13])
+    seen = response_spectrum.displacement_spectrum(ground, 0.01, periods, 0.05, 40)
+    assert seen == pytest.approx(response_spectrum.displacement_spectrum(fine, 0.0025, periods, 0.05, 0), rel=1e-12)
+
+
+def test_that_the_housner_intensity_is_of_each_two_hundredths_of_a_second():
+    assert np.diff(response_spectrum.HOUSNER_PERIODS) == pytest.approx(0.02, rel=1e-12)
+
+
 def test_that_spectra_and_arias_agree_with_scipy(reference):
     """The oscillator as a linear system whose input is linear between samples, by scipy's own matrix exponential."""
     from scipy import signal
