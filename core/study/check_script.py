@@ -111,6 +111,8 @@ def _chosen(plan: Plan, k: int, demand: DemandResult | None) -> Chosen:
         raise NoCheck("no_records")
     runs.sort(key=lambda run: (run[3].overturns, run[3].rotation), reverse=True)
     chosen = "of all records and signs the largest rotation" + (" at the demand, with FC" if demand else "")
+    if demand and demand.weak_share is not None:
+        chosen += f"; the records as given are {demand.weak_share:.0%} of a_g S, NOT at the demand"
     motion, scale, model, most = runs[0]
     if most.rotation == 0.0:
         scale = float(np.sign(scale) * multiplier_of(MOVES, motion.pga, threshold_of(model)))

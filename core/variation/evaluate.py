@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 
-from core.codes.demand import LARGE_SCALING
+from core.codes.demand import LEAST_OF_DEMAND
 from core.codes.dynamic_check import DemandCheck
 from core.codes.elastic_branch import can_have_branch, wants_branch
 from core.codes.kinematic import Check, Kinematic, checks_of, linear
@@ -154,17 +154,20 @@ def evaluate(
         return Evaluation(scene, None, None, (), precision)
     dynamic = histories(scene, precision, other, cancelled)
     made = checks_of(kinematic, scene.demand, _counted(kinematic, scene.q_slv[0]))
-    checks = ((_as_check(dynamic, scene),) if dynamic else ()) + made
+    checks = _with_histories(made, dynamic, scene)
     found = Evaluation(scene, kinematic, dynamic, checks, precision)
     return replace(found, checks=_worse_first(found)) if scene.by_default else found
 
 
-def _as_check(dynamic: DemandCheck, scene: Scene) -> Check:
-    """The histories as a row of the checks: under records as given that no usual factor brings to the demand a wall may
-    fail, and how much more it bears is not known."""
+def _with_histories(made: tuple[Check, ...], dynamic: DemandCheck | None, scene: Scene) -> tuple[Check, ...]:
+    """The checks with that by histories, which decides: under records as given that no usual factor brings to the
+    demand a wall may fail, and how much more it bears is not known; then the others decide, where they are made."""
+    if dynamic is None:
+        return made
     check, share = dynamic.as_check(scene.demand.zeta_target), scene.demand.weak_share
-    of_demand = share is None or share * LARGE_SCALING >= 1.0
-    return check if of_demand or check.passed is False else replace(check, zeta=None, passed=None)
+    if share is None or share >= LEAST_OF_DEMAND or check.passed is False:
+        return (check, *made)
+    return (*made, replace(check, zeta=None, passed=None))
 
 
 def _worse_first(evaluation: Evaluation) -> tuple[Check, ...]:

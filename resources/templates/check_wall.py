@@ -219,16 +219,24 @@ def main():
     print(f"{WALL}, by {MADE_BY}\n{RECORD}, times {SCALE:.6g}: {CHOSEN}")
     ground = SCALE * np.array(SAMPLES.split(), float)
     theta, peak, overturns = history(ground)
-    rotation = abs(theta[LAST]) if OVERTURNS and overturns else peak
+    rotation = peak
+    if OVERTURNS and overturns:
+        rotation = abs(theta[LAST]) if len(theta) > LAST else math.inf  # it falls before
     found = {**by_hand(), "rotation": rotation}
-    wrong = overturns != OVERTURNS
+    wrong = not EXPECTED or overturns != OVERTURNS
     print(f"the wall {'overturns' if overturns else 'stands'}; by Ribalta it {'overturns' if OVERTURNS else 'stands'}")
     for name, (expected, tolerance) in EXPECTED.items():
-        differs = not abs(found[name] - expected) <= tolerance
+        own = found.get(name, math.nan)
+        differs = not abs(own - expected) <= tolerance
+        fails = name.startswith("d / S_De") and own < 1.0
         wrong |= differs
-        print(f"{name:41} {found[name]:.12g}, Ribalta {expected:.12g} +- {tolerance:.1e}{' DIFFERS' * differs}")
+        said = " DIFFERS" if differs else " (below 1: this check is NOT satisfied)" if fails else ""
+        print(f"{name:41} {own:.12g}, Ribalta {expected:.12g} +- {tolerance:.1e}{said}")
     wrong |= not energy_bound(ground, rotation)
-    print("WRONG: this wall is not as Ribalta says" if wrong else "all as Ribalta says")
+    print("taken from Ribalta, not checked: velocity ratios, samples, spectrum, ties, weight and inertia of a shape")
+    print("This is no verification: one history of a set, whose verdict stands in the note.")
+    same = "all numbers as Ribalta says" + ("; THE WALL OVERTURNS" if overturns else "")
+    print("WRONG: this wall is not as Ribalta says" if wrong else same)
     return int(wrong)
 
 

@@ -60,7 +60,7 @@ def test_that_the_script_comes_to_the_numbers_of_the_program(folder, kind, capsy
     code, said = run(written(folder, KINDS[kind], ag_g=0.25), capsys)
     assert code == 0, said
     assert "d / S_De (C8.7.1.12)" in said or "tie" in kind
-    assert "all as Ribalta says" in said and "energy: the ground can give at most" in said
+    assert "all numbers as Ribalta says" in said and "energy: the ground can give at most" in said
 
 
 def test_that_an_altered_rotation_or_number_by_hand_is_found(folder, capsys):
