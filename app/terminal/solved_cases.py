@@ -5,13 +5,18 @@ from pathlib import Path
 from app.look.language import current_language
 from app.terminal.batch import say
 from core import atomic_write
+from core.errors import InputError
 from core.packages import require
+from core.regular_file import first_bytes
 from core.solved.cases import cases_of, solve, subjects
 from core.solved.pack import NAME_OF_JSON, NAME_OF_PDF, as_json, called, pdf, summary, written
 from core.solved.solved import Solved, worded
 
 DIFFERS = 5
 """Exit code where a case does not agree with its source, as of --verify."""
+
+BEGINS = b'{\n "program": "Ribalta"'
+"""Of the results of an earlier run."""
 
 
 def run(output: Path | None, records: Path | None) -> int:
@@ -21,6 +26,7 @@ def run(output: Path | None, records: Path | None) -> int:
     """
     if output is not None:
         require("report")
+        _refuse_overwriting(output)
         atomic_write.check_folder(output)
     found = subjects(records)
     cases = cases_of(found)
@@ -34,6 +40,15 @@ def run(output: Path | None, records: Path | None) -> int:
         say(str(output / NAME_OF_PDF))
         say(str(output / NAME_OF_JSON))
     return DIFFERS if differing else 0
+
+
+def _refuse_overwriting(output: Path) -> None:
+    """Raise InputError where a file of these names is no pack of an earlier run, which writes both."""
+    pack, data = output / NAME_OF_PDF, output / NAME_OF_JSON
+    own = data.is_file() and first_bytes(data, len(BEGINS)) == BEGINS
+    for path in (data, pack):
+        if path.exists() and not own:
+            raise InputError("would_overwrite", path=path)
 
 
 def lines(cases: list[Solved]) -> list[str]:

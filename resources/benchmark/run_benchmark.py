@@ -87,6 +87,8 @@ def main() -> None:
     parser.add_argument("--scene", nargs="*", default=[], help="these alone")
     parser.add_argument("--timeout", type=float, default=600.0, help="seconds a scene")
     options = parser.parse_args()
+    if wrong := [word for word in options.programs if "=" not in word]:
+        parser.error(f"{wrong[0]}: a program is NAME=COMMAND")
     programs = dict(program.split("=", 1) for program in options.programs)
     scenes = [one for one in json.loads(SCENES.read_text()) if not options.scene or one["name"] in options.scene]
     times = {name: [] for name in programs}

@@ -71,6 +71,13 @@ def test_that_validate_without_data_runs_the_solved_cases(few, tmp_path, capsys)
     assert main(["--validate"]) == 0
 
 
+def test_that_a_file_that_is_no_pack_is_not_overwritten(few, tmp_path, capsys):
+    assert main(["--validate", "--output", str(tmp_path)]) == main(["--validate", "--output", str(tmp_path)]) == 0
+    (tmp_path / "solved.json").write_text("thesis")
+    assert main(["--validate", "--output", str(tmp_path)]) == 1
+    assert "would overwrite" in capsys.readouterr().err and (tmp_path / "solved.json").read_text() == "thesis"
+
+
 @pytest.mark.shows("batch.solved")
 def test_that_a_case_that_does_not_agree_ends_in_5(few, monkeypatch, capsys):
     wrong = replace(few[0], answers=(*few[0].answers, printed(("x", ""), "1.0", lambda: 1.2)))
