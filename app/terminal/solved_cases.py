@@ -16,7 +16,7 @@ DIFFERS = 5
 """Exit code where a case does not agree with its source, as of --verify."""
 
 BEGINS = b'{\n "program": "Ribalta"'
-"""Of the results of an earlier run."""
+"""How the results of an earlier run begin."""
 
 
 def run(output: Path | None, records: Path | None) -> int:

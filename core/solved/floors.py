@@ -84,7 +84,7 @@ def harmonic(ratio: float, damping: float) -> Answer:
 
 
 def step_response(damping: float) -> Answer:
-    """Of an oscillator of 0.5 s, the largest displacement under a constant acceleration."""
+    """Largest displacement that a constant acceleration gives an oscillator of 0.5 s."""
     expected = (0.5 / (2.0 * math.pi)) ** 2 * (1.0 + math.exp(-math.pi * damping / math.sqrt(1.0 - damping**2)))
     ground, period = np.ones(2000), np.array([0.5])
     words = f"S_D (ξ = {damping:g})"

@@ -289,7 +289,7 @@ INTENSITY = (
     / (2.0 * math.pi)
     * (RISING + 2.5 * ((0.5**2 - 0.15**2) / 2.0 + 0.5 * (2.0 - 0.5) + 0.5 * 2.0 * math.log(2.5 / 2.0)))
 )
-"""Of the same, branch by branch [cm]."""
+"""Housner intensity that its branches integrate to, one by one [cm]."""
 
 CASES: tuple[Solved, ...] = (
     *(of_site(*one) for one in SITES),

@@ -24,7 +24,7 @@ SLENDER = 1e-4
 """Slenderness of the block that moves as the linear equation says, to its square [rad]."""
 
 HEIGHT = 7.0
-"""Of the blocks [m]; it sets the unit of time alone, 1/p."""
+"""Height [m] that the blocks have; it sets the unit of time alone, 1/p."""
 
 SAMPLES = 1000
 """Of a pulse or of half a period: a straight line between them is 1e-6 off the sine."""
