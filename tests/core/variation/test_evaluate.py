@@ -96,8 +96,8 @@ def test_that_a_glance_has_no_outcome():
 @pytest.mark.parametrize("asked, other", [({}, True), ({"other": True}, True), ({"other": False}, False)])
 def test_that_fc_on_the_other_side_is_looked_at_too_unless_it_is_not_asked(asked, other):
     def said(*parts):
-        *_, every, searched, _ = parts
-        assert (every, searched) == (RUN.value, other)
+        *_, every, searched, cancelled = parts
+        assert (every, searched, cancelled()) == (RUN.value, other, False)
         return history(1.3)
 
     assert evaluate(replace(scene_of(), ground=(MOTION,), histories=said), **asked).zeta == 1.3

@@ -11,7 +11,7 @@ from core.errors import InputError
 from core.setting.plan import read_inputs
 from core.study.run import run
 from core.variation.changes import of_theory
-from core.variation.whole_wall import NONE, evaluate_wall, setting_of, with_demand, with_wall
+from core.variation.whole_wall import NONE, evaluate_wall, setting_of, with_demand, with_wall, without_record
 from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
 from tests.core.variation.test_sensitivity import CASES, LOADED, case_of
@@ -105,6 +105,17 @@ def test_that_only_records_used_as_given_follow_a_g():
         demand = replace(demand, record_scaling="pga")
         same = with_demand(here, demand).inputs[1]
         assert all(one is other for one, other in zip(same, before, strict=True))
+
+
+def test_that_a_record_is_left_out_with_its_kind_and_no_other():
+    case = parse_case(case_of(LOADED, generate={"scatter": 0.0, "count": 3}))
+    here = setting_of(case, 0, CASES, read_inputs(case, CASES))
+    demand, motions, _ = here.inputs
+    here = replace(here, inputs=(demand, motions, ["first", "second", "third"]))
+    for k, left in enumerate(((1, 2), (0, 2), (0, 1))):
+        less, fewer, named = without_record(here, k).inputs
+        assert less is demand and fewer == [motions[n] for n in left]
+        assert named == [("first", "second", "third")[n] for n in left]
 
 
 def test_that_a_wall_that_does_not_stand_is_satisfied_by_nothing():

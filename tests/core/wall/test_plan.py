@@ -112,3 +112,25 @@ def test_that_a_leaf_no_thicker_than_what_solids_are_grown_by_is_no_body():
     for thickness, count in ((0.0041, 1), (0.0039, 0)):
         leaf = Cell(0.0, 2.0, (0.0,) * 3, (thickness,) * 3)
         assert Bodies([[leaf]], 0.01, 2e-3).count == count
+
+
+@pytest.mark.parametrize(
+    "outer, inner",
+    [
+        ((0.0, 0.0, 0.0), (0.2, 0.1, 0.0)),
+        ((0.0, 0.0, 0.0), (0.0, 0.1, 0.2)),
+        ((0.2, 0.1, 0.0), (0.2, 0.2, 0.2)),
+        ((0.0, 0.1, 0.2), (0.2, 0.2, 0.2)),
+    ],
+)
+def test_that_a_wedge_is_a_body_whichever_end_is_its_point(outer, inner):
+    assert Bodies([[Cell(0.0, 2.0, outer, inner)]], 0.01, 2e-3).count == 1
+
+
+@pytest.mark.parametrize("plane, angle", [("section", 0.0), ("elevation", 0.5 * math.pi), ("oblique", 0.4)])
+def test_that_a_solid_that_is_grown_is_larger_by_as_much_on_each_side(plane, angle):
+    one = part(plane, box(0.2, 1.0, 0.0, 2.0), (0.1, 0.7), angle, 0.3)
+    (piece,), (larger,) = pieces_at([one], 1.0), pieces_at([one], 1.0, grown=0.05)
+    shape = Polygon(piece.corners)
+    assert Polygon(larger.corners).symmetric_difference(shape.buffer(0.05, join_style="mitre")).area < 1e-12
+    assert shape.area == pytest.approx(0.8 * 0.6, rel=1e-12)
