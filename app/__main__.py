@@ -79,14 +79,10 @@ def carry_out(options: argparse.Namespace) -> int:
         from app.terminal import verification
 
         return verification.verify(options.verify, options.records, options.jobs or os.cpu_count() or 1, options.quiet)
-    if options.validate and options.data:
-        from app.terminal import validation
-
-        return validation.run(options.data, options.output)
     if options.validate:
         from app.terminal import solved_cases
 
-        return solved_cases.run(options.output, options.records)
+        return solved_cases.run(options.output, options.records, options.data)
     if options.export_check:
         from app.terminal import check_export
 

@@ -106,13 +106,15 @@ def show_validation(window: "MainWindow") -> None:
     name = QFileDialog.getExistingDirectory(window, tr("Folder with tests.csv and records.npz"))
     if not name:
         return
-    from app.terminal.validation import lines
     from core.research.shake_table import compared, read_tests
+    from core.solved.shaken import lines
+
+    language = current_language()
 
     def work(job: Job) -> list[str]:
         tests = read_tests(Path(name))
         found = compared(tests, told=lambda share: job.progress(round(100 * share), 100, None))
-        return lines(found, len(tests.left_out))
+        return lines(found, len(tests.left_out), language)
 
     def arrived(said: list[str]) -> None:
         window.show_word("")

@@ -141,7 +141,7 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
         line.error(terminal("--part and --merge go with --batch"))
     if options.part and (options.merge or options.report or options.resume):
         line.error(terminal("--part goes on by itself and writes no results: leave out --merge, --report and --resume"))
-    takes_records = options.study or options.verify or (options.validate and not options.data)
+    takes_records = options.study or options.verify or options.validate
     if (options.quick and not options.study) or (options.records and not takes_records):
         line.error(terminal("--quick goes with --study, --records with --study, --verify or --validate"))
     return options
@@ -178,7 +178,7 @@ def extras(options: argparse.Namespace) -> list[str]:
     if options.inspect:
         return ["dxf"] if any(is_drawing(file) for path in options.inspect for file in files_of(path)) else []
     if options.validate:
-        return ["report"] if options.output and not options.data else []
+        return ["report"] if options.output else []
     if options.verify:
         return ["report", "accuracy", "dxf"]
     if options.study:

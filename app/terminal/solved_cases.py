@@ -1,5 +1,7 @@
-"""`--validate`: the solved cases, in a table on the terminal, as a PDF and as JSON (NTC 2018, 10.2)."""
+"""`--validate`: the solved cases, in a table on the terminal, as a PDF and as JSON (NTC 2018, 10.2); with `--data`
+tests on a shake table as well."""
 
+import json
 from pathlib import Path
 
 from app.look.language import current_language
@@ -8,9 +10,17 @@ from core import atomic_write
 from core.errors import InputError
 from core.packages import require
 from core.regular_file import first_bytes
+from core.research.shake_table import as_json as as_json_of_tests
+from core.research.shake_table import compared, read_tests
+from core.solved import shaken
 from core.solved.cases import cases_of, solve, subjects
 from core.solved.pack import NAME_OF_JSON, NAME_OF_PDF, as_json, called, pdf, summary, written
 from core.solved.solved import Solved, worded
+
+NAME_OF_TESTS = "validation.json"
+
+SEED = 1
+"""Seed that draws the halves of the events."""
 
 DIFFERS = 5
 """Exit code where a case does not agree with its source, as of --verify."""
@@ -19,26 +29,38 @@ BEGINS = b'{\n "program": "Ribalta"'
 """How the results of an earlier run begin."""
 
 
-def run(output: Path | None, records: Path | None) -> int:
-    """Ask the program for every answer, say what it finds, and write the pack into a folder where one is named.
+def run(output: Path | None, records: Path | None, data: Path | None = None) -> int:
+    """Ask the program for every answer, compare it with tests on a shake table, say what is found, and write the pack
+    into a folder where one is named.
 
-    records : folder whose record of El Centro 1940 adds its cases. Raises InputError, OutputError.
+    records : folder whose record of El Centro 1940 adds its cases; data : folder of the tests, None where there are
+        none. Raises InputError, OutputError.
     """
     if output is not None:
         require("report")
         _refuse_overwriting(output)
+        if data is not None and (output / NAME_OF_TESTS).resolve() in {file.resolve() for file in data.iterdir()}:
+            raise InputError("would_overwrite", path=output / NAME_OF_TESTS)
         atomic_write.check_folder(output)
-    found = subjects(records)
+    found, language = subjects(records), current_language()
+    tests = read_tests(data) if data is not None else None
     cases = cases_of(found)
     differing = solve(cases)
     for line in lines(cases):
         say(line)
+    files, more = {}, []
+    if tests is not None:
+        bodies, left_out = compared(tests, SEED), len(tests.left_out)
+        for line in shaken.lines(bodies, left_out, language):
+            say(line)
+        more = shaken.chapter(bodies, left_out, language)
+        content = json.dumps(as_json_of_tests(tests, bodies, SEED), indent=1, allow_nan=False, ensure_ascii=False)
+        files = {NAME_OF_TESTS: f"{content}\n".encode()}
     if output is not None:
-        atomic_write.write(
-            {output / NAME_OF_PDF: pdf(found, current_language()), output / NAME_OF_JSON: as_json(cases)}
-        )
-        say(str(output / NAME_OF_PDF))
-        say(str(output / NAME_OF_JSON))
+        files = {NAME_OF_PDF: pdf(found, language, more), NAME_OF_JSON: as_json(cases), **files}
+        atomic_write.write({output / name: content for name, content in files.items()})
+        for name in files:
+            say(str(output / name))
     return DIFFERS if differing else 0
 
 

@@ -7,6 +7,7 @@ from typing import Protocol
 
 from core.case.schema import Record
 from core.errors import InputError, place
+from core.file_names import name_of
 from core.ground import records
 from core.ground.ground_motion import GroundMotion
 from core.ground.records.grammar import Options
@@ -28,7 +29,7 @@ def read_records(case: Listed, base_dir: Path) -> tuple[list[GroundMotion], list
         options = Options(entry.unit, entry.time_step_s, entry.column, entry.skip_lines, entry.channel or None)
         try:
             for path in records.expand(entry.file, base_dir):
-                file = relative(path, base_dir)
+                file = named(path, base_dir, entry.file)
                 motion = replace(records.read(path, options, entry.scale), file=file)
                 here = (file, motion.channel)
                 twin, of_it = seen.setdefault(motion.samples_sha256, here)
@@ -58,8 +59,14 @@ def _told_apart(motions: list[GroundMotion]) -> list[GroundMotion]:
     return [replace(m, name=f"{m.file} {m.channel}".strip()) for m in motions]
 
 
-def relative(path: Path, base_dir: Path) -> str:
-    """Path of a file as a case of this folder names it."""
+def named(path: Path, base_dir: Path, given: str) -> str:
+    """Path of a file as a case of this folder names it: from its folder, absolute where it is so given, by which a
+    report says the same wherever its case is run again.
+
+    given : what led to the file in the case
+    """
+    if Path(name_of(given)).is_absolute():
+        return path.as_posix()
     try:
         return Path(os.path.relpath(path, base_dir)).as_posix()
     except ValueError:  # another drive

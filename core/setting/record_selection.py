@@ -17,7 +17,7 @@ from core.errors import Cancelled, InputError, RecordError, section
 from core.file_names import key_of, name_of
 from core.ground.record_folder import Candidate, LeftOut, Limits, files_in, one_of_each, read_file
 from core.ground.selection import OWN_FIT, OWN_PGA, Bounds, Found, nearest_sets, own_factors
-from core.setting.record_input import relative
+from core.setting.record_input import named
 from core.text.sentence import Sentence
 from core.threads import Threads
 
@@ -152,7 +152,11 @@ def select_records(
     if not sets:
         stated = {"of_station": asked.per_station, "of_event": asked.per_event}
         raise InputError("select_no_set", place=(here,), found=len(candidates), count=asked.count, **stated)
-    made = [_set_of(one, candidates, factors, scaled, periods, target, asked_bounds, base_dir) for one in sets]
+
+    def name(path: Path) -> str:
+        return named(path, base_dir, asked.folder)
+
+    made = [_set_of(one, candidates, factors, scaled, periods, target, asked_bounds, name) for one in sets]
     return Selection(
         asked.folder,
         len(files),
@@ -222,7 +226,7 @@ def _set_of(
     periods: np.ndarray,
     target: np.ndarray,
     bounds: Bounds,
-    base_dir: Path,
+    name: Callable[[Path], str],
 ) -> ChosenSet:
     """A set with its factor of `DIGITS` decimals: the nearest one that keeps the bounds.
 
@@ -232,7 +236,7 @@ def _set_of(
     ratios : of each, scaled by them, as `nearest_sets` takes them
     periods, target : [s], [m/s2]
     bounds : of the search
-    base_dir : files are named from there
+    name : of a file in the case
     """
     members = list(one.members)
     mean = ratios[members].mean(axis=0)
@@ -245,7 +249,7 @@ def _set_of(
     low, high = int(np.argmin(inner)), int(np.argmax(inner))
     records = tuple(
         Record(
-            file=key_of(relative(candidates[k].file, base_dir)),
+            file=key_of(name(candidates[k].file)),
             channel=candidates[k].channel,
             scale=round(float(factor * factors[k]), DIGITS),
         )

@@ -117,8 +117,9 @@ def as_json(cases: Sequence[Solved]) -> bytes:
     return (json.dumps(content, indent=1, allow_nan=False, ensure_ascii=False) + "\n").encode()
 
 
-def pdf(found: Sequence[Subject], language: str) -> bytes:
-    """The pack, with the input files of its cases within. Raises OutputError without the packages of a note."""
+def pdf(found: Sequence[Subject], language: str, more: Sequence[Part] = ()) -> bytes:
+    """The pack, with the input files of its cases within. more : chapters after the cases. Raises OutputError without
+    the packages of a note."""
     cases = cases_of(found)
     files = {file_of(case): text for case in cases if (text := input_of(case))}
     say = _Say(language)
@@ -129,7 +130,7 @@ def pdf(found: Sequence[Subject], language: str) -> bytes:
         Attachment(name, text, "application/toml", "source", say(worded("input file of a case")))
         for name, text in files.items()
     ]
-    return Note(_parts(found, say), language, line(), attachments=[data, *inputs]).pdf()
+    return Note([*_parts(found, say), *more], language, line(), attachments=[data, *inputs]).pdf()
 
 
 class _Say:

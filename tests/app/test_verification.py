@@ -77,6 +77,19 @@ def test_that_its_records_may_stand_elsewhere(copied, tmp_path, capsys, end):
 
 
 @pytest.mark.shows("batch.verify")
+def test_that_a_report_whose_case_names_its_record_absolutely_is_equal_wherever_it_stands(copied, tmp_path, capsys):
+    motion, case, apart = tmp_path / "motion.txt", copied / "absolute.toml", tmp_path / "a" / "part"
+    apart.mkdir(parents=True)
+    shutil.copy(copied / "motion.txt", motion)
+    case.write_text(CASE.replace("motion.txt", motion.as_posix()))
+    assert main(["--batch", str(case), "--report", str(case.with_suffix(".pdf")), "--quiet"]) == 0
+    for end in (".json", ".pdf", ".xlsx"):
+        report = shutil.copy(case.with_suffix(end), apart / f"alone{end}")
+        code, said = verified(capsys, report)
+        assert code == 0, said
+
+
+@pytest.mark.shows("batch.verify")
 def test_that_every_edited_number_of_the_results_is_named_with_how_much_it_is_off(copied, capsys):
     path = copied / "case.json"
     content = json.loads(path.read_text())

@@ -1,7 +1,6 @@
 """The model against tests on a shake table: an invented set in the layout, whose truth is known."""
 
 import csv
-import json
 import math
 
 import numpy as np
@@ -204,21 +203,3 @@ def test_that_the_bodies_of_a_folder_take_the_place_of_the_granite_ones(tmp_path
     (tmp_path / "bodies.csv").write_text("name,radius_m,inertia_over_mass_m2,slenderness_deg\n1,2.0,5.5,9\n")
     (body,) = read_tests(tmp_path).bodies
     assert body == Body("1", 2.0, 5.5, math.radians(9.0))
-
-
-@pytest.mark.shows("batch.validate")
-def test_that_the_command_says_and_writes_what_was_found(tmp_path, capsys):
-    data, output = tmp_path / "data", tmp_path / "out"
-    data.mkdir()
-    invented(data, wrong=("10", "50"))
-    assert main(["--validate", "--data", str(data), "--output", str(output)]) == 0
-    said = capsys.readouterr().out
-    assert "body 1: 71 tests" in said and "slenderness fitted: right" in said and "left out: 1 tests" in said
-    (body,) = json.loads((output / "validation.json").read_text())["bodies"]
-    assert {"name", "tests", "right", "missed", "false", "interval", "fitted"} <= set(body)
-    assert body["name"] == "1" and body["tests"] == 71 and 0.9 < body["right"] <= 69.0 / 71.0
-    assert body["interval"][0] <= body["right"] <= body["interval"][1] and len(body["fitted"]) == 2
-    before = (data / "tests.csv").read_bytes()
-    (data / "validation.json").write_text("{}")
-    assert main(["--validate", "--data", str(data), "--output", str(data)]) == 1  # a file of the data
-    assert "validation.json" in capsys.readouterr().err and (data / "tests.csv").read_bytes() == before

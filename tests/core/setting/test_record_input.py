@@ -23,6 +23,19 @@ def test_that_names_that_collide_become_paths(tmp_path, reference):
     assert [motion.name for motion in motions] == ["a.txt", "a.txt.txt", "s/a.txt"]
 
 
+@pytest.mark.parametrize("pattern", ["motion.txt", "mo*.txt"])
+def test_that_a_record_is_named_as_the_case_gives_it_from_its_folder_or_absolutely(tmp_path, reference, pattern):
+    """A report then says the same wherever its case is run again."""
+    text = "\n".join(f"{value:.9e}" for value in reference("standard")[0][:400])
+    (tmp_path / "motion.txt").write_text(text)
+    for folder in (tmp_path, tmp_path / "elsewhere"):
+        up = "" if folder == tmp_path else "../"
+        for given, named in ((f"{up}{pattern}", f"{up}motion.txt"), (f"{tmp_path.as_posix()}/{pattern}", None)):
+            entries = [{"file": given, "unit": "m/s2", "time_step_s": 0.01}]
+            ((motion,), _) = read_records(case(record=entries), folder)
+            assert motion.file == (named or f"{tmp_path.as_posix()}/motion.txt")
+
+
 @pytest.mark.shows("records.twice")
 def test_that_the_same_samples_under_two_names_are_refused(tmp_path, reference):
     text = "\n".join(f"{value:.9e}" for value in reference("standard")[0][:400])

@@ -162,6 +162,15 @@ def test_that_what_cannot_be_met_is_the_nearest_set_and_said_so(folder):
     assert keys["fits"] is False and keys["sets"][0]["miss"] == found.chosen.miss
 
 
+def test_that_a_folder_given_absolutely_names_its_records_so(folder):
+    asked = case()
+    shelf = (folder / asked.select.folder).resolve().as_posix()
+    absolute = replace(asked, select=replace(asked.select, folder=shelf))
+    by_name = [study.run(one, base_dir=folder).selection.chosen.records for one in (asked, absolute)]
+    assert [one.file for one in by_name[1]] == [f"{shelf}/{one.file.rpartition('/')[2]}" for one in by_name[0]]
+    assert all(one.file.startswith(f"{asked.select.folder}/") for one in by_name[0])
+
+
 def test_that_a_run_takes_the_chosen_as_records_written_by_hand(folder):
     chosen = study.run(case(), base_dir=folder)
     content = results(chosen)
