@@ -1,7 +1,6 @@
 """Restitution model and moment law of a wall, with formula, value and curve."""
 
 import math
-import re
 from collections.abc import Callable
 
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout
@@ -15,20 +14,10 @@ from app.look.language import current_language, described, named, number, tr
 from app.work.session import Session
 from core.case.wall import Wall
 from core.errors import InputError
+from core.text.sentence import numeral
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import MODELS, Contact, impact_ratio
-
-FORMULAS = {
-    "housner": "e = 1 − {inner} (Eq. 4, α = {alpha}°)",
-    "sorrentino_experimental": "e = 0.95 (1 − {inner}) (Eq. 5, α = {alpha}°)",
-    "costa_upper": "e = 0.98 (Costa et al. 2013)",
-    "one_sided_theoretical": "e = (1 − {inner})² |1 − {top}| (Eq. 6, α = {alpha}°)",
-    "one_sided_experimental": "e = √r₁ₛ (1.18 − 0.473 v²) (Eq. 7)",
-    "user": "e",
-}
-"""inner, top : what the impacts of the inner hinge and of the top of its face take of the velocity; alpha : of the
-block that turns [deg]. Of each of MODELS: tests/app/test_forms.py asks for all."""
 
 
 def captions() -> dict:
@@ -73,20 +62,23 @@ def scopes() -> dict:
 
 def formula_of(model: str, block: Block, contact: Contact | None = None) -> str:
     """The formula of a model with the factors and the angle of this block: a setback or a mass that moves with the wall
-    makes them others than those of a rectangle. contact : of a block with masses that move with it"""
-    factor = f"{2.0 * block.radius**2 / block.inertia_over_mass:.5g}"
-    losses = {"inner": f"{factor} sin²α", "top": f"{factor} cos²α"}
+    makes them others than those of a rectangle; of a model without a formula its source. contact : of a block with
+    masses that move with it"""
+    from core.derivation.body import RATIOS
+    from core.derivation.faces import in_symbols
+
+    language = current_language()
+    if model not in RATIOS:
+        return "e" if model == "user" else f"e ({MODELS[model].source})"
+    factor = numeral(2.0 * block.radius**2 / block.inertia_over_mass, ".5g", language)
+    inner, top = f"{factor} sin²α", f"{factor} cos²α"
     if contact is not None:
-        corner, top = (contact.width, 0.0), (contact.width, contact.height)
-        losses = {
-            "inner": f"{1.0 - impact_ratio(block, (0.0, 0.0), corner):.5g}",
-            "top": f"{1.0 - impact_ratio(block, corner, top):.5g}",
-        }
-    degrees = math.degrees(block.slenderness)
-    formula = FORMULAS.get(model, MODELS[model].source).format(alpha=f"{degrees:.5g}", **losses)
-    if current_language() == "it":
-        formula = re.sub(r"(?<=\d)\.(?=\d)", ",", formula)
-    return formula
+        corner, upper = (contact.width, 0.0), (contact.width, contact.height)
+        inner = numeral(1.0 - impact_ratio(block, (0.0, 0.0), corner), ".5g", language)
+        top = numeral(1.0 - impact_ratio(block, corner, upper), ".5g", language)
+    symbols = {"e_base": f"(1 − {inner})", "e_top": f"|1 − {top}|"}
+    degrees = numeral(math.degrees(block.slenderness), ".5g", language)
+    return f"e = {in_symbols(RATIOS[model], symbols, language)} ({RATIOS[model].clause}, α = {degrees}°)"
 
 
 class LawField(NumberField):
