@@ -46,7 +46,6 @@ WORDS = re.compile(r"[A-Za-z]{2,} [a-z]{2,} [a-z]{2,}")
 
 OF_NO_SENTENCE = {
     "app/terminal/command_line.py": "what argparse says, and the texts of the terminal for it",
-    "app/input/impact_form.py": "formulas with their source",
     "core/case/back_restraint.py": "words of older texts, in both languages",
     "core/case/wall_table.py": "heads of columns, in both languages",
     "core/case/wall.py": "the values of a key",
