@@ -302,7 +302,7 @@ def make_lane_kernel(order):
                 long = LONG_FOR if shorter > 0 else long - 1
             vector_step(lanes, dt, constants, order, slopes, state)
             if shorter > 0:
-                stay_in_sample(lanes, state)
+                stay_in_sample(lanes, constants, state)
             count = load_next_sample(lanes, ground, busy, state)
             falling = gather_falling(count, busy, state)
             if falling > 0:
