@@ -26,8 +26,9 @@ NOISE = 1e-15
 """Noise on the samples, of each, that no solver in double precision can tell from none."""
 
 PROMISED, TIMES_NOISE = 1e-9, 300.0
-"""A history, also of a wall with ties, is wrong by at most the larger of the first, of theta_c, and so many times the
-effect of NOISE on it (resources/docs/speed.md, measured by tests/benchmarks/noise_promise.py). The tolerance of a step
+"""A history, also of a wall with ties, is wrong by no more than the larger of the first, of theta_c, and so many times
+the effect of NOISE on it, but where a landing is tangent to the last digit: one in a thousand built so exceeds it
+(resources/docs/speed.md, measured by tests/benchmarks/noise_promise.py). The tolerance of a step
 allows it a hundred times what NOISE does to it (core/rocking/taylor_bounds.py); the largest measured is 170."""
 
 STEP_FACTORS = (4.0, 2.0, 0.5, 0.2)

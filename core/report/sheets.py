@@ -311,8 +311,9 @@ def _bound(book: Book, accuracy: Accuracy) -> str:
     """Sentence on the bound of the error of the governing history; "" for a method that has none."""
     if accuracy.history_bound is not None:
         return " " + book.say(
-            "Its error is at most {_bound} of θc: the larger of {least:g} and {times:g} times what noise of {noise:g} "
-            "on the samples does to it, as measured on random histories.",
+            "Its error is within {_bound} of θc, the larger of {least:g} and {times:g} times what noise of {noise:g} "
+            "on the samples does to it: so in 30 000 random histories. Where a landing is tangent to the last digit "
+            "one in a thousand exceeds it.",
             _bound=_power(book, accuracy.history_bound),
             least=PROMISED,
             times=TIMES_NOISE,

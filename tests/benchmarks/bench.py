@@ -80,6 +80,7 @@ def options_of(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--walls", type=int)
     parser.add_argument("--guide", action="store_true")
     parser.add_argument("--explain", action="store_true")
+    parser.add_argument("--tangent", action="store_true")
     parser.add_argument("--output", type=Path, default=Path("work_precision"))
     return parser.parse_args(words)
 

@@ -3,9 +3,11 @@
 The error is against a Taylor solver of order 24 in double-double arithmetic that shares no code with the program
 (tests/validation/double_double.py): a millisecond a case.
 
-python3 run.py bench --noise [--explain] [--cases N]
+python3 run.py bench --noise [--explain | --tangent] [--cases N]
 
---explain names each case whose error is beyond EXPLAINED times that effect, and what its error is.
+--explain names each case whose error is beyond EXPLAINED times that effect, and what its error is. --tangent builds of
+each case without ties the two motions, a last digit apart, of which one lands once more: between them a landing is
+tangent, where an error of the last digit becomes its square root.
 """
 
 import argparse
@@ -169,12 +171,56 @@ def effect_of_noise(case: Case, once: np.ndarray, draws: int, key: list[int]) ->
 
 def errors(seed: int) -> Found:
     """Error and effect of noise of a random case."""
-    case = case_of(seed)
+    return errors_of(case_of(seed), seed)
+
+
+def errors_of(case: Case, seed: int) -> Found:
+    """Error and effect of noise of a case. seed : of the noise"""
     once = history(case.ground, case.dt, 1.0, case.model, AUTO).rotation
     exact = double_double_walls.history(case.ground, case.dt, case.model)
     peak = float(np.minimum(np.abs(exact.rotation), case.model.collapse_rotation).max()) / case.model.collapse_rotation
     noise = effect_of_noise(case, once, NOISES, [seed, 1])
     return Found(distance(case.model, once, exact.rotation), noise, peak, exact.impacts)
+
+
+def landings(case: Case, scale: float) -> int:
+    return history(case.ground, case.dt, scale, case.model, AUTO).impact_time.size
+
+
+def tangent_cases(seed: int) -> list[Case]:
+    """The case with its ground as strong as two neighbouring doubles of which one has another count of impacts; empty
+    where no ground up to a tenth stronger has, and of walls with ties."""
+    case, rng = case_of(seed), np.random.default_rng([seed, 3])
+    low, high = 1.0, 1.0 + 10.0 ** rng.uniform(-3.0, -1.0)
+    few = landings(case, low)
+    if case.model.bars or landings(case, high) == few:
+        return []
+    while low < (middle := 0.5 * (low + high)) < high:
+        if landings(case, middle) == few:
+            low = middle
+        else:
+            high = middle
+    return [case._replace(ground=case.ground * scale) for scale in (low, high)]
+
+
+def errors_of_tangent(seed: int) -> list[Found]:
+    """`errors` of these cases."""
+    return [errors_of(case, seed) for case in tangent_cases(seed)]
+
+
+def print_tangent(cases: int) -> None:
+    """Print how many landings that were built tangent are beyond the promise, and by how much."""
+    with ProcessPoolExecutor(2) as pool:
+        made = list(pool.map(errors_of_tangent, range(cases), chunksize=16))
+    seeds = [seed for seed, rows in enumerate(made) for _ in rows]
+    found = np.array([row for rows in made for row in rows]).reshape(-1, len(Found._fields))
+    assert found.size, "no landing changes: more cases"
+    counts = ", ".join(f"{times:g} times {int(beyond(found, times).sum())}" for times in (0.0, *TIMES))
+    print(f"{len(found)} cases a last digit from a tangent landing; above {PROMISED:g} theta_c and noise of {NOISE:g}:")
+    print(counts)
+    for k in np.nonzero(beyond(found, TIMES_NOISE))[0]:
+        error, noise = found[k, :2]
+        print(f"case {seeds[k]}, {KINDS[seeds[k] % len(KINDS)]}: error {error:.1e}, noise {noise:.1e} theta_c")
 
 
 def of_many_draws(seed: int) -> float:
@@ -223,6 +269,9 @@ def explain(seeds: list[int], found: np.ndarray) -> None:
 def main(options: argparse.Namespace) -> None:
     """Print the table."""
     cases = 2 * len(KINDS) if options.small else options.cases
+    if options.tangent:
+        print_tangent(cases)
+        return
     found = found_of(cases)
     error, noise, peak, impacts = found.T
     kinds = np.arange(cases) % len(KINDS)
