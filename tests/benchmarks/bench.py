@@ -75,7 +75,7 @@ def options_of(words: list[str]) -> argparse.Namespace:
         else:
             asked.add_argument(f"--{word.replace('_', '-')}", action="store_true")
     parser.add_argument("--small", action="store_true")
-    parser.add_argument("--pairs", type=int, default=7)
+    parser.add_argument("--pairs", type=int, help="25 of --paired, else 7")
     parser.add_argument("--cases", type=int, default=1000)
     parser.add_argument("--walls", type=int)
     parser.add_argument("--guide", action="store_true")

@@ -42,7 +42,7 @@ def pairs_of(one_sided: bool):
 def main(options: argparse.Namespace) -> None:
     """Print the table."""
     ground, dt, taylor, n = reference("standard"), 0.01, METHODS["taylor"], 256
-    pairs, repeats = options.pairs, (5, 3, 20)
+    pairs, repeats = (options.pairs or 7), (5, 3, 20)
     if options.small:
         ground, n, pairs, repeats = ground[SAMPLES].copy(), 8, 1, (1, 1, 1)
     outcomes, peaks = np.zeros(n, np.int64), np.zeros(n)

@@ -1,26 +1,40 @@
-"""Two states of the code measured in turn, in pairs, on one machine: what changed, whatever else it does.
+"""Two states of the code measured in turn on one core of one machine: what changed, whatever else it does.
 
     python3 run.py bench --paired OTHER_TREE [--pairs N]
 
-Each pair runs this file in a process of its own, once with OTHER_TREE and once with this tree; both keep their kernels
-in a cache of their own, compiled before the first pair. Printed: median and range of this tree's time over the
-other's, and the ratio of the smallest times, which the machine's neighbours disturb least. Times are the processor's.
+OTHER_TREE, this tree and OTHER_TREE once more, the control, are three processes that live throughout on one core, each
+tree with kernels in a cache of its own. Of each figure they take turns of TURN seconds, in another order each time, so
+that what the neighbours do falls on all alike. Printed: the median of this tree's processor time over the other's with
+the interval that holds it in 19 of 20 such runs, and the same of the control, whose ratio is 1: what it strays by is
+what the machine does. A change is one where the two intervals do not meet.
+
+Beside it stand three probes, measured in every turn: a loop that waits for each result (latency), one of packed
+products and sums (throughput), and one of more code than the processor keeps decoded (front end). Turns of the first
+do not carry to loops of the other kinds: a neighbour on the sibling thread slows them differently.
 """
 
 import argparse
+import contextlib
 import json
 import math
 import os
+import platform
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 SAMPLES, TIME_STEP, MULTIPLIERS = 2000, 0.01, 256
+
+TURN = 0.03
+"""Processor time that a process takes before it is the next one's turn [s]."""
+
+PROBES = ("latency", "throughput", "front end")
 
 
 def best_seconds(call, repeats: int) -> float:
@@ -35,7 +49,12 @@ def best_seconds(call, repeats: int) -> float:
 
 
 def figures(small: bool) -> dict[str, float]:
-    """Name -> time [s], of the tree that is first on the path. small : a fifth of the record, each call twice"""
+    """Name -> smallest time [s] of `calls`. small : of each call twice"""
+    return {name: best_seconds(call, 1 if small else 9) for name, call in calls(small).items()}
+
+
+def calls(small: bool) -> dict[str, Callable[[], None]]:
+    """Name -> what is measured, of the tree that is first on the path. small : a fifth of the record"""
     import numpy as np
 
     try:
@@ -47,13 +66,14 @@ def figures(small: bool) -> dict[str, float]:
         from core.ida import Search, incremental_dynamic_analysis  # type: ignore
 
         from core.rocking import METHODS, RockingModel, history, scan  # type: ignore
-    samples, most = (SAMPLES // 5, 1) if small else (SAMPLES, 40)
+    samples = SAMPLES // 5 if small else SAMPLES
     random = np.random.default_rng(2)
     walk = np.cumsum(random.normal(size=samples))
     walk -= np.linspace(0.0, walk[-1], samples)
     walk *= 2.5 / np.abs(walk).max() * np.sin(np.arange(samples) * np.pi / samples)
     ground = np.ascontiguousarray(6.0 * np.diff(walk, append=0.0) + 0.3 * walk)
-    pga, alpha, found = float(np.abs(ground).max()), math.radians(6.8), {}
+    pga, alpha = float(np.abs(ground).max()), math.radians(6.8)
+    found: dict[str, Callable[[], None]] = {}
     walls = {
         "two-sided": (0.0, 0.979, 0.0, 0.0),
         "one-sided": (1.0, 0.45, 0.0, 0.0),
@@ -75,52 +95,175 @@ def figures(small: bool) -> dict[str, float]:
 
         def lanes(model=model):
             scan(taylor, ground, TIME_STEP, scales, model, outcomes, peaks)
+            assert (peaks > 0.0).all(), "lanes at rest"
 
-        found[f"lanes, {name}"] = best_seconds(lanes, min(most, 9))
-        assert (peaks > 0.0).all()
-        found[f"search, {name}"] = best_seconds(partial(searched, model), min(most, 5))
-        found[f"history, {name}"] = best_seconds(partial(moved, model), most)
+        found[f"lanes, {name}"] = lanes
+        found[f"search, {name}"] = partial(searched, model)
+        found[f"history, {name}"] = partial(moved, model)
     # steps that are taken in parts: 0.05 s under a wall of 1 m, and a stiff elastic branch
     for name, dt, model in (
         ("long steps", 0.05, RockingModel(alpha, 14.6, 0.0, 0.979, 0.0, 0.0, 0.0)),
         ("stiff", TIME_STEP, RockingModel(alpha, 4.87, 1.0, 0.45, 0.0, 0.02 * alpha, 0.28 * alpha)),
     ):
-        found[f"search, {name}"] = best_seconds(partial(searched, model, dt), min(most, 3))
+        found[f"search, {name}"] = partial(searched, model, dt)
     model = RockingModel(alpha, 2.0866, 0.0, 0.979, 0.0, 0.0, 0.0)
     for name in ("newmark_paper", "newmark_events", "rk4", "dormand_prince", "linearised"):
-        found[name] = best_seconds(partial(moved, model, METHODS[name]), min(most, 12))
+        found[name] = partial(moved, model, METHODS[name])
     return found
 
 
-def measured(tree: Path, cache: str | None, *words: str) -> dict[str, float]:
-    """`figures` of a tree in a process of its own. cache : folder of its kernels, else that of the tests"""
-    variables = dict(os.environ, PYTHONPATH=str(tree))
-    if cache:
-        variables["RIBALTA_CACHE"] = cache
-    command = [sys.executable, "-P", __file__, str(tree), *words]
-    done = subprocess.run(command, env=variables, capture_output=True, text=True, check=True)
-    return json.loads(done.stdout)
+def probes() -> dict[str, Callable[[], None]]:
+    """Name of PROBES -> a loop of some 0.1 ms."""
+    import numba
+    import numpy as np
+
+    @numba.njit
+    def latency(n):
+        x = 0.5
+        for _ in range(n):
+            x = math.sin(x) + math.cos(x)
+        return x
+
+    @numba.njit
+    def throughput(values, n):
+        for _ in range(n):
+            for k in range(values.size):
+                values[k] = values[k] * 0.999 + 0.001
+
+    lines = ["def front_end(n):", "    a, b, c, d = n, n + 1, n + 2, n + 3", "    for _ in range(n):"]
+    signs, names = "+^-&|", "abcd"
+    for k in range(1200):  # no two lines alike, so that none become one vector instruction
+        one, other = names[k % 4], names[(k * 7 + k // 4 + 1) % 4]
+        lines.append(f"        {one} = ({one} {signs[k % 3]} {k * 2654435761 % 65521}) {signs[k * k % 2]} {other}")
+    space: dict = {}
+    exec("\n".join([*lines, "    return a + b + c + d"]), space)
+    front_end, values = numba.njit(space["front_end"]), np.ones(512)
+    loops = (lambda: latency(5000), lambda: throughput(values, 1500), lambda: front_end(100))
+    return dict(zip(PROBES, loops, strict=True))
+
+
+def work(small: bool) -> None:
+    """A process of the comparison: of each line "name count" it prints the processor time of so many calls [s]."""
+    with contextlib.suppress(AttributeError, OSError):
+        os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
+    known = calls(small) | (probes() if "--probes" in sys.argv else {})
+    took = {}
+    for name, call in known.items():
+        call()
+        start = time.thread_time()
+        call()
+        took[name] = time.thread_time() - start
+    print(json.dumps(took), flush=True)
+    for line in sys.stdin:
+        name, count = json.loads(line)
+        start = time.thread_time()
+        for _ in range(count):
+            known[name]()
+        print(time.thread_time() - start, flush=True)
+
+
+class Worker:
+    """A process that measures a tree. cache : folder of its kernels, None for that of the tests"""
+
+    def __init__(self, tree: Path, cache: str | None, *words: str):
+        variables = dict(os.environ, PYTHONPATH=str(tree))
+        if cache:
+            variables["RIBALTA_CACHE"] = cache
+        command = [sys.executable, "-P", __file__, str(tree), *words]
+        self._process = subprocess.Popen(
+            command, env=variables, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        )
+        self.took: dict[str, float] = json.loads(self._line())
+
+    def _line(self) -> str:
+        assert self._process.stdout is not None
+        line = self._process.stdout.readline()
+        if not line:
+            sys.exit("a process of the comparison has ended")
+        return line
+
+    def seconds(self, name: str, count: int) -> float:
+        """Processor time of a call [s], of so many."""
+        assert self._process.stdin is not None
+        print(json.dumps([name, count]), file=self._process.stdin, flush=True)
+        return float(self._line()) / count
+
+    def end(self) -> None:
+        self._process.terminate()
+        self._process.wait()
+
+
+@contextlib.contextmanager
+def workers(other: Path, small: bool) -> Iterator[tuple[Worker, Worker, Worker]]:
+    """Those of the other tree, of this one, and of the other once more."""
+    words = ["--small"] if small else []
+    with tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as stack:
+        made = []
+        for tree, more in ((other, []), (ROOT, ["--probes"]), (other, [])):
+            one = Worker(tree, None if small else f"{folder}/{tree is ROOT}", *words, *more)
+            stack.callback(one.end)
+            made.append(one)
+        yield made[0], made[1], made[2]
+
+
+def interval(values: list[float]) -> tuple[float, float, float]:
+    """Median of some values, and the order statistics between which it lies in 19 of 20 draws."""
+    ordered, n = sorted(values), len(values)
+    out = max(0, math.floor(0.5 * (n - 1.96 * math.sqrt(n))))
+    return statistics.median(ordered), ordered[out], ordered[n - 1 - out]
+
+
+def machine() -> list[str]:
+    """What of this machine decides such times."""
+    name, said = platform.processor() or platform.machine(), []
+    with contextlib.suppress(OSError):
+        about = Path("/proc/cpuinfo").read_text()
+        name = next((line.split(":")[1].strip() for line in about.splitlines() if line.startswith("model name")), name)
+        if " hypervisor" in about:
+            said.append("a virtual machine: neighbours may share its cores and their caches")
+    with contextlib.suppress(OSError):
+        core = Path("/sys/devices/system/cpu/cpu0/topology/thread_siblings_list").read_text().strip()
+        if core != "0":
+            said.append(f"threads {core} are one core")
+    with contextlib.suppress(OSError):
+        if (load := os.getloadavg()[0]) > 0.5:
+            said.append(f"load {load:.1f} when it began: not quiet")
+    if sys.dont_write_bytecode:
+        said.append("no bytecode is written (PYTHONDONTWRITEBYTECODE): each process compiles its modules, 0.35 s")
+    return [f"{name}, Python {platform.python_version()}", *said]
 
 
 def main(options: argparse.Namespace) -> None:
-    """Print the table."""
-    both = (options.paired.resolve(), ROOT)
-    if options.small:
-        runs = [[measured(tree, None, "--small") for tree in both]]
-    else:
-        with tempfile.TemporaryDirectory() as folder:
-            trees = [(tree, f"{folder}/{k}") for k, tree in enumerate(both)]
-            for tree, cache in trees:
-                measured(tree, cache)
-            runs = [[measured(*tree) for tree in trees] for _ in range(options.pairs)]
-    print(f"{'this tree over the other':24} {'median':>7} {'range':>15} {'smallest':>9} {'time':>12}")
-    for name in runs[0][0]:
-        ratios = sorted(mine[name] / theirs[name] for theirs, mine in runs)
-        best = [min(run[k][name] for run in runs) for k in (0, 1)]
-        print(
-            f"{name:24} {statistics.median(ratios):7.3f} {ratios[0]:7.3f}-{ratios[-1]:.3f} "
-            f"{best[1] / best[0]:9.3f} {1e3 * best[1]:9.3f} ms"
-        )
+    """Print the tables."""
+    pairs, turn = (2, 0.0) if options.small else (options.pairs or 25, TURN)
+    for line in machine():
+        print(line)
+    waited: dict[str, list[float]] = {name: [] for name in PROBES}
+    with workers(options.paired.resolve(), options.small) as trees:
+        heads = ("ratio", 7), ("19 of 20", 15), ("control", 8), ("19 of 20", 15), ("time", 12)
+        print(f"\n{'this tree over the other':24} " + " ".join(f"{head:>{width}}" for head, width in heads))
+        for name in trees[1].took:
+            if name in PROBES:
+                continue
+            count = max(1, round(turn / max(one.took[name] for one in trees)))
+            times: list[list[float]] = []
+            for k in range(pairs):
+                order = [(k + shift) % 3 for shift in range(3)]
+                found = {place: trees[place].seconds(name, count) for place in order}
+                times.append([found[place] for place in range(3)])
+                probe = PROBES[sum(map(len, waited.values())) % 3]
+                waited[probe].append(trees[1].seconds(probe, max(1, round(0.1 * turn / trees[1].took[probe]))))
+            mine, same = (interval([row[place] / row[0] for row in times]) for place in (1, 2))
+            least = min(row[1] for row in times)
+            print(
+                f"{name:24} {mine[0]:7.3f} {mine[1]:7.3f}-{mine[2]:.3f} {same[0]:9.3f} {same[1]:7.3f}-{same[2]:.3f} "
+                f"{1e3 * least:9.3f} ms"
+            )
+    print(f"\n{'probe':24} {'least':>9} {'median':>9} {'9 of 10':>9}, of a loop of some 0.1 ms")
+    for name, values in waited.items():
+        ordered = sorted(values) or [math.nan]
+        shown = (ordered[0], statistics.median(ordered), ordered[int(0.9 * (len(ordered) - 1))])
+        print(f"{name:24} " + " ".join(f"{1e6 * value:6.1f} us" for value in shown))
 
 
 if __name__ == "__main__":
@@ -128,4 +271,4 @@ if __name__ == "__main__":
 
     given = core.__path__[0]
     assert Path(given).resolve().is_relative_to(sys.argv[1]), f"{given} is measured in place of {sys.argv[1]}"
-    print(json.dumps(figures("--small" in sys.argv)))
+    work("--small" in sys.argv)

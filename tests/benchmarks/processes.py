@@ -80,7 +80,7 @@ def main(options: argparse.Namespace) -> None:
         cache = None if options.small else folder
         runs = [measured(cache, None, options.small)]
         if not options.small:  # the first one compiled
-            runs = [measured(cache, None, False) for _ in range(options.pairs)]
+            runs = [measured(cache, None, False) for _ in range(options.pairs or 7)]
     print(f"{'turns of the loop of sin and cos, a sample':42} {'median':>7} {'range over processes':>22}")
     for name in runs[0]:
         values = sorted(run[name] for run in runs)
