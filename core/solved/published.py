@@ -4,24 +4,17 @@ The textbook's number is computed in the textbook's way, in a few lines here; th
 """
 
 import math
-from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 
-import numpy as np
-
-from core.capacity.closed_forms import closed_form_q_eff
 from core.case.rules import parse_case
 from core.codes.kinematic import Kinematic, kinematic
 from core.codes.vertical_bending import Bending, Strip, mechanism
-from core.rocking.history import history
 from core.setting.demand_input import demand_of
-from core.solved.experiments import first_overturning, overturned, section
-from core.solved.solved import Answer, Kind, Sketch, Solved
+from core.solved import published_rocking
+from core.solved.experiments import section
+from core.solved.solved import Kind, Sketch, Solved, answer
 from core.text.sentence import sentence
-from core.units import CM, G
-from core.wall.block import Block
-from core.wall.rocking_model import RockingModel
+from core.units import G
 
 WALL = {"height_m": 3.0, "thickness_m": 0.45, "unit_weight_kn_m3": 18.0}
 """The wall of which most examples here are: 24.3 kN/m."""
@@ -40,15 +33,6 @@ THIN = {"height_m": 3.0, "thickness_m": 0.30, "unit_weight_kn_m3": 18.0}
 ON_TOP = {"kind": "vertical", "kn_m": 5.0, "d_m": 0.15, "h_m": 3.0, "mass": "horizontal"}
 TIE = {"kind": "tie", "kn_m": 1.9526786, "h_m": 2.8, "bar_length_m": 8.0, "elongation_m": 0.4}
 
-HALF_SINES = ((2.0, 1.80072), (4.0, 2.79080), (8.0, 4.78707))
-"""omega/p and the amplitude over g alpha at which a half sine overturns a linear block."""
-
-SINE_EDGES = (("published_falls", 3.01), ("published_stands", 6.33), ("published_falls_again", 7.18))
-"""Words and amplitudes over g alpha at which a full sine with omega = 5 p begins or ceases to overturn a block."""
-
-SLENDER = 1e-3
-"""alpha [rad] at which the exact equation is the linear one of the older papers, to six digits."""
-
 
 def mechanism_of(wall: dict, *loads: dict, **more) -> Kinematic:
     """The mechanism of a wall as the keys of a case give it."""
@@ -60,105 +44,6 @@ def mechanism_of(wall: dict, *loads: dict, **more) -> Kinematic:
     (made,), asked = case.wall, demand_of(case, Path())
     assert asked is not None
     return kinematic(made.in_si, made.mechanism, asked)
-
-
-def answer(code: str, expected: float, find: Callable[[], float], tolerance: float = 1e-4, unit: str = "") -> Answer:
-    """An answer. code : of its words; tolerance : the digits it is printed with, where none is said"""
-    return Answer(sentence("solved", code), unit, expected, tolerance, find)
-
-
-def _of_rocking() -> tuple[Solved, ...]:
-    return (
-        Solved(
-            "published_paper_law",
-            Kind.PRINTED,
-            sentence("solved", "published_paper_law"),
-            "Coccia, Di Carlo, Imperatore (2016), Eq. 15, 16 and Table 2",
-            tuple(
-                answer(code, q_eff, partial(closed_form_q_eff, math.radians(6.8), 7.0, 124.27 * CM, side))
-                for code, q_eff, side in (
-                    ("published_q_two_sided", 6.7595, False),
-                    ("published_q_one_sided", 18.917, True),
-                )
-            ),
-            formula="(30 alpha + 78 H + 90) / S_I",
-            comment=sentence("solved", "published_paper_law_why"),
-        ),
-        Solved(
-            "published_housner_period",
-            Kind.PRINTED,
-            sentence("solved", "published_housner_period"),
-            "Housner (1963), BSSA 53(2); test_p2_housner.py of an open fork of OpenSees",
-            (answer("published_quarter_period", 0.60050, _quarter_period, 5e-3, "s"),),
-            formula='T/4 = 1/p op("arcosh") 1/(1 - theta_0 / alpha)',
-            sketch=Sketch(section(2.0, 0.4)),
-            comment=sentence("solved", "published_housner_period_why"),
-        ),
-        Solved(
-            "published_housner_pulses",
-            Kind.PRINTED,
-            sentence("solved", "published_housner_pulses"),
-            "Housner (1963), BSSA 53(2); Makris, Roussos (2000), Géotechnique 50(3)",
-            (
-                answer("published_rectangle", math.acosh(1.25), _rectangular_pulse, 2e-3),
-                *(
-                    Answer(sentence("solved", "published_half_sine", ratio=w), "", a, 1e-3, partial(_half_sine, w))
-                    for w, a in HALF_SINES
-                ),
-            ),
-            formula="cosh p t_1 = 1 + 1/(2 r (r - 1)), quad r = dot.double(u) / (g alpha)",
-            comment=sentence("solved", "published_housner_pulses_why"),
-        ),
-        Solved(
-            "published_full_sine",
-            Kind.PRINTED,
-            sentence("solved", "published_full_sine"),
-            "Zhang, Makris (2001), J. Eng. Mech. 127(5)",
-            tuple(
-                answer(code, printed, partial(_edge_of_sine, n), 5e-3) for n, (code, printed) in enumerate(SINE_EDGES)
-            ),
-            comment=sentence("solved", "published_full_sine_why"),
-        ),
-    )
-
-
-def _quarter_period() -> float:
-    """Of a block with its mass in its corners, half-width 0.2 and half-height 1 m, from half of alpha."""
-    radius = math.hypot(0.2, 1.0)
-    block = Block(math.atan2(0.2, 1.0), radius, 2.0 * radius**2)
-    model = RockingModel(block.slenderness, block.p2, 0.0, 0.9, 0.0, 0.0, 0.0)
-    return history(np.zeros(2001), 1e-3, 1.0, model, start=(0.5 * block.slenderness, 0.0)).impact_time[0]
-
-
-def _rectangular_pulse() -> float:
-    """Least p t_1 of a rectangle of twice g alpha that overturns."""
-    model = RockingModel(SLENDER, 1.0, 0.0, 0.9, 0.0, 0.0, 0.0)
-    for duration in np.arange(0.68, 0.71, 5e-4):
-        step = duration / 1000.0
-        ground = np.where(np.arange(1002) <= 1000, 2.0 * SLENDER * G, 0.0)
-        if first_overturning(ground, step, np.ones(1), model) == 1.0:
-            return float(duration)
-    return math.inf
-
-
-def _half_sine(ratio: float) -> float:
-    """Least amplitude over g alpha of a half sine with omega = ratio p."""
-    model = RockingModel(SLENDER, 1.0, 0.0, 0.9, 0.0, 0.0, 0.0)
-    ground = SLENDER * G * np.sin(np.linspace(0.0, math.pi, 1001))
-    return float(first_overturning(ground, math.pi / ratio / 1000.0, np.arange(1.5, 5.0, 5e-4), model))
-
-
-def edges_of_sine(slenderness: float) -> list[float]:
-    """Amplitudes over g alpha, in steps of 0.01, at which a full sine with omega = 5 p begins and ceases to overturn a
-    block of velocity ratio 0.9."""
-    model, scales = RockingModel(slenderness, 2.14**2, 0.0, 0.9, 0.0, 0.0, 0.0), np.arange(1.0, 9.0, 0.01)
-    ground = slenderness * G * np.sin(np.linspace(0.0, 2.0 * math.pi, 2001))
-    falls = overturned(ground, 2.0 * math.pi / (5.0 * 2.14) / 2000.0, scales, model)
-    return [float(scales[n + 1]) for n in np.flatnonzero(np.diff(falls))]
-
-
-def _edge_of_sine(n: int) -> float:
-    return edges_of_sine(SLENDER)[n]
 
 
 def _of_one_body() -> tuple[Solved, ...]:
@@ -266,6 +151,83 @@ def _bent(load: float, h1: float | None = None) -> Bending:
     return mechanism(Strip(3.0, 0.30, 0.0, 16.2, ((load, 0.15),) if load else ()), h1)
 
 
+READING = 0.012
+"""Share to which a line of a printed figure is read."""
+
+SOLID = {"height_m": 3.0, "thickness_m": 0.30, "unit_weight_kn_m3": 2200.0 * 9.81 / 1e3}
+"""The wall of the examples of the macro-element: 2200 kg/m3."""
+
+MOST = 1e4
+"""Load [kN/m] beside which a wall of LIGHT weighs next to nothing."""
+
+LIGHT = {**SOLID, "unit_weight_kn_m3": 5.0}
+
+ASPECT = 0.1
+"""t/H of all of them."""
+
+
+def _start(wall: dict, *loads: dict) -> float:
+    """alpha_0 over t/H."""
+    return mechanism_of(wall, *loads).alpha0 / ASPECT
+
+
+def _end(wall: dict, *loads: dict) -> float:
+    """Way of the top over the thickness at which nothing holds the wall."""
+    found = mechanism_of(wall, *loads)
+    return wall["height_m"] * math.sin(found.chain.rotation(found.d0)) / wall["thickness_m"]
+
+
+def _spanning(depth: float, h1: float | None = None) -> Bending:
+    """The wall held at its top without a weight of its own, under MOST at a depth [m]."""
+    return mechanism(Strip(3.0, 0.30, 0.0, 1.0, ((MOST, depth),)), h1)
+
+
+def _pushed_over_load(depth: float, h1: float | None = None) -> float:
+    """Horizontal force over the load on the top, over t/H."""
+    return _spanning(depth, h1).alpha0 / MOST / ASPECT
+
+
+def _of_macroelement() -> tuple[Solved, ...]:
+    source = "Vanin, Penna, Beyer (2019), examples 2a to 2d and figure of Macroelement3d (eesd-epfl/OpenSees)"
+    on_top = {"kind": "vertical", "kn_m": MOST, "d_m": 0.15, "h_m": 3.0, "mass": "horizontal"}
+    gable = {**SOLID, "gable_m": 3.0, "length_m": 6.0}
+    return (
+        Solved(
+            "published_cantilevers",
+            Kind.PRINTED,
+            sentence("solved", "published_cantilevers"),
+            source,
+            (
+                answer("published_start_weight", 1.0, lambda: _start(SOLID), READING),
+                answer("published_end_weight", 1.0, lambda: _end(SOLID), READING),
+                answer("published_start_load", 0.5, lambda: _start(LIGHT, on_top), READING),
+                answer("published_end_load", 0.5, lambda: _end(LIGHT, on_top), READING),
+                answer("published_start_gable", 1.5, lambda: _start(gable), READING),
+                answer("published_end_gable", 1.5, lambda: _end(gable), READING),
+            ),
+            formula="lambda_0 = alpha_0 / (t \\/ H)",
+            sketch=Sketch(section(3.0, 0.30), ((0.15, 3.0, 0.0, -1.0),)),
+            comment=sentence("solved", "published_cantilevers_why"),
+        ),
+        Solved(
+            "published_spanning",
+            Kind.PRINTED,
+            sentence("solved", "published_spanning"),
+            source,
+            (
+                answer("published_start_edge", 8.0, lambda: _pushed_over_load(0.0), READING),
+                answer("published_end_edge", 1.0, lambda: _spanning(0.0).d_c0 / 0.30, READING),
+                answer("published_start_lowest", 5.8, lambda: _pushed_over_load(0.15), READING),
+                answer("published_start_middle", 6.0, lambda: _pushed_over_load(0.15, 1.5), READING),
+                answer("published_end_middle", 0.75, lambda: _spanning(0.15, 1.5).d_c0 / 0.30, READING),
+            ),
+            formula="lambda_0 = 2 (1 \\/ xi + 1 \\/ 2 (1 - xi)), quad xi = h_1 / H",
+            sketch=Sketch(section(3.0, 0.30), ((0.15, 3.0, 0.0, -1.0),)),
+            comment=sentence("solved", "published_spanning_why"),
+        ),
+    )
+
+
 def _new_zealand() -> tuple[Solved, ...]:
     return (
         Solved(
@@ -301,5 +263,11 @@ def _new_zealand() -> tuple[Solved, ...]:
     )
 
 
-CASES: tuple[Solved, ...] = (*_of_rocking(), *_of_one_body(), *_of_forces(), *_new_zealand())
+CASES: tuple[Solved, ...] = (
+    *published_rocking.CASES,
+    *_of_one_body(),
+    *_of_forces(),
+    *_of_macroelement(),
+    *_new_zealand(),
+)
 """Worked examples of papers, codes and open programs."""

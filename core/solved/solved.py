@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from functools import cache, cached_property, partial
 
-from core.text.sentence import Sentence
+from core.text.sentence import Sentence, sentence
 
 Outline = tuple[tuple[float, float], ...]
 """Corners of a body [m], x from the hinge and z upwards."""
@@ -115,6 +115,11 @@ class Solved:
 def worded(english: str, /, **values) -> Sentence:
     """A text of the cases."""
     return Sentence("solved", english, tuple(values.items()))
+
+
+def answer(code: str, expected: float, find: Callable[[], float], tolerance: float = 1e-4, unit: str = "") -> Answer:
+    """An answer. code : of its words; tolerance : the digits it is printed with, where none is said"""
+    return Answer(sentence("solved", code), unit, expected, tolerance, find)
 
 
 Head = tuple[Sentence | str, str]

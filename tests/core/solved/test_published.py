@@ -7,7 +7,7 @@ import pytest
 from scipy.optimize import brentq, minimize_scalar
 
 from core.solved import experiments
-from core.solved.published import CASES, FACADE, FLOORS, edges_of_sine, mechanism_of
+from core.solved.published import CASES, FACADE, FLOORS, mechanism_of
 from core.units import G
 
 
@@ -18,8 +18,8 @@ def test_that_a_case_says_where_its_numbers_are_from_and_how_sure_they_are(case)
         assert text.text("en") != text.text("it")
 
 
-def test_that_there_are_ten_examples():
-    assert len(CASES) >= 10 and all(case.key.startswith("published_") for case in CASES)
+def test_that_there_are_eighteen_examples():
+    assert len(CASES) == 18 and all(case.key.startswith("published_") for case in CASES)
 
 
 def expected(key: str, *numbers: int) -> list[float]:
@@ -53,27 +53,6 @@ def test_that_courses_have_the_period_of_one_body_and_zeta_a_third_higher():
     courses, one_body = ((d0, 1.0 / e_star) for d0, e_star in ((0.20, 0.75), (0.15, 1.0)))
     assert courses[0] / courses[1] == pytest.approx(one_body[0] / one_body[1], rel=1e-12)
     assert courses[0] / one_body[0] == pytest.approx(4.0 / 3.0, rel=1e-12)
-
-
-def test_that_a_half_sine_overturns_by_the_integral_of_its_decay():
-    """p Integral exp(-p t) u''/(g alpha) dt = 1 from uplift on: no impact, linear block."""
-
-    def excess(amplitude, ratio):
-        uplift, end = math.asin(1.0 / amplitude) / ratio, math.pi / ratio
-
-        def primitive(t):
-            return math.exp(-t) * (-math.sin(ratio * t) - ratio * math.cos(ratio * t)) / (1.0 + ratio**2)
-
-        return amplitude * math.exp(uplift) * (primitive(end) - primitive(uplift)) - 1.0
-
-    printed = expected("published_housner_pulses", 1, 2, 3)
-    for ratio, amplitude in zip((2.0, 4.0, 8.0), printed, strict=True):
-        assert brentq(excess, 1.0001, 10.0, args=(ratio,)) == pytest.approx(amplitude, rel=1e-5)
-    assert math.hypot(1.0, 2.0) / printed[0] == pytest.approx(1.24, abs=0.005)
-
-
-def test_that_the_exact_equation_moves_the_edges_of_the_full_sine():
-    assert edges_of_sine(0.25) == pytest.approx([3.04, 6.75, 7.50], abs=0.011)
 
 
 def test_that_the_lowest_hinge_is_the_balance_of_a_wall_that_stands_no_tension():
@@ -146,3 +125,26 @@ def test_that_the_hinge_in_the_middle_is_not_the_least():
     )
     assert found.fun == pytest.approx(0.66779, abs=1e-5) and found.x == pytest.approx(2.088, abs=1e-3)
     assert expected("published_held_at_top", 5)[0] < 0.87 * expected("published_held_at_top", 1)[0]
+
+
+# lines of a figure again, by moments
+
+
+def test_that_lines_of_limit_analysis_are_moments_about_hinges():
+    """t/H is 0.1. The centroid of a gable lies at a third of its height, so that the top moves three times as far as
+    the centroid, which falls past the hinge after t/2."""
+    weight, end_weight, load, end_load, gable, end_gable = expected("published_cantilevers", *range(6))
+    assert (weight, load, gable) == pytest.approx([0.5 / lever for lever in (0.5, 1.0, 1.0 / 3.0)], rel=1e-12)
+    assert (end_weight, end_load, end_gable) == pytest.approx([0.5 / lever for lever in (0.5, 1.0, 1.0 / 3.0)])
+    clamped, end_clamped, lowest, middle, end_middle = expected("published_spanning", *range(5))
+
+    def force(xi, top):
+        """Force over load, over t/H, by the moment of a simple span at the hinge: what the load stands there is its
+        way from the line between its points on the base, t, and on the top, `top`."""
+        return (xi * top + (1.0 - xi) * 1.0) / (0.5 * xi * (1.0 - xi))
+
+    assert (force(0.5, 1.0), force(0.5, 0.5)) == pytest.approx((clamped, middle), rel=1e-12)
+    least = minimize_scalar(lambda xi: force(xi, 0.5), bounds=(0.1, 0.9), method="bounded")
+    assert least.fun == pytest.approx(3.0 + 2.0 * math.sqrt(2.0), rel=1e-9)
+    assert least.fun == pytest.approx(lowest, rel=0.006) and least.x == pytest.approx(2.0 - math.sqrt(2.0), abs=1e-5)
+    assert (end_clamped, end_middle) == (1.0, 0.75)  # the hinge has come to that line
