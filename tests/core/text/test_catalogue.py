@@ -60,8 +60,9 @@ OF_NO_SENTENCE = {
     "core/derivation/faces.py": "errors of whoever describes a quantity",
     "core/derivation/quantity.py": "errors of whoever describes a quantity",
     **dict.fromkeys(["core/solved/bodies.py", "core/solved/floors.py"], "formulas"),
-    "core/solved/experiments.py": "citations",
-    "core/solved/published.py": "citations",
+    **dict.fromkeys(
+        [f"core/solved/{name}.py" for name in ("experiments", "published", "published_rocking")], "citations"
+    ),
     "core/variation/evaluate.py": "how the first line of a bundled motion begins",
     "core/ground/records/california.py": "patterns of heads of files",
     "core/ground/records/geonet.py": "patterns of heads of files",
