@@ -1,5 +1,7 @@
 """The tab Overview: every wall of the study, the lowest zeta first, and walls before beside walls after."""
 
+from typing import Any
+
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
 
@@ -8,15 +10,20 @@ from app.look.language import called, number, tr
 from app.views.check_tab import digits, verdict_color
 from app.views.result_tab import ResultTab
 from app.views.table import Table
+from core.report.columns import BY_KEY, Row
+from core.report.stated.quantity import of_keys, stated
+from core.report.stated.verdicts import VERDICT, OfWall
 from core.report.verdict_words import outcome_of
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.variants import WallComparison, wall_comparisons
 from core.text.sentence import word
-from core.units import G
 from core.variation.limit_states import STATES
 
-ZETA, RISK = 2, 6
-"""Column of zeta, and first one of what a mechanism withstands."""
+OF_HINGE = ("name", "mechanism", "zeta_e", "verdict", "check", "q_set")
+OF_WALL = ("pga_c_g", "return_period_c_years", "is_v")
+KEYS = (*OF_HINGE, *OF_WALL, *STATES)
+"""Quantities of the results in the columns: about the hinge that decides, and of the whole wall."""
+ZETA, RISK = KEYS.index("zeta_e"), KEYS.index("pga_c_g")
 
 
 def steps() -> list[str]:
@@ -28,9 +35,14 @@ def steps() -> list[str]:
     ]
 
 
-def zeta_of(wall: WallResult) -> float | None:
-    """zeta of the check that decides."""
-    return wall.assessment.verdict.zeta_e if wall.assessment else None
+def values_of(wall: WallResult, verdict: WallVerdict | None, result: StudyResult | None) -> dict[str, Any]:
+    """The quantities of a row, as the results have them. verdict, result : None while the study runs"""
+    row = Row(wall, wall.part.origin + 1, verdict, True, result)
+    found = {key: BY_KEY[key].of(row) for key in OF_HINGE}
+    if verdict is not None and result is not None:
+        found |= stated(of_keys(VERDICT, *OF_WALL, "is_v_letter"), OfWall(verdict, result))
+        found |= {state: one.zeta for state, one in verdict.states.items()}
+    return found
 
 
 def method_of(wall: WallResult, language: str) -> str:
@@ -111,7 +123,7 @@ class WallsTab(ResultTab):
         deciding = [one.governing for one in result.verdicts] or range(len(result.walls))
         self.order = sorted(deciding, key=lambda k: self._rank(result.walls[k]), reverse=self.falling)
         for k in self.order:
-            rows.append(self._row(result.walls[k], verdicts.get(k)))
+            rows.append(self._row(result.walls[k], verdicts.get(k), result))
             shade = verdict_color(result, result.walls[k]) if result.walls[k].assessment else None
             colors.append([None, None, shade, shade] + [None] * (len(rows[-1]) - 4))
         for column in range(RISK, self.table.columnCount()):  # what no wall has takes no room
@@ -124,22 +136,23 @@ class WallsTab(ResultTab):
         self.below.setVisible(bool(found))
         self.pairs.show_rows([self._pair(result, one) for one in found])
 
-    def _row(self, wall: WallResult, verdict: WallVerdict | None = None) -> list[str]:
-        """A wall by the hinge that decides about it. verdict : of the wall, None before all its hinges are known"""
-        found, language = wall.assessment, self.language
-        risk = verdict.risk if verdict else None
-        states = {state: one.zeta for state, one in verdict.states.items()} if verdict else {}
+    def _row(
+        self, wall: WallResult, verdict: WallVerdict | None = None, result: StudyResult | None = None
+    ) -> list[str]:
+        """A wall by the hinge that decides about it. verdict, result : None before all its hinges are known"""
+        found, language = values_of(wall, verdict, result), self.language
+        risk, index = verdict.risk if verdict else None, found.get("is_v")
         return [
-            called(wall.name),
-            word(wall.mechanism, language),
-            digits(zeta_of(wall)),
-            word(found.verdict.code, language) if found else "–",
+            called(found["name"]),
+            word(found["mechanism"], language),
+            digits(found["zeta_e"]),
+            word(found["verdict"], language) if found["verdict"] else "–",
             method_of(wall, language),
-            digits(wall.q_set),
-            digits(risk.pga / G, 3) if risk else "–",
+            digits(found["q_set"]),
+            digits(found.get("pga_c_g"), 3),
             (risk.years if risk else None) or "–",
-            f"{number(risk.index, '.2f')} {risk.letter}" if risk and risk.index is not None else "–",
-            *(digits(states.get(state)) for state in STATES),
+            "–" if index is None else f"{number(index, '.2f')} {found['is_v_letter']}",
+            *(digits(found.get(state)) for state in STATES),
         ]
 
     def _pair(self, result: StudyResult, one: WallComparison) -> list[str]:
@@ -152,15 +165,11 @@ class WallsTab(ResultTab):
         return [*row, changed]
 
     def _rank(self, wall: WallResult) -> tuple:
-        """By the column chosen: numbers by their size, what has none last."""
-        if self.by == ZETA:
-            value = zeta_of(wall)
-        else:
-            word_or_number = self._row(wall, self._verdict_of(wall))[self.by]
-            try:
-                value = float(word_or_number.split()[0].replace(",", "."))
-            except ValueError:
-                return (word_or_number == "–", 0.0, word_or_number)
+        """By the column chosen: numbers by their size, words as they are shown, what has none last."""
+        result, verdict = self.shown[0] if self.shown else None, self._verdict_of(wall)
+        value = values_of(wall, verdict, result).get(KEYS[self.by])
+        if isinstance(value, str):
+            return self.falling, 0.0, self._row(wall, verdict, result)[self.by]
         return (value is None) != self.falling, value or 0.0, ""
 
     def _verdict_of(self, wall: WallResult) -> WallVerdict | None:
@@ -183,12 +192,13 @@ class WallsTab(ResultTab):
         self.order = []
         self.words.setText(tr("Running, walls finished: {n}", n=sum(whole for _, whole in zetas.values())))
         rows, seen = [], set()
-        for wall in sorted(walls, key=lambda wall: (zeta_of(wall) is None, zeta_of(wall) or 0.0)):
+        zeta = {id(wall): values_of(wall, None, None)["zeta_e"] for wall in walls}
+        for wall in sorted(walls, key=lambda wall: (zeta[id(wall)] is None, zeta[id(wall)] or 0.0)):
             k = wall.part.origin
             if k in seen:
                 continue
             seen.add(k)
-            rows.append(self._row(wall))
+            rows.append(self._row(wall, None, None))
             if not zetas[k][1]:
                 rows[-1][ZETA : ZETA + 2] = [f"≤ {rows[-1][ZETA]}", "…"]
         self.table.show_rows(rows, [[None] * len(row) for row in rows])

@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple
 
 from core.codes.kinematic import CHECKS
+from core.known import known
 from core.report.stated.checks import AT_DEMAND, KINEMATIC, RISK
 from core.report.stated.quantity import Quantity, flag, number, numbers, of_keys, text, texts, through, whole
 from core.report.stated.walls import FRAGILITY, PER_RECORD, WALL, OfWallResult
@@ -18,13 +19,14 @@ class Row(NamedTuple):
 
     number : of the wall in the case, from 1
     verdict : of the wall, None without a demand; decides : whether it is of this result
+    result : None while the study runs
     """
 
     wall: WallResult
     number: int
     verdict: WallVerdict | None
     decides: bool
-    result: StudyResult
+    result: StudyResult | None
 
 
 def _taken(group: Sequence[Quantity], source: Callable[[Row], Any], *keys: str) -> list[Quantity]:
@@ -64,7 +66,7 @@ def _of_records(one: Quantity) -> Quantity:
 
 def _of_the_wall(row: Row) -> Any:
     """Verdict of the wall, that of its worst hinge; None without a demand."""
-    return row.result.walls[row.verdict.governing].assessed.verdict if row.verdict else None
+    return known(row.result).walls[row.verdict.governing].assessed.verdict if row.verdict else None
 
 
 def _zeta(name: str) -> Quantity:
@@ -159,6 +161,8 @@ COLUMNS = (
     texts("limits", "keys of what the number is to be read with", _limits),
 )
 """Columns of the table, each a quantity of a Row."""
+
+BY_KEY = {column.key: column for column in COLUMNS}
 
 
 def columns_of(result: StudyResult, numbers: Sequence[int]) -> dict[str, list]:

@@ -17,6 +17,7 @@ from app.views.axis import SPARE
 from app.views.chart_output import ChartOutput
 from app.views.figure_file import FigureSize, figure, raster
 from app.views.table import Table
+from app.views.walls_tab import KEYS, RISK, ZETA, values_of
 from core.codes.record_compatibility import common_factor
 from core.errors import InputError, place
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
@@ -70,6 +71,22 @@ def test_that_the_overview_is_first_sorts_and_opens_a_wall(walls):
     tab.table.cellClicked.emit(1, 0)
     assert walls.navigator.page == "check"
     assert walls.navigator.wall.name == "Timpano"
+
+
+@pytest.mark.parametrize("falling", [False, True])
+def test_that_the_overview_sorts_by_the_values_of_the_results_not_by_their_words(walls, falling):
+    """A return period beyond what is known is shown as "> 2475"."""
+    tab = walls.pages["walls"].content
+    result, verdicts = tab.shown[0], {one.governing: one for one in tab.shown[0].verdicts}
+    tab.by = len(KEYS)  # no column: the first one asked for rises
+    for column, key in enumerate(KEYS):
+        for _ in range(1 + falling):
+            tab._sort(column)
+        found = [values_of(result.walls[k], verdicts[k], result).get(key) for k in tab.order]
+        there = [value for value in found if isinstance(value, float | int)]
+        assert there == sorted(there, reverse=falling) and None not in found[: len(there)]
+        assert {key for key in KEYS[:RISK] if key != "check"} <= set(values_of(result.walls[0], None, None))
+    tab._sort(ZETA)
 
 
 def test_that_tree_form_and_pages_show_one_wall(walls):

@@ -4,6 +4,7 @@ import math
 from typing import Any, NamedTuple
 
 from core.codes.eq9 import LABEL
+from core.known import known
 from core.report.stated.checks import AT_DEMAND, FLOOR, KINEMATIC, RISK, UNCERTAINTY, VERDICT_OF_HINGE
 from core.report.stated.quantity import Quantity, flag, free, many, number, numbers, one, per, text, texts, whole
 from core.report.tie_words import elongations
@@ -200,14 +201,14 @@ FRAGILITY = (
 
 
 class OfWallResult(NamedTuple):
-    """What the quantities of a wall are read from."""
+    """What the quantities of a wall are read from. result : None while the study runs"""
 
     wall: WallResult
-    result: StudyResult
+    result: StudyResult | None
 
     @property
     def runs(self) -> list[OfRun]:
-        return [OfRun(run, *self) for run in self.wall.runs]
+        return [OfRun(run, self.wall, known(self.result)) for run in self.wall.runs]
 
     @property
     def histories(self) -> WallResult | None:
@@ -237,7 +238,7 @@ def _held(of: OfWallResult, read) -> Any:
 def _with_factor(of: OfWallResult) -> OfAssessment | None:
     if of.found is None or of.found.kinematic is None:
         return None
-    return OfAssessment(of.found, of.result.required.confidence_factor)
+    return OfAssessment(of.found, known(of.result).required.confidence_factor)
 
 
 WALL = (
