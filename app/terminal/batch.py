@@ -45,18 +45,20 @@ def run(
     resume: bool,
     report: Path | None = None,
     merge: bool = False,
+    force: bool = False,
 ) -> int:
     """Read a case, run it, write `<stem>.xlsx` and `<stem>.json`; returns the exit code.
 
     report : of the calculation note, where one is asked for
     merge : the searches and checks are those of the parts of the case, see `run_part`
+    force : files of others may be overwritten
 
     Raises InputError for what the user can mend; nothing is written then.
     """
     export.check_note(report, case_path)
     case = _read(case_path)
     if is_large(case):
-        return large_batch.run(case, case_path, output, jobs, quiet, resume, report, merge)
+        return large_batch.run(case, case_path, output, jobs, quiet, resume, report, merge, force)
     export.check_note(report, case_path, case)
     if case.analysis.accuracy:
         require("accuracy")
@@ -73,6 +75,7 @@ def run(
     folders = (folder, report.parent) if report else (folder,)
     with made(case_path, *folders), interrupts(cancel), progress(quiet) as show:
         export.refuse_overwriting(case, case_path, folder, stem, report)
+        export.refuse_foreign(case, folder, stem, report, force)
         made_so_far = export.Report(case, raise_if(cancel))
         try:
             result = run_study(

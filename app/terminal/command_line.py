@@ -6,7 +6,7 @@ import difflib
 import re
 import tomllib
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from app.look.language import terminal
@@ -86,6 +86,7 @@ def parser() -> Parser:
     add("--resume", action="store_true", help=terminal("go on from the journal"))
     add("--part", type=_part, metavar="K/N", help=terminal("the walls of one part of the case alone, see --merge"))
     add("--merge", action="store_true", help=terminal("the results of all parts of the case"))
+    add("--force", action="store_true", help=terminal("overwrite files that are no results of this case"))
     contents = terminal("summarise the contents of records and drawings")
     add(
         "--verify",
@@ -124,27 +125,32 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     """What is asked. Ends the program with exit code 2 where words do not go together."""
     line = parser()
     options = line.parse_args(arguments)
-    jobs = (options.batch, options.inspect, options.study, options.extract, options.validate, options.verify)
-    if sum(map(bool, (*jobs, options.export_check))) > 1:
-        text = "--batch, --study, --inspect, --extract, --validate, --verify and --export-check do not go together"
-        line.error(terminal(text))
-    if options.data and not options.validate:
-        line.error(terminal("--data goes with --validate"))
-    if not (options.batch or options.study) and (options.resume or (options.jobs and not options.verify)):
-        line.error(terminal("--jobs and --resume go with --batch or --study"))
-    writes = options.batch or options.study or options.extract or options.validate or options.export_check
-    if options.output and not writes:
-        line.error(terminal("--output goes with --batch, --study, --extract, --validate or --export-check"))
-    if options.report and not options.batch:
-        line.error(terminal("--report goes with --batch"))
-    if (options.part or options.merge) and not options.batch:
-        line.error(terminal("--part and --merge go with --batch"))
-    if options.part and (options.merge or options.report or options.resume):
-        line.error(terminal("--part goes on by itself and writes no results: leave out --merge, --report and --resume"))
-    takes_records = options.study or options.verify or options.validate
-    if (options.quick and not options.study) or (options.records and not takes_records):
-        line.error(terminal("--quick goes with --study, --records with --study, --verify or --validate"))
+    for apart, words in _apart(options):
+        if apart:
+            line.error(words)
     return options
+
+
+def _apart(asked: argparse.Namespace) -> Iterator[tuple[object, str]]:
+    """What does not go together: whether it is so, and what is said then."""
+    jobs = (asked.batch, asked.inspect, asked.study, asked.extract, asked.validate, asked.verify, asked.export_check)
+    text = "--batch, --study, --inspect, --extract, --validate, --verify and --export-check do not go together"
+    yield sum(map(bool, jobs)) > 1, terminal(text)
+    yield asked.force and (asked.part or not asked.batch), terminal("--force goes with --batch")
+    yield asked.data and not asked.validate, terminal("--data goes with --validate")
+    runs = asked.batch or asked.study
+    with_threads = asked.jobs and not asked.verify
+    yield not runs and (asked.resume or with_threads), terminal("--jobs and --resume go with --batch or --study")
+    writes = runs or asked.extract or asked.validate or asked.export_check
+    text = "--output goes with --batch, --study, --extract, --validate or --export-check"
+    yield asked.output and not writes, terminal(text)
+    yield asked.report and not asked.batch, terminal("--report goes with --batch")
+    yield (asked.part or asked.merge) and not asked.batch, terminal("--part and --merge go with --batch")
+    text = "--part goes on by itself and writes no results: leave out --merge, --report and --resume"
+    yield asked.part and (asked.merge or asked.report or asked.resume), terminal(text)
+    takes_records = asked.study or asked.verify or asked.validate
+    text = "--quick goes with --study, --records with --study, --verify or --validate"
+    yield (asked.quick and not asked.study) or (asked.records and not takes_records), terminal(text)
 
 
 def study_file(asked: str) -> Path:

@@ -4,6 +4,7 @@ import contextlib
 import errno
 import functools
 import gc
+import json
 import os
 import tempfile
 from collections.abc import Callable
@@ -11,18 +12,23 @@ from pathlib import Path
 
 from app.terminal.command_line import refuse_other_note
 from core import atomic_write
+from core.case.note_file import MAX_NOTE_BYTES, MEGABYTES, SECONDS, files_within
 from core.case.schema import Case
+from core.child import Refused, bounded
 from core.errors import InputError, OutputError, place
 from core.file_names import name_of
 from core.ground import records
 from core.packages import require
-from core.regular_file import first_bytes
+from core.regular_file import TooLarge, first_bytes, read_regular
 from core.report.steps import Steps
 from core.study.governing import collapse_histories
 from core.study.results import CollapseHistories, StudyResult
 
 HISTORY_WALLS = 20
 """Walls whose histories and charts are drawn; the rest are listed."""
+
+MOST_SUBJECT = 255
+"""Letters that a docx can say of its subject."""
 
 WALLS, NOTE = 53, 90
 """Hundredths of the writing of what is made a wall at a time; the note as a document is beyond the hundred."""
@@ -73,6 +79,40 @@ def _ours(path: Path) -> bool:
     with contextlib.suppress(OSError):
         return first_bytes(path, 60).split()[:2] == [b"{", b'"program":']
     return False
+
+
+def refuse_foreign(case: Case, folder: Path, stem: str, note: Path | None, force: bool) -> None:
+    """Raise InputError where what is to be written would take the place of somebody's file: a workbook or results
+    beside which no results of this program lie, a note that is none of this case or was edited since. force : it may"""
+    if force:
+        return
+    results = [folder / f"{stem}{end}" for end in (".xlsx", ".json", ".parquet")]
+    for path in results if not _ours(folder / f"{stem}.json") else ():
+        if path.exists():
+            raise InputError("not_its_result", path=path)
+    if note is not None and note.exists() and not _note_of(case, note):
+        raise InputError("not_its_note", path=note)
+
+
+def _note_of(case: Case, path: Path) -> bool:
+    """Whether a file is a calculation note of this case: of its title and its first wall."""
+    from core.report.note.document import subject_in
+
+    try:
+        if path.suffix.lower() == ".pdf":
+            said = _subject(json.loads(files_within(path)["results.json"])["case"])
+        else:
+            said = bounded(subject_in, read_regular(path, MAX_NOTE_BYTES), seconds=SECONDS, megabytes=MEGABYTES)
+    except (InputError, Refused, OSError, TooLarge, LookupError, TypeError, ValueError):
+        return False
+    return said == _subject(case.as_dict())
+
+
+def _subject(case: dict) -> str:
+    """What a note is told by. case : by its keys"""
+    from core.report.xml_text import for_xml
+
+    return for_xml(f"{case['title']} – {case['wall'][0]['name']}")[:MOST_SUBJECT]
 
 
 def check_note(path: Path | None, case_path: Path, case: Case | None = None) -> None:
@@ -185,7 +225,7 @@ def note_content(result: StudyResult, path: Path, case_path: Path | None, steps:
     from core.report.note.document import document
 
     language = result.case.report.language
-    return document(note(result, language), language, steps)
+    return document(note(result, language), language, steps, _subject(result.case.as_dict()))
 
 
 @contextlib.contextmanager

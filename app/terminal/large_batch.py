@@ -56,6 +56,7 @@ def run(
     resume: bool,
     note: Path | None = None,
     merge: bool = False,
+    force: bool = False,
 ) -> int:
     """Run a case and write `<stem>.parquet` and `<stem>.json`; returns the exit code. The parameters are those of
     `batch.run`. Raises InputError for what the user can mend; nothing is written then."""
@@ -65,6 +66,7 @@ def run(
     cancel = threading.Event()
     with made(case_path, folder), interrupts(cancel), progress(quiet) as show:
         export.refuse_overwriting(case, case_path, folder, stem)
+        export.refuse_foreign(case, folder, stem, None, force)
         book: Journal | MergedParts | None = None
         try:
             large = in_order(case, case_path.parent, cancel.is_set)

@@ -177,3 +177,51 @@ def test_that_what_is_no_report_is_refused_in_a_sentence(tmp_path, capsys, conte
     path.write_bytes(content)
     code, said = verified(capsys, path)
     assert code == 1 and said.count("\n") == 1 and "report.json" in said
+
+
+@pytest.mark.shows("batch.force")
+@pytest.mark.parametrize("end", [".pdf", ".docx"])
+def test_that_a_note_is_written_again_over_its_own_and_over_no_other_without_force(copied, tmp_path, capsys, end):
+    case, note = copied / "case.toml", tmp_path / f"note{end}"
+    ran = ["--batch", str(case), "--report", str(note), "--quiet"]
+    assert main(ran) == main(ran) == 0
+    own = note.read_bytes()
+    other = copied / "other.toml"
+    other.write_text(CASE.replace("facade", "gable"))
+    for content in (own, b"my thesis", b"PK" + own[2:]):
+        note.write_bytes(content)
+        capsys.readouterr()
+        assert main(["--batch", str(other), "--report", str(note), "--quiet"]) == 1
+        said = capsys.readouterr().err
+        assert said.count("\n") == 1 and note.name in said and "--force" in said and note.read_bytes() == content
+        assert not (copied / "other.json").exists()
+    assert main(["--batch", str(other), "--report", str(note), "--quiet", "--force"]) == 0
+    assert note.read_bytes() != b"PK" + own[2:]
+
+
+@pytest.mark.shows("batch.force")
+def test_that_a_docx_that_an_office_saved_again_is_not_overwritten(copied, tmp_path, capsys):
+    docx = pytest.importorskip("docx")
+    note = tmp_path / "note.docx"
+    ran = ["--batch", str(copied / "case.toml"), "--report", str(note), "--quiet"]
+    assert main(ran) == 0
+    edited = docx.Document(note)
+    edited.add_paragraph("Seen on site.")
+    edited.core_properties.last_modified_by = "Ing. Rossi"
+    edited.save(note)
+    assert main(ran) == 1 and "--force" in capsys.readouterr().err
+    assert docx.Document(note).paragraphs[-1].text == "Seen on site."
+
+
+@pytest.mark.shows("batch.force")
+@pytest.mark.parametrize("end", [".xlsx", ".json"])
+def test_that_a_workbook_or_results_of_somebody_are_not_overwritten_without_force(copied, capsys, end):
+    for other in (".xlsx", ".json"):
+        (copied / f"case{other}").unlink()
+    mine = copied / f"case{end}"
+    mine.write_bytes(b"my estimate of costs")
+    assert main(["--batch", str(copied / "case.toml"), "--quiet"]) == 1
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1 and mine.name in said and mine.read_bytes() == b"my estimate of costs"
+    assert main(["--batch", str(copied / "case.toml"), "--quiet", "--force"]) == 0
+    assert main(["--batch", str(copied / "case.toml"), "--quiet"]) == 0

@@ -13,6 +13,7 @@ from core.report.note.pdf import picture
 from core.report.note.words import Words
 from core.report.steps import Steps
 from core.report.xml_text import for_xml
+from core.version import NAME
 
 COLORS = {
     "ink": "#1F2D3D",
@@ -29,8 +30,9 @@ BLANKS = 105
 """Letters of a line of blanks to fill in."""
 
 
-def document(parts: list[Part], language: str, steps: Steps | None = None) -> bytes:
-    """The docx file. Raises OutputError where the packages of the group `report` are not installed."""
+def document(parts: list[Part], language: str, steps: Steps | None = None, subject: str = "") -> bytes:
+    """The docx file. subject : what it is of, at most 255 letters. Raises OutputError where the packages of the group
+    `report` are not installed."""
     require("report")
     import docx
 
@@ -38,9 +40,21 @@ def document(parts: list[Part], language: str, steps: Steps | None = None) -> by
     writer = _Writer(made, Words(language), steps or Steps())
     for part in writer.steps.each(for_xml(parts)):
         writer.add(part)
+    about = made.core_properties
+    about.author = about.last_modified_by = NAME
+    about.subject = subject
     content = io.BytesIO()
     made.save(content)
     return content.getvalue()
+
+
+def subject_in(content: bytes) -> str | None:
+    """What a docx is of that this program wrote; None of one that another program wrote or saved again. Raises what
+    python-docx raises of what is none."""
+    import docx
+
+    about = docx.Document(io.BytesIO(content)).core_properties
+    return about.subject if about.last_modified_by == NAME else None
 
 
 class _Writer:
