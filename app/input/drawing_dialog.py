@@ -24,6 +24,7 @@ from app.input.drawing_canvas import BODY, NOTHING, OPENING, ROLES, DrawingCanva
 from app.input.fields import LineField, connect
 from app.input.made_fields import make_field
 from app.look import theme
+from app.look.dialogs import once
 from app.look.labels import Plain
 from app.look.language import described, number, tr
 from app.work.session import Session
@@ -334,8 +335,10 @@ def drawing_button(session: Session, index: Callable[[], int]) -> QToolButton:
         if not name or not walls:
             return
         row, wall = index(), walls[index()]
-        dialog = DrawingDialog(Path(name), wall, button)
-        if dialog.exec() == QDialog.DialogCode.Accepted and (made := dialog.made) is not None:
+        with once(DrawingDialog(Path(name), wall, button)) as dialog:
+            accepted = dialog.exec() == QDialog.DialogCode.Accepted
+            made = dialog.made if accepted else None
+        if made is not None:
             values = {entry.name: getattr(made, entry.name) for entry in fields(Wall)}
             session.edit_wall(row, **{key: value for key, value in values.items() if value != getattr(wall, key)})
 

@@ -25,6 +25,7 @@ from app.input.import_dialog import Row as FileRow
 from app.input.record_rows import Row, cells, heads, read_rows, state_of
 from app.input.selection_dialog import choose_for
 from app.look import theme
+from app.look.dialogs import once
 from app.look.labels import Plain, plain
 from app.look.language import described, tr
 from app.views.table import Table
@@ -290,15 +291,15 @@ class RecordsPanel(QWidget):
 
     def ask_replace(self) -> bool | None:
         """Whether generated records take the place of those there, or come beside them; None for neither."""
-        box = QMessageBox(self)
-        box.setWindowTitle(tr("Generate…"))
-        box.setText(tr("There are records already. Replace them with seven generated ones, or add these?"))
-        instead = box.addButton(tr("Replace"), QMessageBox.ButtonRole.AcceptRole)
-        beside = box.addButton(tr("Add to them"), QMessageBox.ButtonRole.AcceptRole)
-        box.addButton(tr("Cancel"), QMessageBox.ButtonRole.RejectRole)
-        answers: dict[QAbstractButton, bool] = {instead: True, beside: False}
-        box.exec()
-        return answers.get(box.clickedButton())
+        with once(QMessageBox(self)) as box:
+            box.setWindowTitle(tr("Generate…"))
+            box.setText(tr("There are records already. Replace them with seven generated ones, or add these?"))
+            instead = box.addButton(tr("Replace"), QMessageBox.ButtonRole.AcceptRole)
+            beside = box.addButton(tr("Add to them"), QMessageBox.ButtonRole.AcceptRole)
+            box.addButton(tr("Cancel"), QMessageBox.ButtonRole.RejectRole)
+            answers: dict[QAbstractButton, bool] = {instead: True, beside: False}
+            box.exec()
+            return answers.get(box.clickedButton())
 
     def edit(self) -> None:
         """Scale, unit, time step and kind of the selected records."""
@@ -316,14 +317,11 @@ class RecordsPanel(QWidget):
         if not entries:
             self.words.setText(self.one_set)
             return
-        dialog = ImportDialog(list(entries), self, entries)
-        try:
+        with once(ImportDialog(list(entries), self, entries)) as dialog:
             if dialog.exec() != QDialog.DialogCode.Accepted:
                 return
             found = dialog.entries  # two rows may be of one file, and the dialog shows not all of very many
             changed = {row: found[path] for row, path in path_of.items() if path in found}
-        finally:
-            dialog.deleteLater()
         keys = ("unit", "time_step_s", "column", "skip_lines", "kind", "scale")
 
         def change(record: Record, row: int) -> Record:
@@ -387,12 +385,9 @@ class RecordsPanel(QWidget):
         if not files:
             self.words.setText(tr("No files there."))
             return
-        dialog = ImportDialog(files, self)
-        try:
+        with once(ImportDialog(files, self)) as dialog:
             taken = not ask or dialog.exec() == QDialog.DialogCode.Accepted
             chosen = dialog.chosen() if taken else []
-        finally:
-            dialog.deleteLater()
         self.session.add_records(
             [replace(entry, file=self.session.relative(Path(name_of(entry.file)))) for entry in chosen]
         )

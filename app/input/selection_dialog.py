@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.look import theme
+from app.look.dialogs import once
 from app.look.labels import Plain
 from app.look.language import current_language, described, number, tr
 from app.views.chart import Chart
@@ -47,12 +48,9 @@ def choose_for(session: Session, parent: QWidget) -> str:
         case = parse_case(table_of(case))
     except InputError as error:
         return described(error)
-    dialog = SelectionDialog(case, session.base_dir, parent)
-    try:
+    with once(SelectionDialog(case, session.base_dir, parent)) as dialog:
         if dialog.exec() == QDialog.DialogCode.Accepted and dialog.taken:
             session.edit(replace(session.case, record=dialog.taken, generate=None, select=None))
-    finally:
-        dialog.deleteLater()
     return ""
 
 

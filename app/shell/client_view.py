@@ -13,6 +13,7 @@ from PySide6.QtGui import QColor, QFont, QImage, QKeySequence, QPainter, QPen, Q
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QMessageBox, QPushButton, QVBoxLayout, QWidget
 
 from app.look import theme
+from app.look.dialogs import once
 from app.look.drawing import WallDrawing
 from app.look.file_dialogs import path_to_write, plain_name
 from app.look.labels import Plain, Rich, plain
@@ -300,7 +301,6 @@ def show(window: "MainWindow") -> None:
         return
     state = known(known(result).demand).limit_state
     title = tr("{wall} under the earthquake of the code ({state})", wall=sides[0].wall.part.own_name, state=state)
-    view = ClientView(window, title, sides)
-    view.resize(window.size())
-    view.exec()
-    view.deleteLater()
+    with once(ClientView(window, title, sides)) as view:
+        view.resize(window.size())
+        view.exec()

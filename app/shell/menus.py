@@ -8,6 +8,7 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QDialog, QMenu, QMessageBox
 
 from app.look import theme
+from app.look.dialogs import once
 from app.look.language import tr
 from app.shell import guide
 from app.shell.files import EXAMPLE
@@ -107,7 +108,8 @@ def find(window: "MainWindow") -> None:
     """Find a field, an action, a wall, a page by its name."""
     from app.shell.finder import Finder
 
-    Finder(window).exec()
+    with once(Finder(window)) as finder:
+        finder.exec()
 
 
 def client(window: "MainWindow") -> None:

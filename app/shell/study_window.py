@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.look.dialogs import once
 from app.look.labels import Plain, plain
 from app.look.language import tr
 from app.shell.study_form import StudyForm
@@ -115,11 +116,10 @@ class StudyWindow(QDialog):
 
     def _make_study(self) -> None:
         """A study by its keys; its file is the one to run, whole."""
-        form = StudyForm(self, Path(self.folder.text()))
-        if form.exec():
-            self.study.setCurrentText(str(form.path))
-            self.quick.setChecked(False)
-        form.deleteLater()
+        with once(StudyForm(self, Path(self.folder.text()))) as form:
+            if form.exec():
+                self.study.setCurrentText(str(form.path))
+                self.quick.setChecked(False)
 
     def _choose_folder(self) -> None:
         name = QFileDialog.getExistingDirectory(self, tr("Folder of the results"), self.folder.text())

@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QSizePolicy, QToolButton, QVBoxLayout
 
 from app.look import theme
+from app.look.dialogs import once
 from app.look.labels import Plain
 from app.look.language import current_language, tr
 from app.views.axis import LEGEND_LETTERS, SPARE, elided, ends_of, number_axes, numbers, plot_widget
@@ -394,9 +395,8 @@ class Chart(ChartOutput):
         """The data in a window of their own, for readers of the screen and for copying."""
         from app.views.figure_dialogs import data_table
 
-        dialog = data_table(self)
-        dialog.exec()
-        dialog.deleteLater()
+        with once(data_table(self)) as dialog:
+            dialog.exec()
 
     def _ask_size(self) -> None:
         from app.views.figure_dialogs import ask_size
