@@ -29,6 +29,7 @@ def test_that_a_record_is_named_as_the_case_gives_it_from_its_folder_or_absolute
     text = "\n".join(f"{value:.9e}" for value in reference("standard")[0][:400])
     (tmp_path / "motion.txt").write_text(text)
     for folder in (tmp_path, tmp_path / "elsewhere"):
+        folder.mkdir(exist_ok=True)
         up = "" if folder == tmp_path else "../"
         for given, named in ((f"{up}{pattern}", f"{up}motion.txt"), (f"{tmp_path.as_posix()}/{pattern}", None)):
             entries = [{"file": given, "unit": "m/s2", "time_step_s": 0.01}]
