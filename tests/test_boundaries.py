@@ -109,7 +109,6 @@ SHOWN_BY = {
     "case/shape": BODIES,
     "case/above_hinge": "tests/core/case/test_hinges.py",
     "case/wall": "tests/core/case/test_schema.py",
-    "rocking/taylor_two_hinges": BODIES,
     **dict.fromkeys(
         ("ground/records/networks", "ground/records/film", "ground/records/labview"),
         "tests/core/ground/test_networks.py",

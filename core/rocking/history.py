@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.rocking import lane_scheduler, taylor, taylor_two_hinges, taylor_with_bars, taylor_with_branch
+from core.rocking import lane_scheduler, taylor, taylor_with_bars, taylor_with_branch
 from core.rocking.compared.comparison import integrate_comparison, scan_comparison
 from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import METHODS, NO_TABLE, TAYLOR, Method, resolve_auto
@@ -31,11 +31,11 @@ def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarr
 def in_lanes(method: Method, model: RockingModel) -> bool:
     """Whether `scan_records` takes analyses side by side; others go one after another, and many at once only make a
     cancel wait."""
-    return method.code == TAYLOR and not model.bars and not goes_alone(model)
+    return (method.code == TAYLOR or model.other is not None) and not model.bars and model.driven is None
 
 
-def goes_alone(model: RockingModel) -> bool:
-    """Whether analyses of a wall go one after another, by the series of order 8 whatever the method."""
+def by_order_8(model: RockingModel) -> bool:
+    """Whether analyses of a wall are by the series of order 8 whatever the method."""
     return model.other is not None or model.driven is not None
 
 
@@ -67,7 +67,7 @@ def scan_records(method: Method, grounds: Grounds, which, scales, model, outcome
     if model.driven is not None:
         return taylor_with_branch.scan(grounds, which, scales, model, outcomes, peaks)
     if model.other is not None:
-        return taylor_two_hinges.scan(grounds, which, scales, model, outcomes, peaks)
+        return lane_scheduler.scan(8, grounds, which, scales, model, outcomes, peaks)
     method = resolve_auto(method, model, grounds.dt)
     if method.code == TAYLOR:
         return lane_scheduler.scan(method.order, grounds, which, scales, model, outcomes, peaks)
@@ -131,7 +131,7 @@ def history(
     if not (largest <= MAX_GROUND and math.isfinite(start[0]) and math.isfinite(start[1])):
         none = np.zeros(0)
         return History(none, none, none, none, BAD_INPUT, 0.0, 0, none.reshape(0, 0))
-    method, one_by_one = resolve_auto(method, model, dt), goes_alone(model)
+    method, of_order_8 = resolve_auto(method, model, dt), by_order_8(model)
     trace = np.zeros((2 + len(model.bars), ground.size))
     rotation, velocity = trace[:2]
     times = np.zeros(4096)
@@ -142,8 +142,8 @@ def history(
             outcome, peak, impacts, clamped, done = taylor_with_bars.integrate(
                 ground, dt, scale, model, start, trace, times, velocities
             )
-        elif method.code == TAYLOR or one_by_one:
-            integrate = taylor.INTEGRATE[8 if one_by_one else method.order]
+        elif method.code == TAYLOR or of_order_8:
+            integrate = taylor.INTEGRATE[8 if of_order_8 else method.order]
             outcome, peak, impacts, clamped, done = integrate(ground, dt, scale, model, *wanted)
         else:
             outcome, peak, impacts, clamped, done = integrate_comparison(

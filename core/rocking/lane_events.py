@@ -54,21 +54,22 @@ from core.rocking.oscillator import branches_apart
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.short_series import SHORT_SERIES
 from core.rocking.taylor import advance, converged_step, cross_kink, first_event, impact
-from core.rocking.taylor_series import InitialTerms
+from core.rocking.taylor_series import InitialTerms, constants_seen
 from core.wall.moment_rotation import moment_branch, zone_of
 from core.wall.rocking_model import seen_from, sides_differ
 
 
 @inner_kernel
 def gather_falling(count, busy, state):
-    """Copy the lanes that fall to where they lie side by side. busy : numbers of `count` lanes, all that
-    fall among them; returns how many do."""
+    """Copy the lanes that fall to where they lie side by side, their side to PLAIN. busy : numbers of `count` lanes,
+    all that fall among them; returns how many do."""
     falling = 0
     for j in range(count):
         k = busy[j]
         if state[NEXT + k] == FALLS:
             for row in range(FALL_ROWS):
                 state[FALL + ROW * row + falling] = state[PHI + ROW * row + k]
+            state[PLAIN + falling] = state[SIDE + k]
             falling += 1
     return falling
 
@@ -156,10 +157,10 @@ def step_of_lane(k, dt, model, constants, order, block, state):
     )
     part = state[PART + k]
     if state[NEXT + k] == LONG or block.phi > SHORT_SERIES:
-        seen = seen_from(model, block.side)
+        seen, own = seen_from(model, block.side), constants_seen(constants, constants.other, block.side)
         branch = moment_branch(block.zone, seen)
         first, second = state[FIRST + k], state[SCALE + k] * state[SECOND + k]
-        v, start, part = converged_step(block, first, second, state[TIME + k], dt, branch, seen, constants, order)
+        v, start, part = converged_step(block, first, second, state[TIME + k], dt, branch, seen, own, order)
     return v, start, part
 
 
@@ -192,7 +193,8 @@ def scalar_step(k, dt, model, constants, order, zero, state):
         state[CONSTANT + k],
         state[HELD + k],
     )
-    event = first_event(v, start, block.phi, branch, constants)
+    own = constants_seen(constants, constants.other, block.side)
+    event = first_event(v, start, block.phi, branch, own)
     block, t = advance(block, v, part, event, t, dt)
     outcome = STABLE
     if event.crossing < 0.0:
@@ -201,7 +203,7 @@ def scalar_step(k, dt, model, constants, order, zero, state):
         ):
             outcome = COLLAPSED
     elif event.falls and state[LOW + k] == 0.0:
-        block, _ = impact(block, ground0 + jump * t, model, constants)
+        block, _ = impact(block, ground0 + jump * t, seen_from(model, block.side), constants)
         state[IMPACTS + k] += 1.0
         state[KINKS + k] = 0.0
     else:

@@ -62,7 +62,7 @@ from core.rocking.lanes import (
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.taylor_series import PER_G, wall_constants
 from core.wall.moment_rotation import zone_of
-from core.wall.rocking_model import seen_from
+from core.wall.rocking_model import seen_from, unlike
 
 LONG_FOR = 4
 """Passes over the lanes in which steps are shortened, after one was: where each sample takes two parts, the second
@@ -170,6 +170,8 @@ def lane_chatter_ends(k, i, fastest, dt, model, constants, ahead, state):
     state : of lane_state.py, shape (ROWS * ROW,)
     """
     speed = state[SPEED + k]
+    if unlike(model.other):  # the bound is of one hinge
+        return False
     if not (state[PHI + k] == 0.0 and 0.0 < speed < fastest and int(state[IMPACTS + k]) & 3 == 1):
         return False
     time = (LOOKAHEAD - 1 - state[TIME + k]) * dt
@@ -192,13 +194,14 @@ def check_finished(k, end, model, ahead, state):
     phi, speed, peak = state[PHI + k], state[SPEED + k], state[PEAK + k]
     seen = seen_from(model, state[SIDE + k])
     if (
-        phi > model.slenderness + seen.restoring.lean
+        phi > seen.slenderness + seen.restoring.lean
         and i % RECOVERY_EVERY == 1
         and cannot_recover(phi, speed, state[STRONGEST + k], seen)
     ):
         return True, COLLAPSED, peak
-    # Eq. 7 counts clamped ratios to the end of the record; a nearly elastic impact may exceed their limit
-    may_settle = model.ratio_drop == 0.0 and model.ratio_at_rest <= MAX_SETTLED_RATIO
+    # Eq. 7 counts clamped ratios to the end of the record; a nearly elastic impact may exceed their limit; the bound is
+    # of one hinge
+    may_settle = model.ratio_drop == 0.0 and model.ratio_at_rest <= MAX_SETTLED_RATIO and not unlike(model.other)
     if i % SETTLED_EVERY == 1 and may_settle:
         push = abs(state[SCALE + k]) * ahead[3, i]
         if settled(phi, speed, peak, push, seen):
@@ -270,7 +273,11 @@ def make_lane_kernel(order):
         zero = np.int64(0)  # a plain 0 would be a type of its own, and compile everything again
         # of each lane its analysis and last sample, then the lanes to be handled one by one
         lane, end, busy = numbers[:WIDTH], numbers[WIDTH : 2 * WIDTH], numbers[2 * WIDTH :]
-        rest_below = REST_FRACTION * math.sqrt(model.p2) * model.slenderness
+        far = seen_from(model, -1.0)
+        rest_below = (
+            REST_FRACTION * math.sqrt(model.p2) * model.slenderness,
+            REST_FRACTION * math.sqrt(far.p2) * far.slenderness,
+        )
         loss = 1.0 - model.ratio_at_rest if thresholds[0] > 0.0 else 0.0
         fastest = 0.5 * model.p2 * (model.slenderness + (constants.strength - 1.0)) * loss * (LOOKAHEAD - 1) * dt
         waiting = zero

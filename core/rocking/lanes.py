@@ -70,7 +70,7 @@ from core.rocking.taylor_bounds import (
     turning_margin,
 )
 from core.rocking.taylor_polynomial import change, landing, shape, whole_step
-from core.rocking.taylor_series import InitialTerms, initial_terms, taylor_coefficients
+from core.rocking.taylor_series import InitialTerms, constants_seen, initial_terms, taylor_coefficients
 from core.wall.moment_rotation import FAR
 
 MAX_HALVINGS = 4
@@ -111,6 +111,30 @@ def nears_upper_end(k, slopes, upper, fastest, reach, margin, state):
     return (state[HIGH + k] - upper <= reach) & (fastest >= -margin)
 
 
+@inner_kernel
+def p2_of(model, other, side):
+    """p2 about the hinge of this side. other : OtherSide of the model, which decides at compile time"""
+    if other is None:
+        return model.p2
+    return model.p2 if side > 0.0 else other.p2
+
+
+@inner_kernel
+def ratio_of(model, other, side):
+    """Velocity ratio at rest of an impact that leaves the hinge of this side. other : as of `p2_of`"""
+    if other is None:
+        return model.ratio_at_rest
+    return model.ratio_at_rest if side > 0.0 else other.ratio_at_rest
+
+
+@inner_kernel
+def slowest_of(limits, other, side):
+    """Speed below which it rests, of both sides, about the hinge of this one. other : as of `p2_of`"""
+    if other is None:
+        return limits[0]
+    return limits[0] if side > 0.0 else limits[1]
+
+
 @subkernel
 def lane_initial_terms(lanes, dt, model, constants, slopes, state):
     """`InitialTerms` of the step of each lane to the end of its sample. slopes : of `branch_of`"""
@@ -119,20 +143,20 @@ def lane_initial_terms(lanes, dt, model, constants, slopes, state):
         second = state[SCALE + k] * state[SECOND + k]
         x = state[PHI + k]
         s, c = sine_and_cosine_short(x)
-        branch = branch_of(k, slopes, state)
+        branch, side = branch_of(k, slopes, state), state[SIDE + k]
         start = initial_terms(
             x,
             state[SPEED + k],
             s,
             c,
-            state[SIDE + k],
+            side,
             state[FIRST + k],
             second,
             state[TIME + k],
             dt,
             branch,
-            model,
-            constants,
+            p2_of(model, model.other, side),
+            constants_seen(constants, constants.other, side),
         )
         state[SERIES + k] = start.speed
         state[NET + k] = start.net
@@ -208,7 +232,8 @@ def shorten_steps(lanes, dt, constants, order, slopes, state):
         omitted = neglected(v, growth, forcing, rise, p2, constants.strength, order)
         branch = branch_of(k, slopes, state)
         tolerance = constants.tolerance
-        relative = relative_tolerance(state[PHI + k], v[0], forcing, p2, branch, constants)
+        own = constants_seen(constants, constants.other, state[SIDE + k])
+        relative = relative_tolerance(state[PHI + k], v[0], forcing, p2, branch, own)
         part = 1.0
         for _ in range(MAX_HALVINGS):
             long = (omitted > min(tolerance, relative)) | (growth >= MAX_GROWTH)
@@ -269,7 +294,8 @@ def vector_step(lanes, dt, constants, order, slopes, state):
         forcing, growth = state[FORCING + k], state[GROWTH + k]
         x = state[PHI + k]
         branch = branch_of(k, slopes, state)
-        relative = relative_tolerance(x, v[0], forcing, p2, branch, constants)
+        own = constants_seen(constants, constants.other, state[SIDE + k])
+        relative = relative_tolerance(x, v[0], forcing, p2, branch, own)
         omitted = neglected(v, growth, forcing, rise, p2, constants.strength, order)
         long = (omitted > min(tolerance, relative)) | (growth >= MAX_GROWTH)
         low, peak = lower_end(k, slopes, state), state[PEAK + k]
@@ -318,22 +344,23 @@ def locate_impacts(falling, dt, model, rest_below, order, state):
     """The impact of each lane that falls: time in the sample, speed after it, whether this located it, and whether the
     wall then rests unless the ground lifts it.
 
-    rest_below : [rad/s], see `events.stops_rocking`.
+    rest_below : of both sides [rad/s], see `events.stops_rocking`
+    state : PLAIN holds the side of each, see `lane_events.gather_falling`
     """
     widest_vectors()
     shift = FALL - PHI
     for j in range((falling + VECTOR - 1) // VECTOR * VECTOR):
         k = shift + j
-        v = series_of(k, order, state)
+        v, side = series_of(k, order, state), state[PLAIN + j]
         t = state[TIME + k]
         part, top, found = landing(v, state[PHI + k], 1.0)
         speed = fma(change(v, part), state[PER_STEP + k], state[SPEED + k])
         arriving = max(-speed, 0.0)
-        ratio = model.ratio_at_rest - model.ratio_drop * arriving * arriving
+        ratio = ratio_of(model, model.other, side) - model.ratio_drop * arriving * arriving
         speed = max(ratio, 0.0) * arriving
         t = fma(part * state[PART + k], 1.0 - t, t)
         plain = found & (top <= state[PEAK + k]) & (part < 1.0) & (t < 1.0) & (ratio >= 0.0)
-        after = RESTS if speed < rest_below else MOVES
+        after = RESTS if speed < slowest_of(rest_below, model.other, side) else MOVES
         state[PLAIN + j] = after if plain else NOT_LOCATED
         state[SPEED + k] = speed
         state[TIME + k] = t

@@ -98,7 +98,7 @@ def converged_step(state, ground0, ground1, t, dt, branch, model, constants, ord
         t,
         dt,
         (factor, slope, constant, held),
-        model,
+        model.p2,
         constants,
     )
     v, growth = taylor_coefficients(state.phi, start, factor, slope, constants.strength, order)

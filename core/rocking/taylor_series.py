@@ -140,7 +140,7 @@ def over_step(slope, p2):
 
 
 @inner_kernel
-def initial_terms(x, speed, s, c, side, first, second, t, dt, branch, model, constants):
+def initial_terms(x, speed, s, c, side, first, second, t, dt, branch, p2, constants):
     """InitialTerms of a step from t to the end of the sample.
 
     x : rotation at its start, seen from the pivot [rad]
@@ -152,14 +152,14 @@ def initial_terms(x, speed, s, c, side, first, second, t, dt, branch, model, con
     dt : the sample [s]
     branch : (factor, slope, constant, cosine factor) of the moment law [-]; slope and constant None where the law has
         none, specialised at compile time
-    model : RockingModel as the pivot sees it
-    constants : WallConstants
+    p2 : squared frequency parameter about the pivot [1/s2]
+    constants : WallConstants as the pivot sees them
     """
     tangent, sine_alpha, cosine_alpha = constants.tangent, constants.sine, constants.cosine
     factor, slope, constant, held = branch
     rest_of_sample = 1.0 - t
     step = dt * rest_of_sample
-    p2 = model.p2 * (step * step)
+    p2 = p2 * (step * step)
     pull = side * PER_G
     jump = second - first
     beta = fma(pull, fma(jump, t, first), -held)

@@ -12,7 +12,8 @@ from core.rocking.lane_state import WIDTH
 from core.rocking.methods import METHODS
 from core.rocking.outcome import BAD_INPUT, COLLAPSED, IMPACT_LIMIT
 from core.units import G
-from core.wall.rocking_model import RockingModel
+from core.wall.loads import BARE, RestoringMoment
+from core.wall.rocking_model import OtherSide, RockingModel
 from tests.core.rocking.lanes_and_histories import assert_lanes_are_histories
 
 
@@ -48,6 +49,35 @@ def test_that_lanes_equal_single_analyses_on_random_walls_and_grounds():
         scales = rng.uniform(0.2, 8.0, 16)
         name = rng.choice(["taylor", "taylor_6"])
         seen |= set(assert_lanes_are_histories(ground, dt, scales, model, name))
+    assert seen >= {0, 1}
+
+
+def unlike_hinges(rng: np.random.Generator) -> RockingModel:
+    """A body of another alpha, p, velocity ratio and load about each hinge."""
+    alphas, sides = rng.uniform(0.01, 0.5, 2), [BARE, BARE]
+    for k in range(2):
+        if rng.uniform() < 0.5:
+            sine = 1.0 + rng.uniform(0.0, 1.5)
+            cosine = sine * math.tan(alphas.min()) * rng.uniform(-0.5, 0.8)
+            sides[k] = RestoringMoment(sine, cosine, math.hypot(sine, cosine), math.atan2(cosine, sine))
+    other = OtherSide.of(float(alphas[1]), 10.0 ** rng.uniform(-0.5, 2.0), rng.uniform())
+    lean = min(alpha + side.lean for alpha, side in zip(alphas, sides, strict=True)) - alphas[0]
+    values = float(alphas[0]), 10.0 ** rng.uniform(-0.5, 2.0), 0.0, rng.uniform(), 0.0, 0.0, 0.0
+    return RockingModel(*values, *sides, lean, min(side.amplitude for side in sides), (), other)
+
+
+@pytest.mark.shows("mechanics.lanes")
+@pytest.mark.parametrize("seeds", [range(40), pytest.param(range(40, 1000), marks=pytest.mark.long)], ids=str)
+def test_that_lanes_equal_single_analyses_of_bodies_of_unlike_hinges(seeds):
+    seen = set()
+    for seed in seeds:
+        rng = np.random.default_rng(seed)
+        model, dt = unlike_hinges(rng), 10.0 ** rng.uniform(-3.0, -1.3)
+        walk = np.cumsum(rng.normal(size=300))
+        ground = model.threshold * (rng.normal(size=300) if rng.uniform() < 0.5 else walk / np.abs(walk).max())
+        ground[100:130] = 0.0
+        scales = rng.uniform(0.2, 8.0, 24) * rng.choice([-1.0, 1.0], 24)
+        seen |= set(assert_lanes_are_histories(ground, dt, scales, model, rng.choice(["taylor", "rk4"])))
     assert seen >= {0, 1}
 
 

@@ -12,7 +12,7 @@ from core.jit.decorators import Kernel
 from core.jit.shipped import LEVELS
 from core.rocking import lanes
 from core.rocking.taylor_series import WallConstants
-from core.wall.rocking_model import RockingModel
+from core.wall.rocking_model import OtherSide, RockingModel
 
 LOOPS = {
     name: value.py_func
@@ -20,12 +20,12 @@ LOOPS = {
     if isinstance(value, Kernel) and "widest_vectors" in value.py_func.__code__.co_names
 }
 CASES = [
-    (name, order, slopes)
+    (name, order, slopes, False)
     for name, loop in LOOPS.items()
     for order in ((6, 8) if "order" in inspect.signature(loop).parameters else (8,))
     for slopes in ((True, False) if "slopes" in inspect.signature(loop).parameters else (True,))
-]
-"""Loop, order of the series, whether the law has slopes."""
+] + [(name, 8, False, True) for name in LOOPS]
+"""Loop, order of the series, whether the law has slopes, whether the wall has two hinges."""
 SCALAR = re.compile(r"\sv?(?:add|sub|mul|min|max|fn?m(?:add|sub)\d+|u?comi|cmp\w*)sd\s.*")
 """Sums, products and comparisons of one double."""
 PACKED = re.compile(r"\sv?(?:add|sub|mul|fn?m(?:add|sub)\d+|and|blendv|cmp\w*)pd\s.*%[yz]mm")
@@ -41,6 +41,8 @@ BUDGET = {
     "locate_impacts": {"x86-64-v3": (324, 97), "x86-64-v4": (273, 37)},
 }
 """Loop -> level -> instructions and accesses to the stack of its longest form, as numba 0.68 makes it."""
+TWO_HINGES = 8
+"""Instructions, and accesses to the stack, that the numbers of a second hinge may add."""
 SLACK = 1.1
 """Over the budget that another version of LLVM may take."""
 
@@ -107,18 +109,19 @@ def assembly(monkeypatch):
 
     monkeypatch.setattr(codegen.CPUCodeLibrary, "_optimize_final_module", for_each_processor)
 
-    def make(function, order, slopes):
+    def make(function, order, slopes, two_hinges):
         number, whole = types.float64, types.int64
+        other = OtherSide.of(0.2, 3.0, 0.8) if two_hinges else None
         known = {
             "lanes": whole,
             "falling": whole,
             "dt": number,
-            "rest_below": number,
+            "rest_below": typeof((1.0, 1.0)),
             "order": types.literal(order),
             "slopes": number if slopes else types.none,
-            "model": typeof(RockingModel(0.1, 2.0, 0.0, 0.9, 0.0, 0.0, 0.0)),
+            "model": typeof(RockingModel(0.1, 2.0, 0.0, 0.9, 0.0, 0.0, 0.0, other=other)),
             "state": number[::1],
-            "constants": typeof(WallConstants((1.0, 1.0), *(1.0,) * (len(WallConstants._fields) - 1))),
+            "constants": typeof(WallConstants((1.0, 1.0), *(1.0,) * 7, other)),
         }
         loop = njit(nogil=True, error_model="numpy", _nrt=False, no_cpython_wrapper=True, no_cfunc_wrapper=True)
         loop(function).compile(tuple(known[name] for name in inspect.signature(function).parameters))
@@ -128,9 +131,11 @@ def assembly(monkeypatch):
 
 
 @pytest.mark.skipif(platform.machine().lower() not in ("x86_64", "amd64"), reason="reads assembly of x86-64")
-@pytest.mark.parametrize("name, order, slopes", CASES)
-def test_that_a_loop_over_lanes_is_packed_and_no_longer_than_it_needs_on_every_processor(assembly, name, order, slopes):
-    found = assembly(LOOPS[name], order, slopes)
+@pytest.mark.parametrize("name, order, slopes, two_hinges", CASES)
+def test_that_a_loop_over_lanes_is_packed_and_no_longer_than_it_needs_on_every_processor(
+    assembly, name, order, slopes, two_hinges
+):
+    found = assembly(LOOPS[name], order, slopes, two_hinges)
     assert len(found) >= 2
     for processor, text in found.items():
         loops = loops_of(text)
@@ -142,4 +147,5 @@ def test_that_a_loop_over_lanes_is_packed_and_no_longer_than_it_needs_on_every_p
             whole = [line for line in max(loops, key=len).splitlines() if re.match(r"\t[^.]", line)]
             taken = len(whole), sum(bool(STACK.search(line)) for line in whole)
             most = BUDGET[name][processor]
-            assert all(one <= SLACK * limit + 2 for one, limit in zip(taken, most, strict=True)), (processor, taken)
+            room = TWO_HINGES if two_hinges else 2
+            assert all(one <= SLACK * limit + room for one, limit in zip(taken, most, strict=True)), (processor, taken)
