@@ -11,6 +11,7 @@ import warnings
 from pathlib import Path
 
 from app.look.language import quoted_from_file, set_language, terminal
+from app.terminal import system_libraries
 from app.terminal.command_line import parse, refuse_missing
 from core.errors import InputError
 from core.file_names import shown
@@ -27,6 +28,8 @@ def window(case: Path | None) -> int:
         needed = displays.get(os.environ.get("QT_QPA_PLATFORM", ""))
         if needed and not any(map(os.environ.get, needed)):
             raise InputError("no_display")
+        if not getattr(sys, "frozen", False):  # the frozen program brings them along
+            system_libraries.refuse_without()
     try:
         from app.look.quick_imports import quicken
 

@@ -68,6 +68,7 @@ OF_NO_SENTENCE = {
     "core/ground/records/geonet.py": "patterns of heads of files",
     "core/ground/records/wordings.py": "words of heads of files",
     "core/wall/restitution.py": "sources of the models",
+    "app/terminal/system_libraries.py": "commands of systems",
     "packaging/platforms.py": "names of systems, for the documents",
     "run.py": "what a file of the environment holds",
 }
