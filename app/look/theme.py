@@ -105,5 +105,6 @@ def set_theme(name: str) -> None:
     # Fusion draws the edge of a field 1.4 times darker than its window: this gives it 3 : 1 against its base
     edged = QPalette(palette)
     edged.setColor(QPalette.ColorRole.Window, QColor(current.edge).lighter(140))
-    for kind in ("QLineEdit", "QPlainTextEdit", "QComboBox", "QCheckBox", "QGroupBox", "QToolButton", "QPushButton"):
+    fields = ("QLineEdit", "QPlainTextEdit", "QComboBox", "QCheckBox", "QSlider")
+    for kind in (*fields, "QGroupBox", "QToolButton", "QPushButton"):
         application().setPalette(edged, kind)  # type: ignore[arg-type]  # the stub asks for bytes, which Qt refuses

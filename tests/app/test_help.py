@@ -4,8 +4,9 @@ import pytest
 
 pytest.importorskip("PySide6")
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPalette
-from PySide6.QtWidgets import QApplication, QLineEdit
+from PySide6.QtWidgets import QApplication, QLineEdit, QSlider, QWidget
 
 from app.input.fields import Field
 from app.look import theme
@@ -41,6 +42,14 @@ def test_that_edges_and_marks_stand_out(application, name):
     picture = field.grab().toImage()
     drawn = max(contrast(picture.pixelColor(40, y), base) for y in (0, 1, 2))
     assert drawn >= 2.9
+    form = QWidget()
+    slider = QSlider(Qt.Orientation.Horizontal, form)
+    slider.setValue(50)
+    slider.resize(220, 30)
+    form.resize(220, 30)
+    picture, behind = form.grab().toImage(), QColor(chosen.window)
+    for across in ([60], range(100, 120), [180]):  # the way behind its handle, the handle's edge, the way before it
+        assert max(contrast(picture.pixelColor(x, y), behind) for x in across for y in range(30)) >= 3.0
     for mark in (chosen.good, chosen.amber, chosen.bad, chosen.quiet, chosen.ink):
         assert contrast(QColor(mark), base) >= 4.5
     theme.set_theme("light")
