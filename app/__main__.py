@@ -102,7 +102,7 @@ def carry_out(options: argparse.Namespace) -> int:
 
         if options.part:
             return batch.run_part(options.batch, options.output, jobs, options.quiet, *options.part)
-        how = (options.quiet, options.resume, options.report, options.merge, options.force)
+        how = (options.quiet, options.resume, options.report, options.merge, options.force, options.scheduler)
         return batch.run(options.batch, options.output, jobs, *how)
     return window(options.case)
 

@@ -13,6 +13,7 @@ PACKAGES = {
     "accuracy": {"scipy": "scipy"},
     "parquet": {"pyarrow": "pyarrow"},
     "dxf": {"ezdxf": "ezdxf"},
+    "scheduler": {"distributed": "distributed"},
 }
 """Extra -> module asked for and the package it is of."""
 
@@ -20,7 +21,7 @@ MOST_WALLS = 10_000
 """Walls about all their hinges beyond which a case needs `parquet`: of each some 60 rows of the sheet Check, of the
 million a workbook has."""
 
-NOT_FROZEN = ("parquet",)
+NOT_FROZEN = ("parquet", "scheduler")
 """Extras that the program of packaging/build.py does not hold."""
 
 

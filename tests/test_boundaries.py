@@ -84,6 +84,7 @@ SHOWN_BY = {
     "case/note_file": "tests/core/report/test_pdf.py",
     "report/case_text": "tests/app/test_verification.py",
     "report/columns": LARGE,
+    "study/executors": "tests/core/study/test_scheduler.py",
     "report/parquet_file": LARGE,
     **{f"report/stated/{name}": STATED for name in ("quantity", "records", "walls", "checks", "verdicts")},
     "report/large_report": LARGE,

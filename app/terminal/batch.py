@@ -13,6 +13,7 @@ from app.terminal.case_run import (
     WITHOUT_NUMBER,
     aligned,
     coded,
+    executor_of,
     interrupts,
     made,
     open_journal,
@@ -46,19 +47,21 @@ def run(
     report: Path | None = None,
     merge: bool = False,
     force: bool = False,
+    scheduler: str | None = None,
 ) -> int:
     """Read a case, run it, write `<stem>.xlsx` and `<stem>.json`; returns the exit code.
 
     report : of the calculation note, where one is asked for
     merge : the searches and checks are those of the parts of the case, see `run_part`
     force : files of others may be overwritten
+    scheduler : whose workers do the searches and checks, see `core.study.scheduler.scheduled`
 
     Raises InputError for what the user can mend; nothing is written then.
     """
     export.check_note(report, case_path)
     case = _read(case_path)
     if is_large(case):
-        return large_batch.run(case, case_path, output, jobs, quiet, resume, report, merge, force)
+        return large_batch.run(case, case_path, output, jobs, quiet, resume, report, merge, force, scheduler)
     export.check_note(report, case_path, case)
     if case.analysis.accuracy:
         require("accuracy")
@@ -73,7 +76,7 @@ def run(
         return books[0]
 
     folders = (folder, report.parent) if report else (folder,)
-    with made(case_path, *folders), interrupts(cancel), progress(quiet) as show:
+    with made(case_path, *folders), interrupts(cancel), executor_of(scheduler) as executor, progress(quiet) as show:
         export.refuse_overwriting(case, case_path, folder, stem, report)
         export.refuse_foreign(case, folder, stem, report, force)
         made_so_far = export.Report(case, raise_if(cancel))
@@ -86,6 +89,7 @@ def run(
                 on_progress=show.runs,
                 cancelled=cancel.is_set,
                 on_finished=made_so_far.add,
+                executor=executor,
             )
             steps = Steps(raise_if(cancel), show.writing, 100 - export.WALLS + (export.NOTE if report else 0))
             made_so_far.write(result, folder, stem, note=report, case_path=case_path, steps=steps)

@@ -4,7 +4,7 @@ import contextlib
 import signal
 import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from app.look.language import current_language, terminal
@@ -12,6 +12,7 @@ from app.terminal.terminal_progress import tell
 from core import atomic_write
 from core.errors import Cancelled, InputError
 from core.study.journal import SYNC_SECONDS, Journal
+from core.study.scheduler import Scheduled, scheduled
 from core.text.sentence import numeral, word
 
 DONE, WITHOUT_NUMBER, CANCELLED = 0, 3, 130
@@ -65,6 +66,18 @@ def say(text: str) -> None:
         print(text, flush=True)
     except OSError:
         sys.stdout = None
+
+
+@contextlib.contextmanager
+def executor_of(word: str | None) -> Iterator[Scheduled | None]:
+    """The executor of --scheduler, none without a word. Raises InputError where no scheduler answers."""
+    if word is None:
+        yield None
+        return
+    with scheduled(word) as executor:
+        if not executor.threads():
+            tell("{address} has no worker yet: waiting for the first", address=word)
+        yield executor
 
 
 RULES = ("minimum", "too_few", "incomplete")

@@ -87,6 +87,12 @@ def parser() -> Parser:
     add("--part", type=_part, metavar="K/N", help=terminal("the walls of one part of the case alone, see --merge"))
     add("--merge", action="store_true", help=terminal("the results of all parts of the case"))
     add("--force", action="store_true", help=terminal("overwrite files that are no results of this case"))
+    add(
+        "--scheduler",
+        type=_scheduler,
+        metavar="WORD",
+        help=terminal("walls on the workers of Dask: tcp://HOST:PORT, or local:8 for so many processes"),
+    )
     contents = terminal("summarise the contents of records and drawings")
     add(
         "--verify",
@@ -121,6 +127,15 @@ def _part(word: str) -> tuple[int, int]:
     return int(found[1]), int(found[2])
 
 
+def _scheduler(word: str) -> str:
+    known = re.fullmatch(r"local:[0-9]{1,4}|(tcp|tls)://[^\s/]+:[0-9]{1,5}", word, re.ASCII)
+    most = 1024 if word.startswith("local:") else 65535
+    if not known or not 1 <= int(word.rsplit(":", 1)[1]) <= most:
+        text = "{word!r} is neither a scheduler such as tcp://host:8786 nor processes here such as local:8"
+        raise argparse.ArgumentTypeError(terminal(text, word=word))
+    return word
+
+
 def parse(arguments: list[str] | None) -> argparse.Namespace:
     """What is asked. Ends the program with exit code 2 where words do not go together."""
     line = parser()
@@ -146,6 +161,8 @@ def _apart(asked: argparse.Namespace) -> Iterator[tuple[object, str]]:
     yield asked.output and not writes, terminal(text)
     yield asked.report and not asked.batch, terminal("--report goes with --batch")
     yield (asked.part or asked.merge) and not asked.batch, terminal("--part and --merge go with --batch")
+    text = "--scheduler goes with --batch, without --part and --merge"
+    yield asked.scheduler and (not asked.batch or asked.part or asked.merge), terminal(text)
     text = "--part goes on by itself and writes no results: leave out --merge, --report and --resume"
     yield asked.part and (asked.merge or asked.report or asked.resume), terminal(text)
     takes_records = asked.study or asked.verify or asked.validate
@@ -202,6 +219,7 @@ def extras(options: argparse.Namespace) -> list[str]:
         "accuracy": _states(options.batch, lambda case: case["analysis"]["accuracy"] is True),
         "dxf": _states(options.batch, lambda case: any("drawing" in wall for wall in case["wall"])),
         "report": options.report or of_note,
+        "scheduler": bool(options.scheduler),
         "parquet": not options.part and _may_be_large(options.batch),
     }
     return [extra for extra, wanted in asked.items() if wanted]

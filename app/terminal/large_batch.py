@@ -1,9 +1,11 @@
 """The headless run of a case of more walls than a workbook holds: a Parquet file and a summary."""
 
+import contextlib
 import threading
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
+from concurrent.futures import Executor
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 from app.look.language import terminal
 from app.terminal import export
@@ -14,6 +16,7 @@ from app.terminal.case_run import (
     aligned,
     announced,
     coded,
+    executor_of,
     interrupts,
     made,
     raise_if,
@@ -21,7 +24,7 @@ from app.terminal.case_run import (
     say,
     short,
 )
-from app.terminal.terminal_progress import progress, tell
+from app.terminal.terminal_progress import Shown, progress, tell
 from core import atomic_write
 from core.case.schema import Case
 from core.errors import Cancelled, InputError
@@ -32,9 +35,8 @@ from core.report.columns import columns_of
 from core.report.large_report import Tally
 from core.setting.plan import results_in
 from core.study.case_parts import FINISHED, MergedParts, part_key, part_path
-from core.study.journal import Journal
-from core.study.large_case import LargeCase, group_results, in_order, without_walls
-from core.study.run import journal_key
+from core.study.journal import Journal, journal_key
+from core.study.large_case import LargeCase, group_results, groups_elsewhere, in_order, without_walls
 from core.version import NAME, VERSION
 
 SHOWN = 20
@@ -57,6 +59,7 @@ def run(
     note: Path | None = None,
     merge: bool = False,
     force: bool = False,
+    scheduler: str | None = None,
 ) -> int:
     """Run a case and write `<stem>.parquet` and `<stem>.json`; returns the exit code. The parameters are those of
     `batch.run`. Raises InputError for what the user can mend; nothing is written then."""
@@ -64,18 +67,19 @@ def run(
     require("parquet")
     folder, stem = results_of(case_path, output)
     cancel = threading.Event()
-    with made(case_path, folder), interrupts(cancel), progress(quiet) as show:
+    with made(case_path, folder), interrupts(cancel), executor_of(scheduler) as executor, progress(quiet) as show:
         export.refuse_overwriting(case, case_path, folder, stem)
         export.refuse_foreign(case, folder, stem, None, force)
         book: Journal | MergedParts | None = None
         try:
             large = in_order(case, case_path.parent, cancel.is_set)
             if merge:
-                book = _merged(large, case, folder, stem)
+                book, mine = _merged(large, case, folder, stem), range(0)
             else:
                 book = announced(Journal(folder / f"{stem}.journal", _key(large), resume))
-                _work(large, book, range(len(large.groups)), jobs, show, cancel)
-            tally = _write(large, book, folder, stem, show, cancel)
+                mine = range(len(large.groups))
+            with contextlib.closing(_work(large, book, mine, jobs, show, cancel, executor)) as work:
+                tally = _write(large, book, work, folder, stem, show, cancel)
             if isinstance(book, Journal):
                 book.remove()
         except Cancelled:
@@ -104,7 +108,8 @@ def run_part(case: Case, case_path: Path, output: Path | None, jobs: int, quiet:
             book = Journal(path, part_key(_key(large), case, k, n), True)
             try:
                 mine = range(k - 1, len(large.groups), n)
-                _work(large, book, mine, jobs, show, cancel)
+                for _ in _work(large, book, mine, jobs, show, cancel):
+                    pass
                 if FINISHED not in book:
                     book.add(FINISHED, {})
             finally:
@@ -133,26 +138,48 @@ def _merged(large: LargeCase, case: Case, folder: Path, stem: str) -> MergedPart
     raise InputError("part_damaged", k=missing % n + 1, n=n, path=part_path(folder, stem, missing % n + 1, n))
 
 
-def _work(large: LargeCase, book: Journal, mine: range, jobs: int, show, cancel: threading.Event) -> None:
-    """Make the groups of a journal that are not in it."""
+def _work(
+    large: LargeCase,
+    book: Any,
+    mine: range,
+    jobs: int,
+    show: Shown,
+    cancel: threading.Event,
+    executor: Executor | None = None,
+) -> Generator[int]:
+    """The groups that are not in a journal, as they come into it: from the executor, and what that loses, or all where
+    there is none, from here."""
     todo = [g for g in mine if g not in book]
+    if executor is not None:
+        for g, rows in groups_elsewhere(large, todo, executor, columns_of, show.runs, cancel.is_set):
+            book.add(g, rows)
+            yield g
+        todo = [g for g in todo if g not in book]
     for g, result in group_results(large, todo, jobs, show.runs, cancel.is_set):
         book.add(g, columns_of(result, large.groups[g]))
+        yield g
 
 
 def _table(folder: Path, stem: str) -> Path:
     return folder / f"{stem}.parquet"
 
 
-def _write(large: LargeCase, book, folder: Path, stem: str, show, cancel: threading.Event) -> Tally:
-    """Write table and summary, both or none; what was counted."""
+def _write(
+    large: LargeCase, book: Any, work: Iterator[int], folder: Path, stem: str, show: Shown, cancel: threading.Event
+) -> Tally:
+    """Write table and summary, both or none, a group as soon as it and those before it are there; what was counted.
+    work : groups as they come"""
     tally, count, table = Tally(), len(large.groups), _table(folder, stem)
 
     def rows() -> Iterator[dict[str, list]]:
+        worked = False
         for g in range(count):
             raise_if(cancel)()
-            show.writing(g, count)
-            found = book.get(g)
+            while (found := book.get(g)) is None:
+                next(work)
+                worked = True
+            if not worked:
+                show.writing(g, count)
             tally.add(found)
             yield found
 

@@ -17,11 +17,18 @@ from types import NoneType, UnionType
 from typing import Any, BinaryIO, NamedTuple, get_args, get_origin, get_type_hints
 
 from core.errors import OutputError
+from core.jit import cache
 from core.regular_file import refuse_irregular
+from core.version import VERSION
 
 SYNC_SECONDS = 1.0
 """Least time between two calls that bring the journal to the disk: they hold up the threads, a tenth of the time of
 many walls. A kill loses nothing, a power cut what was found in that second."""
+
+
+def journal_key() -> str:
+    """Key of a journal: the program and the state of its sources."""
+    return f"{VERSION} {cache.source_stamp()}"
 
 
 class Place(NamedTuple):

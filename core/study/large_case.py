@@ -3,22 +3,22 @@ of them, so that its numbers are those of the undivided run (resources/docs/scal
 
 import hashlib
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import Executor
 from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from core.case.many_walls import in_groups
 from core.case.schema import Case
+from core.case.wall import Wall
 from core.codes.demand import with_records
 from core.codes.record_compatibility import compliance, period_range
 from core.errors import Cancelled
-from core.file_names import name_of
 from core.jit import cache
-from core.regular_file import read_regular
-from core.setting.demand_input import MOST_OF_SPECTRUM
 from core.setting.plan import Floors, Inputs, plan_of, read_inputs, with_chosen
 from core.setting.record_selection import Selection
+from core.study.executors import Shared, files_key, plan_elsewhere, results_from, shared_by
 from core.study.progress import OnProgress, Progress, Started, costs_of
 from core.study.results import StudyResult
 from core.study.run import begin_compiling, result_of
@@ -53,14 +53,7 @@ class LargeCase(NamedTuple):
     @property
     def key(self) -> str:
         """Key of all that decides the rows of the case beside the program: the case, and what it reads."""
-        _, motions, kinds = self.inputs
-        spectrum = b""
-        if self.case.demand and self.case.demand.spectrum_file:
-            spectrum = read_regular(self.base_dir / name_of(self.case.demand.spectrum_file), MOST_OF_SPECTRUM)
-        read = [
-            (repr(m), m.samples_sha256, m.warnings, m.details, kind) for m, kind in zip(motions, kinds, strict=True)
-        ]
-        parts = (self.case.sha256, read, len(self.groups), hashlib.sha256(spectrum).hexdigest())
+        parts = (self.case.sha256, files_key(self.case, self.base_dir, self.inputs), len(self.groups))
         return hashlib.sha256(repr(parts).encode()).hexdigest()
 
 
@@ -120,19 +113,70 @@ def group_results(
     Raises InputError, Cancelled.
     """
     cache.proven()
-    todo, floors, begun = list(todo), Floors(FLOORS_KEPT), time.monotonic()
-    planned = sum(large.tasks)
-    before = first = planned - sum(large.tasks[g] for g in todo)
-    threads = Threads(jobs, cancelled)
-
-    def told(done: int, of_group: int, left: float | None) -> None:
-        worked = before + done - first
-        left = (time.monotonic() - begun) * (planned - before - done) / worked if worked else None
-        on_progress(before + done, planned, left)
-
+    todo, floors = list(todo), Floors(FLOORS_KEPT)
+    progress, threads = _GroupProgress(large, todo, on_progress), Threads(jobs, cancelled)
     for g in todo:
         plan = _plan(large.case, large.inputs, large.groups[g], large.longest, floors)
         if g == todo[0]:
             begin_compiling(plan)
-        yield g, result_of(plan, large.base_dir, threads, Started(), None, Progress(costs_of(plan), told))
-        before += large.tasks[g]
+        yield g, result_of(plan, large.base_dir, threads, Started(), None, Progress(costs_of(plan), progress.within))
+        progress.finished(g)
+
+
+class _GroupProgress:
+    """Counts the tasks of groups, the time left in proportion to their number. todo : groups that are made"""
+
+    def __init__(self, large: LargeCase, todo: list[int], on_progress: OnProgress):
+        self._tasks, self._planned, self._on_progress = large.tasks, sum(large.tasks), on_progress
+        self._done = self._first = self._planned - sum(large.tasks[g] for g in todo)
+        self._begun = time.monotonic()
+
+    def within(self, done: int, of_group: int, left: float | None) -> None:
+        """Tell how far the group is that is made now, as `Progress` does."""
+        worked = self._done + done - self._first
+        left = (time.monotonic() - self._begun) * (self._planned - self._done - done) / worked if worked else None
+        self._on_progress(self._done + done, self._planned, left)
+
+    def finished(self, group: int) -> None:
+        """Count a group."""
+        self._done += self._tasks[group]
+
+
+Rows = Callable[[StudyResult, Sequence[int]], Any]
+"""What is kept of a group, from its result and the numbers of its walls: of `core.report.columns.columns_of`."""
+
+
+def group_alone(shared: Shared, walls: tuple[Wall, ...], numbers: list[int], rows: Rows) -> Any:
+    """Rows of a group of walls: the task of an executor, in a process of its own or on another machine that sees the
+    same files. numbers : of its walls in the case. Raises InputError."""
+    plan = plan_elsewhere(shared, walls)
+    begin_compiling(plan)
+    progress = Progress(costs_of(plan), lambda done, planned, left: None)
+    return rows(result_of(plan, shared.base_dir, Threads(1, lambda: False), Started(), None, progress), numbers)
+
+
+def groups_elsewhere(
+    large: LargeCase,
+    todo: list[int],
+    executor: Executor,
+    rows: Rows,
+    on_progress: OnProgress = lambda done, planned, left: None,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Iterator[tuple[int, Any]]:
+    """(group, its rows) of the groups to do as they come back from an executor, in any order, without those that are
+    lost with their process. Raises InputError, Cancelled."""
+    chosen = large.case
+    if large.selection:
+        chosen = replace(chosen, select=None, record=large.selection.chosen.records)
+    shared = shared_by(chosen, large.base_dir, large.inputs, large.longest)
+    progress = _GroupProgress(large, todo, on_progress)
+
+    def given(group: list[int]) -> tuple:
+        return shared, tuple(large.case.wall[k] for k in group), group, rows
+
+    tasks = ((g, given(large.groups[g])) for g in todo)
+    for g, found in results_from(executor, group_alone, tasks, cancelled):
+        if found is not None:
+            yield g, found
+            progress.finished(g)
+            progress.within(0, 0, None)

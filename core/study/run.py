@@ -1,9 +1,10 @@
 """The one call that makes results: a case in, a frozen StudyResult out. Window, batch, tests use it."""
 
 import contextlib
+import hashlib
 import sys
-from collections.abc import Callable
-from concurrent.futures import BrokenExecutor, Executor, Future, wait
+from collections.abc import Callable, Generator
+from concurrent.futures import Executor
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,26 +13,26 @@ import numpy as np
 from core.capacity.ida import multiplier_of, threshold_of
 from core.case.place import notices
 from core.case.schema import Case
+from core.case.wall import Wall
 from core.codes.demand import DemandResult, with_records
 from core.codes.record_compatibility import compliance
-from core.errors import Cancelled, InputError
 from core.ground.ground_motion import GroundMotion
 from core.jit import cache
 from core.rocking.history import history, scan
 from core.rocking.methods import AUTO, METHODS, resolve_auto
-from core.setting.plan import Inputs, Plan, plan_of, read_inputs, refuse_large, with_chosen
+from core.setting.plan import Plan, plan_of, read_inputs, refuse_large, with_chosen
 from core.setting.record_selection import Selection
 from core.setting.scene import model_of
 from core.study import precompile
+from core.study.executors import Shared, awaited, plan_elsewhere, results_from, shared_by
 from core.study.how_sure import ag_of
-from core.study.journal import Journal, Memory
+from core.study.journal import Journal, Memory, journal_key
 from core.study.progress import OnProgress, Progress, Started, costs_of
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.self_test import order_of
 from core.study.wall_work import Finished, Given, works
 from core.threads import Threads
 from core.variation.limit_states import demands_of, rules_of, unsaid
-from core.version import VERSION
 
 
 def run(
@@ -58,26 +59,27 @@ def run(
     on_finished : called from this thread with the results of each wall of the case alone, in its order, once nothing is
         added to them
     share : (k, n): of the walls only those whose number leaves k when divided by n
-    executor : does the searches and checks, a wall a task, on other processes or machines (resources/docs/scale.md);
-        what one of them loses is made here
+    executor : does the searches and checks that are not in the journal, a wall a task, on other processes or machines
+        (resources/docs/scale.md); what one of them loses is made here
     Raises InputError for what the user can mend, Cancelled when cancelled() is true.
     """
     started = Started()
     refuse_large(case)
     cache.proven()
-    finished: Journal | Memory | None = None
-    if executor:
-        finished = _found_on(executor, case, base_dir, cancelled)
     chosen, selection = with_chosen(case, base_dir, cancelled=cancelled)
-    plan = plan_of(case, read_inputs(chosen, base_dir), share)
+    inputs = read_inputs(chosen, base_dir)
+    plan = plan_of(case, inputs, share)
     begin_compiling(plan)
-    if journal and not executor:
-        finished = journal(journal_key())
-    progress = Progress(costs_of(plan), on_progress)
-    threads = Threads(jobs, cancelled)
-    return result_of(
-        plan, base_dir, threads, started, finished, progress, on_wall, on_finished, selection, share is None
-    )
+    finished = journal(journal_key()) if journal else Memory(EVERYTHING) if executor else None
+    progress, threads = Progress(costs_of(plan), on_progress), Threads(jobs, cancelled)
+    how = (on_wall, on_finished, selection, share is None)
+    if executor is None or finished is None:
+        return result_of(plan, base_dir, threads, started, finished, progress, *how)
+    # what is said beside the checks is made here, where the walls come together
+    bare = replace(chosen, sensitivity=None, analysis=replace(chosen.analysis, accuracy=False))
+    shared = shared_by(bare, base_dir, inputs, None)
+    with contextlib.closing(_walls_elsewhere(executor, shared, plan, finished, cancelled)) as arrivals:
+        return result_of(plan, base_dir, threads, started, finished, progress, *how, awaited(arrivals))
 
 
 def result_of(
@@ -91,6 +93,7 @@ def result_of(
     on_finished: Callable[[StudyResult], None] = lambda wall: None,
     selection: Selection | None = None,
     whole: bool = True,
+    wait_for: Callable[[int], None] | None = None,
 ) -> StudyResult:
     """Result of a plan.
 
@@ -102,6 +105,7 @@ def result_of(
     journal : of finished searches and checks
     selection : of [select]
     whole : all walls of the case are in it, so that they have verdicts
+    wait_for : returns once what was found elsewhere of a wall, by its number in the case, is in the journal
     Raises as `run` does.
     """
     results: list[WallResult] = []
@@ -135,7 +139,7 @@ def result_of(
         ag = ag_of(demand, plan.case.demand, base_dir) if demand and rated else None
         state_rules = rules_of(plan, demand, by_state) if demand else {}
         given = Given(plan, base_dir, demand, rules, by_state, state_rules, ag, journal, progress, on_wall)
-        threads.run_works(works(given, threads.jobs), ended)
+        threads.run_works(works(given, threads.jobs, wait_for), ended)
     finally:
         cache.record(cache.folder())
     return replace(head, walls=tuple(results), verdicts=tuple(verdicts) if whole else (), elapsed=started.elapsed)
@@ -150,54 +154,38 @@ def _demand(plan: Plan, base_dir: Path) -> tuple[DemandResult | None, dict[str, 
     return replace(demand, warnings=(*demand.warnings, *unsaid(demand, by_state), *of_place)), by_state
 
 
-def journal_key() -> str:
-    """Key of a journal: the program and the state of its sources."""
-    return f"{VERSION} {cache.source_stamp()}"
-
-
 EVERYTHING = sys.maxsize
 """Room of a Memory that forgets nothing."""
 
-_kept: dict[tuple[str, Path], Inputs] = {}
-"""Inputs of the last case that a process working for an executor read."""
 
-
-def wall_alone(case: Case, base_dir: Path, k: int) -> dict[str, dict]:
-    """Searches and checks of the k-th wall of a case, as a journal holds them: the task of an executor, in a process of
-    its own or on another machine that sees the same files. Raises InputError."""
-    place = case.sha256, base_dir
-    if place not in _kept:
-        _kept.clear()
-        _kept[place] = read_inputs(case, base_dir)
-    plan, memory = plan_of(case, _kept[place], (k, len(case.wall))), Memory(EVERYTHING)
+def wall_alone(shared: Shared, wall: Wall) -> dict[str, dict]:
+    """Searches and checks of a wall, as a journal holds them: the task of an executor, in a process of its own or on
+    another machine that sees the same files. Raises InputError."""
+    plan, memory = plan_elsewhere(shared, (wall,)), Memory(EVERYTHING)
     begin_compiling(plan)
     progress = Progress(costs_of(plan), lambda done, planned, left: None)
-    result_of(plan, base_dir, Threads(1, lambda: False), Started(), memory, progress)
+    result_of(plan, shared.base_dir, Threads(1, lambda: False), Started(), memory, progress)
     return memory.found
 
 
-def _found_on(executor: Executor, case: Case, base_dir: Path, cancelled: Callable[[], bool]) -> Memory:
-    """Collect what an executor finds of each wall; of one whose process ends, nothing. Raises Cancelled, and
-    InputError."""
-    memory = Memory(EVERYTHING)
-    waiting: list[Future] = []
-    with contextlib.suppress(BrokenExecutor):
-        for k in range(len(case.wall)):
-            waiting.append(executor.submit(wall_alone, case, base_dir, k))
-    try:
-        for future in waiting:
-            while not future.done():
-                if cancelled():
-                    raise Cancelled
-                wait([future], timeout=0.1)
-            if isinstance(error := future.exception(), InputError):
-                raise error
-            if error is None:
-                memory.found |= future.result()
-    finally:
-        for future in waiting:
-            future.cancel()
-    return memory
+def _walls_elsewhere(
+    executor: Executor, shared: Shared, plan: Plan, journal: Journal | Memory, cancelled: Callable[[], bool]
+) -> Generator[int]:
+    """Numbers of the walls in a plan as their searches and checks come into the journal, in any order; those of a wall
+    that is lost with its process do not. Raises Cancelled, and InputError."""
+    numbers = [plan.entries[span[0]].part.origin for span in plan.spans]
+
+    common = repr((shared.case.as_dict(), shared.files))
+    names = {k: "wall " + hashlib.sha256((common + repr(plan.case.wall[k])).encode()).hexdigest() for k in numbers}
+    todo = [k for k in numbers if journal.get(names[k]) is None]
+    yield from set(numbers) - set(todo)
+    tasks = ((k, (shared, plan.case.wall[k])) for k in todo)
+    for k, found in results_from(executor, wall_alone, tasks, cancelled):
+        for name, result in (found or {}).items():
+            journal.add(name, result)
+        if found is not None:
+            journal.add(names[k], {})  # it has come whole
+        yield k
 
 
 def warm(case: Case, motion: GroundMotion) -> tuple[str, ...]:

@@ -60,8 +60,8 @@ Finished = tuple[list[WallResult], tuple[WallVerdict, ...]]
 demand."""
 
 
-def works(given: Given, jobs: int) -> Iterator[Work]:
-    """The work of each wall of a case, which returns Finished."""
+def works(given: Given, jobs: int, wait_for: Callable[[int], None] | None = None) -> Iterator[Work]:
+    """The work of each wall of a case, which returns Finished. wait_for : as `result_of` takes it"""
     plan, known = given.plan, {}
     for one in plan.runs:
         found = rebuilt(Ida, given.journal.get(_key(plan, one))) if given.journal else None
@@ -69,7 +69,10 @@ def works(given: Given, jobs: int) -> Iterator[Work]:
             known[one] = found
     given.progress.known(known)
     most = (len(plan.runs) - len(known)) // (TASKS * jobs)
-    return (_Wall(given, known, most, span).work() for span in plan.spans)
+    for span in plan.spans:
+        if wait_for:
+            wait_for(plan.entries[span[0]].part.origin)
+        yield _Wall(given, known, most, span, wait_for is not None).work()
 
 
 def _key(plan: Plan, one: tuple[int, int, int]) -> str:
@@ -85,10 +88,13 @@ class _Wall:
     known : Idas of earlier starts by (entry, record, sign)
     most : runs that are searched side by side, where they are lanes
     span : its entries in the plan
+    elsewhere : what was found of it elsewhere came into the journal
     """
 
-    def __init__(self, given: Given, known: dict[tuple[int, int, int], Ida], most: int, span: list[int]):
-        self.given, self.known, self.most = given, known, most
+    def __init__(
+        self, given: Given, known: dict[tuple[int, int, int], Ida], most: int, span: list[int], elsewhere: bool
+    ):
+        self.given, self.known, self.most, self.elsewhere = given, known, most, elsewhere
         self.entries = {k: given.plan.entries[k] for k in span}
         self.kept = {k: KeptChecks(given.journal) for k in span}
         self.results: dict[int, WallResult] = {}
@@ -129,6 +135,11 @@ class _Wall:
                     given.journal.add(_key(plan, one), asdict(ida))
                 given.progress.done(one)
 
+        if self.elsewhere and given.journal:
+            for one in [one for k in self.entries for one in plan.runs_of(k) if one not in idas]:
+                if (found := rebuilt(Ida, given.journal.get(_key(plan, one)))) is not None:
+                    idas[one] = found
+                    given.progress.done(one)
         groups = []
         for k, entry in self.entries.items():
             runs = [one for one in plan.runs_of(k) if one not in idas]
@@ -158,7 +169,7 @@ class _Wall:
         def checked(k: int, found: Assessment) -> None:
             self.results[k] = replace(self.results[k], assessment=found)
             given.on_wall(self.results[k])
-            given.progress.done(("check", k), self.kept[k].made > 0)
+            given.progress.done(("check", k), self.elsewhere or self.kept[k].made > 0)
 
         yield Batch({k: task(k) for k in self.entries}, checked)
 

@@ -1,0 +1,151 @@
+"""Walls of a study on other processes and machines: tasks handed to an executor, and what they find taken as it comes
+(resources/docs/scale.md)."""
+
+import contextlib
+import hashlib
+import platform
+from collections.abc import Callable, Hashable, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from core.case.schema import Case
+from core.case.wall import Wall
+from core.errors import Cancelled, InputError, place
+from core.file_names import name_of
+from core.jit import cache
+from core.regular_file import read_regular
+from core.setting.demand_input import MOST_OF_SPECTRUM
+from core.setting.plan import Inputs, Plan, plan_of, read_inputs
+from core.study.journal import journal_key
+from core.study.scheduler import Scheduled
+
+MOST_AHEAD = 256
+"""Tasks an executor holds at a time; a `Scheduled` says it by its workers."""
+
+
+def files_key(case: Case, base_dir: Path, inputs: Inputs) -> str:
+    """Key of what a case reads: its records, and the file of its spectrum.
+
+    base_dir : folder record paths start from
+    inputs : of `read_inputs`
+    """
+    _, motions, kinds = inputs
+    spectrum = b""
+    if case.demand and case.demand.spectrum_file:
+        spectrum = read_regular(base_dir / name_of(case.demand.spectrum_file), MOST_OF_SPECTRUM)
+    read = [(repr(m), m.samples_sha256, m.warnings, m.details, kind) for m, kind in zip(motions, kinds, strict=True)]
+    return hashlib.sha256(repr((read, hashlib.sha256(spectrum).hexdigest())).encode()).hexdigest()
+
+
+class Shared(NamedTuple):
+    """What the tasks of a study have in common, sent with each of them.
+
+    case : without walls, its records chosen
+    base_dir : folder record paths start from, absolute
+    walls : of the whole case
+    longest : period of the mechanisms of all walls [s]; None where a wall alone is a task
+    files : `files_key` of the process that hands out
+    program : its `journal_key`
+    """
+
+    case: Case
+    base_dir: Path
+    walls: int
+    longest: float | None
+    files: str
+    program: str
+
+
+def shared_by(case: Case, base_dir: Path, inputs: Inputs, longest: float | None) -> Shared:
+    """What the tasks of a case have in common. case : its records chosen; inputs, longest : as in Shared"""
+    bare = replace(case, wall=(), source="", table_notes=())
+    return Shared(bare, base_dir.absolute(), len(case.wall), longest, files_key(case, base_dir, inputs), journal_key())
+
+
+_read: dict[Shared, Inputs] = {}
+"""Inputs of the last study that this process, working for an executor, took a task of."""
+
+
+def plan_elsewhere(shared: Shared, walls: tuple[Wall, ...]) -> Plan:
+    """The plan of a task. Raises InputError where this process has another program or other files than the one that
+    hands out."""
+    if journal_key() != shared.program:
+        raise InputError("worker_of_another", worker=platform.node(), found=journal_key(), expected=shared.program)
+    cache.proven()
+    inputs = _read.get(shared)
+    if inputs is None:
+        try:
+            inputs = read_inputs(shared.case, shared.base_dir)
+        except InputError as error:
+            raise error.at(place("worker", name=platform.node())) from None
+        if files_key(shared.case, shared.base_dir, inputs) != shared.files:
+            raise InputError("worker_other_files", worker=platform.node(), path=shared.base_dir)
+        _read.clear()
+        _read[shared] = inputs
+    return plan_of(replace(shared.case, wall=walls), inputs, None, shared.longest, None, shared.walls)
+
+
+def results_from(
+    executor: Executor, task: Callable, arguments: Iterable[tuple[Hashable, tuple]], cancelled: Callable[[], bool]
+) -> Iterator[tuple[Any, Any]]:
+    """(key, what the task returned) as the tasks come back, in any order; None for one that was lost with its process.
+
+    arguments : (key, arguments) of each task, of which no more are made than are handed out
+    Raises Cancelled, and InputError where a task does; what is still handed out then is taken back.
+    """
+    waiting, flying = iter(arguments), dict[Future, Hashable]()
+    try:
+        while True:
+            while len(flying) < _room(executor) and (one := next(waiting, None)) is not None:
+                key, given = one
+                flying[_handed(executor, task, given)] = key
+                if cancelled():
+                    raise Cancelled
+            if not flying:
+                return
+            done, _ = wait(flying, 0.1, FIRST_COMPLETED)
+            if cancelled():
+                raise Cancelled
+            for future in done:
+                yield flying.pop(future), _returned(future)
+    finally:
+        for future in flying:
+            future.cancel()
+
+
+def _room(executor: Executor) -> int:
+    return executor.room() if isinstance(executor, Scheduled) else MOST_AHEAD
+
+
+def _handed(executor: Executor, task: Callable, given: tuple) -> Future:
+    """The future of a task; of one that cannot be handed out any more it is lost."""
+    try:
+        return executor.submit(task, *given)
+    except BrokenExecutor as error:
+        lost: Future = Future()
+        lost.set_exception(error)
+        return lost
+
+
+def _returned(future: Future) -> Any:
+    """What a task returned, None where it was lost, or failed here it will fail again. Raises InputError."""
+    with contextlib.suppress(CancelledError):
+        error = future.exception()
+        if isinstance(error, InputError):
+            raise error
+        if error is None:
+            return future.result()
+    return None
+
+
+def awaited(arrivals: Iterator[int]) -> Callable[[int], None]:
+    """A function that returns once a number has arrived. arrivals : numbers, in any order"""
+    come: set[int] = set()
+
+    def wait_for(number: int) -> None:
+        while number not in come:
+            come.add(next(arrivals))
+
+    return wait_for
