@@ -475,7 +475,7 @@ def plan(arguments):
         refuse_unknown_options(script, arguments[1:])
         everything = ["gui", "accuracy", "study", "report", "dxf"]
         peers = ["bench"] if "--work-precision" in arguments else []
-        peers += ["parquet"] if "--walls" in arguments else []
+        peers += ["parquet"] if {"--walls", "--scale"} & set(arguments) else []
         groups = {"bench": ["test", *everything, *peers], "package": [*everything, "package"]}
         groups = ["base", *groups.get(word, ["test"])]
         return groups, [[interpreter(), "-P", script, *arguments[1:]]], False

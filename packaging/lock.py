@@ -12,7 +12,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-GROUPS = ("base", "test", "gui", "accuracy", "study", "report", "parquet", "dxf", "bench", "package")
+GROUPS = ("base", "test", "gui", "accuracy", "study", "report", "parquet", "dxf", "scheduler", "bench", "package")
 
 
 def resolved(extras: list[str], constraint: Path | None = None) -> dict[str, str]:

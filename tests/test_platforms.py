@@ -20,7 +20,7 @@ from tests.test_run import load
 platforms = load().platforms
 WINDOWED = [name for name in platforms.PYTHONS if not platforms.without(platforms.PYTHONS[name], "gui")]
 FIRST, *_, LAST = platforms.PYTHONS
-GROUPS = ("base", "gui", "accuracy", "study", "report", "parquet", "dxf", "bench")
+GROUPS = ("base", "gui", "accuracy", "study", "report", "parquet", "dxf", "scheduler", "bench")
 
 
 @pytest.fixture
