@@ -2,11 +2,13 @@
 (resources/docs/scale.md)."""
 
 import contextlib
+import functools
 import hashlib
 import platform
 from collections.abc import Callable, Hashable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
 from dataclasses import replace
+from importlib import metadata
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -39,6 +41,13 @@ def files_key(case: Case, base_dir: Path, inputs: Inputs) -> str:
     return hashlib.sha256(repr((read, hashlib.sha256(spectrum).hexdigest())).encode()).hexdigest()
 
 
+@functools.cache
+def program_here() -> str:
+    """This program, the state of its sources, and the packages its numbers are made with."""
+    packages = (f"{name} {metadata.version(name)}" for name in ("numba", "numpy"))
+    return ", ".join([journal_key(), f"Python {platform.python_version()}", *packages])
+
+
 class Shared(NamedTuple):
     """What the tasks of a study have in common, sent with each of them.
 
@@ -46,8 +55,7 @@ class Shared(NamedTuple):
     base_dir : folder record paths start from, absolute
     walls : of the whole case
     longest : period of the mechanisms of all walls [s]; None where a wall alone is a task
-    files : `files_key` of the process that hands out
-    program : its `journal_key`
+    files, program : `files_key` and `program_here` of the process that hands out
     """
 
     case: Case
@@ -61,7 +69,7 @@ class Shared(NamedTuple):
 def shared_by(case: Case, base_dir: Path, inputs: Inputs, longest: float | None) -> Shared:
     """What the tasks of a case have in common. case : its records chosen; inputs, longest : as in Shared"""
     bare = replace(case, wall=(), source="", table_notes=())
-    return Shared(bare, base_dir.absolute(), len(case.wall), longest, files_key(case, base_dir, inputs), journal_key())
+    return Shared(bare, base_dir.absolute(), len(case.wall), longest, files_key(case, base_dir, inputs), program_here())
 
 
 _read: dict[Shared, Inputs] = {}
@@ -71,8 +79,8 @@ _read: dict[Shared, Inputs] = {}
 def plan_elsewhere(shared: Shared, walls: tuple[Wall, ...]) -> Plan:
     """The plan of a task. Raises InputError where this process has another program or other files than the one that
     hands out."""
-    if journal_key() != shared.program:
-        raise InputError("worker_of_another", worker=platform.node(), found=journal_key(), expected=shared.program)
+    if program_here() != shared.program:
+        raise InputError("worker_of_another", worker=platform.node(), found=program_here(), expected=shared.program)
     cache.proven()
     inputs = _read.get(shared)
     if inputs is None:
@@ -108,7 +116,7 @@ def results_from(
             done, _ = wait(flying, 0.1, FIRST_COMPLETED)
             if cancelled():
                 raise Cancelled
-            for future in done:
+            for future in [one for one in flying if one in done]:
                 yield flying.pop(future), _returned(future)
     finally:
         for future in flying:
@@ -130,7 +138,7 @@ def _handed(executor: Executor, task: Callable, given: tuple) -> Future:
 
 
 def _returned(future: Future) -> Any:
-    """What a task returned, None where it was lost, or failed here it will fail again. Raises InputError."""
+    """What a task returned; None where it was lost, or failed: done here, it fails here. Raises InputError."""
     with contextlib.suppress(CancelledError):
         error = future.exception()
         if isinstance(error, InputError):
