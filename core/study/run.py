@@ -30,7 +30,7 @@ from core.study.journal import Journal, Memory, journal_key
 from core.study.progress import OnProgress, Progress, Started, costs_of
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.self_test import order_of
-from core.study.wall_work import Finished, Given, works
+from core.study.wall_work import Finished, Given, search_key, works
 from core.threads import Threads
 from core.variation.limit_states import demands_of, rules_of, unsaid
 
@@ -158,14 +158,15 @@ EVERYTHING = sys.maxsize
 """Room of a Memory that forgets nothing."""
 
 
-def wall_alone(shared: Shared, wall: Wall) -> dict[str, dict]:
-    """Searches and checks of a wall, as a journal holds them: the task of an executor, in a process of its own or on
-    another machine that sees the same files. Raises InputError."""
+def wall_alone(shared: Shared, wall: Wall, known: dict[str, dict]) -> dict[str, dict]:
+    """Searches and checks of a wall beside the known ones, as a journal holds them: the task of an executor, in a
+    process of its own or on another machine that sees the same files. Raises InputError."""
     plan, memory = plan_elsewhere(shared, (wall,)), Memory(EVERYTHING)
+    memory.found |= known
     begin_compiling(plan)
     progress = Progress(costs_of(plan), lambda done, planned, left: None)
     result_of(plan, shared.base_dir, Threads(1, lambda: False), Started(), memory, progress)
-    return memory.found
+    return {name: result for name, result in memory.found.items() if name not in known}
 
 
 def _walls_elsewhere(
@@ -173,13 +174,18 @@ def _walls_elsewhere(
 ) -> Generator[int]:
     """Numbers of the walls in a plan as their searches and checks come into the journal, in any order; those of a wall
     that is lost with its process do not. Raises Cancelled, and InputError."""
-    numbers = [plan.entries[span[0]].part.origin for span in plan.spans]
-
+    spans = {plan.entries[span[0]].part.origin: span for span in plan.spans}
     common = repr((shared.case.as_dict(), shared.files))
-    names = {k: "wall " + hashlib.sha256((common + repr(plan.case.wall[k])).encode()).hexdigest() for k in numbers}
-    todo = [k for k in numbers if journal.get(names[k]) is None]
-    yield from set(numbers) - set(todo)
-    tasks = ((k, (shared, plan.case.wall[k])) for k in todo)
+    names = {k: "wall " + hashlib.sha256((common + repr(plan.case.wall[k])).encode()).hexdigest() for k in spans}
+    todo = [k for k in spans if journal.get(names[k]) is None]
+    yield from set(spans) - set(todo)
+
+    def given(k: int) -> tuple:
+        keys = [search_key(plan, one) for entry in spans[k] for one in plan.runs_of(entry)]
+        known = {key: found for key in keys if (found := journal.get(key)) is not None}
+        return shared, plan.case.wall[k], known
+
+    tasks = ((k, given(k)) for k in todo)
     for k, found in results_from(executor, wall_alone, tasks, cancelled):
         for name, result in (found or {}).items():
             journal.add(name, result)

@@ -64,7 +64,7 @@ def works(given: Given, jobs: int, wait_for: Callable[[int], None] | None = None
     """The work of each wall of a case, which returns Finished. wait_for : as `result_of` takes it"""
     plan, known = given.plan, {}
     for one in plan.runs:
-        found = rebuilt(Ida, given.journal.get(_key(plan, one))) if given.journal else None
+        found = rebuilt(Ida, given.journal.get(search_key(plan, one))) if given.journal else None
         if found is not None:
             known[one] = found
     given.progress.known(known)
@@ -75,7 +75,7 @@ def works(given: Given, jobs: int, wait_for: Callable[[int], None] | None = None
         yield _Wall(given, known, most, span, wait_for is not None).work()
 
 
-def _key(plan: Plan, one: tuple[int, int, int]) -> str:
+def search_key(plan: Plan, one: tuple[int, int, int]) -> str:
     """Key of a search in the journal. one : (entry, record, sign)"""
     k, record, sign = one
     entry = plan.entries[k]
@@ -132,12 +132,12 @@ class _Wall:
             for one, ida in zip(group, found, strict=True):
                 idas[one] = ida
                 if given.journal:
-                    given.journal.add(_key(plan, one), asdict(ida))
+                    given.journal.add(search_key(plan, one), asdict(ida))
                 given.progress.done(one)
 
         if self.elsewhere and given.journal:
             for one in [one for k in self.entries for one in plan.runs_of(k) if one not in idas]:
-                if (found := rebuilt(Ida, given.journal.get(_key(plan, one)))) is not None:
+                if (found := rebuilt(Ida, given.journal.get(search_key(plan, one)))) is not None:
                     idas[one] = found
                     given.progress.done(one)
         groups = []

@@ -27,6 +27,7 @@ from core.setting import plan
 from core.setting.plan import read_inputs
 from core.study import executors, large_case, scheduler
 from core.study.executors import plan_elsewhere, results_from, shared_by
+from core.study.run import wall_alone
 from core.study.scheduler import Scheduled, scheduled
 from tests.conftest import ROOT
 
@@ -193,6 +194,15 @@ def test_that_a_run_without_a_scheduler_goes_on_with_what_one_made(folder, whole
     monkeypatch.setattr(large_case, "MOST_GROUP", 2)
     assert batch.run(folder / "many.toml", tmp_path, 1, True, True) == batch.DONE
     equal(tmp_path, whole)
+
+
+def test_that_searches_of_a_run_without_a_scheduler_are_not_made_again(folder):
+    """It left those of a wall in its journal, but not all of its checks."""
+    case = read_case(folder / "few.toml")
+    shared = shared_by(case, folder, read_inputs(case, folder), None)
+    found = wall_alone(shared, case.wall[0], {})
+    known = {name: result for name, result in found.items() if "outcomes" in result}
+    assert known and wall_alone(shared, case.wall[0], known) == {k: v for k, v in found.items() if k not in known}
 
 
 def test_that_rows_are_written_as_they_come_and_only_in_the_journal_before(folder, tmp_path, few, monkeypatch):
