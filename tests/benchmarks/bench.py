@@ -10,6 +10,7 @@
     python3 run.py bench --zeta                             # zeta of the dynamic check against its grid
     python3 run.py bench --memory                           # peak memory and time of large work
     python3 run.py bench --memory --walls N                 # the same of so many walls, as a Parquet file
+    python3 run.py bench --scale [--walls N] [--output DIR] # cost of a wall up to so many, see cost_per_wall.py
     python3 run.py bench --window                           # start of the window, redraws, event loop
     python3 run.py bench --screenshots [--output DIR]       # every tab, both themes and languages
     python3 run.py bench --screenshots --guide [--output DIR] # the pictures of the guides
@@ -46,6 +47,7 @@ BENCHMARKS = {
     "steps": "step_study",
     "zeta": "zeta_spread",
     "memory": "memory",
+    "scale": "cost_per_wall",
     "window": "window_speed",
     "screenshots": "screenshots",
     "records": "record_speed",

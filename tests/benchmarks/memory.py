@@ -13,6 +13,7 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[2]
 DEMAND = """[demand]
@@ -31,8 +32,20 @@ AS_TABLE = f"from core.setting import plan; plan.MOST_WALLS = 0; {PROGRAM}"
 """The program, and the program that holds every case for too large for a workbook."""
 
 
-def measured(case: Path, *words: str, program: str = PROGRAM) -> tuple[float, float]:
-    """(seconds, MB) of a batch as a process of its own."""
+class Used(NamedTuple):
+    """What a batch took, as a process of its own.
+
+    seconds : of the clock; processor : of all its processes
+    megabytes : most that one of them held
+    """
+
+    seconds: float
+    processor: float
+    megabytes: float
+
+
+def measured(case: Path, *words: str, program: str = PROGRAM) -> Used:
+    """What a batch of a case takes. words : of its command line"""
     start = time.perf_counter()
     variables = {**os.environ, "PYTHONPATH": str(ROOT)}
     command = [sys.executable, "-P", "-c", program, "--batch", str(case), "--quiet", *words]
@@ -40,11 +53,11 @@ def measured(case: Path, *words: str, program: str = PROGRAM) -> tuple[float, fl
         _, status, used = os.wait4(run.pid, 0)
         run.returncode = os.waitstatus_to_exitcode(status)
     assert run.returncode in (0, 3), f"the batch ended with {run.returncode}"
-    return time.perf_counter() - start, used.ru_maxrss / 1024.0
+    return Used(time.perf_counter() - start, used.ru_utime + used.ru_stime, used.ru_maxrss / 1024.0)
 
 
-def batch(case: Path, walls: int) -> tuple[float, float]:
-    """(seconds, MB) of a batch of so many walls."""
+def batch(case: Path, walls: int) -> Used:
+    """What a batch of so many walls takes."""
     found = measured(case)
     results = json.loads(case.with_suffix(".json").read_text())["walls"]
     numbers = [run["q"] is not None for wall in results for run in wall["runs"]]
@@ -52,9 +65,9 @@ def batch(case: Path, walls: int) -> tuple[float, float]:
     return found
 
 
-def table(case: Path, walls: int) -> tuple[float, float]:
-    """(seconds, MB) of a batch of so many walls whose result is a Parquet file."""
-    found = measured(case, "--jobs", "1", program=AS_TABLE)
+def table(case: Path, walls: int, *words: str, program: str = AS_TABLE) -> Used:
+    """What a batch of so many walls takes whose result is a Parquet file. words : of its command line"""
+    found = measured(case, *words, program=program)
     summary = json.loads(case.with_suffix(".json").read_text())
     assert summary["table"]["rows"] == summary["walls"] == walls, "rows that are missing"
     assert summary["runs_without_q"] < 0.1 * walls, "runs without a number"
@@ -108,7 +121,7 @@ def main(options: argparse.Namespace) -> None:
     if options.walls:
         count = 12 if options.small else options.walls
         with tempfile.TemporaryDirectory() as name:
-            seconds, megabytes = table(walls(Path(name), count, 0), count)
+            seconds, _, megabytes = table(walls(Path(name), count, 0), count, "--jobs", "1")
         print(f"{f'{count} walls x 1 record of 3 s, Parquet':40} {seconds:8.1f} s {megabytes:8.0f} MB", flush=True)
         return
     many, motions, samples = ((2,), 1, 2000) if options.small else ((500, 1000), 7, 1_000_000)
@@ -118,5 +131,5 @@ def main(options: argparse.Namespace) -> None:
             *((f"{n} walls x {motions} records, all checks", walls(folder, n, motions), n) for n in many),
             (f"one record of {samples} samples", long_record(folder, samples), 1),
         ):
-            seconds, megabytes = batch(case, number)
+            seconds, _, megabytes = batch(case, number)
             print(f"{label:40} {seconds:8.1f} s {megabytes:8.0f} MB", flush=True)
