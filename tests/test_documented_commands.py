@@ -134,6 +134,8 @@ def small_words(words: tuple[str, ...], folder: Path) -> list[str]:
         case ("--batch", _, "--merge", *_):
             batch.run_part(folder / "small.toml", folder / "merged", 1, True, 1, 1)
             return ["--batch", str(folder / "small.toml"), "--merge", "--output", str(folder / "merged")]
+        case ("--batch", _, "--scheduler", *_):
+            return ["--batch", str(folder / "small.toml"), "--scheduler", "local:1", "--output", str(folder / "spread")]
         case ("--batch", _, *rest):
             note = ["--report", str(folder / "note.docx")] if "--report" in rest else []
             return ["--batch", str(folder / "small.toml"), *note, "--output", str(folder / "out")]
