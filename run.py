@@ -5,7 +5,7 @@
     python3 run.py --batch CASE    run a case without a window (see --help)
     python3 run.py --study paper   the parametric study of the paper; law, or a file of one's own
     python3 run.py test [...]      ruff, import contracts, mypy, pytest; --newest: under packages the lock forbids
-    python3 run.py package         the frozen program in dist/ribalta, tried
+    python3 run.py package         the frozen program in dist/ribalta, tried; --kernels: machine code for the sources
     python3 run.py bench [...]     the benchmarks; --work-precision for error against time
     python3 run.py mutate [...]    small faults in the modules that decide: do the tests find them?
     python3 run.py fuzz [...]      hostile input for everything that reads, as long as asked
@@ -26,6 +26,8 @@ import subprocess
 import sys
 import tempfile
 import time
+import zipfile
+import zlib
 
 ROOT = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [path for path in (ROOT, os.path.join(ROOT, "packaging")) if path not in sys.path]
@@ -38,6 +40,8 @@ NEXT, PREVIOUS = ENVIRONMENT + ".next", ENVIRONMENT + ".previous"
 """A new environment while it is made, and the one it replaces while it is deleted."""
 STAMP, MARK = "ribalta.json", "ribalta-environment"
 LOG = ENVIRONMENT + ".log"
+DIST, KERNELS = os.path.join(ROOT, "dist"), "ribalta_kernels"
+"""Where a wheel of machine code may stand (packaging/kernels.py), and its package."""
 BETWEEN_WORDS = 10.0
 """Seconds between two lines of progress where they do not go to a terminal."""
 TOOLS = {
@@ -325,9 +329,72 @@ def install(groups, folder, have):
             len(names),
         )
     now = dict(have, **{name: identity(sections[name]) for name in groups})
-    contents = [name for name in os.listdir(site_packages(folder)) if name != "__pycache__"]
+    names = os.listdir(site_packages(folder))
+    contents = [name for name in names if name != "__pycache__" and not name.startswith(KERNELS)]
     with open(os.path.join(folder, STAMP), "w", encoding="utf-8") as stream:
         json.dump({"groups": now, "contents": contents}, stream)
+
+
+def take_kernels():
+    """Put machine code made for these sources, this Python and system, where its wheel stands in dist, into the
+    environment; what hinders that is one sentence, and the program compiles its own."""
+    name = wheel_of_kernels()
+    wheel, about = os.path.join(DIST, name), name.rsplit("-", 3)[0] + ".dist-info"
+    if not name or os.path.isdir(os.path.join(site_packages(), about)):
+        return
+    try:
+        for path in (DIST, wheel):
+            if not guarded(path):
+                raise ValueError(phrase("others can write there"))
+        with environment_lock(), zipfile.ZipFile(wheel) as archive:
+            unpack_kernels(archive, about)
+    except (OSError, ValueError, RuntimeError, EOFError, zipfile.BadZipFile, zlib.error, Failure) as error:
+        text = "{file} is not used ({reason}): the solver is compiled at its first run"
+        say(phrase(text, file=wheel, reason=error))
+
+
+def wheel_of_kernels():
+    """Name of the wheel in dist that was made for these sources, this Python and system, "" where there is none."""
+    end = f"-{platforms.tag()}.whl"
+    if not os.path.isdir(DIST) or not any(name.endswith(end) for name in os.listdir(DIST)):
+        return ""
+    from core.jit.stamp import stamp
+    from core.version import VERSION
+
+    name = f"{KERNELS}-{VERSION}+{stamp()}{end}"
+    return name if os.path.isfile(os.path.join(DIST, name)) else ""
+
+
+def guarded(path):
+    """Whether nobody can write a file or folder who cannot write run.py beside it: machine code is code."""
+    if os.name == "nt":
+        return True
+    own, sources = os.lstat(path), os.stat(ROOT)
+    same_group = own.st_gid == sources.st_gid or not own.st_mode & 0o020
+    return own.st_uid in (0, os.getuid(), sources.st_uid) and same_group and not own.st_mode & 0o022 & ~sources.st_mode
+
+
+def unpack_kernels(archive, about):
+    """Unpack a wheel of machine code beside the packages, in place of an older one. about : its folder of metadata.
+    Raises ValueError for what belongs to none, and what zipfile raises."""
+    packages = site_packages()
+    allowed = re.compile(f"({KERNELS}|{re.escape(about)})(/[\\w-][\\w.-]*)+")
+    with tempfile.TemporaryDirectory(prefix=KERNELS + ".", dir=packages) as place:
+        for member in archive.infolist():
+            if not allowed.fullmatch(member.filename):
+                raise ValueError(member.filename)
+            path = os.path.join(place, *member.filename.split("/"))
+            os.makedirs(os.path.dirname(path), exist_ok=True)
+            with open(path, "wb") as stream:
+                stream.write(archive.read(member))
+        for folder, _, files in os.walk(place):
+            for path in [folder, *(os.path.join(folder, name) for name in files)]:
+                os.chmod(path, os.stat(path).st_mode & ~0o022)
+        for name in os.listdir(packages):
+            if name.startswith(KERNELS) and name != os.path.basename(place):
+                shutil.rmtree(os.path.join(packages, name))
+        for name in (KERNELS, about):  # the one that says it is there last
+            os.rename(os.path.join(place, name), os.path.join(packages, name))
 
 
 def packages_of(groups):
@@ -512,6 +579,8 @@ def prepare(groups, older_serves):
             raise
         say(str(failure))
         ensure([group for group in groups if group != "parquet"], older_serves=older_serves)
+    if older_serves:
+        take_kernels()
 
 
 def in_turn(commands):

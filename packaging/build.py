@@ -1,12 +1,12 @@
 """Build the frozen program in dist/ribalta, with machine code, licences and parts list, its archive and installers.
 
 python3 run.py package [--no-smoke]
+python3 run.py package --kernels     the wheel of machine code alone (packaging/kernels.py)
 
 What packaging/README.md says of each step. The frozen program is then tried by packaging/smoke.py.
 """
 
 import argparse
-import hashlib
 import json
 import shutil
 import subprocess
@@ -17,13 +17,14 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT), str(ROOT / "packaging")]
 import icon  # noqa: E402
+import kernels  # noqa: E402
 import libraries  # noqa: E402
 import licences  # noqa: E402
 import products  # noqa: E402
 import smoke  # noqa: E402
 from products import DIST, FOLDER, INTERNAL, MACHINE, SYSTEM, size  # noqa: E402
 
-from core.jit import cache, shipped  # noqa: E402
+from core.jit import stamp  # noqa: E402
 from core.version import VERSION, commit  # noqa: E402
 
 WORK, PARTS = ROOT / "build", ROOT / "build" / "parts"
@@ -52,21 +53,14 @@ def _commit() -> str:
 
 
 def make_parts() -> None:
-    """Icons, the version resource, and what the program knows of its build: commit, hashes of the sources (that of
-    kernels names the folders of machine code) and the numbers of the self-test, computed here by the source tree."""
+    """Icons, the version resource, and what the program knows of its build: commit, and hashes of the sources (that of
+    kernels names the folders of machine code)."""
     PARTS.mkdir(parents=True, exist_ok=True)
     icon.write(PARTS)
     numbers = (*map(int, VERSION.split(".")), 0)
     resource = VERSION_RESOURCE.format(numbers=numbers, version=VERSION)
     (PARTS / "version.txt").write_text(resource, encoding="utf-8")
-    from core.study import self_test
-
-    about = {
-        "commit": _commit(),
-        "kernels": cache.stamp(),
-        "sources": cache.source_stamp(),
-        "self_test": self_test.numbers(),
-    }
+    about = {"commit": _commit(), "kernels": stamp.stamp(), "sources": stamp.source_stamp()}
     (PARTS / "build.json").write_text(json.dumps(about), encoding="ascii")
 
 
@@ -91,28 +85,10 @@ def freeze() -> None:
     )
 
 
-def ship_machine_code(program: Path) -> None:
-    """For each level of processor this machine can run: what the frozen program itself compiles for the cases of the
-    examples, by batch and in the window."""
-    from llvmlite.binding import get_host_cpu_features
-
-    has = {name for name, there in get_host_cpu_features().items() if there}
-    for level, needed in shipped.LEVELS.items():
-        if MACHINE != "x86_64" or not has >= needed:
-            print(f"no machine code for {level}: this processor cannot run it")
-            continue
-        with tempfile.TemporaryDirectory() as name:
-            variables = smoke.variables(Path(name), **{shipped.FORCED_LEVEL: level})
-            for case in smoke.CASES:
-                smoke.batch(program, case, Path(name) / "results", variables)
-            smoke.window(program, Path(name), variables)
-            made = next(Path(variables["RIBALTA_CACHE"]).glob("kernels-*"))
-            target = INTERNAL / "kernels" / level
-            target.mkdir(parents=True)
-            for file in made.glob("*.nb[ci]"):
-                shutil.copy2(file, target)
-        hashes = {file.name: hashlib.sha256(file.read_bytes()).hexdigest() for file in target.iterdir()}
-        (target / shipped.MANIFEST).write_text(json.dumps(hashes, indent=0), encoding="ascii")
+def ship_machine_code(library: Path) -> None:
+    """The library in a folder, and its wheel in dist."""
+    made = kernels.make(library)
+    print(kernels.wheel(library, DIST) if made else f"no machine code is made for {MACHINE}")
 
 
 def print_sizes(made: list[Path]) -> None:
@@ -131,17 +107,21 @@ def print_sizes(made: list[Path]) -> None:
 def main() -> int:
     words = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     words.add_argument("--no-smoke", action="store_true", help="do not try what was built")
+    words.add_argument("--kernels", action="store_true", help="build the wheel of machine code alone")
     options = words.parse_args()
+    if options.kernels:
+        with tempfile.TemporaryDirectory() as name:
+            ship_machine_code(Path(name))
+        return 0
     libraries.refuse_missing_tools()
     make_parts()
     freeze()
     libraries.refuse_missing(INTERNAL)
     libraries.strip(INTERNAL)
-    program = smoke.program_of(FOLDER)
     qt = "_internal/PySide6/Qt/lib" if sys.platform != "win32" else "_internal/PySide6"
     found = licences.gather(WORK / "ribalta", FOLDER / "licences", VERSION, qt)
     print(f"licences of {len(found)} parts, parts list: licences/sbom.cdx.json")
-    ship_machine_code(program)
+    ship_machine_code(INTERNAL / "kernels")
     print_sizes(products.make())
     return 0 if options.no_smoke else smoke.main(FOLDER)
 

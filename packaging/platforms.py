@@ -147,6 +147,15 @@ def this_system():
         return "Linux", platform.machine(), "no glibc"
 
 
+def tag():
+    """The tag of a wheel of machine code made here: for this Python, and the oldest of this system that has wheels of
+    the packages."""
+    place = this_system()[:2]
+    row = next(row for row in SYSTEMS if (row["system"], row["processor"]) == place)
+    least = numbers(row.get("least", {}).get("base", ""))
+    return "cp{}{}-none-".format(*sys.version_info[:2]) + row["tag"].format(*least)
+
+
 def refusal(groups):
     """Why this Python or system cannot have these groups of packages, in one sentence; None where it can."""
     version = "{}.{}".format(*sys.version_info[:2])

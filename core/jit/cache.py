@@ -7,7 +7,6 @@ checked against a hash before numba may load it. RIBALTA_CACHE names another fol
 
 import atexit
 import contextlib
-import functools
 import hashlib
 import json
 import os
@@ -15,90 +14,19 @@ import re
 import shutil
 import sys
 import tempfile
-import threading
 import time
 from pathlib import Path
 
 from core.jit import shipped, trial
-from core.jit.shipped import MANIFEST
-from core.version import VERSION, build
+from core.jit.stamp import once_for_all, stamp
+
+MANIFEST = "manifest.json"
 
 KEEP_SECONDS = 30 * 86400
 """Caches of other versions are deleted after this time."""
 
 
-CORE = Path(__file__).parents[1]
-
-_once = threading.RLock()
-
-
-def _once_for_all(function):
-    """Keep for all the result of a function without arguments, made by the first thread that asks."""
-    known = []
-
-    @functools.wraps(function)
-    def result():
-        with _once:
-            if not known:
-                known.append(function())
-        return known[0]
-
-    result.is_made = lambda: bool(known)
-    return result
-
-
-WITHOUT_KERNELS = ("core.text", "core.errors", "core.atomic_write")
-_IMPORT = re.compile(r"^[ \t]*from[ \t]+(core[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n]*)", re.MULTILINE)
-
-
-def kernel_sources(core: Path) -> list[Path]:
-    """The sources machine code comes from: the modules of kernels, all they import from core, and core/jit. Kernels
-    return codes, so that no error and no sentence is part of them.
-
-    core : the folder core
-    """
-    known = {file: file.read_text(encoding="utf-8") for file in core.rglob("*.py")}
-    sources: set[Path] = set()
-    new = {
-        file for file, text in known.items() if file.parent.name == "jit" or "from core.jit.decorators import" in text
-    }
-    while new:
-        sources |= new
-        names = {
-            name
-            for file in new
-            for package, listed in _IMPORT.findall(known[file])
-            if not package.startswith(WITHOUT_KERNELS)
-            for name in (package, *(f"{package}.{one}" for one in re.findall(r"\w+", listed)))
-        }
-        places = [core.parent.joinpath(*name.split(".")) for name in names]
-        files = {file for place in places for file in (place.with_suffix(".py"), place / "__init__.py")}
-        new = (files & set(known)) - sources
-    return sorted(sources)
-
-
-def hash_of(files: list[Path]) -> str:
-    """Hash of the version and of what files hold."""
-    digest = hashlib.sha256(VERSION.encode())
-    for file in files:
-        digest.update(file.read_bytes())
-    return digest.hexdigest()[:16]
-
-
-@_once_for_all
-def stamp() -> str:
-    """Hash of the sources machine code comes from, of a frozen program as its build noted it: a changed sentence
-    discards no machine code."""
-    return build().get("kernels") or hash_of(kernel_sources(CORE))
-
-
-@_once_for_all
-def source_stamp() -> str:
-    """Hash of all sources of core, which decide a result: of a frozen program as its build noted it."""
-    return build().get("sources") or hash_of(sorted(CORE.rglob("*.py")))
-
-
-@_once_for_all
+@once_for_all
 def name() -> str:
     """Name that tells this program's folder from others': the sources of kernels, and the level of shipped machine
     code."""
@@ -121,16 +49,14 @@ TEMPORARY = "ribalta-kernels-"
 
 
 def private(folder: Path) -> bool:
-    """Whether only this user can write there: another's file would be run as code."""
-    if sys.platform == "win32":
-        return True
-    state = folder.lstat()
-    return folder.is_dir() and state.st_uid == os.getuid() and not state.st_mode & 0o022
+    """Whether only this user can write in a folder."""
+    return folder.is_dir() and shipped.only_own(folder)
 
 
 def _left_by_this_program(folder: Path) -> bool:
     """Whether a folder is of a version long unused, and nothing else, by its name, its files and its time."""
-    named = re.fullmatch(r"kernels-[0-9a-f]{16}(-x86-64(-v[34])?)?(-own)?", folder.name)
+    levels = "|".join(shipped.LEVELS)
+    named = re.fullmatch(rf"kernels-[0-9a-f]{{16}}(-({levels}))?(-own)?", folder.name)
     unused = time.time() - folder.lstat().st_mtime > KEEP_SECONDS
     return bool(named and unused and private(folder)) and all(
         file.suffix in (".nbi", ".nbc") or file.name in (MANIFEST, trial.TRIAL) for file in folder.iterdir()
@@ -210,7 +136,7 @@ SECOND_PROCESS = "RIBALTA_SECOND_PROCESS"
 which also closes the folder."""
 
 
-@_once_for_all
+@once_for_all
 def folder() -> Path:
     """The folder of this process, made and checked with the first kernel that is needed."""
     if SECOND_PROCESS in os.environ:

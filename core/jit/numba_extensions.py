@@ -14,6 +14,7 @@ from numba.extending import lower_builtin, type_callable, typeof_impl
 from core.jit import cache
 from core.jit.fma import fma
 from core.jit.kernel import Kernel, only_with, widest_vectors
+from core.jit.stamp import stamp
 from core.known_internals import internals_known
 
 config.reload_config()
@@ -44,7 +45,7 @@ class Locator(_CacheLocator):
         name, code = py_func.__module__, py_func.__code__
         self._place = f"{name}-{code.co_firstlineno}"
         own = b"" if name.startswith("core.") else Path(code.co_filename).read_bytes()
-        self._stamp = cache.stamp() + hashlib.sha256(own).hexdigest()[:16]
+        self._stamp = stamp() + hashlib.sha256(own).hexdigest()[:16]
 
     def get_cache_path(self):
         return str(cache.folder())

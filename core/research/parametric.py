@@ -15,7 +15,7 @@ from core.errors import InputError, RecordError
 from core.ground import records
 from core.ground.artificial import compatible_motion
 from core.ground.ground_motion import GroundMotion
-from core.jit import cache
+from core.jit import cache, stamp
 from core.known import known
 from core.rocking.methods import METHODS
 from core.setting.record_input import read_records
@@ -197,7 +197,7 @@ def run(
     natural, refused = natural_motions(study, base_dir, records_from)
     motions = _generated(study, spectra, threads) + natural
     threads.run({k: entry.motion.measure for k, entry in enumerate(motions)})
-    finished = journal(f"{VERSION} {cache.source_stamp()}") if journal else None
+    finished = journal(f"{VERSION} {stamp.source_stamp()}") if journal else None
     try:
         rows, restored = _rows(study, motions, threads, finished, on_progress)
     finally:

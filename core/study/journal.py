@@ -17,7 +17,7 @@ from types import NoneType, UnionType
 from typing import Any, BinaryIO, NamedTuple, get_args, get_origin, get_type_hints
 
 from core.errors import OutputError
-from core.jit import cache
+from core.jit import stamp
 from core.regular_file import refuse_irregular
 from core.version import VERSION
 
@@ -28,7 +28,7 @@ many walls. A kill loses nothing, a power cut what was found in that second."""
 
 def journal_key() -> str:
     """Key of a journal: the program and the state of its sources."""
-    return f"{VERSION} {cache.source_stamp()}"
+    return f"{VERSION} {stamp.source_stamp()}"
 
 
 class Place(NamedTuple):

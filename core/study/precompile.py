@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
+from core.jit import shipped
 from core.jit.cache import SECOND_PROCESS, TEMPORARY, folder, name
 from core.rocking.history import history
 from core.rocking.methods import METHODS
@@ -47,11 +48,14 @@ def start(names: set[str]) -> None:
     path = [root, *filter(None, [os.environ.get("PYTHONPATH")])]
     through_sample.before_compile = wait
     atexit.register(end)  # after the cache's own, so that it runs before that is closed
+    own = {SECOND_PROCESS: str(folder().absolute()), "PYTHONPATH": os.pathsep.join(path)}
+    if shipped.level():  # the two share a folder
+        own[shipped.FORCED_LEVEL] = shipped.level()
     try:
         process = subprocess.Popen(
             [sys.executable, *module, *sorted(names)],
             cwd=root,
-            env={**os.environ, SECOND_PROCESS: str(folder().absolute()), "PYTHONPATH": os.pathsep.join(path)},
+            env=os.environ | own,
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,

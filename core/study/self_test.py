@@ -1,7 +1,7 @@
 """Does the program compute on this machine what it computed where it was made?
 
-The stored answers are told at every start of the window, from source too. Those of the machine that a frozen program
-was built on decide whether its machine code is used at all (core/jit/trial.py).
+The stored answers are told at every start of the window, from source too. Those of the machine that a library of
+machine code was made on decide whether it is used at all (core/jit/trial.py).
 """
 
 import json
@@ -17,10 +17,10 @@ from core.codes.demand import DemandResult
 from core.codes.kinematic import kinematic
 from core.codes.target_spectrum import en1998
 from core.ground.ground_motion import GroundMotion
+from core.jit import shipped
 from core.rocking.history import history, in_lanes
 from core.rocking.methods import METHODS, Method, resolve_auto
 from core.units import G
-from core.version import build
 from core.wall.block import Block
 from core.wall.masonry import Masonry
 from core.wall.moment_rotation import LAWS
@@ -74,13 +74,13 @@ def _by_clauses(block: Block) -> list[float]:
 
 
 def numbers() -> list[str]:
-    """All answers of the series of order 8, as a build keeps them."""
+    """All answers of the series of order 8, as a library of machine code keeps them."""
     return [number for values in answers(ORDERS[0]).values() for number in values]
 
 
 def numbers_are_right() -> bool:
-    """Whether they are those of the machine this program was built on."""
-    return numbers() == build().get("self_test")
+    """Whether they are those of the machine on which the machine code was made."""
+    return numbers() == shipped.library().self_test
 
 
 def order_of(method: Method, model: RockingModel, dt: float) -> tuple[str, ...]:

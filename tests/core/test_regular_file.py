@@ -78,6 +78,7 @@ OWN = {
     "core/jit/cache.py": "machine code of the program",
     "core/jit/numba_extensions.py": "sources of the program",
     "core/jit/shipped.py": "machine code of the program",
+    "core/jit/stamp.py": "sources of the program",
     "core/jit/trial.py": "machine code of the program",
     "core/ooxml/package.py": "members of a workbook in memory",
     "core/regular_file.py": "the door",

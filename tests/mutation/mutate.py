@@ -116,8 +116,8 @@ REPLACED = {
 SECONDS, SECONDS_WITHOUT = 120, 400
 """Of the tests of a module with a fault, which may have no end, and without one."""
 
-FIXED_STAMP = ('return build().get("kernels") or', 'return os.environ.get("MUTANT_KERNELS") or')
-"""Replaced in core/jit/cache.py: kernels are compiled once for all faults but those put into one."""
+FIXED_STAMP = ('return build().get("kernels") or', 'import os; return os.environ.get("MUTANT_KERNELS") or')
+"""Replaced in core/jit/stamp.py: kernels are compiled once for all faults but those put into one."""
 
 
 class Fault(NamedTuple):
@@ -238,8 +238,8 @@ class Trees:
         for k in range(jobs):
             tree = folder / f"tree{k}"
             shutil.copytree(ROOT, tree, ignore=shutil.ignore_patterns(".git", ".venv*", "dist", "build"))
-            cache = tree / "core" / "jit" / "cache.py"
-            cache.write_text(cache.read_text().replace(*FIXED_STAMP))
+            stamp = tree / "core" / "jit" / "stamp.py"
+            stamp.write_text(stamp.read_text().replace(*FIXED_STAMP))
             self.free.put(tree)
         self.environment = {
             "RIBALTA_RECORDS": str(ROOT.parent / "shared" / "records"),

@@ -33,11 +33,12 @@ print(digest.hexdigest(), cache.folder())
 """
 
 
-def run(*scanned, **variables):
-    """(digest of histories by all methods and of scans by these, the cache's folder) of a process."""
+def run(*scanned, before="", **variables):
+    """(digest of histories by all methods and of scans by these, the cache's folder) of a process. before : lines it
+    begins with"""
     known = ROOT / "resources" / "reference" / "standard_record.csv"
     found = subprocess.run(
-        [sys.executable, "-P", "-c", SCRIPT, known, *scanned],
+        [sys.executable, "-P", "-c", before + SCRIPT, known, *scanned],
         capture_output=True,
         text=True,
         check=True,

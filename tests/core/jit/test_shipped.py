@@ -1,28 +1,41 @@
-"""Machine code that comes with the frozen program: the best level, whole or not used."""
+"""Machine code that was made before: the best level, for this very program, whole, of nobody else, or not used."""
 
 import hashlib
 import json
+import os
+from pathlib import Path
 
 import pytest
 
-from core.jit import cache, shipped
+from core.jit import cache, shipped, stamp, trial
+from tests.core.jit import digest
+from tests.test_packaging import of_packaging
 
 FILES = {"a.nbi": b"index", "a.1.nbc": b"machine code"}
+HASHES = {file: hashlib.sha256(content).hexdigest() for file, content in FILES.items()}
+
+
+def make_library(folder, **changed):
+    """A library of the same two files for each level. changed : entries of its index"""
+    for name in shipped.LEVELS:
+        (folder / name).mkdir(parents=True, mode=0o755)
+        for file, content in FILES.items():
+            (folder / name / file).write_bytes(content)
+    content = {"made_for": shipped.made_for(), "levels": dict.fromkeys(shipped.LEVELS, HASHES), "self_test": ["0x1p0"]}
+    (folder / shipped.INDEX).write_bytes(shipped.index_of(content | changed))
 
 
 @pytest.fixture
-def level(tmp_path, monkeypatch):
-    """A folder of machine code for each level."""
-    for name in shipped.LEVELS:
-        folder = tmp_path / "kernels" / name
-        folder.mkdir(parents=True)
-        for file, content in FILES.items():
-            (folder / file).write_bytes(content)
-        hashes = {file: hashlib.sha256(content).hexdigest() for file, content in FILES.items()}
-        (folder / shipped.MANIFEST).write_text(json.dumps(hashes))
+def places(tmp_path, monkeypatch):
+    """A program that tries machine code: (where the frozen one has it, where a package of it is)."""
     monkeypatch.setattr(shipped, "FOLDER", tmp_path / "kernels")
+    monkeypatch.setattr("llvmlite.__file__", str(tmp_path / "site" / "llvmlite" / "__init__.py"))
     monkeypatch.setattr(shipped.platform, "machine", lambda: "x86_64")
-    return tmp_path
+    monkeypatch.setattr(trial, "self_test", [lambda: True])
+    monkeypatch.delenv(shipped.FORCED_LEVEL, raising=False)
+    shipped.library.cache_clear()
+    yield shipped.FOLDER, tmp_path / "site" / shipped.PACKAGE
+    shipped.library.cache_clear()
 
 
 def processor(monkeypatch, *features):
@@ -30,34 +43,135 @@ def processor(monkeypatch, *features):
     monkeypatch.setattr("llvmlite.binding.get_host_cpu_features", lambda: known)
 
 
-def test_that_the_best_level_a_processor_has_is_taken(level, monkeypatch):
-    v3 = shipped.LEVELS["x86-64-v3"]
-    processor(monkeypatch, *shipped.LEVELS["x86-64-v4"], "sse2")
-    assert shipped.level() == "x86-64-v4"
-    processor(monkeypatch, *v3, "avx512f")  # not all of level 4
-    assert shipped.level() == "x86-64-v3"
-    processor(monkeypatch, *(v3 - {"fma"}))
-    assert shipped.level() == "x86-64"
-    (shipped.FOLDER / "x86-64" / shipped.MANIFEST).unlink()
-    assert shipped.level() == ""
+@pytest.mark.parametrize("place", [0, 1])
+def test_that_the_best_level_a_processor_has_is_taken(places, monkeypatch, place):
+    make_library(places[place])
+    v3, zen = shipped.LEVELS["x86-64-v3"], shipped.LEVELS["znver3"]
+    for features, level in (
+        ({*shipped.LEVELS["x86-64-v4"], "sse2"}, "x86-64-v4"),
+        ({*shipped.LEVELS["x86-64-v4"], *zen}, "x86-64-v4"),  # Zen 4 and later
+        ({*v3, "avx512f"}, "x86-64-v3"),  # not all of level 4
+        ({*zen, "sse2"}, "znver3"),
+        (zen - {"vaes"}, "x86-64-v3"),  # Zen 2
+        (zen - {"sse4a"}, "x86-64-v3"),  # Intel
+        (v3 - {"fma"}, "x86-64"),
+    ):
+        processor(monkeypatch, *features)
+        assert shipped.level() == level
+        assert shipped.whole_files(level) == FILES
     monkeypatch.setattr(shipped.platform, "machine", lambda: "arm64")
     processor(monkeypatch, *v3)
     assert shipped.level() == ""
 
 
-def test_that_nothing_is_shipped_with_the_source_tree():
-    assert shipped.level() == "" and cache.name() == cache.stamp()
+def test_that_a_level_is_used_only_where_it_was_made(places, monkeypatch):
+    make_library(places[0], levels={"x86-64-v3": HASHES})
+    processor(monkeypatch, *shipped.LEVELS["x86-64-v4"])
+    assert shipped.level() == "x86-64-v3"
+    processor(monkeypatch)
+    assert shipped.level() == ""
+
+
+def test_that_nothing_is_shipped_with_the_source_tree(places):
+    assert shipped.level() == "" and not shipped.whole_files("x86-64")
+
+
+def test_that_machine_code_that_nothing_would_try_is_not_used(places, monkeypatch):
+    """A process that calls kernels by itself, such as a benchmark, compiles for its very processor."""
+    make_library(places[1])
+    monkeypatch.setattr(trial, "self_test", [])
+    assert shipped.level() == "" and not shipped.whole_files("x86-64")
+
+
+@pytest.mark.shows("install.made_for")
+@pytest.mark.parametrize("key", ["kernels", "python", "system", "processor", "numba", "llvmlite"])
+def test_that_a_package_made_for_something_else_is_not_used(places, key):
+    make_library(places[1])
+    assert shipped.library().levels
+    shipped.library.cache_clear()
+    index = shipped.index_of(
+        {
+            "made_for": shipped.made_for() | {key: "another"},
+            "levels": dict.fromkeys(shipped.LEVELS, HASHES),
+            "self_test": [],
+        }
+    )
+    (places[1] / shipped.INDEX).write_bytes(index)
+    assert shipped.level() == "" and not shipped.whole_files("x86-64")
+
+
+@pytest.mark.shows("install.made_for")
+@pytest.mark.skipif(os.name == "nt", reason="owners and modes of POSIX")
+@pytest.mark.parametrize("what", [".", shipped.INDEX, "x86-64", "x86-64/a.nbi"])
+@pytest.mark.parametrize("harm", [0o020, 0o002, "owner"])
+def test_that_a_package_another_user_can_write_is_not_used(places, what, harm):
+    make_library(places[1])
+    assert shipped.whole_files("x86-64") == FILES
+    shipped.library.cache_clear()
+    path = places[1] / what
+    if harm != "owner":
+        path.chmod(path.stat().st_mode | harm)
+    elif os.getuid() == 0:
+        os.chown(path, 12345, -1)
+    else:
+        pytest.skip("only root gives a file away")
+    assert not shipped.whole_files("x86-64")
 
 
 @pytest.mark.shows("install.machine_code")
-@pytest.mark.parametrize("harm", ["changed", "missing", "{", "null", "5", "[]", '["a.nbi"]', "[" * 9999])
-def test_that_damaged_machine_code_is_not_used(level, harm):
-    folder = shipped.FOLDER / "x86-64"
-    assert shipped.whole_files("x86-64") == FILES
+@pytest.mark.parametrize("harm", ["changed", "missing", "a link", "an index within", "no file"])
+def test_that_damaged_machine_code_is_not_used(places, harm):
+    make_library(places[1])
+    folder = places[1] / "x86-64"
     if harm == "changed":
         (folder / "a.1.nbc").write_bytes(b"machine code?")
     elif harm == "missing":
         (folder / "a.nbi").unlink()
+    elif harm == "a link":
+        (folder / "a.nbi").rename(folder / "b")
+        (folder / "a.nbi").symlink_to(folder / "b")
     else:
-        (folder / shipped.MANIFEST).write_text(harm)
+        made = [] if harm == "no file" else {"../a.nbi": HASHES["a.nbi"], "../../b": HASHES["a.nbi"]}
+        index = {"made_for": shipped.made_for(), "levels": {"x86-64": made}, "self_test": []}
+        (places[1] / shipped.INDEX).write_bytes(shipped.index_of(index))
     assert shipped.whole_files("x86-64") == {}
+
+
+@pytest.mark.shows("install.machine_code")
+@pytest.mark.parametrize("place", [0, 1])
+def test_that_a_damaged_index_is_not_used(places, place):
+    make_library(places[place])
+    index = places[place] / shipped.INDEX
+    good = index.read_bytes()
+    flipped = [good[:k] + bytes([good[k] ^ 4]) + good[k + 1 :] for k in range(0, len(good), 97)]
+    odd = [json.dumps(content).encode() for content in (None, 5, [], {}, {"levels": 5, "made_for": 1, "self_test": []})]
+    signed = [hashlib.sha256(text).hexdigest().encode() + b"\n" + text for text in [*odd, b"{", b"[" * 9999]]
+    for content in (b"", b"\n", good[:-1], *flipped, *signed):
+        index.write_bytes(content)
+        shipped.library.cache_clear()
+        assert shipped.library() == shipped.NOTHING and shipped.level() == ""
+
+
+@pytest.mark.long
+@pytest.mark.shows("install.same_bits")
+@pytest.mark.parametrize("level", list(shipped.LEVELS))
+def test_that_machine_code_made_without_running_it_gives_the_bits_of_own_code_of_its_level(
+    tmp_path, monkeypatch, level
+):
+    """Listed on another level, compiled again for this one, tried, and used: nothing more is compiled."""
+    if shipped.best_of([level]) != level:
+        pytest.skip("not this processor's")
+    other = next(name for name in ("x86-64-v3", "x86-64") if name != level)
+    own, folder = digest.run("taylor", RIBALTA_LEVEL=level, RIBALTA_CACHE=str(tmp_path / "own"))
+    listed = Path(digest.run("taylor", RIBALTA_LEVEL=other, RIBALTA_CACHE=str(tmp_path / "listed"))[1])
+    library, kernels = tmp_path / "kernels", of_packaging("kernels", monkeypatch)
+    kernels.write(library, {level: kernels.compiled_again(listed, level, tmp_path / "again")}, [])
+    before = (
+        f"import pathlib; from core.jit import shipped, trial; shipped.FOLDER = pathlib.Path({str(library)!r})\n"
+        "trial.self_test[:] = [lambda: True]\n"
+    )
+    found, used = digest.run("taylor", before=before, RIBALTA_CACHE=str(tmp_path / "user"))
+    assert found == own and Path(used).name == f"kernels-{stamp.stamp()}-{level}"
+    names = [{file.name for file in Path(place).glob("*.nb*")} for place in (folder, library / level, used)]
+    assert names[0] == names[1] == names[2] and len(names[0]) > 100
+    assert not (Path(used) / trial.TRIAL).exists() and cache.private(Path(used))

@@ -1,10 +1,12 @@
 """The numbers by which a machine shows that it computes what was computed elsewhere."""
 
 import math
+from pathlib import Path
 
 import pytest
 
 from core.case.rules import parse_case
+from core.jit.shipped import Library
 from core.rocking.methods import AUTO, METHODS
 from core.setting.scene import model_of
 from core.study import self_test
@@ -29,8 +31,9 @@ def test_that_the_last_digit_of_one_tells_right_from_wrong(monkeypatch):
     right = self_test.numbers()
     assert len(right) > 20
     wrong = [*right[:-1], math.nextafter(float.fromhex(right[-1]), 9.9).hex()]
-    for known, expected in ((right, True), (wrong, False), (None, False)):
-        monkeypatch.setattr(self_test, "build", lambda known=known: {"self_test": known})
+    for known, expected in ((right, True), (wrong, False), ([], False)):
+        shipped = Library(Path(), {}, known)
+        monkeypatch.setattr(self_test.shipped, "library", lambda shipped=shipped: shipped)
         assert self_test.numbers_are_right() is expected
 
 
