@@ -190,7 +190,9 @@ def of_kernels(run):
 def test_that_a_wheel_of_machine_code_that_stands_in_dist_is_taken_once(run, wheel, tmp_path, capsys):
     run.prepare(["base"], False)  # a word of a developer
     assert of_kernels(run) == []
+    open_to_group = os.umask(0o002)
     run.prepare(["base"], True)
+    os.umask(open_to_group)
     packages = Path(run.site_packages())
     assert of_kernels(run) == [run.KERNELS, wheel.name.rsplit("-", 3)[0] + ".dist-info"]
     assert contents(packages / run.KERNELS) == contents(tmp_path / "library")
@@ -210,7 +212,7 @@ def test_that_a_wheel_of_machine_code_that_stands_in_dist_is_taken_once(run, whe
 
 
 @pytest.mark.shows("install.wheel")
-def test_that_machine_code_of_other_sources_is_replaced_and_not_taken(run, wheel):
+def test_that_machine_code_of_other_sources_is_replaced_and_not_taken(run, wheel, capsys):
     packages = Path(run.site_packages())
     for name in (run.KERNELS, run.KERNELS + "-0.1+0123.dist-info", run.KERNELS + ".left"):
         (packages / name).mkdir()
@@ -224,7 +226,7 @@ def test_that_machine_code_of_other_sources_is_replaced_and_not_taken(run, wheel
         if other != wheel:
             wheel.rename(other)
             run.prepare(["base"], True)
-            assert of_kernels(run) == []
+            assert of_kernels(run) == [] and "not used" not in capsys.readouterr().err
             other.rename(wheel)
 
 
@@ -290,6 +292,20 @@ def test_that_a_wheel_others_can_write_is_not_taken(run, wheel, capsys, harm):
             path.chmod(mode)
     run.prepare(["base"], True)
     assert of_kernels(run)
+
+
+@pytest.mark.skipif(os.name == "nt" or os.getuid() != 0, reason="only root gives a file away")
+def test_that_a_wheel_may_be_written_by_the_group_that_can_write_the_sources(run, wheel, tmp_path, monkeypatch):
+    """As a user's own group on some systems of Linux: they could change run.py as well."""
+    sources = tmp_path / "sources"
+    sources.mkdir()
+    sources.chmod(0o775)
+    wheel.chmod(0o664)
+    assert not run.guarded(wheel)
+    monkeypatch.setattr(run, "ROOT", str(sources))
+    assert run.guarded(wheel)
+    os.chown(sources, -1, 12345)
+    assert not run.guarded(wheel)
 
 
 def test_that_only_the_program_starts_with_packages_of_another_lock(run):
