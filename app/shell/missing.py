@@ -114,12 +114,13 @@ class Missing(QFrame):
 
     def _logo(self) -> InputError | None:
         """Why the note could not show its logo."""
-        from core.report.note.archive import office_of
-
         session = self.window_of.session
+        if not session.case.report.logo:
+            return None
+        from core.report.note.archive import office_of  # a second of imports on a slow processor
+
         try:
-            if session.case.report.logo:
-                office_of(session.case.report, session.base_dir)
+            office_of(session.case.report, session.base_dir)
         except InputError as error:
             return error
         return None
