@@ -8,7 +8,7 @@ import pytest
 
 from app.terminal import command_line
 from core.codes.outcomes import OUTCOMES
-from core.ground.records import READERS
+from core.ground.records import readers
 from tests import requirements
 from tests.conftest import ROOT
 from tests.requirements import Promise, Shown
@@ -60,7 +60,7 @@ def test_that_equations_options_codes_outcomes_and_formats_are_promised():
     assert {code for code in OUTCOMES if f"`{code}`" not in page_of("verdict.md") + page_of("codes.md")} <= {
         "no_hazard"
     }
-    names = {title.split()[0].strip(",") for title, _, _ in READERS} - {"plain"}
+    names = {title.split()[0].strip(",") for title, _, _ in readers()} - {"plain"}
     assert {name for name in names if name not in said} == set()
 
 

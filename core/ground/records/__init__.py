@@ -1,8 +1,10 @@
 """Accelerogram files: one reader per format, recognised by content, in this explicit table."""
 
+import functools
 import hashlib
 import os
 import re
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,20 +13,7 @@ import numpy as np
 from core.errors import InputError, RecordError
 from core.file_names import name_of, shown
 from core.ground.ground_motion import LARGE_PGA, SMALL_PGA, GroundMotion, check_step
-from core.ground.records import (
-    california,
-    film,
-    geonet,
-    italian,
-    japan_taiwan,
-    labview,
-    networks,
-    peer,
-    plain,
-    plausible,
-    samples,
-    smc,
-)
+from core.ground.records import plausible, samples
 from core.ground.records.container import BETWEEN, is_zip, member_of, sheet_of
 from core.ground.records.cut import refuse_cut
 from core.ground.records.grammar import UNITS, Options, Parsed, decode, quoted
@@ -34,27 +23,6 @@ from core.ooxml.package import is_workbook
 from core.regular_file import TooLarge, read_regular
 from core.text.sentence import Sentence, notice
 from core.units import G
-
-READERS = (
-    ("PEER AT2", peer.recognises, peer.read),
-    ("tab matrix", peer.recognises_matrix, peer.read_matrix),
-    ("ESM ASCII", italian.recognises_esm, italian.read_esm),
-    ("SIGMA acc", italian.recognises_sigma, italian.read_sigma),
-    ("K-NET / KiK-net", japan_taiwan.recognises_knet, japan_taiwan.read_knet),
-    ("CWA", japan_taiwan.recognises_cwa, japan_taiwan.read_cwa),
-    ("GeoNet", geonet.recognises, geonet.read),
-    ("SMC", smc.recognises, smc.read),
-    ("CSMIP / COSMOS", california.recognises, california.read),
-    ("USC volume 1", california.recognises_pairs, california.read_pairs),
-    ("CSMIP volume 1 / RENADIC", film.recognises, film.read),
-    ("NSMN", networks.recognises_nsmn, networks.read_nsmn),
-    ("UNAM", networks.recognises_unam, networks.read_unam),
-    ("CSMNC", networks.recognises_csmnc, networks.read_csmnc),
-    ("BHRC", networks.recognises_bhrc, networks.read_bhrc),
-    ("LabVIEW .lvm", labview.recognises, labview.read),
-    ("plain text", plain.recognises, plain.read),
-)
-"""(format, recognises(lines), read(lines, options)); the first that recognises the content reads it."""
 
 SPECTRA = re.compile(r"RESPONSE AND FOURIER", re.IGNORECASE)
 """Beginning of a file of spectra (CSMIP volume 3)."""
@@ -75,6 +43,33 @@ corrected records tried have means below 1e-4 of the peak."""
 
 MAX_PGA = 20.0 * G
 """Above this peak [m/s2] a file is not what it is said to be."""
+
+
+@functools.cache
+def readers() -> tuple[tuple[str, Callable, Callable], ...]:
+    """(format, recognises(lines), read(lines, options)); the first that recognises the content reads it. Imported when
+    a record is first read: their patterns take a tenth of the start of the window."""
+    from core.ground.records import california, film, geonet, italian, japan_taiwan, labview, networks, peer, plain, smc
+
+    return (
+        ("PEER AT2", peer.recognises, peer.read),
+        ("tab matrix", peer.recognises_matrix, peer.read_matrix),
+        ("ESM ASCII", italian.recognises_esm, italian.read_esm),
+        ("SIGMA acc", italian.recognises_sigma, italian.read_sigma),
+        ("K-NET / KiK-net", japan_taiwan.recognises_knet, japan_taiwan.read_knet),
+        ("CWA", japan_taiwan.recognises_cwa, japan_taiwan.read_cwa),
+        ("GeoNet", geonet.recognises, geonet.read),
+        ("SMC", smc.recognises, smc.read),
+        ("CSMIP / COSMOS", california.recognises, california.read),
+        ("USC volume 1", california.recognises_pairs, california.read_pairs),
+        ("CSMIP volume 1 / RENADIC", film.recognises, film.read),
+        ("NSMN", networks.recognises_nsmn, networks.read_nsmn),
+        ("UNAM", networks.recognises_unam, networks.read_unam),
+        ("CSMNC", networks.recognises_csmnc, networks.read_csmnc),
+        ("BHRC", networks.recognises_bhrc, networks.read_bhrc),
+        ("LabVIEW .lvm", labview.recognises, labview.read),
+        ("plain text", plain.recognises, plain.read),
+    )
 
 
 def read(path: Path, options: Options = Options(), scale: float = 1.0, name: str = "") -> GroundMotion:
@@ -186,7 +181,7 @@ def _parsed(lines: list[str], options: Options, ended: bool) -> tuple[str, Parse
         raise RecordError("line_too_long", n=longest)
     if SPECTRA.match("\n".join(lines[:30])):
         raise RecordError("spectra_file")
-    title, reader = next((title, read) for title, knows, read in READERS if knows(lines))
+    title, reader = next((title, read) for title, knows, read in readers() if knows(lines))
     parsed = reader(lines, options)
     if not ended and any(warning.code == "partial_last_line" for warning in parsed.warnings):
         raise RecordError("last_line_cut")

@@ -7,7 +7,7 @@ import zlib
 
 from core.errors import InputError, RecordError
 from core.ground.records.channels import is_vertical, refuse_unchosen
-from core.ground.records.plain import EMPTY
+from core.ground.records.grammar import EMPTY
 from core.ooxml.package import MEMBER
 from core.ooxml.sheet import Limits, hidden_notes, read_sheet, refuse_cells, spoken
 from core.text.sentence import Sentence, notice

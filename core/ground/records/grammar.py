@@ -19,6 +19,9 @@ _TOKEN = re.compile(NUMBER)
 _NUMBERS_ONLY = re.compile(rf"\s*+(?:{NUMBER}(?=[\s+-]|\Z)\s*+)*+")
 _NAN = re.compile(r"[+-]?nan", re.IGNORECASE)
 
+EMPTY = "∅"
+"""An empty cell of a workbook, in its place."""
+
 HEAD_LINE = 500
 """Characters of a line of a header that are looked at."""
 

@@ -10,7 +10,7 @@ import numpy as np
 from core.errors import RecordError, place
 from core.ground.ground_motion import MIN_STEP
 from core.ground.records import plain_head
-from core.ground.records.grammar import NUMBER, Options, Parsed, numbers, quoted, table_of, to_float
+from core.ground.records.grammar import EMPTY, NUMBER, Options, Parsed, numbers, quoted, table_of, to_float
 from core.ground.records.head_units import refuse_other_quantity, stated_unit, take_unit
 from core.ground.records.sample_like import refuse_samples_in_head
 
@@ -20,9 +20,6 @@ _ONE = re.compile(NUMBER)
 _EMPTY_FIELD = re.compile(r"\t[ ]*\t|^[ ]*\t")
 _EXCEL_ERROR = re.compile(r"#(?:N/?[AD]|DIV/0!|VAL\w+!|R[EI]F!|NUM!|N[AO]ME\?|NULL\w*!)", re.IGNORECASE)
 
-
-EMPTY = "∅"
-"""An empty cell of a workbook, in its place."""
 
 LONGEST_LINE = 20_000
 """Characters of a line of plain text."""

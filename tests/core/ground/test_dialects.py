@@ -34,10 +34,10 @@ def test_that_one_motion_is_the_same_bit_for_bit_in_every_dialect(name):
     assert found.time_step == STEP
 
 
-@pytest.mark.parametrize("title", [title for title, _, _ in records.READERS])
+@pytest.mark.parametrize("title", [title for title, _, _ in records.readers()])
 @pytest.mark.parametrize("lines", [[], [""], [" "]])
 def test_that_a_dialect_is_asked_of_a_file_without_lines(title, lines):
-    knows = next(knows for name, knows, _ in records.READERS if name == title)
+    knows = next(knows for name, knows, _ in records.readers() if name == title)
     assert knows(lines) in (True, False)
 
 
