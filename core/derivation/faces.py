@@ -9,7 +9,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from core.derivation.quantity import Quantity, expression
-from core.known import known
 from core.text.sentence import numeral
 
 SUM, PRODUCT, POWER, ATOM = 1, 2, 3, 4
@@ -251,7 +250,7 @@ def formula(quantity: Quantity, cells: Mapping[str, str]) -> str:
 @functools.cache
 def _live(quantity: Quantity) -> list:
     """Pieces of the formula, which are the same for every wall."""
-    return Formula(quantity.function).of(known(quantity.tree))[0]
+    return Formula(quantity.function).of(quantity.tree)[0]
 
 
 def in_symbols(quantity: Quantity, symbols: Mapping[str, str], language: str) -> str:
@@ -269,7 +268,7 @@ def _in_symbols(quantity: Quantity, pairs: tuple[tuple[str, str], ...], language
         apart = any(mark in symbols[name] for mark in " /") and not symbols[name].endswith(")")
         return [symbols[name]], PRODUCT if apart else ATOM
 
-    return "".join(Written(quantity.function, leaf, " ", language).of(known(quantity.tree))[0])
+    return "".join(Written(quantity.function, leaf, " ", language).of(quantity.tree)[0])
 
 
 def in_numbers(quantity: Quantity, shown: Mapping[str, Shown], language: str) -> list[str | Shown]:
@@ -278,4 +277,4 @@ def in_numbers(quantity: Quantity, shown: Mapping[str, Shown], language: str) ->
     def leaf(name: str):
         return ([shown[name]], ATOM) if name in shown else None
 
-    return Written(quantity.function, leaf, " · ", language).of(known(quantity.tree))[0]
+    return Written(quantity.function, leaf, " · ", language).of(quantity.tree)[0]

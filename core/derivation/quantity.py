@@ -9,6 +9,7 @@ import inspect
 import textwrap
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 from core.known import known
 
@@ -35,13 +36,21 @@ class Given:
 class Quantity(Given):
     """A number that is derived.
 
-    function : of the quantities it needs, by name; tree : the expression it returns
-    needs : their names
+    function : of the quantities it needs, by name
     """
 
     function: Callable[..., float] = float
-    tree: ast.expr | None = None
-    needs: tuple[str, ...] = ()
+
+    @property
+    def needs(self) -> tuple[str, ...]:
+        """Names of the quantities it needs."""
+        code = self.function.__code__
+        return code.co_varnames[: code.co_argcount]
+
+    @cached_property
+    def tree(self) -> ast.expr:
+        """The expression its function returns, read from the source when a face first asks for it."""
+        return expression(self.function)
 
 
 def expression(function: Callable) -> ast.expr:
@@ -60,8 +69,6 @@ def quantity(
     formulas. symbol : {state}, {damping} stand for those of the demand"""
 
     def described(function: Callable[..., float]) -> Quantity:
-        needs = tuple(inspect.signature(function).parameters)
-        known = (name or function.__name__, symbol, unit, digits, shape, label, clause)
-        return Quantity(*known, function, expression(function), needs)
+        return Quantity(name or function.__name__, symbol, unit, digits, shape, label, clause, function)
 
     return described

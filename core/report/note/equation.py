@@ -10,7 +10,6 @@ from xml.etree import ElementTree
 from xml.sax.saxutils import escape
 
 from core.derivation.faces import ATOM, CONSTANTS, POWER, PRODUCT, SUM, Face
-from core.known import known
 from core.report.note.parts import Step
 from core.text.sentence import numeral
 
@@ -186,11 +185,11 @@ def sides(step: Step, language: str, to: Notation) -> list[str]:
     if step.formula and step.quantity is not None:
         symbols = {name: to.symbol(text) for name, text in step.symbols.items()}
         face = Equation(to, step.quantity.function, symbols.get, THIN, language)
-        found.append("".join(face.of(known(step.quantity.tree))[0]))
+        found.append("".join(face.of(step.quantity.tree)[0]))
     if step.numbers and step.quantity is not None:
         numbers = {name: to.run(shown.text(language)) for name, shown in step.values.items()}
         face = Equation(to, step.quantity.function, numbers.get, " · ", language)
-        found.append("".join(face.of(known(step.quantity.tree))[0]))
+        found.append("".join(face.of(step.quantity.tree)[0]))
     unit = "" if step.unit in ("–", "") else f" {step.unit}"
     return [*found, to.run(step.result_written(language) + unit)]
 

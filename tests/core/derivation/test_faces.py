@@ -75,9 +75,10 @@ def test_that_what_no_line_before_it_gives_is_refused():
 
 
 def test_that_a_function_of_more_than_one_expression_is_no_quantity():
-    with pytest.raises(ValueError, match="more than one expression"):
+    @quantity("r", "–")
+    def two(a):
+        b = a
+        return b
 
-        @quantity("r", "–")
-        def two(a):
-            b = a
-            return b
+    with pytest.raises(ValueError, match="more than one expression"):
+        formula(two, {"a": "1"})
