@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFileDialog, QGroupBox, QPushButton, QVBoxLayout, QWidget
@@ -11,7 +11,6 @@ from app.input.building_form import BuildingForm
 from app.input.editors import Choice
 from app.input.fields import ChoiceField, Field, blank, connect
 from app.input.hazard_form import HazardForm
-from app.input.law_curve import SpectrumCurve
 from app.input.made_fields import make_field, make_fields
 from app.input.note_form import title_field, with_button
 from app.input.place_form import PlaceForm
@@ -32,6 +31,9 @@ from core.errors import InputError
 from core.known import known
 from core.setting.demand_input import target_of
 from core.units import G
+
+if TYPE_CHECKING:
+    from app.input.law_curve import SpectrumCurve
 
 FROM_PLACE = ("ag_g", "site", "coordinates", "nominal_life_years", "use_class_factor", "return_period_years")
 """Fields of the demand that a place makes needless."""
@@ -226,6 +228,8 @@ class DemandForm(QWidget):
         """The curve is made when it is first looked at: the start is faster."""
         super().showEvent(event)
         if self.curve is None:
+            from app.input.law_curve import SpectrumCurve
+
             self.curve = SpectrumCurve()
             self.curve.setMaximumHeight(420)
             self.curve_place.addWidget(self.curve, 1)

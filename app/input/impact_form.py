@@ -2,12 +2,13 @@
 
 import math
 from collections.abc import Callable
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout
 
 from app.input.editors import Choice
 from app.input.fields import ChoiceField, NumberField, blank
-from app.input.law_curve import LawCurve
 from app.input.wall_editor import WallEditor
 from app.look.labels import Plain
 from app.look.language import current_language, described, named, number, tr
@@ -18,6 +19,9 @@ from core.text.sentence import numeral
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import MODELS, Contact, impact_ratio
+
+if TYPE_CHECKING:
+    from app.input.law_curve import LawCurve
 
 
 def captions() -> dict:
@@ -101,7 +105,6 @@ class ImpactForm(WallEditor):
     def __init__(self, session: Session, index: Callable[[], int]):
         super().__init__(session, index)
         self.scopes = scopes()
-        self.law_curve = LawCurve()
         column = QVBoxLayout(self)
         self.model = ChoiceField(Wall, "restitution", named_models())
         self.velocity_ratio = NumberField(Wall, "velocity_ratio")
@@ -120,14 +123,13 @@ class ImpactForm(WallEditor):
         self.formula.setWordWrap(True)
         for widget in (self.model, self.velocity_ratio, self.formula):
             column.addWidget(widget)
-        row = QHBoxLayout()
+        row = self.row = QHBoxLayout()
         ends = QVBoxLayout()
         ends.addWidget(self.law)
         ends.addWidget(self.first)
         ends.addWidget(self.last)
         ends.addStretch(1)
         row.addLayout(ends, 1)
-        row.addWidget(self.law_curve, 1)
         column.addLayout(row)
 
     def show_case(self) -> None:
@@ -137,7 +139,7 @@ class ImpactForm(WallEditor):
             blank((self.model, self.velocity_ratio, self.first, self.last))
             self.formula.setText("")
             self.law.setCurrentIndex(-1)
-            self.law_curve.curve.setData([], [])
+            self._draw_law()
             return
         model = wall.restitution or ("user" if wall.velocity_ratio is not None else None)
         self.model.show_value(model)
@@ -164,7 +166,26 @@ class ImpactForm(WallEditor):
             field.setVisible(own is not None)
             if own is not None:
                 field.show_value(own[key])
-        self.law_curve.show_wall(wall)
+        self._draw_law()
+
+    @cached_property
+    def law_curve(self) -> "LawCurve":
+        """Made when it is first looked at."""
+        from app.input.law_curve import LawCurve
+
+        made = LawCurve()
+        self.row.addWidget(made, 1)
+        made.show_wall(self.wall)
+        return made
+
+    def _draw_law(self) -> None:
+        """Nothing where nobody sees it: it is drawn when it is shown."""
+        if self.isVisible():
+            self.law_curve.show_wall(self.wall)
+
+    def showEvent(self, event) -> None:
+        super().showEvent(event)
+        self._draw_law()
 
     def _model_chosen(self, model) -> None:
         wall = self.wall

@@ -1,10 +1,10 @@
 """Small curves beside the forms: the moment-rotation law of a wall, the spectrum of the demand."""
 
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import Qt
 
 from app.look import theme
+from app.look.charting import pg
 from app.views.axis import Axis
 from core.case.wall import Wall
 from core.errors import InputError
@@ -71,8 +71,11 @@ class LawCurve(SmallCurve):
     def __init__(self):
         super().__init__("θ/θc", "M/M₀")
 
-    def show_wall(self, wall: Wall) -> None:
+    def show_wall(self, wall: Wall | None) -> None:
         """Draw the law of this wall, nothing while it is not complete."""
+        if wall is None:
+            self.curve.setData([], [])
+            return
         try:
             block, law, loads = wall.block(), wall.moment_law(), wall.in_si.restoring
         except (InputError, TypeError):

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from app.input.import_dialog import read
+from app.input.record_files import read
 from app.look.language import described, named, number, tr
 from core.case.schema import Case, Record
 from core.errors import InputError

@@ -20,10 +20,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.input.import_dialog import ImportDialog, all_files, file_of, told_of
-from app.input.import_dialog import Row as FileRow
+from app.input.record_files import Row as FileRow
+from app.input.record_files import all_files, file_of, told_of
 from app.input.record_rows import Row, cells, heads, read_rows, state_of
-from app.input.selection_dialog import choose_for
 from app.look import theme
 from app.look.dialogs import once
 from app.look.labels import Plain, plain
@@ -286,6 +285,8 @@ class RecordsPanel(QWidget):
 
     def choose(self) -> None:
         """Natural records of a folder, in place of those there."""
+        from app.input.selection_dialog import choose_for
+
         if why := choose_for(self.session, self):
             self.words.setText(why)
 
@@ -317,6 +318,8 @@ class RecordsPanel(QWidget):
         if not entries:
             self.words.setText(self.one_set)
             return
+        from app.input.import_dialog import ImportDialog
+
         with once(ImportDialog(list(entries), self, entries)) as dialog:
             if dialog.exec() != QDialog.DialogCode.Accepted:
                 return
@@ -385,6 +388,8 @@ class RecordsPanel(QWidget):
         if not files:
             self.words.setText(tr("No files there."))
             return
+        from app.input.import_dialog import ImportDialog
+
         with once(ImportDialog(files, self)) as dialog:
             taken = not ask or dialog.exec() == QDialog.DialogCode.Accepted
             chosen = dialog.chosen() if taken else []

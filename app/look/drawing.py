@@ -12,7 +12,7 @@ from app.look import theme
 from app.look.body_drawing import BodyDrawing, complete, turned
 from app.look.language import number
 from core.case.wall import BENDS, Wall
-from core.codes.vertical_bending import Bending, Strip, bending, hinges_of, mechanism, outlines, shown_rotation
+from core.codes.vertical_bending import Bending, Strip, bending, hinges_of, outlines, shown_rotation
 from core.errors import InputError
 from core.known import known
 from core.report.load_arrows import arrows
@@ -305,8 +305,8 @@ def mechanism_icon(name: str, size: int = 52) -> QIcon:
         shade = QColor(theme.current.curves[0])
         shade.setAlpha(110)
         painter.setBrush(shade)
-        strip = Strip(40.0, 9.0, 0.0, 1.0, ((1.0, 4.5),))
-        for block in outlines(strip, mechanism(strip).h1, 0.22):
+        strip, between = Strip(40.0, 9.0, 0.0, 1.0, ((1.0, 4.5),)), 80.0 / 3.0  # where its multiplier is least
+        for block in outlines(strip, between, 0.22):
             painter.drawPolygon(QPolygonF([QPointF(size / 2 + 2.0 - x, size - 6 - z) for x, z in block]))
         painter.drawLine(QPointF(size / 2 + 5, 4), QPointF(size / 2 + 5, 12))
         painter.end()

@@ -14,10 +14,7 @@ from app.shell.pages import Page
 from app.shell.pointing import point_at_key
 from app.shell.stages import ANSWER, WHY, Stages, stage_of
 from app.shell.tree import ProjectTree, Row, hinge_text
-from app.views.histories_tab import HistoriesTab
 from app.views.result_tab import ResultTab
-from app.views.result_tabs import SpectraTab
-from app.views.validation_tab import ValidationTab
 from app.views.walls_tab import WallsTab
 from app.work.runner import Runner
 from app.work.session import Session
@@ -217,6 +214,8 @@ class Navigator(QObject):
         result = self.session.result
         rules = result.compliance if result and not self.session.stale else None
         floor = self.wall.floor if self.wall and not self.session.stale else None
+        from app.views.result_tabs import SpectraTab
+
         self._tab("spectra", SpectraTab).show_records(self.records.motions, target, rules, floor, self.shown)
 
     @property
@@ -255,6 +254,8 @@ class Navigator(QObject):
 
     def pick_run(self, run: tuple) -> None:
         """The history of this (motion, polarity) of the wall shown."""
+        from app.views.histories_tab import HistoriesTab
+
         self.show_page("histories")
         self._tab("histories", HistoriesTab).show_run(run)
 
@@ -345,6 +346,8 @@ class Navigator(QObject):
 
     def show_accuracy(self, k: int, accuracy: Accuracy | None) -> None:
         """The accuracy statement of the k-th result, where that is shown."""
+        from app.views.validation_tab import ValidationTab
+
         if self.shown == k:
             self._tab("validation", ValidationTab).show_accuracy(accuracy)
 

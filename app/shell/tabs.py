@@ -1,18 +1,19 @@
-"""The pages of the stages Answer, Why and Report."""
+"""The pages of the stages Answer, Why and Report, each imported when it is made: few are looked at in every session."""
 
 from collections.abc import Callable
+
+from PySide6.QtWidgets import QWidget
 
 from app.look.language import tr
 from app.shell.navigator import Navigator
 from app.shell.pages import Page
-from app.views.capacity_tab import CapacityTab
-from app.views.check_tab import CheckTab
-from app.views.histories_tab import HistoriesTab
-from app.views.note_tab import NoteTab
-from app.views.result_tabs import IntensityTab, SpectraTab
-from app.views.sure_tab import SureTab
-from app.views.validation_tab import ValidationTab
-from app.views.walls_tab import WallsTab
+
+
+def histories() -> QWidget:
+    """The rocking wall, for its page and for the room beside the answer."""
+    from app.views.histories_tab import HistoriesTab
+
+    return HistoriesTab()
 
 
 def pages(
@@ -20,28 +21,53 @@ def pages(
 ) -> dict[str, tuple[Page, str]]:
     """Pages and their labels by name. navigator() : asked when a page is made, which is after all are placed"""
 
-    def walls() -> WallsTab:
+    def walls() -> QWidget:
+        from app.views.walls_tab import WallsTab
+
         tab = WallsTab(language)
         tab.picked.connect(navigator().pick)
         return tab
 
-    def check() -> CheckTab:
+    def check() -> QWidget:
+        from app.views.check_tab import CheckTab
+
         tab = CheckTab(language)
         tab.asked.connect(navigator().ask)
         tab.record_picked.connect(navigator().pick_run)
         return tab
 
-    def sure() -> SureTab:
+    def sure() -> QWidget:
+        from app.views.sure_tab import SureTab
+
         tab = SureTab(language)
         tab.asked.connect(navigator().ask)
         return tab
 
-    def validation() -> ValidationTab:
+    def capacity() -> QWidget:
+        from app.views.capacity_tab import CapacityTab
+
+        return CapacityTab()
+
+    def intensity() -> QWidget:
+        from app.views.result_tabs import IntensityTab
+
+        return IntensityTab()
+
+    def spectra() -> QWidget:
+        from app.views.result_tabs import SpectraTab
+
+        return SpectraTab(language)
+
+    def validation() -> QWidget:
+        from app.views.validation_tab import ValidationTab
+
         tab = ValidationTab()
         tab.asked.connect(navigator().state_accuracy)
         return tab
 
-    def note() -> NoteTab:
+    def note() -> QWidget:
+        from app.views.note_tab import NoteTab
+
         tab = NoteTab(lambda: navigator().session.base_dir)
         tab.checked.connect(navigator().pick)
         tab.picked.connect(navigator().pick_input)
@@ -51,11 +77,11 @@ def pages(
     return {
         "walls": (Page(walls), tr("Overview")),
         "check": (Page(check), tr("Answer")),
-        "histories": (Page(HistoriesTab), tr("Histories")),
+        "histories": (Page(histories), tr("Histories")),
         "sure": (Page(sure), tr("How sure")),
-        "capacity": (Page(CapacityTab), tr("Capacity and fragility")),
-        "intensity": (Page(IntensityTab), tr("q against SI")),
-        "spectra": (Page(lambda: SpectraTab(language)), tr("Records and spectra")),
+        "capacity": (Page(capacity), tr("Capacity and fragility")),
+        "intensity": (Page(intensity), tr("q against SI")),
+        "spectra": (Page(spectra), tr("Records and spectra")),
         "validation": (Page(validation), tr("Accuracy")),
         "note": (Page(note), tr("Note")),
     }

@@ -3,7 +3,6 @@
 from collections.abc import Callable
 from pathlib import Path
 
-import pyqtgraph as pg
 from PySide6.QtCore import QByteArray, QEvent, QSettings, QSize, QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QMessageBox, QVBoxLayout, QWidget
@@ -21,9 +20,6 @@ from app.shell.navigator import Navigator
 from app.shell.pages import Page
 from app.shell.refused_texts import RefusedTexts
 from app.shell.tree import ProjectTree
-from app.views.chart_output import ChartOutput
-from app.views.histories_tab import HistoriesTab
-from app.views.note_tab import NoteTab
 from app.views.table import Table
 from app.work.preparation import Preparation
 from app.work.runner import Runner
@@ -76,13 +72,12 @@ class MainWindow(QMainWindow):
 
     def build(self) -> None:
         """Everything that speaks or has a colour; again after a change of language or theme."""
-        pg.setConfigOptions(antialias=True, exitCleanup=False)
         asked = menus.chosen(self.settings, "language", LANGUAGES)
         self.language = asked or system_language()
         stages.remove(self)
         made = tabs.pages(self.language, lambda: self.navigator, self.files.ask_note)
         self.page_labels = {name: label for name, (_, label) in made.items()}
-        self.stages = stages.Stages(self, self.session, made, Page(HistoriesTab))
+        self.stages = stages.Stages(self, self.session, made, Page(tabs.histories))
         self.pages = self.stages.pages
         self._name_parts()
         self._frame()
@@ -308,12 +303,16 @@ class MainWindow(QMainWindow):
         self.actions_of.redo.setEnabled(bool(self.session.future))
 
     def _show_stale(self) -> None:
-        ChartOutput.stale = Table.stale = self.session.stale
+        Table.stale = self.session.stale
         self.navigator.cover_pages()
 
     def _show_note(self) -> None:
         """The pages hold what is typed beside them."""
         page = self.pages["note"]
+        if page.made is None:
+            return
+        from app.views.note_tab import NoteTab
+
         if isinstance(page.made, NoteTab) and page.made.result is not self.session.result:
             self.navigator.fresh.discard(page)
             self.navigator.show_result()

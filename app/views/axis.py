@@ -1,9 +1,9 @@
 """What stands at the axes of a chart: numbers, names as long as there is room for."""
 
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import QRectF, Qt
 
+from app.look.charting import pg
 from app.look.language import current_language
 
 

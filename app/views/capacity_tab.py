@@ -3,12 +3,12 @@
 import math
 
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout
 
 from app.look import theme
+from app.look.charting import pg
 from app.look.labels import Plain
 from app.look.language import named, number, tr
 from app.look.whole_text import tell_whole

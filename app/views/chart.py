@@ -4,11 +4,11 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QSizePolicy, QToolButton, QVBoxLayout
 
 from app.look import theme
+from app.look.charting import pg
 from app.look.dialogs import once
 from app.look.labels import Plain
 from app.look.language import current_language, tr

@@ -7,15 +7,16 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import QPoint
 from PySide6.QtGui import QGuiApplication, QImage, QPainter
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from app.look import theme
+from app.look.charting import pg
 from app.look.file_dialogs import path_to_write
 from app.look.labels import plain
 from app.look.language import current_language, described, tr
+from app.views.table import Table
 from core import atomic_write
 from core.errors import OutputError
 from core.report.plain_cell import plain_cell
@@ -44,16 +45,13 @@ class ChartOutput(QWidget):
     labels: tuple[str, str]
     name: str
 
-    stale = False
-    """Whether the input has changed since the result shown: what leaves the program says so."""
-
     live = False
     caption = column = ""
 
     @property
     def is_stale(self) -> bool:
         """Whether what it shows is of an earlier input."""
-        return ChartOutput.stale and not self.live
+        return Table.stale and not self.live
 
     def _apply_theme(self, chosen: theme.Theme, scale: float = 1.0) -> None:
         """scale : pixels of the device to one of the layout; the width of a pen is in those of the device"""

@@ -21,7 +21,7 @@ from app.look import theme
 from app.look.drawing import WallDrawing
 from app.look.labels import Plain, Rich
 from app.look.language import called, number, tr
-from app.views.answer_lines import assumption_rows, limits, link, no_dynamic_check, to_do
+from app.views.answer_lines import assumption_rows, digits, limits, link, no_dynamic_check, to_do, verdict_color
 from app.views.capacity_curve_chart import CapacityCurveChart
 from app.views.chart import Chart
 from app.views.ladder import Ladder, Rung
@@ -35,7 +35,7 @@ from core.codes.outcomes import least
 from core.known import known
 from core.report.sure_words import risk_of, verdict_of
 from core.report.tie_words import tie_lines
-from core.report.verdict_words import lines_of, sentence_of, tone_of
+from core.report.verdict_words import lines_of, sentence_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.study.wall_verdict import zetas_of
 from core.text.sentence import Number, sentence, word
@@ -51,16 +51,6 @@ OF_THE_LAW = ("no_power_law", "narrow_si")
 """Warnings that are notes of an answer."""
 
 LAW_WORDS = {"q": "law_q", "q_slv": "law_q_slv"}
-
-
-def verdict_color(result: StudyResult, wall: WallResult) -> str:
-    """Green only where nothing is left to read."""
-    return getattr(theme.current, tone_of(result, wall))
-
-
-def digits(value: float | None, figures: int = 2) -> str:
-    """A number with so many decimals."""
-    return number(value, f".{figures}f")
 
 
 class Whole(QWidget):

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QPoint, QRect, QSize, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QImage, QImageWriter, QPageLayout, QPageSize, QPainter, QPdfWriter
 from PySide6.QtSvg import QSvgGenerator
 from shiboken6 import isValid
 
 from app.look import theme
+from app.look.charting import pg
 from app.look.language import tr
 from app.views.axis_names import unnamed_line, with_all_names
 from app.views.page_units import in_page_units

@@ -1,9 +1,10 @@
 """An area of slanted lines. Lines, not a pattern of a brush: an SVG has none of those."""
 
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import QLineF, QPointF, QRectF
 from PySide6.QtGui import QPainterPath, QPen
+
+from app.look.charting import pg
 
 SPACING = 8.0
 """Between two lines, along the axis [px]."""

@@ -1,15 +1,15 @@
 """Tabs of a result: q against SI, Spectra."""
 
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QSplitter, QVBoxLayout, QWidget
 
 from app.look import theme
+from app.look.charting import pg
 from app.look.labels import Plain
 from app.look.language import number, tr
+from app.views.answer_lines import digits
 from app.views.chart import Chart
-from app.views.check_tab import digits
 from app.views.result_tab import ResultTab
 from app.views.runs import title_of
 from app.views.table import Table

@@ -24,7 +24,7 @@ class Table(QTableWidget):
     """
 
     stale = False
-    """Whether the input has changed since the result shown: what is copied says so."""
+    """Whether the input has changed since the result shown: what leaves the program says so, charts too."""
 
     live = False
 

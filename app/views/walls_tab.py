@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
 
 from app.look.labels import Plain
 from app.look.language import called, number, tr
-from app.views.check_tab import digits, verdict_color
+from app.views.answer_lines import digits, verdict_color
 from app.views.result_tab import ResultTab
 from app.views.table import Table
 from core.report.columns import BY_KEY, Row

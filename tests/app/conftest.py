@@ -172,7 +172,6 @@ def new_window(folder):
 def end(application, made) -> None:
     """Close a window and delete it, nothing asked; the next is light and in English."""
     from app.look import language, theme
-    from app.views.chart_output import ChartOutput
     from app.views.table import Table
 
     made.session.saved = made.session.case
@@ -180,7 +179,7 @@ def end(application, made) -> None:
     made.deleteLater()
     delete_now(application)
     application.processEvents()
-    ChartOutput.stale = Table.stale = False  # of the window in front, and there is none
+    Table.stale = False  # of the window in front, and there is none
     language.set_language("en")
     if theme.current is not theme.THEMES["light"]:
         theme.set_theme("light")
@@ -263,7 +262,6 @@ class SharedWindow:
         """End what the test began, and the window where it cannot be put back: in another language or theme."""
         from app.look import theme
         from app.look.language import current_language
-        from app.views.chart_output import ChartOutput
         from app.views.table import Table
 
         made = self.made
@@ -273,7 +271,7 @@ class SharedWindow:
         made.runner.cancel()
         delete_now(self.application)
         self.application.processEvents()
-        ChartOutput.stale = Table.stale = False
+        Table.stale = False
         if (current_language(), theme.current) != ("en", theme.THEMES["light"]):
             self.give_up()
 

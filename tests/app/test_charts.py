@@ -20,9 +20,9 @@ from app.look import theme
 from app.shell.window import MainWindow
 from app.views.axis import elided
 from app.views.chart import Chart
-from app.views.chart_output import ChartOutput
 from app.views.figure_file import FigureSize, figure
 from app.views.hatch import Hatch
+from app.views.table import Table
 from tests.conftest import ROOT
 
 
@@ -141,7 +141,7 @@ def test_that_a_copied_picture_of_stale_results_says_so(application, monkeypatch
     fresh = QGuiApplication.clipboard().image()
     assert fresh.size() == 2 * chart.view.size()
     assert not is_shade(fresh, theme.LIGHT.bad).any()
-    monkeypatch.setattr(ChartOutput, "stale", True)
+    monkeypatch.setattr(Table, "stale", True)
     chart.copy()
     marked = QGuiApplication.clipboard().image()
     assert marked.height() > fresh.height()

@@ -46,7 +46,8 @@ window.close()
 
 def test_that_pyqtgraph_has_all_of_qt_where_its_import_is_quickened():
     script = (
-        "from app.look.quick_imports import Mirror, quicken; quicken(); import pyqtgraph.Qt as Q;"
+        "from app.look.quick_imports import quicken; quicken();"
+        "from app.look.charting import Mirror; import pyqtgraph.Qt as Q;"
         "from PySide6 import QtCore, QtGui, QtWidgets;"
         "pairs = ((Q.QtCore, QtCore), (Q.QtGui, QtGui), (Q.QtWidgets, QtWidgets));"
         "print(all(type(a) is Mirror and len(dir(b)) > 100 for a, b in pairs),"
@@ -63,7 +64,8 @@ def test_that_pyqtgraph_has_all_of_qt_where_its_import_is_quickened():
 def test_that_an_unknown_version_is_imported_as_it_is_by_itself(package):
     script = (
         f"from core.known_internals import KNOWN; KNOWN[{package!r}] = ('9.0', '9.9');"
-        "from app.look.quick_imports import Mirror, quicken; quicken(); import pyqtgraph.Qt as Q;"
+        "from app.look.quick_imports import quicken; quicken();"
+        "from app.look.charting import Mirror; import pyqtgraph.Qt as Q;"
         "print(isinstance(Q.QtCore, Mirror), Q.QtCore.QPointF(1.0, 2.0).x())"
     )
     pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
