@@ -155,8 +155,7 @@ class DemandForm(QWidget):
                 label.setText("")
             for section in self.sections:
                 section.say()
-            if self.curve is not None:
-                self.curve.show_target(None)
+            self._draw(None)
             return
         for field in self.of_demand:
             field.show_value(getattr(demand, field.key))
@@ -185,8 +184,21 @@ class DemandForm(QWidget):
             self.summary.setText(self._said(demand, target))
         case = self.session.case
         self.no_records.setVisible(target is not None and not case.record and case.generate is None)
-        if self.curve is not None:
-            self.curve.show_target(target, self._other_states(demand) if target else None)
+        self._draw(target)
+
+    def _draw(self, target) -> None:
+        """The spectrum, where it is seen: it is made and drawn when it is looked at."""
+        if not self.isVisible():
+            return
+        if self.curve is None:
+            from app.input.law_curve import SpectrumCurve
+
+            self.curve = SpectrumCurve()
+            self.curve.setMaximumHeight(420)
+            self.curve_place.addWidget(self.curve, 1)
+            self.curve_place.addStretch(0)
+        demand = self.session.case.demand
+        self.curve.show_target(target, self._other_states(demand) if target and demand else {})
 
     def _show_given(self, spectrum: Spectrum | None) -> None:
         """What follows from the place is not asked for."""
@@ -225,16 +237,8 @@ class DemandForm(QWidget):
             section.say(words)
 
     def showEvent(self, event) -> None:
-        """The curve is made when it is first looked at: the start is faster."""
         super().showEvent(event)
-        if self.curve is None:
-            from app.input.law_curve import SpectrumCurve
-
-            self.curve = SpectrumCurve()
-            self.curve.setMaximumHeight(420)
-            self.curve_place.addWidget(self.curve, 1)
-            self.curve_place.addStretch(0)
-            self.show_case()
+        self.show_case()
 
     @staticmethod
     def _kind_of(demand: Demand) -> str:

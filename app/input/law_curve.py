@@ -44,25 +44,34 @@ class SpectrumCurve(SmallCurve):
 
     def __init__(self):
         super().__init__("T [s]", "Se [g]")
-        self.others: list = []
+        self.shown: tuple | None = None
+        self.others: dict[str, tuple[pg.PlotDataItem, pg.TextItem]] = {}
 
-    def show_target(self, target, others: dict | None = None) -> None:
+    def show_target(self, target, others: dict) -> None:
         """Draw this target, nothing where there is none. others : name -> target, drawn thin beside it"""
+        if (target, others) == self.shown:
+            return
+        self.shown = (target, others)
         self.setVisible(target is not None)
-        for item in self.others:
-            self.removeItem(item)
-        self.others = []
-        for name, other in (others or {}).items():
-            periods = np.linspace(0.0, MAX_PERIOD, 151)
+        for name in self.others.keys() - others.keys():
+            for item in self.others.pop(name):
+                self.removeItem(item)
+        periods = np.linspace(0.0, MAX_PERIOD, 151)
+        for name, other in others.items():
+            line, words = self.others.get(name) or self._another(name)
             values = np.asarray(other.acceleration(periods)) / G
-            line = self.plot(periods, values, pen=pg.mkPen(theme.current.quiet, width=1))
-            words = pg.TextItem(name, color=theme.current.quiet, anchor=(0.0, 1.0))
+            line.setData(periods, values)
             words.setPos(periods[30], values[30])
-            self.addItem(words)
-            self.others += [line, words]
         if target is not None:
-            periods = np.linspace(0.0, MAX_PERIOD, 151)
             self.curve.setData(periods, np.asarray(target.acceleration(periods)) / G)
+
+    def _another(self, name: str) -> tuple[pg.PlotDataItem, pg.TextItem]:
+        """A thin line and its name."""
+        line = self.plot(pen=pg.mkPen(theme.current.quiet, width=1))
+        words = pg.TextItem(name, color=theme.current.quiet, anchor=(0.0, 1.0))
+        self.addItem(words)
+        self.others[name] = line, words
+        return line, words
 
 
 class LawCurve(SmallCurve):

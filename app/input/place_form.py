@@ -73,7 +73,7 @@ class PlaceForm(QWidget):
                 field.forget()
                 field.show_value(None)
             self.words.clear()
-            self.states.clear()
+            self._show_states("")
             self.map.show_point(None)
             return
         for field in self.fields:
@@ -89,7 +89,7 @@ class PlaceForm(QWidget):
             hazard = site.hazard
         except (InputError, TypeError) as error:
             self.words.setText(described(error) if isinstance(error, InputError) else "")
-            self.states.clear()
+            self._show_states("")
             self.map.show_point(None)
             return
         self.map.show_point((hazard.latitude, hazard.longitude))
@@ -104,14 +104,21 @@ class PlaceForm(QWidget):
             try:
                 years = site.return_period(state)
             except TypeError:  # V_N is still to be given
-                self.states.clear()
+                self._show_states("")
                 return
             values = zip(hazard.at(years), (".3f", ".3f", ".3f"), strict=True)
             cells = [state, number(years, ".0f"), *(number(value, form) for value, form in values)]
             rows.append("".join(f"<td align='right'>{cell}&nbsp;&nbsp;</td>" for cell in cells))
         heads = "".join(f"<th align='right'>{head}&nbsp;&nbsp;</th>" for head in ("", "T_R", "a_g [g]", "F_0", "T_C*"))
         body = "".join(f"<tr>{row}</tr>" for row in rows)
-        self.states.setText(f"<table><tr>{heads}</tr>{body}</table>")
+        self._show_states(f"<table><tr>{heads}</tr>{body}</table>")
+
+    def _show_states(self, text: str) -> None:
+        """A label of one size moves nothing else in the form when its numbers change; to measure a table takes long."""
+        longer = len(text) != len(self.states.text())
+        self.states.setText(text)
+        if longer:
+            self.states.setFixedSize(self.states.sizeHint())
 
     def forget(self) -> None:
         """Another case: nothing of the last one comes back in this."""

@@ -1,5 +1,6 @@
 """The frame of the window: a bar, the tree, and beside it the stage: input, answer, why, report."""
 
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
@@ -211,9 +212,9 @@ class Stages(QWidget):
         self.veil = Veil(self.stack)
         self.bar.hide()
 
-    @property
+    @cached_property
     def fields(self) -> list[Field]:
-        """The fields of the case; those of a dialog are not among them."""
+        """The fields of the case, which are all made with their forms; those of a dialog are not among them."""
         given = self.input
         forms = (given.walls, given.demand, given.demand.building, given.analysis, self.note_form)
         return [field for form in forms for field in form.findChildren(Field)]

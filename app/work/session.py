@@ -17,9 +17,10 @@ from app.work.draft import readable
 from app.work.placed_demand import followed
 from core import atomic_write
 from core.case.drawn_solids import with_drawings
+from core.case.judge import Judge
 from core.case.problems import problems
 from core.case.reader import read_case, read_toml
-from core.case.rules import draft_case, parse_case
+from core.case.rules import draft_case
 from core.case.schema import Case, Record, Report
 from core.case.wall import Wall
 from core.case.writer import dumps, table_of
@@ -55,6 +56,7 @@ class Session:
         """Hashes of the records as they are on disk, None while they are not read."""
         self.token = secrets.token_hex(8)
         self._lock_file: BinaryIO | None = None
+        self._judge = Judge()
         self._known: tuple | None = None
         self._problems: tuple | None = None
         self.generation = 0
@@ -150,7 +152,7 @@ class Session:
         """(the case as the batch would read it, None) or (None, the first broken rule)."""
         if self._known is None or self._known[0] is not self.case:
             try:
-                case = parse_case(table_of(self.case))
+                case = self._judge(self.case)
                 if self.saved.sha256 and not self.dirty:  # what the batch says of the file
                     given = self.saved.given or case.given
                     case = replace(
@@ -175,7 +177,7 @@ class Session:
         if self.problem() is None:
             return []
         if self._problems is None or self._problems[0] is not self.case:
-            self._problems = (self.case, problems(self.case) or [self.problem()])
+            self._problems = (self.case, problems(self.case, self._judge) or [self.problem()])
         return self._problems[1]
 
     # walls and records

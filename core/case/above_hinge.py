@@ -38,6 +38,8 @@ def loads_above(wall: Wall, hinge: float, face: float) -> tuple:
 def above_hinge(wall: Wall, hinge: float) -> Wall:
     """The part of a wall above a hinge [m above its base], with its variant and its height in its name."""
     name = named_above(wall.title, hinge)
+    if hinge == 0.0 and name == wall.name and wall.hinge_heights is None:
+        return wall
     if hinge == 0.0:
         return replace(wall, name=name, hinge_heights=None)
     assert wall.height_m is not None

@@ -92,6 +92,7 @@ def _hazard(latitude: float, longitude: float) -> SiteHazard:
     return hazard_at(latitude, longitude)
 
 
+@lru_cache(maxsize=64)
 def hazard_rows(site: Site) -> tuple[HazardRow, ...]:
     """The hazard at the return periods of the table, and at those of the limit states, where they are within it."""
     hazard = site.hazard

@@ -4,27 +4,27 @@ import re
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
+from core.case.judge import Judge
 from core.case.keys import NESTED
-from core.case.rules import parse_case
 from core.case.schema import Analysis, Case, Report
 from core.case.wall import Wall
-from core.case.writer import table_of
 from core.errors import InputError
 
 MAX_JUDGEMENTS = 60
 """Times a case is judged: of more problems nobody reads."""
 
 
-def problems(case: Case) -> list[InputError]:
+def problems(case: Case, judge: Judge | None = None) -> list[InputError]:
     """What is missing or breaks a rule. After each problem the value that is missing is taken as given, or else the
     wall or section in question is left out, and the rest is judged again: a rule that needs a missing value waits, for
-    what it would say of the value that is assumed is no problem of the case."""
+    what it would say of the value that is assumed is no problem of the case. judge : of cases much like it"""
+    judge = judge or Judge()
     errors: list[InputError] = []
     assumed: set[tuple[str, str]] = set()
     part_given: set[str | None] = set()
     for _ in range(MAX_JUDGEMENTS):
         try:
-            parse_case(table_of(case))
+            judge(case)
             break
         except InputError as error:
             keys = [error.key] if error.key else sorted(error.keys)

@@ -1,15 +1,14 @@
 """The rules of a case: every one is applied here and in values.py, once, for file, table and form."""
 
-import hashlib
-import json
 import math
 from dataclasses import fields, replace
+from typing import NamedTuple
 
 from core.case.above_hinge import numbers_above
 from core.case.back_restraint import names_something, says_gone
 from core.case.hazard_table import check_rising
 from core.case.held_top import check_held_top
-from core.case.hinges import check_hinges, parts
+from core.case.hinges import check_hinges, parts_of
 from core.case.keys import is_required
 from core.case.load_rules import check_design, check_given, check_loads
 from core.case.place import HERE, Site, filled, placed
@@ -45,6 +44,13 @@ TIE_METHODS = ("auto", "taylor", "taylor_6")
 def parse_case(table: dict) -> Case:
     """The case of a mapping with the keys of the file; every rule is checked here, once."""
     table = expanded(table)
+    case = parse_sections(table)
+    walls = [parsed_wall(entry, k) for k, entry in enumerate(tables_of(table, "wall"))]
+    return with_walls(case, walls) if case.walls is None else replace(case, wall=tuple(walls))
+
+
+def parse_sections(table: dict) -> Case:
+    """The case of a mapping without its walls, of which only the places that are given are noted."""
     refuse_unknown(Case, table, "case")
     title = value_of(field_of(Case, "title"), table.get("title", "Ribalta"))
     analysis = section_of(Analysis, table.get("analysis", {}), "analysis", section("[analysis]"))
@@ -93,13 +99,12 @@ def parse_case(table: dict) -> Case:
         raise InputError("generate_needs_spectrum")
     if case.select:
         _check_select(case)
-    walls = [
-        section_of(Wall, entry, "wall", place("wall", name=_name(entry, k)))
-        for k, entry in enumerate(tables_of(table, "wall"))
-    ]
-    if case.walls is None:
-        return with_walls(case, walls)
-    return replace(case, wall=tuple(walls))
+    return case
+
+
+def parsed_wall(entry, k: int) -> Wall:
+    """The k-th wall of a case, its keys checked one by one. Raises InputError."""
+    return section_of(Wall, entry, "wall", place("wall", name=_name(entry, k)))
 
 
 def draft_case(table: dict) -> Case:
@@ -148,17 +153,43 @@ def draft_case(table: dict) -> Case:
     )
 
 
-def with_walls(case: Case, walls: list[Wall]) -> Case:
-    """The case with these walls, checked as a set. Raises InputError."""
+class Accepted(NamedTuple):
+    """A wall that breaks no rule of its own or with the rest of its case. above : names of its parts above hinges;
+    heights : above the ground at which they are felt [m]"""
+
+    wall: Wall
+    above: tuple[str, ...]
+    heights: frozenset[float]
+
+
+def with_walls(case: Case, walls: list[Wall], accepted: dict[int, Accepted] | None = None) -> Case:
+    """The case with these walls, checked as a set. Raises InputError. accepted : by `id`, those checked beside the same
+    `beside_walls`, which are not checked again; the others are added"""
+    accepted = {} if accepted is None else accepted
     if not walls:
         raise InputError("no_wall", section=Key("[[wall]]"))
     names = {}
     for wall in walls:
         if names.setdefault(wall.title, wall) is not wall:
             raise InputError("same_name", key="name", wall=wall.title)
-        check_wall(case, wall)
+        if id(wall) not in accepted:
+            check_wall(case, wall)
     case = replace(case, wall=tuple(walls), walls=None)
-    found = parts(case)
+    heights: set[float] = set()
+    for k, wall in enumerate(walls):
+        if id(wall) not in accepted:
+            accepted[id(wall)] = _accepted(k, wall, case.building, names)
+        elif taken := next((name for name in accepted[id(wall)].above if name in names), None):
+            raise InputError("same_name", key="name", wall=taken)
+        heights |= accepted[id(wall)].heights
+    if len(heights) > 1:
+        refuse_modes(case, min(heights), max(heights))
+    return replace(case, sha256=case.digest())
+
+
+def _accepted(k: int, wall: Wall, building: Building | None, names) -> Accepted:
+    """Check the parts of a wall above its hinges. Raises InputError. names : of the walls of the case"""
+    found = parts_of(k, wall, building)
     for part in found:
         if part.hinge and part.wall.name in names:
             raise InputError("same_name", key="name", wall=part.wall.name)
@@ -167,11 +198,16 @@ def with_walls(case: Case, walls: list[Wall]) -> Case:
             check_given(part.wall)
             for mechanism in part.wall.mechanisms():
                 part.wall.restitution_of(mechanism)
-    heights = {z for part in found if (z := part.wall.felt_z_m) is not None and part.wall.above_ground}
-    if len(heights) > 1:
-        refuse_modes(case, min(heights), max(heights))
-    digest = hashlib.sha256(json.dumps(case.as_dict(), sort_keys=True).encode()).hexdigest()
-    return replace(case, sha256=digest)
+    heights = (part.wall.felt_z_m for part in found if part.wall.above_ground)
+    above = tuple(part.wall.name for part in found if part.hinge)
+    return Accepted(wall, above, frozenset(z for z in heights if z is not None))
+
+
+def beside_walls(case: Case) -> tuple:
+    """What `check_wall` and the hinges of a wall read of the rest of a case."""
+    demand, analysis = case.demand, case.analysis
+    confidence = demand and (demand.confidence_factor, demand.knowledge_level, demand.investigations)
+    return analysis.method, analysis.accuracy, confidence, case.building
 
 
 def check_wall(case: Case, wall: Wall) -> None:

@@ -1,9 +1,11 @@
 """The case: what the user asks. Keys, ranges, defaults and names in one place, for form and file."""
 
+import hashlib
+import json
 from collections.abc import Iterator, Sequence
-from dataclasses import MISSING, asdict, dataclass, field, fields
+from dataclasses import MISSING, dataclass, field, fields, replace
 
-from core.case.keys import channel_key, choice_key, flag_key, number_key, paragraphs_key, path_key, text_key
+from core.case.keys import channel_key, choice_key, content_of, flag_key, number_key, paragraphs_key, path_key, text_key
 from core.case.place import Site
 from core.case.select import Select
 from core.case.sensitivity import Ranges
@@ -140,10 +142,14 @@ class Case:
 
     def as_dict(self) -> dict:
         """Keys and values as in the file, defaults filled, None where nothing is given."""
-        content = asdict(self)
-        for name in OWN_FIELDS:
-            del content[name]
-        return content
+        return {key: content_of(getattr(self, key)) for key in self.__dataclass_fields__ if key not in OWN_FIELDS}
+
+    def digest(self) -> str:
+        """SHA-256 of `as_dict` as JSON; the text of a wall is made once."""
+        text = json.dumps(replace(self, wall=()).as_dict(), sort_keys=True)
+        walls = ", ".join(wall.as_json for wall in self.wall)
+        # within a text each quotation mark has its backslash: what is replaced is the key
+        return hashlib.sha256(text.replace('"wall": []', f'"wall": [{walls}]').encode()).hexdigest()
 
     def differing(self) -> set[tuple]:
         """Places (section, index, key) whose value differs from the default."""

@@ -1,11 +1,12 @@
 """A wall of the case: its keys, and the wall in SI that they make."""
 
+import json
 import math
 from dataclasses import MISSING, dataclass, replace
 from functools import cached_property
 
 from core.case.back_restraint import EVIDENCE, RESTRAINTS, with_choice
-from core.case.keys import choice_key, flag_key, key, number_key, text_key
+from core.case.keys import choice_key, content_of, flag_key, key, number_key, text_key
 from core.case.loads import Load, ReturnWalls
 from core.case.shape import Shaped
 from core.case.solids import Drawing, Opening, Solid, Step, Wedges
@@ -182,6 +183,11 @@ class Wall(Shaped):
                 self.back_restraint, self.restraint_evidence, self.restraint_note, self.unloaded_confirmed
             ),
         )
+
+    @cached_property
+    def as_json(self) -> str:
+        """Keys and values, for the digest of its case."""
+        return json.dumps(content_of(self), sort_keys=True)
 
     def without_ties(self) -> "Wall":
         """The wall with its other loads alone."""

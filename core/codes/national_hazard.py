@@ -152,32 +152,39 @@ def _by_name() -> dict[str, list[Municipality]]:
 
 def _joined(name: str) -> str:
     """A folded name without spaces: "Laquila" is meant where L'Aquila is."""
-    return folded(name).replace(" ", "")
+    return name.replace(" ", "")
 
 
 @cache
 def _by_letters() -> dict[str, list[Municipality]]:
     found: dict[str, list[Municipality]] = {}
-    for one in municipalities():
-        found.setdefault(_joined(one.name), []).append(one)
+    for name, ones in _by_name().items():
+        found.setdefault(_joined(name), []).extend(ones)
     return found
+
+
+@cache
+def _in_order() -> tuple[tuple[str, str, list[Municipality]], ...]:
+    """(folded name, without spaces, who is called so) by name: names are folded once, not at every key typed."""
+    return tuple((name, _joined(name), ones) for name, ones in sorted(_by_name().items()))
 
 
 def beginning_with(text: str, most: int = 20) -> list[Municipality]:
     """Municipalities whose name begins with a text, then those that hold it."""
-    wanted, joined = folded(text), _joined(text)
-    first, other = [], []
-    for name, ones in sorted(_by_name().items()):
-        if name.startswith(wanted) or _joined(name).startswith(joined):
-            first += ones
-        elif wanted in name:
-            other += ones
-    return [*first, *other][:most] if wanted else []
+    wanted = folded(text)
+    joined = _joined(wanted)
+    if not wanted:
+        return []
+    found = [one for _, letters, ones in _in_order() if letters.startswith(joined) for one in ones]
+    if len(found) < most:
+        within = ((letters, ones) for name, letters, ones in _in_order() if wanted in name)
+        found += [one for letters, ones in within if not letters.startswith(joined) for one in ones]
+    return found[:most]
 
 
 def municipality(name: str, province: str = "") -> Municipality:
     """The one of a name, and of a province where it is not unique. Raises InputError."""
-    found = _by_name().get(folded(name)) or _by_letters().get(_joined(name), [])
+    found = _by_name().get(folded(name)) or _by_letters().get(_joined(folded(name)), [])
     letters = province.strip().upper()
     kept = [one for one in found if not letters or letters in (one.province, one.province_name.upper())]
     if len(kept) == 1:

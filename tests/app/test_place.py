@@ -27,7 +27,7 @@ def test_that_a_municipality_gives_the_demand_and_hides_what_follows(placed):
     assert "26305" in form.words.text() and "SLC" in form.states.text()
     window.demand.kind.setCurrentIndex(window.demand.kind.findData("EN1998"))
     window.session.edit_section("demand", spectrum=Spectrum("EN1998", "B", type=1), soil_factor=None)
-    assert len(window.demand.curve.others) == 6
+    assert len(window.demand.curve.others) == 3
     window.session.edit_section("demand", limit_state="SLC")
     assert round(window.session.case.demand.ag_g, 3) == 0.334
     form.given.setChecked(False)

@@ -1,0 +1,49 @@
+"""A case that is edited, judged as the batch would read it: what has not changed since is neither read nor checked
+again."""
+
+from dataclasses import replace
+
+from core.case.rules import Accepted, beside_walls, parse_case, parse_sections, parsed_wall, with_walls
+from core.case.schema import Case
+from core.case.wall import Wall
+from core.case.writer import table_of
+
+MOST = 1000
+"""Walls kept beside those of the case while it cannot be accepted."""
+
+
+class Judge:
+    """`parse_case(table_of(case))` of one case after another that have most of their walls in common: an edit keeps
+    those it does not change, as the same objects.
+
+    read : `id` of a wall of the case -> that wall, the one that is read of it, the keys that are given
+    accepted : as of `with_walls`, checked beside `rest`
+    """
+
+    def __init__(self):
+        self.read: dict[int, tuple[Wall, Wall, tuple[str, ...]]] = {}
+        self.accepted: dict[int, Accepted] = {}
+        self.rest: tuple = ()
+
+    def __call__(self, case: Case) -> Case:
+        """The case as the batch would read it. Raises InputError."""
+        if case.walls is not None:
+            return parse_case(table_of(case))
+        found = parse_sections(table_of(replace(case, wall=())))
+        rows = [self._row(wall, k) for k, wall in enumerate(case.wall)]
+        rest = beside_walls(found)
+        if rest != self.rest or len(self.read) > 2 * len(rows) + MOST:
+            self.rest, self.accepted, self.read = rest, {}, {id(row[0]): row for row in rows}
+        given = {("wall", k, key) for k, (_, _, keys) in enumerate(rows) for key in keys}
+        walls = [wall for _, wall, _ in rows]
+        found = with_walls(replace(found, given=found.given | given), walls, self.accepted)
+        self.read = {id(row[0]): row for row in rows}
+        self.accepted = {id(wall): self.accepted[id(wall)] for wall in walls}
+        return found
+
+    def _row(self, wall: Wall, k: int) -> tuple[Wall, Wall, tuple[str, ...]]:
+        """Read a wall that is not known yet. Raises InputError."""
+        if id(wall) not in self.read:
+            entry = table_of(Case(wall=(wall,)))["wall"][0]
+            self.read[id(wall)] = (wall, parsed_wall(entry, k), tuple(entry))
+        return self.read[id(wall)]
