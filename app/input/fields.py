@@ -3,6 +3,7 @@ unit."""
 
 import re
 from collections.abc import Callable, Sequence
+from functools import cached_property
 from typing import Any, TypeVar
 
 from PySide6.QtCore import Qt, QTimer, Signal
@@ -83,16 +84,21 @@ class Field(QWidget):
         self.editor.setToolTip(plain(tip))
         self.setToolTip(plain(tip))
         self.caption.setBuddy(self.editor)
-        self.message = Plain()
-        self.message.setWordWrap(True)
-        self.message.hide()
         grid.addWidget(self.caption, 0, 0)
         grid.addWidget(self.editor, 0, 1)
         if self.unit:
             grid.addWidget(Plain(self.unit), 0, 2)
-        grid.addWidget(self.message, 1, 0, 1, 3)
         grid.setColumnStretch(1, 1)
         self.setFocusProxy(self.editor)
+
+    @cached_property
+    def message(self) -> Plain:
+        """The line below the field, made with the first words that stand there."""
+        made = Plain()
+        made.setWordWrap(True)
+        made.hide()
+        self.grid.addWidget(made, 1, 0, 1, 3)
+        return made
 
     def text_of(self, part: str) -> str:
         """Its caption or its tip, see `of_key`."""

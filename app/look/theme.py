@@ -81,7 +81,8 @@ def set_theme(name: str) -> None:
     """Give the application the palette of "light" or "dark"; widgets made from now on use it."""
     global current
     current = THEMES[name]
-    application().setStyle("Fusion")
+    if application().style().name() != "fusion":
+        application().setStyle("Fusion")
     palette = QPalette()
     shades = {
         QPalette.ColorRole.Window: current.window,

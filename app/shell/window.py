@@ -25,6 +25,7 @@ from app.work.preparation import Preparation
 from app.work.runner import Runner
 from app.work.session import Session
 from app.work.worker import Collector
+from core.case.schema import Case
 from core.study.results import StudyResult
 from core.text.sentence import LANGUAGES
 from core.text.start import system_language
@@ -55,6 +56,7 @@ class MainWindow(QMainWindow):
         self.parts = Parts(self)
         self.focus_frame = FocusFrame(self)
         self.closing = False
+        self.autosaved: Case | None = None
         self.actions_with_keys: list[QAction] = []
         self.runner = Runner(self.session, self)
         self._follow_runner()
@@ -65,7 +67,7 @@ class MainWindow(QMainWindow):
         else:
             self._first_size()
         self.timer = QTimer(self)
-        self.timer.timeout.connect(self.session.autosave)
+        self.timer.timeout.connect(self._autosave)
         self.timer.start(AUTOSAVE_MS)
 
     # building
@@ -173,12 +175,13 @@ class MainWindow(QMainWindow):
         shown = {theme.current.name} if setting == "theme" else {language.current_language(), self.language}
         if shown == {name}:
             return
+        page, stage, shown, row = self.navigator.page, self.stages.front, self.navigator.shown, self.walls.row
+        chosen, refused = self.tree.current, RefusedTexts(self)
+        stages.remove(self)  # before: what goes is not to be painted in another theme first
         if setting == "theme":
             theme.set_theme(name)
         else:
             language.set_language(name)
-        page, stage, shown, row = self.navigator.page, self.stages.front, self.navigator.shown, self.walls.row
-        chosen, refused = self.tree.current, RefusedTexts(self)
         self.build()
         self.walls.row = row
         self.navigator.take(self.session.result)
@@ -367,6 +370,11 @@ class MainWindow(QMainWindow):
     def dropEvent(self, event) -> None:
         self.navigator.show_input("records")
         self.records.dropEvent(event)
+
+    def _autosave(self) -> None:
+        """Of 200 walls it takes a tenth of a second: not for what is kept already."""
+        if self.session.case is not self.autosaved and self.session.autosave():
+            self.autosaved = self.session.case
 
     def start_afresh(self) -> None:
         """Another case is open: nothing of the last one stays."""

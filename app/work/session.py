@@ -359,16 +359,18 @@ class Session:
             weakref.finalize(self, self._lock_file.close)
             lock(self._lock_file)
 
-    def autosave(self) -> None:
-        """Keep the unsaved case in the recovery file; a full disk must not disturb the work, and what could not be
-        recovered takes the place of nothing."""
+    def autosave(self) -> bool:
+        """Keep the unsaved case in the recovery file, and return whether it is kept; a full disk must not disturb the
+        work, and what could not be recovered takes the place of nothing."""
         if not self.dirty:
             self.drop_recovery_file()
-            return
+            return False
         with contextlib.suppress(OSError, InputError):
             text = self._text(self.case)[0]
             self._hold()
             recovery.keep(self.recovery_file, text, self.path, self.base_dir)
+            return True
+        return False
 
     def drop_recovery_file(self) -> None:
         recovery.drop(self.recovery_file)
