@@ -41,7 +41,7 @@ class PlaceForm(QWidget):
         self.coordinates.edited.connect(self._pointed)
         self.fields = [make_field(Site, key) for key in ("nominal_life_years", "use_class")]
         connect(self.fields, self._changed)
-        self.words, self.states = Plain(), Rich()
+        self.words, self.states, self.letters = Plain(), Rich(), 0
         self.words.setWordWrap(True)
         self.states.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.map = PlaceMap()
@@ -114,10 +114,11 @@ class PlaceForm(QWidget):
         self._show_states(f"<table><tr>{heads}</tr>{body}</table>")
 
     def _show_states(self, text: str) -> None:
-        """A label of one size moves nothing else in the form when its numbers change; to measure a table takes long."""
-        longer = len(text) != len(self.states.text())
+        """A label of one size moves nothing else in the form when its numbers change or are not known; to measure a
+        table takes long."""
         self.states.setText(text)
-        if longer:
+        if text and len(text) != self.letters:
+            self.letters = len(text)
             self.states.setFixedSize(self.states.sizeHint())
 
     def forget(self) -> None:

@@ -11,7 +11,8 @@
     python3 run.py bench --memory                           # peak memory and time of large work
     python3 run.py bench --memory --walls N                 # the same of so many walls, as a Parquet file
     python3 run.py bench --scale [--walls N] [--output DIR] # cost of a wall up to so many, see cost_per_wall.py
-    python3 run.py bench --window                           # start of the window, redraws, event loop
+    python3 run.py bench --window                           # start of the window, redraws, event loop, keys
+    python3 run.py bench --window --against OTHER_TREE [--pairs N] # the starts of two trees in turn
     python3 run.py bench --screenshots [--output DIR]       # every tab, both themes and languages
     python3 run.py bench --screenshots --guide [--output DIR] # the pictures of the guides
     python3 run.py bench --records                          # a million samples read, 200 files previewed
@@ -65,7 +66,7 @@ BENCHMARKS = {
 
 
 def options_of(words: list[str]) -> argparse.Namespace:
-    """The words of the command: small, pairs, output, guide, and those of BENCHMARKS, of which one is given or none."""
+    """The words of the command: small, pairs, output, guide, against, and those of BENCHMARKS, one or none of them."""
     parser = argparse.ArgumentParser(prog="run.py bench")
     asked = parser.add_mutually_exclusive_group()
     for word in BENCHMARKS:
@@ -80,6 +81,7 @@ def options_of(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--pairs", type=int, help="25 of --paired, else 7")
     parser.add_argument("--cases", type=int, default=1000)
     parser.add_argument("--walls", type=int)
+    parser.add_argument("--against", type=Path, metavar="OTHER_TREE")
     parser.add_argument("--guide", action="store_true")
     parser.add_argument("--explain", action="store_true")
     parser.add_argument("--tangent", action="store_true")

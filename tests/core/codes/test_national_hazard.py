@@ -186,3 +186,15 @@ def test_that_the_hazard_of_an_island_ends_with_its_waters(point):
     with pytest.raises(InputError) as refused:
         hazard_at(*point)
     assert refused.value.code == "outside_the_grid"
+
+
+def test_that_names_are_folded_once_and_what_is_typed_at_each_key(monkeypatch):
+    from core.codes import national_hazard
+
+    beginning_with("a")
+    seen = []
+    fold = national_hazard.folded
+    monkeypatch.setattr(national_hazard, "folded", lambda name: seen.append(name) or fold(name))
+    for typed in ("L'", "L'A", "LAquila", "aquila"):
+        assert "L'Aquila" in [one.name for one in beginning_with(typed, 2000)]
+    assert seen == ["L'", "L'A", "LAquila", "aquila"]
