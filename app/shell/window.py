@@ -33,6 +33,9 @@ from core.version import NAME
 
 AUTOSAVE_MS = 4000
 
+FEW, BETWEEN_FINISHED = 20, 250
+"""Least time between two tables of more finished walls than these [ms]: of 200 each takes 50 ms."""
+
 FIRST_SIZE, FRAME = QSize(1280, 800), QSize(8, 40)
 """Size of the window at first, and of what the desktop puts around it [px]."""
 
@@ -66,6 +69,8 @@ class MainWindow(QMainWindow):
             self.restoreGeometry(geometry)
         else:
             self._first_size()
+        self.finished_timer = QTimer(self, singleShot=True)
+        self.finished_timer.timeout.connect(self._show_finished)
         self.timer = QTimer(self)
         self.timer.timeout.connect(self._autosave)
         self.timer.start(AUTOSAVE_MS)
@@ -257,8 +262,16 @@ class MainWindow(QMainWindow):
         bar.setFormat(words.replace("%", "%%"))
 
     def _found(self) -> None:
-        self.navigator.show_finished()
-        self._show_tree()
+        """Another wall is finished: of many, those that come within a moment are shown together."""
+        if len(self.runner.finished_walls) <= FEW:
+            self._show_finished()
+        elif not self.finished_timer.isActive():
+            self.finished_timer.start(BETWEEN_FINISHED)
+
+    def _show_finished(self) -> None:
+        if self.runner.job is not None and self.runner.finished_walls:
+            self.navigator.show_finished()
+            self._show_tree()
 
     def _arrived(self, result: StudyResult) -> None:
         self.navigator.take(result)

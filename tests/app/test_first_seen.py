@@ -89,3 +89,19 @@ def test_that_what_is_kept_for_a_crash_is_kept_once(opened, monkeypatch):
     opened.timer.timeout.emit()
     opened.timer.timeout.emit()
     assert kept == [True, True, False, False]
+
+
+def test_that_of_many_finished_walls_those_of_a_moment_are_shown_together(opened, monkeypatch):
+    shown = []
+    with monkeypatch.context() as patch:
+        patch.setattr(opened.navigator, "show_finished", lambda: shown.append(len(opened.runner.finished_walls)))
+        patch.setattr(opened, "_show_tree", lambda: None)
+        patch.setattr(opened.runner, "job", object())
+        patch.setattr(opened.runner, "finished_walls", [])
+        for _ in range(60):
+            opened.runner.finished_walls.append(object())
+            opened.runner.found.emit()
+        assert shown == list(range(1, 21)) and opened.finished_timer.isActive()
+        opened.finished_timer.timeout.emit()
+        assert shown[20:] == [60]
+        opened.finished_timer.stop()
