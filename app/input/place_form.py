@@ -4,14 +4,14 @@ from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGroupBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QGroupBox, QVBoxLayout, QWidget
 
 from app.input.fields import connect
 from app.input.made_fields import make_field
 from app.input.place_fields import CoordinatesField, MunicipalityField
 from app.input.place_map import PlaceMap
 from app.look import theme
-from app.look.labels import Plain, Rich
+from app.look.labels import Plain
 from app.look.language import described, number, tr
 from app.work.draft import TO_BE_GIVEN
 from app.work.placed_demand import restored
@@ -23,6 +23,36 @@ from core.errors import InputError
 
 ELSEWHERE: dict[str, Any] = {"site": "", "coordinates": "", "return_period_years": None, "hazard_file": None}
 """Keys of a demand that a place takes the place of."""
+
+
+class States(QWidget):
+    """The hazard at each limit state, a label for each column: a table of HTML takes ten times as long to be laid out.
+    A label of one size moves nothing else in the form when its numbers change or are not known."""
+
+    HEADS = ("", "T_R", "a_g [g]", "F_0", "T_C*")
+
+    def __init__(self):
+        super().__init__()
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(12)
+        self.columns = [(Plain(), Plain()) for _ in self.HEADS]
+        for k, labels in enumerate(self.columns):
+            for row, label in enumerate(labels):
+                label.setAlignment(Qt.AlignmentFlag.AlignRight)
+                label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+                grid.addWidget(label, row, k, Qt.AlignmentFlag.AlignRight)
+            labels[0].setStyleSheet("font-weight: 600;")
+        grid.setColumnStretch(len(self.HEADS), 1)
+
+    def show_rows(self, rows: list[list[str]]) -> None:
+        """Words of each state, none where they are not known."""
+        for k, (head, body) in enumerate(zip(self.HEADS, self.columns, strict=True)):
+            for label, text in zip(body, (head if rows else "", "\n".join(row[k] for row in rows)), strict=True):
+                longest = max(map(len, label.text().split("\n")))
+                label.setText(text)
+                if rows and max(map(len, text.split("\n"))) > longest:
+                    label.setFixedSize(label.sizeHint().expandedTo(label.minimumSize()))
 
 
 class PlaceForm(QWidget):
@@ -41,9 +71,8 @@ class PlaceForm(QWidget):
         self.coordinates.edited.connect(self._pointed)
         self.fields = [make_field(Site, key) for key in ("nominal_life_years", "use_class")]
         connect(self.fields, self._changed)
-        self.words, self.states, self.letters = Plain(), Rich(), 0
+        self.words, self.states = Plain(), States()
         self.words.setWordWrap(True)
-        self.states.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.map = PlaceMap()
         self.map.chosen.connect(lambda *at: self._edit(("site", "point"), latitude=at[0], longitude=at[1]))
         inside = QVBoxLayout(self.given)
@@ -73,7 +102,7 @@ class PlaceForm(QWidget):
                 field.forget()
                 field.show_value(None)
             self.words.clear()
-            self._show_states("")
+            self.states.show_rows([])
             self.map.show_point(None)
             return
         for field in self.fields:
@@ -89,7 +118,7 @@ class PlaceForm(QWidget):
             hazard = site.hazard
         except (InputError, TypeError) as error:
             self.words.setText(described(error) if isinstance(error, InputError) else "")
-            self._show_states("")
+            self.states.show_rows([])
             self.map.show_point(None)
             return
         self.map.show_point((hazard.latitude, hazard.longitude))
@@ -104,22 +133,11 @@ class PlaceForm(QWidget):
             try:
                 years = site.return_period(state)
             except TypeError:  # V_N is still to be given
-                self._show_states("")
+                self.states.show_rows([])
                 return
             values = zip(hazard.at(years), (".3f", ".3f", ".3f"), strict=True)
-            cells = [state, number(years, ".0f"), *(number(value, form) for value, form in values)]
-            rows.append("".join(f"<td align='right'>{cell}&nbsp;&nbsp;</td>" for cell in cells))
-        heads = "".join(f"<th align='right'>{head}&nbsp;&nbsp;</th>" for head in ("", "T_R", "a_g [g]", "F_0", "T_C*"))
-        body = "".join(f"<tr>{row}</tr>" for row in rows)
-        self._show_states(f"<table><tr>{heads}</tr>{body}</table>")
-
-    def _show_states(self, text: str) -> None:
-        """A label of one size moves nothing else in the form when its numbers change or are not known; to measure a
-        table takes long."""
-        self.states.setText(text)
-        if text and len(text) != self.letters:
-            self.letters = len(text)
-            self.states.setFixedSize(self.states.sizeHint())
+            rows.append([state, number(years, ".0f"), *(number(value, form) for value, form in values)])
+        self.states.show_rows(rows)
 
     def forget(self) -> None:
         """Another case: nothing of the last one comes back in this."""

@@ -24,7 +24,7 @@ def test_that_a_municipality_gives_the_demand_and_hides_what_follows(placed):
     demand = window.session.case.demand
     assert round(demand.ag_g, 3) == 0.261 and window.session.checked() is not None
     assert window.demand.fields["ag_g"].isHidden() and window.demand.hazard.isHidden()
-    assert "26305" in form.words.text() and "SLC" in form.states.text()
+    assert "26305" in form.words.text() and "SLC" in form.states.columns[0][1].text()
     window.demand.kind.setCurrentIndex(window.demand.kind.findData("EN1998"))
     window.session.edit_section("demand", spectrum=Spectrum("EN1998", "B", type=1), soil_factor=None)
     assert len(window.demand.curve.others) == 3
