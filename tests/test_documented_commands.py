@@ -123,7 +123,7 @@ def small_words(words: tuple[str, ...], folder: Path) -> list[str]:
         case ("package", *_):
             return ["package", "--help"]
         case ("bench", *rest):
-            named = {"--paired": [str(ROOT)], "--natural": [str(folder / "list.toml")]}
+            named = {"--paired": [str(ROOT)], "--against": [str(ROOT)], "--natural": [str(folder / "list.toml")]}
             named["--ties"] = [str(folder / "ties.toml")] if "LIST.toml" in rest else []
             named["--walls"] = ["12"]
             flags = [word for word in rest if word[:2] == "--" and word not in ("--pairs", "--cases", "--output")]

@@ -100,6 +100,8 @@ class Gaps:
     def __init__(self):
         from PySide6.QtCore import QTimer
 
+        self.gaps: list[tuple[float, float]] = []
+        self.last = (0.0, 0.0)
         self.timer = QTimer()
         self.timer.timeout.connect(self._beat)
 
@@ -110,7 +112,7 @@ class Gaps:
         self.last = now
 
     def begin(self) -> None:
-        self.gaps: list[tuple[float, float]] = []
+        self.gaps = []
         self.last = time.perf_counter(), time.thread_time()
         self.timer.start(5)
 
@@ -303,7 +305,11 @@ def print_walls(application, window, count: int, keys: int) -> None:
 def main(options: argparse.Namespace) -> None:
     """Print the figures."""
     if options.against is not None:
-        start_against(options.against.resolve(), dict(os.environ, QT_QPA_PLATFORM="offscreen"), options.pairs)
+        start_against(
+            options.against.resolve(),
+            dict(os.environ, QT_QPA_PLATFORM="offscreen"),
+            1 if options.small else options.pairs,
+        )
         return
     times_started = 1 if options.small else 6
     if not options.small:
