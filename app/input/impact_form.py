@@ -5,7 +5,7 @@ from collections.abc import Callable
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from app.input.editors import Choice
 from app.input.fields import ChoiceField, NumberField, blank
@@ -15,6 +15,7 @@ from app.look.language import current_language, described, named, number, tr
 from app.work.session import Session
 from core.case.wall import Wall
 from core.errors import InputError
+from core.known import known
 from core.text.sentence import numeral
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
@@ -22,6 +23,10 @@ from core.wall.restitution import MODELS, Contact, impact_ratio
 
 if TYPE_CHECKING:
     from app.input.law_curve import LawCurve
+
+
+HEIGHT = 120
+"""Of the curve of the law [px]."""
 
 
 def captions() -> dict:
@@ -123,13 +128,18 @@ class ImpactForm(WallEditor):
         self.formula.setWordWrap(True)
         for widget in (self.model, self.velocity_ratio, self.formula):
             column.addWidget(widget)
-        row = self.row = QHBoxLayout()
+        row = QHBoxLayout()
         ends = QVBoxLayout()
         ends.addWidget(self.law)
         ends.addWidget(self.first)
         ends.addWidget(self.last)
         ends.addStretch(1)
         row.addLayout(ends, 1)
+        self.room = QWidget()  # of one size, with a curve or without: what is shown moves nothing
+        self.room.setFixedHeight(HEIGHT)
+        inside = QVBoxLayout(self.room)
+        inside.setContentsMargins(0, 0, 0, 0)
+        row.addWidget(self.room, 1)
         column.addLayout(row)
 
     def show_case(self) -> None:
@@ -174,7 +184,7 @@ class ImpactForm(WallEditor):
         from app.input.law_curve import LawCurve
 
         made = LawCurve()
-        self.row.addWidget(made, 1)
+        known(self.room.layout()).addWidget(made)
         made.show_wall(self.wall)
         return made
 
