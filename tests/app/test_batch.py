@@ -160,8 +160,9 @@ def test_that_a_run_without_number_is_code_3_and_named(case, capsys):
     ],
 )
 def test_that_wrong_input_is_one_line_and_code_1_and_old_results_stay(case, capsys, change, words):
-    for name in ("case.xlsx", "case.json"):
-        (case.parent / name).write_text("old")
+    old = {"case.xlsx": "old", "case.json": '{\n "program": "old"'}
+    for name, text in old.items():
+        (case.parent / name).write_text(text)
     case.write_text(CASE.replace(*change))
     assert call("--batch", case) == 1
     shown = capsys.readouterr()
@@ -169,8 +170,7 @@ def test_that_wrong_input_is_one_line_and_code_1_and_old_results_stay(case, caps
     assert shown.err.count("\n") == 1 and shown.err.startswith("error: ")
     for word in words:
         assert word in shown.err
-    assert (case.parent / "case.xlsx").read_text() == "old"
-    assert (case.parent / "case.json").read_text() == "old"
+    assert all((case.parent / name).read_text() == text for name, text in old.items())
     assert not (case.parent / "case.journal").exists()
 
 
