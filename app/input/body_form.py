@@ -5,9 +5,8 @@ from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QPushButton, QToolButton, QVBoxLayout, QWidget
 
-from app.input.drawing_dialog import drawing_button
 from app.input.editors import Line
 from app.input.entries_form import EntriesForm
 from app.input.fields import Field, blank, connect
@@ -27,6 +26,22 @@ from core.units import CM
 
 SIZES = ("width_m", "height_m", "diameter_m")
 """What an opening is given by."""
+
+
+def drawing_button(session: Session, index: Callable[[], int]) -> QToolButton:
+    """The button that takes the solids of a wall from a drawing."""
+    button = QToolButton()
+    button.setText(tr("From a drawing…"))
+    button.setAccessibleName(tr("From a drawing…"))
+    button.setToolTip(tr("Closed shapes of a DXF file become the solids of this wall"))
+
+    def ask() -> None:
+        from app.input.drawing_dialog import take_from_drawing
+
+        take_from_drawing(session, index, button)
+
+    button.clicked.connect(ask)
+    return button
 
 
 def _m(value) -> str:

@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QListWidget,
     QPushButton,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -320,27 +319,18 @@ class DrawingDialog(QDialog):
         )
 
 
-def drawing_button(session: Session, index: Callable[[], int]) -> QToolButton:
-    """The button of a wall's form that takes its solids from a drawing."""
-    button = QToolButton()
-    button.setText(tr("From a drawing…"))
-    button.setAccessibleName(tr("From a drawing…"))
-    button.setToolTip(tr("Closed shapes of a DXF file become the solids of this wall"))
-
-    def ask() -> None:
-        walls = session.case.wall
-        name, _ = QFileDialog.getOpenFileName(
-            button, tr("Take a wall from a drawing"), str(session.base_dir), "DXF (*.dxf)"
-        )
-        if not name or not walls:
-            return
-        row, wall = index(), walls[index()]
-        with once(DrawingDialog(Path(name), wall, button)) as dialog:
-            accepted = dialog.exec() == QDialog.DialogCode.Accepted
-            made = dialog.made if accepted else None
-        if made is not None:
-            values = {entry.name: getattr(made, entry.name) for entry in fields(Wall)}
-            session.edit_wall(row, **{key: value for key, value in values.items() if value != getattr(wall, key)})
-
-    button.clicked.connect(ask)
-    return button
+def take_from_drawing(session: Session, index: Callable[[], int], parent: QWidget) -> None:
+    """Ask for a drawing, and for what of it are the solids of a wall of the form."""
+    walls = session.case.wall
+    name, _ = QFileDialog.getOpenFileName(
+        parent, tr("Take a wall from a drawing"), str(session.base_dir), "DXF (*.dxf)"
+    )
+    if not name or not walls:
+        return
+    row, wall = index(), walls[index()]
+    with once(DrawingDialog(Path(name), wall, parent)) as dialog:
+        accepted = dialog.exec() == QDialog.DialogCode.Accepted
+        made = dialog.made if accepted else None
+    if made is not None:
+        values = {entry.name: getattr(made, entry.name) for entry in fields(Wall)}
+        session.edit_wall(row, **{key: value for key, value in values.items() if value != getattr(wall, key)})

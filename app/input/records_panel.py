@@ -121,7 +121,11 @@ class RecordsPanel(QWidget):
         key = (case.record, case.generate, case.select, walls, demand, self.session.base_dir)
         if key == self.key:
             return
+        nothing = not (case.record or case.generate or case.select) and self.key is None and not self.rows
         self.key = key
+        if nothing:  # of a window that begins: there is nothing to read
+            self.session.samples = set()
+            return
         self.pending = True  # the rows are of the records before
         self.session.samples = None
         base = self.session.base_dir

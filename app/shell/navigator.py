@@ -15,7 +15,6 @@ from app.shell.pointing import point_at_key
 from app.shell.stages import ANSWER, WHY, Stages, stage_of
 from app.shell.tree import ProjectTree, Row, hinge_text
 from app.views.result_tab import ResultTab
-from app.views.walls_tab import WallsTab
 from app.work.runner import Runner
 from app.work.session import Session
 from core.capacity.accuracy import Accuracy
@@ -329,6 +328,8 @@ class Navigator(QObject):
 
     def show_finished(self) -> None:
         """The verdicts that are there while others run."""
+        from app.views.walls_tab import WallsTab
+
         self._tab("walls", WallsTab).show_running(self.runner.finished_walls, self.runner.zetas_so_far())
         self.fresh.discard(self.pages["walls"])
         self.cover_pages()
@@ -358,7 +359,6 @@ class Navigator(QObject):
         if result is None:
             self.shown = -1
             self._empty_pages()
-            self.pages["walls"].content  # noqa: B018  (it says what to do)
         else:
             results = self.results_of().get(self.walls.current, [])
             if self.shown not in results:

@@ -92,7 +92,6 @@ class MainWindow(QMainWindow):
         self.navigator.staged.connect(self._show_problem)
         self.navigator.moved.connect(self.refresh)
         self.navigator.run_asked.connect(self.run)
-        self.pages["walls"].content  # noqa: B018  (the first page is there at once)
         self.actions_of = menus.build(self)
         self.run_action = self.actions_of.run
         self.word = stages.build_status(self)

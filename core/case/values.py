@@ -38,7 +38,7 @@ def check_value(cls, key: str, value):
 
 
 def field_of(cls, key: str):
-    return next(entry for entry in fields(cls) if entry.name == key)
+    return cls.__dataclass_fields__[key]
 
 
 def refuse_unknown(cls, table: dict, here) -> None:

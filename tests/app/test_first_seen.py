@@ -31,11 +31,11 @@ window.close()
 """
 
 
-def test_that_the_first_show_makes_one_page_and_imports_no_charts_no_readers_and_no_note(tmp_path):
+def test_that_the_first_show_makes_no_page_and_imports_no_charts_no_readers_and_no_note(tmp_path):
     pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
     variables = dict(os.environ, PYTHONPATH=str(ROOT), QT_QPA_PLATFORM="offscreen", XDG_DATA_HOME=str(tmp_path))
     found = subprocess.run([sys.executable, "-P", "-c", START], capture_output=True, text=True, env=variables)
-    assert found.stdout.splitlines() == ["walls", ""], found.stderr
+    assert found.stdout.splitlines() == ["", ""], found.stderr
 
 
 def test_that_a_spectrum_that_is_not_seen_is_drawn_when_it_is_looked_at_again(opened):

@@ -65,12 +65,16 @@ def start_times(place: str, variables: dict[str, str], times_started: int) -> No
 
 def start_against(tree: Path, variables: dict[str, str], pairs: int) -> None:
     """The processor time of the starts of two trees, in turn."""
-    times = [(started(variables), started(variables, tree)) for _ in range(pairs + 1)][1:]
+    times = []
+    for k in range(pairs + 1):  # the first pair apart
+        found = {one: started(variables, one) for one in ((ROOT, tree) if k % 2 else (tree, ROOT))}
+        times += [(found[ROOT], found[tree])] if k else []
     for words, k in (("to the first show", 1), ("to the example", 3)):
         here, there = ([pair[n][k] for pair in times] for n in (0, 1))
         ratios = sorted(a / b for a, b in zip(here, there, strict=True))
         print(
-            f"processor {words}: {statistics.median(here):.3f} s, {tree.name} {statistics.median(there):.3f} s, "
+            f"processor {words}: median {statistics.median(here):.3f} s, least {min(here):.3f} s, "
+            f"{tree.name} {statistics.median(there):.3f} s and {min(there):.3f} s, "
             f"ratio {statistics.median(ratios):.3f} ({ratios[0]:.3f} to {ratios[-1]:.3f}, {pairs} pairs)"
         )
 
