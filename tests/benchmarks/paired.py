@@ -100,6 +100,16 @@ def calls(small: bool) -> dict[str, Callable[[], None]]:
         found[f"lanes, {name}"] = lanes
         found[f"search, {name}"] = partial(searched, model)
         found[f"history, {name}"] = partial(moved, model)
+    with contextlib.suppress(ImportError, TypeError):  # trees before bodies of unlike hinges
+        from core.wall.rocking_model import OtherSide
+
+        unlike = RockingModel(alpha, 2.0866, 0.0, 0.979, 0.0, 0.0, 0.0, other=OtherSide.of(0.8 * alpha, 2.3, 0.985))
+
+        def of_unlike_hinges():
+            scan(taylor, ground, TIME_STEP, scales, unlike, outcomes, peaks)
+            assert (peaks > 0.0).all(), "lanes at rest"
+
+        found["lanes, unlike hinges"] = of_unlike_hinges
     # steps that are taken in parts: 0.05 s under a wall of 1 m, and a stiff elastic branch
     for name, dt, model in (
         ("long steps", 0.05, RockingModel(alpha, 14.6, 0.0, 0.979, 0.0, 0.0, 0.0)),
