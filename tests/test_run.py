@@ -260,7 +260,7 @@ def test_that_a_damaged_wheel_is_one_sentence_and_leaves_nothing(run, wheel, cap
                 shutil.rmtree(os.path.join(run.site_packages(), name))
         else:
             said = capsys.readouterr().err
-            assert said.count("\n") == 1 and "is not used (" in said and "()" not in said
+            assert said.count("\n") == 1 and "is not used (" in said and "used ()" not in said
             refused += 1
         assert contents(run.ENVIRONMENT) == before
     assert refused > len(flipped) / 2
