@@ -350,7 +350,7 @@ def take_kernels():
             unpack_kernels(archive, about)
     except (OSError, ValueError, RuntimeError, EOFError, zipfile.BadZipFile, zlib.error, Failure) as error:
         text = "{file} is not used ({reason}): the solver is compiled at its first run"
-        say(phrase(text, file=wheel, reason=error))
+        say(phrase(text, file=wheel, reason=str(error) or phrase("damaged")))
 
 
 def wheel_of_kernels():
