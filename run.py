@@ -387,6 +387,8 @@ def unpack_kernels(archive, about):
             os.makedirs(os.path.dirname(path), exist_ok=True)
             with open(path, "wb") as stream:
                 stream.write(archive.read(member))
+        if set(os.listdir(place)) != {KERNELS, about}:
+            raise ValueError
         for folder, _, files in os.walk(place):
             for path in [folder, *(os.path.join(folder, name) for name in files)]:
                 os.chmod(path, os.stat(path).st_mode & ~0o022)
