@@ -35,6 +35,8 @@ def row_of(result: StudyResult, wall: WallResult, walls: tuple[Wall, ...]) -> in
     """Row of the wall, among those of a case that may have changed since, that a wall of a result is of or is a part
     of: the one that was analysed, else the one in its place; None where that is another one."""
     asked, k = wall.part.asked, wall.part.origin
+    if k < len(walls) and walls[k] == asked:  # nearly always: to search each of 200 takes a tenth of a second
+        return k
     if asked in walls:
         return walls.index(asked)
     return k if k < len(walls) and walls[k] not in result.case.wall else None

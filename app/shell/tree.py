@@ -114,16 +114,13 @@ def rows_of(state: State) -> list[Row]:
 
 def _walls(state: State, broken: set[int | None]) -> Iterable[Row]:
     walls = state.case.wall
-    names = [wall.name for wall in walls]
-    seen = set()
-    for first, name in enumerate(names):
-        if name in seen:
-            continue
-        seen.add(name)
-        alike = [k for k, one in enumerate(names) if one == name]
+    of_name: dict[str, list[int]] = {}
+    for k, wall in enumerate(walls):
+        of_name.setdefault(wall.name, []).append(k)
+    for name, alike in of_name.items():
         if len(alike) == 1:
-            yield _wall(state, first, name, 1, broken)
-            yield from _hinges(state, first, 2)
+            yield _wall(state, alike[0], name, 1, broken)
+            yield from _hinges(state, alike[0], 2)
             continue
         known = [(_zeta(state, k), k) for k in alike]
         worst = min(known, key=lambda one: (one[0] is None, one[0] or 0.0))[1]
@@ -307,11 +304,12 @@ class ProjectTree(QFrame):
         if rows == self.rows:
             return
         alike = [(row.depth, row.key) for row in rows] == [(row.depth, row.key) for row in self.rows]
-        before, self.rows = self.current, rows
+        before, old, self.rows = self.current, self.rows, rows
         self.filling = True
         if alike:
-            for item, row in zip(self._items(), rows, strict=True):
-                self._fill(item, row)
+            for item, row, shown in zip(self._items(), rows, old, strict=True):
+                if row != shown:
+                    self._fill(item, row)
         else:
             opened = {item.data(0, Qt.ItemDataRole.UserRole).key for item in self._items() if item.isExpanded()}
             self.tree.clear()
