@@ -58,7 +58,8 @@ def test_that_a_restitution_formula_shown_gives_the_value_beside_it(opened, monk
         wall = replace(plain, mechanism="one_sided", restitution=model, **shape)
         opened.session.case = replace(opened.session.case, wall=(wall,))
         opened.walls.impact.show_case()
-        line = opened.walls.impact.formula.text().splitlines()[0].replace(",", ".")
+        line = opened.walls.impact.formula.text().splitlines()[0]
+        line = re.sub(r"(?<=\d),(?=\d)", ".", line).replace(";", ",")
         degrees = re.search(r"α = ([\d.]+)°|$", line).group(1)
         expression, value = re.search(r"e = (.*) \(Eq.*= ([\d.]+)$", line).groups()
         # the formula as one reads it, in the notation of Python
