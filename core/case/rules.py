@@ -168,10 +168,11 @@ def with_walls(case: Case, walls: list[Wall], accepted: dict[int, Accepted] | No
     accepted = {} if accepted is None else accepted
     if not walls:
         raise InputError("no_wall", section=Key("[[wall]]"))
-    names = {}
+    names = set[str]()
     for wall in walls:
-        if names.setdefault(wall.title, wall) is not wall:
+        if wall.title in names:
             raise InputError("same_name", key="name", wall=wall.title)
+        names.add(wall.title)
         if id(wall) not in accepted:
             check_wall(case, wall)
     case = replace(case, wall=tuple(walls), walls=None)
@@ -187,7 +188,7 @@ def with_walls(case: Case, walls: list[Wall], accepted: dict[int, Accepted] | No
     return replace(case, sha256=case.digest())
 
 
-def _accepted(k: int, wall: Wall, building: Building | None, names) -> Accepted:
+def _accepted(k: int, wall: Wall, building: Building | None, names: set[str]) -> Accepted:
     """Check the parts of a wall above its hinges. Raises InputError. names : of the walls of the case"""
     found = parts_of(k, wall, building)
     for part in found:

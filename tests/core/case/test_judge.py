@@ -92,6 +92,11 @@ def test_that_an_edited_case_is_judged_as_a_whole_one(seeds):
             assert [str(one) for one in problems(case, judge)] == [str(one) for one in problems(case)], seed
 
 
+def test_that_a_wall_that_stands_twice_in_a_case_is_refused_as_two_of_one_name():
+    twice = replace(case_of(2), wall=case_of(1).wall * 2)
+    assert judgement(Judge(), twice) == judgement(whole, twice) and "same name" in judgement(whole, twice)
+
+
 def test_that_walls_that_did_not_change_are_neither_read_nor_checked_again(monkeypatch):
     read, checked = [], []
     parsed, accepted = judge_module.parsed_wall, judge_module.with_walls.__globals__["check_wall"]
