@@ -91,6 +91,17 @@ def test_that_what_is_kept_for_a_crash_is_kept_once(opened, monkeypatch):
     assert kept == [True, True, False, False]
 
 
+def test_that_work_taken_back_and_done_again_is_kept_for_a_crash(opened):
+    opened.session.edit_wall(0, height_m=6.1)
+    opened.timer.timeout.emit()
+    opened.session.undo()
+    opened.timer.timeout.emit()
+    assert not opened.session.recovery_file.exists()
+    opened.session.redo()
+    opened.timer.timeout.emit()
+    assert opened.session.recovery_file.exists()
+
+
 def test_that_of_many_finished_walls_those_of_a_moment_are_shown_together(opened, monkeypatch):
     shown = []
     with monkeypatch.context() as patch:
