@@ -189,7 +189,7 @@ class WallsTab(ResultTab):
         zetas : row of a wall -> (zeta so far, whether all its results are there)"""
         self.split.setVisible(True)
         self.below.setVisible(False)
-        self.order = []
+        self.order, self.shown = [], None  # a click on a title is not to bring back the result before
         self.words.setText(tr("Running, walls finished: {n}", n=sum(whole for _, whole in zetas.values())))
         rows, seen = [], set()
         zeta = {id(wall): values_of(wall, None, None)["zeta_e"] for wall in walls}

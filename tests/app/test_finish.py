@@ -88,6 +88,15 @@ def test_that_the_overview_sorts_by_the_values_of_the_results_not_by_their_words
     tab._sort(ZETA)
 
 
+def test_that_a_title_clicked_while_a_case_runs_does_not_bring_back_the_last_result(own_walls):
+    """The overview has no veil then: a verdict of an earlier input would look like one of this."""
+    own_walls.navigator.show_page("walls")
+    tab, wall = own_walls.pages["walls"].content, own_walls.session.result.walls[0]
+    tab.show_running([wall], {wall.part.origin: (None, False)})
+    tab.table.horizontalHeader().sectionClicked.emit(0)
+    assert tab.table.rowCount() == 1 and tab.table.item(0, 3).text() == "…" and tab.order == []
+
+
 def test_that_tree_form_and_pages_show_one_wall(walls):
     walls.walls.select(1)
     assert walls.navigator.wall.name == "Timpano" == walls.walls.wall.name
