@@ -3,11 +3,12 @@
 from dataclasses import replace
 
 from core.case.loads import Load
-from core.case.problems import problems
+from core.case.problems import _with_sizes, _without, load_of, problems
 from core.case.reader import read_case
-from core.case.schema import Case
+from core.case.schema import Case, Record
 from core.case.site import Building, Demand, Spectrum
 from core.case.wall import Wall
+from core.errors import InputError, place
 from tests.conftest import ROOT
 
 
@@ -96,3 +97,20 @@ def test_that_a_wall_whose_weight_is_missing_is_not_said_to_be_unstable():
     (error,) = problems(Case(wall=(wall,)))
     assert "unit_weight_kn_m3" in error.keys
     assert problems(Case(wall=(replace(wall, unit_weight_kn_m3=18.0),))) == []
+
+
+def test_that_of_a_size_that_is_missing_a_plausible_one_stands():
+    """Ten times the thickness, at most 60 m."""
+    heights = [_with_sizes(Wall("w", "one_sided", thickness_m=t)).height_m for t in (0.5, 2.0, 7.0)]
+    assert heights == [5.0, 20.0, 60.0]
+
+
+def test_that_an_error_within_a_load_is_of_that_load():
+    for where in (place("section", name="[[load]] 3"), place("load", n=3)):
+        assert load_of(InputError("missing", place=(where,))) == 2
+
+
+def test_that_an_error_of_a_record_leaves_the_others():
+    records = tuple(Record(f"{name}.txt") for name in "abc")
+    error = InputError("no_record", place=(place("record", n=2),))
+    assert _without(Case(record=records), error).record == (records[0], records[2])

@@ -242,3 +242,18 @@ def test_that_a_corner_is_two_numbers():
         with pytest.raises(InputError, match="polygon_m = .* is not accepted"):
             check_value(Solid, "polygon_m", [*TRIANGLE, corner])
     assert corners_of("0 0; 3 0 1; 0 4") is None and corners_of("0 0; 3; 0 4") is None
+
+
+@pytest.mark.parametrize(
+    ("given", "kept"),
+    [
+        ("0 0; 1 1; 1 0; 0 1", ((0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0))),
+        ([[0, 0], [2, 1]], ((0.0, 0.0), (2.0, 1.0))),
+        ("1e9 0; 0 1; 1 1", ((1e9, 0.0), (0.0, 1.0), (1.0, 1.0))),
+    ],
+)
+def test_that_a_draft_keeps_corners_that_break_a_rule(given, kept):
+    """Work in progress: an outline that crosses itself, two corners of it, one far away."""
+    solid = {"plane": "section", "polygon_m": given}
+    made = draft_case({"wall": [{"name": "w", "mechanism": "one_sided", "solid": [solid]}]})
+    assert made.wall[0].solid[0].polygon_m == kept
