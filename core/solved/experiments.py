@@ -8,7 +8,7 @@ import numpy as np
 from core.rocking.history import scan
 from core.rocking.methods import METHODS
 from core.rocking.outcome import STABLE
-from core.solved.solved import Answer, Kind, Sketch, Solved
+from core.solved.solved import Answer, Kind, Sketch, Solved, told
 from core.text.sentence import sentence
 from core.units import G
 from core.wall.block import Block
@@ -83,14 +83,12 @@ def _train() -> Solved:
         for frequency, printed in ((1.0, 0.35), (1.5, 0.50), (2.0, 1.05))
     ]
     time = np.linspace(0.0, 1.0, 41)
-    return Solved(
+    return told(
         "experiment_train_of_1906",
         Kind.EXPERIMENT,
-        sentence("solved", "experiment_train_of_1906"),
         "Anooshehpoor, Heaton, Shi, Brune (1999), BSSA 89(4), abstract",
         tuple(needed),
         sketch=Sketch(section(3.76, 0.914), motion=tuple(np.sin(2.0 * np.pi * time))),
-        comment=sentence("solved", "experiment_train_of_1906_why"),
     )
 
 
@@ -102,10 +100,9 @@ def _restitutions() -> tuple[Solved, ...]:
     ]
     tuff = 1.0 - 1.5 / (1.0 + (0.800 / 0.123) ** 2)
     return (
-        Solved(
+        told(
             "experiment_interface",
             Kind.EXPERIMENT,
-            sentence("solved", "experiment_interface"),
             "ElGawady et al., Effects of interface material on the dynamic behaviour of rigid blocks, abstract",
             (
                 measured(slender(5.0), "housner", 0.95 * theory[5.0], 0.06),
@@ -114,36 +111,29 @@ def _restitutions() -> tuple[Solved, ...]:
                 measured(slender(3.0), "sorrentino_experimental", 0.97 * theory[3.0], 0.025),
             ),
             sketch=Sketch(section(1.0, 0.2)),
-            comment=sentence("solved", "experiment_interface_why"),
         ),
-        Solved(
+        told(
             "experiment_tuff",
             Kind.EXPERIMENT,
-            sentence("solved", "experiment_tuff"),
             "Sorrentino, AlShawa, Decanini (2011), in Coccia et al. (2016), Eq. 5 and Fig. 4",
             (
                 measured(TUFF, "housner", 0.95 * tuff, 0.06),
                 measured(TUFF, "sorrentino_experimental", 0.95 * tuff, 0.005),
             ),
             sketch=Sketch(section(0.800, 0.123)),
-            comment=sentence("solved", "experiment_tuff_why"),
         ),
-        Solved(
+        told(
             "experiment_sack_stone",
             Kind.EXPERIMENT,
-            sentence("solved", "experiment_sack_stone"),
             "Costa et al. (2013), in Coccia et al. (2016), sect. 2",
             (measured(Block.rectangle(3.0, math.radians(6.63)), "housner", 0.98, 0.001),),
-            comment=sentence("solved", "experiment_sack_stone_why"),
         ),
-        Solved(
+        told(
             "experiment_granite",
             Kind.EXPERIMENT,
-            sentence("solved", "experiment_granite"),
             "Peña, Prieto, Lourenço, Campos Costa, Lemos (2007), EESD 36(15)",
             tuple(granite),
             sketch=Sketch(section(1.0, 0.25)),
-            comment=sentence("solved", "experiment_granite_why"),
         ),
     )
 

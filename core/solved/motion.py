@@ -27,7 +27,7 @@ HEIGHT = 7.0
 """Height [m] that the blocks have; it sets the unit of time alone, 1/p."""
 
 SAMPLES = 1000
-"""Of a pulse or of half a period: a straight line between them is 1e-6 off the sine."""
+"""Samples that a pulse or half a period has: a straight line between them is 1e-6 off the sine."""
 
 BLOCK = Sketch(((0.0, 0.0), (0.83, 0.0), (0.83, HEIGHT), (0.0, HEIGHT)))
 

@@ -12,8 +12,7 @@ from core.codes.vertical_bending import Bending, Strip, mechanism
 from core.setting.demand_input import demand_of
 from core.solved import published_rocking
 from core.solved.experiments import section
-from core.solved.solved import Kind, Sketch, Solved, answer
-from core.text.sentence import sentence
+from core.solved.solved import Kind, Sketch, Solved, answer, told
 from core.units import G
 
 WALL = {"height_m": 3.0, "thickness_m": 0.45, "unit_weight_kn_m3": 18.0}
@@ -52,20 +51,17 @@ def _of_one_body() -> tuple[Solved, ...]:
         THRUST,
     )
     return (
-        Solved(
+        told(
             "published_stone_facade",
             Kind.PRINTED,
-            sentence("solved", "published_stone_facade"),
             "Frahan, example 36 (libishm1/Frahan, 2026)",
             (answer("published_alpha0", 0.112, lambda: mechanism_of(STONE).alpha0, 0.01),),
             formula="alpha_0 = t / H",
             sketch=Sketch(section(5.4, 0.6)),
-            comment=sentence("solved", "published_stone_facade_why"),
         ),
-        Solved(
+        told(
             "published_courses",
             Kind.PRINTED,
-            sentence("solved", "published_courses"),
             "RD2229, test_cinematica.py (dancarloni/RD2229)",
             (
                 answer("published_alpha0", 0.1, lambda: mechanism_of(THIN).alpha0),
@@ -76,12 +72,10 @@ def _of_one_body() -> tuple[Solved, ...]:
             ),
             formula="e^* = (sum P delta)^2 / (sum P sum P delta^2)",
             sketch=Sketch(section(3.0, 0.30)),
-            comment=sentence("solved", "published_courses_why"),
         ),
-        Solved(
+        told(
             "published_storeys",
             Kind.HAND,
-            sentence("solved", "published_storeys"),
             "Circolare 7/2019, C8.7.1.1 and C8.7.1.5",
             (
                 answer("published_alpha0", 0.0426426, lambda: mechanism_of(FACADE, *facade).alpha0),
@@ -93,17 +87,15 @@ def _of_one_body() -> tuple[Solved, ...]:
             sketch=Sketch(
                 section(9.0, 0.50), (*((d, z, 0.0, -1.0) for _, d, z in FLOORS), (0.0, THRUST_HEIGHT, -1.0, 0.0))
             ),
-            comment=sentence("solved", "published_storeys_why"),
         ),
     )
 
 
 def _of_forces() -> tuple[Solved, ...]:
     return (
-        Solved(
+        told(
             "published_vault_thrust",
             Kind.PRINTED,
-            sentence("solved", "published_vault_thrust"),
             "Petrella et al. (2026), Procedia Structural Integrity 78, Eq. 4 and 5",
             (
                 answer("published_alpha0", 0.0951303, lambda: _pushed().alpha0),
@@ -111,27 +103,22 @@ def _of_forces() -> tuple[Solved, ...]:
             ),
             formula="theta_u = (W t \\/ 2 + N d - F h) / (W H \\/ 2 + N h)",
             sketch=Sketch(section(3.0, 0.45), ((0.30, 3.0, 0.0, -1.0), (0.0, 2.5, -1.0, 0.0))),
-            comment=sentence("solved", "published_vault_thrust_why"),
         ),
-        Solved(
+        told(
             "published_tie_force",
             Kind.HAND,
-            sentence("solved", "published_tie_force"),
             "Circolare 7/2019, C8.7.1.1",
             (answer("published_alpha0", 0.30, lambda: mechanism_of(WALL, TIE).alpha0),),
             formula="F = (alpha W H \\/ 2 - W t \\/ 2) / h",
             sketch=Sketch(section(3.0, 0.45), ((0.0, 2.8, 1.0, 0.0),)),
-            comment=sentence("solved", "published_tie_force_why"),
         ),
-        Solved(
+        told(
             "published_elastic_period",
             Kind.PRINTED,
-            sentence("solved", "published_elastic_period"),
             "Circolare 7/2019, C8.7.1.7",
             (answer("published_t0", 0.216546, lambda: _vibrating().period_0 or math.nan, 2e-3, "s"),),
             formula="T_0 = (2 pi) / 1.8751^2 sqrt(m L^4 / (E I))",
             sketch=Sketch(section(3.0, 0.45)),
-            comment=sentence("solved", "published_elastic_period_why"),
         ),
     )
 
@@ -192,10 +179,9 @@ def _of_macroelement() -> tuple[Solved, ...]:
     on_top = {"kind": "vertical", "kn_m": MOST, "d_m": 0.15, "h_m": 3.0, "mass": "horizontal"}
     gable = {**SOLID, "gable_m": 3.0, "length_m": 6.0}
     return (
-        Solved(
+        told(
             "published_cantilevers",
             Kind.PRINTED,
-            sentence("solved", "published_cantilevers"),
             source,
             (
                 answer("published_start_weight", 1.0, lambda: _start(SOLID), READING),
@@ -207,12 +193,10 @@ def _of_macroelement() -> tuple[Solved, ...]:
             ),
             formula="lambda_0 = alpha_0 / (t \\/ H)",
             sketch=Sketch(section(3.0, 0.30), ((0.15, 3.0, 0.0, -1.0),)),
-            comment=sentence("solved", "published_cantilevers_why"),
         ),
-        Solved(
+        told(
             "published_spanning",
             Kind.PRINTED,
-            sentence("solved", "published_spanning"),
             source,
             (
                 answer("published_start_edge", 8.0, lambda: _pushed_over_load(0.0), READING),
@@ -223,17 +207,15 @@ def _of_macroelement() -> tuple[Solved, ...]:
             ),
             formula="lambda_0 = 2 (1 \\/ xi + 1 \\/ 2 (1 - xi)), quad xi = h_1 / H",
             sketch=Sketch(section(3.0, 0.30), ((0.15, 3.0, 0.0, -1.0),)),
-            comment=sentence("solved", "published_spanning_why"),
         ),
     )
 
 
 def _new_zealand() -> tuple[Solved, ...]:
     return (
-        Solved(
+        told(
             "published_parapet",
             Kind.PRINTED,
-            sentence("solved", "published_parapet"),
             "NZSEE (2017), Section C8",
             (
                 answer("published_alpha0", 0.25 / 1.2, lambda: mechanism_of(PARAPET).alpha0),
@@ -241,12 +223,10 @@ def _new_zealand() -> tuple[Solved, ...]:
             ),
             formula="T_p = sqrt(0.65 h (1 + (t\\/h)^2))",
             sketch=Sketch(section(1.2, 0.25)),
-            comment=sentence("solved", "published_parapet_why"),
         ),
-        Solved(
+        told(
             "published_held_at_top",
             Kind.PRINTED,
-            sentence("solved", "published_held_at_top"),
             "NZSEE (2017), Section C8; Doherty, Griffith, Lam, Wilson (2002), EESD 31(4)",
             (
                 answer("published_c_m", 0.40, lambda: _bent(0.0, 1.5).alpha0),
@@ -258,7 +238,6 @@ def _new_zealand() -> tuple[Solved, ...]:
             ),
             formula="alpha_0 = 2 / W ((W + N) t / h_1 + N t \\/ 2 / (H - h_1))",
             sketch=Sketch(section(3.0, 0.30), ((0.15, 3.0, 0.0, -1.0),)),
-            comment=sentence("solved", "published_held_at_top_why"),
         ),
     )
 

@@ -9,7 +9,7 @@ from core.capacity.closed_forms import closed_form_q_eff
 from core.rocking.history import history
 from core.solved.experiments import first_overturning, overturned, section
 from core.solved.motion import least, overturns, rocking
-from core.solved.solved import Answer, Kind, Sketch, Solved, answer, printed
+from core.solved.solved import Answer, Kind, Sketch, Solved, answer, printed, told
 from core.text.sentence import sentence
 from core.units import CM, G
 from core.wall.block import Block
@@ -55,10 +55,9 @@ SAMPLES = 4000
 
 def _of_rocking() -> tuple[Solved, ...]:
     return (
-        Solved(
+        told(
             "published_paper_law",
             Kind.PRINTED,
-            sentence("solved", "published_paper_law"),
             "Coccia, Di Carlo, Imperatore (2016), Eq. 15, 16 and Table 2",
             tuple(
                 answer(code, q_eff, partial(closed_form_q_eff, math.radians(6.8), 7.0, 124.27 * CM, side))
@@ -68,22 +67,18 @@ def _of_rocking() -> tuple[Solved, ...]:
                 )
             ),
             formula="(30 alpha + 78 H + 90) / S_I",
-            comment=sentence("solved", "published_paper_law_why"),
         ),
-        Solved(
+        told(
             "published_housner_period",
             Kind.PRINTED,
-            sentence("solved", "published_housner_period"),
             "Housner (1963), BSSA 53(2); test_p2_housner.py of an open fork of OpenSees",
             (answer("published_quarter_period", 0.60050, _quarter_period, 5e-3, "s"),),
             formula='T/4 = 1/p op("arcosh") 1/(1 - theta_0 / alpha)',
             sketch=Sketch(section(2.0, 0.4)),
-            comment=sentence("solved", "published_housner_period_why"),
         ),
-        Solved(
+        told(
             "published_housner_pulses",
             Kind.PRINTED,
-            sentence("solved", "published_housner_pulses"),
             "Housner (1963), BSSA 53(2); Makris, Roussos (2000), Géotechnique 50(3)",
             (
                 answer("published_rectangle", math.acosh(1.25), _rectangular_pulse, 2e-3),
@@ -93,15 +88,12 @@ def _of_rocking() -> tuple[Solved, ...]:
                 ),
             ),
             formula="cosh p t_1 = 1 + 1/(2 r (r - 1)), quad r = dot.double(u) / (g alpha)",
-            comment=sentence("solved", "published_housner_pulses_why"),
         ),
-        Solved(
+        told(
             "published_full_sine",
             Kind.PRINTED,
-            sentence("solved", "published_full_sine"),
             "Zhang, Makris (2001), J. Eng. Mech. 127(5)",
             tuple(answer(code, edge, partial(_edge_of_sine, n), 5e-3) for n, (code, edge) in enumerate(SINE_EDGES)),
-            comment=sentence("solved", "published_full_sine_why"),
         ),
     )
 
@@ -202,10 +194,9 @@ def _of_open_programs() -> tuple[Solved, ...]:
     blocks = "Numerics in Motion (2026), Under this pulse (Numerics-in-Motion/blocks)"
     shape = section(2.0 * math.cos(SHAPE), 2.0 * math.sin(SHAPE))
     return (
-        Solved(
+        told(
             "published_sizes",
             Kind.PRINTED,
-            sentence("solved", "published_sizes"),
             blocks,
             tuple(
                 printed((sentence("solved", "published_least_sine", radius=r), ""), a, partial(_least_sine, r), 1.0)
@@ -213,12 +204,10 @@ def _of_open_programs() -> tuple[Solved, ...]:
             ),
             formula="p = sqrt(3 g / (4 R)), quad e = 1 - 3 / 2 sin^2 alpha",
             sketch=Sketch(shape, motion=_drawn(_sine())),
-            comment=sentence("solved", "published_sizes_why"),
         ),
-        Solved(
+        told(
             "published_energies",
             Kind.PRINTED,
-            sentence("solved", "published_energies"),
             blocks,
             tuple(
                 printed(
@@ -230,12 +219,10 @@ def _of_open_programs() -> tuple[Solved, ...]:
             ),
             formula="E / E_b = (dot(theta)^2 \\/ (2 p^2) + cos(alpha - abs(theta)) - cos alpha) / (1 - cos alpha)",
             sketch=Sketch(shape, motion=_drawn(_sine())),
-            comment=sentence("solved", "published_energies_why"),
         ),
-        Solved(
+        told(
             "published_rectangles",
             Kind.PRINTED,
-            sentence("solved", "published_rectangles"),
             blocks,
             tuple(
                 Answer(
@@ -249,12 +236,10 @@ def _of_open_programs() -> tuple[Solved, ...]:
             ),
             formula="dot.double(u) / (g alpha) = 1 / (1 - e^(-p t_1))",
             sketch=Sketch(section(2.0 * math.cos(STOCKIER), 2.0 * math.sin(STOCKIER))),
-            comment=sentence("solved", "published_rectangles_why"),
         ),
-        Solved(
+        told(
             "published_push",
             Kind.PRINTED,
-            sentence("solved", "published_push"),
             "sanger640 (2026), tipping_block.py and its notes (sanger640/stable_lyap_filters)",
             (
                 answer("published_lift", 0.365, lambda: math.tan(_tipped().slenderness), 1e-3),
@@ -271,7 +256,6 @@ def _of_open_programs() -> tuple[Solved, ...]:
                 ),
             ),
             sketch=Sketch(section(2.0 * math.cos(TIPPED), 2.0 * math.sin(TIPPED))),
-            comment=sentence("solved", "published_push_why"),
         ),
     )
 

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cache, cached_property, partial
+from typing import Any
 
 from core.text.sentence import Sentence, sentence
 
@@ -110,6 +111,11 @@ class Solved:
     def furthest(self) -> Answer:
         """The answer nearest to what its tolerance allows, or furthest beyond."""
         return max(self.answers, key=lambda one: (abs(one.difference) / (one.tolerance or 1e-300), one.tolerance))
+
+
+def told(key: str, kind: Kind, source: str, answers: tuple[Answer, ...], **more: Any) -> Solved:
+    """A case whose title and comment stand in the catalogue, as its key and `<key>_why`. more : of Solved"""
+    return Solved(key, kind, sentence("solved", key), source, answers, comment=sentence("solved", f"{key}_why"), **more)
 
 
 def worded(english: str, /, **values) -> Sentence:

@@ -19,6 +19,7 @@ from core.codes.outcomes import OUTCOMES
 from core.errors import InputError, place, section
 from core.ground.records.signatures import BEGINNINGS
 from core.packages import PACKAGES
+from core.solved.cases import SUBJECTS, cases_of
 from core.text.catalogue import CATALOGUE, FOLDER, GROUPS, Catalogue
 from core.text.sentence import FormNames, Key, Quantity, capital, localized, sentence
 from core.variation.tie_design import FORCE_NAMES as FORCES
@@ -179,6 +180,7 @@ def test_that_every_text_of_the_catalogue_is_used():
     }
     sides = {f"{word}_{side}" for word in ("confidence", "dynamic") for side in ("demand", "capacity")}
     sides |= {"choice_rigid", "choice_floors", "choice_base"}
+    sides |= {f"{one.key}_why" for one in cases_of(SUBJECTS)}
     sides |= {
         f"choice_{name}"
         for keys in ENTRIES.values()
