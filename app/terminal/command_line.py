@@ -86,7 +86,7 @@ def parser() -> Parser:
     add("--resume", action="store_true", help=terminal("go on from the journal"))
     add("--part", type=_part, metavar="K/N", help=terminal("the walls of one part of the case alone, see --merge"))
     add("--merge", action="store_true", help=terminal("the results of all parts of the case"))
-    add("--force", action="store_true", help=terminal("overwrite results of other programs, and notes of other cases"))
+    add("--force", action="store_true", help=terminal("overwrite what is of another case or program, or was edited"))
     add(
         "--scheduler",
         type=_scheduler,

@@ -6,7 +6,10 @@ import functools
 import gc
 import json
 import os
+import re
 import tempfile
+import zipfile
+import zlib
 from collections.abc import Callable
 from pathlib import Path
 
@@ -19,13 +22,16 @@ from core.errors import InputError, OutputError, place
 from core.file_names import name_of
 from core.ground import records
 from core.packages import require
-from core.regular_file import TooLarge, first_bytes, read_regular
+from core.regular_file import TooLarge, first_bytes, open_regular, read_regular
 from core.report.steps import Steps
 from core.study.governing import collapse_histories
 from core.study.results import CollapseHistories, StudyResult
 
 HISTORY_WALLS = 20
 """Walls whose histories and charts are drawn; the rest are listed."""
+
+HEAD = 1 << 20
+"""Bytes of results, and of what a workbook says of itself, that are looked at."""
 
 MOST_SUBJECT = 255
 """Letters that a docx can say of its subject."""
@@ -82,16 +88,42 @@ def _ours(path: Path) -> bool:
 
 
 def refuse_foreign(case: Case, folder: Path, stem: str, note: Path | None, force: bool) -> None:
-    """Raise InputError where what is to be written would take the place of somebody's file: a workbook or results
-    beside which no results of this program lie, a note that is none of this case or was edited since. force : it may"""
+    """Raise InputError where what is to be written would take the place of something else: results of another case or
+    of another program, a note of another case, a workbook or note that was saved by another program since. force : it
+    may"""
     if force:
         return
-    results = [folder / f"{stem}{end}" for end in (".xlsx", ".json", ".parquet")]
-    for path in results if not _ours(folder / f"{stem}.json") else ():
-        if path.exists():
+    own = _results_of(case, folder / f"{stem}.json")
+    for path in [folder / f"{stem}{end}" for end in (".xlsx", ".json", ".parquet")]:
+        if path.exists() and not (own and not _saved_since(path)):
             raise InputError("not_its_result", path=path)
     if note is not None and note.exists() and not _note_of(case, note):
         raise InputError("not_its_note", path=note)
+
+
+def _results_of(case: Case, path: Path) -> bool:
+    """Whether a file is results of this case: of its title and its first wall, of which those of a large case hold
+    none."""
+    if not _ours(path):
+        return False
+    head, decode = first_bytes(path, HEAD).decode("utf-8", "ignore"), json.JSONDecoder().raw_decode
+    title, wall = (re.search(pattern, head) for pattern in (r'"case": \{\s*"title": ', r'"wall": \[\s*\{\s*"name": '))
+    try:
+        alike = title is not None and decode(head, title.end())[0] == case.title
+        return alike and (wall is None or decode(head, wall.end())[0] == case.wall[0].name)
+    except ValueError:
+        return False
+
+
+def _saved_since(path: Path) -> bool:
+    """Whether another program saved a workbook: each of them notes who did, this one does not."""
+    if path.suffix != ".xlsx":
+        return False
+    try:
+        with open_regular(path) as stream, zipfile.ZipFile(stream) as book, book.open("docProps/core.xml") as about:
+            return b"lastModifiedBy" in about.read(HEAD)
+    except (OSError, ValueError, LookupError, NotImplementedError, RuntimeError, zlib.error, zipfile.BadZipFile):
+        return True
 
 
 def _note_of(case: Case, path: Path) -> bool:

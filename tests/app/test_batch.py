@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+import zipfile
 
 import numpy as np
 import pytest
@@ -160,9 +161,11 @@ def test_that_a_run_without_number_is_code_3_and_named(case, capsys):
     ],
 )
 def test_that_wrong_input_is_one_line_and_code_1_and_old_results_stay(case, capsys, change, words):
-    old = {"case.xlsx": "old", "case.json": '{\n "program": "old"'}
-    for name, text in old.items():
-        (case.parent / name).write_text(text)
+    book, results = case.parent / "case.xlsx", case.parent / "case.json"
+    with zipfile.ZipFile(book, "w") as archive:
+        archive.writestr("docProps/core.xml", "old")
+    results.write_text('{ "program": "old", "case": {"title": "Ribalta", "wall": [{"name": "w"')
+    old = {path: path.read_bytes() for path in (book, results)}
     case.write_text(CASE.replace(*change))
     assert call("--batch", case) == 1
     shown = capsys.readouterr()
@@ -170,7 +173,7 @@ def test_that_wrong_input_is_one_line_and_code_1_and_old_results_stay(case, caps
     assert shown.err.count("\n") == 1 and shown.err.startswith("error: ")
     for word in words:
         assert word in shown.err
-    assert all((case.parent / name).read_text() == text for name, text in old.items())
+    assert old == {path: path.read_bytes() for path in old}
     assert not (case.parent / "case.journal").exists()
 
 

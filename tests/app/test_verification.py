@@ -225,3 +225,41 @@ def test_that_a_workbook_or_results_of_somebody_are_not_overwritten_without_forc
     assert said.count("\n") == 1 and mine.name in said and mine.read_bytes() == b"my estimate of costs"
     assert main(["--batch", str(copied / "case.toml"), "--quiet", "--force"]) == 0
     assert main(["--batch", str(copied / "case.toml"), "--quiet"]) == 0
+
+
+@pytest.mark.shows("batch.force")
+def test_that_results_of_another_case_of_the_same_name_are_not_overwritten(copied, tmp_path, capsys):
+    """Two folders with a case.toml each, and one folder of results."""
+    other = tmp_path / "case.toml"
+    shutil.copy(copied / "motion.txt", tmp_path)
+    for old, new in (('name = "facade"', 'name = "gable"'), ('"Verified"', '"Another"')):
+        other.write_text(CASE.replace(old, new))
+        before = {path: path.read_bytes() for path in copied.glob("case.*")}
+        assert main(["--batch", str(other), "--output", str(copied), "--quiet"]) == 1
+        assert "case.xlsx" in capsys.readouterr().err
+        assert before == {path: path.read_bytes() for path in copied.glob("case.*")}
+    assert main(["--batch", str(other), "--output", str(copied), "--quiet", "--force"]) == 0
+    assert json.loads((copied / "case.json").read_text())["case"]["title"] == "Another"
+
+
+@pytest.mark.shows("batch.force")
+@pytest.mark.parametrize(
+    "written", [b"<cp:lastModifiedBy>Ing. Rossi</cp:lastModifiedBy>", b"<cp:lastModifiedBy></cp:lastModifiedBy>"]
+)
+def test_that_a_workbook_that_an_office_saved_is_not_overwritten(copied, capsys, written):
+    """Its yellow cells are there to be changed. Excel and LibreOffice note who saved it, if by no name."""
+    book, case = copied / "case.xlsx", copied / "case.toml"
+    assert main(["--batch", str(case), "--quiet"]) == 0
+    with zipfile.ZipFile(book) as archive:
+        parts = {name: archive.read(name) for name in archive.namelist()}
+    parts["docProps/core.xml"] = parts["docProps/core.xml"].replace(
+        b"</cp:coreProperties>", written + b"</cp:coreProperties>"
+    )
+    with zipfile.ZipFile(book, "w") as archive:
+        for name, content in parts.items():
+            archive.writestr(name, content)
+    saved = book.read_bytes()
+    for content in (saved, saved[:-30], b"PK"):  # and one that was cut
+        book.write_bytes(content)
+        assert main(["--batch", str(case), "--quiet"]) == 1
+        assert "case.xlsx" in capsys.readouterr().err and book.read_bytes() == content
