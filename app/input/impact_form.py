@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 HEIGHT = 120
-"""Of the curve of the law [px]."""
+"""Height that the curve of the law takes [px]."""
 
 
 def captions() -> dict:

@@ -49,9 +49,8 @@ class States(QWidget):
         """Words of each state, none where they are not known."""
         for k, (head, body) in enumerate(zip(self.HEADS, self.columns, strict=True)):
             for label, text in zip(body, (head if rows else "", "\n".join(row[k] for row in rows)), strict=True):
-                longest = max(map(len, label.text().split("\n")))
                 label.setText(text)
-                if rows and max(map(len, text.split("\n"))) > longest:
+                if rows:
                     label.setFixedSize(label.sizeHint().expandedTo(label.minimumSize()))
 
 

@@ -103,14 +103,27 @@ def run(
         finally:  # the lock is held until the results are in their places
             for book in books:
                 book.close()
+    _warn(result)
+    if not quiet:
+        said = summary(result, folder, stem) + (f"\n{shown(str(report))}" if report else "")
+        if _never_explained():
+            said += "\n" + explanation(folder / f"{stem}.xlsx", bool(result.demand))
+        say(said)
+    _name_without_number(result)
+    return WITHOUT_NUMBER if result.without_number else DONE
+
+
+def _warn(result: StudyResult) -> None:
+    """Say on the error stream what is remarked on the table of walls and on the demand."""
+    case = result.case
     for note in case.table_notes[1:]:
         print(f"{case.table}: {note.text(current_language())}", file=sys.stderr)
     for warning in result.demand.warnings if result.demand else ():
         print(f"[demand]: {warning.text(current_language())}", file=sys.stderr)
-    if not quiet:
-        say(summary(result, folder, stem) + (f"\n{shown(str(report))}" if report else ""))
-        if _never_explained():
-            say(explanation(folder / f"{stem}.xlsx", bool(result.demand)))
+
+
+def _name_without_number(result: StudyResult) -> None:
+    """Say on the error stream which runs have no number."""
     for wall, record, polarity, status in result.without_number:
         tell(
             "no number: {wall}, {record} ({sign}): {status}",
@@ -119,7 +132,6 @@ def run(
             sign="+" if polarity > 0 else "-",
             status=status,
         )
-    return WITHOUT_NUMBER if result.without_number else DONE
 
 
 def run_part(case_path: Path, output: Path | None, jobs: int, quiet: bool, k: int, n: int) -> int:

@@ -39,7 +39,7 @@ ON_X11 = {
     "libxcb-shape.so.0": Package("libxcb-shape0", "libxcb", "libxcb"),
     "libxcb-xkb.so.1": Package("libxcb-xkb1", "libxcb", "libxcb"),
 }
-"""The same of X11 alone, which Qt takes where there is no Wayland."""
+"""Libraries that X11 needs beside them, which Qt takes where there is no Wayland."""
 
 COMMANDS = {"apt": "sudo apt install", "dnf": "sudo dnf install", "pacman": "sudo pacman -S"}
 

@@ -56,7 +56,7 @@ class Scheduled(Executor):
         """Threads of the workers there are now. Raises InputError where the scheduler does not answer."""
         try:
             return sum(self._client.nthreads().values())
-        except Exception as error:
+        except (OSError, RuntimeError) as error:
             raise self._lost() from error
 
     def room(self) -> int:
@@ -75,8 +75,12 @@ class Scheduled(Executor):
             if not future.set_running_or_notify_cancel():
                 return
             try:
+                error = handed.exception()
+            except CancelledError:
+                error = self._lost()
+            if error is None:
                 future.set_result(handed.result())
-            except BaseException as error:
+            else:
                 future.set_exception(self._worded(error))
 
         def taken_back(_: Future) -> None:
@@ -98,8 +102,6 @@ class Scheduled(Executor):
             return InputError("worker_lost_often", times=times, worker=last)
         if isinstance(error, ImportError):
             return InputError("worker_without_program", address=self.address, reason=_reason(error))
-        if isinstance(error, CancelledError):
-            return self._lost()
         return error
 
 

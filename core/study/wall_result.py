@@ -117,11 +117,7 @@ def wall_result(part: Part, mechanism, model, runs, motions, search, demand, flo
     with_q = [entry for entry in per_record if entry.q is not None]
     counted = stations([motions[entry.motion] for entry in with_q])
     incomplete = [run for run in runs if run.ida.status == "impact_limit"]
-    rule = None
-    if incomplete:
-        rule = "incomplete"
-    elif runs:
-        rule = set_rule(counted)
+    rule = "incomplete" if incomplete else set_rule(counted) if runs else None
     sets = {
         name: set_value([getattr(entry, name) for entry in per_record], rule)
         for name in ("q", "q_robust", "q_slv", "q_slv_low")
@@ -142,9 +138,7 @@ def wall_result(part: Part, mechanism, model, runs, motions, search, demand, flo
     estimated = ()
     if checks and demand.intensity and wall.has_closed_forms:
         estimated = estimates(block, restitution, law, one_sided, demand.intensity, demand.pga)
-    law_of_si = None
-    if not wall.above_ground:
-        law_of_si = _power_law(with_q)
+    law_of_si = None if wall.above_ground else _power_law(with_q)
     fragile = fragility([run.ida for run in runs], search)
     return WallResult(
         part=part,

@@ -2,6 +2,17 @@
 
 from core.case.rules import parse_case
 
+DEMAND = """[demand]
+ag_g = 0.22
+[demand.spectrum]
+code = "NTC2018"
+f0 = 2.4
+tc_star_s = 0.33
+soil = "B"
+topography = "T1"
+"""
+"""The last sections of a case file, by the spectrum of the code."""
+
 
 def case(**more):
     table = {

@@ -20,10 +20,11 @@ from core.study.case_parts import part_path
 from core.study.run import run
 from core.units import G
 from tests.conftest import ROOT
+from tests.core.study.cases import DEMAND
 
 parquet = pytest.importorskip("pyarrow.parquet", reason="no wheel of pyarrow")
 
-CASE = """
+CASE = f"""
 walls = "walls.csv"
 [[record]]
 file = "short_*.txt"
@@ -35,15 +36,7 @@ q_step = 0.05
 [building]
 height_m = 10.0
 storeys = 3
-[demand]
-ag_g = 0.22
-[demand.spectrum]
-code = "NTC2018"
-f0 = 2.4
-tc_star_s = 0.33
-soil = "B"
-topography = "T1"
-"""
+{DEMAND}"""
 
 HEAD = (
     "name;variant;base_z_m;height_m;thickness_m;mechanism;unit_weight_kn_m3;load1_kind;load1_kn_m;load1_d_m;load1_h_m;load1_mass",

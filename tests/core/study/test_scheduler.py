@@ -30,8 +30,9 @@ from core.study.executors import plan_elsewhere, results_from, shared_by
 from core.study.run import wall_alone
 from core.study.scheduler import Scheduled, scheduled
 from tests.conftest import ROOT
+from tests.core.study.cases import DEMAND
 
-CASE = """
+CASE = f"""
 [[record]]
 file = "short.txt"
 unit = "m/s2"
@@ -39,15 +40,7 @@ time_step_s = 0.01
 kind = "artificial"
 [analysis]
 q_step = 0.05
-[demand]
-ag_g = 0.22
-[demand.spectrum]
-code = "NTC2018"
-f0 = 2.4
-tc_star_s = 0.33
-soil = "B"
-topography = "T1"
-"""
+{DEMAND}"""
 
 
 @pytest.fixture(scope="module")
@@ -435,6 +428,14 @@ def waited(path, lines) -> None:
         time.sleep(0.01)
 
 
+@contextlib.contextmanager
+def half_way(case, folder):
+    """A program whose two workers have done some of a case, and its workers."""
+    with started(case, "--output", folder, "--scheduler", "local:2") as process:
+        waited(folder / "many.journal", 4)
+        yield process, workers_of(process)
+
+
 @pytest.fixture(scope="module")
 def longer(folder):
     """The case of many walls, of sixty, and the folder of its undivided run."""
@@ -454,9 +455,7 @@ def longer(folder):
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
 def test_that_a_worker_that_is_killed_changes_no_byte(longer, tmp_path):
     case, whole = longer
-    with started(case, "--output", tmp_path, "--scheduler", "local:2") as process:
-        waited(tmp_path / "many.journal", 4)
-        workers = workers_of(process)
+    with half_way(case, tmp_path) as (process, workers):
         os.kill(workers[0], signal.SIGKILL)
         ended(process, batch.DONE)
     assert len(workers) == 2
@@ -468,9 +467,7 @@ def test_that_a_worker_that_is_killed_changes_no_byte(longer, tmp_path):
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
 def test_that_ctrl_c_ends_the_workers_too_and_a_resume_makes_the_same_bytes(longer, tmp_path):
     case, whole = longer
-    with started(case, "--output", tmp_path, "--scheduler", "local:2") as process:
-        waited(tmp_path / "many.journal", 4)
-        workers = workers_of(process)
+    with half_way(case, tmp_path) as (process, workers):
         os.killpg(process.pid, signal.SIGINT)  # as a terminal does
         said = ended(process, 130)
     assert "--resume" in said and "Traceback" not in said and len(workers) == 2
