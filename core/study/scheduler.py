@@ -26,6 +26,9 @@ CONNECT_SECONDS = 10.0
 LOCAL = "local:"
 """How the word for workers of this machine begins."""
 
+OWN_SERVER = "127.0.0.1:0"
+"""Where its server of web pages listens, which it has in any case: to this machine alone, on no port of another."""
+
 NO_INTERRUPT = "import signal\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\n"
 """What a worker of this machine does first: Ctrl-C is for the process that hands out."""
 
@@ -137,7 +140,7 @@ def scheduled(word: str) -> Iterator[Scheduled]:
                     n_workers=int(word.removeprefix(LOCAL)),
                     threads_per_worker=1,
                     memory_limit=None,
-                    dashboard_address=None,
+                    dashboard_address=OWN_SERVER,
                     silence_logs=logging.CRITICAL,
                     preload=NO_INTERRUPT,
                 )

@@ -199,8 +199,8 @@ class Worker:
         return float(self._line()) / count
 
     def end(self) -> None:
-        self._process.terminate()
-        self._process.wait()
+        with self._process:  # which closes its pipes
+            self._process.terminate()
 
 
 @contextlib.contextmanager

@@ -21,6 +21,7 @@ from core.setting.plan import plan_of, read_inputs
 from core.study.case_parts import merged, part_path
 from core.study.progress import costs_of
 from core.study.run import journal_key, run
+from core.study.scheduler import OWN_SERVER
 from tests.conftest import ROOT
 
 CASE = """
@@ -178,7 +179,10 @@ class Killing(Executor):
 
 @pytest.mark.long  # that a lost process loses no result is held above, by executors that cost no start
 def test_that_two_workers_of_dask_are_the_undivided_run_though_one_is_killed(case, whole):
-    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+    with (
+        LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=OWN_SERVER) as cluster,
+        Client(cluster) as client,
+    ):
         process = next(iter(client.run(os.getpid).values()))
         pool = Killing(client.get_executor(), 5, process)
         assert timeless(run(read_case(case), base_dir=case.parent, executor=pool)) == whole

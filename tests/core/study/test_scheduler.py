@@ -28,7 +28,7 @@ from core.setting.plan import read_inputs
 from core.study import executors, large_case, scheduler
 from core.study.executors import plan_elsewhere, results_from, shared_by
 from core.study.run import wall_alone
-from core.study.scheduler import Scheduled, scheduled
+from core.study.scheduler import OWN_SERVER, Scheduled, scheduled
 from tests.conftest import ROOT
 from tests.core.study.cases import DEMAND
 
@@ -64,7 +64,7 @@ def address():
     """Address of a scheduler whose worker is within this process: in the other tests here, it is of a process of its
     own."""
     with LocalCluster(
-        n_workers=1, threads_per_worker=2, processes=False, protocol="tcp://", dashboard_address=None
+        n_workers=1, threads_per_worker=2, processes=False, protocol="tcp://", dashboard_address=OWN_SERVER
     ) as cluster:
         yield cluster.scheduler_address
 
@@ -486,3 +486,20 @@ def test_that_a_task_that_ends_its_workers_is_given_up_with_a_sentence():
     with scheduled("local:2") as executor, pytest.raises(InputError) as caught:
         list(results_from(executor, os._exit, [(0, (1,))], lambda: False))
     assert caught.value.code == "worker_lost_often" and "4 workers ended" in caught.value.text()
+
+
+@pytest.mark.shows("batch.scheduler")
+def test_that_what_starts_here_listens_to_this_machine_alone_and_takes_no_port_of_another():
+    """Dask's own choice is a server for everybody on port 8787."""
+    with socket.socket() as taken:
+        with contextlib.suppress(OSError):  # somebody else has it already
+            taken.bind(("127.0.0.1", 8787))
+            taken.listen()
+        with scheduled("local:1") as made:
+            assert made.threads() == 1
+            here = psutil.Process()
+            processes = here, *here.children(recursive=True)
+            open_to = {
+                one.laddr.ip for process in processes for one in process.net_connections("tcp4") if not one.raddr
+            }
+    assert open_to == {"127.0.0.1"}
