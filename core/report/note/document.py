@@ -26,6 +26,9 @@ COLORS = {
 WIDTH = 17.0
 """Width of the text of an A4 page [cm]."""
 
+LETTER, MARGINS = 0.21, 0.4
+"""Width of a bold letter of a cell, and of both margins of a cell [cm]."""
+
 BLANKS = 105
 """Letters of a line of blanks to fill in."""
 
@@ -55,6 +58,22 @@ def subject_in(content: bytes) -> str | None:
 
     about = docx.Document(io.BytesIO(content)).core_properties
     return about.subject if about.last_modified_by == NAME else None
+
+
+def widths_of(part: Table) -> list[float]:
+    """Widths of the columns [cm] in proportion to those asked, each as wide as its longest word, where there is room:
+    an office parts "0,45" in a narrower one."""
+    whole = sum(part.widths)
+    asked = [WIDTH * width / whole for width in part.widths]
+    words = (
+        [len(word) for row in (part.heads, *part.rows) if row for word in row[k].split()] for k in range(len(asked))
+    )
+    least = [MARGINS + LETTER * max(lengths, default=0) for lengths in words]
+    lacking = sum(max(0.0, need - size) for need, size in zip(least, asked, strict=True))
+    room = sum(max(0.0, size - need) for need, size in zip(least, asked, strict=True))
+    taken = min(1.0, lacking / room) if room > 0.0 else 0.0
+    given = min(1.0, room / lacking) if lacking > 0.0 else 0.0
+    return [size + (need - size) * (given if need > size else taken) for need, size in zip(least, asked, strict=True)]
 
 
 class _Writer:
@@ -122,7 +141,7 @@ class _Writer:
         plain = not part.heads
         rows = len(part.rows) + (0 if plain else 1)
         table = self.made.add_table(rows, len(part.widths), style="Normal Table" if plain else "Table Grid")
-        self._cells(table, part.widths)
+        self._cells(table, widths_of(part))
         lines = iter(table.rows)  # an index would count them from the first each time
         if not plain:
             head_row = next(lines)

@@ -22,6 +22,7 @@ from core.codes.target_spectrum import displacement
 from core.errors import InputError, OutputError
 from core.report.assumption_table import tabled
 from core.report.derived import cell_prefix
+from core.report.note import document
 from core.report.note.content import note
 from core.report.note.equation import WIDEST, equations, width
 from core.report.note.parts import Bars, Blanks, Box, Derivation, Figures, Heading, Item, Paragraph, Step, Table
@@ -466,3 +467,19 @@ def test_that_the_reasons_of_the_engineer_are_printed():
     for language in ("en", "it"):
         said = "\n".join(lines_of(result, result.walls[0], language))
         assert "held by two floors" in said and "tests on this masonry" in said
+
+
+def test_that_no_word_of_a_table_for_word_is_parted_where_there_is_room():
+    """Each column has its longest word, whatever was asked, and all of them the width of the page."""
+    rng = np.random.default_rng(4)
+    for _ in range(300):
+        columns = int(rng.integers(1, 9))
+        rows = [["x" * int(n) for n in rng.integers(0, 12, columns)] for _ in range(3)]
+        part = Table(rows[0], rows[1:], rng.uniform(0.3, 5.0, columns).tolist())
+        sizes = document.widths_of(part)
+        least = [document.MARGINS + document.LETTER * max(len(row[k]) for row in rows) for k in range(columns)]
+        assert sum(sizes) == pytest.approx(document.WIDTH)
+        if sum(least) <= document.WIDTH:
+            assert all(size >= need - 1e-9 for size, need in zip(sizes, least, strict=True))
+    wide = Table(["a", "b"], [["one two", "three"]], [1.0, 2.0])
+    assert document.widths_of(wide) == pytest.approx([document.WIDTH / 3.0, 2.0 * document.WIDTH / 3.0])
