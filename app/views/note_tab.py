@@ -219,7 +219,7 @@ class NoteTab(ResultTab):
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
-        if self.zoom.currentData() is None and self.pages.images:
+        if self.zoom.currentData() is None and (self.pages.images or self.job is not None):
             self.resized.start(RESIZED_MS)
 
     def _arrived(self, pages: Pages) -> None:

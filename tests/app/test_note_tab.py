@@ -6,6 +6,8 @@ from tests.app.driving import run, settle
 
 pytest.importorskip("typst")
 
+from app.views.note_tab import Pages
+
 
 @pytest.fixture
 def shown(opened, application):
@@ -69,6 +71,14 @@ def test_that_a_page_is_as_wide_as_the_tab_and_follows_it(opened, shown, applica
     before = shown.paper.width()
     opened.resize(opened.width() + 200, opened.height())
     settle(application, lambda: shown.paper.width() > before)
+
+
+def test_that_a_note_that_is_set_for_the_first_time_while_the_window_shrinks_fits_it(opened, shown, application):
+    shown.pages = Pages()  # none is there yet
+    shown._set()
+    opened.resize(opened.width() - 250, opened.height())
+    wait(application, shown)
+    assert shown.view.horizontalScrollBar().maximum() == 0
 
 
 def test_that_a_note_on_its_way_is_left_when_another_result_comes(opened, shown, application, faults):

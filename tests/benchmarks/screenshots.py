@@ -74,6 +74,8 @@ def main(options: argparse.Namespace) -> None:
 
 def tabs(folder: Path, small: Path | None) -> None:
     """Pictures of every tab. small : a case in place of the example"""
+    from app.views.note_tab import NoteTab
+
     application, window = begin()
     run(application, window, small or CASES / "verdict.toml")
     if not small:
@@ -88,7 +90,8 @@ def tabs(folder: Path, small: Path | None) -> None:
                 window.resize(width, height)
                 for name in (*window.stages.input.areas, *window.pages):
                     window.navigator.show_page(name) if name in window.pages else window.navigator.show_input(name)
-                    settle(application, lambda: True)
+                    note = window.pages["note"].made
+                    settle(application, lambda note=note: not (isinstance(note, NoteTab) and note.is_setting))
                     picture(window, folder / f"{name}_{language}_{theme}_{width}.png")
     end(window)
 
