@@ -67,6 +67,7 @@ OWN = {
     "app/shell/menus.py": "the list of recent files, of the program",
     "app/terminal/check_export.py": "a resource of the program",
     "app/terminal/command_line.py": "members of a workbook, the heads alone",
+    "app/terminal/export.py": "a member of a workbook that is there already",
     "app/terminal/verification.py": "reports of its own, in a folder of its own",
     "app/views/figure_file.py": "a buffer",
     "app/shell/client_view.py": "a buffer",
