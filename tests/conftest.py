@@ -62,7 +62,7 @@ def shelf_folder() -> Path | None:
     return folder if (folder / "INDEX.csv").exists() else None
 
 
-COARSE = 8
+COARSE = 16
 """Every how many points of its grid zeta of histories is searched in the tests."""
 
 

@@ -112,9 +112,15 @@ def hinges_of(strip: Strip, h1: float) -> Hinges:
     """Hinges of a strip whose middle hinge is at h1 [m]: within the faces that both blocks share there."""
     inner, top = strip.thickness, 0.0
     if strip.parts:
-        faces, highest = contact_at(strip.parts, h1), faces_at(strip.parts, strip.height, below=True)
+        faces, highest = contact_at(strip.parts, h1), _held_faces(strip.parts, strip.height)
         inner, top = faces[1] if faces else inner, highest[0] if highest else top
     return Hinges(strip.setback, inner - strip.setback, top)
+
+
+@functools.lru_cache(maxsize=64)
+def _held_faces(parts: tuple[Part, ...], height: float) -> tuple[float, float] | None:
+    """x of the faces at the top that is held, the same wherever the hinge between is."""
+    return faces_at(parts, height, below=True)
 
 
 @functools.lru_cache(maxsize=4096)

@@ -19,60 +19,73 @@ HOUSNER_PERIODS = np.linspace(0.1, 2.5, 121)
 LANES = 32
 """Oscillators that follow the motion side by side."""
 
-A11, A12, A21, A22, STIFFNESS, VISCOUS, U, V, PEAK = range(9)
-"""Rows of the oscillators: their recursion, w^2, 2 z w, where they are, and their largest displacement."""
+UNLIKE = 8
+"""The same, of those that are looked at more or less often between two samples."""
+
+ROOM = 14 * LANES
+A11, A12, A21, A22, STIFFNESS, VISCOUS, LOOKS, LOOK, V_PART, U, V, U_NEXT, V_NEXT, PEAK = range(0, ROOM, LANES)
+"""Where the rows of the oscillators begin in their room: their recursion, w^2, 2 z w, looks a sample and from one to
+the next [s], the particular solution, where they are and where they are next, and their largest displacement."""
 
 
 @subkernel
-def _fill_peaks(ground, dt, periods, damping, parts, rows, peaks):
+def _fill_peaks(ground, dt, periods, damping, per_period, rows, peaks):
     """Largest |relative displacement| of oscillators at rest under a ground motion [m], each as if alone.
 
-    ground : acceleration, linear between samples [m/s2], shape (n,)
-    dt : [s]
-    periods : [s], shape (m,)
-    damping : ratio [-]
-    parts : looks a sample
-    rows : room for the oscillators, shape (9, at least m)
+    ground, dt, periods, damping, per_period : of `displacement_spectrum`, periods in any order, shape (m,)
+    rows : room for the oscillators, shape (ROOM,)
     peaks : results, shape (m,)
 
     Exact recursion of Nigam and Jennings (1969). With one look a sample, as is the custom, few samples a period give a
     peak too low (6 % at T = 0.1 s, dt = 0.02 s; 0.1 % of SI). The free motion after the record counts too, exactly, so
     that zeros appended to the record change little.
     """
-    h = dt / parts
+    most = 1
     for j in range(periods.size):
+        parts = _parts(dt, periods[j], per_period)
+        h = dt / parts
         w = 2.0 * math.pi / periods[j]
         wd = w * math.sqrt(1.0 - damping * damping)
         decay = math.exp(-damping * w * h)
         sine = decay * math.sin(wd * h)
         cosine = decay * math.cos(wd * h)
-        rows[A11, j] = cosine + damping * w / wd * sine
-        rows[A12, j] = sine / wd
-        rows[A21, j] = -w * w / wd * sine
-        rows[A22, j] = cosine - damping * w / wd * sine
-        rows[STIFFNESS, j] = w * w
-        rows[VISCOUS, j] = 2.0 * damping * w
-        rows[U, j] = 0.0
-        rows[V, j] = 0.0
-        rows[PEAK, j] = 0.0
+        rows[A11 + j] = cosine + damping * w / wd * sine
+        rows[A12 + j] = sine / wd
+        rows[A21 + j] = -w * w / wd * sine
+        rows[A22 + j] = cosine - damping * w / wd * sine
+        rows[STIFFNESS + j] = w * w
+        rows[VISCOUS + j] = 2.0 * damping * w
+        rows[LOOKS + j] = parts
+        rows[LOOK + j] = h
+        rows[U + j] = 0.0
+        rows[V + j] = 0.0
+        rows[PEAK + j] = 0.0
+        most = max(most, parts)
     for i in range(ground.size - 1):
         # particular solution of u'' + 2 z w u' + w2 u = -(g0 + slope t)
         slope = (ground[i + 1] - ground[i]) / dt
-        for k in range(parts):
-            push = -(ground[i] + k * h * slope)
+        for j in range(periods.size):
+            rows[V_PART + j] = -slope / rows[STIFFNESS + j]
+        for k in range(most):
             for j in range(periods.size):
-                v_part = -slope / rows[STIFFNESS, j]
-                u_part = (push - rows[VISCOUS, j] * v_part) / rows[STIFFNESS, j]
-                du = rows[U, j] - u_part
-                dv = rows[V, j] - v_part
-                u = rows[A11, j] * du + rows[A12, j] * dv + u_part + v_part * h
-                rows[V, j] = rows[A21, j] * du + rows[A22, j] * dv + v_part
-                rows[U, j] = u
-                rows[PEAK, j] = max(rows[PEAK, j], abs(u))
+                v_part = rows[V_PART + j]
+                push = -(ground[i] + k * rows[LOOK + j] * slope)
+                u_part = (push - rows[VISCOUS + j] * v_part) / rows[STIFFNESS + j]
+                u, v = rows[U + j], rows[V + j]
+                du, dv = u - u_part, v - v_part
+                u_next = rows[A11 + j] * du + rows[A12 + j] * dv + u_part + v_part * rows[LOOK + j]
+                v_next = rows[A21 + j] * du + rows[A22 + j] * dv + v_part
+                waits = k >= rows[LOOKS + j]  # for the next sample
+                rows[U_NEXT + j] = u if waits else u_next
+                rows[V_NEXT + j] = v if waits else v_next
+            for j in range(periods.size):
+                rows[U + j] = rows[U_NEXT + j]
+                rows[V + j] = rows[V_NEXT + j]
+                rows[PEAK + j] = max(rows[PEAK + j], abs(rows[U_NEXT + j]))
     for j in range(periods.size):
         w = 2.0 * math.pi / periods[j]
         wd = w * math.sqrt(1.0 - damping * damping)
-        peaks[j] = max(rows[PEAK, j], free_peak(rows[U, j], rows[V, j], w, wd, damping))
+        peaks[j] = max(rows[PEAK + j], free_peak(rows[U + j], rows[V + j], w, wd, damping))
 
 
 @subkernel
@@ -95,26 +108,25 @@ def _parts(dt, period, per_period):
 
 @kernel
 def _fill_spectrum(ground, dt, periods, damping, per_period, rows, spectrum):
-    """`displacement_spectrum` of neighbours with the same number of looks a sample, up to LANES at once.
+    """`displacement_spectrum` of neighbours: LANES with the same number of looks a sample, or UNLIKE ones.
 
     ground, dt, periods, damping, per_period : of `displacement_spectrum`
-    rows : room, shape (9, LANES)
+    rows : room, shape (ROOM,)
     spectrum : results, shape of periods
     """
     first = 0
     while first < periods.size:
-        parts = _parts(dt, periods[first], per_period)
-        end = first + 1
-        while end < min(first + LANES, periods.size) and _parts(dt, periods[end], per_period) == parts:
-            end += 1
-        _fill_peaks(ground, dt, periods[first:end], damping, parts, rows, spectrum[first:end])
+        end = min(first + LANES, periods.size)
+        if _parts(dt, periods[first], per_period) != _parts(dt, periods[end - 1], per_period):
+            end = min(first + UNLIKE, periods.size)
+        _fill_peaks(ground, dt, periods[first:end], damping, per_period, rows, spectrum[first:end])
         first = end
 
 
 def displacement_spectrum(ground, dt, periods, damping, per_period):
     """Relative displacement spectrum [m], shape of periods [s]; per_period : least number of times a period the
     response is looked at, 0 for the samples alone; the rest as `_fill_peaks`."""
-    spectrum, rows = np.empty(periods.size), np.empty((PEAK + 1, LANES))
+    spectrum, rows = np.empty(periods.size), np.empty(ROOM)
     _fill_spectrum(ground, dt, periods, damping, per_period, rows, spectrum)
     return spectrum
 

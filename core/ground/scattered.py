@@ -50,12 +50,17 @@ def correlation(first: float, second: float) -> float:
     return min(c2, c4) if high < 0.2 else c4
 
 
+@functools.lru_cache(maxsize=4)
+def _modes(periods: tuple[float, ...]) -> tuple[np.ndarray, np.ndarray]:
+    """Variances and directions of the correlation of eps over periods [s]: every set has the same."""
+    variances, directions = np.linalg.eigh(np.array([[correlation(a, b) for b in periods] for a in periods]))
+    return np.clip(variances, 0.0, None), directions
+
+
 def deviations(count: int, seed: int, periods: np.ndarray) -> np.ndarray:
     """eps of the motions of a set, shape (count, periods). Stratified: along each direction of the correlation the
     values are the quantiles of the normal distribution, in an order drawn by the seed. periods : [s]"""
-    matrix = np.array([[correlation(a, b) for b in periods] for a in periods])
-    variances, directions = np.linalg.eigh(matrix)
-    variances = np.clip(variances, 0.0, None)
+    variances, directions = _modes(tuple(periods))
     draw = np.random.Generator(np.random.PCG64(seed))
     levels = np.array([NormalDist().inv_cdf((k + 0.5) / count) for k in range(count)])
     scores = np.array([draw.permutation(levels) for _ in periods])

@@ -214,7 +214,7 @@ def evaluate(sections):
 
 
 @pytest.mark.shows("files.derivations")
-@pytest.mark.parametrize("walls", [60, pytest.param(90, marks=pytest.mark.long)])
+@pytest.mark.parametrize("walls", [44, pytest.param(90, marks=pytest.mark.long)])
 def test_that_every_description_gives_the_number_of_the_program_and_none_is_of_nothing(walls):
     described = {
         value.function.__name__
