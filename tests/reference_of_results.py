@@ -5,6 +5,8 @@ import json
 import sys
 from pathlib import Path
 
+from core.derivation import bending, body, checks, closed_forms, demand, geometry
+from core.derivation.quantity import Given
 from core.report.columns import COLUMNS
 from core.report.stated.quantity import Quantity, listed, schema
 from core.report.stated.study import RESULTS
@@ -17,7 +19,8 @@ HEAD = """# The results
 [JSON Schema](results.schema.json), against which the results of every shipped case are tested. A key may be null where
 there is no such number, and is left out where it says so. `[]` marks the items of a list, `.*` the values of a mapping.
 A case of more than 10 000 walls has a table `<case>.parquet` with the columns of the second table, and in its JSON a
-summary of its own ([scale.md](scale.md)), which is not of this schema.
+summary of its own ([scale.md](scale.md)), which is not of this schema. The sheet Check and the note derive the numbers
+that have a symbol in the last column, line by line.
 
 ```
 python3 run.py --batch resources/cases/verdict.toml --output results
@@ -47,14 +50,24 @@ def kind_of(quantity: Quantity) -> str:
     return KINDS.get(quantity.kind) or f"list of {KINDS[quantity.kind[:-1]]}s"
 
 
+SYMBOLS = {
+    value.name: value.symbol.format(state="LS", damping="ξ", years="years")
+    for module in (bending, body, checks, closed_forms, demand, geometry)
+    for value in vars(module).values()
+    if isinstance(value, Given)
+}
+"""Name of a line of the sheet Check -> its symbol."""
+
+
 def row(path: str, quantity: Quantity) -> str:
     words = quantity.meaning + ("; left out where there is none" if quantity.left_out else "")
-    return f"| `{path}` | {kind_of(quantity)} | {quantity.unit if quantity.unit != '-' else ''} | {words} |"
+    derived = SYMBOLS[quantity.line] if quantity.line else ""
+    return f"| `{path}` | {kind_of(quantity)} | {quantity.unit if quantity.unit != '-' else ''} | {words} | {derived} |"
 
 
 def page() -> str:
     """The page, with every key."""
-    head = ["| key | kind | unit | what it is |", "|---|---|---|---|"]
+    head = ["| key | kind | unit | what it is | in Check |", "|---|---|---|---|---|"]
     keys = [row(path, quantity) for path, quantity in listed(RESULTS)]
     columns = [row(column.key, column) for column in COLUMNS]
     return "\n".join([HEAD, "## Every key", *head, *keys, "", "## Columns of many walls", *head, *columns]) + "\n"

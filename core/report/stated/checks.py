@@ -31,7 +31,7 @@ RUN_AT_DEMAND = (
 
 OTHER_SIDE = (
     text("confidence_on", "where FC acts"),
-    number("zeta", "-", "zeta_E"),
+    number("zeta", "-", "zeta_E", line="zeta_other"),
     flag("passed", "whether the check passes"),
     numbers("spread", "-", "multipliers around which 45 and 55 % fail"),
 )
@@ -51,15 +51,15 @@ AT_DEMAND = (
     number("mean_peak_ratio", "-", "mean of the peaks over theta_c, null where a run overturns"),
     number("max_peak_ratio", "-", "largest of them"),
     text("set_rule", "mean, or maximum below seven stations"),
-    number("limit_ratio", "-", "share of theta_c that the clause allows"),
-    number("zeta", "-", "zeta_E: multiplier of the demand around which half of the multipliers fail"),
+    number("limit_ratio", "-", "share of theta_c that the clause allows", line="peak_limit"),
+    number("zeta", "-", "zeta_E: multiplier of the demand around which half of them fail", line="dynamic_zeta"),
     flag("holds", "whether the rule holds at the demand"),
     flag("passed", "whether it holds at the zeta required, and zeta_E reaches it"),
     flag("holds_at_target", "whether it holds at the zeta required"),
     flag("fails_at_target", "whether it fails there by runs that have a number"),
     text("confidence_on", "where FC acts: capacity or demand"),
     numbers("zeta_spread", "-", "multipliers around which 45 and 55 % fail"),
-    number("zeta_16", "-", "multiplier around which 16 % fail"),
+    number("zeta_16", "-", "multiplier around which 16 % fail", line="zeta_16"),
     number("zeta_first", "-", "first failure on the grid"),
     number("share_failing_at_demand", "-", "failing multipliers within 10 % of the zeta required"),
     one("zeta_other", "the check with FC on the other side, null where FC is 1", OTHER_SIDE),
@@ -87,19 +87,31 @@ def _bending(kinematic: Any) -> Any:
 
 
 BENDING = (
-    number("hinge_m", "m", "height of the hinge between, where it opens first", lambda pair: pair[0].h1),
-    number("hinge_of_displacement_m", "m", "the same of the displacement check", lambda pair: pair[1].h1),
-    number("d_c0_m", "m", "displacement of that hinge at which nothing holds the wall", lambda pair: pair[1].d_c0),
+    number("hinge_m", "m", "height of the hinge between, where it opens first", lambda pair: pair[0].h1, line="h1"),
+    number("hinge_of_displacement_m", "m", "the same of the displacement check", lambda pair: pair[1].h1, line="h1_d"),
+    number(
+        "d_c0_m",
+        "m",
+        "displacement of that hinge at which nothing holds the wall",
+        lambda pair: pair[1].d_c0,
+        line="d_c0",
+    ),
     number("theta_0_rad", "rad", "rotation of the lower block there", lambda pair: pair[1].theta0),
-    number("top_kn_m", "kN/m", "force that holds the top at the start", lambda pair: 1e-3 * pair[0].top_force),
+    number(
+        "top_kn_m",
+        "kN/m",
+        "force that holds the top at the start",
+        lambda pair: 1e-3 * pair[0].top_force,
+        line="top_force",
+    ),
 )
 
 DISPLACEMENT = (
-    number("d_limit_m", "m", "d_SLV or d_SLC", "limit"),
-    number("a_limit_m_s2", "m/s2", "capacity there", "capacity"),
-    number("period_s", "s", "T_SLV or T_SLC", "period"),
-    number("s_de_m", "m", "displacement demand", "demand"),
-    number("zeta", "-", "their ratio", "ratio"),
+    number("d_limit_m", "m", "d_SLV or d_SLC", "limit", line="d_limit_bare"),
+    number("a_limit_m_s2", "m/s2", "capacity there", "capacity", line="a_limit_bare"),
+    number("period_s", "s", "T_SLV or T_SLC", "period", line="period_bare"),
+    number("s_de_m", "m", "displacement demand", "demand", line="s_de_bare"),
+    number("zeta", "-", "their ratio", "ratio", line="displacement_ratio_bare"),
 )
 
 START: tuple[Quantity, ...] = (
@@ -121,11 +133,11 @@ def _own_mass(chain: Any) -> float | None:
 
 
 KINEMATIC = (
-    number("alpha0", "-", "multiplier that starts the mechanism, C8.7.1.1", "kinematic.alpha0"),
-    number("alpha0_without_ties", "-", "the same without its ties", "kinematic.chain.alpha0_bare"),
-    number("e_star", "-", "share of the mass that takes part, C8.7.1.5", "kinematic.e_star"),
-    number("m_star", "kg/m", "mass that takes part, null without a unit weight", "kinematic.m_star"),
-    number("a0_star_g", "g", "spectral acceleration that starts it, C8.7.1.3", per(G, "kinematic.a0")),
+    number("alpha0", "-", "multiplier that starts the mechanism, C8.7.1.1", "kinematic.alpha0", line="alpha0"),
+    number("alpha0_without_ties", "-", "the same without its ties", "kinematic.chain.alpha0_bare", line="alpha0_bare"),
+    number("e_star", "-", "share of the mass that takes part, C8.7.1.5", "kinematic.e_star", line="e_star"),
+    number("m_star", "kg/m", "mass that takes part, null without a unit weight", "kinematic.m_star", line="m_star"),
+    number("a0_star_g", "g", "spectral acceleration that starts it, C8.7.1.3", per(G, "kinematic.a0"), line="a0_star"),
     number("friction_height_m", "m", "part that turns with the friction", "kinematic.chain.friction_height"),
     one(
         "without_friction",
@@ -135,17 +147,23 @@ KINEMATIC = (
             None if found.kinematic.chain.alpha0_friction is None else (found.kinematic, found.confidence_factor)
         ),
     ),
-    number("d0_m", "m", "displacement of the control point at which nothing holds the wall", "kinematic.d0"),
-    number("d0_with_ties_m", "m", "the same, were its ties forces up to collapse", "kinematic.chain.d0_with_ties"),
-    number("d_limit_m", "m", "d_SLV or d_SLC", "kinematic.d_limit"),
+    number("d0_m", "m", "displacement of the control point at which nothing holds the wall", "kinematic.d0", line="d0"),
+    number(
+        "d0_with_ties_m",
+        "m",
+        "the same, were its ties forces up to collapse",
+        "kinematic.chain.d0_with_ties",
+        line="d0_with_ties",
+    ),
+    number("d_limit_m", "m", "d_SLV or d_SLC", "kinematic.d_limit", line="d_limit"),
     one("bending", "of a wall held at its top", BENDING, lambda found: _bending(found.kinematic)).optional(),
-    number("period_s", "s", "T_SLV or T_SLC, C8.7.1.10 and .11", "kinematic.period"),
-    number("s_de_m", "m", "displacement demand", "kinematic.s_de"),
+    number("period_s", "s", "T_SLV or T_SLC, C8.7.1.10 and .11", "kinematic.period", line="period"),
+    number("s_de_m", "m", "displacement demand", "kinematic.s_de", line="s_de"),
     one("without_ties", "the displacement check of the wall without its ties", DISPLACEMENT, "kinematic.without_ties"),
     flag("free_element", "whether it is free to vibrate before it moves", "kinematic.free_element"),
-    number("period_0_s", "s", "T_0 of a free element, C8.7.1.7", "kinematic.period_0"),
-    number("acceleration_demand_g", "g", "a_g S, or S_e(T_0)", per(G, "kinematic.acceleration_demand")),
-    number("zeta_sld", "-", "a_g,SLD over a_g, C8.7.1.8 and .9", "kinematic.zeta_sld"),
+    number("period_0_s", "s", "T_0 of a free element, C8.7.1.7", "kinematic.period_0", line="period_0"),
+    number("acceleration_demand_g", "g", "a_g S, or S_e(T_0)", per(G, "kinematic.acceleration_demand"), line="se_t0"),
+    number("zeta_sld", "-", "a_g,SLD over a_g, C8.7.1.8 and .9", "kinematic.zeta_sld", line="zeta_sld"),
     texts("missing", "keys without which a free element has no linear check", "kinematic.missing"),
     many("checks", "the rows of the table of methods", CHECK),
 )
@@ -163,13 +181,19 @@ VERDICT_OF_HINGE = (
 )
 
 RISK = (
-    number("pga_c_g", "g", "PGA_C", per(G, "risk.pga")),
-    number("return_period_c_years", "years", "T_R,C", "risk.return_period"),
-    number("other_return_period_c_years", "years", "T_R,C by the other exponent", "risk.other_return_period"),
+    number("pga_c_g", "g", "PGA_C", per(G, "risk.pga"), line="pga_c"),
+    number("return_period_c_years", "years", "T_R,C", "risk.return_period", line="tr_c"),
+    number(
+        "other_return_period_c_years",
+        "years",
+        "T_R,C by the other exponent",
+        "risk.other_return_period",
+        line="tr_c_longer",
+    ),
     number("zeta_16", "-", "of the histories, where they decide", lambda found: _decided_by(found, "zeta_16")),
     number("zeta_first", "-", "of the histories, where they decide", lambda found: _decided_by(found, "zeta_first")),
     text("return_period_c_shown", "T_R,C as it is written", "risk.years"),
-    number("is_v", "-", "IS-V of this mechanism", "risk.index"),
+    number("is_v", "-", "IS-V of this mechanism", "risk.index", line="is_v"),
     text("is_v_letter", "its letter", "risk.letter"),
 )
 """Quantities read from Assessment."""
@@ -183,7 +207,13 @@ def _decided_by(assessment: Any, name: str) -> float | None:
 
 FLOOR = (
     number("z_m", "m", "height above the ground", "floor.z"),
-    number("a_z_g", "g", "a_Z of C7.2.3", lambda wall: wall.floor.spectrum.a_z / G if wall.floor.spectrum else None),
+    number(
+        "a_z_g",
+        "g",
+        "a_Z of C7.2.3",
+        lambda wall: wall.floor.spectrum.a_z / G if wall.floor.spectrum else None,
+        line="a_z",
+    ),
     numbers("period_s", "s", "of each mode", lambda wall: [mode.period for mode in wall.floor.modes]),
     flag("period_estimated", "whether the period was not given", "floor.estimated"),
     numbers("damping", "-", "of each mode", lambda wall: [mode.damping for mode in wall.floor.modes]),

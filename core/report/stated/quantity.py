@@ -17,6 +17,7 @@ class Quantity(NamedTuple):
     unit : "" of what has none
     group : the quantities of an object
     left_out : the key is not written where there is nothing
+    line : name of its line in the sheet Check and in the note (core/derivation), "" of what they do not derive
     """
 
     key: str
@@ -26,6 +27,7 @@ class Quantity(NamedTuple):
     unit: str = ""
     group: tuple["Quantity", ...] = ()
     left_out: bool = False
+    line: str = ""
 
     def optional(self) -> "Quantity":
         return self._replace(left_out=True)
@@ -51,8 +53,8 @@ def whole(key: str, meaning: str, of: Read = None) -> Quantity:
     return _made("whole", key, meaning, of)
 
 
-def number(key: str, unit: str, meaning: str, of: Read = None) -> Quantity:
-    return _made("number", key, meaning, of, unit)
+def number(key: str, unit: str, meaning: str, of: Read = None, line: str = "") -> Quantity:
+    return _made("number", key, meaning, of, unit)._replace(line=line)
 
 
 def numbers(key: str, unit: str, meaning: str, of: Read = None) -> Quantity:

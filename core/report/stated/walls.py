@@ -110,10 +110,18 @@ INNER = (
 )
 
 BODY = (
-    number("mass_kg", "kg", "mass", "wall.in_si.body.mass"),
-    number("x_g_m", "m", "centroid from the outer edge of the base", lambda wall: wall.wall.in_si.body.centroid[0]),
-    number("z_g_m", "m", "centroid above the base", lambda wall: wall.wall.in_si.body.centroid[1]),
-    number("i_o_kgm2", "kg m2", "moment of inertia about the outer edge of the base", "wall.in_si.body.inertia"),
+    number("mass_kg", "kg", "mass", "wall.in_si.body.mass", line="body_mass"),
+    number(
+        "x_g_m",
+        "m",
+        "centroid from the outer edge of the base",
+        lambda wall: wall.wall.in_si.body.centroid[0],
+        line="x_g",
+    ),
+    number("z_g_m", "m", "centroid above the base", lambda wall: wall.wall.in_si.body.centroid[1], line="z_g"),
+    number(
+        "i_o_kgm2", "kg m2", "moment of inertia about the outer edge of the base", "wall.in_si.body.inertia", line="i_o"
+    ),
     one("inner", "about the inner hinge, where it is another block", INNER, "model.other").optional(),
     many("solids", "its solids", SOLID, "wall.parts"),
 )
@@ -128,7 +136,7 @@ def _sides(wall: WallResult) -> list:
 LOADS = (
     number("a", "-", "sine of the restoring moment, outward", "model.restoring.sine"),
     number("c", "-", "its cosine", "model.restoring.cosine"),
-    number("collapse_rotation_rad", "rad", "theta_c", "model.collapse_rotation"),
+    number("collapse_rotation_rad", "rad", "theta_c", "model.collapse_rotation", line="theta_c"),
     number("uplift_g", "g", "a_RM", per(G, "model.threshold")),
     many("sides", "a and c of each side", SIDE, _sides),
 )
@@ -243,17 +251,39 @@ def _with_factor(of: OfWallResult) -> OfAssessment | None:
 
 WALL = (
     text("name", "name, with the height of the hinge above the base", "wall.name"),
-    number("height_m", "m", "height above the hinge", "wall.height"),
-    number("thickness_m", "m", "thickness", "wall.thickness"),
-    number("slenderness_deg", "deg", "alpha about the outer hinge", lambda of: math.degrees(of.wall.block.slenderness)),
-    number("radius_m", "m", "R", lambda of: _held(of, lambda wall: wall.block.radius)),
+    number("height_m", "m", "height above the hinge", "wall.height", line="height"),
+    number("thickness_m", "m", "thickness", "wall.thickness", line="thickness"),
     number(
-        "frequency_parameter_rad_s", "rad/s", "p", lambda of: _held(of, lambda wall: wall.block.frequency_parameter)
+        "slenderness_deg",
+        "deg",
+        "alpha about the outer hinge",
+        lambda of: math.degrees(of.wall.block.slenderness),
+        line="slenderness",
     ),
-    number("threshold_acceleration_g", "g", "acceleration that starts the motion", lambda of: of.wall.threshold / G),
+    number("radius_m", "m", "R", lambda of: _held(of, lambda wall: wall.block.radius), line="radius"),
+    number(
+        "frequency_parameter_rad_s",
+        "rad/s",
+        "p",
+        lambda of: _held(of, lambda wall: wall.block.frequency_parameter),
+        line="p",
+    ),
+    number(
+        "threshold_acceleration_g",
+        "g",
+        "acceleration that starts the motion",
+        lambda of: of.wall.threshold / G,
+        line="a_rm",
+    ),
     text("mechanism", "one_sided, two_sided or vertical_bending", "wall.mechanism"),
     text("restitution", "model of restitution", lambda of: _held(of, lambda wall: wall.restitution.model)),
-    number("velocity_ratio", "-", "at rest", lambda of: _held(of, lambda wall: wall.restitution.ratio_at_rest)),
+    number(
+        "velocity_ratio",
+        "-",
+        "at rest",
+        lambda of: _held(of, lambda wall: wall.restitution.ratio_at_rest),
+        line="velocity_ratio",
+    ),
     Quantity("law", "any", "moment-rotation law", lambda of: _held(of, lambda wall: wall.wall.law)),
     many("runs", "each record and sign", RUN),
     many("per_record", "the lower of both signs of each record", PER_RECORD, "wall.per_record"),
@@ -261,8 +291,8 @@ WALL = (
     number("q_set", "-", "q of the set by that rule", "wall.q_set"),
     number("q_min", "-", "lowest q", "wall.q_min"),
     number("q_robust_set", "-", "q_robust of the set", "wall.q_robust_set"),
-    number("q_slv_set", "-", "q_slv of the set", "wall.q_slv_set"),
-    number("q_slv_low_set", "-", "the same of its lower ends", "wall.q_slv_low_set"),
+    number("q_slv_set", "-", "q_slv of the set", "wall.q_slv_set", line="q_slv"),
+    number("q_slv_low_set", "-", "the same of its lower ends", "wall.q_slv_low_set", line="q_slv_low"),
     one(
         "power_law",
         "q_eff = C1 SI^C2, Eq. 13",
@@ -303,7 +333,7 @@ WALL = (
     one(
         "lower_bound_check",
         "the histories where what holds the wall fails",
-        AT_DEMAND,
+        [quantity._replace(line="") for quantity in AT_DEMAND],
         lambda of: of.found.lower_bound if of.found else None,
     ),
     one("kinematic_check", "the checks of the clauses", KINEMATIC, _with_factor),

@@ -11,11 +11,13 @@ from core.codes.target_spectrum import ntc2018
 from core.derivation import bending, body, checks, closed_forms, demand
 from core.derivation import wall as of_wall
 from core.derivation.closed_forms import closed
-from core.derivation.geometry import forces_at_limit, geometry
+from core.derivation.geometry import forces_at_limit, geometry, governing_side
 from core.derivation.line import Columns
 from core.derivation.quantity import Quantity
 from core.derivation.site import demand_section
 from core.errors import InputError
+from core.report.stated.quantity import listed
+from core.report.stated.walls import WALL, OfWallResult
 from core.study.run import run
 from core.units import G
 from core.wall.restitution import MODELS
@@ -213,6 +215,40 @@ def evaluate(sections):
     return compared
 
 
+ABOUT_A_HINGE = {"slenderness", "radius", "p", "velocity_ratio"}
+OF_RECORDS = {"dynamic_zeta", "peak_limit", "zeta_16", "zeta_other", "q_slv", "q_slv_low"}
+
+
+def derived_of(group, source):
+    """(name of its line, value, unit) of the results that the sheet Check derives."""
+    for one in group:
+        value = one.of(source)
+        if value is None:
+            continue
+        if one.group and one.kind == "one":
+            yield from derived_of(one.group, value)
+        elif one.line:
+            yield one.line, value, one.unit
+
+
+def results_agree(result, wall, lines):
+    """Assert that a number of the results which has a line has its value and unit; gives the lines that were there."""
+    there = {}
+    for line in lines:
+        if not isinstance(line, Columns) and line.value is not None:
+            there.setdefault(line.of.name, []).append(line)
+    compared = set()
+    for name, value, unit in derived_of(WALL, OfWallResult(wall, result)):
+        if name in ABOUT_A_HINGE and governing_side(wall) < 0.0:  # the results are about the outer one
+            continue
+        for line in there.get(f"{name}_friction") or there.get(name, []):
+            assert line.value == pytest.approx(value, rel=1e-9, abs=1e-12), name
+            shown = line.of.unit.format(years="years").replace("–", "-").replace("°", "deg")
+            assert shown.replace("²", "2").replace("³", "3") == unit, name
+            compared.add(name)
+    return compared
+
+
 @pytest.mark.shows("files.derivations")
 @pytest.mark.parametrize("walls", [44, pytest.param(90, marks=pytest.mark.long)])
 def test_that_every_description_gives_the_number_of_the_program_and_none_is_of_nothing(walls):
@@ -225,6 +261,7 @@ def test_that_every_description_gives_the_number_of_the_program_and_none_is_of_n
     seen = {"q", "q_eff", "demand_over_q", "capacity_over_demand"}  # of the table of records, and of Eq. 9
     seen |= {"intensity_of_records", "linear_q_slv", "linear_q_slv_with_friction", "linear_q_slv_zeta"}  # with records
     seen |= {"linear_q_slv_with_ties", "linear_q_slv_with_ties_and_friction", "zeta_floor_with_ties_and_friction"}
+    told = set()
     for which in DEMANDS:
         compared, found = 0, results(which, walls)
         for result in found:
@@ -232,11 +269,13 @@ def test_that_every_description_gives_the_number_of_the_program_and_none_is_of_n
                 sections = sections_of(result, wall)
                 compared += evaluate(sections)
                 lines = [line for section in sections for line in section.lines]
+                told |= results_agree(result, wall, lines)
                 seen |= {line.quantity.function.__name__ for line in lines if getattr(line, "quantity", None)}
                 seen |= {line.shown_by.function.__name__ for line in lines if getattr(line, "shown_by", None)}
         assert len(found) > 0.6 * walls and compared > 15 * len(found), which
     branches = {one.function.__name__ for one in (*checks.SE_BRANCHES, *checks.S_DE_BRANCHES)}
     assert described - seen - branches == set()
+    assert {one.line for _, one in listed(WALL) if one.line} - told == OF_RECORDS
 
 
 @pytest.mark.shows("demand.branches")
@@ -272,8 +311,12 @@ def test_that_the_sections_of_a_run_with_records_agree_too(reference, tmp_path):
         }
     )
     result = run(case, base_dir=tmp_path)
+    told = set()
     for found in result.walls:
-        assert evaluate([demand_section(result), geometry(found), *of_wall.checks_of(result, found)]) > 10
+        sections = sections_of(result, found)
+        assert evaluate(sections) > 10
+        told |= results_agree(result, found, [line for section in sections for line in section.lines])
+    assert told >= OF_RECORDS
 
 
 def test_that_a_slack_tie_beside_one_that_counts_adds_nothing_to_what_the_ties_hold(tmp_path):
