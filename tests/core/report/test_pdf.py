@@ -148,20 +148,20 @@ def test_that_a_case_is_attached_as_it_was_written_with_its_comments(verdict, wh
 
 
 @pytest.mark.shows("note.same_bytes")
-def test_that_the_same_result_gives_the_same_bytes_on_any_day(whole_building, content):
-    other = replace(whole_building, started_utc="2031-01-01T00:00:00Z")
-    assert note_as_pdf(other, Path()) == content
-    dated = replace(whole_building.case.report, date="25/11/2026")
+def test_that_the_same_result_gives_the_same_bytes_on_any_day(verdict):
+    other = replace(verdict, started_utc="2031-01-01T00:00:00Z")
+    assert note_as_pdf(other, Path()) == note_as_pdf(verdict, Path())
+    dated = replace(verdict.case.report, date="25/11/2026")
     dated = note_as_pdf(replace(other, case=replace(other.case, report=dated)), Path())
     assert pypdf.PdfReader(io.BytesIO(dated)).metadata.creation_date.date().isoformat() == "2026-11-25"
     assert day_of("in autumn") == NO_DATE and day_of("2026-02-30") == NO_DATE
 
 
 @pytest.mark.shows("note.standards")
-def test_that_a_note_of_pdf_a_1b_has_no_files_within(whole_building, tmp_path):
-    asked = replace(whole_building.case.report, pdf_standard="a-1b")
+def test_that_a_note_of_pdf_a_1b_has_no_files_within(verdict, tmp_path):
+    asked = replace(verdict.case.report, pdf_standard="a-1b")
     path = tmp_path / "n.pdf"
-    path.write_bytes(note_as_pdf(replace(whole_building, case=replace(whole_building.case, report=asked)), Path()))
+    path.write_bytes(note_as_pdf(replace(verdict, case=replace(verdict.case, report=asked)), Path()))
     said = pypdf.PdfReader(path).trailer["/Root"]["/Metadata"].get_object().get_data().decode()
     assert "pdfaid:part>1<" in said and "pdfaid:conformance>B<" in said
     with pytest.raises(InputError) as refused:
@@ -230,10 +230,10 @@ def test_that_a_note_is_a_case_for_the_batch(verdict, tmp_path, capsys):
 
 
 @pytest.mark.shows("note.office")
-def test_that_logo_letterhead_and_font_are_of_the_office_or_refused(whole_building, tmp_path):
+def test_that_logo_letterhead_and_font_are_of_the_office_or_refused(verdict, tmp_path):
     def set_with(**report):
-        asked = replace(whole_building.case.report, **report)
-        return note_as_pdf(replace(whole_building, case=replace(whole_building.case, report=asked)), tmp_path)
+        asked = replace(verdict.case.report, **report)
+        return note_as_pdf(replace(verdict, case=replace(verdict.case, report=asked)), tmp_path)
 
     (tmp_path / "logo.svg").write_text(
         '<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><rect width="9" height="9"/></svg>'
