@@ -62,7 +62,7 @@ def shelf_folder() -> Path | None:
     return folder if (folder / "INDEX.csv").exists() else None
 
 
-COARSE = 16
+COARSE = 8
 """Every how many points of its grid zeta of histories is searched in the tests."""
 
 
