@@ -6,7 +6,7 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QGroupBox, QVBoxLayout, QWidget
 
-from app.input.fields import connect
+from app.input.fields import blank, connect
 from app.input.made_fields import make_field
 from app.input.place_fields import CoordinatesField, MunicipalityField
 from app.input.place_map import PlaceMap
@@ -97,9 +97,7 @@ class PlaceForm(QWidget):
         for widget in self.inside:
             widget.setVisible(site is not None)
         if site is None:
-            for field in (self.municipality, self.coordinates):
-                field.forget()
-                field.show_value(None)
+            blank((self.municipality, self.coordinates, *self.fields))
             self.words.clear()
             self.states.show_rows([])
             self.map.show_point(None)

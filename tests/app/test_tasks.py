@@ -198,13 +198,16 @@ def test_that_finding_a_field_of_a_load_there_is_none_of_leads_to_adding_one(ope
 
 
 def test_that_a_form_of_nothing_shows_no_value(opened):
-    opened.session.edit(replace(opened.session.case, building=Building(9.0, 3)))
-    opened.files.new()
+    """Whatever stood there: a place, say, of the case before."""
     from PySide6.QtWidgets import QLineEdit
 
-    for form in (opened.walls, opened.demand, opened.demand.building):
-        texts = [line.text() for line in form.findChildren(QLineEdit)]
-        assert not any(texts), form
+    opened.session.edit(replace(opened.session.case, building=Building(9.0, 3)))
+    forms = opened.walls, opened.demand, opened.demand.building
+    lines = [line for form in forms for line in form.findChildren(QLineEdit)]
+    for line in lines:
+        line.setText("7")
+    opened.files.new()
+    assert len(lines) > 60 and not [line.accessibleName() for line in lines if line.text()]
     assert not any(button.isChecked() for button in opened.walls.mechanisms.values())
 
 
