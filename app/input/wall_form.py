@@ -195,7 +195,7 @@ class WallForm(WallEditor):
         for group in self.findChildren(OptionalGroup):
             group.forget()
         self.body.forget()
-        self.former = (None, None)
+        self.former, self.shown = (None, None), (None, 0)
 
     def show_case(self) -> None:
         """Fill the form from the session."""

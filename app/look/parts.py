@@ -1,6 +1,7 @@
 """What shows a case, part by part."""
 
-from collections.abc import Callable
+import contextlib
+from collections.abc import Callable, Iterator
 
 from PySide6.QtCore import QObject, Signal
 
@@ -13,9 +14,24 @@ class Parts(QObject):
 
     def __init__(self, owner: QObject, *parts: Callable[[], None]):
         super().__init__(owner)
+        self._held = self._wanted = False
         for part in parts:
             self._due.connect(part)
 
     def show(self) -> None:
         """Have all parts show the case as it is, in their order."""
-        self._due.emit()
+        if self._held:
+            self._wanted = True
+        else:
+            self._due.emit()
+
+    @contextlib.contextmanager
+    def once(self) -> Iterator[None]:
+        """Of all changes made within it the parts show the last alone, where there is one."""
+        self._held, self._wanted = True, False
+        try:
+            yield
+        finally:
+            self._held = False
+            if self._wanted:
+                self.show()

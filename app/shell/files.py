@@ -38,13 +38,12 @@ class Files:
         if not self.give_up():
             return False
         try:
-            self.session.open(path)
+            self.window.start_afresh(lambda: self.session.open(path))
         except InputError as error:
             QMessageBox.warning(self.window, tr("Not opened"), plain(quoted_from_file(error)))
             return False
         if path != EXAMPLE:
             self.remember(path)
-        self.window.start_afresh()
         if said := self.session.from_drawings:
             lines = [described(one) if isinstance(one, InputError) else one.text(current_language()) for one in said]
             text = tr("What is saved or run from here are these solids; the drawing is read again with --batch.")
@@ -62,14 +61,13 @@ class Files:
     def remember(self, path: Path) -> None:
         others = [name for name in self.recent if name != str(path)]
         self.settings.setValue("recent", [str(path), *others][:RECENT])
-        self.window.refresh()
+        self.window.show_recent()
 
     def new(self) -> bool:
         """An empty case; False where the one at hand is to stay."""
         if not self.give_up():
             return False
-        self.session.new(self.window.language)
-        self.window.start_afresh()
+        self.window.start_afresh(lambda: self.session.new(self.window.language))
         return True
 
     def ask_open(self) -> None:

@@ -7,6 +7,7 @@ import os
 import sys
 import tempfile
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QLibraryInfo, QSettings, QStandardPaths, QTimer, QTranslator
@@ -42,8 +43,7 @@ def offer_recovery(window: MainWindow) -> None:
         )
         if answer == button.Yes:
             try:
-                window.session.recover(file)
-                window.start_afresh()
+                window.start_afresh(partial(window.session.recover, file))
                 return
             except InputError as error:
                 QMessageBox.warning(window, tr("Not opened"), plain(quoted_from_file(error)))

@@ -114,11 +114,11 @@ class MainWindow(QMainWindow):
             self._show_problem,
             self._show_tree,
             self._show_input,
-            self._show_recent,
             self.preparation.prepare_next,
         )
         self.stages.input.show_kind("wall")
         self.navigator.show_stage("input")
+        self.show_recent()
         self.refresh()
 
     def _name_parts(self) -> None:
@@ -365,7 +365,8 @@ class MainWindow(QMainWindow):
         if self.navigator.page == "spectra":
             self.navigator.show_spectra()
 
-    def _show_recent(self) -> None:
+    def show_recent(self) -> None:
+        """The files of late in the menu."""
         menus.show_recent(self, self.actions_of.recent)
 
     def changeEvent(self, event) -> None:
@@ -390,16 +391,20 @@ class MainWindow(QMainWindow):
         if not kept and self.session.autosave():
             self.autosaved = self.session.case
 
-    def start_afresh(self) -> None:
-        """Another case is open: nothing of the last one stays."""
-        self.runner.cancel()
-        self.walls.row = 0
-        self.records.read_again()
-        for field in self.stages.fields:
-            field.forget()
-        for form in (self.walls, self.demand, self.demand.building):
-            form.forget()
-        self.navigator.take(None)
+    def start_afresh(self, open_case: Callable[[], None]) -> None:
+        """Have `open_case` put another case in the place of this one, of which nothing stays; it may raise InputError
+        before it changes anything. All is shown once, when it is there."""
+        with self.parts.once():
+            open_case()
+            self.runner.cancel()
+            self.walls.row = 0
+            self.records.read_again()
+            for field in self.stages.fields:
+                field.forget()
+            for form in (self.walls, self.demand, self.demand.building):
+                form.forget()
+            self.stages.show_stage("input")  # no page in front is made anew to show that there is nothing
+            self.navigator.take(None)
         self.navigator.show_input("wall", 0)
 
     def closeEvent(self, event) -> None:

@@ -218,7 +218,8 @@ class SharedWindow:
         if self.made is None:
             self.made = new_window(folder)
             self.centre, self.known = self.made.centralWidget(), attributes_of(self.made)
-            self.folds, self.captions = folds_of(self.made), dict(FORM_NAMES.captions)
+            self.sections, self.captions = sections_of(self.made), dict(FORM_NAMES.captions)
+            self.folds = [section.head.isChecked() for section in self.sections]
         else:
             FORM_NAMES.captions.update(self.captions)  # a window in Italian has come between
             self.put_back(folder)
@@ -248,11 +249,12 @@ class SharedWindow:
         made.resize(*SIZE)
         if (focus := made.focusWidget()) is not None:
             focus.clearFocus()
-        for section, unfolded in zip(sections_of(made), self.folds, strict=True):
+        for section, unfolded in zip(self.sections, self.folds, strict=True):
             section.head.setChecked(unfolded)
         for area in made.stages.input.areas.values():
             area.verticalScrollBar().setValue(0)
         made.stages.input.kind = ""  # forms and drawing share the width anew
+        made.stages.show_stage("input")  # no page is made by what follows
         made.stages.why.setCurrentIndex(0)
         made.stages.answer.stack.setCurrentIndex(0)
         made.tree.rows = []
@@ -315,20 +317,24 @@ def put_back_attributes(made, known: list[set[str]]) -> None:
 
 
 def sections_of(made) -> list:
+    """The parts of its forms that fold."""
     from app.look.section import Section
 
     return made.findChildren(Section)
 
 
-def folds_of(made) -> list[bool]:
-    """Which sections of its forms are unfolded."""
-    return [section.head.isChecked() for section in sections_of(made)]
-
-
 def windows_over(made) -> list:
     """Windows and dialogs that belong to a window; menus and lists that fold out do too, and stay."""
     from PySide6.QtCore import Qt
-    from PySide6.QtWidgets import QWidget
+    from PySide6.QtWidgets import QApplication
 
     kinds = (Qt.WindowType.Window, Qt.WindowType.Dialog)
-    return [one for one in made.findChildren(QWidget) if one.isWindow() and one.windowType() in kinds]
+    return [one for one in QApplication.topLevelWidgets() if one.windowType() in kinds and is_over(one, made)]
+
+
+def is_over(one, made) -> bool:
+    """Whether a window belongs to another one, directly or not."""
+    while (one := one.parentWidget()) is not None:
+        if one is made:
+            return True
+    return False

@@ -277,8 +277,7 @@ def print_walls(application, window, count: int, keys: int) -> None:
         path, words = case_of_walls(Path(folder), count), f"{count} walls with a place"
 
         def open_case() -> None:
-            window.session.open(path)
-            window.start_afresh()
+            window.start_afresh(lambda: window.session.open(path))
 
         print(f"{words} opened: {said(own_time(application, open_case))}")
         settled(application, window)
