@@ -18,7 +18,7 @@ from core.child import Refused, bounded
 from core.errors import InputError
 from core.packages import require
 from core.regular_file import TooLarge, read_regular
-from core.report.differences import Difference, case_of_workbook, of_lines, of_results, of_workbooks, words_of_note
+from core.report.differences import Difference, case_of_workbook, of_lines, of_results, of_workbooks, words_of_notes
 from core.study.results import StudyResult
 from core.study.run import run as run_study
 from core.version import VERSION
@@ -167,7 +167,7 @@ def _compared(report: Path, content: bytes, reported: dict, result: StudyResult,
             return
         within = json.loads(files_of(again)["results.json"])
         yield from of_results(reported, within)
-        words = [_bounded(report, words_of_note, one) for one in (content, again)]
+        words = _bounded(report, words_of_notes, [content, again])
         lines = list(of_lines(*words))
         yield from lines
         if not lines:

@@ -2,6 +2,7 @@
 
 import difflib
 import io
+import zipfile
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -9,6 +10,9 @@ from core.text.sentence import LANGUAGES, localized
 
 OF_THE_RUN = ("started_utc", "seconds", "commit")
 """Keys of the results that are of one run alone."""
+
+WHEN_WRITTEN = "docProps/core.xml"
+"""Part of a workbook that says when it was written."""
 
 SHOWN = 80
 """Letters of a value that are quoted."""
@@ -58,7 +62,7 @@ def case_of_workbook(content: bytes) -> str:
     """The text of the case within a workbook, "" where there is none."""
     import openpyxl
 
-    book = openpyxl.load_workbook(io.BytesIO(content))
+    book = openpyxl.load_workbook(io.BytesIO(content), read_only=True)  # this sheet alone
     for language in LANGUAGES:
 
         def say(text: str, language: str = language) -> str:
@@ -66,7 +70,8 @@ def case_of_workbook(content: bytes) -> str:
 
         name, heading = say("Input"), say("The case as it was run")
         if name in book.sheetnames:
-            column = [row[0] for row in book[name].iter_rows(max_col=1, values_only=True)]
+            book[name].reset_dimensions()  # a file may claim another size
+            column = [row[0] if row else None for row in book[name].iter_rows(values_only=True)]
             if heading in column:
                 lines = column[column.index(heading) + 1 :]
                 return "\n".join("" if line is None else str(line) for line in lines) + "\n"
@@ -74,8 +79,10 @@ def case_of_workbook(content: bytes) -> str:
 
 
 def of_workbooks(reported: bytes, found: bytes) -> list[Difference]:
-    """The differences of two workbooks, cell by cell: formulas, and the values that are kept beside them. Raises what
-    openpyxl raises of a file that is none."""
+    """The differences of two workbooks, cell by cell: formulas, and the values that are kept beside them; none of two
+    whose parts are the same byte by byte. Raises what openpyxl raises of a file that is none."""
+    if _parts(reported) == _parts(found):
+        return []
     import openpyxl
 
     differences: list[Difference] = []
@@ -93,6 +100,12 @@ def of_workbooks(reported: bytes, found: bytes) -> list[Difference]:
     return differences
 
 
+def _parts(content: bytes) -> list[tuple[str, bytes]]:
+    """Name and content of the parts of a workbook, but for the one that says when it was written."""
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        return [(one.filename, archive.read(one)) for one in archive.infolist() if one.filename != WHEN_WRITTEN]
+
+
 def _cells(sheet) -> dict[str, Any]:
     """Coordinate -> value of the cells of a sheet that hold one."""
     return {cell.coordinate: cell.value for row in sheet.iter_rows() for cell in row if cell.value is not None}
@@ -108,12 +121,13 @@ def _is_formula(value: Any) -> bool:
     return isinstance(value, str) and value.startswith("=")
 
 
-def words_of_note(content: bytes) -> list[str]:
-    """Lines of a note, page after page, in a child process. Raises what pypdf raises of a file that is none."""
+def words_of_notes(contents: list[bytes]) -> list[list[str]]:
+    """Lines of each of these notes, page after page, in a child process. Raises what pypdf raises of a file that is
+    none."""
     import pypdf
 
-    reader = pypdf.PdfReader(io.BytesIO(content))
-    return [line for page in reader.pages for line in page.extract_text().splitlines()]
+    readers = [pypdf.PdfReader(io.BytesIO(content)) for content in contents]
+    return [[line for page in reader.pages for line in page.extract_text().splitlines()] for reader in readers]
 
 
 def of_lines(reported: list[str], found: list[str]) -> Iterator[Difference]:
