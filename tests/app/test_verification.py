@@ -1,6 +1,5 @@
 """`--verify`: a report that is what its case gives, one that was edited anywhere, and one that nobody can tell."""
 
-import io
 import json
 import re
 import shutil
