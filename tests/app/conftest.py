@@ -77,13 +77,8 @@ def of_seven(kept):
     """The result of SEVEN."""
     from core.case.reader import read_case
     from core.study.run import run
-    from tests.conftest import whole_grid
 
-    def made():
-        with whole_grid():
-            return run(read_case(SEVEN), base_dir=SEVEN.parent, jobs=2)
-
-    return kept("verdict_of_seven", made)
+    return kept("verdict_of_seven", lambda: run(read_case(SEVEN), base_dir=SEVEN.parent, jobs=2))
 
 
 @pytest.fixture(scope="session")

@@ -9,8 +9,11 @@ import pytest
 from tests.conftest import ROOT
 from tests.xvfb import display
 
+EXAMPLE = ROOT / "resources" / "cases" / "example.toml"
+
 SCRIPT = """
 import sys
+from pathlib import Path
 from app.look.quick_imports import quicken
 quicken()
 from PySide6.QtCore import QEventLoop, QStandardPaths, Qt, QTimer
@@ -21,7 +24,7 @@ from core.case.reader import read_case
 application, window = start.make([])
 start.install_hook(window)
 window.show()
-window.session.open(start.EXAMPLE)
+window.session.open(Path(sys.argv[1]))
 late = QTimer(singleShot=True, interval=100_000)
 late.start()
 def until(ready):
@@ -75,12 +78,16 @@ def test_that_an_unknown_version_is_imported_as_it_is_by_itself(package):
     assert found.stdout.split() == ["False", "1.0"], found.stderr
 
 
-def test_the_window_under_xvfb(tmp_path):
+@pytest.mark.parametrize("motions", [2, pytest.param(14, marks=pytest.mark.long)])
+def test_the_window_under_xvfb(tmp_path, motions):
+    """motions : generated for the example"""
     pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
     with display(PYTHONPATH=str(ROOT), XDG_CONFIG_HOME=str(tmp_path)) as variables:
         if isinstance(variables, str):
             pytest.skip(variables)
-        start = [sys.executable, "-P", "-c", SCRIPT]
+        case = tmp_path / "example.toml"
+        case.write_text(EXAMPLE.read_text(encoding="utf-8").replace("seed = 1", f"seed = 1\ncount = {motions}"))
+        start = [sys.executable, "-P", "-c", SCRIPT, str(case)]
         found = subprocess.run(start, env=variables, capture_output=True, text=True, timeout=150)
     assert found.returncode == 0, found.stderr
     platform, walls, colors = found.stdout.split()
