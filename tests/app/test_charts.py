@@ -212,7 +212,7 @@ def test_that_a_hatched_area_is_hatched_in_every_file(application, end):
     chart.deleteLater()
 
 
-@pytest.mark.parametrize("language", ["en", "it"])
+@pytest.mark.parametrize("language", ["it", pytest.param("en", marks=pytest.mark.long)])  # the longer words
 def test_that_no_word_of_a_legend_is_cut_at_1280(shared, application, language):
     shared.set_choice("language", language)
     shared.resize(1280, 800)

@@ -93,14 +93,27 @@ def painted(application, size: FigureSize, dash: bool = False) -> tuple[QImage, 
     return image, turns
 
 
-@pytest.mark.parametrize("size", [FigureSize(), FigureSize(80.0), FigureSize(120.0, 600, caption=False)])
+LARGE = FigureSize(), FigureSize(120.0, 600, caption=False)
+
+
+@pytest.mark.parametrize(
+    "size",
+    [
+        *(FigureSize(80.0), FigureSize(60.0, 450, caption=False)),
+        *(pytest.param(size, marks=pytest.mark.long) for size in LARGE),
+    ],
+)
 def test_that_a_figure_in_strips_is_the_figure_painted_at_once(application, monkeypatch, size):
     in_strips, turns = painted(application, size)
     assert turns > 5
-    assert painted(application, size, dash=True)[1] == 1  # its dashes would begin anew in each strip
     monkeypatch.setattr(figure_file, "LENGTH", 1e9)
     at_once, turns = painted(application, size)
     assert turns == 1 and in_strips == at_once
+
+
+def test_that_a_dashed_curve_is_painted_at_once(application):
+    """Its dashes would begin anew in each strip."""
+    assert painted(application, FigureSize(80.0), dash=True)[1] == 1
 
 
 def test_that_a_chart_may_change_or_go_between_two_strips(application):

@@ -211,7 +211,8 @@ def test_that_the_common_factor_brings_the_mean_to_the_target(walls):
 
 @pytest.mark.shows("window.figures")
 @pytest.mark.parametrize(
-    ("width", "dpi"), [(80.0, 300), (160.0, 300), pytest.param(160.0, 600, marks=pytest.mark.long)]
+    ("width", "dpi"),
+    [(80.0, 300), *(pytest.param(160.0, dpi, marks=pytest.mark.long) for dpi in (300, 600))],
 )
 def test_that_a_figure_is_as_wide_as_asked_light_and_has_its_caption(walls, width, dpi):
     walls.set_choice("theme", "dark")
@@ -312,12 +313,14 @@ def test_that_no_figure_is_painted_while_the_file_of_another_is_made(walls, appl
     assert set(turns) == {1} and len(begun) == len(list(tmp_path.glob("*.png"))) and not SPARE
 
 
-def test_that_nothing_plays_while_figures_are_painted(walls, application, tmp_path):
+def test_that_nothing_plays_while_figures_are_painted(walls, application, tmp_path, begun):
     walls.navigator.show_page("histories")
     walls.pages["histories"].content.play.setChecked(True)
     walls.files.export_figures(tmp_path, FigureSize(80.0))
+    settle(application, lambda: len(begun) > 1)
+    assert walls.runner.job is not None and not walls.pages["histories"].content.play.isChecked()
+    walls.runner.cancel()
     settle(application, lambda: walls.runner.job is None)
-    assert list(tmp_path.glob("* - *.png")) and not walls.pages["histories"].content.play.isChecked()
 
 
 def test_that_the_cursor_reads_a_data_point(walls, application):
@@ -398,7 +401,7 @@ def test_that_numbers_have_a_comma_in_the_italian_window(walls):
     walls.set_choice("language", "en")
 
 
-@pytest.mark.parametrize("tongue", ["en", "it"])
+@pytest.mark.parametrize("tongue", ["it", pytest.param("en", marks=pytest.mark.long)])  # the longer words
 def test_that_the_window_fits_a_small_screen(walls, application, tongue):
     walls.set_choice("language", tongue)
     for size in ((1024, 768), (960, 540)):
@@ -462,7 +465,7 @@ def test_that_no_job_collects_widgets_in_its_thread(opened):
     assert len(seen) == 3000 and all(seen)
 
 
-@pytest.mark.parametrize("size", [(1920, 1080), (1280, 800)])
+@pytest.mark.parametrize("size", [(1920, 1080), pytest.param((1280, 800), marks=pytest.mark.long)])
 def test_that_figures_of_tabs_never_looked_at_fill_their_page(walls, application, tmp_path, size):
     walls.resize(*size)
     walls.build()  # every tab is made anew

@@ -119,12 +119,14 @@ def charts_of(window, application):
         yield from (one for one in page.content.findChildren(Chart) if one.data)
 
 
-def test_that_no_figure_of_the_program_asks_for_a_stroke_that_does_not_scale(shared, application):
+@pytest.mark.parametrize("every", [False, pytest.param(True, marks=pytest.mark.long)])
+def test_that_no_figure_of_the_program_asks_for_a_stroke_that_does_not_scale(shared, application, every):
+    """In the short form the figures of each wall in one width."""
     names = set()
     for wall in range(len(shared.session.result.walls)):
         shared.navigator.pick(wall)
         for one in charts_of(shared, application):
-            for width in (80.0, 160.0):
+            for width in (80.0, 160.0) if every else (80.0 * (1 + wall % 2),):
                 content = figure(one, ".svg", FigureSize(width))
                 assert b"non-scaling" not in content, one.name
                 ElementTree.fromstring(content)
@@ -155,12 +157,13 @@ def drawn(shared, application):
     return found
 
 
+@pytest.mark.parametrize("every", [False, pytest.param(True, marks=pytest.mark.long)])
 @pytest.mark.parametrize("reader", READERS)
-def test_that_every_figure_shows_the_same_in_every_reader(drawn, reader):
-    """The share of the picture that each colour of the curves has, and its middle: edges of lines of two pixels, which
+def test_that_every_figure_shows_the_same_in_every_reader(drawn, reader, every):
+    """In the short form each figure in one of the readers. The share of the picture that each colour of the curves has, and its middle: edges of lines of two pixels, which
     a reader may draw otherwise, are a fifth of them. Bars in strokes of the units of the axes fill the picture."""
     assert len(drawn) >= 9
-    for name, content, wanted in drawn:
+    for name, content, wanted in drawn if every else drawn[READERS.index(reader) :: len(READERS)]:
         across, high = page_of(content)
         picture = picture_by(reader, content, 3 * across, 3 * high)
         for k, (share, middle) in wanted.items():
@@ -200,8 +203,16 @@ def words_of(content: bytes) -> list[str]:
     return [text.strip() for text in ElementTree.fromstring(content).itertext() if text.strip()]
 
 
-@pytest.mark.parametrize("width", [80.0, 120.0, 160.0])
-@pytest.mark.parametrize("count", [8, 14, 28])
+@pytest.mark.parametrize(
+    ("width", "count"),
+    [
+        *((80.0, 28), (120.0, 14), (160.0, 8)),
+        *(
+            pytest.param(width, count, marks=pytest.mark.long)
+            for width, count in ((80.0, 8), (80.0, 14), (120.0, 8), (120.0, 28), (160.0, 14), (160.0, 28))
+        ),
+    ],
+)
 @pytest.mark.parametrize("paired", [False, True])
 def test_that_all_records_are_named_at_every_width(application, chart, width, count, paired):
     names = [f"IT.STATION{k}.HNE.{1900 + k}" for k in range(count)]
@@ -263,7 +274,7 @@ def test_that_captions_say_floor_where_it_is_the_floor(opened, application):
 
     from core.case.site import Building, Spectrum
 
-    captions = {}
+    captions, live = {}, set()
     for base in (0.0, 6.0):
         opened.session.edit_wall(0, base_z_m=base)
         building = Building(height_m=9.0, storeys=3, period_s=0.26)
@@ -271,10 +282,11 @@ def test_that_captions_say_floor_where_it_is_the_floor(opened, application):
         opened.session.edit_section("demand", soil_factor=None, spectrum=Spectrum("EN1998", "B", type=1))
         run(application, opened)
         opened.navigator.pick(0)
-        captions[base] = {one.name: one.caption for one in charts_of(opened, application)}
+        charts = list(charts_of(opened, application))
+        captions[base] = {one.name: one.caption for one in charts}
+        live |= {one.name for one in charts if one.live}
     for name, words in captions[0.0].items():
         assert "floor" not in (name + words).lower(), name
-    live = {one.name for one in charts_of(opened, application) if one.live}
     for name, words in captions[6.0].items():
         assert "motion of the floor at 6 m" in words or name in live or "validation" in name.lower(), (name, words)
     assert "Ground motion" in captions[0.0] and "Motion of the floor" in captions[6.0]
