@@ -217,6 +217,11 @@ class Field(QWidget):
     def type_again(self, text: str) -> None:
         """A text as if it were typed: what is refused is so again, in the words of the window as it is."""
 
+    @property
+    def is_blank(self) -> bool:
+        """Whether it is known to show and to hold nothing."""
+        return False
+
     def forget(self) -> None:
         """Another case or wall: what was wrong in the last one is no more."""
         self.value = self.value_before = None
@@ -252,6 +257,11 @@ class LineField(Field):
     @property
     def text(self) -> str:
         return self.editor.text()
+
+    @property
+    def is_blank(self) -> bool:
+        held = self.value, self.value_before, self.error or None, self.reading or None, self.doubt or None
+        return not self.editor.text() and held == (None,) * 5
 
     def type_again(self, text: str) -> None:
         self.editor.setText(text)
@@ -423,8 +433,9 @@ def words_of_choices(section: type, key: str) -> dict:
 def blank(chosen: Sequence[Field]) -> None:
     """Show nothing in these fields: what they edit is not there."""
     for field in chosen:
-        field.forget()
-        field.show_value(None)
+        if not field.is_blank:
+            field.forget()
+            field.show_value(None)
 
 
 def connect(chosen: Sequence[Kind], change: Callable[[Kind, Any], None]) -> None:

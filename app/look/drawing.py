@@ -82,13 +82,17 @@ class WallDrawing(QWidget):
         self.hinges: list[tuple[float, float | None]] = []
         self.body = BodyDrawing()
         self.rotation = 0.0
+        self._shown: tuple[Wall | None, list] = (None, [])
         self.least_extent = (0.0, 0.0)
         """Room [m] that it has at least: of another drawing beside it, so that both have one scale."""
         self.setMinimumSize(QSize(90, 120))
 
     def show_wall(self, wall: Wall | None, hinges: Sequence[tuple[float, float | None]] = ()) -> None:
         """Draw this wall; what is not complete leaves the place empty. hinges : height [m] and zeta of each, where
-        it has more than the one at its base."""
+        it has more than the one at its base. What is shown already is not painted again."""
+        if (wall, list(hinges)) == self._shown:
+            return
+        self._shown = wall, list(hinges)
         self.size_of, self.arrows, self.bars, self.hinges = None, [], [], list(hinges)
         self.body = BodyDrawing()
         self.bent = Bent()

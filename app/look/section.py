@@ -26,6 +26,7 @@ class Head(QPushButton):
             label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
             row.addWidget(label, stretch)
         self.words = ""
+        self.setAccessibleName(title)
         edge, back, chosen = theme.current.grid, theme.current.back, theme.current.curves[0]
         self.setStyleSheet(
             f"Head {{ border: 1px solid {edge}; background: {back}; text-align: left; }}"
@@ -38,6 +39,8 @@ class Head(QPushButton):
     minimumSizeHint = sizeHint
 
     def say(self, words: str) -> None:
+        if words == self.words:
+            return
         self.words = words
         self.setAccessibleName(f"{self.title.text()}: {words}" if words else self.title.text())
         self.setToolTip(plain(words))

@@ -193,13 +193,17 @@ def window_in(application, tmp_path, monkeypatch, faults):
 class SharedWindow:
     """A window lent to one test after another: to make one takes eight times as long as to open a case in it.
 
-    What a test can leave in it is put back: case, undo, result, pages, forms, settings, recovery files, finished runs.
+    What a test can leave in it is put back: case, undo, result, pages, forms, settings, recovery files. What it has
+    computed stays: a run that another test repeats takes its searches and checks from there.
     What cannot be ends it, and the next test has a new one: it is closed or busy, was built again (in another language,
     in large letters) or holds what a test put into it.
     """
 
     def __init__(self, application):
+        from core.study.journal import Memory
+
         self.application, self.made = application, None
+        self.finished_runs = Memory()
 
     def lend(self, folder):
         """The window on the small case of this folder."""
@@ -218,6 +222,7 @@ class SharedWindow:
         else:
             FORM_NAMES.captions.update(self.captions)  # a window in Italian has come between
             self.put_back(folder)
+        self.made.runner.finished_runs = self.finished_runs
         open_small(self.application, self.made, folder)
         self.made.navigator.show_input("wall", 0)
         self.application.processEvents()
@@ -225,8 +230,6 @@ class SharedWindow:
 
     def put_back(self, folder) -> None:
         """All that opening a case leaves as it is."""
-        from core.study.journal import Memory
-
         made, session = self.made, self.made.session
         made.settings.clear()
         made.settings.setValue("language", "en")
@@ -234,7 +237,6 @@ class SharedWindow:
         session.drop_recovery_file()
         session.close()
         session.recovery_folder = folder / "recovery_folder"
-        made.runner.finished_runs = Memory()
         made.runner.last_refusal = (None, None)
         made.preparation.started = False
         made.preparation.methods.clear()

@@ -53,6 +53,9 @@ KINDS = (
     QTextEdit,
     QPlainTextEdit,
 )
+LANGUAGES = ("it", pytest.param("en", marks=pytest.mark.long))
+"""Whose words are looked at: the longer ones in the short run."""
+
 INSIDE = (QComboBox, QAbstractSpinBox, QLineEdit, QTabBar, QAbstractItemView)
 """Controls whose parts are none of their own."""
 
@@ -253,7 +256,7 @@ def large(application):
 
 
 @pytest.mark.shows("window.access")
-@pytest.mark.parametrize("language", ["en", "it"])
+@pytest.mark.parametrize("language", LANGUAGES)
 def test_that_no_word_is_cut_in_large_letters(large, fresh, application, monkeypatch, language):
     fresh.session.edit_section("report", author="N. N.")
     run(application, fresh)
@@ -302,7 +305,7 @@ class Recorder:
 ONE_CHECK = Rung("q = 2", "C8.7.1.2.1.7", 0.72, "0.146 / 0.200 g", "bad", True)
 
 
-@pytest.mark.parametrize("language", ["en", "it"])
+@pytest.mark.parametrize("language", LANGUAGES)
 def test_that_no_painted_word_of_the_ladder_is_cut_or_covered(large, fresh, application, monkeypatch, language):
     run(application, fresh)
     fresh.set_choice("language", language)
@@ -358,7 +361,7 @@ def painted_rows(opened, application, monkeypatch, language: str) -> list[tuple]
     return list(found.values())
 
 
-@pytest.mark.parametrize("language", ["en", "it"])
+@pytest.mark.parametrize("language", LANGUAGES)
 def test_that_no_painted_word_of_the_tree_is_cut_in_large_letters(large, fresh, application, monkeypatch, language):
     rows = painted_rows(fresh, application, monkeypatch, language)
     assert len([row for row, *_ in rows if row.chip]) >= 4 and any(row.depth == 2 for row, *_ in rows)
@@ -376,7 +379,7 @@ def test_that_no_painted_word_of_the_tree_is_cut_in_large_letters(large, fresh, 
     assert fresh.tree.width() == wide  # nothing moves under the hand that types
 
 
-@pytest.mark.parametrize("language", ["en", "it"])
+@pytest.mark.parametrize("language", LANGUAGES)
 def test_that_the_first_level_of_the_tree_is_whole(opened, application, monkeypatch, language):
     for row, _, written in painted_rows(opened, application, monkeypatch, language):
         assert row.depth or written[-1][0] == row.text
@@ -416,7 +419,7 @@ def test_that_every_control_of_a_shape_is_reached_by_the_keys_and_shows_it(opene
 
 
 @pytest.mark.parametrize("shape", SHAPES)
-@pytest.mark.parametrize("language", ["en", "it"])
+@pytest.mark.parametrize("language", LANGUAGES)
 def test_that_no_word_of_a_shape_is_cut_in_large_letters(large, fresh, application, language, shape):
     fresh.set_choice("language", language)
     fresh.resize(1280, 800)

@@ -429,7 +429,9 @@ def test_that_every_shipped_case_runs(name, motions, tmp_path, capsys):
     if motions:
         every = path.read_text(encoding="utf-8")
         assert every.count("seed = 1\n") == 1
-        path.write_text(re.sub(r"seed = 1\n(count = \d+\n)?", f"seed = 1\ncount = {motions}\n", every), encoding="utf-8")
+        path.write_text(
+            re.sub(r"seed = 1\n(count = \d+\n)?", f"seed = 1\ncount = {motions}\n", every), encoding="utf-8"
+        )
     assert call("--batch", path, "--output", tmp_path / "out", "--quiet") == 0
     assert (tmp_path / "out" / f"{name}.xlsx").stat().st_size > 10_000
 

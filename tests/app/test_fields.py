@@ -332,7 +332,13 @@ def test_that_an_a_g_beyond_any_of_italy_is_asked_about_where_it_is_typed_and_wi
     assert asked in tab.important.text()
 
 
-@pytest.mark.parametrize("key", sorted(["height_m", "thickness_m", "length_m", "unit_weight_kn_m3", "hinge_setback_m"]))
+@pytest.mark.parametrize(
+    "key",
+    [
+        *("thickness_m", "unit_weight_kn_m3"),
+        *(pytest.param(key, marks=pytest.mark.long) for key in ("height_m", "hinge_setback_m", "length_m")),
+    ],
+)
 def test_that_a_number_with_its_unit_means_that_unit(opened, key):
     """50 cm in a field of metres, 0.5 m in one of centimetres; what is no unit of the key is refused."""
     field, unit = opened.walls.fields[key], Wall.__dataclass_fields__[key].metadata["unit"]

@@ -211,8 +211,7 @@ def test_that_the_common_factor_brings_the_mean_to_the_target(walls):
 
 @pytest.mark.shows("window.figures")
 @pytest.mark.parametrize(
-    ("width", "dpi"),
-    [(80.0, 300), *(pytest.param(160.0, dpi, marks=pytest.mark.long) for dpi in (300, 600))],
+    ("width", "dpi"), [(80.0, 300), *(pytest.param(160.0, dpi, marks=pytest.mark.long) for dpi in (300, 600))]
 )
 def test_that_a_figure_is_as_wide_as_asked_light_and_has_its_caption(walls, width, dpi):
     walls.set_choice("theme", "dark")

@@ -66,7 +66,14 @@ def test_that_a_carried_mass_to_be_sized_leaves_undo_alive(opened, faults):
 
 
 @pytest.mark.parametrize(
-    "form", [ImpactForm, LoadsForm, BuildingForm, HazardForm, "walls", "demand", "analysis", "records", "tree"]
+    "form",
+    [
+        *(LoadsForm, BuildingForm, "walls", "tree"),
+        *(
+            pytest.param(form, marks=pytest.mark.long)
+            for form in (ImpactForm, HazardForm, "demand", "analysis", "records")
+        ),
+    ],
 )
 def test_that_a_form_that_fails_stops_no_other(opened, faults, monkeypatch, form):
     kind = type(getattr(opened, form)) if isinstance(form, str) else form

@@ -6,6 +6,7 @@ from dataclasses import replace
 import pytest
 from PySide6.QtWidgets import QMessageBox
 
+from core.study.journal import Memory
 from tests.app.driving import Held, run, settle
 
 
@@ -29,6 +30,7 @@ def test_that_a_job_that_cannot_stop_is_left_at_once_and_nothing_of_it_arrives(o
 def test_that_finished_runs_are_used_again(opened, application, monkeypatch):
     from core.study import wall_work
 
+    opened.runner.finished_runs = Memory()
     run(application, opened)
     first = opened.session.result
     opened.session.edit(replace(opened.session.case, title="another"))

@@ -145,14 +145,17 @@ def test_that_a_title_may_change_and_figures_of_an_earlier_run_go(small, tmp_pat
     assert (old / "mine.png").exists() and not (old / "fig21_natural.png").exists()
 
 
+SHORT = ("paper", "velocity_ratio = [0.9]"), ("law", 'restitution = ["default"]')
+"""Reports and grids of the short run."""
+
+
 @pytest.mark.shows("batch.study")
-@pytest.mark.parametrize("report", ["paper", "law"])
 @pytest.mark.parametrize(
-    "grid",
+    ("report", "grid"),
     [
-        'restitution = ["default"]',
-        "velocity_ratio = [0.9]",
-        *(pytest.param(grid, marks=pytest.mark.long) for grid in ('motions = "records"', 'method = ["rk4"]')),
+        pytest.param(report, grid, marks=() if (report, grid) in SHORT else pytest.mark.long)
+        for report in ("paper", "law")
+        for grid in ('restitution = ["default"]', "velocity_ratio = [0.9]", 'motions = "records"', 'method = ["rk4"]')
     ],
 )
 def test_that_every_report_is_made_of_any_grid(report, grid, tmp_path):
@@ -169,8 +172,9 @@ def test_that_every_report_is_made_of_any_grid(report, grid, tmp_path):
 
 def test_that_a_run_without_a_number_is_named_and_gives_exit_code_3(tmp_path, capsys):
     path = tmp_path / "stands.toml"
-    path.write_text(STUDY.replace("[3.1, 6.8]", "[40.0]").replace("[2, 3]", "[50]"))
-    assert call("--study", path, "--quiet") == 3
+    stands = STUDY.replace("[3.1, 6.8]", "[40.0]").replace("[2, 3]", "[50]").replace(', "one_sided"', "")
+    path.write_text(stands)
+    assert call("--study", path, "--quick", "--quiet") == 3
     assert "no_collapse_found" in capsys.readouterr().err
 
 
@@ -281,7 +285,7 @@ def test_that_the_window_of_a_study_runs_cancels_goes_on_and_shows_it(applicatio
     from app.shell.study_window import StudyWindow
 
     monkeypatch.setattr(QMessageBox, "warning", lambda *a: pytest.fail(f"unexpected: {a[-1]}"))
-    small.write_text(STUDY.replace("q_step = [0.02]", "q_step = [0.004]"))
+    small.write_text(STUDY.replace("q_step = [0.02]", "q_step = [0.008]"))
     made = StudyWindow(None)
     made.quick.setChecked(False)
     made.study.setCurrentText(str(small))

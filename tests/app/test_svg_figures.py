@@ -160,8 +160,9 @@ def drawn(shared, application):
 @pytest.mark.parametrize("every", [False, pytest.param(True, marks=pytest.mark.long)])
 @pytest.mark.parametrize("reader", READERS)
 def test_that_every_figure_shows_the_same_in_every_reader(drawn, reader, every):
-    """In the short form each figure in one of the readers. The share of the picture that each colour of the curves has, and its middle: edges of lines of two pixels, which
-    a reader may draw otherwise, are a fifth of them. Bars in strokes of the units of the axes fill the picture."""
+    """The share of the picture that each colour of the curves has, and its middle: edges of lines of two pixels, which
+    a reader may draw otherwise, are a fifth of them. Bars in strokes of the units of the axes fill the picture. In the
+    short form each figure in one of the readers."""
     assert len(drawn) >= 9
     for name, content, wanted in drawn if every else drawn[READERS.index(reader) :: len(READERS)]:
         across, high = page_of(content)
