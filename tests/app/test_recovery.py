@@ -3,8 +3,6 @@
 import json
 import os
 import shutil
-import subprocess
-import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -85,42 +83,35 @@ def test_that_a_full_disk_leaves_every_state_as_it_was(session, tmp_path, monkey
     assert heights(session.recovery_file) == [7.25, 6.5, 6.25]
 
 
-@pytest.mark.parametrize("moves", [0, 1, 2, 3])
-def test_that_a_kill_between_two_moves_leaves_the_newest_state(tmp_path, moves):
-    """The new state is whole on disk before those before it move: at each move the next start finds it."""
-    case = tmp_path / "case.toml"
-    shutil.copy(EXAMPLE, case)
-    script = f"""
-import os, sys
-from pathlib import Path
-sys.path.insert(0, {str(ROOT)!r})
-from app.work.session import Session
-session = Session(Path({str(tmp_path / "recovery_folder")!r}))
-session.open(Path({str(case)!r}))
-for height in (6.0, 6.25, 6.5):
-    session.edit_wall(0, height_m=height)
-    session.autosave()
-session.edit_wall(0, height_m=6.75)
-real, made = os.replace, [0]
-def replace(source, target):
-    if str(source).endswith((".swap", ".1", ".new")):
-        if made[0] == {moves}:
-            os._exit(9)
-        made[0] += 1
-    real(source, target)
-os.replace = replace
-session.autosave()
-os._exit(0)
-"""
-    done = subprocess.run([sys.executable, "-c", script], cwd=ROOT, check=False)
-    assert done.returncode == (0 if moves == 3 else 9)
-    other = Session(tmp_path / "recovery_folder")
-    (file,) = other.recoverable()
-    assert len(heights(file)) >= 3
-    other.recover(file)
-    assert other.case.wall[0].height_m == 6.75 and other.path == case
-    assert other.recoverable() == [] and not any(state.exists() for state in recovery.states(file))
-    other.close()
+def test_that_a_kill_between_two_moves_leaves_the_newest_state(session, tmp_path, monkeypatch):
+    """The new state is whole on disk before those before it move: at each move the next start finds it. The folder as a
+    kill at that moment leaves it is a copy of it."""
+    for height in (6.0, 6.25, 6.5):
+        autosave(session, height)
+    session.edit_wall(0, height_m=6.75)
+    real, left = os.replace, []
+
+    def killed() -> None:
+        left.append(shutil.copytree(session.recovery_folder, tmp_path / f"killed_{len(left)}"))
+
+    def moved(source, target):
+        if str(source).endswith((".swap", ".1", ".new")):
+            killed()
+        real(source, target)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "replace", moved)
+        session.autosave()
+    killed()
+    assert len(left) == 4
+    for folder in left:
+        other = Session(folder)
+        (file,) = other.recoverable()
+        assert len(heights(file)) >= 3
+        other.recover(file)
+        assert other.case.wall[0].height_m == 6.75 and other.path == session.path
+        assert other.recoverable() == [] and not any(state.exists() for state in recovery.states(file))
+        other.close()
 
 
 def test_that_states_of_which_none_reads_are_said_and_stay(session, tmp_path):
