@@ -135,23 +135,15 @@ def test_the_whole_job(opened, application, tmp_path):
 
 @pytest.mark.shows("window.same_files")
 def test_that_the_exported_workbook_is_the_batchs_cell_for_cell(opened, application, tmp_path):
-    import openpyxl
-
     from app.terminal import batch
+    from core.report.differences import of_workbooks
 
     run(application, opened)
     (tmp_path / "a").mkdir()
     opened.files.export(tmp_path / "a" / "small.xlsx")
     settle(application, lambda: opened.runner.job is None)
     assert batch.run(opened.session.path, tmp_path / "b", 1, True, False) == 0
-    one, two = (openpyxl.load_workbook(tmp_path / name / "small.xlsx") for name in "ab")
-    assert one.sheetnames == two.sheetnames
-    for sheet in one:
-        for row in sheet.iter_rows():
-            for cell in row:
-                other = two[sheet.title][cell.coordinate].value
-                same = cell.value == other or "UTC" in str(other)
-                assert same, (sheet.title, cell.coordinate)
+    assert of_workbooks(*((tmp_path / name / "small.xlsx").read_bytes() for name in "ab")) == []
 
 
 def test_that_dropped_files_become_records(opened, application):
@@ -339,7 +331,7 @@ def test_that_many_redraws_and_random_events_do_no_harm(opened, application):
     opened.navigator.show_page("histories")
     tab = opened.pages["histories"].content
     random = np.random.default_rng(1)
-    for k in range(int(os.environ.get("RIBALTA_REDRAWS", "60"))):
+    for k in range(int(os.environ.get("RIBALTA_REDRAWS", "30"))):
         tab.slider.setValue(int(random.integers(0, 2000)))
         if k % 10 == 0:
             opened.navigator.show_page(list(opened.pages)[int(random.integers(0, len(opened.pages)))])
