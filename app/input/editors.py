@@ -1,4 +1,6 @@
-"""What edits in a field: a line of text whose undo is that of the case, a list that the mouse wheel passes by."""
+"""What edits in a field: a line of text whose undo is that of the case, a list that the mouse wheel passes by.
+
+A line tells when the wheel, or an arrow, is turned with Ctrl."""
 
 from collections.abc import Callable
 
@@ -30,17 +32,43 @@ class Line(QLineEdit):
     """
 
     entered = Signal()
+    stepped = Signal(int)
 
     def __init__(self, refused: Callable[[], bool], revert: Callable[[], None]):
         super().__init__()
         self.refused, self.revert = refused, revert
+        self._clicked_into = False
 
     def focusInEvent(self, event) -> None:
-        """Where the program puts the cursor, what is typed takes the place of what stands there, as after Tab."""
+        """However the cursor came here, what is typed takes the place of what stands there, as after Tab."""
         self.entered.emit()
         super().focusInEvent(event)
         if event.reason() == Qt.FocusReason.OtherFocusReason:
             self.selectAll()
+        self._clicked_into = event.reason() == Qt.FocusReason.MouseFocusReason
+
+    def mouseReleaseEvent(self, event) -> None:
+        """The click that came into the line selects all of it; one that drew over a part of it, that part."""
+        super().mouseReleaseEvent(event)
+        if self._clicked_into and not self.hasSelectedText():
+            self.selectAll()
+        self._clicked_into = False
+
+    def wheelEvent(self, event) -> None:
+        """With Ctrl the wheel changes the number; without, the page goes by."""
+        if event.modifiers() & Qt.KeyboardModifier.ControlModifier and self.hasFocus() and event.angleDelta().y():
+            self.stepped.emit(1 if event.angleDelta().y() > 0 else -1)
+            event.accept()
+        else:
+            super().wheelEvent(event)
+
+    def keyPressEvent(self, event) -> None:
+        """Ctrl with an arrow up or down is a turn of the wheel."""
+        steps = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}
+        if event.modifiers() & Qt.KeyboardModifier.ControlModifier and event.key() in steps:
+            self.stepped.emit(steps[event.key()])
+        else:
+            super().keyPressEvent(event)
 
     def event(self, event) -> bool:
         if event.type() in (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress):

@@ -1,6 +1,7 @@
 """Fields of a form: each is made from the description of its key, says its error in words, and speaks the office's
 unit."""
 
+import math
 import re
 from collections.abc import Callable, Sequence
 from functools import cached_property
@@ -16,7 +17,7 @@ from app.look.language import FORM_NAMES, current_language, number, of_key, tr
 from app.look.whole_text import tell_whole
 from core.case.keys import unit_in_form
 from core.case.loads import Bars, ReturnWalls
-from core.case.number import parse_number, parse_quantity
+from core.case.number import parse_formula, parse_number, parse_quantity
 from core.case.place import Site
 from core.case.schema import Analysis, Report
 from core.case.site import Building, Demand, Spectrum
@@ -281,7 +282,15 @@ class NumberField(LineField):
         editor = super().make_editor()
         editor.setAlignment(Qt.AlignmentFlag.AlignRight)
         editor.setMinimumWidth(64)
+        editor.stepped.connect(self._step)
         return editor
+
+    def _step(self, by: int) -> None:
+        """Change the number by one in its second figure: 0.50 by 0.01, 18 by 1."""
+        if self.value and not self.error:
+            shown = self.value * self.factor
+            step = 1.0 if self.whole else 10.0 ** (math.floor(math.log10(abs(shown)) + 1e-9) - 1)
+            self.type_again(number(round(shown + by * step, 12), f".{FIGURES}g"))
 
     def _typed(self, text: str) -> None:
         self.reading = ""
@@ -303,15 +312,26 @@ class NumberField(LineField):
         self.offer(int(typed) if self.whole and typed == int(typed) else typed)
 
     def _value_of(self, text: str) -> float:
-        """A text in the unit of the key: a number alone is in the unit of the field. Raises InputError."""
+        """A text in the unit of the key: a number alone, and a sum or product of such, is in the unit of the field.
+        Raises InputError."""
+        unit = self.entry.metadata.get("unit", "")
         try:
             return parse_number(text) / self.factor
         except InputError:
-            return parse_quantity(text, self.entry.metadata.get("unit", ""))
+            pass
+        try:
+            return parse_quantity(text, unit)
+        except InputError as error:
+            try:
+                return float(f"{parse_formula(text, unit, 1.0 / self.factor):.15g}")
+            except InputError:
+                raise error from None
 
     def _read_as(self, text: str, value: float) -> str:
-        """How a number was read that may be one with a separator of thousands, "" for others: both marks are decimal
-        ones. Angles, seconds and ratios are never thousands."""
+        """How a sum or product was read, or a number that may be one with a separator of thousands, "" for others: both
+        marks are decimal ones. Angles, seconds and ratios are never thousands."""
+        if re.search(r"[0-9.,)]\s*[-+*/×·÷−]\s*[0-9.,(]", re.sub("[eE][-+]", "", text)):
+            return f"{text} = {number(value, f'.{FIGURES}g')} {self.unit}".rstrip()
         mark = "," if current_language() == "en" else "[.,]"  # in English the point alone is the usual one
         grouped = re.fullmatch(rf"[1-9]\d{{0,2}}{mark}\d{{3}}", text)
         if self.entry.metadata.get("unit") not in OF_THOUSANDS or not grouped:

@@ -1,4 +1,5 @@
-"""Numbers as people type them: decimal comma or point, in every locale, with or without their unit."""
+"""Numbers as people type them: decimal comma or point, in every locale, with or without their unit; in a form sums and
+products too."""
 
 import math
 import re
@@ -44,3 +45,60 @@ def parse_quantity(text: str, unit: str, bare: float = 1.0) -> float:
     if factor is None:
         raise InputError("unit_of_number", text=text.strip()[:SHOWN_LETTERS], known=WRITTEN.get(unit, unit))
     return value * factor
+
+
+_TOKEN = re.compile(r"\s*([0-9.,]+(?:[eE][+-]?[0-9]{1,3}(?![0-9A-Za-z]))?|[-+*/()])", re.ASCII)
+_MARKS = str.maketrans({"−": "-", "×": "*", "·": "*", "÷": "/"})
+MAX_TOKENS = 40
+
+
+def parse_formula(text: str, unit: str, bare: float = 1.0) -> float:
+    """A sum or product of numbers as one types it into a form, with brackets, a unit at its end: `(30+40)/2 cm`. Raises
+    InputError as `parse_quantity`. unit, bare : as there"""
+    rest, tokens = text.strip().translate(_MARKS), []
+    while (found := _TOKEN.match(rest)) and len(tokens) <= MAX_TOKENS:
+        tokens.append(found[1])
+        rest = rest[found.end() :]
+    wrong = InputError("not_a_number", text=text.strip()[:SHOWN_LETTERS])
+    if not 1 < len(tokens) <= MAX_TOKENS:
+        raise wrong
+    factor = factor_to(rest, unit) if rest.strip() else bare
+    if factor is None:
+        raise InputError("unit_of_number", text=text.strip()[:SHOWN_LETTERS], known=WRITTEN.get(unit, unit))
+    tokens.reverse()
+    try:
+        value = _sum_of(tokens)
+    except (IndexError, ZeroDivisionError):
+        raise wrong from None
+    if tokens or not math.isfinite(value):
+        raise wrong
+    return value * factor
+
+
+def _sum_of(tokens: list[str]) -> float:
+    """Take a sum off the end of the tokens, which are reversed."""
+    value = _product_of(tokens)
+    while tokens and tokens[-1] in "+-":
+        sign = 1.0 if tokens.pop() == "+" else -1.0
+        value += sign * _product_of(tokens)
+    return value
+
+
+def _product_of(tokens: list[str]) -> float:
+    value = _factor_of(tokens)
+    while tokens and tokens[-1] in "*/":
+        divides, other = tokens.pop() == "/", _factor_of(tokens)
+        value = value / other if divides else value * other
+    return value
+
+
+def _factor_of(tokens: list[str]) -> float:
+    token = tokens.pop()
+    if token == "-":
+        return -_factor_of(tokens)
+    if token != "(":
+        return parse_number(token)
+    value = _sum_of(tokens)
+    if tokens.pop() != ")":
+        raise IndexError(token)
+    return value

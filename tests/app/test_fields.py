@@ -12,7 +12,7 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
 from app.look.language import FORM_NAMES, described
@@ -181,7 +181,7 @@ def test_that_the_beginning_of_a_refused_number_does_not_stay_in_the_case(opened
 
 
 def test_that_the_wheel_over_a_list_without_the_focus_changes_nothing(opened, application):
-    from PySide6.QtCore import QPoint, QPointF
+    from PySide6.QtCore import QPointF
     from PySide6.QtGui import QWheelEvent
 
     from app.input.editors import Choice
@@ -353,3 +353,45 @@ def test_that_a_number_with_its_unit_means_that_unit(opened, key):
         type_into(field, f"{target / factor:.10g} {written}")
         assert not field.wrong and field.value == pytest.approx(target, rel=1e-9), written
         before.add(field.value)
+
+
+@pytest.mark.parametrize(("text", "metres"), [("7*0,83", 5.81), ("3.2+2.6", 5.8), ("2*290 cm", 5.8), ("(5+6)/2", 5.5)])
+def test_that_a_sum_or_product_is_its_value_and_says_so(opened, text, metres):
+    field = opened.walls.fields["height_m"]
+    type_into(field, text)
+    assert not field.wrong and opened.session.case.wall[0].height_m == pytest.approx(metres, rel=1e-12)
+    assert field.message.text().startswith(f"{text} = ") and field.message.isVisible()
+    type_into(field, "7*")
+    assert field.wrong and opened.session.case.wall[0].height_m == 5.0, "as before the editing"
+
+
+def test_that_the_wheel_and_arrows_change_a_number_with_ctrl_alone(opened, application):
+    from PySide6.QtCore import QPointF
+    from PySide6.QtGui import QWheelEvent
+
+    field = opened.walls.fields["thickness_m"]
+    line, before = field.editor, field.value
+    line.setFocus()
+
+    def turn(modifier):
+        place = QPointF(5, 5)
+        seen = QPointF(line.mapToGlobal(place.toPoint()))
+        button, phase = Qt.MouseButton.NoButton, Qt.ScrollPhase.NoScrollPhase
+        application.sendEvent(line, QWheelEvent(place, seen, QPoint(), QPoint(0, 120), button, modifier, phase, False))
+
+    turn(Qt.KeyboardModifier.NoModifier)
+    assert field.value == before == 0.5
+    turn(Qt.KeyboardModifier.ControlModifier)
+    assert field.value == opened.session.case.wall[0].thickness_m == pytest.approx(0.51, rel=1e-12)
+    QTest.keyClick(line, Qt.Key.Key_Down, Qt.KeyboardModifier.ControlModifier)
+    QTest.keyClick(line, Qt.Key.Key_Down, Qt.KeyboardModifier.ControlModifier)
+    assert field.value == pytest.approx(0.49, rel=1e-12)
+
+
+def test_that_the_click_into_a_line_selects_all_of_it(opened):
+    opened.walls.fields["height_m"].editor.setFocus()
+    line = opened.walls.fields["thickness_m"].editor
+    QTest.mouseClick(line, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, QPoint(line.width() - 8, 8))
+    assert line.selectedText() == line.text() != ""
+    QTest.mouseClick(line, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, QPoint(line.width() - 8, 8))
+    assert line.selectedText() == "", "a click in a line that has the cursor places it"
