@@ -37,15 +37,20 @@ ag_g = 0.2
 """
 
 
-@pytest.fixture
-def case(tmp_path, reference):
+def case_in(folder, reference):
+    """The case in this folder, with its two records."""
     ground = reference("standard")[0][:900]
     for k in range(2):
         text = "\n".join(f"{value:.9e}" for value in np.roll(ground, 50 * k))
-        (tmp_path / f"r{k}.txt").write_text(text)
-    path = tmp_path / "case.toml"
+        (folder / f"r{k}.txt").write_text(text)
+    path = folder / "case.toml"
     path.write_text(CASE)
     return path
+
+
+@pytest.fixture
+def case(tmp_path, reference):
+    return case_in(tmp_path, reference)
 
 
 def call(*arguments) -> int:
@@ -70,26 +75,42 @@ for arguments in {calls!r}:
         code = stop.code
     for stream in (sys.stdout, sys.stderr):
         print(code, end="\\0", file=stream, flush=True)
+print(*sys.modules)
 """
-"""Several calls in one process: after what each says to a stream its exit code, and a zero byte."""
+"""Several calls in one process: after what each says to a stream its exit code, and a zero byte; then what is
+imported."""
+
+
+@pytest.fixture(scope="module")
+def child(tmp_path_factory, reference):
+    """Calls of the program on an Italian terminal that takes ASCII: (the folder of its cases, the process)."""
+    folder = tmp_path_factory.mktemp("child")
+    words = dict(os.environ, PYTHONPATH=str(ROOT), LC_ALL="it_IT.UTF-8", PYTHONIOENCODING="ascii")
+    case_in(folder, reference).with_name("high.toml").write_text(CASE.replace("5.0", "500.0"))
+    cases = [["--batch", str(folder / f"{name}.toml")] for name in ("none", "high", "case")]
+    script = CALLS.format(calls=[["--help"], *cases])
+    return folder, subprocess.run([sys.executable, "-P", "-c", script], env=words, capture_output=True, text=True)
 
 
 @pytest.mark.shows("batch.italian")
-def test_that_an_italian_terminal_is_spoken_to_in_italian(case):
-    words = dict(os.environ, PYTHONPATH=str(ROOT), LC_ALL="it_IT.UTF-8", PYTHONIOENCODING="ascii")
-    missing, high, out = (case.parent / name for name in ("none.toml", "high.toml", "out"))
-    high.write_text(CASE.replace("5.0", "500.0"))
-    calls = [["--help"], ["--batch", missing], ["--batch", high], ["--batch", case, "--output", out]]
-    script = CALLS.format(calls=[[str(one) for one in arguments] for arguments in calls])
-    done = subprocess.run([sys.executable, "-P", "-c", script], env=words, capture_output=True, text=True)
+def test_that_an_italian_terminal_is_spoken_to_in_italian(child):
+    folder, done = child
     _, *refused, shown = done.stdout.split("\0")[:4]
     explained, *errors, last = done.stderr.split("\0")[:4]
     assert refused == ["1", "1"] and explained == "0", done.stderr
     assert errors == [
-        f"errore: {missing}: questo file di caso non esiste\n1",
-        f'errore: {high}: parete "w": height_m = 500.0 non ? ammesso: da 0.1 a 60 m\n1',
+        f"errore: {folder / 'none.toml'}: questo file di caso non esiste\n1",
+        f'errore: {folder / "high.toml"}: parete "w": height_m = 500.0 non ? ammesso: da 0.1 a 60 m\n1',
     ]
     assert "parete" in shown and "serie" in shown and shown.endswith("\n0") and "Traceback" not in last
+
+
+@pytest.mark.shows("batch.batch")
+def test_that_a_batch_leaves_no_qt_behind(child):
+    folder, done = child
+    loaded = {name.split(".")[0] for name in done.stdout.split("\0")[-1].split()}
+    assert (folder / "case.json").exists() and "numba" in loaded
+    assert not loaded & {"PySide6", "pyqtgraph", "typst", "pypdf", "docx"}
 
 
 @pytest.mark.shows("batch.batch")
@@ -140,18 +161,6 @@ def test_that_a_case_gives_workbook_and_json_beside_it(case, capsys):
         "time_histories_robust",
     ]
     assert content["case"]["analysis"]["q_limit"] == 100.0
-
-
-@pytest.mark.shows("batch.batch")
-def test_that_a_batch_leaves_no_qt_behind(case):
-    code = (
-        "import sys; from app.__main__ import main; "
-        f"assert main(['--batch', {str(case)!r}, '--quiet']) == 0; "
-        "bad = [m for m in sys.modules if m.split('.')[0] in ('PySide6', 'pyqtgraph', 'typst', 'pypdf', 'docx')]; "
-        "assert not bad, bad"
-    )
-    variables = dict(os.environ, PYTHONPATH=str(ROOT))
-    subprocess.run([sys.executable, "-P", "-c", code], check=True, env=variables)
 
 
 @pytest.mark.shows("batch.code_3")

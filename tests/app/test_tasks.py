@@ -242,10 +242,11 @@ def test_that_walls_pasted_are_shown_and_counted(opened):
 
 
 @pytest.mark.shows("window.not_overwritten")
-def test_that_nothing_is_written_over_or_beside_an_example(opened, monkeypatch, tmp_path):
+@pytest.mark.parametrize("names", [("example",), pytest.param(("building", "verdict"), marks=pytest.mark.long)])
+def test_that_nothing_is_written_over_or_beside_an_example(opened, monkeypatch, tmp_path, names):
     asked = []
     monkeypatch.setattr(files, "path_to_write", lambda *given: asked.append(Path(given[2])))
-    for name in ("example", "building", "verdict"):
+    for name in names:
         path = CASES / f"{name}.toml"
         before = path.read_bytes()
         opened.files.open(path)
