@@ -18,7 +18,7 @@ from PySide6.QtTest import QTest
 from app.look.language import FORM_NAMES, described
 from core.case.loads import Load
 from core.case.rules import parse_case
-from core.case.schema import Analysis
+from core.case.schema import Analysis, Generate
 from core.case.site import Building, Demand, Spectrum
 from core.case.values import check_value
 from core.case.wall import Wall
@@ -216,8 +216,7 @@ def test_that_choosing_the_spectrum_again_or_the_demand_off_and_on_loses_nothing
     form.fields["soil"].offer("B")
     form.fields["topography"].offer("T1")
     assert opened.session.problem() is None
-    opened.records.ask_replace = lambda: False
-    opened.records.generate()
+    opened.session.edit(replace(opened.session.case, generate=Generate(count=1)))
     case = opened.session.case
     form._kind_chosen(form.kind.findData("NTC2018"))
     assert opened.session.case == case
