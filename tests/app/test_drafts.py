@@ -34,7 +34,7 @@ def choose_shape(window, shape: str) -> None:
     box.activated.emit(box.currentIndex())
 
 
-SHAPES = "slenderness_deg", "height_over_thickness", "general"
+OTHER_SHAPES = "slenderness_deg", "height_over_thickness", "general"
 SIZES = ("6", "0.5"), ("60", "0.5"), ("0.1", "2000"), ("6", "2000")
 
 
@@ -42,7 +42,7 @@ SIZES = ("6", "0.5"), ("60", "0.5"), ("0.1", "2000"), ("6", "2000")
     ("height", "thickness", "shape"),
     [
         pytest.param(*size, shape, marks=() if (m - n) % 3 == 0 else pytest.mark.long)
-        for m, shape in enumerate(SHAPES)
+        for m, shape in enumerate(OTHER_SHAPES)
         for n, size in enumerate(SIZES)
     ],
 )

@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.app.conftest import SIZE, window_in
 from tests.app.driving import run, settle
 
 pytest.importorskip("typst")
@@ -9,76 +10,111 @@ pytest.importorskip("typst")
 from app.views.note_tab import Pages
 
 
-@pytest.fixture
-def shown(opened, application):
-    run(application, opened)
-    opened.navigator.show_page("note")
-    tab = opened.pages["note"].content
-    wait(application, tab)
-    return tab
-
-
 def wait(application, tab):
     settle(application, lambda: not tab.is_setting)
 
 
+def note_of(application, window):
+    """The tab with the pages of the note of this window, run."""
+    run(application, window)
+    window.navigator.show_page("note")
+    tab = window.pages["note"].content
+    wait(application, tab)
+    return tab
+
+
+@pytest.fixture
+def shown(opened, application):
+    return note_of(application, opened)
+
+
+@pytest.fixture(scope="module")
+def shared(application, tmp_path_factory):
+    """A window with the pages of a note, and its zoom."""
+    with pytest.MonkeyPatch.context() as patch:
+        made = window_in(application, tmp_path_factory.mktemp("note"), patch, [])
+        window = next(made)
+        yield window, note_of(application, window).zoom.currentIndex()
+        next(made, None)
+
+
+@pytest.fixture
+def noted(shared, application):
+    """That window, as it was, for tests that leave its case alone."""
+    window, zoom = shared
+    tab = window.pages["note"].content
+    window.resize(*SIZE)
+    window.navigator.show_page("note")
+    tab.search.clear()
+    tab.zoom.setCurrentIndex(zoom)
+    application.processEvents()
+    wait(application, tab)
+    return window
+
+
+@pytest.fixture
+def pages(noted):
+    """Its tab."""
+    return noted.pages["note"].content
+
+
 @pytest.mark.shows("window.note_pages")
-def test_that_the_pages_are_those_of_the_note(opened, shown):
-    assert len(shown.pages.images) == len(shown.pages.note.pages(30.0)) >= 3
-    first = shown.pages.images[0]
+def test_that_the_pages_are_those_of_the_note(noted, pages):
+    assert len(pages.pages.images) == len(pages.pages.note.pages(30.0)) >= 3
+    first = pages.pages.images[0]
     assert first.width() / first.height() == pytest.approx(210.0 / 297.0, rel=0.01)
-    assert str(len(shown.pages.images)) in shown.word.text()
+    assert str(len(pages.pages.images)) in pages.word.text()
 
 
-def test_that_a_click_leads_to_the_check_or_to_the_input_of_its_wall(opened, shown, application):
-    places = shown.pages.places
+def test_that_a_click_leads_to_the_check_or_to_the_input_of_its_wall(noted, pages, application):
+    places = pages.pages.places
     heading = next(place for place in places if place.get("wall") == 0 and place["page"] > 1)
-    shown.paper.clicked.emit(heading["page"], heading["y"] + 8.0)
-    assert opened.stages.front == "input" and opened.walls.isVisible() and opened.navigator.shown == 0
+    pages.paper.clicked.emit(heading["page"], heading["y"] + 8.0)
+    assert noted.stages.front == "input" and noted.walls.isVisible() and noted.navigator.shown == 0
     number = next(place for place in places if "check" in place)
-    shown.paper.clicked.emit(number["page"], number["y"] + 3.0)
-    assert opened.navigator.page == "check" and opened.navigator.shown == 0
-    opened.navigator.show_page("note")
-    shown.paper.clicked.emit(1, 800.0)  # the foot of a page leads nowhere
-    assert opened.navigator.page == "note"
+    pages.paper.clicked.emit(number["page"], number["y"] + 3.0)
+    assert noted.navigator.page == "check" and noted.navigator.shown == 0
+    noted.navigator.show_page("note")
+    pages.paper.clicked.emit(1, 800.0)  # the foot of a page leads nowhere
+    assert noted.navigator.page == "note"
 
 
-def test_that_what_is_searched_is_found_page_after_page(opened, shown):
-    shown.search.setText("FC")
-    shown.find_next()
-    first = shown.paper.found
-    assert first is not None and shown.word.text().startswith("1 ")
-    shown.find_next()
-    assert shown.paper.found != first
-    shown.search.setText("no such word")
-    shown.find_next()
-    assert shown.word.text() in ("not found", "non trovato")
+def test_that_what_is_searched_is_found_page_after_page(noted, pages):
+    pages.search.setText("FC")
+    pages.find_next()
+    first = pages.paper.found
+    assert first is not None and pages.word.text().startswith("1 ")
+    pages.find_next()
+    assert pages.paper.found != first
+    pages.search.setText("no such word")
+    pages.find_next()
+    assert pages.word.text() in ("not found", "non trovato")
 
 
-def test_that_a_larger_page_is_the_same_page(opened, shown, application):
-    shown.zoom.setCurrentIndex(shown.zoom.findData(100))
-    wait(application, shown)
-    before = shown.pages.images[0].width()
-    shown.zoom.setCurrentIndex(shown.zoom.count() - 1)
-    wait(application, shown)
-    assert shown.pages.images[0].width() == pytest.approx(2 * before, abs=2)
-    assert shown.paper.scale == pytest.approx(2.0 * 96.0 / 72.0)
+def test_that_a_larger_page_is_the_same_page(noted, pages, application):
+    pages.zoom.setCurrentIndex(pages.zoom.findData(100))
+    wait(application, pages)
+    before = pages.pages.images[0].width()
+    pages.zoom.setCurrentIndex(pages.zoom.count() - 1)
+    wait(application, pages)
+    assert pages.pages.images[0].width() == pytest.approx(2 * before, abs=2)
+    assert pages.paper.scale == pytest.approx(2.0 * 96.0 / 72.0)
 
 
-def test_that_a_page_is_as_wide_as_the_tab_and_follows_it(opened, shown, application):
-    bar = shown.view.horizontalScrollBar()
-    assert bar.maximum() == 0 and shown.paper.width() > 0.9 * shown.view.viewport().width()
-    before = shown.paper.width()
-    opened.resize(opened.width() + 200, opened.height())
-    settle(application, lambda: shown.paper.width() > before)
+def test_that_a_page_is_as_wide_as_the_tab_and_follows_it(noted, pages, application):
+    bar = pages.view.horizontalScrollBar()
+    assert bar.maximum() == 0 and pages.paper.width() > 0.9 * pages.view.viewport().width()
+    before = pages.paper.width()
+    noted.resize(noted.width() + 200, noted.height())
+    settle(application, lambda: pages.paper.width() > before)
 
 
-def test_that_a_note_that_is_set_for_the_first_time_while_the_window_shrinks_fits_it(opened, shown, application):
-    shown.pages = Pages()  # none is there yet
-    shown._set()
-    opened.resize(opened.width() - 250, opened.height())
-    wait(application, shown)
-    assert shown.view.horizontalScrollBar().maximum() == 0
+def test_that_a_note_that_is_set_for_the_first_time_while_the_window_shrinks_fits_it(noted, pages, application):
+    pages.pages = Pages()  # none is there yet
+    pages._set()
+    noted.resize(noted.width() - 250, noted.height())
+    wait(application, pages)
+    assert pages.view.horizontalScrollBar().maximum() == 0
 
 
 def test_that_a_note_on_its_way_is_left_when_another_result_comes(opened, shown, application, faults):
