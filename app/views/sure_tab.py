@@ -73,7 +73,9 @@ class SureTab(ResultTab):
             lines += sure_words.rate_lines(self._say, result, verdict.rates)
             if not verdict.rates and result.demand and not result.demand.hazard:
                 lines.append(tr("The rates need the hazard of the site: give the place, or the rows of the hazard."))
-        self.words.setText("\n".join(line for line in lines if line) or tr("No demand: nothing to be sure of."))
+        none = tr("No interval: too few stations, or no histories.")
+        empty = none if verdict else tr("No demand: nothing to be sure of.")
+        self.words.setText("\n".join(line for line in lines if line) or empty)
         self._show_moves(found, result)
         self._show_reach(found, result)
         self.rates.setVisible(bool(verdict and verdict.rates))

@@ -269,3 +269,15 @@ def test_that_without_a_demand_there_is_nothing_to_move(application, opened):
     settle(application, lambda: sliders.heading.text() != said)
     assert not sliders.take.isEnabled()
     sliders.reject()
+
+
+def test_that_an_interval_that_is_not_known_is_no_missing_demand(asked):
+    from app.views.sure_tab import SureTab
+
+    result = asked.session.result
+    silent = tuple(replace(one, interval=None, rates=()) for one in result.verdicts)
+    tab = SureTab("en")
+    tab.show_wall(replace(result, verdicts=silent), result.walls[0])
+    assert "No demand" not in tab.words.text() and tab.words.text()
+    tab.show_wall(replace(result, verdicts=()), result.walls[0])
+    assert "No demand" in tab.words.text()
