@@ -144,6 +144,9 @@ def skip_to_uplift(k, i, end, dt, model, thresholds, ground, ahead, state):
             i = min(i + LOOKAHEAD - 1, end)
             continue
         first, second = scale * ground[i], scale * ground[i + 1]
+        if max(first, second) <= right and min(first, second) >= -left:  # without the division of `next_uplift`
+            i += 1
+            continue
         time, side = next_uplift(first, second - first, 0.0, 1.0, thresholds)
         if time < 1.0:
             start_sample(k, i, dt, ground, state)
