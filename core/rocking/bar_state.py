@@ -43,14 +43,6 @@ def set_bar(held, j, residual, bar):
 
 
 @subkernel
-def set_phases(phi, bars, held):
-    """Set what each bar does when the wall is at phi [rad] and no bar yields."""
-    for j in range(bars.shape[0]):
-        if held[j, PHASE] != BROKEN:
-            held[j, PHASE] = SLACK if phi < held[j, TAUT_AT] else TAUT
-
-
-@subkernel
 def pull_of(side, bars, held):
     """Pull of the bars on their branch; none on a wall that turns inward."""
     spring, constant, low, high, yields = 0.0, 0.0, 0.0, FAR, False
@@ -135,13 +127,13 @@ def at_start(start, bars, held):
     [rad/s]"""
     zero = np.int64(0)
     side = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
-    phi = side * start[0]
-    sine, _ = sine_and_cosine(max(start[0], 0.0))
+    phi, outward = side * start[0], max(start[0], 0.0)
+    sine, _ = sine_and_cosine(outward)
     for j in range(bars.shape[0]):
         set_bar(held, j, max(bars[j, START], sine - bars[j, YIELD]), bars[j])
         held[j, BREAKS_AT] = angle_of(bars[j, BREAK])
-        held[j, PHASE] = BROKEN if sine > bars[j, BREAK] else SLACK
-    set_phases(max(start[0], 0.0), bars, held)
+        taut = SLACK if outward < held[j, TAUT_AT] else TAUT
+        held[j, PHASE] = BROKEN if sine > bars[j, BREAK] else taut
     return BlockState(side, phi, side * start[1], phi != 0.0 or start[1] != 0.0, 2, phi, zero, zero)
 
 

@@ -31,12 +31,12 @@ def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarr
 def in_lanes(method: Method, model: RockingModel) -> bool:
     """Whether `scan_records` takes analyses side by side; others go one after another, and many at once only make a
     cancel wait."""
-    return (method.code == TAYLOR or model.other is not None) and not model.bars and model.driven is None
+    return (method.code == TAYLOR or model.other is not None or bool(model.bars)) and model.driven is None
 
 
 def by_order_8(model: RockingModel) -> bool:
     """Whether analyses of a wall are by the series of order 8 whatever the method."""
-    return model.other is not None or model.driven is not None
+    return model.other is not None or model.driven is not None or bool(model.bars)
 
 
 def scan_records(method: Method, grounds: Grounds, which, scales, model, outcomes, peaks) -> np.ndarray:
@@ -62,11 +62,9 @@ def scan_records(method: Method, grounds: Grounds, which, scales, model, outcome
             clamped[sound] = scan_records(method, grounds, which[sound], scales[sound], model, codes, reached)
             outcomes[sound], peaks[sound] = codes, reached
         return clamped
-    if model.bars:
-        return taylor_with_bars.scan(grounds, which, scales, model, outcomes, peaks)
     if model.driven is not None:
         return taylor_with_branch.scan(grounds, which, scales, model, outcomes, peaks)
-    if model.other is not None:
+    if by_order_8(model):
         return lane_scheduler.scan(8, grounds, which, scales, model, outcomes, peaks)
     method = resolve_auto(method, model, grounds.dt)
     if method.code == TAYLOR:

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.jit.decorators import inner_kernel, kernel
+from core.jit.decorators import inner_kernel, kernel, subkernel
+from core.rocking.bar_state import BROKEN, PHASE, YIELDS_AT, all_broken, at_start
 from core.rocking.early_stop import (
     LOOKAHEAD,
     MAX_SETTLED_RATIO,
@@ -21,7 +22,7 @@ from core.rocking.early_stop import (
     lookahead_bounds,
     settled,
 )
-from core.rocking.events import IMPACTS_PER_SAMPLE, REST_FRACTION, end_of_record, next_uplift
+from core.rocking.events import IMPACTS_PER_SAMPLE, REST_FRACTION, BlockState, end_of_record, next_uplift
 from core.rocking.lane_events import gather_falling, scalar_step, scatter_impact
 from core.rocking.lane_state import (
     FALLS,
@@ -49,7 +50,10 @@ from core.rocking.lane_state import (
     TIME,
     VECTOR,
     WIDTH,
+    ZONE,
+    lane_thresholds,
     set_lane,
+    set_pull,
 )
 from core.rocking.lanes import (
     lane_initial_terms,
@@ -61,6 +65,8 @@ from core.rocking.lanes import (
 )
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.taylor_series import PER_G, wall_constants
+from core.rocking.taylor_with_bars import in_still_ground, settled_with_bars
+from core.wall.bars import bar_rows
 from core.wall.moment_rotation import zone_of
 from core.wall.rocking_model import seen_from, unlike
 
@@ -122,7 +128,7 @@ def start_sample(k, i, dt, ground, state):
 
 
 @inner_kernel
-def skip_to_uplift(k, i, end, dt, model, thresholds, ground, ahead, state):
+def skip_to_uplift(k, i, end, dt, model, constants, ground, ahead, bars, held, state):
     """Set the resting lane k where the ground uplifts it first, or at the end of its record. While `ahead` shows no
     ground beyond the thresholds, samples are skipped by the window.
 
@@ -131,12 +137,14 @@ def skip_to_uplift(k, i, end, dt, model, thresholds, ground, ahead, state):
     end : last sample of its record
     dt : the sample [s]
     model : RockingModel
-    thresholds : of `uplift_thresholds` [m/s2]
+    constants : WallConstants
     ground : of `Grounds` [m/s2], shape (n,)
     ahead : of `lookahead_bounds`, shape (4, n)
+    bars, held : rows of the bars and their state in all lanes, or None
     state : of lane_state.py, shape (ROWS * ROW,)
     """
     scale = state[SCALE + k]
+    thresholds = lane_thresholds(k, constants, bars, held)
     right, left = thresholds
     while i < end:
         one, other = scale * ahead[0, i], scale * ahead[1, i]
@@ -151,6 +159,7 @@ def skip_to_uplift(k, i, end, dt, model, thresholds, ground, ahead, state):
         if time < 1.0:
             start_sample(k, i, dt, ground, state)
             set_lane(k, side, 0.0, 0.0, zone_of(0.0, model), model, state)
+            set_pull(k, bars, held, state)
             state[TIME + k] = time
             state[PER_STEP + k] = 1.0 / (dt * (1.0 - time))
             return
@@ -159,7 +168,7 @@ def skip_to_uplift(k, i, end, dt, model, thresholds, ground, ahead, state):
 
 
 @inner_kernel
-def lane_chatter_ends(k, i, fastest, dt, model, constants, ahead, state):
+def lane_chatter_ends(k, i, fastest, dt, model, constants, ahead, bars, held, state):
     """Whether the chatter of lane k, just after an impact in sample i, surely ends at rest, see `chatter_ends`;
     checked at every fourth impact.
 
@@ -170,6 +179,7 @@ def lane_chatter_ends(k, i, fastest, dt, model, constants, ahead, state):
     model : RockingModel
     constants : WallConstants
     ahead : of `lookahead_bounds`, shape (4, n)
+    bars, held : rows of the bars and their state in all lanes, or None
     state : of lane_state.py, shape (ROWS * ROW,)
     """
     speed = state[SPEED + k]
@@ -177,10 +187,22 @@ def lane_chatter_ends(k, i, fastest, dt, model, constants, ahead, state):
         return False
     if not (state[PHI + k] == 0.0 and 0.0 < speed < fastest and int(state[IMPACTS + k]) & 3 == 1):
         return False
+    if bars is not None and not elastic_up_to(state[PEAK + k], held[k]):
+        return False
     time = (LOOKAHEAD - 1 - state[TIME + k]) * dt
     return chatter_ends(
         speed, state[SCALE + k], ahead, i, dt, time, state[IMPACTS + k], state[PEAK + k], model, constants
     )
+
+
+@subkernel
+def elastic_up_to(phi, held):
+    """Whether no bar yields or breaks below phi [rad]: it then only makes bounces shorter. held : state of the bars of
+    a lane, shape (bars, 5)"""
+    elastic = True
+    for j in range(held.shape[0]):
+        elastic &= held[j, PHASE] == BROKEN or held[j, YIELDS_AT] >= phi
+    return elastic
 
 
 @inner_kernel
@@ -191,14 +213,27 @@ def schedule_check(k, end, state):
 
 
 @inner_kernel
-def check_finished(k, end, model, ahead, state):
-    """(whether the analysis of lane k has ended at the start of its sample, its outcome, its peak)."""
+def check_finished(k, end, dt, model, constants, ahead, zero, bars, held, state):
+    """Whether an analysis has ended.
+
+    k : lane, at the start of its sample
+    end : last sample of its record
+    dt : the sample [s]
+    model : RockingModel
+    constants : WallConstants
+    ahead : of `lookahead_bounds`, shape (4, n)
+    zero : of int64
+    bars, held : rows of the bars and their state in all lanes, or None
+    state : of lane_state.py, shape (ROWS * ROW,)
+    Returns (whether it has ended, its outcome, its peak).
+    """
     i = int(state[SAMPLE + k])
     phi, speed, peak = state[PHI + k], state[SPEED + k], state[PEAK + k]
     seen = seen_from(model, state[SIDE + k])
     if (
         phi > seen.slenderness + seen.restoring.lean
         and i % RECOVERY_EVERY == 1
+        and nothing_holds(k, bars, held)
         and cannot_recover(phi, speed, state[STRONGEST + k], seen)
     ):
         return True, COLLAPSED, peak
@@ -207,25 +242,64 @@ def check_finished(k, end, model, ahead, state):
     may_settle = model.ratio_drop == 0.0 and model.ratio_at_rest <= MAX_SETTLED_RATIO and not unlike(model.other)
     if i % SETTLED_EVERY == 1 and may_settle:
         push = abs(state[SCALE + k]) * ahead[3, i]
-        if settled(phi, speed, peak, push, seen):
+        if bars is not None:
+            done = settled_with_bars(block_of_lane(k, zero, state), push, model, bars, held[k])
+        else:
+            done = settled(phi, speed, peak, push, seen)
+        if done:
             return True, STABLE, peak
     if i < end:
         return False, STABLE, peak
     if state[MOVING + k] == 0.0:
         return True, STABLE, peak
+    if bars is not None:
+        outcome, after = in_still_ground(dt, model, constants, block_of_lane(k, zero, state), bars, held[k])
+        return True, outcome, after.peak
     outcome, peak = end_of_record(phi, speed, peak, seen)
     return True, outcome, peak
 
 
 @inner_kernel
-def remove_lane(k, lanes, numbers, state):
-    """Take lane k out: the last one takes its place. Returns how many are left."""
+def nothing_holds(k, bars, held):
+    """Whether no bar is left to lane k. bars, held : as `check_finished`"""
+    if bars is None:
+        return True
+    return all_broken(held[k])
+
+
+@inner_kernel
+def block_of_lane(k, zero, state):
+    """BlockState of lane k without its counts. zero : of int64"""
+    moving, zone = state[MOVING + k] != 0.0, int(state[ZONE + k])
+    return BlockState(state[SIDE + k], state[PHI + k], state[SPEED + k], moving, zone, state[PEAK + k], zero, zero)
+
+
+@inner_kernel
+def start_bars(k, bars, held):
+    """Set the bars of lane k as they are before the record. bars, held : as `check_finished`"""
+    if bars is not None:
+        at_start((0.0, 0.0), bars, held[k])
+
+
+@inner_kernel
+def remove_lane(k, lanes, numbers, held, state):
+    """Take lane k out: the last one takes its place. Returns how many are left. held : as `check_finished`"""
     lanes -= 1
     for row in range(2):
         numbers[WIDTH * row + k] = numbers[WIDTH * row + lanes]
     for row in range(LANE_ROWS):
         state[ROW * row + k] = state[ROW * row + lanes]
+    move_bars(k, lanes, held)
     return lanes
+
+
+@inner_kernel
+def move_bars(k, lanes, held):
+    """Give lane k the bars of lane `lanes`. held : as `check_finished`"""
+    if held is not None:
+        for j in range(held.shape[1]):
+            for column in range(held.shape[2]):
+                held[k, j, column] = held[lanes, j, column]
 
 
 def make_lane_kernel(order):
@@ -246,6 +320,8 @@ def make_lane_kernel(order):
         scales,
         model,
         slopes,
+        bars,
+        held,
         numbers,
         state,
         outcomes,
@@ -265,6 +341,8 @@ def make_lane_kernel(order):
         scales : multipliers [-], shape (m,), negative reverses the record
         model : RockingModel
         slopes : of `lanes.branch_of`: the kernel is specialised at compile time for the rigid law
+        bars, held : of `bar_rows`, shape (bars, 5), and their state in all lanes, shape (WIDTH, bars, 5), or None: the
+            kernel is specialised at compile time for walls without
         numbers : room to work, int64, shape (3 * WIDTH,)
         state : of lane_state.py, zeros, shape (ROWS * ROW,)
         outcomes : results, codes of outcome.py, int64, shape (m,)
@@ -294,9 +372,11 @@ def make_lane_kernel(order):
                 state[STRONGEST + lanes] = abs(scales[waiting]) * strongest[record] * PER_G
                 state[PEAK + lanes] = 0.0
                 state[PART + lanes] = 1.0
-                skip_to_uplift(lanes, firsts[record], lasts[record], dt, model, thresholds, ground, ahead, state)
+                start_bars(lanes, bars, held)
+                first, last = firsts[record], lasts[record]
+                skip_to_uplift(lanes, first, last, dt, model, constants, ground, ahead, bars, held, state)
                 waiting += 1
-                if state[SAMPLE + lanes] < lasts[record]:
+                if state[SAMPLE + lanes] < last:
                     schedule_check(lanes, end[lanes], state)
                     lanes += 1
                 else:
@@ -304,19 +384,19 @@ def make_lane_kernel(order):
                     peaks[waiting - 1] = 0.0
             if lanes == 0:
                 break
-            lane_initial_terms(lanes, dt, model, constants, slopes, state)
-            lane_taylor_coefficients(lanes, constants, order, slopes, state)
+            lane_initial_terms(lanes, dt, model, constants, slopes, bars, state)
+            lane_taylor_coefficients(lanes, constants, order, slopes, bars, state)
             shorter = zero
             if long > 0:
-                shorter = shorten_steps(lanes, dt, constants, order, slopes, state)
+                shorter = shorten_steps(lanes, dt, constants, order, slopes, bars, state)
                 long = LONG_FOR if shorter > 0 else long - 1
-            vector_step(lanes, dt, constants, order, slopes, state)
+            vector_step(lanes, dt, constants, order, slopes, bars, state)
             if shorter > 0:
                 stay_in_sample(lanes, constants, state)
             count = load_next_sample(lanes, ground, busy, state)
-            falling = gather_falling(count, busy, state)
+            falling = gather_falling(count, busy, bars, state)
             if falling > 0:
-                locate_impacts(falling, dt, model, rest_below, order, state)
+                locate_impacts(falling, dt, model, rest_below, order, bars, state)
             # from the last on, so that the lane that takes the place of a removed one has been handled
             while count > 0:
                 count -= 1
@@ -324,33 +404,35 @@ def make_lane_kernel(order):
                 step = state[NEXT + k]
                 outcome = STABLE
                 if step >= FALLS:
-                    falling -= int(step == FALLS)
+                    falling -= int(step < SCALAR)
                     if step == LONG:
                         long = LONG_FOR
-                    if step >= SCALAR or not scatter_impact(k, falling, dt, model, thresholds, state):
-                        outcome, clamps = scalar_step(k, dt, model, constants, order, zero, state)
+                    if step >= SCALAR or not scatter_impact(k, falling, dt, model, constants, bars, held, state):
+                        outcome, clamps = scalar_step(k, dt, model, constants, order, zero, bars, held, state)
                         clamped[lane[k]] += clamps
                     if state[IMPACTS + k] > IMPACTS_PER_SAMPLE:
                         outcome = IMPACT_LIMIT
                 if outcome == STABLE and step >= FALLS:
                     i = int(state[SAMPLE + k])
-                    if lane_chatter_ends(k, i, fastest, dt, model, constants, ahead, state):
+                    if lane_chatter_ends(k, i, fastest, dt, model, constants, ahead, bars, held, state):
                         state[MOVING + k] = 0.0
                         state[SPEED + k] = 0.0
                     elif state[TIME + k] < 1.0:
                         continue
                     if state[MOVING + k] == 0.0:
-                        skip_to_uplift(k, i + 1, end[k], dt, model, thresholds, ground, ahead, state)
+                        skip_to_uplift(k, i + 1, end[k], dt, model, constants, ground, ahead, bars, held, state)
                     else:
                         start_sample(k, i + 1, dt, ground, state)
                 over, peak = True, state[PEAK + k]
                 if outcome == STABLE:
-                    over, outcome, peak = check_finished(k, end[k], model, ahead, state)
+                    over, outcome, peak = check_finished(
+                        k, end[k], dt, model, constants, ahead, zero, bars, held, state
+                    )
                     schedule_check(k, end[k], state)
                 if over:
                     outcomes[lane[k]] = outcome
                     peaks[lane[k]] = peak
-                    lanes = remove_lane(k, lanes, numbers, state)
+                    lanes = remove_lane(k, lanes, numbers, held, state)
 
     return one_pass
 
@@ -373,6 +455,7 @@ def scan(order, grounds, which, scales, model, outcomes, peaks):
     Returns the clamped velocity ratios of each, shape (m,).
     """
     clamped = np.zeros(scales.size, np.int64)
+    bars = bar_rows(model.bars) if model.bars else None
     numbers, room = np.zeros(3 * WIDTH, np.int64), np.zeros(ROWS * ROW + VECTOR)
     # from the start of a line of the processor's cache on, so that no vector lies in two: a seventh of a step
     start = -room.ctypes.data // room.itemsize % VECTOR
@@ -386,8 +469,10 @@ def scan(order, grounds, which, scales, model, outcomes, peaks):
         grounds.strongest,
         which,
         scales,
-        model,
-        None if model.plateau_end == 0.0 else 1.0,
+        model._replace(bars=()),
+        None if model.plateau_end == 0.0 and bars is None else 1.0,
+        bars,
+        None if bars is None else np.zeros((WIDTH, *bars.shape)),
         numbers,
         state,
         outcomes,

@@ -10,9 +10,10 @@ MOVING                    -               0.0 at rest
 IMPACTS                   -               so far in this sample
 ZONE                      -               branch of the moment law
 LOW, HIGH                 rad             ends of that branch
-FACTOR, SLOPE, CONSTANT   -               f, m and k of that branch
+FACTOR, SLOPE, CONSTANT   -               f, m and k of that branch; with bars a, K and C of `series_with_bars`
 HELD                      -               its cosine factor
-NEXT                      -               one of STEPPED, CHECK, FALLS, SCALAR, LONG
+YIELDS                    -               1.0 while a bar yields
+NEXT                      -               one of STEPPED, CHECK, FALLS, SINKS, RISES, SCALAR, LONG
 SAMPLE                    -               number of the sample
 LEFT                      -               samples until the next check of whether the analysis has ended
 KINKS, KINK_SAMPLE        -               kinks since the last impact in that sample
@@ -22,15 +23,17 @@ PER_STEP                  1/s             one over the time of the step
 PEAK                      rad             largest rotation so far
 PART                      -               of the way to the end of the sample that the step is
 SERIES                    rad per step    v0 to v8, nine rows
-NET to FORCING            -               of `taylor_series.InitialTerms`; SINE, COSINE of alpha - phi
+NET to FORCING            -               of `taylor_series.InitialTerms`; SINE, COSINE of alpha - phi, with bars of phi
 GROWTH                    -               of `taylor_series.taylor_coefficients`
 END_TIME                  -               TIME at the end of a shortened step
 START, BEFORE             m/s2, -         FIRST and IMPACTS before it
-FALL                                      rows PHI to v8 of the lanes that fall, gathered side by side
+FALL                                      rows PHI to v8 of the lanes that fall, gathered side by side; of those that
+                                          come to an end of a branch of their bars see `lane_events.fall_to_end`
 PLAIN                     -               of such a lane: MOVES or RESTS after an impact located, else NOT_LOCATED
 """
 
 from core.jit.decorators import inner_kernel
+from core.rocking.bar_state import pull_of, thresholds_with
 from core.wall.moment_rotation import moment_branch
 from core.wall.rocking_model import seen_from
 
@@ -55,6 +58,7 @@ ROW = WIDTH + 8
     SLOPE,
     CONSTANT,
     HELD,
+    YIELDS,
     NEXT,
     SAMPLE,
     LEFT,
@@ -67,8 +71,8 @@ ROW = WIDTH + 8
     PEAK,
     PART,
     SERIES,
-) = (ROW * row for row in range(26))
-LANE_ROWS = 25
+) = (ROW * row for row in range(27))
+LANE_ROWS = 26
 """Rows that move with a lane to another place: all before SERIES."""
 FALL_ROWS = 15
 """Rows from PHI to v8."""
@@ -79,9 +83,10 @@ FALL = BEFORE + ROW
 PLAIN = FALL + ROW * FALL_ROWS
 ROWS = PLAIN // ROW + 1
 
-STEPPED, CHECK, FALLS, SCALAR, LONG = 0.0, 1.0, 2.0, 3.0, 4.0
+STEPPED, CHECK, FALLS, SINKS, RISES, SCALAR, LONG = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0
 """NEXT of a lane after a vector step: stepped; the same, and due to be checked for its end; falling to an
-impact in its sample; to be taken by the scalar step; the same, as its series has not converged."""
+impact in its sample; coming to the lower or the upper end of a branch of its bars; to be taken by the scalar step; the
+same, as its series has not converged."""
 
 NOT_LOCATED, MOVES, RESTS = 0.0, 1.0, 2.0
 
@@ -114,3 +119,28 @@ def set_lane(k, side, phi, speed, zone, model, state):
     state[SLOPE + k] = slope
     state[CONSTANT + k] = constant
     state[HELD + k] = held
+
+
+@inner_kernel
+def lane_thresholds(k, constants, bars, held):
+    """Ground accelerations at which lane k uplifts from rest [m/s2].
+
+    k : lane
+    constants : WallConstants
+    bars, held : rows of the bars and their state in all lanes, shape (WIDTH, bars, 5), or None
+    """
+    if bars is None:
+        return constants.thresholds
+    return thresholds_with(constants, bars, held[k])
+
+
+@inner_kernel
+def set_pull(k, bars, held, state):
+    """Set the branch on which lane k is by its bars, if it has any. bars, held : as `lane_thresholds`"""
+    if bars is not None:
+        pull = pull_of(state[SIDE + k], bars, held[k])
+        state[LOW + k] = pull.low
+        state[HIGH + k] = pull.high
+        state[SLOPE + k] = pull.spring
+        state[CONSTANT + k] = pull.constant
+        state[YIELDS + k] = 1.0 if pull.yields else 0.0

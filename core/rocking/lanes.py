@@ -42,6 +42,7 @@ from core.rocking.lane_state import (
     PLAIN,
     RESTS,
     RISE,
+    RISES,
     ROW,
     SAMPLE,
     SCALAR,
@@ -50,6 +51,7 @@ from core.rocking.lane_state import (
     SERIES,
     SIDE,
     SINE,
+    SINKS,
     SLOPE,
     SPEED,
     START,
@@ -57,9 +59,16 @@ from core.rocking.lane_state import (
     STEPPED,
     TIME,
     VECTOR,
+    YIELDS,
+)
+from core.rocking.series_with_bars import (
+    bounds_held,
+    initial_terms_held,
+    strength_of_products,
+    taylor_coefficients_held,
 )
 from core.rocking.short_series import SHORT_SERIES, sine_and_cosine_short
-from core.rocking.taylor import peak_may_grow
+from core.rocking.taylor import climbs, peak_may_grow
 from core.rocking.taylor_bounds import (
     MAX_GROWTH,
     largest_push,
@@ -70,7 +79,7 @@ from core.rocking.taylor_bounds import (
     turning_margin,
 )
 from core.rocking.taylor_polynomial import change, landing, shape, whole_step
-from core.rocking.taylor_series import InitialTerms, constants_seen, initial_terms, taylor_coefficients
+from core.rocking.taylor_series import InitialTerms, constants_seen
 from core.wall.moment_rotation import FAR
 
 MAX_HALVINGS = 4
@@ -96,19 +105,60 @@ def lower_end(k, slopes, state):
 
 
 @inner_kernel
-def nears_upper_end(k, slopes, upper, fastest, reach, margin, state):
+def nears_upper_end(k, slopes, upper, v, after, bend, reach, margin, bars, state):
     """Whether lane k may come to the end of its branch within the step; the rigid law has one.
 
     k : lane
     slopes : of `branch_of`
     upper : larger rotation of the ends of the step [rad]
-    fastest : larger speed of them [rad per step]
+    v, after : of `series_of`, and its speed at the end of the step [rad per step]
+    bend : of `shape`; of walls without bars, which come there less often, it is left to the scalar step
     reach, margin : how far the step strays from its chord [rad], and its speed [rad per step]
+    bars : rows of the bars, or None
     state : of lane_state.py, shape (ROWS * ROW,)
     """
     if slopes is None:
         return False
-    return (state[HIGH + k] - upper <= reach) & (fastest >= -margin)
+    high = state[HIGH + k]
+    near = (high - upper <= reach) & (max(v[0], after) >= -margin)
+    if bars is None:
+        return near
+    return near & climbs(v[0], bend, high - state[PHI + k])
+
+
+@inner_kernel
+def may_turn(k, slowest, margin, bars, state):
+    """Whether lane k may turn back within the step while a bar of it yields.
+
+    k : lane
+    slowest : smaller speed of the ends of the step [rad per step]
+    margin : how far the speed strays from its chord [rad per step]
+    bars : rows of the bars, or None
+    state : of lane_state.py, shape (ROWS * ROW,)
+    """
+    if bars is None:
+        return False
+    return (state[YIELDS + k] != 0.0) & (slowest <= margin)
+
+
+@inner_kernel
+def kind_of_scalar(k, v, after, x, upper, margin, bars, state):
+    """NEXT of lane k where its step is not plain: RISES or SINKS where it moves outward or inward all along, so that
+    only an end of a branch of its bars can be what happens, else SCALAR.
+
+    k : lane
+    v, after : of `series_of`, and its speed at the end of the step [rad per step]
+    x, upper : rotation at the start of the step, and the larger one of its ends [rad]
+    margin : how far the speed strays from its chord [rad per step]
+    bars : rows of the bars, or None
+    state : of lane_state.py, shape (ROWS * ROW,)
+    """
+    if bars is None:
+        return SCALAR
+    steady = (state[YIELDS + k] == 0.0) & (upper <= SHORT_SERIES)
+    rises = steady & (x < state[HIGH + k]) & (min(v[0], after) > 2.0 * margin)
+    sinks = steady & (max(v[0], after) < -2.0 * margin)
+    return RISES if rises else (SINKS if sinks else SCALAR)
 
 
 @inner_kernel
@@ -128,6 +178,16 @@ def ratio_of(model, other, side):
 
 
 @inner_kernel
+def ratio_or_whole(model, bars, side, arriving):
+    """Velocity ratio of an impact at this speed [rad/s], 1 at an end of a branch of the bars, where side is 0.0. bars :
+    their rows, or None"""
+    ratio = ratio_of(model, model.other, side) - model.ratio_drop * arriving * arriving
+    if bars is None:
+        return ratio
+    return ratio if side != 0.0 else 1.0
+
+
+@inner_kernel
 def slowest_of(limits, other, side):
     """Speed below which it rests, of both sides, about the hinge of this one. other : as of `p2_of`"""
     if other is None:
@@ -136,15 +196,24 @@ def slowest_of(limits, other, side):
 
 
 @subkernel
-def lane_initial_terms(lanes, dt, model, constants, slopes, state):
-    """`InitialTerms` of the step of each lane to the end of its sample. slopes : of `branch_of`"""
+def lane_initial_terms(lanes, dt, model, constants, slopes, bars, state):
+    """`InitialTerms` of the step of each lane to the end of its sample.
+
+    lanes : their number
+    dt : the sample [s]
+    model : RockingModel
+    constants : WallConstants
+    slopes : of `branch_of`
+    bars : rows of the bars, or None
+    state : of lane_state.py, shape (ROWS * ROW,)
+    """
     widest_vectors()
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
         second = state[SCALE + k] * state[SECOND + k]
         x = state[PHI + k]
         s, c = sine_and_cosine_short(x)
         branch, side = branch_of(k, slopes, state), state[SIDE + k]
-        start = initial_terms(
+        start = initial_terms_held(
             x,
             state[SPEED + k],
             s,
@@ -157,6 +226,7 @@ def lane_initial_terms(lanes, dt, model, constants, slopes, state):
             branch,
             p2_of(model, model.other, side),
             constants_seen(constants, constants.other, side),
+            bars,
         )
         state[SERIES + k] = start.speed
         state[NET + k] = start.net
@@ -183,8 +253,9 @@ def set_higher_terms(k, v, order, state):
 
 
 @subkernel
-def lane_taylor_coefficients(lanes, constants, order, slopes, state):
-    """The Taylor coefficients of each lane from its initial terms. slopes : of `branch_of`"""
+def lane_taylor_coefficients(lanes, constants, order, slopes, bars, state):
+    """The Taylor coefficients of each lane from its initial terms. slopes : of `branch_of`; bars : rows of the bars, or
+    None"""
     widest_vectors()
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
         start = InitialTerms(
@@ -197,8 +268,9 @@ def lane_taylor_coefficients(lanes, constants, order, slopes, state):
             state[STEP_P2 + k],
             state[FORCING + k],
         )
-        factor, slope, _, _ = branch_of(k, slopes, state)
-        v, growth = taylor_coefficients(state[PHI + k], start, factor, slope, constants.strength, order)
+        branch = branch_of(k, slopes, state)
+        own = bounds_held(constants, branch, bars)
+        v, growth = taylor_coefficients_held(state[PHI + k], start, branch, own, order, bars)
         set_higher_terms(k, v, order, state)
         state[GROWTH + k] = growth
 
@@ -220,19 +292,29 @@ def series_of(k, order, state):
 
 
 @subkernel
-def shorten_steps(lanes, dt, constants, order, slopes, state):
+def shorten_steps(lanes, dt, constants, order, slopes, bars, state):
     """Shorten the steps whose series has not converged to the first half, quarter, ... of the step, as
     `taylor_bounds.converged_part`; where MAX_HALVINGS are not enough, GROWTH is MAX_GROWTH or more. Where all steps are
-    whole, the rows are as before. Returns how many steps are not."""
+    whole, the rows are as before.
+
+    lanes : their number
+    dt : the sample [s]
+    constants : WallConstants
+    order : of the series, 6 or 8
+    slopes : of `branch_of`
+    bars : rows of the bars, or None
+    state : of lane_state.py, shape (ROWS * ROW,)
+    Returns how many steps are not whole.
+    """
     widest_vectors()
     shorter = 0
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
         v, growth, p2 = series_of(k, order, state), state[GROWTH + k], state[STEP_P2 + k]
         rise, forcing, t = state[RISE + k], state[FORCING + k], state[TIME + k]
-        omitted = neglected(v, growth, forcing, rise, p2, constants.strength, order)
         branch = branch_of(k, slopes, state)
+        own = bounds_held(constants_seen(constants, constants.other, state[SIDE + k]), branch, bars)
+        omitted = neglected(v, growth, forcing, rise, p2, strength_of_products(own, branch, bars), order)
         tolerance = constants.tolerance
-        own = constants_seen(constants, constants.other, state[SIDE + k])
         relative = relative_tolerance(state[PHI + k], v[0], forcing, p2, branch, own)
         part = 1.0
         for _ in range(MAX_HALVINGS):
@@ -278,11 +360,19 @@ def stay_in_sample(lanes, constants, state):
 
 
 @subkernel
-def vector_step(lanes, dt, constants, order, slopes, state):
+def vector_step(lanes, dt, constants, order, slopes, bars, state):
     """Take one step of each lane to the end of its sample by its series, where nothing else happens in it, and set NEXT
     of each; of a shortened step, see `stay_in_sample`. (Initial terms, coefficients and step are three loops: in one
     the processor waits for each lane's results. A value that stays in its row is stored as `one * x`: x alone becomes a
     store under a mask, seven cycles each on AMD's processors.)
+
+    lanes : their number
+    dt : the sample [s]
+    constants : WallConstants
+    order : of the series, 6 or 8
+    slopes : of `branch_of`
+    bars : rows of the bars, or None
+    state : of lane_state.py, shape (ROWS * ROW,)
     """
     widest_vectors()
     tolerance = constants.tolerance
@@ -294,9 +384,9 @@ def vector_step(lanes, dt, constants, order, slopes, state):
         forcing, growth = state[FORCING + k], state[GROWTH + k]
         x = state[PHI + k]
         branch = branch_of(k, slopes, state)
-        own = constants_seen(constants, constants.other, state[SIDE + k])
+        own = bounds_held(constants_seen(constants, constants.other, state[SIDE + k]), branch, bars)
         relative = relative_tolerance(x, v[0], forcing, p2, branch, own)
-        omitted = neglected(v, growth, forcing, rise, p2, constants.strength, order)
+        omitted = neglected(v, growth, forcing, rise, p2, strength_of_products(own, branch, bars), order)
         long = (omitted > min(tolerance, relative)) | (growth >= MAX_GROWTH)
         low, peak = lower_end(k, slopes, state), state[PEAK + k]
         speed, per_step = state[SPEED + k], state[PER_STEP + k]
@@ -306,25 +396,27 @@ def vector_step(lanes, dt, constants, order, slopes, state):
         dphi, dv = whole_step(v)
         y = x + dphi
         upper = max(x, y)
-        push = largest_push(upper, forcing, p2, constants, *branch[:3])
+        push = largest_push(upper, forcing, p2, own, *branch[:3])
         reach = 0.125 * push
-        margin = turning_margin(v[0], dv, rise, plus(forcing, branch[1]), p2, constants.strength, push)
+        margin = turning_margin(v[0], dv, rise, plus(forcing, branch[1]), p2, own.strength, push)
         after = v[0] + dv
         bend, bulges, stays = shape(v, x - low, dphi, dv, 1.0)
         near = (min(x, y) - low <= reach) & (min(v[0], after) <= margin)
         falls = near & (not stays)
         tops = (v[0] > -2.0 * margin) & (after < 2.0 * margin) & (not bulges)
         scalar = (
-            nears_upper_end(k, slopes, upper, max(v[0], after), reach, margin, state)
+            nears_upper_end(k, slopes, upper, v, after, bend, reach, margin, bars, state)
             | (upper > SHORT_SERIES)
             | long
             | (falls & (low != 0.0))
             | (moving == 0.0)
+            | may_turn(k, min(v[0], after), margin, bars, state)
             | ((not falls) & tops & peak_may_grow(x, dphi, v[0], bend, reach, peak))
         )
         stays = scalar | falls
         check = (y > constants.collapse) | (left <= 0.0)
-        state[NEXT + k] = (LONG if long else SCALAR) if scalar else (FALLS if falls else (CHECK if check else STEPPED))
+        kind = kind_of_scalar(k, v, after, x, upper, margin, bars, state)
+        state[NEXT + k] = (LONG if long else kind) if scalar else (FALLS if falls else (CHECK if check else STEPPED))
         state[SAMPLE + k] += 0.0 if stays else 1.0
         state[LEFT + k] = left + 1.0 if stays else left
         faster, higher = fma(dv, per_step, speed), max(peak, y)
@@ -340,11 +432,16 @@ def vector_step(lanes, dt, constants, order, slopes, state):
 
 
 @subkernel
-def locate_impacts(falling, dt, model, rest_below, order, state):
+def locate_impacts(falling, dt, model, rest_below, order, bars, state):
     """The impact of each lane that falls: time in the sample, speed after it, whether this located it, and whether the
-    wall then rests unless the ground lifts it.
+    wall then rests unless the ground lifts it; of one that comes to an end of a branch of its bars its speed there.
 
+    falling : number of lanes
+    dt : the sample [s]
+    model : RockingModel
     rest_below : of both sides [rad/s], see `events.stops_rocking`
+    order : of the series, 6 or 8
+    bars : rows of the bars, or None
     state : PLAIN holds the side of each, see `lane_events.gather_falling`
     """
     widest_vectors()
@@ -356,7 +453,7 @@ def locate_impacts(falling, dt, model, rest_below, order, state):
         part, top, found = landing(v, state[PHI + k], 1.0)
         speed = fma(change(v, part), state[PER_STEP + k], state[SPEED + k])
         arriving = max(-speed, 0.0)
-        ratio = ratio_of(model, model.other, side) - model.ratio_drop * arriving * arriving
+        ratio = ratio_or_whole(model, bars, side, arriving)
         speed = max(ratio, 0.0) * arriving
         t = fma(part * state[PART + k], 1.0 - t, t)
         plain = found & (top <= state[PEAK + k]) & (part < 1.0) & (t < 1.0) & (ratio >= 0.0)

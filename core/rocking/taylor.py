@@ -14,6 +14,7 @@ from core.rocking.early_stop import cannot_recover
 from core.rocking.events import IMPACTS_PER_SAMPLE, BlockState, end_of_record, leave_impact, next_uplift
 from core.rocking.oscillator import SWING_FALLS, SWING_RISES, branches_apart, state_on, swing_on, swings
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
+from core.rocking.series_with_bars import initial_terms_held, strength_of_products, taylor_coefficients_held
 from core.rocking.short_series import SHORT_SERIES, sine_and_cosine
 from core.rocking.taylor_bounds import (
     MAX_GROWTH,
@@ -30,11 +31,12 @@ from core.rocking.taylor_polynomial import (
     increment,
     interior_maximum,
     landing,
+    mirrored,
     part_turning_once,
     shape,
     whole_step,
 )
-from core.rocking.taylor_series import InitialTerms, constants_seen, initial_terms, taylor_coefficients, wall_constants
+from core.rocking.taylor_series import InitialTerms, constants_seen, wall_constants
 from core.wall.moment_rotation import FAR, moment_branch, zone_of
 from core.wall.rocking_model import seen_from
 
@@ -72,7 +74,14 @@ def peak_may_grow(phi, dphi, speed, bend, reach, peak):
 
 
 @inner_kernel
-def converged_step(state, ground0, ground1, t, dt, branch, model, constants, order):
+def climbs(speed, bend, gap):
+    """Whether a step may rise by a gap [rad], not negative: a parabola of curvature `bend` through its start does.
+    speed : at its start [rad per step]; bend : of `shape`. (1.998 as above.)"""
+    return (bend >= 0.0) | ((speed > 0.0) & (fma(speed, speed, 1.998 * bend * gap) >= 0.0))
+
+
+@inner_kernel
+def converged_step(state, ground0, ground1, t, dt, branch, model, constants, order, bars):
     """(v0..v8, InitialTerms, part) of the first part of a step from t to the end of the sample, in which the series
     has converged, in units of that part.
 
@@ -80,32 +89,20 @@ def converged_step(state, ground0, ground1, t, dt, branch, model, constants, ord
     ground0, ground1 : ground acceleration at both ends of the sample [m/s2]
     t : where in the sample it is, 0 to 1
     dt : the sample [s]
-    branch : of `moment_branch`
+    branch : of `moment_branch`, or with bars of `bar_state.branch_of_bars`
     model : RockingModel as the pivot sees it
-    constants : WallConstants
+    constants : WallConstants, with bars of `bounds_held`
     order : of the series, 6 or 8
+    bars : their rows, None of a wall without
     """
-    _, _, factor, slope, constant, held = branch
     s, c = sine_and_cosine(state.phi)
-    start = initial_terms(
-        state.phi,
-        state.speed,
-        s,
-        c,
-        state.side,
-        ground0,
-        ground1,
-        t,
-        dt,
-        (factor, slope, constant, held),
-        model.p2,
-        constants,
+    start = initial_terms_held(
+        state.phi, state.speed, s, c, state.side, ground0, ground1, t, dt, branch[2:], model.p2, constants, bars
     )
-    v, growth = taylor_coefficients(state.phi, start, factor, slope, constants.strength, order)
-    relative = relative_tolerance(
-        state.phi, start.speed, start.forcing, start.p2, (factor, slope, constant, held), constants
-    )
-    tail = neglected(v, growth, start.forcing, start.rise, start.p2, constants.strength, order)
+    v, growth = taylor_coefficients_held(state.phi, start, branch[2:], constants, order, bars)
+    relative = relative_tolerance(state.phi, start.speed, start.forcing, start.p2, branch[2:], constants)
+    strength = strength_of_products(constants, branch[2:], bars)
+    tail = neglected(v, growth, start.forcing, start.rise, start.p2, strength, order)
     part = 1.0
     if not (tail <= min(constants.tolerance, relative) and growth < MAX_GROWTH):
         part = converged_part(tail, growth, order, constants.tolerance, relative)
@@ -115,9 +112,14 @@ def converged_step(state, ground0, ground1, t, dt, branch, model, constants, ord
 
 
 @inner_kernel
-def first_event(v, start, phi, branch, constants):
+def first_event(v, start, phi, branch, constants, bars):
     """The Crossing that ends a step: the first one of an end of the branch, else its end or that of a shorter one
-    which turns once. v, start : of `converged_step`; phi [rad]."""
+    which turns once.
+
+    v, start : of `converged_step`
+    phi : rotation at its start [rad]
+    branch, constants, bars : as there; with bars the upper end is looked for as an impact is, upside down
+    """
     low, high, factor, slope, constant, _ = branch
     # a chord stays within 1/8 max|phi''| of the curve, one of the speed within the margin: far from
     # both ends of the branch, or moving away from it, nothing happens
@@ -132,14 +134,19 @@ def first_event(v, start, phi, branch, constants):
     bend, stays = 0.0, True
     if falls or rises:
         bend, _, stays = shape(v, phi - low, dphi, dv, part)
-    if rises and bend >= 0.0:
+    rises = rises and climbs(v[0], bend, high - phi)
+    risen = False
+    if bars is not None and rises and not falls and phi < high:
+        crossing, _, risen = landing(mirrored(v), high - phi, 1.0)
+        crossing = crossing if risen else -1.0
+    if rises and not risen and bend >= 0.0:
         part = part_turning_once(v, part)
     if falls and not stays:
         crossing, _, found = landing(v, phi - low, part)
         if not found:
             part = part_turning_once(v, part)
             crossing = first_crossing(v, phi - low, 1.0, part)
-    if rises:
+    if rises and not risen:
         above = first_crossing(v, phi - high, -1.0, part)
         falls = not (above >= 0.0 and (crossing < 0.0 or above < crossing))
         crossing = crossing if falls else above
@@ -240,8 +247,8 @@ def through_sample(ground0, ground1, dt, model, constants, order, strongest, sta
             continue
         seen, own = seen_from(model, state.side), constants_seen(constants, constants.other, state.side)
         branch = moment_branch(state.zone, seen)
-        v, begun, part = converged_step(state, ground0, ground1, t, dt, branch, seen, own, order)
-        event = first_event(v, begun, state.phi, branch, own)
+        v, begun, part = converged_step(state, ground0, ground1, t, dt, branch, seen, own, order, None)
+        event = first_event(v, begun, state.phi, branch, own, None)
         state, t = advance(state, v, part, event, t, dt)
         if event.crossing < 0.0:
             if state.phi > SHORT_SERIES and cannot_recover(state.phi, state.speed, strongest, seen):

@@ -160,6 +160,12 @@ def landing(v, gap, h):
 
 
 @inner_kernel
+def mirrored(v):
+    """The series of -phi'."""
+    return -v[0], -v[1], -v[2], -v[3], -v[4], -v[5], -v[6], -v[7], -v[8]
+
+
+@inner_kernel
 def third_order_step(v, gap, time):
     """(time, Newton's step, third-order correction relative to it, slope) of one step to the root of gap + phi(t) -
     phi(0): Halley's correction expanded to first order (Chebyshev's method)."""

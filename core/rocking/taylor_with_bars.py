@@ -1,8 +1,8 @@
 """Eq. 1 of a wall held by tie bars, by the Taylor series of order 8 (resources/docs/physics.md, section 18).
 
-As `taylor.py`, with one more term in the equation and more events: a bar becomes taut, yields, turns back, is slack,
-breaks. Walls of the rigid law only. One analysis after another: no vector instructions, the same results for a
-single history and for many.
+As `taylor.py`, with more terms in the equation (series_with_bars.py) and more events: a bar becomes taut, yields, turns
+back, is slack, breaks. Walls of the rigid law only. Many analyses run in lanes (lane_scheduler.py), of which these are
+the functions where something happens.
 """
 
 import math
@@ -19,28 +19,95 @@ from core.rocking.bar_state import (
     keep,
     pull_of,
     residual_of,
-    set_phases,
     thresholds_with,
     unload,
 )
-from core.rocking.early_stop import LOOKAHEAD, MAX_SETTLED_RATIO, cannot_recover
+from core.rocking.early_stop import cannot_recover
 from core.rocking.events import IMPACTS_PER_SAMPLE, LAST_ROTATION, BlockState, next_uplift
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
-from core.rocking.series_with_bars import bounded_with, step_with_bars, until_turn
+from core.rocking.series_with_bars import ORDER, bounds_held
 from core.rocking.short_series import sine_and_cosine
-from core.rocking.taylor import advance, first_event, impact
-from core.rocking.taylor_series import PER_G, WallConstants, wall_constants
+from core.rocking.taylor import Crossing, advance, converged_step, first_event, impact
+from core.rocking.taylor_polynomial import (
+    CURVATURE,
+    RATE,
+    bracketed_root,
+    change,
+    curvature,
+    increment,
+    part_turning_once,
+)
+from core.rocking.taylor_series import WallConstants, wall_constants
 from core.units import G
 from core.wall.bars import bar_rows, stored, work_to
 from core.wall.moment_rotation import FAR, potential
 from core.wall.rocking_model import RockingModel, seen_from
 
-SETTLED_EVERY = 16
-"""Samples between two checks of whether an analysis is settled."""
-
 STILL_TIME = 60.0
 """How long a wall is followed in still ground after its record, times 1/p: it then leans on a bar, or bounces without
 loss."""
+
+ON, AT_IMPACT, AT_KINK = 0, 1, 2
+"""Where a step of a wall held by bars ends: nothing happens there; at zero; a bar becomes another one."""
+
+
+@subkernel
+def until_turn(v, event):
+    """(Crossing that ends no later than where the wall, moving outward, first turns back, whether it does there)."""
+    if event.part == 1.0 and min(v[0], v[0] + event.dv) > event.margin:
+        return event, False
+    part = part_turning_once(v, event.part)
+    turn, low = -1.0, 0.0
+    if v[0] <= 0.0 and v[1] <= 0.0:
+        turn = 0.0
+    elif v[0] + change(v, part) < 0.0:
+        if v[0] <= 0.0:  # it starts at rest, outward
+            low = bracketed_root(v, 0.0, CURVATURE, 0.0, part)
+        turn = bracketed_root(v, 0.0, RATE, low, part)
+    elif v[1] < 0.0 < curvature(v, part):
+        lowest = bracketed_root(v, 0.0, CURVATURE, 0.0, part)
+        if v[0] + change(v, lowest) < 0.0:
+            turn = bracketed_root(v, 0.0, RATE, 0.0, lowest)
+    if turn < 0.0 and part >= event.part:
+        return event, False
+    end = turn if turn >= 0.0 else part
+    dphi, dv = increment(v, end), change(v, end)
+    return Crossing(end, -1.0, event.falls, event.margin, event.bend, event.reach, dphi, dv), turn >= 0.0
+
+
+@subkernel
+def end_of_step(state, v, begun, part, t, dt, ground0, jump, branch, yields, seen, bounds, bars, held):
+    """Carry the wall through a step, to its first event.
+
+    state : BlockState at t
+    v, begun, part : of `converged_step`
+    t : where in the sample it is, 0 to 1
+    dt : the sample [s]
+    ground0, jump : ground acceleration at the start of the sample, and its change over it [m/s2]
+    branch : (low, high, a, K, C, c) of `series_with_bars`
+    yields : whether a bar does
+    seen : RockingModel without bars as the pivot sees it
+    bounds : of `bounds_held`
+    bars, held : the bars and their state, shape (bars, 5)
+    Returns (BlockState, t, rotation speed after an impact [rad/s], ON, AT_IMPACT or AT_KINK).
+    """
+    event, turns = first_event(v, begun, state.phi, branch, bounds, bars), False
+    if yields:
+        event, turns = until_turn(v, event)
+    state, t = advance(state, v, part, event, t, dt)
+    if turns:
+        unload(state.phi, bars, held)
+        return at_kink(state, state.phi, 0.0), t, 0.0, AT_KINK
+    if event.crossing < 0.0:
+        return state, t, 0.0, ON
+    low, high, _, _, _, _ = branch
+    if event.falls and low == 0.0:
+        there = with_thresholds(bounds, thresholds_with(bounds, bars, held))
+        state, hit = impact(state, ground0 + jump * t, seen, there)
+        return state, t, hit, AT_IMPACT
+    phi = low if event.falls else high
+    cross_kinks(phi, event.falls, bars, held)
+    return at_kink(state, phi, state.speed), t, 0.0, AT_KINK
 
 
 @subkernel
@@ -51,7 +118,7 @@ def through_sample_with_bars(ground0, ground1, dt, model, constants, strongest, 
     dt : the sample [s]
     model : RockingModel without bars
     constants : WallConstants
-    strongest : bound of |u''|/g for `cannot_recover` [-]
+    strongest : bound of |u''|/g for `cannot_recover_with_bars` [-]
     state : BlockState
     start : where in the sample it is, 0 to 1
     bars : of `bar_rows`, shape (bars, 5)
@@ -66,42 +133,33 @@ def through_sample_with_bars(ground0, ground1, dt, model, constants, strongest, 
             if t >= 1.0:
                 break
             state = BlockState(side, 0.0, 0.0, True, 2, state.peak, state.impacts, state.clamped)
-            set_phases(0.0, bars, held)
         seen = seen_from(model, state.side)
         pull = pull_of(state.side, bars, held)
-        bounds = bounded_with(constants, pull)
-        v, begun, part = step_with_bars(state, ground0, ground1, t, dt, pull, seen, constants, bounds)
-        # the moment is bounded by that of the wall and of the bars
-        moment = seen.restoring.amplitude + abs(pull.constant)
-        event = first_event(v, begun, state.phi, (pull.low, pull.high, 0.0, pull.spring, moment, 0.0), bounds)
-        turns = False
-        if pull.yields:
-            event, turns = until_turn(v, event)
-        state, t = advance(state, v, part, event, t, dt)
-        if turns:
-            unload(state.phi, bars, held)
-            state = at_kink(state, state.phi, 0.0)
-        elif event.crossing < 0.0:
-            if state.phi > LAST_ROTATION or (
-                all_broken(held) and cannot_recover(state.phi, state.speed, strongest, seen)
-            ):
-                outcome = COLLAPSED
-                break
-            continue
-        elif event.falls and pull.low == 0.0:
-            thresholds = thresholds_with(constants, bars, held)
-            state, hit = impact(state, ground0 + jump * t, model, with_thresholds(constants, thresholds))
-            set_phases(0.0, bars, held)
+        wall = seen.restoring
+        branch = (pull.low, pull.high, wall.sine, pull.spring, pull.constant, wall.cosine)
+        bounds = bounds_held(constants, branch[2:], bars)
+        v, begun, part = converged_step(state, ground0, ground1, t, dt, branch, seen, bounds, ORDER, bars)
+        state, t, hit, what = end_of_step(
+            state, v, begun, part, t, dt, ground0, jump, branch, pull.yields, seen, bounds, bars, held
+        )
+        if what == AT_IMPACT:
             break
-        else:
-            phi = pull.low if event.falls else pull.high
-            state = at_kink(state, phi, state.speed)
-            cross_kinks(phi, event.falls, bars, held)
-        kinks += 1
+        if what == ON and cannot_recover_with_bars(state, strongest, seen, held):
+            outcome = COLLAPSED
+            break
+        kinks += int(what == AT_KINK)
         if kinks > IMPACTS_PER_SAMPLE:
             outcome = IMPACT_LIMIT
             break
     return outcome, t, hit, state
+
+
+@subkernel
+def cannot_recover_with_bars(state, strongest, model, held):
+    """As `early_stop.cannot_recover`, of a BlockState; bars that are left may still hold it."""
+    if state.phi > LAST_ROTATION:
+        return True
+    return all_broken(held) and cannot_recover(state.phi, state.speed, strongest, model)
 
 
 @inner_kernel
@@ -219,71 +277,6 @@ def integrate_with_bars(ground, dt, scale, model, start, bars, held, trace, impa
     return outcome, after.peak, state.impacts, state.clamped, ground.size
 
 
-@subkernel
-def outcome_with_bars(ground, ahead, first, last, dt, scale, strength, model, constants, bars, held):
-    """(outcome, BlockState at the end) of one analysis from rest that ends as soon as nothing it is asked for can
-    change.
-
-    ground, ahead, dt : as `scan_with_bars`
-    first, last : samples of the record
-    scale : multiplier [-]
-    strength : bound of |u''|/g [-]
-    model, constants : RockingModel without bars, WallConstants
-    bars, held : as `scan_with_bars`
-    """
-    state = at_start((0.0, 0.0), bars, held)
-    may_settle = model.ratio_drop == 0.0 and model.ratio_at_rest <= MAX_SETTLED_RATIO
-    i = first
-    while i < last:
-        if not state.moving:
-            right, left = thresholds_with(constants, bars, held)
-            one, other = scale * ahead[0, i], scale * ahead[1, i]
-            if max(one, other) <= right and min(one, other) >= -left:
-                i = min(i + LOOKAHEAD - 1, last)
-                continue
-        t, before = 0.0, state.impacts
-        while t < 1.0:
-            outcome, t, _, state = through_sample_with_bars(
-                scale * ground[i], scale * ground[i + 1], dt, model, constants, strength, state, t, bars, held
-            )
-            if state.impacts - before > IMPACTS_PER_SAMPLE:
-                outcome = IMPACT_LIMIT
-            if outcome != STABLE:
-                return outcome, state
-        i += 1
-        checks = may_settle and (i - first) % SETTLED_EVERY == 1
-        if checks and settled_with_bars(state, abs(scale) * ahead[3, i], model, bars, held):
-            return STABLE, state
-    clamped = state.clamped
-    outcome, state = in_still_ground(dt, model, constants, state, bars, held)
-    return outcome, BlockState(
-        state.side, state.phi, state.speed, state.moving, state.zone, state.peak, state.impacts, clamped
-    )
-
-
-@kernel
-def scan_with_bars(
-    ground, ahead, dt, firsts, lasts, strongest, which, scales, model, bars, held, outcomes, peaks, clamped
-):
-    """Analyses of a wall held by bars, one after another.
-
-    ground, ahead, dt, firsts, lasts, strongest, which, scales : as lane_scheduler.py `one_pass`
-    model : RockingModel without bars, of the rigid law
-    bars : of `bar_rows`, shape (bars, 5)
-    held : room, shape (bars, 5)
-    outcomes, peaks, clamped : results, as there
-    """
-    constants = wall_constants(model, dt)
-    for k in range(scales.size):
-        record = which[k]
-        strength = abs(scales[k]) * strongest[record] * PER_G
-        outcomes[k], state = outcome_with_bars(
-            ground, ahead, firsts[record], lasts[record], dt, scales[k], strength, model, constants, bars, held
-        )
-        peaks[k] = state.peak
-        clamped[k] = state.clamped
-
-
 def with_bars_apart(model: RockingModel) -> tuple[RockingModel, np.ndarray, np.ndarray]:
     """(the wall without its bars, its bars as an array, room for their state), as the kernels take them."""
     bars = bar_rows(model.bars)
@@ -299,15 +292,3 @@ def integrate(ground, dt, scale, model, start, trace, impact_time, impact_veloci
     """
     bare, *bars = with_bars_apart(model)
     return integrate_with_bars(ground, dt, scale, bare, start, *bars, trace, impact_time, impact_velocity)
-
-
-def scan(grounds, which, scales, model, outcomes, peaks) -> np.ndarray:
-    """`core.rocking.history.scan_records` of a wall with bars; parameters as there. Returns the clamped velocity ratios
-    of each, shape (m,)."""
-    bare, *bars = with_bars_apart(model)
-    clamped = np.zeros(scales.size, np.int64)
-    records = grounds.first, grounds.last, grounds.strongest
-    scan_with_bars(
-        grounds.ground, grounds.ahead, grounds.dt, *records, which, scales, bare, *bars, outcomes, peaks, clamped
-    )
-    return clamped

@@ -86,7 +86,7 @@ def numbers_are_right() -> bool:
 def order_of(method: Method, model: RockingModel, dt: float) -> tuple[str, ...]:
     """Of ORDERS the one whose kernels the analyses of a wall compile; none where they are others. dt : [s]"""
     resolved = resolve_auto(method, model, dt)
-    return (resolved.name,) if in_lanes(resolved, model) else ()
+    return (resolved.name,) if in_lanes(resolved, model) and not model.bars else ()
 
 
 def tell(methods: Iterable[str] = ORDERS) -> Outcome:

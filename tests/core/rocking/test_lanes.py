@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 
 from core.capacity.ida import Search, incremental_dynamic_analysis
+from core.ground.records import read
 from core.rocking.history import history, scan, scan_records
 from core.rocking.lane_scheduler import Grounds
 from core.rocking.lane_state import WIDTH
 from core.rocking.methods import METHODS
 from core.rocking.outcome import BAD_INPUT, COLLAPSED, IMPACT_LIMIT
 from core.units import G
+from core.wall.bars import Bar
 from core.wall.loads import BARE, RestoringMoment
 from core.wall.rocking_model import OtherSide, RockingModel
 from tests.core.rocking.lanes_and_histories import assert_lanes_are_histories
@@ -79,6 +81,82 @@ def test_that_lanes_equal_single_analyses_of_bodies_of_unlike_hinges(seeds):
         scales = rng.uniform(0.2, 8.0, 24) * rng.choice([-1.0, 1.0], 24)
         seen |= set(assert_lanes_are_histories(ground, dt, scales, model, rng.choice(["taylor", "rk4"])))
     assert seen >= {0, 1}
+
+
+def loaded(rng: np.random.Generator, slenderness: float) -> RestoringMoment:
+    """A wall as it is, or with a load that leaves it standing."""
+    if rng.uniform() < 0.6:
+        return BARE
+    sine = 1.0 + rng.uniform(0.0, 1.0)
+    cosine = sine * math.tan(slenderness) * rng.uniform(-0.5, 0.8)
+    return RestoringMoment(sine, cosine, math.hypot(sine, cosine), math.atan2(cosine, sine))
+
+
+def held_by_bars(rng: np.random.Generator) -> RockingModel:
+    """A wall of the rigid law, one- or two-sided, with none to three bars: slack, neither, or prestressed; of all
+    strengths and stiffnesses, some of which break."""
+    alpha, p2, one_sided = rng.uniform(0.02, 0.25), 10.0 ** rng.uniform(0.0, 1.3), rng.uniform() < 0.6
+    sides = [loaded(rng, alpha) for _ in range(1 if one_sided else 2)]
+    weaker = min(sides, key=lambda side: side.lean)
+    bars = []
+    for _ in range(rng.integers(0, 4)):
+        at_yield = alpha * 10.0 ** rng.uniform(-2.5, -0.3)
+        stiffness = alpha * 10.0 ** rng.uniform(-1.3, 0.7) / at_yield
+        slack = at_yield * rng.choice([0.0, rng.uniform(0.0, 3.0), -rng.uniform(0.0, 1.0)])
+        stands = at_yield * rng.choice([1.0, 10.0 ** rng.uniform(0.0, 2.0), 1e3])
+        breaks = max(stands + min(slack, 0.0), slack + at_yield)
+        bars.append(Bar(1.0, stiffness, at_yield, slack, breaks))
+    drop = rng.choice([0.0, 0.0, 0.0, 5.0])
+    values = alpha, p2, float(one_sided), rng.choice([rng.uniform(), 1.0]), drop, 0.0, 0.0
+    return RockingModel(*values, sides[0], sides[-1], weaker.lean, weaker.amplitude, tuple(bars))
+
+
+def shaken(rng: np.random.Generator, model: RockingModel, motions: list[np.ndarray]) -> np.ndarray:
+    """A ground [m/s2] that lifts a wall: noise, a walk, a ground near what lifts it, or a piece of one of the motions,
+    with a quiet piece."""
+    kind, samples = rng.integers(4), 300
+    ground = rng.normal(size=samples)
+    if kind == 1:
+        ground = np.cumsum(ground) / 5.0
+    elif kind == 2:
+        ground = np.repeat(rng.uniform(0.9, 1.05, samples // 10), 10) * rng.choice([-1.0, 1.0])
+    elif kind == 3:
+        motion = motions[rng.integers(len(motions))]
+        first = rng.integers(max(1, motion.size - 600))
+        ground = motion[first : first + 600] / np.abs(motion).max() * 3.0
+    ground[100:130] = 0.0
+    return np.ascontiguousarray(model.threshold * ground)
+
+
+@pytest.mark.shows("mechanics.lanes")
+@pytest.mark.parametrize("seeds", [range(40), pytest.param(range(40, 3000), marks=pytest.mark.long)], ids=str)
+def test_that_lanes_equal_single_analyses_of_walls_held_by_bars(reference, seeds):
+    """Bars that are taut, yield, unload, slacken and break in lanes of their own clocks."""
+    motions = [reference(name)[0] for name in ("standard", "hard")]
+    seen, yielded, broke = set(), 0, 0
+    for seed in seeds:
+        rng = np.random.default_rng(seed)
+        model, dt = held_by_bars(rng), 10.0 ** rng.uniform(-3.0, -1.5)
+        ground = shaken(rng, model, motions)
+        scales = rng.uniform(0.3, 8.0, 24) * rng.choice([-1.0, 1.0], 24)
+        seen |= set(assert_lanes_are_histories(ground, dt, scales, model))
+        residual = history(ground, dt, scales[0], model).residual
+        broke += int(np.isinf(residual).any())
+        kept = residual[np.isfinite(residual).all(axis=1)]
+        yielded += int((kept > kept[:, :1]).any())
+    assert seen >= {0, 1} and min(yielded, broke) >= 0.1 * len(seeds)
+
+
+@pytest.mark.shows("mechanics.lanes")
+@pytest.mark.parametrize("seeds", [range(5), pytest.param(range(5, 300), marks=pytest.mark.long)], ids=str)
+def test_that_lanes_equal_single_analyses_of_walls_held_by_bars_under_real_records(shelf, seeds):
+    names = "A-ELC180.AT2", "ALH360.AT2", "CPM000.AT2", "IELC180.AT2", "NIS090.AT2"
+    records = [read(shelf / "PEER_AT2" / name) for name in names]
+    for seed in seeds:
+        rng = np.random.default_rng(seed)
+        model, record = held_by_bars(rng), records[rng.integers(len(records))]
+        ground = np.ascontiguousarray(model.threshold / record.pga * record.acceleration)
+        assert_lanes_are_histories(ground, record.time_step, rng.uniform(1.0, 6.0, 16) * rng.choice([-1, 1], 16), model)
 
 
 @pytest.mark.parametrize("height, dt", [(0.4, 0.02), (1.0, 0.05), (0.3, 0.1)])
