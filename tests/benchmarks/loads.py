@@ -1,20 +1,25 @@
-"""What loads cost: a wall whose load lies on the ray of its centroid moves as a bare wall of a stronger gravity.
+"""What loads and ties cost: a wall whose load lies on the ray of its centroid moves as a bare wall of a stronger
+gravity.
 
     python3 run.py bench --loads [--pairs N]
 
 Both do the same steps, so that the ratio of their times is the cost of a and c alone. The third has a load that holds
-its two sides differently; its motion is its own, and the time is per analysed sample of the same record.
+its two sides differently; its motion is its own, and the time is per analysed sample of the same record. Then the
+facade of resources/cases/building.toml with its tie over the same without, about each of its hinges, in turn.
 """
 
 import argparse
 import math
 import statistics
+import time
 
 import numpy as np
 
-from core.capacity.ida import Search, incremental_dynamic_analysis
+from core.capacity.ida import Run, Search, incremental_dynamic_analyses, incremental_dynamic_analysis
+from core.case.reader import read_case
 from core.rocking.history import history, scan
 from core.rocking.methods import METHODS
+from core.setting.plan import plan_of, read_inputs
 from core.wall.block import Block
 from core.wall.loads import Force, restoring_moment
 from core.wall.moment_rotation import LAWS
@@ -22,7 +27,7 @@ from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
 from tests.benchmarks.paired import best_seconds
 from tests.benchmarks.scenes import reference
-from tests.benchmarks.small import SAMPLES
+from tests.benchmarks.small import ROOT, SAMPLES
 
 
 def pairs_of(one_sided: bool):
@@ -39,8 +44,36 @@ def pairs_of(one_sided: bool):
     return held.sine, bare, loaded, unlike
 
 
+def ties(pairs: int, small: bool) -> None:
+    """Print the times of the searches of a facade without and with its tie. small : of the last hinge, coarse"""
+    path = ROOT / "resources" / "cases" / "building.toml"
+    case = read_case(path)
+    plan = plan_of(case, read_inputs(case, path.parent))
+    facade = [entry for entry in plan.entries if entry.part.wall.variant]
+    bare, tied = ([entry for entry in facade if bool(entry.model.bars) == held] for held in (False, True))
+    assert len(bare) == len(tied) == 3
+    search = Search(q_step=0.1) if small else plan.search
+    print(f"{'searches with the tie over without':32} {'median':>7} {'range':>15}   an analysis, and over without")
+    for free, held in list(zip(bare, tied, strict=True))[2 if small else 0 :]:
+        times: dict[bool, list[float]] = {False: [], True: []}
+        done = {}
+        for entry in (free, held) * (pairs + 1):
+            runs = [Run(one.acceleration, one.time_step, one.pga, sign) for one in entry.felt for sign in entry.signs]
+            start = time.thread_time()
+            found = incremental_dynamic_analyses(runs, entry.model, plan.method, search, lambda: False)
+            times[bool(entry.model.bars)].append(time.thread_time() - start)
+            done[bool(entry.model.bars)] = sum(ida.analyses for ida in found)
+        ratios = sorted(one / other for one, other in list(zip(times[True], times[False], strict=True))[1:])
+        each = 1e6 * statistics.median(times[True][1:]) / done[True]
+        print(
+            f"{held.part.wall.name:32} {statistics.median(ratios):7.3f}   {ratios[0]:.3f}-{ratios[-1]:.3f}   "
+            f"{each:.1f} us, {statistics.median(ratios) * done[False] / done[True]:.3f}"
+        )
+
+
 def main(options: argparse.Namespace) -> None:
-    """Print the table."""
+    """Print the tables."""
+    ties(options.pairs or 7, options.small)
     ground, dt, taylor, n = reference("standard"), 0.01, METHODS["taylor"], 256
     pairs, repeats = (options.pairs or 7), (5, 3, 20)
     if options.small:

@@ -110,6 +110,21 @@ def calls(small: bool) -> dict[str, Callable[[], None]]:
             assert (peaks > 0.0).all(), "lanes at rest"
 
         found["lanes, unlike hinges"] = of_unlike_hinges
+    with contextlib.suppress(ImportError):  # trees before ties
+        from core.wall.bars import Bar
+
+        # as of resources/cases/building.toml: at 2 % of theta_c it yields, by 2.2 times what the wall has, and breaks
+        # at 80 %
+        bar = Bar(1.0, 2.2 / 0.02, 0.02 * alpha, 0.0, 0.8 * alpha)
+        tied = RockingModel(alpha, 2.0866, 1.0, 0.45, 0.0, 0.0, 0.0, bars=(bar,))
+
+        def of_ties():
+            scan(taylor, ground, TIME_STEP, scales, tied, outcomes, peaks)
+            assert (peaks > 0.0).all(), "lanes at rest"
+
+        found["lanes, ties"] = of_ties
+        found["search, ties"] = partial(searched, tied)
+        found["history, ties"] = partial(moved, tied)
     # steps that are taken in parts: 0.05 s under a wall of 1 m, and a stiff elastic branch
     for name, dt, model in (
         ("long steps", 0.05, RockingModel(alpha, 14.6, 0.0, 0.979, 0.0, 0.0, 0.0)),
