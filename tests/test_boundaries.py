@@ -119,7 +119,7 @@ SHOWN_BY = {
     **dict.fromkeys(
         ("ground/records/sample_like", "ground/records/plausible"), "tests/core/ground/test_sample_like.py"
     ),
-    "rocking/taylor_with_branch": "tests/core/rocking/test_oscillator.py",
+    "rocking/lanes_on_branch": "tests/core/rocking/test_oscillator.py",
     "rocking/short_series": "tests/validation/test_sine_and_cosine.py",
     "derivation/geometry": "tests/core/derivation/test_wall.py",
     "report/body_sheet": "tests/core/report/test_workbook.py",

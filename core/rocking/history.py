@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.rocking import lane_scheduler, taylor, taylor_with_bars, taylor_with_branch
+from core.rocking import lane_scheduler, taylor, taylor_with_bars
 from core.rocking.compared.comparison import integrate_comparison, scan_comparison
 from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import METHODS, NO_TABLE, TAYLOR, Method, resolve_auto
@@ -31,7 +31,7 @@ def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarr
 def in_lanes(method: Method, model: RockingModel) -> bool:
     """Whether `scan_records` takes analyses side by side; others go one after another, and many at once only make a
     cancel wait."""
-    return (method.code == TAYLOR or model.other is not None or bool(model.bars)) and model.driven is None
+    return method.code == TAYLOR or by_order_8(model)
 
 
 def by_order_8(model: RockingModel) -> bool:
@@ -62,8 +62,6 @@ def scan_records(method: Method, grounds: Grounds, which, scales, model, outcome
             clamped[sound] = scan_records(method, grounds, which[sound], scales[sound], model, codes, reached)
             outcomes[sound], peaks[sound] = codes, reached
         return clamped
-    if model.driven is not None:
-        return taylor_with_branch.scan(grounds, which, scales, model, outcomes, peaks)
     if by_order_8(model):
         return lane_scheduler.scan(8, grounds, which, scales, model, outcomes, peaks)
     method = resolve_auto(method, model, grounds.dt)

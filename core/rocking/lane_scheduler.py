@@ -63,6 +63,7 @@ from core.rocking.lanes import (
     stay_in_sample,
     vector_step,
 )
+from core.rocking.lanes_on_branch import SHARED_ROWS, begin, ride
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.taylor_series import PER_G, wall_constants
 from core.rocking.taylor_with_bars import in_still_ground, settled_with_bars
@@ -165,6 +166,61 @@ def skip_to_uplift(k, i, end, dt, model, constants, ground, ahead, bars, held, s
             return
         i += 1
     start_sample(k, i, dt, ground, state)
+
+
+@inner_kernel
+def start_lane(k, scale, first, last, dt, model, constants, ground, ahead, zero, bars, held, room, state):
+    """Set lane k at the beginning of an analysis: where the ground uplifts it first, of a wall with a branch in closed
+    form where it leaves it first.
+
+    k : lane
+    scale : multiplier [-]
+    first, last : samples of its record
+    dt : the sample [s]
+    model : RockingModel
+    constants : WallConstants
+    ground : of `Grounds` [m/s2], shape (n,)
+    ahead : of `lookahead_bounds`, shape (4, n)
+    zero : of int64
+    bars, held : rows of the bars and their state in all lanes, or None
+    room : of lanes_on_branch.py, or None
+    state : of lane_state.py, shape (ROWS * ROW,)
+    Returns (whether it ends here, its outcome, its peak, clamped ratios).
+    """
+    state[SCALE + k] = scale
+    state[PEAK + k] = 0.0
+    state[PART + k] = 1.0
+    if room is not None:
+        return begin(k, first, last, dt, model, constants, ground, ahead, zero, room, state)
+    start_bars(k, bars, held)
+    skip_to_uplift(k, first, last, dt, model, constants, ground, ahead, bars, held, state)
+    return state[SAMPLE + k] >= last, STABLE, 0.0, zero
+
+
+@inner_kernel
+def along_branch(k, outcome, end, dt, model, constants, ground, ahead, zero, room, state):
+    """Carry lane k along its branch in closed form where it came onto it and goes on, see `ride`.
+
+    k : lane
+    outcome : so far
+    end : last sample of its record
+    dt : the sample [s]
+    model : RockingModel
+    constants : WallConstants
+    ground : of `Grounds` [m/s2], shape (n,)
+    ahead : of `lookahead_bounds`, shape (4, n)
+    zero : of int64
+    room : of lanes_on_branch.py, or None
+    state : of lane_state.py, shape (ROWS * ROW,)
+    Returns (whether it did, whether its analysis has ended, its outcome, its peak, clamped ratios).
+    """
+    if room is None:
+        return False, False, outcome, 0.0, zero
+    if outcome != STABLE or state[ZONE + k] != 0.0:
+        return False, False, outcome, 0.0, zero
+    block, i = block_of_lane(k, zero, state), int(state[SAMPLE + k])
+    over, outcome, peak, clamps = ride(k, block, i, state[TIME + k], end, dt, model, constants, ground, ahead, state)
+    return True, over, outcome, peak, clamps
 
 
 @inner_kernel
@@ -324,6 +380,7 @@ def make_lane_kernel(order):
         held,
         numbers,
         state,
+        room,
         outcomes,
         peaks,
         clamped,
@@ -345,6 +402,7 @@ def make_lane_kernel(order):
             kernel is specialised at compile time for walls without
         numbers : room to work, int64, shape (3 * WIDTH,)
         state : of lane_state.py, zeros, shape (ROWS * ROW,)
+        room : of lanes_on_branch.py, of a wall with a branch in closed form, or None: as slopes
         outcomes : results, codes of outcome.py, int64, shape (m,)
         peaks : results [rad], shape (m,)
         clamped : results, counts of clamped velocity ratios, int64, shape (m,)
@@ -368,20 +426,30 @@ def make_lane_kernel(order):
             while lanes < WIDTH and waiting < scales.size:
                 record = which[waiting]
                 lane[lanes], end[lanes] = waiting, lasts[record]
-                state[SCALE + lanes] = scales[waiting]
                 state[STRONGEST + lanes] = abs(scales[waiting]) * strongest[record] * PER_G
-                state[PEAK + lanes] = 0.0
-                state[PART + lanes] = 1.0
-                start_bars(lanes, bars, held)
-                first, last = firsts[record], lasts[record]
-                skip_to_uplift(lanes, first, last, dt, model, constants, ground, ahead, bars, held, state)
-                waiting += 1
-                if state[SAMPLE + lanes] < last:
+                over, outcome, peak, clamps = start_lane(
+                    lanes,
+                    scales[waiting],
+                    firsts[record],
+                    lasts[record],
+                    dt,
+                    model,
+                    constants,
+                    ground,
+                    ahead,
+                    zero,
+                    bars,
+                    held,
+                    room,
+                    state,
+                )
+                clamped[waiting] += clamps
+                if over:
+                    outcomes[waiting], peaks[waiting] = outcome, peak
+                else:
                     schedule_check(lanes, end[lanes], state)
                     lanes += 1
-                else:
-                    outcomes[waiting - 1] = STABLE
-                    peaks[waiting - 1] = 0.0
+                waiting += 1
             if lanes == 0:
                 break
             lane_initial_terms(lanes, dt, model, constants, slopes, bars, state)
@@ -412,6 +480,16 @@ def make_lane_kernel(order):
                         clamped[lane[k]] += clamps
                     if state[IMPACTS + k] > IMPACTS_PER_SAMPLE:
                         outcome = IMPACT_LIMIT
+                rides, over, outcome, peak, clamps = along_branch(
+                    k, outcome, end[k], dt, model, constants, ground, ahead, zero, room, state
+                )
+                if rides:
+                    clamped[lane[k]] += clamps
+                    schedule_check(k, end[k], state)
+                    if over:
+                        outcomes[lane[k]], peaks[lane[k]] = outcome, peak
+                        lanes = remove_lane(k, lanes, numbers, held, state)
+                    continue
                 if outcome == STABLE and step >= FALLS:
                     i = int(state[SAMPLE + k])
                     if lane_chatter_ends(k, i, fastest, dt, model, constants, ahead, bars, held, state):
@@ -456,10 +534,11 @@ def scan(order, grounds, which, scales, model, outcomes, peaks):
     """
     clamped = np.zeros(scales.size, np.int64)
     bars = bar_rows(model.bars) if model.bars else None
-    numbers, room = np.zeros(3 * WIDTH, np.int64), np.zeros(ROWS * ROW + VECTOR)
+    numbers, rows = np.zeros(3 * WIDTH, np.int64), np.zeros(ROWS * ROW + VECTOR)
     # from the start of a line of the processor's cache on, so that no vector lies in two: a seventh of a step
-    start = -room.ctypes.data // room.itemsize % VECTOR
-    state = room[start : start + ROWS * ROW]
+    start = -rows.ctypes.data // rows.itemsize % VECTOR
+    state = rows[start : start + ROWS * ROW]
+    longest = int((grounds.last - grounds.first).max()) + 2
     LANE_KERNEL[order](
         grounds.ground,
         grounds.ahead,
@@ -475,6 +554,7 @@ def scan(order, grounds, which, scales, model, outcomes, peaks):
         None if bars is None else np.zeros((WIDTH, *bars.shape)),
         numbers,
         state,
+        None if model.driven is None else np.zeros((SHARED_ROWS, longest)),
         outcomes,
         peaks,
         clamped,

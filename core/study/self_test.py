@@ -18,7 +18,7 @@ from core.codes.kinematic import kinematic
 from core.codes.target_spectrum import en1998
 from core.ground.ground_motion import GroundMotion
 from core.jit import shipped
-from core.rocking.history import history, in_lanes
+from core.rocking.history import by_order_8, history, in_lanes
 from core.rocking.methods import METHODS, Method, resolve_auto
 from core.units import G
 from core.wall.block import Block
@@ -86,7 +86,7 @@ def numbers_are_right() -> bool:
 def order_of(method: Method, model: RockingModel, dt: float) -> tuple[str, ...]:
     """Of ORDERS the one whose kernels the analyses of a wall compile; none where they are others. dt : [s]"""
     resolved = resolve_auto(method, model, dt)
-    return (resolved.name,) if in_lanes(resolved, model) and not model.bars else ()
+    return (resolved.name,) if in_lanes(resolved, model) and not by_order_8(model) else ()
 
 
 def tell(methods: Iterable[str] = ORDERS) -> Outcome:
