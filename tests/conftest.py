@@ -145,6 +145,19 @@ def shipped(kept):
     return lambda name: kept(name, lambda: made(name))
 
 
+SEVEN = ROOT / "tests" / "cases" / "verdict.toml"
+"""The shipped case with half of its motions."""
+
+
+@pytest.fixture(scope="session")
+def of_seven(kept):
+    """The result of SEVEN."""
+    from core.case.reader import read_case
+    from core.study.run import run
+
+    return kept("verdict_of_seven", lambda: run(read_case(SEVEN), base_dir=SEVEN.parent, jobs=2))
+
+
 @pytest.fixture(scope="session")
 def shelf() -> Path:
     folder = shelf_folder()

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from tests.conftest import ROOT
+from tests.conftest import ROOT, SEVEN
 
 SIZE = 1280, 800
 """Of the window [px]; the screen of the tests is smaller."""
@@ -66,19 +66,6 @@ def opened(shared_window, tmp_path, monkeypatch, faults):
 def fresh(application, tmp_path, monkeypatch, faults):
     """`opened`, of a window that no other test has had: for tests of its beginning, its end and its settings."""
     yield from window_in(application, tmp_path, monkeypatch, faults)
-
-
-SEVEN = ROOT / "tests" / "cases" / "verdict.toml"
-"""The shipped case with half of its motions."""
-
-
-@pytest.fixture(scope="session")
-def of_seven(kept):
-    """The result of SEVEN."""
-    from core.case.reader import read_case
-    from core.study.run import run
-
-    return kept("verdict_of_seven", lambda: run(read_case(SEVEN), base_dir=SEVEN.parent, jobs=2))
 
 
 @pytest.fixture(scope="session")

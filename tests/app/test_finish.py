@@ -21,8 +21,9 @@ from core.codes.record_compatibility import common_factor
 from core.errors import InputError, place
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
 from core.setting.demand_input import demand_of
-from tests.app.conftest import SEVEN, window_in, with_verdict
+from tests.app.conftest import window_in, with_verdict
 from tests.app.driving import Held, run, settle, type_into
+from tests.conftest import SEVEN
 
 VERDICT = SEVEN
 

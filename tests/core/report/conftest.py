@@ -37,6 +37,6 @@ def whole_building(kept):
 
 
 @pytest.fixture(scope="session")
-def verdict(shipped):
+def verdict(of_seven):
     """Walls of a table without loads, NTC 2018, Italian."""
-    return shipped("verdict")
+    return of_seven

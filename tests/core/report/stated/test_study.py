@@ -54,9 +54,9 @@ def test_that_walls_that_no_shipped_case_has_are_as_the_schema_says(tmp_path):
     assert parse_case(tomllib.loads(found["case_toml"])) == parse_case(table)
 
 
-def test_that_a_key_that_is_not_described_and_one_that_is_missing_are_refused(shipped):
+def test_that_a_key_that_is_not_described_and_one_that_is_missing_are_refused(of_seven):
     """Both ends of the schema: what is described is there, and nothing else is."""
-    found = json.loads(json_report.dumps(shipped("verdict")))
+    found = json.loads(json_report.dumps(of_seven))
     found["walls"][0]["q_of_nobody"] = 2.0
     with pytest.raises(fastjsonschema.JsonSchemaException, match="q_of_nobody"):
         CHECK(found)
