@@ -64,8 +64,9 @@ from core.rocking.lane_state import (
 from core.rocking.series_with_bars import (
     bounds_held,
     initial_terms_held,
-    strength_of_products,
+    strength_with_springs,
     taylor_coefficients_held,
+    wall_alone,
 )
 from core.rocking.short_series import SHORT_SERIES, sine_and_cosine_short
 from core.rocking.taylor import climbs, peak_may_grow
@@ -313,9 +314,9 @@ def shorten_steps(lanes, dt, constants, order, slopes, bars, state):
         rise, forcing, t = state[RISE + k], state[FORCING + k], state[TIME + k]
         branch = branch_of(k, slopes, state)
         own = bounds_held(constants_seen(constants, constants.other, state[SIDE + k]), branch, bars)
-        omitted = neglected(v, growth, forcing, rise, p2, strength_of_products(own, branch, bars), order)
+        omitted = neglected(v, growth, forcing, rise, p2, strength_with_springs(own, branch, bars), order)
         tolerance = constants.tolerance
-        relative = relative_tolerance(state[PHI + k], v[0], forcing, p2, branch, own)
+        relative = relative_tolerance(state[PHI + k], v[0], forcing, p2, wall_alone(branch, bars), own)
         part = 1.0
         for _ in range(MAX_HALVINGS):
             long = (omitted > min(tolerance, relative)) | (growth >= MAX_GROWTH)
@@ -385,8 +386,8 @@ def vector_step(lanes, dt, constants, order, slopes, bars, state):
         x = state[PHI + k]
         branch = branch_of(k, slopes, state)
         own = bounds_held(constants_seen(constants, constants.other, state[SIDE + k]), branch, bars)
-        relative = relative_tolerance(x, v[0], forcing, p2, branch, own)
-        omitted = neglected(v, growth, forcing, rise, p2, strength_of_products(own, branch, bars), order)
+        relative = relative_tolerance(x, v[0], forcing, p2, wall_alone(branch, bars), own)
+        omitted = neglected(v, growth, forcing, rise, p2, strength_with_springs(own, branch, bars), order)
         long = (omitted > min(tolerance, relative)) | (growth >= MAX_GROWTH)
         low, peak = lower_end(k, slopes, state), state[PEAK + k]
         speed, per_step = state[SPEED + k], state[PER_STEP + k]

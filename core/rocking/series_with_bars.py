@@ -47,8 +47,8 @@ def taylor_coefficients_held(x, start, branch, constants, order, bars):
     # at uplift phi'' is zero or outward; its rounding must not push the block down
     v1 = max(v[1], 0.0) if (x == 0.0) & (start.speed == 0.0) else v[1]
     v = (v[0], v1, v[2], v[3], v[4], v[5], v[6], v[7], v[8])
-    # sin(2 phi) / 2 moves at twice the rate of phi
-    return v, fma(start.p2, constants.strength + start.forcing + slope, 4.0 * (start.speed * start.speed))
+    bound = strength_with_springs(constants, branch, bars) + start.forcing
+    return v, fma(start.p2, bound, start.speed * start.speed)
 
 
 @inner_kernel
@@ -124,10 +124,20 @@ def bounds_held(constants, branch, bars):
 
 
 @inner_kernel
-def strength_of_products(constants, branch, bars):
-    """Strength for the products of coefficients in `taylor_bounds.neglected`: sin(2 phi) / 2 has up to four times the
+def strength_with_springs(constants, branch, bars):
+    """Strength for the growth of a series and for `taylor_bounds.neglected`: sin(2 phi) / 2 has up to four times the
     derivatives of sin(phi). constants : of `bounds_held`; branch, bars : as there"""
     if bars is None:
         return constants.strength
     _, spring, _, _ = branch
     return fma(4.0, spring, constants.strength)
+
+
+@inner_kernel
+def wall_alone(branch, bars):
+    """The branch for `taylor_bounds.relative_tolerance`: of a wall held by bars without them, which may pull far more
+    than what moves it. branch, bars : as `bounds_held`"""
+    if bars is None:
+        return branch
+    factor, _, _, held = branch
+    return factor, 0.0, 0.0, held

@@ -14,7 +14,12 @@ from core.rocking.early_stop import cannot_recover
 from core.rocking.events import IMPACTS_PER_SAMPLE, BlockState, end_of_record, leave_impact, next_uplift
 from core.rocking.oscillator import SWING_FALLS, SWING_RISES, branches_apart, state_on, swing_on, swings
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
-from core.rocking.series_with_bars import initial_terms_held, strength_of_products, taylor_coefficients_held
+from core.rocking.series_with_bars import (
+    initial_terms_held,
+    strength_with_springs,
+    taylor_coefficients_held,
+    wall_alone,
+)
 from core.rocking.short_series import SHORT_SERIES, sine_and_cosine
 from core.rocking.taylor_bounds import (
     MAX_GROWTH,
@@ -100,8 +105,9 @@ def converged_step(state, ground0, ground1, t, dt, branch, model, constants, ord
         state.phi, state.speed, s, c, state.side, ground0, ground1, t, dt, branch[2:], model.p2, constants, bars
     )
     v, growth = taylor_coefficients_held(state.phi, start, branch[2:], constants, order, bars)
-    relative = relative_tolerance(state.phi, start.speed, start.forcing, start.p2, branch[2:], constants)
-    strength = strength_of_products(constants, branch[2:], bars)
+    weighed = wall_alone(branch[2:], bars)
+    relative = relative_tolerance(state.phi, start.speed, start.forcing, start.p2, weighed, constants)
+    strength = strength_with_springs(constants, branch[2:], bars)
     tail = neglected(v, growth, start.forcing, start.rise, start.p2, strength, order)
     part = 1.0
     if not (tail <= min(constants.tolerance, relative) and growth < MAX_GROWTH):

@@ -46,9 +46,9 @@ BUDGET = {
 }
 WITH_BARS = {
     "lane_initial_terms": {"x86-64-v3": (60, 14), "x86-64-v4": (60, 0)},
-    "lane_taylor_coefficients": {"x86-64-v3": (276, 84), "x86-64-v4": (203, 20)},
-    "shorten_steps": {"x86-64-v3": (189, 47), "x86-64-v4": (147, 12)},
-    "vector_step": {"x86-64-v3": (354, 111), "x86-64-v4": (243, 38)},
+    "lane_taylor_coefficients": {"x86-64-v3": (293, 102), "x86-64-v4": (201, 19)},
+    "shorten_steps": {"x86-64-v3": (187, 46), "x86-64-v4": (146, 12)},
+    "vector_step": {"x86-64-v3": (342, 102), "x86-64-v4": (244, 39)},
     "locate_impacts": {"x86-64-v3": (336, 102), "x86-64-v4": (267, 38)},
 }
 """The same of walls held by bars."""
