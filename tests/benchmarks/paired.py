@@ -125,6 +125,17 @@ def calls(small: bool) -> dict[str, Callable[[], None]]:
         found["lanes, ties"] = of_ties
         found["search, ties"] = partial(searched, tied)
         found["history, ties"] = partial(moved, tied)
+    with contextlib.suppress(ImportError):  # trees before branches in closed form
+        from core.wall.rocking_model import with_branch
+
+        for name, one_sided, ratio in (("two-sided", 0.0, 0.938), ("one-sided", 1.0, 0.45)):
+            element = with_branch(RockingModel(alpha, 12.0, one_sided, ratio, 0.0, 0.0, 0.0), 0.005)
+
+            def on_branch(element=element):
+                scan(taylor, ground, TIME_STEP, scales, element, outcomes, peaks)
+                assert (peaks > 0.0).all(), "lanes at rest"
+
+            found[f"lanes, branch, {name}"] = on_branch
     # steps that are taken in parts: 0.05 s under a wall of 1 m, and a stiff elastic branch
     for name, dt, model in (
         ("long steps", 0.05, RockingModel(alpha, 14.6, 0.0, 0.979, 0.0, 0.0, 0.0)),
