@@ -110,7 +110,8 @@ def carry_out(options: argparse.Namespace) -> int:
 def main(arguments: list[str] | None = None) -> int:
     """Run the program; returns its exit code."""
     with contextlib.suppress(OSError, AttributeError, RuntimeError):  # no stderr: ribaltaw, a test
-        faulthandler.enable()
+        if not faulthandler.is_enabled():  # whoever started it may be told of faults elsewhere
+            faulthandler.enable()
     set_language(system_language())
     trial.self_test[:] = [_machine_code_is_right]
     for stream in (sys.stdout, sys.stderr):

@@ -27,7 +27,7 @@ class Parts(QObject):
 
     @contextlib.contextmanager
     def once(self) -> Iterator[None]:
-        """Of all changes made within it the parts show the last alone, where there is one."""
+        """Show only the last of all changes made within it, where there is one."""
         self._held, self._wanted = True, False
         try:
             yield

@@ -20,7 +20,7 @@ LANES = 32
 """Oscillators that follow the motion side by side."""
 
 UNLIKE = 8
-"""The same, of those that are looked at more or less often between two samples."""
+"""Oscillators that follow it side by side where they are looked at unlike often between two samples."""
 
 ROOM = 14 * LANES
 A11, A12, A21, A22, STIFFNESS, VISCOUS, LOOKS, LOOK, V_PART, U, V, U_NEXT, V_NEXT, PEAK = range(0, ROOM, LANES)

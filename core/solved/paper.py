@@ -52,7 +52,7 @@ POINTS = (0.2, 0.5, 0.9, 1.4)
 
 
 def power_law() -> closed_forms.PowerLaw:
-    """Of points that lie on 321 SI^-0.93."""
+    """Fit the law to points that lie on 321 SI^-0.93."""
     return known(closed_forms.fit_power_law(list(POINTS), [321.0 * (100.0 * si) ** -0.93 for si in POINTS]))
 
 

@@ -50,7 +50,7 @@ TIPPED, PUSH = 0.35, 0.6311
 """alpha [rad] of the block that is pushed, and the push over m g by which it falls, for a time of 1 sqrt(R/g)."""
 
 SAMPLES = 4000
-"""Of a pulse: a straight line between two is 2e-7 off the sine."""
+"""Samples that a pulse is given by: a straight line between two is 2e-7 off the sine."""
 
 
 def _of_rocking() -> tuple[Solved, ...]:
