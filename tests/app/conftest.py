@@ -27,12 +27,20 @@ def application():
     # widgets must go before the application does, or Qt crashes when Python ends
     import gc
 
-    for widget in made.topLevelWidgets():
+    for widget in own_windows(made):
         widget.close()
         widget.deleteLater()
     delete_now(made)
     gc.collect()
     made.processEvents()
+
+
+def own_windows(application) -> list:
+    """The top-level widgets that Python made. Qt's own are not ours to delete: a layout of a chart deletes the one that
+    it measures its margins with a second time, and the process ends by a fault of memory."""
+    from shiboken6 import Shiboken
+
+    return [one for one in application.topLevelWidgets() if Shiboken.createdByPython(one)]
 
 
 def delete_now(application) -> None:

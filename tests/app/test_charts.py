@@ -15,6 +15,7 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 from PySide6.QtCore import QByteArray, QEvent, QObject, QRect, QRectF, Qt
 from PySide6.QtGui import QGuiApplication, QImage, QPainter
 from PySide6.QtSvg import QSvgRenderer
+from PySide6.QtWidgets import QWidget
 
 from app.look import theme
 from app.shell.window import MainWindow
@@ -23,6 +24,7 @@ from app.views.chart import Chart
 from app.views.figure_file import FigureSize, figure
 from app.views.hatch import Hatch
 from app.views.table import Table
+from tests.app.conftest import own_windows
 from tests.conftest import ROOT
 
 
@@ -288,6 +290,18 @@ class Screen:
 
     def availableGeometry(self) -> QRect:
         return self.free
+
+
+def test_that_the_end_of_the_tests_leaves_qt_the_widget_its_layouts_measure_with(application):
+    """Where both deleted it a process of the tests ended by a fault of memory, at one end in four."""
+    plot = pg.PlotWidget()
+    plot.show()
+    application.processEvents()
+    found = own_windows(application)
+    assert plot in found
+    assert any(type(one) is QWidget and one not in found for one in application.topLevelWidgets())
+    plot.close()
+    plot.deleteLater()
 
 
 @pytest.mark.parametrize("free", [QRect(0, 0, 1024, 700), QRect(60, 30, 1220, 770)])
