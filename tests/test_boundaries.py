@@ -146,6 +146,8 @@ SHOWN_BY = {
     "rocking/events": "tests/validation/test_energy.py",
     "rocking/history": "tests/validation/test_reference_histories.py",
     "rocking/lane_events": "tests/core/rocking/test_lanes.py",
+    "rocking/grounds": "tests/core/rocking/test_lanes.py",
+    "rocking/lane_life": "tests/core/rocking/test_lanes.py",
     "rocking/lane_scheduler": "tests/core/rocking/test_lanes.py",
     "rocking/lane_state": "tests/core/rocking/test_lanes.py",
     "rocking/methods": ORDER,

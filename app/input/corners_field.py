@@ -5,7 +5,7 @@ import re
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QPlainTextEdit
 
-from app.input.fields import FIGURES
+from app.input.number_fields import FIGURES
 from app.input.paragraphs_field import ParagraphsField
 from app.look.language import number, tr
 from core.case.number import parse_number

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from app.input.editors import Choice
-from app.input.fields import ChoiceField, NumberField, blank
+from app.input.fields import ChoiceField, blank
+from app.input.number_fields import NumberField
 from app.input.wall_editor import WallEditor
 from app.look.labels import Plain
 from app.look.language import current_language, described, named, number, tr

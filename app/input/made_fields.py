@@ -4,8 +4,9 @@ from collections.abc import Sequence
 from dataclasses import fields
 
 from app.input.corners_field import CornersField
-from app.input.fields import ChoiceField, Field, FlagField, NumberField, RangeField, TextField
+from app.input.fields import ChoiceField, Field, FlagField, TextField
 from app.input.hinges_field import HingesField
+from app.input.number_fields import NumberField, RangeField
 from app.input.paragraphs_field import ParagraphsField
 from core.case.keys import NESTED
 from core.case.values import field_of

@@ -15,8 +15,8 @@ import numpy as np
 from core.capacity.bisection import all_narrowed, halvings
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.errors import Cancelled
+from core.rocking.grounds import Grounds
 from core.rocking.history import scan_records
-from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import Method
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, MAX_GROUND, STABLE
 from core.wall.rocking_model import RockingModel

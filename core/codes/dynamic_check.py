@@ -26,8 +26,8 @@ from core.codes.limits import are_counted, counted_stations, set_rule
 from core.codes.multiplier_search import ROCKS, search_zeta
 from core.errors import Cancelled
 from core.ground.ground_motion import GroundMotion
+from core.rocking.grounds import Grounds
 from core.rocking.history import scan_records
-from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import Method
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.wall.rocking_model import RockingModel, weakened

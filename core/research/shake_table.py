@@ -17,8 +17,8 @@ import numpy as np
 from core.child import Refused, bounded
 from core.errors import InputError
 from core.regular_file import read_regular
+from core.rocking.grounds import Grounds
 from core.rocking.history import scan_records
-from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import METHODS
 from core.rocking.outcome import STABLE
 from core.units import G

@@ -7,7 +7,7 @@ import numpy as np
 
 from core.rocking import lane_scheduler, taylor, taylor_with_bars
 from core.rocking.compared.comparison import integrate_comparison, scan_comparison
-from core.rocking.lane_scheduler import Grounds
+from core.rocking.grounds import Grounds
 from core.rocking.methods import METHODS, NO_TABLE, TAYLOR, Method, resolve_auto
 from core.rocking.outcome import BAD_INPUT, MAX_GROUND
 from core.wall.rocking_model import RockingModel

@@ -8,8 +8,8 @@ import numpy as np
 
 from core.codes.target_spectrum import ntc2018
 from core.ground.scattered import SPREAD, scattered_set
+from core.rocking.grounds import Grounds
 from core.rocking.history import scan_records
-from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import AUTO
 from core.units import G
 from core.wall.rocking_model import RockingModel, with_branch

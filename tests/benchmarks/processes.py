@@ -24,8 +24,7 @@ def figures(small: bool) -> dict[str, float]:
     """Name -> turns of the loop of sin and cos for one sample, processor time. small : each call a few times"""
     import numpy as np
 
-    from core.rocking.history import history, scan_records
-    from core.rocking.lane_scheduler import Grounds
+    from core.rocking.history import Grounds, history, scan_records
     from core.rocking.methods import METHODS
     from tests.benchmarks.speed import model_of, sine_cosine_loop
 

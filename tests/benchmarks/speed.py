@@ -22,8 +22,8 @@ import numpy as np
 from core.capacity.ida import Search, incremental_dynamic_analysis
 from core.jit.decorators import kernel
 from core.jit.shipped import has_wide_vectors
+from core.rocking.grounds import Grounds
 from core.rocking.history import history, scan_records
-from core.rocking.lane_scheduler import Grounds
 from core.rocking.methods import AUTO, METHODS
 from core.threads import Threads
 from core.wall.block import Block

@@ -223,7 +223,7 @@ def typed(application, window, keys: int) -> dict[str, list[float]]:
     from PySide6.QtCore import Qt
     from PySide6.QtTest import QTest
 
-    from app.input.fields import NumberField
+    from app.input.number_fields import NumberField
 
     found: dict[str, list[float]] = {}
     height, town = window.walls.fields["height_m"], window.demand.place.municipality

@@ -7,8 +7,8 @@ import pytest
 
 from core.capacity.ida import Search, incremental_dynamic_analysis
 from core.ground.records import read
+from core.rocking.grounds import Grounds
 from core.rocking.history import history, scan, scan_records
-from core.rocking.lane_scheduler import Grounds
 from core.rocking.lane_state import WIDTH
 from core.rocking.methods import METHODS
 from core.rocking.outcome import BAD_INPUT, COLLAPSED, IMPACT_LIMIT
