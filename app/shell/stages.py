@@ -28,6 +28,7 @@ from app.input.wall_form import WallForm
 from app.look.labels import Plain
 from app.look.language import FORM_NAMES, current_language, named, tr
 from app.shell.header import STAGES
+from app.shell.live_answer import LiveAnswer
 from app.shell.missing import Missing
 from app.shell.pages import Page, Veil, delete
 from app.work.session import Session
@@ -120,13 +121,19 @@ class InputStage(QSplitter):
         self.of_kind = {"wall": drawing, "demand": self.demand.view}
         for view in (*self.of_kind.values(), self.nothing):
             self.views.addWidget(view)
-        self.missing = Missing(window)
+        self.missing, self.live = Missing(window), LiveAnswer(window)
         beside = QWidget()
         right = QVBoxLayout(beside)
         right.setContentsMargins(0, 0, 0, 0)
         right.addWidget(self.views, 1)
+        right.addWidget(self.live)
         right.addWidget(self.missing)
-        for part in (self.forms, beside):
+        column_beside = QScrollArea()
+        column_beside.setWidgetResizable(True)
+        column_beside.setFrameShape(QFrame.Shape.NoFrame)
+        column_beside.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        column_beside.setWidget(beside)
+        for part in (self.forms, column_beside):
             part.setMinimumWidth(240)
             self.addWidget(part)
         self.setChildrenCollapsible(False)
@@ -138,6 +145,7 @@ class InputStage(QSplitter):
         if kind != self.kind:
             self.kind = kind
             self._share()
+            self.live.follow()
 
     def _share(self) -> None:
         forms, views = SHARES[self.kind or "wall"]
@@ -242,6 +250,7 @@ def remove(window: "MainWindow") -> None:
     """Take away what an earlier build of a window made."""
     centre = window.takeCentralWidget()
     if centre is not None:
+        window.stages.input.live.end()
         delete(centre)
     window.setMenuBar(QMenuBar())
     window.setStatusBar(QStatusBar())

@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QDialog, QGridLayout, QHBoxLayout, QLabel, QPushBu
 
 from app.look.labels import Plain, Rich
 from app.look.language import current_language, described, number, tr
-from app.views.ladder import Ladder, Rung
+from app.views.ladder import Ladder
+from app.views.zeta_rungs import check_words, rungs_of
 from app.work.worker import Job
 from core.case.schema import Case
 from core.codes.outcomes import least
@@ -17,7 +18,6 @@ from core.errors import InputError
 from core.known import known
 from core.report.sure_words import reach_written
 from core.setting.plan import Inputs, read_inputs
-from core.text.sentence import Number, sentence
 from core.variation.evaluate import GLANCE, RUN, Precision
 from core.variation.swings import Reach
 from core.variation.turned_round import keys_of, moved_keys, reach_of, with_values
@@ -353,30 +353,14 @@ class WhatIfWindow(QDialog):
                 job.cancel()
 
     def _check(self, label: str) -> str:
-        q = Number(known(known(self.case).demand).q_code, "g")
-        return sentence("short", label, q=q).text(current_language())
+        return check_words(label, known(known(self.case).demand).q_code)
 
     def _show(self, found: WholeWall, precision: Precision | None = RUN) -> None:
         """The ladder; zeta as it is beside each. precision : of the histories, None while none are made; those of a
         run follow"""
-        setting, rungs = known(self.setting), []
-        target = setting.demand.zeta_target
-        labels = list(self.zetas) or list(found.by_check)
-        if precision is None and setting.has_histories and "dynamic" not in labels:
-            labels.insert(0, "dynamic")  # which decides, also while it is searched
-        for k, label in enumerate(labels):
-            zeta, given = found.by_check.get(label), self.zetas.get(label)
-            said = "" if precision is RUN or label != "dynamic" else "…" if precision is None else tr("about")
-            values = tr("as it is {zeta}", zeta=number(given, ".2f")) if given is not None and self.values else said
-            rungs.append(Rung(self._check(label), said, zeta, values, self._tone(found, label, precision), k == 0))
-        self.ladder.show_rungs(rungs, target)
-
-    @staticmethod
-    def _tone(found: WholeWall, label: str, precision: Precision | None) -> str:
-        """Green where a check is surely satisfied; a glance of the histories says no outcome."""
-        if found.by_check.get(label) is None or (label == "dynamic" and precision is not RUN):
-            return "amber"
-        return {True: "good", False: "bad", None: "amber"}[found.satisfied.get(label)]
+        setting, moved = known(self.setting), bool(self.values)
+        rungs = rungs_of(found, setting.demand.q_code, precision, self.zetas, moved, setting.has_histories)
+        self.ladder.show_rungs(rungs, setting.demand.zeta_target)
 
     # what becomes of it
 

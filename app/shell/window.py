@@ -114,6 +114,7 @@ class MainWindow(QMainWindow):
             self._show_problem,
             self._show_tree,
             self._show_input,
+            self.stages.input.live.follow,
             self.preparation.prepare_next,
         )
         self.stages.input.show_kind("wall")
@@ -419,6 +420,7 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self.timer.stop()
+        self.stages.input.live.end()
         self.session.drop_recovery_file()
         self.session.close()
         self.settings.setValue("geometry", self.saveGeometry())

@@ -3,7 +3,7 @@
 import html
 
 from app.look import theme
-from app.look.language import number, tr
+from app.look.language import tr
 from core.known import known
 from core.report.assumption_table import heads, rows_of
 from core.report.verdict_words import lines_of, tone_of
@@ -14,11 +14,6 @@ from core.text.sentence import Sentence, localized, word
 def verdict_color(result: StudyResult, wall: WallResult) -> str:
     """Green only where nothing is left to read."""
     return getattr(theme.current, tone_of(result, wall))
-
-
-def digits(value: float | None, figures: int = 2) -> str:
-    """A number with so many decimals."""
-    return number(value, f".{figures}f")
 
 
 LEADS = {

@@ -21,16 +21,16 @@ from app.look import theme
 from app.look.drawing import WallDrawing
 from app.look.labels import Plain, Rich
 from app.look.language import called, number, tr
-from app.views.answer_lines import assumption_rows, digits, limits, link, no_dynamic_check, to_do, verdict_color
+from app.views.answer_lines import assumption_rows, limits, link, no_dynamic_check, to_do, verdict_color
 from app.views.capacity_curve_chart import CapacityCurveChart
 from app.views.chart import Chart
-from app.views.ladder import Ladder, Rung
+from app.views.ladder import Ladder
 from app.views.result_tab import ResultTab
 from app.views.runs import title_of
 from app.views.table import Table
+from app.views.zeta_rungs import digits, rung_of
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.eq9 import LABEL
-from core.codes.kinematic import Check
 from core.codes.outcomes import least
 from core.known import known
 from core.report.sure_words import risk_of, verdict_of
@@ -38,7 +38,7 @@ from core.report.tie_words import tie_lines
 from core.report.verdict_words import lines_of, sentence_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.study.wall_verdict import zetas_of
-from core.text.sentence import Number, sentence, word
+from core.text.sentence import word
 from core.units import G
 
 MOST_LIMITS = 3
@@ -215,7 +215,9 @@ class CheckTab(ResultTab):
         if assessment.kinematic:
             others.insert(0, self._mechanism(assessment))
         self._fold(others)
-        self.ladder.show_rungs([self._rung(check, verdict) for check in assessment.checks], verdict.zeta_target)
+        self.ladder.show_rungs(
+            [rung_of(check, check.name == verdict.governing) for check in assessment.checks], verdict.zeta_target
+        )
         self.split.setMinimumHeight(max(MIN_HEIGHT, self.split.minimumSizeHint().height()))
         self.facts.setText(self._facts(result, wall))
         self.table.show_rows(*self._rows(result, wall))
@@ -339,15 +341,6 @@ class CheckTab(ResultTab):
         self.notes.setText(tr("Notes: {n} ▾", n=len(lines)))
         self.notes.setVisible(bool(lines))
         self.reasons.setText("\n".join(f"• {line}" for line in lines))
-
-    def _rung(self, check: Check, verdict) -> Rung:
-        name = sentence("short", check.label, q=Number(check.q, "g")).text(self.language)
-        if check.capacity is None or check.demand is None:
-            values = ""
-        else:
-            values = f"{digits(check.capacity, 3)} / {digits(check.demand, 3)} {check.unit.replace('-', '')}".strip()
-        tone = "quiet" if check.passed is None else "good" if check.passed else "bad"
-        return Rung(name, check.clause, check.zeta, values, tone, check.name == verdict.governing)
 
     def _facts(self, result: StudyResult, wall: WallResult) -> str:
         """Five facts by which a reader judges how far the verdict goes."""

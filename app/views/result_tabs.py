@@ -8,11 +8,11 @@ from app.look import theme
 from app.look.charting import pg
 from app.look.labels import Plain
 from app.look.language import number, tr
-from app.views.answer_lines import digits
 from app.views.chart import Chart
 from app.views.result_tab import ResultTab
 from app.views.runs import title_of
 from app.views.table import Table
+from app.views.zeta_rungs import digits
 from core.capacity.closed_forms import closed_form_q_eff
 from core.capacity.scale_free_law import dimensionless_intensity, law_of, loss_ratio
 from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum

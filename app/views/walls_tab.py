@@ -7,9 +7,10 @@ from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
 
 from app.look.labels import Plain
 from app.look.language import called, number, tr
-from app.views.answer_lines import digits, verdict_color
+from app.views.answer_lines import verdict_color
 from app.views.result_tab import ResultTab
 from app.views.table import Table
+from app.views.zeta_rungs import digits
 from core.report.columns import BY_KEY, Row
 from core.report.stated.quantity import of_keys, stated
 from core.report.stated.verdicts import VERDICT, OfWall

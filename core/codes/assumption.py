@@ -71,6 +71,11 @@ class Assumption:
     raises: bool = True
 
     @property
+    def has_switch(self) -> bool:
+        """Whether the wall can be tried at the other end of this input alone, the restraint as it is."""
+        return self.key not in (TOGETHER, RESTRAINT)
+
+    @property
     def open(self) -> bool:
         """Whether a reason is asked for, and missing."""
         return not (self.permitted or self.reason or self.key == TOGETHER)

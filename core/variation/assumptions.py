@@ -1,6 +1,6 @@
 """Table of what lifts zeta, each row with zeta at the other end of its range."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import reduce
 
@@ -85,6 +85,29 @@ def assumptions(evaluation: Evaluation, cancelled: Callable[[], bool] = lambda: 
     return _together(rows, worst, evaluation, at)
 
 
+def _all_of(changes: Iterable[Change]) -> Change:
+    """Several changes, one after the other."""
+    return lambda scene: reduce(lambda changed, change: change(changed), tuple(changes), scene)
+
+
+def at_other_ends(
+    evaluation: Evaluation, rows: Iterable[Assumption], cancelled: Callable[[], bool] = lambda: False
+) -> Evaluation | None:
+    """The wall with the inputs of these rows of its table at the other ends that they show; None where it does not
+    stand there.
+
+    rows : that have a switch
+    Raises Cancelled.
+    """
+    shown = {row.key: row.other_end for row in rows}
+    ends = [end for one in raised(evaluation) if one.key in shown for end in one.ends if end.value == shown[one.key]]
+    changes = [end.change for end in ends]
+    try:
+        return evaluate(_all_of(changes)(evaluation.scene), other=False, cancelled=cancelled)
+    except InputError:
+        return None
+
+
 def _outcome(end: Evaluation | None, evaluation: Evaluation, touched: bool) -> str:
     """Code of the outcome at another end; of an input that moves the check with q alone, with this check as it is
     there. A wall that does not stand there fails."""
@@ -126,7 +149,7 @@ def _together(
     asked_q = bool(q_check and q_check.passed) and not any(row.turns_q for row, _ in unsaid)
 
     def there(pairs, by_histories: bool) -> Evaluation | None:
-        return at(lambda scene: reduce(lambda changed, pair: pair[1](changed), pairs, scene), by_histories)
+        return at(_all_of(change for _, change in pairs), by_histories)
 
     if len(unsaid) > 1 and (asked or asked_q):
         end = there(unsaid, asked)

@@ -152,6 +152,7 @@ def new_window(folder):
 
     settings = QSettings(str(folder / "window.ini"), QSettings.Format.IniFormat)
     settings.setValue("language", "en")
+    settings.setValue("live", False)  # it would compute beside each test
     language.set_language("en")
     made = window.MainWindow(settings, folder / "recovery_folder")
     made.resize(*SIZE)
@@ -228,6 +229,7 @@ class SharedWindow:
         made, session = self.made, self.made.session
         made.settings.clear()
         made.settings.setValue("language", "en")
+        made.settings.setValue("live", False)
         session.saved = session.case
         session.drop_recovery_file()
         session.close()

@@ -1,0 +1,299 @@
+"""Below the drawing of the input: the checks of the wall at every key, its verdict and what raises it when the hand
+rests."""
+
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, QTimer
+from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QWidget
+
+from app.look import theme
+from app.look.labels import Plain, Rich, plain
+from app.look.language import current_language, described, number, tr
+from app.look.section import Section
+from app.views.answer_lines import limits, to_do, verdict_color
+from app.views.ladder import Ladder
+from app.views.zeta_rungs import rung_of, rungs_of
+from app.work.worker import Job
+from core.codes.assumption import TOGETHER, Assumption, shown
+from core.codes.verdict import Verdict
+from core.errors import InputError
+from core.known import known
+from core.study.results import StudyResult
+from core.text.sentence import word
+from core.variation.evaluate import Evaluation
+
+if TYPE_CHECKING:
+    from app.shell.window import MainWindow
+
+KINDS = ("wall", "demand", "building")
+"""Forms whose input moves zeta of the wall."""
+
+AT_ONCE_MS, RESTED_MS = 0, 400
+"""Pauses after a key: before the checks of the clauses, for which no letter waits, and before the wall runs."""
+
+MOST_ROWS, MOST_LINES = 5, 2
+"""Rows of assumptions, and lines of what limits the verdict; all are on the page Answer."""
+
+
+MOST_WALLS = 500
+"""Walls of a case up to which the one of the form is run beside them."""
+
+
+class Swing(QWidget):
+    """zeta of a wall and at the other end of one input, on the axis of zeta that all rows share."""
+
+    def __init__(self, here: float, there: float, target: float, end: float):
+        super().__init__()
+        self.here, self.there, self.target, self.end = here, there, target, end
+        self.setMinimumWidth(60)
+
+    def sizeHint(self) -> QSize:
+        return QSize(140, self.fontMetrics().height())
+
+    def paintEvent(self, event) -> None:
+        painter = QPainter(self)
+        per_zeta, middle = (self.width() - 2.0) / self.end, 0.5 * self.height()
+        low, high = sorted((self.here, self.there))
+        shade = QColor(theme.current.bad if low < self.target <= high else theme.current.amber)
+        painter.fillRect(QRectF(low * per_zeta, middle - 5.0, max((high - low) * per_zeta, 1.0), 10.0), shade)
+        painter.setPen(QPen(QColor(theme.current.ink), 1.5))
+        place = self.target * per_zeta
+        painter.drawLine(QPointF(place, 0.0), QPointF(place, float(self.height())))
+
+
+class Switch(QCheckBox):
+    """A box whose text is cut where it has no room, whole in its tip."""
+
+    def __init__(self, text: str):
+        super().__init__()
+        self.words = text
+        self.setAccessibleName(text)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(120, round(1.4 * self.fontMetrics().height()))
+
+    sizeHint = minimumSizeHint
+
+    def resizeEvent(self, event) -> None:
+        super().resizeEvent(event)
+        room = self.width() - 2 * self.fontMetrics().height()
+        self.setText(self.fontMetrics().elidedText(self.words, Qt.TextElideMode.ElideRight, room))
+
+
+class LiveAnswer(Section):
+    """Runs the wall of the form alone, off the thread of the window; nothing of the case or its result changes.
+
+    Folded, it computes nothing; whether it is stays in the settings.
+    """
+
+    def __init__(self, window: "MainWindow"):
+        ladder, heading, board, lines = Ladder(), Plain(), QWidget(), Rich()
+        kept = bool(window.settings.value("live", True, bool))
+        super().__init__(tr("Answer as you type"), (ladder, heading, board, lines), kept)
+        self.ladder, self.heading, self.board, self.lines = ladder, heading, board, lines
+        self.grid = QGridLayout(board)
+        self.grid.setContentsMargins(0, 0, 0, 0)
+        self.grid.setVerticalSpacing(2)
+        self.grid.setColumnStretch(0, 3)
+        self.grid.setColumnStretch(1, 1)
+        lines.setWordWrap(True)
+        heading.setStyleSheet(f"color: {theme.current.quiet};")
+        self.window_of = window
+        self.at: tuple | None = None
+        self.row = -1
+        self.job: Job | None = None
+        self.result: StudyResult | None = None
+        self.switches: dict[str, Switch] = {}
+        self.at_once, self.rested = QTimer(self, singleShot=True), QTimer(self, singleShot=True)
+        for timer, pause, slot in ((self.at_once, AT_ONCE_MS, self._clauses), (self.rested, RESTED_MS, self._run_wall)):
+            timer.setInterval(pause)
+            timer.timeout.connect(slot)
+        self.lines.linkActivated.connect(lambda target: window.navigator.ask(target))
+        self.turned.connect(self._folded)
+
+    def _folded(self, on: bool) -> None:
+        self.window_of.settings.setValue("live", on)
+        self.follow()
+
+    def follow(self) -> None:
+        """Take up the wall of the form where it, the demand or the building is another one; rest while it is folded,
+        out of sight, or the case runs."""
+        window, session = self.window_of, self.window_of.session
+        given = window.stages.input
+        stopped = any(problem.stops for problem in given.missing.problems)  # as text that no field accepts
+        case = None if stopped else session.checked()
+        self.setVisible(given.kind in KINDS and bool(session.case.wall) and session.case.demand is not None)
+        runs = self.head.isChecked() and self.isVisible() and window.runner.job is None
+        row = window.walls.current
+        at = (case, session.base_dir, row) if runs else None
+        if at == self.at:
+            return
+        self.at = at
+        if row != self.row:
+            self.row = row
+            self.body.setMinimumHeight(0)
+        self._leave()
+        if at is None:
+            return
+        self._show_rows([], None)
+        self.lines.setText("")
+        if case is None or case.demand is None:
+            self.ladder.show_rungs([], 1.0)
+            self.say(tr("ζ follows once nothing is missing"))
+            return
+        self.say("…")
+        self.at_once.start()
+
+    def showEvent(self, event) -> None:
+        super().showEvent(event)
+        self.follow()
+
+    def hideEvent(self, event) -> None:
+        super().hideEvent(event)
+        self.follow()
+
+    def _keep_height(self) -> None:
+        """What stands above is not to jump at each key: of one wall it grows only."""
+        layout = known(self.body.layout())
+        layout.activate()
+        self.body.setMinimumHeight(max(self.body.minimumHeight(), layout.totalMinimumSize().height()))
+
+    def end(self) -> None:
+        """Leave what is not finished, before the window goes or is built again."""
+        self.at = None
+        self._leave()
+
+    def _leave(self) -> None:
+        self.at_once.stop()
+        self.rested.stop()
+        job, self.job, self.result = self.job, None, None
+        if job is not None:
+            job.cancel()
+
+    def _clauses(self) -> None:
+        """The checks of the clauses, of which the letter at hand needs to wait for none."""
+        from core.setting.demand_input import demand_of
+        from core.study.one_wall import alone
+        from core.variation.whole_wall import Setting, evaluate_wall
+
+        whole, base, row = known(self.at)
+        case = alone(whole, row)
+        try:
+            demand = known(demand_of(case, base))
+            setting = Setting(case, base, (demand, [], []))
+            found = evaluate_wall(setting, None)
+        except InputError as error:
+            self.ladder.show_rungs([], 1.0)
+            self.say(described(error))
+            return
+        awaited = bool(case.record or case.generate or case.default_histories) and not case.wall[0].bends
+        self.ladder.show_rungs(rungs_of(found, demand.q_code, None, {}, False, awaited), demand.zeta_target)
+        if case.select is not None or len(whole.wall) > MOST_WALLS:
+            self.say(tr("histories with a run (F5)"))
+            return
+        self.rested.start()
+
+    def _run_wall(self) -> None:
+        """The verdict of the wall, as a run of the case finds it."""
+        from core.study.one_wall import run_wall
+
+        (case, base, row), memory = known(self.at), self.window_of.runner.finished_runs
+        jobs = max(1, (os.cpu_count() or 1) - 1)  # one is the window's
+        self._start(lambda job: run_wall(case, row, base, memory, jobs, job.cancelled), self._arrived)
+
+    def _start(self, work, arrived) -> None:
+        job = self.job = Job(work)
+        job.done.connect(lambda found: arrived(found) if self.job is job else None)
+        job.failed.connect(lambda words, _: self.say(words) if self.job is job else None)
+        job.start()
+
+    def _arrived(self, result: StudyResult) -> None:
+        self.result, language = result, current_language()
+        wall = result.walls[result.verdicts[0].governing]
+        verdict = known(wall.assessment).verdict
+        self._show_run()
+        self._show_rows([row for row in verdict.assumptions if row.key != TOGETHER], verdict)
+        warnings = [one.text(language) for one in wall.warnings if one.code != "variant_alone"]
+        said = [*to_do(result, wall, language), *limits(result, wall, language, warnings)]
+        more = [tr("{n} more", n=len(said) - MOST_LINES)] if len(said) > MOST_LINES else []
+        self.lines.setText("<br>".join([*said[:MOST_LINES], *more]))
+        self._keep_height()
+
+    def _show_run(self) -> None:
+        """The checks as the wall is."""
+        result = known(self.result)
+        wall = result.walls[result.verdicts[0].governing]
+        assessment = known(wall.assessment)
+        verdict, language = assessment.verdict, current_language()
+        rungs = [rung_of(check, check.name == verdict.governing) for check in assessment.checks]
+        self.ladder.show_rungs(rungs, verdict.zeta_target)
+        self._say(word(verdict.code, language), verdict.zeta_e, verdict_color(result, wall))
+
+    def _say(self, outcome: str, zeta: float | None, shade: str) -> None:
+        """An outcome in the head, in its colour."""
+        self.say(f"{outcome}   ζ {number(zeta, '.2f')}")
+        self.head.content.setStyleSheet(f"color: {shade}; font-weight: 600;")
+
+    def say(self, words: str = "") -> None:
+        self.head.content.setStyleSheet(f"color: {theme.current.quiet};")
+        super().say(words)
+
+    # the assumptions as switches
+
+    def _show_rows(self, rows: Sequence[Assumption], verdict: Verdict | None) -> None:
+        """What raises zeta, each with zeta at its other end, the lowest first, and a switch to it."""
+        while self.grid.count():
+            old = known(known(self.grid.takeAt(0)).widget())
+            old.hide()
+            old.deleteLater()
+        self.switches = {}
+        known_zetas = [row for row in rows if row.zeta is not None]
+        self.board.setVisible(bool(known_zetas))
+        self.heading.setVisible(bool(known_zetas))
+        if verdict is None or not known_zetas:
+            return
+        here, target, language = verdict.zeta_e or 0.0, verdict.zeta_target, current_language()
+        end = 1.1 * max(here, target, *(row.zeta or 0.0 for row in known_zetas))
+        self.heading.setText(tr("What raises ζ; ticked, it is at its other end:"))
+        for k, row in enumerate(sorted(known_zetas, key=lambda row: row.zeta or 0.0)[:MOST_ROWS]):
+            taken, other = shown(row, row.value, language), shown(row, row.other_end, language)
+            text = f"{word(f'key_{row.key}', language)}: {taken} → {other}"
+            name = Switch(text)
+            name.setEnabled(row.has_switch)
+            name.toggled.connect(lambda _: self._turned(rows))
+            name.setToolTip(plain(f"{text}\n{row.words.text(language)}"))
+            self.switches[row.key] = name
+            zeta = Plain(number(row.zeta, ".2f"))
+            zeta.setStyleSheet(f"color: {theme.current.bad if row.turns else theme.current.ink};")
+            for column, part in enumerate((name, Swing(here, row.zeta or 0.0, target, end), zeta)):
+                self.grid.addWidget(part, k, column)
+
+    def _turned(self, rows: Sequence[Assumption]) -> None:
+        """zeta with what is ticked at its other end."""
+        from core.study.one_wall import turned
+
+        ticked = {key for key, box in self.switches.items() if box.isChecked()}
+        chosen = [row for row in rows if row.key in ticked]
+        result, memory = known(self.result), self.window_of.runner.finished_runs
+        if self.job is not None:
+            self.job.cancel()
+        if not chosen:
+            self.job = None
+            self._show_run()
+            return
+        self.say("…")
+        self._start(lambda job: turned(result, chosen, memory, job.cancelled), self._show_turned)
+
+    def _show_turned(self, found: Evaluation | None) -> None:
+        if found is None:
+            self._say(tr("so it does not stand"), None, theme.current.bad)
+            return
+        decides = found.decides
+        self.ladder.show_rungs(
+            [rung_of(check, check is decides) for check in found.checks], found.scene.demand.zeta_target
+        )
+        shade = theme.current.ink if found.satisfied else theme.current.bad
+        self._say(tr("so: {outcome}", outcome=word(found.outcome, current_language())), found.zeta, shade)

@@ -1,0 +1,64 @@
+"""The checks of a wall as rungs of a ladder."""
+
+from collections.abc import Mapping
+
+from app.look.language import current_language, number, tr
+from app.views.ladder import Rung
+from core.codes.kinematic import Check
+from core.text.sentence import Number, sentence
+from core.variation.evaluate import RUN, Precision
+from core.variation.whole_wall import WholeWall
+
+
+def check_words(label: str, q: float | None) -> str:
+    """Name of a check. q : of the linear check"""
+    return sentence("short", label, q=Number(q, "g")).text(current_language())
+
+
+def digits(value: float | None, figures: int = 2) -> str:
+    """A number with so many decimals."""
+    return number(value, f".{figures}f")
+
+
+def rung_of(check: Check, decides: bool) -> Rung:
+    """A check that was made: its clause, capacity over demand."""
+    values = ""
+    if check.capacity is not None and check.demand is not None:
+        unit = check.unit.replace("-", "")
+        values = f"{digits(check.capacity, 3)} / {digits(check.demand, 3)} {unit}".strip()
+    tone = "quiet" if check.passed is None else "good" if check.passed else "bad"
+    return Rung(check_words(check.label, check.q), check.clause, check.zeta, values, tone, decides)
+
+
+def rungs_of(
+    found: WholeWall,
+    q_code: float,
+    precision: Precision | None,
+    given: Mapping[str, float | None],
+    moved: bool,
+    awaited: bool,
+) -> list[Rung]:
+    """The checks of a wall that is not run, the one that decides first.
+
+    q_code : q of the linear check
+    precision : of the histories, None while none are made; those of a run follow
+    given : label -> zeta of the wall as it is, empty where that is not known
+    moved : the wall is another one than the wall as it is
+    awaited : histories decide, also while they are not made
+    """
+    rungs, labels = [], list(given) or list(found.by_check)
+    if precision is None and awaited and "dynamic" not in labels:
+        labels.insert(0, "dynamic")
+    for k, label in enumerate(labels):
+        zeta, as_it_is = found.by_check.get(label), given.get(label)
+        said = "" if precision is RUN or label != "dynamic" else "…" if precision is None else tr("about")
+        values = tr("as it is {zeta}", zeta=number(as_it_is, ".2f")) if as_it_is is not None and moved else said
+        rungs.append(Rung(check_words(label, q_code), said, zeta, values, _tone(found, label, precision), k == 0))
+    return rungs
+
+
+def _tone(found: WholeWall, label: str, precision: Precision | None) -> str:
+    """Green where a check is surely satisfied; a glance of the histories says no outcome."""
+    if found.by_check.get(label) is None or (label == "dynamic" and precision is not RUN):
+        return "amber"
+    return {True: "good", False: "bad", None: "amber"}[found.satisfied.get(label)]

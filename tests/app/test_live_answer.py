@@ -1,0 +1,104 @@
+"""The answer as one types: clauses at once, the verdict when the hand rests, assumptions as switches."""
+
+from dataclasses import replace
+
+import pytest
+
+pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
+
+from shiboken6 import isValid
+
+from core.case.site import Spectrum
+from core.known import known
+from core.study.run import run
+from core.text.sentence import word
+from tests.app.driving import settle, type_into
+
+
+@pytest.fixture
+def live(opened, application):
+    """The live answer of the window, unfolded; the pause is short."""
+    found, session = opened.stages.input.live, opened.session
+    spectrum = Spectrum(code="NTC2018", f0=2.4, tc_star_s=0.33, soil="B", topography="T1")
+    session.edit(replace(session.case, demand=replace(session.case.demand, soil_factor=None, spectrum=spectrum)))
+    found.rested.setInterval(30)
+    opened.navigator.show_input("wall", 0)
+    found.unfold()
+    yield found
+    if isValid(found):
+        found.rested.setInterval(400)
+        found.head.setChecked(False)
+
+
+def zetas(live) -> list:
+    return [rung.zeta for rung in live.ladder.rungs]
+
+
+def verdict_of(result):
+    return known(result.walls[result.verdicts[0].governing].assessment).verdict
+
+
+@pytest.mark.shows("window.live")
+def test_that_the_clauses_follow_a_key_and_the_verdict_the_hand_that_rests(live, opened, application):
+    settle(application, lambda: live.result is not None)
+    before = verdict_of(live.result)
+    field = opened.walls.fields["thickness_m"]
+    type_into(field, "80")
+    assert opened.session.case.wall[0].thickness_m == 0.8 and live.result is None
+    settle(application, lambda: not live.at_once.isActive())
+    expected = run(known(opened.session.checked()), base_dir=opened.session.base_dir)
+    clauses = {check.zeta for check in expected.walls[0].assessment.checks if check.name != "dynamic"}
+    at_once = [rung.zeta for rung in live.ladder.rungs if rung.zeta is not None]
+    assert at_once and set(at_once) <= clauses
+    settle(application, lambda: live.result is not None)
+    assert verdict_of(live.result) == verdict_of(expected) != before
+    assert zetas(live) == [check.zeta for check in expected.walls[0].assessment.checks]
+    assert live.head.words.startswith(word(verdict_of(expected).code, "en"))
+
+
+def test_that_a_switch_shows_the_wall_at_the_other_end_and_back(live, application):
+    settle(application, lambda: live.result is not None)
+    as_it_is, said = zetas(live), live.head.words
+    rows = {row.key: row for row in verdict_of(live.result).assumptions}
+    key = next(key for key, box in live.switches.items() if box.isEnabled())
+    live.switches[key].setChecked(True)
+    settle(application, lambda: zetas(live) != as_it_is)
+    assert rows[key].zeta in zetas(live) and live.head.words != said
+    live.switches[key].setChecked(False)
+    assert zetas(live) == as_it_is and live.head.words == said
+
+
+def test_that_it_rests_while_folded_or_out_of_sight_or_the_case_runs(live, opened, application):
+    settle(application, lambda: live.result is not None)
+    live.head.setChecked(False)
+    assert live.at is None and live.result is None and live.job is None
+    live.unfold()
+    assert live.at is not None
+    opened.navigator.show_stage("answer")
+    assert live.at is None and live.job is None
+    opened.navigator.show_stage("input")
+    assert live.at is not None
+    opened.navigator.show_input("records")
+    assert live.isHidden() and live.at is None
+    opened.navigator.show_input("wall", 0)
+    opened.run()
+    assert opened.runner.job is not None and live.at is None
+    settle(application, lambda: opened.runner.job is None)
+
+
+def test_that_what_is_missing_is_asked_for_first_and_what_is_refused_said(live, opened, application):
+    field = opened.walls.fields["height_m"]
+    settle(application, lambda: live.result is not None)
+    type_into(field, "high")
+    settle(application, lambda: live.at is None or live.at[0] is None)
+    assert opened.missing.problems and not live.ladder.rungs and "missing" in live.head.words
+    assert not live.at_once.isActive() and not live.rested.isActive()
+
+
+def test_that_a_window_built_again_has_it_as_it_was(live, opened, application):
+    opened.set_choice("theme", "dark")
+    again = opened.stages.input.live
+    assert again is not live and again.head.isChecked() and live.at is None
+    settle(application, lambda: again.result is not None)
+    assert opened.settings.value("live", None, bool) is True
+    again.head.setChecked(False)
