@@ -35,13 +35,13 @@ def with_button(logo: Field, session: Session) -> Field:
 
 
 class NoteForm(QWidget):
-    """Edits of [report] what is decided with the pages in front; its head here as in the form Report."""
+    """Edits of [report] what is decided with the pages in front; its head and language here as in the form Report."""
 
     def __init__(self, session: Session):
         super().__init__()
         self.session = session
         self.title_field = title_field(session)
-        head = [make_field(Report, key) for key in ("client", "author", "logo")]
+        head = [make_field(Report, key) for key in ("client", "author", "language", "logo")]
         with_button(head[-1], session)
         self.fields = [*head, *make_fields(Report, "note", ("extent",))]
         connect(

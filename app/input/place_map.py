@@ -4,11 +4,11 @@ import math
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPixmap
+from PySide6.QtGui import QColor, QImage, QLinearGradient, QPainter, QPen, QPixmap, QPolygonF
 from PySide6.QtWidgets import QWidget
 
 from app.look import theme
-from app.look.language import tr
+from app.look.language import number, tr
 
 SOUTH, NORTH, WEST, EAST = 36.4, 47.2, 6.4, 18.7
 """Degrees that the map shows."""
@@ -24,6 +24,19 @@ OF_475 = 6
 
 HEIGHT = 300
 """Height that the map keeps, which a layout cannot take from it [px]."""
+
+LEAST, MOST = 0.06, 0.28
+"""Shade of the weakest place, and a_g of the strongest shade [g]."""
+
+SARDINIA = (
+    *((41.25, 9.20), (40.90, 9.60), (40.50, 9.80), (40.10, 9.70), (39.50, 9.65), (39.10, 9.55), (39.20, 9.10)),
+    *((38.90, 8.65), (39.00, 8.40), (39.50, 8.40), (39.90, 8.40), (40.35, 8.40), (40.60, 8.15), (40.95, 8.20)),
+    *((40.85, 8.60), (41.10, 9.00)),
+)
+"""Outline of the island, which the grid leaves out: Table 2 gives it one hazard (latitude, longitude)."""
+
+SCALE = (4.0, 90.0, 10.0)
+"""Left edge, width and height of the scale of shades [px]."""
 
 STEP = 0.01
 """Degrees an arrow key moves the point."""
@@ -63,7 +76,7 @@ class PlaceMap(QWidget):
 
     def _draw(self) -> QPixmap:
         """Every node as a small square, the darker the stronger."""
-        from core.codes.national_hazard import grid
+        from core.codes.national_hazard import ISLANDS, grid
 
         ratio = self.devicePixelRatioF()
         image = QImage(self.size() * ratio, QImage.Format.Format_ARGB32_Premultiplied)
@@ -72,14 +85,35 @@ class PlaceMap(QWidget):
         known, painter = grid(), QPainter(image)
         painter.setPen(Qt.PenStyle.NoPen)
         size = max(1.5, CELL * self._frame()[0])
-        strength = np.clip(known.values[:, OF_475, 0] / 2.8, 0.06, 1.0)
+        strength = np.clip(known.values[:, OF_475, 0] / (10.0 * MOST), LEAST, 1.0)
         color = QColor(theme.current.curves[1])
         for (latitude, longitude), share in zip(known.nodes.tolist(), strength.tolist(), strict=True):
             color.setAlphaF(share)
             at = self._at(latitude, longitude)
             painter.fillRect(QRectF(at.x() - 0.5 * size, at.y() - 0.5 * size, size, size), color)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        color.setAlphaF(ISLANDS[0].ag[OF_475] / (10.0 * MOST))
+        painter.setBrush(color)
+        painter.drawPolygon(QPolygonF([self._at(*corner) for corner in SARDINIA]))
+        self._draw_scale(painter)
         painter.end()
         return QPixmap.fromImage(image)
+
+    def _draw_scale(self, painter: QPainter) -> None:
+        """What the shades mean, below the south-west, where only sea is."""
+        left, width, height = SCALE
+        bottom = self.height() - 6.0 - height
+        shades = QLinearGradient(left, 0.0, left + width, 0.0)
+        for place, share in ((0.0, LEAST), (1.0, 1.0)):
+            color = QColor(theme.current.curves[1])
+            color.setAlphaF(share)
+            shades.setColorAt(place, color)
+        painter.fillRect(QRectF(left, bottom, width, height), shades)
+        painter.setPen(QColor(theme.current.ink))
+        ends = number(LEAST * MOST, ".2f"), f"{number(MOST, '.2f')} g"
+        painter.drawText(QPointF(left, bottom - 4.0), ends[0])
+        room = painter.fontMetrics().horizontalAdvance(ends[1])
+        painter.drawText(QPointF(left + width - room, bottom - 4.0), ends[1])
 
     def paintEvent(self, event) -> None:
         painter = QPainter(self)

@@ -14,7 +14,7 @@ from app.look.labels import Plain, Rich, plain
 from app.look.language import current_language, described, number, tr
 from app.look.section import Section
 from app.views.answer_lines import limits, to_do, verdict_color
-from app.views.ladder import Ladder
+from app.views.ladder import Ladder, Rung
 from app.views.zeta_rungs import rung_of, rungs_of
 from app.work.worker import Job
 from core.codes.assumption import TOGETHER, Assumption, shown
@@ -128,7 +128,7 @@ class LiveAnswer(Section):
         self.setVisible(given.kind in KINDS and bool(session.case.wall) and session.case.demand is not None)
         runs = self.head.isChecked() and self.isVisible() and window.runner.job is None
         row = window.walls.current
-        at = (case, session.base_dir, row) if runs else None
+        at = (case, session.base_dir, row, session.samples) if runs else None
         if at == self.at:
             return
         self.at = at
@@ -141,7 +141,7 @@ class LiveAnswer(Section):
         self._show_rows([], None)
         self.lines.setText("")
         if case is None or case.demand is None:
-            self.ladder.show_rungs([], 1.0)
+            self.ladder.hide()
             self.say(tr("ζ follows once nothing is missing"))
             return
         self.say("…")
@@ -179,28 +179,32 @@ class LiveAnswer(Section):
         from core.study.one_wall import alone
         from core.variation.whole_wall import Setting, evaluate_wall
 
-        whole, base, row = known(self.at)
+        whole, base, row, _ = known(self.at)
         case = alone(whole, row)
         try:
             demand = known(demand_of(case, base))
             setting = Setting(case, base, (demand, [], []))
             found = evaluate_wall(setting, None)
         except InputError as error:
-            self.ladder.show_rungs([], 1.0)
+            self.ladder.hide()
             self.say(described(error))
             return
         awaited = bool(case.record or case.generate or case.default_histories) and not case.wall[0].bends
-        self.ladder.show_rungs(rungs_of(found, demand.q_code, None, {}, False, awaited), demand.zeta_target)
+        self._show_checks(rungs_of(found, demand.q_code, None, {}, False, awaited), demand.zeta_target)
         if case.select is not None or len(whole.wall) > MOST_WALLS:
             self.say(tr("histories with a run (F5)"))
             return
         self.rested.start()
 
+    def _show_checks(self, rungs: list[Rung], target: float) -> None:
+        self.ladder.show_rungs(rungs, target)
+        self.ladder.setVisible(bool(rungs))
+
     def _run_wall(self) -> None:
         """The verdict of the wall, as a run of the case finds it."""
         from core.study.one_wall import run_wall
 
-        (case, base, row), memory = known(self.at), self.window_of.runner.finished_runs
+        (case, base, row, _), memory = known(self.at), self.window_of.runner.finished_runs
         jobs = max(1, (os.cpu_count() or 1) - 1)  # one is the window's
         self._start(lambda job: run_wall(case, row, base, memory, jobs, job.cancelled), self._arrived)
 
@@ -228,8 +232,8 @@ class LiveAnswer(Section):
         wall = result.walls[result.verdicts[0].governing]
         assessment = known(wall.assessment)
         verdict, language = assessment.verdict, current_language()
-        rungs = [rung_of(check, check.name == verdict.governing) for check in assessment.checks]
-        self.ladder.show_rungs(rungs, verdict.zeta_target)
+        rungs = [rung_of(check, check.name == verdict.governing, assessment.dynamic) for check in assessment.checks]
+        self._show_checks(rungs, verdict.zeta_target)
         self._say(word(verdict.code, language), verdict.zeta_e, verdict_color(result, wall))
 
     def _say(self, outcome: str, zeta: float | None, shade: str) -> None:
@@ -293,7 +297,7 @@ class LiveAnswer(Section):
             return
         decides = found.decides
         self.ladder.show_rungs(
-            [rung_of(check, check is decides) for check in found.checks], found.scene.demand.zeta_target
+            [rung_of(check, check is decides, found.dynamic) for check in found.checks], found.scene.demand.zeta_target
         )
         shade = theme.current.ink if found.satisfied else theme.current.bad
         self._say(tr("so: {outcome}", outcome=word(found.outcome, current_language())), found.zeta, shade)

@@ -205,8 +205,8 @@ class Navigator(QObject):
             self._known_rows = (result, walls, found)
         return self._known_rows[2]
 
-    def show_spectra(self) -> None:
-        """The spectra of the input as it stands."""
+    def show_spectra(self, page: Page | None = None) -> None:
+        """The spectra of the input as it stands. page : beside the records; None is that of the stage Why"""
         demand = self.session.case.demand
         try:
             target = target_of(demand, self.session.base_dir) if demand else None
@@ -217,7 +217,9 @@ class Navigator(QObject):
         floor = self.wall.floor if self.wall and not self.session.stale else None
         from app.views.result_tabs import SpectraTab
 
-        self._tab("spectra", SpectraTab).show_records(self.records.motions, target, rules, floor, self.shown)
+        content = (page or self.pages["spectra"]).content
+        assert isinstance(content, SpectraTab)
+        content.show_records(self.records.motions, target, rules, floor, self.shown)
 
     @property
     def wall(self) -> WallResult | None:

@@ -1,5 +1,6 @@
 """The frame of the window: a bar, the tree, and beside it the stage: input, answer, why, report."""
 
+from collections.abc import Callable
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -33,6 +34,7 @@ from app.shell.missing import Missing
 from app.shell.pages import Page, Veil, delete
 from app.work.session import Session
 from core.errors import place
+from core.known import known
 
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
@@ -46,7 +48,7 @@ ANSWER, WHY = ("walls", "check"), ("histories", "sure", "capacity", "intensity",
 CHOICES = 300
 """Width of what stands beside the pages of the note [px]."""
 
-SHARES = {"wall": (44, 56), "demand": (44, 56), "building": (44, 56), "records": (70, 30), "report": (56, 44)}
+SHARES = {"wall": (44, 56), "demand": (44, 56), "building": (44, 56), "records": (62, 38), "report": (56, 44)}
 """Shares of the width of the stage that forms and what stands beside them take."""
 
 
@@ -86,7 +88,8 @@ def name_sections() -> None:
 class InputStage(QSplitter):
     """The form of what is chosen in the tree; beside it the drawing or the spectrum, and all that is missing."""
 
-    def __init__(self, window: "MainWindow", session: Session):
+    def __init__(self, window: "MainWindow", session: Session, spectra: Callable[[], QWidget]):
+        """spectra() : makes the spectra of the records"""
         super().__init__(Qt.Orientation.Horizontal)
         self.setHandleWidth(5)
         self.walls, self.demand = WallForm(session), DemandForm(session)
@@ -118,7 +121,8 @@ class InputStage(QSplitter):
         hint.setWordWrap(True)
         column.addWidget(hint)
         self.nothing = Plain()
-        self.of_kind = {"wall": drawing, "demand": self.demand.view}
+        self.spectra = Page(spectra)
+        self.of_kind = {"wall": drawing, "demand": self.demand.view, "records": self.spectra}
         for view in (*self.of_kind.values(), self.nothing):
             self.views.addWidget(view)
         self.missing, self.live = Missing(window), LiveAnswer(window)
@@ -148,8 +152,10 @@ class InputStage(QSplitter):
             self.live.follow()
 
     def _share(self) -> None:
-        forms, views = SHARES[self.kind or "wall"]
-        self.setSizes([self.width() * forms // 100, self.width() * views // 100])
+        kind = self.kind or "wall"
+        forms, views = (self.width() * share // 100 for share in SHARES[kind])
+        needed = known(self.areas[kind].widget()).minimumSizeHint().width()
+        self.setSizes([max(forms, needed), min(views, self.width() - needed)])
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
@@ -192,7 +198,7 @@ class Stages(QWidget):
     def __init__(self, window: "MainWindow", session: Session, pages: dict[str, tuple[Page, str]], beside: Page):
         super().__init__()
         made = self.pages = {name: page for name, (page, _) in pages.items()}
-        self.input = InputStage(window, session)
+        self.input = InputStage(window, session, made["spectra"].maker)
         self.answer = AnswerStage(made, beside)
         self.why = QTabWidget()
         self.why.setDocumentMode(True)

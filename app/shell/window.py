@@ -90,6 +90,7 @@ class MainWindow(QMainWindow):
         self._frame()
         self.navigator = Navigator(self.session, self.runner, self.stages, self.header, self.tree)
         self.navigator.staged.connect(self._show_problem)
+        self.navigator.staged.connect(self._show_input)
         self.navigator.moved.connect(self.refresh)
         self.navigator.run_asked.connect(self.run)
         self.actions_of = menus.build(self)
@@ -363,8 +364,11 @@ class MainWindow(QMainWindow):
 
     def _show_input(self) -> None:
         """What a page shows of the input as it stands."""
+        given = self.stages.input
         if self.navigator.page == "spectra":
             self.navigator.show_spectra()
+        elif self.stages.front == "input" and given.kind == "records" and self.records.motions:
+            self.navigator.show_spectra(given.spectra)
 
     def show_recent(self) -> None:
         """The files of late in the menu."""

@@ -215,9 +215,8 @@ class CheckTab(ResultTab):
         if assessment.kinematic:
             others.insert(0, self._mechanism(assessment))
         self._fold(others)
-        self.ladder.show_rungs(
-            [rung_of(check, check.name == verdict.governing) for check in assessment.checks], verdict.zeta_target
-        )
+        rungs = [rung_of(check, check.name == verdict.governing, assessment.dynamic) for check in assessment.checks]
+        self.ladder.show_rungs(rungs, verdict.zeta_target)
         self.split.setMinimumHeight(max(MIN_HEIGHT, self.split.minimumSizeHint().height()))
         self.facts.setText(self._facts(result, wall))
         self.table.show_rows(*self._rows(result, wall))

@@ -40,6 +40,12 @@ SLIDER = 2000
 PAUSE = 5.0
 """Rest between a motion and the same motion again [s]."""
 
+GROUND, AXIS = 200, 3.6
+"""Height of the ground with its axis in a window of 800 [px], 120 of it the motion; width of all axes [lines]."""
+
+AFTER_FALL, OTHER_FALL = 1.03, 0.1
+"""Time shown of a motion over that of the fall, and by how much another fall differs for the axis to follow."""
+
 SPAN = (0.5, 2.0)
 """Range of the multiplier slider about q [-]."""
 
@@ -130,7 +136,9 @@ class HistoriesTab(ResultTab):
             self.below.addTab(chart, chart.name)
         for part in (self.ground, self.rotation, self.below):
             charts.addWidget(part)
-        charts.setSizes([150, 300, 200])
+        charts.setSizes([GROUND, 260, 200])
+        for chart in (self.ground, self.rotation, self.energy):  # a time stands at one place in all of them
+            chart.plot.getAxis("left").setWidth(round(AXIS * self.fontMetrics().height()))
         walls = QWidget()
         column = QVBoxLayout(walls)
         column.setContentsMargins(0, 0, 0, 0)
@@ -218,7 +226,8 @@ class HistoriesTab(ResultTab):
         name, self.ground.name = tr("ground"), tr("Ground motion")
         if wall.floor:
             name, self.ground.name = tr("floor"), tr("Motion of the floor")
-        self.ground_curve = self.ground.curve(name, self.times, self.acceleration / G, 6, 1.0)
+        self.ground_name = name  # no legend, which would take a third of its height: it stands at the axis
+        self.ground_curve = self.ground.curve(name, self.times, self.acceleration / G, 6, 1.4, legend=False)
         self.ground.level(0.0)
         self.curve = self.rotation.curve("θ/θc", [0.0, 1.0], [0.0, 0.0], 0, 1.8)
         self.marks = self.rotation.points(tr("impacts"), [], [], 1, 5)
@@ -226,7 +235,7 @@ class HistoriesTab(ResultTab):
         for level in (-1.0, 1.0) if both_ways else (1.0,):
             self.rotation.level(level, "θc" if level > 0 else "−θc", "bad")
         self.energy.clear()
-        self.energy_curve = self.energy.curve(tr("energy"), [0.0, 1.0], [0.0, 0.0], 2, 1.4)
+        self.energy_curve = self.energy.curve(tr("energy"), [0.0, 1.0], [0.0, 0.0], 2, 1.4, legend=False)
         self.energy.level(1.0, "", "bad")
         self.second_curve = self.rotation.curve(tr("second record"), [0.0, 1.0], [0.0, 0.0], 4, 1.2, legend=False)
         panels = (self.ground, self.rotation, self.energy)
@@ -236,9 +245,26 @@ class HistoriesTab(ResultTab):
             line.sigDragged.connect(lambda line: self.set_time(line.value()))
         self.rotation.set_range((0.0, float(self.times[-1])), (-1.4 if both_ways else -0.2, 1.4))
         self.energy.set_range((0.0, float(self.times[-1])), (0.0, 1.3))
-        # last: linked charts move each other by what their axes take of the width
-        self.ground.set_range((0.0, float(self.times[-1])))
+        self._show_until(float(self.times[-1]))
         self._set_q(self.middle)
+
+    def _show_until(self, end: float) -> None:
+        """The times of all panels, to this one [s]."""
+        self.until = end
+        for chart in (self.rotation, self.energy):
+            chart.ranges["x"] = (0.0, end)
+        # last: linked charts move each other by what their axes take of the width
+        self.ground.set_range((0.0, end))
+
+    def _follow_fall(self) -> None:
+        """Where the wall overturns what comes after is not shown."""
+        end = float(self.times[-1])
+        shown = [(known(self.history), self.motion.time_step)]
+        shown += [(self.second, self.second_step)] if self.second is not None else []
+        if all(one.outcome == COLLAPSED for one, _ in shown):
+            end = min(end, AFTER_FALL * max((one.rotation.size - 1) * step for one, step in shown))
+        if abs(end / self.until - 1.0) > OTHER_FALL:
+            self._show_until(end)
 
     @property
     def middle(self) -> float:
@@ -307,7 +333,7 @@ class HistoriesTab(ResultTab):
         peak = 1.05 * float(np.abs(felt).max())
         self.ground.ranges["y"] = (-peak, peak)
         self.ground.plot.setYRange(-peak, peak, padding=0.0)
-        self.ground.data = [(self.ground_curve.name() or "", self.times, felt)]
+        self.ground.data = [(self.ground_name, self.times, felt)]
         hits = self.history.impact_time[:2000]
         self.marks.setData(hits, np.zeros(hits.size))
         self.rotation.data = [
@@ -318,6 +344,7 @@ class HistoriesTab(ResultTab):
         self.energy_curve.setData(self.times[: energy.size], np.minimum(energy, 9.0))
         self.energy.data = [(tr("energy"), self.times[: energy.size], energy)]
         self._integrate_second(model)
+        self._follow_fall()
         if self.history.outcome == COLLAPSED:  # its largest rotation is where the analysis ended
             outcome = named("overturned")
         else:

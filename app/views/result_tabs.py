@@ -118,6 +118,7 @@ class SpectraTab(QWidget):
         self.chart = Chart("T [s]", "S_a [g]", tr("Spectra"), live=True)
         self.table = Table(tr("Compatibility"), [tr("Rule"), tr("Clause"), tr("Value"), tr("Limit"), tr("Outcome")])
         self.words = Plain()
+        self.words.setWordWrap(True)
         self.floor = Chart("T [s]", "S_a [g]", tr("Floor spectra"))
         charts = QSplitter(Qt.Orientation.Horizontal)
         charts.addWidget(self.chart)
@@ -134,6 +135,7 @@ class SpectraTab(QWidget):
         self.of = -1
         self.rules_shown = self.floor_shown = None
         self._show_floor(None)
+        self._show_rules(None)
 
     def _show_floor(self, floor) -> None:
         """The consistency of the code with the records at the floor."""
@@ -202,3 +204,4 @@ class SpectraTab(QWidget):
             rows.append([name, rule.clause, value, limit, found])
             colors.append([None, None, None, None, color])
         self.table.show_rows(rows, colors)
+        self.table.setVisible(bool(rows))

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 from app.look.language import current_language, number, tr
 from app.views.ladder import Rung
+from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import Check
 from core.text.sentence import Number, sentence
 from core.variation.evaluate import RUN, Precision
@@ -20,10 +21,13 @@ def digits(value: float | None, figures: int = 2) -> str:
     return number(value, f".{figures}f")
 
 
-def rung_of(check: Check, decides: bool) -> Rung:
-    """A check that was made: its clause, capacity over demand."""
+def rung_of(check: Check, decides: bool, dynamic: DemandCheck | None) -> Rung:
+    """A check that was made: its clause, and capacity over demand or how many runs overturn. dynamic : by histories"""
     values = ""
-    if check.capacity is not None and check.demand is not None:
+    if check.name == "dynamic" and dynamic and dynamic.n_exceeded:
+        count = tr("{n} of {m} overturn", n=dynamic.n_exceeded, m=len(dynamic.runs))
+        values = f"{digits(check.capacity, 3)} / {count}"
+    elif check.capacity is not None and check.demand is not None:
         unit = check.unit.replace("-", "")
         values = f"{digits(check.capacity, 3)} / {digits(check.demand, 3)} {unit}".strip()
     tone = "quiet" if check.passed is None else "good" if check.passed else "bad"

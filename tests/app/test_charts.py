@@ -316,3 +316,29 @@ def test_that_the_window_is_no_larger_than_its_screen(opened, application, monke
 def test_that_the_height_of_the_base_says_what_it_takes(opened):
     words = opened.walls.fields["base_z_m"].toolTip()
     assert "building" in words.lower() and "no check" not in words
+
+
+def test_that_panels_of_a_history_share_their_times_and_end_with_the_fall(shared, application):
+    shared.navigator.show_page("histories")
+    tab = shared.pages["histories"].content
+    panels = (tab.ground, tab.rotation, tab.energy)
+
+    def shown():
+        application.processEvents()
+        return [chart.plot.viewRange()[0] for chart in panels]
+
+    def first_pixel(chart):
+        """Of time 0, in the panel."""
+        return chart.plot.vb.mapViewToScene(pg.Point(0.0, 0.0)).x()
+
+    tab._set_q(0.5)  # it rests
+    whole = shown()
+    assert all(abs(ends[1] / tab.times[-1] - 1.0) < 0.05 for ends in whole)
+    assert max(map(first_pixel, panels)) - min(map(first_pixel, panels)) < 2.5
+    tab._set_q(20.0)
+    end = tab.history.rotation.size * tab.motion.time_step
+    assert end < 0.8 * tab.times[-1]
+    assert all(end < ends[1] < 1.1 * end for ends in shown())
+    assert tab.ground.plot.vb.height() >= 120
+    tab._set_q(0.5)
+    assert shown() == whole

@@ -38,6 +38,16 @@ def verdict_of(result):
     return known(result.walls[result.verdicts[0].governing].assessment).verdict
 
 
+def test_that_the_spectra_stand_beside_the_records(opened, application):
+    given = opened.stages.input
+    opened.navigator.show_input("records")
+    application.processEvents()
+    assert given.views.currentWidget() is given.spectra
+    chart = given.spectra.made.chart
+    names = [name for name, *_ in chart.data]
+    assert all(motion.name in names for motion in opened.records.motions)
+
+
 @pytest.mark.shows("window.live")
 def test_that_the_clauses_follow_a_key_and_the_verdict_the_hand_that_rests(live, opened, application):
     settle(application, lambda: live.result is not None)
@@ -91,7 +101,7 @@ def test_that_what_is_missing_is_asked_for_first_and_what_is_refused_said(live, 
     settle(application, lambda: live.result is not None)
     type_into(field, "high")
     settle(application, lambda: live.at is None or live.at[0] is None)
-    assert opened.missing.problems and not live.ladder.rungs and "missing" in live.head.words
+    assert opened.missing.problems and live.ladder.isHidden() and "missing" in live.head.words
     assert not live.at_once.isActive() and not live.rested.isActive()
 
 
