@@ -18,6 +18,7 @@ from app.views.result_tab import ResultTab
 from app.work.runner import Runner
 from app.work.session import Session
 from core.capacity.accuracy import Accuracy
+from core.case.schema import Case
 from core.case.sensitivity import Ranges
 from core.case.wall import Wall
 from core.errors import InputError
@@ -46,6 +47,7 @@ class Navigator(QObject):
     """Brings stages, pages and walls to the front.
 
     shown : index of the result that is shown, -1 without one; fresh : pages that show it
+    left_case : of a run that was cancelled, whose finished walls are in sight
     staged : another stage is in front; moved : another wall, result or page of it; run_asked : by an answer or a notice
     """
 
@@ -61,6 +63,7 @@ class Navigator(QObject):
         self.walls, self.demand = stages.input.walls, stages.input.demand
         self.records, self.missing = stages.input.records, stages.input.missing
         self.shown = -1
+        self.left_case: Case | None = None
         self.fresh: set[QWidget] = set()
         self._known_rows: tuple[StudyResult | None, tuple[Wall, ...], dict[int, list[int]]] = (None, (), {})
         header.staged.connect(self.show_stage)
@@ -327,7 +330,8 @@ class Navigator(QObject):
 
     def cover_pages(self) -> None:
         """Grey the page in front where its result is of an earlier input; Spectra shows the input as it is."""
-        live = self.page in (None, "spectra") or (self.page == "walls" and bool(self.runner.finished_walls))
+        running = bool(self.runner.finished_walls) or self.left_case is not None
+        live = self.page in (None, "spectra") or (self.page == "walls" and running)
         self.stages.veil.cover(self.session.stale and not live)
 
     def show_finished(self) -> None:
@@ -338,8 +342,18 @@ class Navigator(QObject):
         self.fresh.discard(self.pages["walls"])
         self.cover_pages()
 
+    def keep_finished(self) -> None:
+        """What ran is cancelled: the walls that were finished stay in sight until the input changes."""
+        from app.views.walls_tab import WallsTab
+
+        self.left_case = self.session.case
+        self._tab("walls", WallsTab).say_cancelled()
+        self.fresh.add(self.pages["walls"])
+        self.cover_pages()
+
     def leave_finished(self) -> None:
-        """What ran is cancelled, failed or of an earlier input: the last result again, or none."""
+        """What ran has failed, or the input has changed since: the last result again, or none."""
+        self.left_case = None
         self.fresh.discard(self.pages["walls"])
         if self.session.result is None:
             self.pages["walls"].empty()
@@ -358,7 +372,7 @@ class Navigator(QObject):
 
     def take(self, result: StudyResult | None) -> None:
         """A result of study.run in the place of the last one; None while there is none."""
-        self.session.result = result
+        self.session.result, self.left_case = result, None
         self.fresh.clear()
         if result is None:
             self.shown = -1

@@ -290,7 +290,9 @@ class MainWindow(QMainWindow):
 
     def _ended(self, partly: bool) -> None:
         self.stages.bar.setFormat("")
-        if partly:
+        if partly and self.runner.cancelled:
+            self.navigator.keep_finished()
+        elif partly:
             self.navigator.leave_finished()
         self.show_running(False)
         self.refresh()
@@ -321,6 +323,9 @@ class MainWindow(QMainWindow):
 
     def _show_stale(self) -> None:
         Table.stale = self.session.stale
+        left = self.navigator.left_case
+        if left is not None and left is not self.session.case:
+            self.navigator.leave_finished()
         self.navigator.cover_pages()
 
     def _show_note(self) -> None:

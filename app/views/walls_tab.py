@@ -64,6 +64,7 @@ class WallsTab(ResultTab):
         super().__init__()
         self.language = language
         self.order: list[int] = []
+        self.finished = 0
         self.shown: tuple[StudyResult, WallResult] | None = None
         self.by, self.falling = ZETA, False
         self.words = Plain(tr("No result yet: press F5.") + "\n\n" + "\n".join(steps()))
@@ -191,7 +192,8 @@ class WallsTab(ResultTab):
         self.split.setVisible(True)
         self.below.setVisible(False)
         self.order, self.shown = [], None  # a click on a title is not to bring back the result before
-        self.words.setText(tr("Running, walls finished: {n}", n=sum(whole for _, whole in zetas.values())))
+        self.finished = sum(whole for _, whole in zetas.values())
+        self.words.setText(tr("Running, walls finished: {n}", n=self.finished))
         rows, seen = [], set()
         zeta = {id(wall): values_of(wall, None, None)["zeta_e"] for wall in walls}
         for wall in sorted(walls, key=lambda wall: (zeta[id(wall)] is None, zeta[id(wall)] or 0.0)):
@@ -203,6 +205,10 @@ class WallsTab(ResultTab):
             if not zetas[k][1]:
                 rows[-1][ZETA : ZETA + 2] = [f"≤ {rows[-1][ZETA]}", "…"]
         self.table.show_rows(rows, [[None] * len(row) for row in rows])
+
+    def say_cancelled(self) -> None:
+        """The walls of `show_running` are all there will be."""
+        self.words.setText(tr("Cancelled, walls finished: {n}. F5 goes on from here.", n=self.finished))
 
     def _picked(self, row: int) -> None:
         if row < len(self.order):

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.look.language import tr
 from app.work.session import Session
@@ -14,20 +14,25 @@ from app.work.worker import Job
 from core.capacity.accuracy import Accuracy
 from core.case.schema import Case
 from core.errors import InputError
+from core.known import known
 from core.setting.plan import results_by_wall
 from core.study.journal import Memory
 from core.study.results import StudyResult, WallResult
+
+TICK_MS = 500
+"""Between two words of the clock while nothing else is told."""
 
 BETWEEN_WORDS = 0.1
 """Least time between two states of the progress bar [s]: each paints the window at once."""
 
 
-def progress_word(done: int, planned: int, elapsed: float, left: float | None) -> str:
-    """How much is done, and the time left [s] where it is known."""
+def progress_word(done: int, planned: int, elapsed: float, left: float | None, walls: str = "") -> str:
+    """How much is done, and the time left [s] where it is known. walls : how many of them, in words"""
     values: dict = {"done": done, "planned": planned, "elapsed": elapsed}
-    if left is None:
-        return tr("{done} of {planned}, {elapsed:.0f} s", **values)
-    return tr("{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left", left=left, **values)
+    words = tr("{done} of {planned}, {elapsed:.0f} s", **values)
+    if left is not None:
+        words = tr("{done} of {planned}, {elapsed:.0f} s, about {left:.0f} s left", left=left, **values)
+    return f"{walls}   {words}" if walls else words
 
 
 class Runner(QObject):
@@ -58,13 +63,16 @@ class Runner(QObject):
         self.session = session
         self.finished_runs = Memory()
         self.job: Job | None = None
-        self.to_end = False
+        self.to_end = self.cancelled = False
         self.finished_walls: list[WallResult] = []
         self.planned_results: dict[int, int] = {}
         """Row of a wall of what runs -> how many results it will have."""
         self.last_refusal: tuple[Case | None, InputError | None] = (None, None)
         """(case, what the last run of it refused)."""
         self._began = self._told_at = 0.0
+        self._said: tuple[int, int, float | None, float] | None = None
+        self.ticks = QTimer(self, interval=TICK_MS)
+        self.ticks.timeout.connect(self._tick)
 
     def run(self) -> None:
         """Run the case off this thread; the window stays alive."""
@@ -117,8 +125,9 @@ class Runner(QObject):
         job.progressed.connect(unless_left(self._progressed))
         job.found.connect(unless_left(self._found))
         job.finished.connect(unless_left(self._ended))
-        self._began = time.monotonic()
+        self._began, self._said, self.cancelled = time.monotonic(), None, False
         self.finished_walls = []
+        self.ticks.start()
         self.told.emit(tr("Running…"), "message")
         job.start()
         self.started.emit()
@@ -149,12 +158,28 @@ class Runner(QObject):
         self._told_at = now
         if done == 0 and cache.lacks_lanes():
             words = tr("The solver is being compiled, once for each version: some seconds.")
+            self.told.emit(words, "message")
         else:
-            words = progress_word(done, planned, now - self._began, left)
-            self.progressed.emit(done, planned, words)
+            self._said = (done, planned, left, now)
+            self._say(left)
+
+    def _say(self, left: float | None) -> None:
+        """How far the job is. left : time [s], None where it is not known"""
+        done, planned, _, _ = known(self._said)
+        whole = sum(all_there for _, all_there in self.zetas_so_far().values())
+        walls = tr("Walls {n} of {m}", n=whole, m=len(self.planned_results)) if self.finished_walls else ""
+        words = progress_word(done, planned, time.monotonic() - self._began, left, walls)
+        self.progressed.emit(done, planned, words)
         self.told.emit(words, "message")
 
+    def _tick(self) -> None:
+        """The clock goes on while nothing is told: the time that is left shrinks with it."""
+        if self._said is not None:
+            _, _, left, at = self._said
+            self._say(None if left is None else max(1.0, left - (time.monotonic() - at)))
+
     def _ended(self) -> None:
+        self.ticks.stop()
         self.job, partly = None, bool(self.finished_walls)
         self.finished_walls = []
         self.ended.emit(partly)
@@ -170,6 +195,7 @@ class Runner(QObject):
     def cancel(self) -> None:
         """Stop what runs: at once here, its thread ends when it can. What is being written is written."""
         if self.job is not None and self.job.cancel():
+            self.cancelled = True
             self._ended()
             self.told.emit(tr("Cancelled."), "message")
         elif self.job is not None:

@@ -195,3 +195,43 @@ def test_that_the_memory_of_runs_is_bounded_and_takes_many_threads():
         thread.join()
     assert memory.analyses == 8000
     assert memory.size == 30 * len(memory.found) <= 1000
+
+
+def test_that_the_clock_goes_on_while_nothing_is_told_and_the_time_left_shrinks(opened, application, monkeypatch):
+    from app.work import runner
+
+    said, now = [], [100.0]
+    monkeypatch.setattr(runner.time, "monotonic", lambda: now[0])
+    opened.runner.progressed.connect(lambda *words: said.append(words[2]))
+    goes_on = threading.Event()
+    opened.runner.start(lambda job: goes_on.wait(60), lambda _: None)
+    opened.runner._tick()
+    assert said == []  # nothing is known yet
+    opened.runner._told_at = 0.0
+    opened.runner._progressed(3, 10, 20.0)
+    for now[0], words in ((103.0, "3 of 10, 3 s, about 17 s left"), (119.9, "3 of 10, 20 s, about 1 s left")):
+        opened.runner._tick()
+        assert said[-1] == words
+    goes_on.set()
+    settle(application, lambda: opened.runner.job is None)
+    assert not opened.runner.ticks.isActive()
+
+
+def test_that_the_walls_a_cancelled_run_has_finished_stay_until_the_input_changes(opened, application):
+    wall = opened.session.case.wall[0]
+    opened.session.edit(replace(opened.session.case, wall=(wall, replace(wall, name="second", height_m=5.5))))
+    opened.runner.finished_runs = Memory()
+    opened.runner.found.connect(opened.runner.cancel)
+    opened.run()
+    settle(application, lambda: opened.runner.job is None)
+    opened.runner.found.disconnect(opened.runner.cancel)
+    tab = opened.pages["walls"].content
+    assert opened.navigator.page == "walls" and tab.words.text().startswith("Cancelled, walls finished: 1.")
+    assert tab.table.rowCount() == 1 and not opened.stages.veil.isVisible()
+    opened.navigator.show_stage("input")
+    opened.navigator.show_page("walls")
+    assert tab.table.rowCount() == 1
+    opened.session.edit_wall(0, height_m=6.0)
+    opened.navigator.show_page("walls")
+    again = opened.pages["walls"].content
+    assert "Cancelled" not in again.words.text() and again.table.rowCount() == 0
