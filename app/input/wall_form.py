@@ -4,13 +4,13 @@ import math
 from dataclasses import replace
 from typing import Any
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QFont, QFontMetrics, QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QGridLayout, QMessageBox, QToolButton, QVBoxLayout, QWidget
 
 from app.input.body_form import BodyForm
 from app.input.editors import Choice
-from app.input.fields import Field, blank, connect
+from app.input.fields import Field, LineField, blank, connect
 from app.input.hinges_field import HingesField
 from app.input.impact_form import ImpactForm
 from app.input.loads_form import LoadsForm
@@ -30,6 +30,7 @@ from app.input.wall_words import (
 )
 from app.look import theme
 from app.look.drawing import WallDrawing, mechanism_icon
+from app.look.in_place import InPlace
 from app.look.labels import Plain, plain
 from app.look.language import FORM_NAMES, current_language, described, named, number, quoted_from_file, tr
 from app.look.parts import Parts
@@ -69,6 +70,7 @@ class WallForm(WallEditor):
         self.drawing = WallDrawing()
         self.drawing.picked.connect(self._picked_in_drawing)
         self.drawing.moved.connect(self._moved_in_drawing)
+        self.drawing.asked.connect(self._asked_in_drawing)
         self.summary = Plain()
         self.summary.setWordWrap(True)
         self.differs = Plain()
@@ -343,18 +345,40 @@ class WallForm(WallEditor):
         self.edit(**values)
         self.show_case()
 
-    def _picked_in_drawing(self, kind: str, k: int) -> None:
-        """What was clicked in the drawing: its field."""
+    def _field_in_drawing(self, kind: str, k: int) -> Field:
+        """The field of what is drawn, in front."""
         if kind == "load":
             self.loads.list.setCurrentRow(k)
-        place = {
+        field = {
             "load": self.loads.fields[1],
             "hinge": self.fields["hinge_heights"],
             "height": next((field for field in self.shape_fields if not field.isHidden()), self.fields["name"]),
             "thickness": next((field for field in self.shape_fields[1:] if not field.isHidden()), self.fields["name"]),
         }[kind]
-        unfold_to(place)
-        place.editor.setFocus()
+        unfold_to(field)
+        return field
+
+    def _picked_in_drawing(self, kind: str, k: int) -> None:
+        """What was clicked in the drawing: its field."""
+        self._field_in_drawing(kind, k).editor.setFocus()
+
+    def _asked_in_drawing(self, kind: str, k: int, area: QRectF) -> None:
+        """What was clicked twice is changed there, as if it were typed into its field."""
+        field = self._field_in_drawing(kind, k)
+        if not isinstance(field, LineField) or field.isHidden():  # of bars, say, whose force follows
+            return
+        field.editor.entered.emit()
+        line = InPlace(self.drawing, area, field.text, field.caption.text())
+
+        def typed(text: str) -> bool:
+            field.type_again(text)
+            return not field.wrong
+
+        def given_up() -> None:
+            if field.wrong:
+                field.revert()
+
+        line.typed, line.given_up = typed, given_up
 
     def _moved_in_drawing(self, k: int, height: float) -> None:
         """A load was dragged to another height."""

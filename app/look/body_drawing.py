@@ -96,8 +96,9 @@ class BodyDrawing:
             painter.drawLine(*(place(QPointF(x, z)) for x, z in crack))
         painter.restore()
 
-    def draw_elevation(self, painter, base: QPointF, scale: float) -> None:
-        """The body seen from outside. base : where s and z are 0; scale : that of its section"""
+    def draw_elevation(self, painter, base: QPointF, scale: float, hinges=()) -> None:
+        """The body seen from outside, with its hinges. base : where s and z are 0; scale : that of its section;
+        hinges : height [m] and zeta of each"""
         painter.setPen(QPen(QColor(theme.current.ink), 1.4))
         shade = QColor(theme.current.curves[0])
         shade.setAlpha(70)
@@ -106,6 +107,14 @@ class BodyDrawing:
             corners = [QPointF(base.x() + scale * s, base.y() - scale * z) for s, z in points]
             painter.drawPolygon(QPolygonF(corners))
         first, last = self.along
+        for level, zeta in hinges:
+            y = base.y() - scale * level
+            painter.setPen(QPen(QColor(theme.current.bad), 1.2, Qt.PenStyle.DashLine))
+            painter.drawLine(QPointF(base.x() + scale * first, y), QPointF(base.x() + scale * last, y))
+            painter.setPen(QColor(theme.current.ink))
+            if zeta is not None:
+                painter.drawText(QPointF(base.x() + scale * first + 4.0, y - 3.0), f"ζ {number(zeta, '.2f')}")
+        painter.setPen(QColor(theme.current.ink))
         words = f"L {number(self.length or last - first, '.2f')} m"  # oblique solids are seen shortened
         at = base.x() + scale * 0.5 * (first + last) - 0.5 * painter.fontMetrics().horizontalAdvance(words)
         painter.drawText(QPointF(at, base.y() + 16), words)

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
@@ -11,11 +12,12 @@ from PySide6.QtWidgets import QWidget
 from app.look import theme
 from app.look.body_drawing import BodyDrawing, complete, turned
 from app.look.language import number
+from core.case.loads import Load
 from core.case.wall import BENDS, Wall
 from core.codes.vertical_bending import Bending, Strip, bending, hinges_of, outlines, shown_rotation
 from core.errors import InputError
 from core.known import known
-from core.report.load_arrows import arrows
+from core.report.load_arrows import SHORTEST, arrows
 from core.rocking.bar_state import BROKEN, SLACK, YIELDING
 
 
@@ -45,6 +47,52 @@ def bent_blocks(found: Bending) -> Bent:
     )
 
 
+class Arrow(NamedTuple):
+    """A load as it is drawn.
+
+    load : its place among those of the wall
+    points : corners of a line [m], as `core.report.load_arrows.arrows` gives them
+    words : its size; "" of one that is still to be given
+    """
+
+    load: int
+    points: list[tuple[float, float]]
+    words: str
+
+
+def _is_given(wall: Wall, load: Load) -> bool:
+    """Whether size and place of a load are."""
+    try:
+        return math.isfinite(replace(wall, load=(load,)).in_si.loads[0].force)
+    except (InputError, TypeError):
+        return False
+
+
+def _with_loads_given(wall: Wall) -> Wall:
+    return replace(wall, load=tuple(load for load in wall.load if _is_given(wall, load)))
+
+
+def arrows_of(wall: Wall, all_loads: Sequence[Load], height: float, thickness: float) -> list[Arrow]:
+    """The loads of a wall; those still to be given at its middle or top, as arrows of no size.
+
+    wall : with the loads that are given
+    all_loads : of the wall of the form
+    """
+    lines, found = iter(arrows(wall, height, thickness)), []
+    sizes = iter(wall.in_si.loads)
+    for k, load in enumerate(all_loads):
+        if load in wall.load:
+            size = f"{number(abs(next(sizes).force) / 1e3, '.3g')} kN/m"
+            found.append(Arrow(k, next(lines), size))
+            continue
+        at = load.h_m if isinstance(load.h_m, float) else height
+        x = thickness - load.d_m if isinstance(load.d_m, float) else 0.5 * thickness
+        size = SHORTEST * height
+        line = [(x, at + size), (x, at)] if load.is_weight else [(x - size, at), (x, at)]
+        found.append(Arrow(k, line, ""))
+    return found
+
+
 NEAR = 7.0
 """How close to a mark a click belongs to it [px]."""
 
@@ -59,11 +107,12 @@ class WallDrawing(QWidget):
     """A wall to scale; `rotation` turns it. For a general block its equivalent rectangle.
 
     with_sizes : with its dimensions, and with places to click and to drag
-    picked(kind, k) : the k-th load or hinge was clicked, or "height", "thickness"; moved(k, height) : the k-th load was
-    dragged to this height [m]
+    picked(kind, k) : the k-th load or hinge was clicked, or "height", "thickness"; asked(kind, k, area) : twice, to be
+    changed there; moved(k, height) : the k-th load was dragged to this height [m]
     """
 
     picked = Signal(str, int)
+    asked = Signal(str, int, QRectF)
     moved = Signal(int, float)
 
     def __init__(self, with_sizes: bool = True):
@@ -77,7 +126,7 @@ class WallDrawing(QWidget):
         self.size_of: tuple[float, float, float] | None = None
         self.one_sided = False
         self.bent = Bent()
-        self.arrows: list[list[tuple[float, float]]] = []
+        self.arrows: list[Arrow] = []
         self.bars: list[tuple[float, int]] = []
         self.hinges: list[tuple[float, float | None]] = []
         self.body = BodyDrawing()
@@ -98,14 +147,14 @@ class WallDrawing(QWidget):
         self.bent = Bent()
         if wall is not None:
             try:
-                wall = complete(wall)
+                all_loads, wall = wall.load, _with_loads_given(complete(wall))
                 block = wall.block()
                 height = wall.height_m or block.height
                 thickness = wall.thickness or block.thickness
                 self.size_of = (height, thickness, wall.setback if wall.height_m else 0.0)
                 self.one_sided = wall.mechanism == "one_sided"
                 self.body = BodyDrawing(wall, 0.5 * thickness)
-                self.arrows = arrows(wall, height, thickness)
+                self.arrows = arrows_of(wall, all_loads, height, thickness)
                 self.bent = bent_blocks(bending(wall.in_si)) if wall.bends else Bent()
             except (InputError, TypeError):
                 pass
@@ -120,7 +169,7 @@ class WallDrawing(QWidget):
     def extent(self) -> tuple[float, float]:
         """Height and width of what is drawn [m]; a wall that rocks may lie down."""
         height, thickness, _ = self.size_of or (0.0, 0.0, 0.0)
-        top = max([height, self.body.top, *(y for points in self.arrows for _, y in points)])
+        top = max([height, self.body.top, *(y for one in self.arrows for _, y in one.points)])
         left, right = self.body.ends
         return top, right - left if self.with_sizes else max(thickness + 1.1 * height, 2.0 * max(right, -left))
 
@@ -169,16 +218,13 @@ class WallDrawing(QWidget):
             painter.drawEllipse(place(QPointF(self.body.outer_face(level) - setback, level)), 3, 3)
         self._draw_bars(painter, place)
         if self.rotation == 0.0 and not self.bars:
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.setPen(QPen(QColor(theme.current.amber), 1.8))
-            for points in self.arrows:
-                painter.drawPolyline([place(QPointF(x - 0.5 * thickness, y)) for x, y in points])
+            self._draw_arrows(painter, place)
         if self.with_sizes:
             self._zetas(painter, place)
             self._sizes(painter, place, height, thickness, setback)
             self._mark_spots(place, height, thickness, setback)
         if seen is not None:
-            self.body.draw_elevation(painter, seen, scale)
+            self.body.draw_elevation(painter, seen, scale, self.hinges)
 
     def _fit(self) -> tuple[QPointF, QPointF | None]:
         """Sets the scale; the middle of the base, and where s and z of the elevation are 0, None without it."""
@@ -208,8 +254,8 @@ class WallDrawing(QWidget):
             self.spots.append((area.adjusted(-NEAR, -NEAR, NEAR, NEAR), kind, k))
 
         half = 0.5 * thickness
-        for k, points in enumerate(self.arrows):
-            around([(x - half, y) for x, y in points], "load", k)
+        for one in self.arrows:
+            around([(x - half, y) for x, y in one.points], "load", one.load)
         for k, (level, _) in enumerate(self.hinges or [(0.0, None)]):
             around([(half - setback, level)], "hinge", k)
         edge = self.body.ends[1]
@@ -237,8 +283,31 @@ class WallDrawing(QWidget):
         self.dragged = spot[1] if spot[0] == "load" else None
         self.picked.emit(*spot)
 
+    def mouseDoubleClickEvent(self, event) -> None:
+        at = event.position()
+        found = next((spot for spot in self.spots if spot[0].contains(at)), None) if self.with_sizes else None
+        if found is not None:
+            self.dragged = None
+            area, kind, k = found
+            self.asked.emit(kind, k, area)
+
     def mouseReleaseEvent(self, event) -> None:
         self.dragged = None
+
+    def _draw_arrows(self, painter, place) -> None:
+        """The loads, each with its size; dashed what is still to be given."""
+        half = 0.5 * known(self.size_of)[1]
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        for one in self.arrows:
+            style = Qt.PenStyle.SolidLine if one.words else Qt.PenStyle.DashLine
+            painter.setPen(QPen(QColor(theme.current.amber), 1.8, style))
+            corners = [place(QPointF(x - half, y)) for x, y in one.points]
+            painter.drawPolyline(corners)
+            if self.with_sizes:
+                painter.setPen(QColor(theme.current.ink))
+                wide = painter.fontMetrics().horizontalAdvance(one.words or "?")
+                x = max(2.0, min(corners[0].x() - wide - 6.0, self.width() - wide - 2.0))
+                painter.drawText(QPointF(x, corners[0].y() - 4.0), one.words or "?")
 
     def _draw_bars(self, painter, place) -> None:
         """The bars that hold a wall as it rocks: taut, slack (dashed), yielding (red, thick); none where one broke."""

@@ -117,7 +117,7 @@ class InputStage(QSplitter):
         column.setContentsMargins(4, 4, 4, 4)
         column.addWidget(self.walls.summary)
         column.addWidget(self.walls.drawing, 1)
-        hint = Plain(tr("Click a load, a hinge or a size for its field; drag a load to another height."))
+        hint = Plain(tr("Click a load, a hinge or a size for its field, twice to change it here; drag a load."))
         hint.setWordWrap(True)
         column.addWidget(hint)
         self.nothing = Plain()

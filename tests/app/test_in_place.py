@@ -1,0 +1,90 @@
+"""The drawing of a wall: values at its arrows, loads still to be given dashed, values changed where they are drawn."""
+
+from dataclasses import replace
+
+import pytest
+
+pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
+
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtTest import QTest
+
+from app.look.in_place import InPlace
+from core.case.loads import Load
+from core.case.solids import Opening
+
+
+@pytest.fixture
+def drawing(opened, application):
+    """Of a wall with a floor, a tie and a roof whose weight is still to be given."""
+    loads = (
+        Load("vertical", 12.5, 3.0, 0.2, mass="none"),
+        Load("tie", 30.0, 4.5, bar_length_m=5.0),
+        Load("vertical", None, 5.0, 0.25, mass="none"),
+    )
+    session = opened.session
+    wall = replace(session.case.wall[0], mechanism="one_sided", load=loads)
+    session.edit(replace(session.case, wall=(wall,)))
+    opened.navigator.show_input("wall", 0)
+    application.processEvents()
+    found = opened.walls.drawing
+    found.grab()
+    return found
+
+
+def twice(drawing, kind: str, k: int = 0) -> InPlace:
+    """The line that opens where this is drawn."""
+    area = next(area for area, *spot in drawing.spots if spot == [kind, k])
+    QTest.mouseDClick(drawing, Qt.MouseButton.LeftButton, pos=area.center().toPoint())
+    return drawing.findChildren(InPlace)[-1]
+
+
+def test_that_loads_have_their_size_and_what_is_to_be_given_is_dashed(drawing):
+    assert [(one.load, one.words) for one in drawing.arrows] == [(0, "12.5 kN/m"), (1, "30 kN/m"), (2, "")]
+
+
+@pytest.mark.shows("window.drawing")
+@pytest.mark.parametrize(
+    ("kind", "k", "text", "seen"),
+    [
+        ("height", 0, "6.4", lambda wall: wall.height_m == 6.4),
+        ("thickness", 0, "55", lambda wall: wall.thickness_m == 0.55),
+        ("thickness", 0, "0.6 m", lambda wall: wall.thickness_m == 0.6),
+        ("load", 0, "2*7", lambda wall: wall.load[0].kn_m == 14.0),
+        ("load", 2, "8", lambda wall: wall.load[2].kn_m == 8.0),
+    ],
+)
+def test_that_a_value_is_changed_where_it_is_drawn(opened, drawing, application, kind, k, text, seen):
+    before = opened.session.case
+    line = twice(drawing, kind, k)
+    assert line.isVisible() and line.selectedText() == line.text()
+    QTest.keyClicks(line, text)
+    QTest.keyClick(line, Qt.Key.Key_Return)
+    application.processEvents()
+    assert seen(opened.session.case.wall[0]) and opened.session.case != before
+    opened.session.undo()
+    assert opened.session.case == before
+
+
+def test_that_what_is_refused_is_marked_and_esc_gives_it_up(opened, drawing, application):
+    before = opened.session.case.wall[0]
+    line = twice(drawing, "height")
+    QTest.keyClicks(line, "high")
+    assert "border" in line.styleSheet()
+    QTest.keyClick(line, Qt.Key.Key_Escape)
+    application.processEvents()
+    assert opened.session.case.wall[0] == before
+    assert not any(field.wrong for field in opened.stages.fields)
+
+
+def test_that_the_hinges_of_a_body_stand_in_its_elevation(opened, drawing, application):
+    wall = replace(opened.session.case.wall[0], length_m=4.0, openings=(Opening(1.0, 1.0, 1.0, 1.2),), load=())
+    drawing.resize(700, 500)
+    drawing.show_wall(wall, [(0.0, 0.8), (3.0, 0.5)])
+    assert drawing.has_elevation
+    with_hinges = drawing.grab().toImage()
+    drawing.show_wall(wall, [(0.0, 0.8)])
+    without = drawing.grab().toImage()
+    middle = QPointF(0.75 * drawing.width(), 0.0).toPoint().x()
+    rows = [y for y in range(with_hinges.height()) if with_hinges.pixel(middle, y) != without.pixel(middle, y)]
+    assert rows
