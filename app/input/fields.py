@@ -65,6 +65,8 @@ class Field(QWidget):
         self.error = self.rule = self.doubt = self.reading = ""
         self._shown = ("", False)
         self.inside: Callable[[InputError], bool] | None = None
+        self.tell: Callable[[], None] | None = None
+        """Has its words said elsewhere; without it they stand below the field."""
         grid = self.grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(6)
@@ -74,6 +76,7 @@ class Field(QWidget):
         self.caption.setMaximumWidth(190)
         self.caption.setWordWrap(True)
         self.editor = self.make_editor()
+        self.editor.setMinimumHeight(self.editor.sizeHint().height())  # also with the edge of what is wrong
         self.editor.setAccessibleName(label)
         self.editor.setToolTip(plain(tip))
         self.setToolTip(plain(tip))
@@ -163,8 +166,20 @@ class Field(QWidget):
         self._shown = (words, bool(wrong))
         self.message.setText(words)
         self.message.setStyleSheet(f"color: {theme.current.bad if wrong else theme.current.amber};")
-        self.message.setVisible(bool(words))
+        self.message.setVisible(bool(words) and self.tell is None)
+        if self.tell is not None:
+            self.tell()
         self.editor.setStyleSheet(f"border: 1px solid {theme.current.bad};" if wrong else "")
+
+    @property
+    def said(self) -> str:
+        """What it has to say of what stands in it; "" where it is not seen."""
+        return "" if self.isHidden() else self._shown[0]
+
+    @property
+    def is_wrong(self) -> bool:
+        """Whether its words are of something wrong."""
+        return self._shown[1]
 
     @property
     def wrong(self) -> bool:

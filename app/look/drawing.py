@@ -63,13 +63,14 @@ class Arrow(NamedTuple):
 def _is_given(wall: Wall, load: Load) -> bool:
     """Whether size and place of a load are."""
     try:
-        return math.isfinite(replace(wall, load=(load,)).in_si.loads[0].force)
+        return math.isfinite(load.in_si(wall.length_m).force)
     except (InputError, TypeError):
         return False
 
 
 def _with_loads_given(wall: Wall) -> Wall:
-    return replace(wall, load=tuple(load for load in wall.load if _is_given(wall, load)))
+    given = tuple(load for load in wall.load if _is_given(wall, load))
+    return wall if given == wall.load else replace(wall, load=given)  # the same keeps what is known of its body
 
 
 def arrows_of(wall: Wall, all_loads: Sequence[Load], height: float, thickness: float) -> list[Arrow]:

@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 
 from app.input.demand_form import AnalysisForm, DemandForm
 from app.input.fields import Field
+from app.input.message_bar import MessageBar
 from app.input.note_form import NoteForm
 from app.input.records_panel import RecordsPanel
 from app.input.wall_form import WallForm
@@ -137,7 +138,17 @@ class InputStage(QSplitter):
         column_beside.setFrameShape(QFrame.Shape.NoFrame)
         column_beside.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         column_beside.setWidget(beside)
-        for part in (self.forms, column_beside):
+        self.said = MessageBar(self._fields_in_front)
+        for area in self.areas.values():
+            for field in area.findChildren(Field):
+                field.tell = self.said.follow
+        column_of_forms = QWidget()
+        left = QVBoxLayout(column_of_forms)
+        left.setContentsMargins(0, 0, 0, 0)
+        left.setSpacing(0)
+        left.addWidget(self.forms, 1)
+        left.addWidget(self.said)
+        for part in (column_of_forms, column_beside):
             part.setMinimumWidth(240)
             self.addWidget(part)
         self.setChildrenCollapsible(False)
@@ -149,7 +160,11 @@ class InputStage(QSplitter):
         if kind != self.kind:
             self.kind = kind
             self._share()
+            self.said.follow()
             self.live.follow()
+
+    def _fields_in_front(self) -> list[Field]:
+        return self.areas[self.kind].findChildren(Field) if self.kind else []
 
     def _share(self) -> None:
         kind = self.kind or "wall"

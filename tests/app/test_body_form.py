@@ -11,7 +11,7 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QToolButton
+from PySide6.QtWidgets import QApplication, QToolButton
 
 from app.look.body_drawing import BodyDrawing, turned
 from app.look.drawing import WallDrawing, outline
@@ -43,6 +43,7 @@ def body(opened):
 
 def press(entries, label: str) -> None:
     button = next(one for one in entries.findChildren(QToolButton) if one.text() == label)
+    QApplication.processEvents()  # it has its place
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
 
 

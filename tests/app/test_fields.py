@@ -359,7 +359,8 @@ def test_that_a_sum_or_product_is_its_value_and_says_so(opened, text, metres):
     field = opened.walls.fields["height_m"]
     type_into(field, text)
     assert not field.wrong and opened.session.case.wall[0].height_m == pytest.approx(metres, rel=1e-12)
-    assert field.message.text().startswith(f"{text} = ") and field.message.isVisible()
+    said = opened.stages.input.said
+    assert said.of is field and field.said.startswith(f"{text} = ") and field.said in said.text()
     type_into(field, "7*")
     assert field.wrong and opened.session.case.wall[0].height_m == 5.0, "as before the editing"
 
@@ -394,3 +395,21 @@ def test_that_the_click_into_a_line_selects_all_of_it(opened):
     assert line.selectedText() == line.text() != ""
     QTest.mouseClick(line, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, QPoint(line.width() - 8, 8))
     assert line.selectedText() == "", "a click in a line that has the cursor places it"
+
+
+def test_that_words_of_a_field_stand_in_room_of_their_own_once_it_is_left(opened, application):
+    """Nothing below moves, neither while one types nor when the field is left."""
+    said, fields = opened.stages.input.said, opened.walls.fields
+    height, thickness = fields["height_m"], fields["thickness_m"]
+    application.processEvents()
+    places = [field.mapTo(opened, field.rect().topLeft()) for field in fields.values() if field.isVisible()]
+    type_into(height, "tall")
+    application.processEvents()
+    assert height.wrong and said.text() == ""  # the hand is still there
+    thickness.editor.setFocus()
+    application.processEvents()
+    assert said.of is height and "not a number" in said.text() and said.height() == said.sizeHint().height()
+    assert places == [field.mapTo(opened, field.rect().topLeft()) for field in fields.values() if field.isVisible()]
+    type_into(height, "4")
+    application.processEvents()
+    assert said.text() == ""
