@@ -2,7 +2,6 @@
 required earthquake each withstands. No symbols."""
 
 import html
-import io
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,6 +17,7 @@ from app.look.drawing import WallDrawing
 from app.look.file_dialogs import path_to_write, plain_name
 from app.look.labels import Plain, Rich, plain
 from app.look.language import described, named, tr
+from app.shell.film import Film
 from app.views.runs import before_motion
 from core import atomic_write
 from core.case.wall import AS_IS
@@ -235,22 +235,18 @@ class ClientView(QDialog):
         """The scene as it stands."""
         return self.scene.grab().toImage()
 
-    def film(self) -> bytes:
-        """An animated GIF in real time."""
-        from PIL import Image
+    def film(self, path: Path) -> Film:
+        """Write an animated GIF in real time, off this thread."""
+        self.play.setChecked(False)
 
-        frames = []
-        for k in range(int(self.seconds * FILM_FPS)):
+        def picture(k: int) -> QImage:
             self.set_time(self.begin + k / FILM_FPS)
-            image = self.picture().convertToFormat(QImage.Format.Format_RGB888)
-            wide, high, line = image.width(), image.height(), image.bytesPerLine()
-            frame = Image.frombuffer("RGB", (wide, high), bytes(image.constBits()), "raw", "RGB", line, 1)
-            frame.thumbnail((960, 960))
-            frames.append(frame.quantize(48))
-        out = io.BytesIO()
-        pause = round(1000 / FILM_FPS)
-        frames[0].save(out, "GIF", save_all=True, append_images=frames[1:], duration=pause, loop=0)
-        return out.getvalue()
+            return self.picture()
+
+        def failed(sentence: str) -> None:
+            QMessageBox.warning(self, tr("Not saved"), plain(sentence))
+
+        return Film(self, path, max(1, int(self.seconds * FILM_FPS)), FILM_FPS, picture, failed)
 
     def page(self) -> bytes:
         """A page of its own for the note: both walls to scale, the bars."""
@@ -269,11 +265,9 @@ class ClientView(QDialog):
         return Note(parts, words.language).pdf()
 
     def content(self, end: str) -> bytes:
-        """The file .png, .pdf or .gif."""
+        """The file .png or .pdf."""
         if end == ".pdf":
             return self.page()
-        if end == ".gif":
-            return self.film()
         from app.views.figure_file import png
 
         return png(self.picture())
@@ -285,7 +279,10 @@ class ClientView(QDialog):
             self.write(path)
 
     def write(self, path: Path) -> None:
-        """Write a file of `content` by the end of its name."""
+        """Write a film, or a file of `content`, by the end of its name."""
+        if path.suffix.lower() == ".gif":
+            self.film(path)
+            return
         try:
             atomic_write.write({path: self.content(path.suffix.lower())})
         except (InputError, OutputError) as error:

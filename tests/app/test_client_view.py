@@ -8,9 +8,11 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
-from app.shell.client_view import sides_of
+from app.shell import client_view
+from app.shell.client_view import ClientView, sides_of
 from core.case.rules import parse_case
 from core.study.run import run
+from tests.app.driving import settle
 
 WALL = {"name": "w", "height_m": 6.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0}
 WALL |= {"unit_weight_kn_m3": 18.0, "back_restraint": "cross_walls", "unloaded_confirmed": True}
@@ -40,3 +42,26 @@ def test_that_whichever_hinge_is_shown_the_share_and_the_outcome_are_those_of_th
             decides = result.walls[verdict.governing]
             assert side.share == verdict.zeta_least / decides.assessment.verdict.zeta_target
             assert side.wall is decides
+
+
+def test_that_a_film_is_made_while_the_window_lives_and_can_be_cancelled(result, application, tmp_path, monkeypatch):
+    """Its frames are those of the view, in real time; a cancelled one leaves no file."""
+    from PIL import Image
+
+    view = ClientView(None, "a wall", sides_of(result, result.walls[0]))
+    view.resize(900, 500)
+    view.show()
+    monkeypatch.setattr(client_view, "MOST_SECONDS", 0.5)
+    made = view.film(tmp_path / "f.gif")
+    settle(application, made.job.isFinished)
+    with Image.open(tmp_path / "f.gif") as film:
+        assert film.n_frames == made.count == 10 and film.info["duration"] == 50
+        assert max(film.size) <= 960
+    monkeypatch.setattr(client_view, "MOST_SECONDS", 20.0)
+    cancelled = view.film(tmp_path / "g.gif")
+    settle(application, lambda: cancelled.painted > 3)
+    cancelled.dialog.cancel()
+    settle(application, cancelled.job.isFinished)
+    assert not (tmp_path / "g.gif").exists()
+    view.close()
+    view.deleteLater()
