@@ -182,7 +182,7 @@ def test_that_a_wall_that_bends_under_its_loads_alone_is_refused():
 
 
 @pytest.mark.shows("held.own_hinge")
-@pytest.mark.parametrize("walls", [4, pytest.param(20, marks=pytest.mark.long)])
+@pytest.mark.parametrize("walls", [2, pytest.param(20, marks=pytest.mark.long)])
 def test_that_the_displacement_check_has_the_hinge_of_its_least_zeta(walls):
     """MECHANISMS 6: 5.12 x 0.33 m, N 4.1 at 0.25: 0.473 with the hinge at 0.936 H, where that of alpha_0 gives 0.516;
     against a scan of 2 000 heights, of random walls."""
