@@ -18,7 +18,7 @@ def building(kept):
     case = read_case(BUILDING)
     facade = replace(case.wall[0], hinge_heights=None, tie_height_m=None)
     walls = (facade, *(replace(wall, law="rigid") for wall in case.wall[2:]))
-    case = replace(case, generate=replace(case.generate, count=7), wall=walls)
+    case = replace(case, generate=replace(case.generate, count=3), wall=walls)
     return kept("building_of_reports", lambda: run(case, base_dir=BUILDING.parent))
 
 
@@ -30,7 +30,7 @@ def whole_building(kept):
     hazard = tuple(HazardRow(years, ag, 2.4, 0.3) for years, ag in rows)
     none = dict.fromkeys(("tie_height_m", "tie_bar_length_m", "tie_elongation_m"))
     walls = tuple(replace(wall, law="rigid", **none) for wall in case.wall)
-    few = replace(case.generate, count=7)
+    few = replace(case.generate, count=3)
     asked = replace(case, generate=few, wall=walls, demand=replace(case.demand, hazard=hazard))
     asked = replace(asked, analysis=replace(case.analysis, q_step=0.05))
     return kept("whole_building", lambda: run(asked, base_dir=BUILDING.parent))
