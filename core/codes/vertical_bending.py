@@ -186,6 +186,7 @@ def heights_of(strip: Strip, count: int) -> list[float]:
     return sorted({*(low + (high - low) * n / count for n in range(count + 1)), *(z for z in beside if low < z < high)})
 
 
+@functools.lru_cache(maxsize=256)
 def lowest_hinge(strip: Strip) -> float:
     """h1 [m] of the lowest alpha_0: the best of HEIGHTS, then bisections of the bracket around it, of a wall that is no
     rectangle the golden section. Without a load on the top, or with one near the inner face, it is as high as it may
