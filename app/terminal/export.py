@@ -128,7 +128,7 @@ def _saved_since(path: Path) -> bool:
 
 def _note_of(case: Case, path: Path) -> bool:
     """Whether a file is a calculation note of this case: of its title and its first wall."""
-    from core.report.note.document import subject_in
+    from core.report.note.document_subject import subject_in
 
     try:
         if path.suffix.lower() == ".pdf":

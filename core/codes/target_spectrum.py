@@ -72,11 +72,13 @@ class CodeSpectrum:
         t = np.asarray(periods, dtype=float)
         eta = max(math.sqrt(10.0 / (5.0 + 100.0 * damping)), 0.55)
         plateau = eta * self.amplification
-        shape = np.select(
-            [t < self.t_b, t < self.t_c, t < self.t_d],
-            [t / self.t_b * plateau + (1.0 - t / self.t_b), plateau, plateau * self.t_c / np.maximum(t, self.t_c)],
+        shape = np.where(
+            t < self.t_d,
+            plateau * self.t_c / np.maximum(t, self.t_c),
             plateau * self.t_c * self.t_d / np.maximum(t, self.t_d) ** 2,
         )
+        shape = np.where(t < self.t_c, plateau, shape)
+        shape = np.where(t < self.t_b, t / self.t_b * plateau + (1.0 - t / self.t_b), shape)
         return self.pga * shape
 
 

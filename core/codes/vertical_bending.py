@@ -186,6 +186,7 @@ def heights_of(strip: Strip, count: int) -> list[float]:
     return sorted({*(low + (high - low) * n / count for n in range(count + 1)), *(z for z in beside if low < z < high)})
 
 
+@functools.lru_cache(maxsize=256)
 def lowest_hinge(strip: Strip) -> float:
     """h1 [m] of the lowest alpha_0: the best of HEIGHTS, then bisections of the bracket around it, of a wall that is no
     rectangle the golden section. Without a load on the top, or with one near the inner face, it is as high as it may
@@ -212,24 +213,60 @@ def _golden(value: Callable[[float], float], low: float, high: float, steps: int
     return best
 
 
+class Turning(NamedTuple):
+    """Both blocks with the hinge between at one height, whatever the rotation.
+
+    at : hinges; h1, above : heights of the lower and of the upper block [m]; width, edge : between the hinges of the
+    lower block, and from the edge held at the top to the hinge between [m]
+    lower : (force, x inward of the hinge at the base, z, whether it is pushed) of each weight; upper : the same, x
+    outward of the hinge between and z above it
+    """
+
+    at: Hinges
+    h1: float
+    above: float
+    width: float
+    edge: float
+    lower: tuple[tuple[float, float, float, bool], ...]
+    upper: tuple[tuple[float, float, float, bool], ...]
+
+    @classmethod
+    def of(cls, strip: Strip, h1: float) -> "Turning":
+        """The blocks of a strip whose middle hinge is at h1 [m]."""
+        at, (lower, upper) = hinges_of(strip, h1), blocks_of(strip, h1)
+        below = tuple((one.force, one.x - at.base, one.z, one.pushed) for one in lower)
+        over = tuple((one.force, at.between - one.x, one.z - h1, one.pushed) for one in upper)
+        return cls(at, h1, strip.height - h1, at.between - at.base, at.between - at.top, below, over)
+
+    def upper_rotation(self, cos: float, sin: float) -> float:
+        """phi [rad] at a rotation of the lower block. Raises ValueError where the upper one no longer reaches."""
+        x = self.at.base + self.width * cos - self.h1 * sin
+        return math.atan2(self.edge, self.above) - math.asin((x - self.at.top) / math.hypot(self.edge, self.above))
+
+    def risen(self, theta: float) -> float:
+        """`Turned.risen` at a rotation [rad] of the lower block. Raises ValueError as `upper_rotation`."""
+        cos, sin = math.cos(theta), math.sin(theta)
+        phi = self.upper_rotation(cos, sin)
+        c, s = math.cos(phi), math.sin(phi)
+        up = self.width * cos - self.h1 * sin  # of the hinge, by theta
+        rate = (self.width * sin + self.h1 * cos) / (self.edge * s + self.above * c)  # of phi, by theta
+        risen = math.fsum([force * (x * cos - z * sin) for force, x, z, _ in self.lower])
+        return risen + math.fsum([force * (up + rate * (x * c - z * s)) for force, x, z, _ in self.upper])
+
+
 def turned(strip: Strip, h1: float, theta: float) -> Turned:
     """The blocks at a rotation [rad] of the lower one. Raises ValueError where the upper one no longer reaches."""
-    at, above = hinges_of(strip, h1), strip.height - h1
-    width, edge = at.between - at.base, at.between - at.top
+    blocks = Turning.of(strip, h1)
+    at, width = blocks.at, blocks.width
     cos, sin = math.cos(theta), math.sin(theta)
-    x, z = at.base + width * cos - h1 * sin, h1 * cos + width * sin
-    phi = math.atan2(edge, above) - math.asin((x - at.top) / math.hypot(edge, above))
+    phi = blocks.upper_rotation(cos, sin)
     c, s = math.cos(phi), math.sin(phi)
-    along, up = width * sin + h1 * cos, width * cos - h1 * sin  # of the hinge, by theta
-    rate = along / (edge * s + above * c)  # of phi, by theta
-    lower, upper = blocks_of(strip, h1)
-    risen = math.fsum(one.force * ((one.x - at.base) * cos - one.z * sin) for one in lower)
-    risen += math.fsum(one.force * (up + rate * ((at.between - one.x) * c - (one.z - h1) * s)) for one in upper)
-    moved = math.fsum(one.force * ((one.x - at.base) * sin + one.z * cos) for one in lower if one.pushed)
-    moved += math.fsum(
-        one.force * (along - rate * ((at.between - one.x) * s + (one.z - h1) * c)) for one in upper if one.pushed
-    )
-    return Turned(phi, (x, z), risen, moved)
+    along = width * sin + h1 * cos  # of the hinge, by theta
+    rate = along / (blocks.edge * s + blocks.above * c)  # of phi, by theta
+    moved = math.fsum(force * (x * sin + z * cos) for force, x, z, pushed in blocks.lower if pushed)
+    moved += math.fsum(force * (along - rate * (x * s + z * c)) for force, x, z, pushed in blocks.upper if pushed)
+    hinge = at.base + width * cos - h1 * sin, h1 * cos + width * sin
+    return Turned(phi, hinge, blocks.risen(theta), moved)
 
 
 @dataclass(frozen=True)
@@ -307,18 +344,18 @@ def mechanism(strip: Strip, h1: float | None = None) -> Bending:
 
 def _collapse(strip: Strip, h1: float) -> float:
     """The smallest theta [rad] at which the weights no longer hold the wall."""
-    at, above = hinges_of(strip, h1), strip.height - h1
-    width, edge = at.between - at.base, at.between - at.top
-    sine = (REACHED * math.hypot(edge, above) + at.base - at.top) / math.hypot(width, h1)
+    blocks = Turning.of(strip, h1)
+    at, width = blocks.at, blocks.width
+    sine = (REACHED * math.hypot(blocks.edge, blocks.above) + at.base - at.top) / math.hypot(width, h1)
     last = math.atan2(width, h1) + math.asin(min(sine, 1.0))
     steps = math.ceil(last / ROTATION_STEP)
     low = 0.0
     for n in range(1, steps + 1):
         high = last * n / steps
-        if turned(strip, h1, high).risen <= 0.0:
+        if blocks.risen(high) <= 0.0:
             break
         low = high
-    held, lost, _ = narrowed(lambda theta: turned(strip, h1, theta).risen > 0.0, low, high, steps=BISECTIONS)
+    held, lost, _ = narrowed(lambda theta: blocks.risen(theta) > 0.0, low, high, steps=BISECTIONS)
     return 0.5 * (held + lost)
 
 

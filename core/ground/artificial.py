@@ -1,5 +1,7 @@
 """Artificial motions: filtered noise under an envelope, and sets compatible with a target spectrum."""
 
+import math
+
 import numpy as np
 
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
@@ -24,6 +26,9 @@ AIM = 1.02
 
 ROUNDS = 14
 
+WAVELET, WAVELET_REACH = 0.012, 39.0
+"""Width of the wavelets by which peaks are cut [s], and how far they reach [of it]: beyond, exp(-x^2 / 2) is zero."""
+
 
 def _envelope(times: np.ndarray, rise: float, strong_end: float) -> np.ndarray:
     """Rise, strong part, decay, and zero at the last sample."""
@@ -33,13 +38,19 @@ def _envelope(times: np.ndarray, rise: float, strong_end: float) -> np.ndarray:
     return shape * np.clip((times[-1] - times) / 1.0, 0.0, 1.0)
 
 
-def _at_rest(motion: np.ndarray, envelope: np.ndarray, times: np.ndarray) -> np.ndarray:
-    """Zero end velocity and displacement, by a parabola under the envelope."""
-    shape = np.vstack([envelope * times**k for k in range(2)])
-    weights = (1.0, times[-1] - times)
-    goals = np.array([[np.trapezoid(s * w, times) for s in shape] for w in weights])
-    ends = [np.trapezoid(motion * w, times) for w in weights]
-    return motion - np.linalg.solve(goals, ends) @ shape
+class Rest:
+    """Zero end velocity and displacement for motions of the same envelope, by a parabola under it."""
+
+    def __init__(self, envelope: np.ndarray, times: np.ndarray):
+        self.times = times
+        self.shape = np.vstack([envelope * times**k for k in range(2)])
+        self.weights = (1.0, times[-1] - times)
+        self.goals = np.array([[np.trapezoid(s * w, times) for s in self.shape] for w in self.weights])
+
+    def at_end_of(self, motion: np.ndarray) -> np.ndarray:
+        """The motion without what it has of both at its end."""
+        ends = [np.trapezoid(motion * w, self.times) for w in self.weights]
+        return motion - np.linalg.solve(self.goals, ends) @ self.shape
 
 
 def _noise(seed: int, times: np.ndarray, envelope: np.ndarray) -> np.ndarray:
@@ -61,7 +72,7 @@ def filtered_noise(seed: int, pga: float, duration: float = 25.0, time_step: flo
     """
     times = np.arange(round(duration / time_step) + 1) * time_step
     envelope = _envelope(times, 2.0, 12.0)
-    motion = _at_rest(_noise(seed, times, envelope), envelope, times)
+    motion = Rest(envelope, times).at_end_of(_noise(seed, times, envelope))
     return np.round(motion * (pga / np.abs(motion).max()), 6)
 
 
@@ -80,25 +91,31 @@ def compatible_motion(target, seed: int, duration: float = 26.0, time_step: floa
     goal = AIM * target.acceleration(MATCHED_PERIODS)
     falling = np.log(1.0 / MATCHED_PERIODS[::-1])
     log_frequency = np.log(np.maximum(frequency, frequency[1]))
+    within, rest = np.minimum(1.0, 4.0 * envelope), Rest(envelope, times)
     for _ in range(rounds):
         response = pseudo_acceleration_spectrum(motion, time_step, MATCHED_PERIODS)
         ratio = np.interp(log_frequency, falling, (goal / response)[::-1])
         ratio[frequency > 1.0 / MATCHED_PERIODS[0]] = target.pga / np.abs(motion).max()
         ratio *= np.minimum(frequency / MATCHED_CUT, 1.0)  # nothing is matched there: no drift
         motion = np.fft.irfft(np.fft.rfft(motion) * ratio, times.size)
-        motion = _at_rest(motion * np.minimum(1.0, 4.0 * envelope), envelope, times)
+        motion = rest.at_end_of(motion * within)
     return np.round(_with_peak(motion, target.pga, times), 7)
 
 
 def _with_peak(motion: np.ndarray, pga: float, times: np.ndarray) -> np.ndarray:
     """The motion with its peak at pga [m/s2], by narrow Ricker wavelets at the peaks: they have no area and
     no first moment, so that the motion still ends at rest, and next to no spectrum above 0.1 s."""
+    reach = math.ceil(WAVELET_REACH * WAVELET / times[1])
+    motion = motion.copy()
     for _ in range(200):
         k = int(np.argmax(np.abs(motion)))
         excess = motion[k] - np.copysign(pga, motion[k])
         if abs(excess) <= 1e-9:
             break
-        x = (times - times[k]) / 0.012
-        motion = motion - excess * (1.0 - x * x) * np.exp(-0.5 * x * x)
+        near = slice(max(k - reach, 0), k + reach + 1)
+        x = (times[near] - times[k]) / WAVELET
+        motion[near] -= excess * (1.0 - x * x) * np.exp(-0.5 * x * x)
+        if excess > 0.0:
+            motion += 0.0  # what the wavelet is beyond its reach: of -0.0 it makes 0.0
     # where peaks side by side raise one another, what is left (0.6 %) is scaled away
     return motion * (pga / np.abs(motion).max()) if abs(excess) > 1e-9 else motion

@@ -17,6 +17,7 @@ import numpy as np
 from core.child import Refused, bounded
 from core.errors import InputError
 from core.regular_file import read_regular
+from core.research.motion_archive import NO_MOTION, unpacked
 from core.rocking.grounds import Grounds
 from core.rocking.history import scan_records
 from core.rocking.methods import METHODS
@@ -249,22 +250,6 @@ def _motions(folder: Path, names: list[str]) -> list[np.ndarray]:
             test = error.reason.removeprefix(NO_MOTION)
             raise InputError("validation_motion", test=test, place=(path,)) from None
         raise InputError("validation_table", place=(path,)) from None
-
-
-NO_MOTION = "no_motion "
-"""How the reason begins for which a test has none."""
-
-
-def unpacked(content: bytes, names: tuple[str, ...]) -> list[np.ndarray]:
-    """The motions of these tests within an archive. Raises ValueError, and what numpy raises of a damaged file."""
-    with np.load(io.BytesIO(content), allow_pickle=False) as archive:
-        found = []
-        for name in names:
-            motion = archive[f"t{name}"] if f"t{name}" in archive else np.zeros(0)
-            if motion.ndim != 1 or motion.size < 2 or motion.dtype.kind not in "fiu" or not np.isfinite(motion).all():
-                raise ValueError(NO_MOTION + name)
-            found.append(np.asarray(motion, float))
-        return found
 
 
 def halves(events: np.ndarray, seed: int) -> tuple[np.ndarray, np.ndarray]:

@@ -134,6 +134,14 @@ def with_ag(demand: DemandResult, asked: Demand, base_dir: Path, factor: float) 
     return replace(demand, ag=ag, soil_factor=soil, pga=ag * soil, target=target, intensity=intensity)
 
 
+def pga_with_ag(demand: DemandResult, asked: Demand, base_dir: Path, factor: float) -> float:
+    """PGA of `with_ag` alone [m/s2], without the spectrum and its intensity. Raises InputError."""
+    ag, target = factor * demand.ag, demand.target
+    if target and not isinstance(target, target_spectrum.GivenSpectrum):
+        target = target_of(replace(asked, ag_g=ag / G), base_dir)
+    return ag * (target.soil if target else demand.soil_factor)
+
+
 def hazard_of(asked: Demand, base_dir: Path) -> tuple[HazardRow, ...]:
     """The hazard of the site, of the case or of its file. Raises InputError."""
     if asked.hazard_file:

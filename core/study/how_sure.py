@@ -17,7 +17,7 @@ from core.codes.dynamic_check import demand_check
 from core.codes.outcomes import least
 from core.codes.record_sample import RecordPeaks, SampleInterval, record_peaks, sample_interval
 from core.ground.provenance import LEAST_STATIONS, station_of
-from core.setting.demand_input import with_ag
+from core.setting.demand_input import pga_with_ag
 from core.setting.plan import Floors, Plan
 from core.study.journal import rebuilt
 from core.study.kept_checks import KeptChecks, check_key
@@ -154,7 +154,7 @@ def ag_of(demand: DemandResult, asked: Demand | None, base_dir: Path) -> Callabl
     if asked is None or demand.target is None:
         return lambda multiplier: multiplier * demand.ag
     factors = np.geomspace(*AG_RANGE, 400)
-    shares = [with_ag(demand, asked, base_dir, float(factor)).pga / demand.pga for factor in factors]
+    shares = [pga_with_ag(demand, asked, base_dir, float(factor)) / demand.pga for factor in factors]
 
     def found(multiplier: float) -> float:
         inside = float(np.clip(multiplier, shares[0], shares[-1]))

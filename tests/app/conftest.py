@@ -121,7 +121,7 @@ def open_small(application, made, folder) -> None:
     from tests.app.driving import settle
 
     path = folder / "small.toml"
-    motion = ROOT / "tests" / "motions" / "noise_1.txt"
+    motion = ROOT / "tests" / "cases" / "noise_1.txt"  # the first twelve seconds
     path.write_text(
         f'[[wall]]\nname = "w"\nheight_m = 5.0\nthickness_m = 0.5\nbase_z_m = 0\nmechanism = "two_sided"\n'
         f'[[record]]\nfile = "{motion.as_posix()}"\nkind = "artificial"\n'

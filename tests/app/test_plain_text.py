@@ -16,7 +16,8 @@ from PySide6.QtWidgets import QLabel
 from core.case.rules import parse_wall
 from core.errors import InputError, place
 from tests.app.driving import settle
-from tests.test_boundaries import ROOT, tree_of
+from tests.test_boundaries import ROOT
+from tests.trees import nodes_of
 
 EVIL = "<h1>VERIFIED</h1><img src='x'>"
 
@@ -27,7 +28,7 @@ def test_that_labels_are_made_plain_or_rich_by_one_helper():
     for path in sorted((ROOT / "app").rglob("*.py")):
         if path.name == "labels.py":
             continue
-        for node in ast.walk(tree_of(path)):
+        for node in nodes_of(path):
             made = isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "QLabel"
             assert not made, path
 
@@ -65,7 +66,7 @@ def test_that_message_boxes_and_tips_take_no_name_as_markup():
 
     bare, seen = [], 0
     for path in sorted((ROOT / "app").rglob("*.py")):
-        for node in ast.walk(tree_of(path)):
+        for node in nodes_of(path):
             if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute):
                 continue
             of_box = node.func.attr in BOXES and ast.unparse(node.func.value) == "QMessageBox" and len(node.args) > 2

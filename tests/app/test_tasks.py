@@ -109,7 +109,7 @@ def test_that_another_case_begins_at_its_first_wall(opened):
     assert opened.stages.input.kind == "report"
 
 
-@pytest.mark.parametrize("count", [50, pytest.param(150, marks=pytest.mark.long)])
+@pytest.mark.parametrize("count", [30, pytest.param(150, marks=pytest.mark.long)])
 def test_that_tree_form_and_pages_show_one_wall_whatever_is_done(opened, application, tmp_path, count):
     """A walk: open, select, add, delete, undo, change stage, with and without a result."""
     text = opened.session.path.read_text()

@@ -67,7 +67,7 @@ def test_that_a_report_is_equal_to_its_case_run_again(reports, capsys, end):
 
 
 @pytest.mark.shows("batch.verify")
-@pytest.mark.parametrize("end", [".json", ".xlsx", ".pdf"])
+@pytest.mark.parametrize("end", [".pdf", *(pytest.param(end, marks=pytest.mark.long) for end in (".json", ".xlsx"))])
 def test_that_its_records_may_stand_elsewhere(copied, tmp_path, capsys, end):
     apart = tmp_path / "apart"
     apart.mkdir()

@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from core.regular_file import TooLarge, first_bytes, read_regular
-from tests.test_boundaries import ROOT, SOURCES, tree_of
+from tests.test_boundaries import ROOT, SOURCES
+from tests.trees import nodes_of
 
 ENDLESS = ["pipe", "zero", "folder"]
 
@@ -100,7 +101,7 @@ OWN = {
 def test_that_files_a_user_names_are_read_by_one_door():
     found = set()
     for path in SOURCES:
-        for node in ast.walk(tree_of(path)):
+        for node in nodes_of(path):
             if not isinstance(node, ast.Call):
                 continue
             name = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")

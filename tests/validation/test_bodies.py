@@ -140,9 +140,10 @@ def quadrature(polygon, ends, angle, start, density):
 
 
 @pytest.mark.shows("bodies.integrals")
-def test_that_a_thousand_random_bodies_agree_with_quadrature():
+@pytest.mark.parametrize("bodies", [300, pytest.param(1000, marks=pytest.mark.long)])
+def test_that_random_bodies_agree_with_quadrature(bodies):
     random = np.random.default_rng(38)
-    for _ in range(1000):
+    for _ in range(bodies):
         polygon = random_polygon(random, int(random.integers(3, 12)))
         ends = tuple(np.sort(random.uniform(-3.0, 3.0, 2)))
         given = (ends, random.uniform(-1.5, 1.5), random.uniform(-2.0, 2.0), random.uniform(1000.0, 2500.0))
@@ -512,7 +513,7 @@ def test_that_a_body_whose_eq_6_exceeds_1_loses_nothing_and_says_so_and_that_it_
     assert {"leans_inward", "lift_velocity_ratio"} <= codes and "odd_weight" in {one.code for one in less.warnings}
 
 
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", [*range(10), *(pytest.param(k, marks=pytest.mark.long) for k in range(10, 20))])
 def test_that_no_corner_is_refused_for_its_velocity_ratio(seed):
     """Two walls dragged along cracks, of random sizes (MECHANISMS 8)."""
     rng = np.random.default_rng(seed)

@@ -51,15 +51,6 @@ def document(parts: list[Part], language: str, steps: Steps | None = None, subje
     return content.getvalue()
 
 
-def subject_in(content: bytes) -> str | None:
-    """What a docx is of that this program wrote; None of one that another program wrote or saved again. Raises what
-    python-docx raises of what is none."""
-    import docx
-
-    about = docx.Document(io.BytesIO(content)).core_properties
-    return about.subject if about.last_modified_by == NAME else None
-
-
 def widths_of(part: Table) -> list[float]:
     """Widths of the columns [cm] in proportion to those asked, each as wide as its longest word, where there is room:
     an office parts "0,45" in a narrower one."""

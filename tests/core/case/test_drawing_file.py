@@ -807,10 +807,11 @@ HOSTILE = {
 
 @pytest.mark.shows("doors.bombs")
 @pytest.mark.parametrize("kind", HOSTILE)
-def test_that_a_hostile_drawing_takes_no_more_than_its_size(kind, tmp_path, monkeypatch):
+@pytest.mark.parametrize("most", [4_000, pytest.param(10_000, marks=pytest.mark.long)])
+def test_that_a_hostile_drawing_takes_no_more_than_its_size(kind, most, tmp_path, monkeypatch):
     random.seed(1)
-    monkeypatch.setattr(drawing_file, "MOST_POINTS", 10_000)
-    monkeypatch.setattr(drawing_outlines, "MOST_POINTS", 10_000)
+    monkeypatch.setattr(drawing_file, "MOST_POINTS", most)
+    monkeypatch.setattr(drawing_outlines, "MOST_POINTS", most)
     document = ezdxf.new()
     HOSTILE[kind](document.modelspace(), lambda: (1e3 * random.random(), 1e3 * random.random()))
     document.saveas(tmp_path / "a.dxf")

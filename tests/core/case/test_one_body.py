@@ -62,7 +62,7 @@ def check(seed: int, folder: Path | None = None) -> str | list:
 
 
 @pytest.mark.shows("bodies.one")
-@pytest.mark.parametrize("seed", [*range(30), *(pytest.param(k, marks=pytest.mark.long) for k in range(30, 100))])
+@pytest.mark.parametrize("seed", [*range(16), *(pytest.param(k, marks=pytest.mark.long) for k in range(16, 100))])
 def test_that_a_body_is_judged_alike_however_it_is_written(seed, tmp_path):
     check(seed, tmp_path)
 

@@ -29,6 +29,9 @@ W = 18.0 * 0.30 * 3.0
 """kN/m of the worked wall, 3.0 x 0.30 m."""
 
 
+SEEDS = [*range(10), *(pytest.param(k, marks=pytest.mark.long) for k in range(10, 20))]
+
+
 def strip(loads=(), setback=0.0, height=3.0, thickness=0.30):
     """In kN, as the formulas are worked."""
     return Strip(height, thickness, setback, 18.0 * thickness * height, tuple(loads))
@@ -48,7 +51,7 @@ def test_that_without_load_the_hinge_is_as_high_as_it_may_be():
 
 
 @pytest.mark.shows("held.mechanism")
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", SEEDS)
 def test_that_the_hinge_is_that_of_a_dense_scan_and_of_the_closed_form(seed):
     asked = random_strip(random.Random(seed))
     h1, edge = lowest_hinge(asked), asked.thickness - asked.setback
@@ -105,7 +108,7 @@ def potential_top(asked, h1):
 
 
 @pytest.mark.shows("held.mechanism")
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", SEEDS)
 def test_that_start_capacity_and_collapse_are_those_of_coordinates(seed):
     asked = random_strip(random.Random(100 + seed))
     found = mechanism(asked)
@@ -182,7 +185,7 @@ def test_that_a_wall_that_bends_under_its_loads_alone_is_refused():
 
 
 @pytest.mark.shows("held.own_hinge")
-@pytest.mark.parametrize("walls", [4, pytest.param(20, marks=pytest.mark.long)])
+@pytest.mark.parametrize("walls", [2, pytest.param(20, marks=pytest.mark.long)])
 def test_that_the_displacement_check_has_the_hinge_of_its_least_zeta(walls):
     """MECHANISMS 6: 5.12 x 0.33 m, N 4.1 at 0.25: 0.473 with the hinge at 0.936 H, where that of alpha_0 gives 0.516;
     against a scan of 2 000 heights, of random walls."""

@@ -18,7 +18,7 @@ def building(kept):
     case = read_case(BUILDING)
     facade = replace(case.wall[0], hinge_heights=None, tie_height_m=None)
     walls = (facade, *(replace(wall, law="rigid") for wall in case.wall[2:]))
-    case = replace(case, generate=replace(case.generate, count=7), wall=walls)
+    case = replace(case, generate=replace(case.generate, count=3), wall=walls)
     return kept("building_of_reports", lambda: run(case, base_dir=BUILDING.parent))
 
 

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import tempfile
 import zipfile
+from dataclasses import replace
 from io import BytesIO
 
 import numpy as np
@@ -75,13 +76,24 @@ def made(folder, language="en", **more):
         "demand": {"ag_g": 0.2, "soil_factor": 1.2},
     }
     result = study.run(parse_case({**table, **more}), base_dir=folder)
+    return result, written(result)
+
+
+def written(result):
+    """The workbook of a result."""
     drawn = [entry for wall in result.walls if (entry := collapse_histories(result, wall))]
-    return result, whole_workbook.build(result, drawn)
+    return whole_workbook.build(result, drawn)
 
 
 @pytest.fixture(scope="module")
-def book(folder):
-    return made(folder)[1]
+def plain(folder):
+    """The result of four walls, and its workbook."""
+    return made(folder)
+
+
+@pytest.fixture(scope="module")
+def book(plain):
+    return plain[1]
 
 
 def formulas(book):
@@ -417,7 +429,7 @@ def test_that_user_text_never_becomes_a_formula(book):
 
 
 @pytest.mark.shows("files.sheets")
-def test_that_the_sheets_are_those_of_the_contract(folder, book):
+def test_that_the_sheets_are_those_of_the_contract(plain, book):
     assert book.workbook.sheetnames == [
         "Summary",
         "Overview",
@@ -432,7 +444,8 @@ def test_that_the_sheets_are_those_of_the_contract(folder, book):
         "Survival map",
         "Method",
     ]
-    italian = made(folder, "it")[1]
+    case = plain[0].case
+    italian = written(replace(plain[0], case=replace(case, report=replace(case.report, language="it"))))
     assert italian.workbook.sheetnames[:5] == ["Sintesi", "Riepilogo", "Dati", "Accelerogrammi", "Risultati"]
     text = " ".join(
         str(cell.value)
@@ -458,8 +471,8 @@ def test_that_a_sheet_in_italian_says_nothing_in_english(ntc):
         assert english not in text
 
 
-def test_that_displayed_numbers_are_the_results(folder):
-    result, book = made(folder)
+def test_that_displayed_numbers_are_the_results(plain):
+    result, book = plain
     sheet = book.workbook["Results"]
     rows = list(sheet.iter_rows(min_row=4, max_row=3 + sum(len(w.runs) for w in result.walls)))
     runs = [run for wall in result.walls for run in wall.runs]
@@ -505,19 +518,19 @@ def test_that_two_hundred_walls_fit_the_one_page_summary(folder, reference):
     assert "wall199_height" in book.workbook.defined_names
 
 
-def test_that_no_merged_range_is_compared_with_the_others_and_none_overlap(folder, monkeypatch):
+def test_that_no_merged_range_is_compared_with_the_others_and_none_overlap(plain, monkeypatch):
     """A comparison with all ranges before makes a large report quadratic."""
     from openpyxl.worksheet.cell_range import MultiCellRange
 
     monkeypatch.setattr(MultiCellRange, "__contains__", lambda *_: pytest.fail("compared"))
-    for sheet in made(folder)[1].workbook:
+    for sheet in written(plain[0]).workbook:
         cells = [cell for area in sheet.merged_cells.ranges for cell in area.cells]
         assert len(cells) == len(set(cells)), sheet.title
 
 
 @pytest.mark.long
-def test_that_the_writing_tells_how_far_it_is_and_may_be_cancelled_between_its_parts(folder, tmp_path):
-    result = made(folder)[0]
+def test_that_the_writing_tells_how_far_it_is_and_may_be_cancelled_between_its_parts(plain, tmp_path):
+    result = plain[0]
     told, asked = [], []
     export.write(result, tmp_path, "c", lambda: asked.append(1), tell=lambda *state: told.append(state))
     done = [at for at, planned in told]

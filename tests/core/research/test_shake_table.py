@@ -2,11 +2,13 @@
 
 import csv
 import math
+import shutil
 
 import numpy as np
 import pytest
 
 from app.__main__ import main
+from app.terminal import solved_cases
 from core.errors import InputError
 from core.research.shake_table import (
     GRANITE,
@@ -55,8 +57,20 @@ def invented(folder, truth=TRUE, wrong=()):
     return folder
 
 
-def test_that_a_body_that_does_what_the_model_says_is_found_with_its_slenderness(tmp_path):
-    tests = read_tests(invented(tmp_path))
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    """What `invented` makes, once."""
+    return invented(tmp_path_factory.mktemp("invented"))
+
+
+@pytest.fixture
+def copied(whole, tmp_path):
+    """A copy of it that a test may damage."""
+    return shutil.copytree(whole, tmp_path / "copied")
+
+
+def test_that_a_body_that_does_what_the_model_says_is_found_with_its_slenderness(whole):
+    tests = read_tests(whole)
     assert tests.left_out == ("3",) and tests.overturned.shape == (1, 71)  # its PGA was measured half as large again
     (found,) = compared(tests)
     scores = {one.method: one for one in found.scores}
@@ -107,8 +121,8 @@ def test_that_a_setback_leaves_the_height_of_the_centre_of_mass_and_its_own_iner
     assert SETBACKS[0] == 0.0 and LOSSES[-1] == pytest.approx(1.0)
 
 
-def test_that_a_second_body_is_tried_with_the_setback_of_the_first(tmp_path):
-    tests = read_tests(invented(tmp_path))
+def test_that_a_second_body_is_tried_with_the_setback_of_the_first(whole):
+    tests = read_tests(whole)
     bodies = (GRANITE[0], Body("2", 0.39, 0.39**2 + 0.088, math.radians(9.5)))
     twice = TableTests(
         bodies,
@@ -154,14 +168,21 @@ def test_that_a_second_body_is_tried_with_the_setback_of_the_first(tmp_path):
         (lambda folder: _body(folder, "1,2.0,4.0,9"), "not_accepted"),
     ],
 )
-def test_that_a_folder_that_is_none_is_refused_in_a_sentence(tmp_path, damage, code, capsys):
-    damage(invented(tmp_path))
-    with pytest.raises(InputError) as caught:
-        read_tests(tmp_path)
-    assert caught.value.code == code
-    assert main(["--validate", "--data", str(tmp_path)]) == 1
+def test_that_a_folder_that_is_none_is_refused_in_a_sentence(copied, damage, code, capsys, monkeypatch):
+    refused = []
+
+    def read(folder):
+        try:
+            return read_tests(folder)
+        except InputError as error:
+            refused.append(error.code)
+            raise
+
+    monkeypatch.setattr(solved_cases, "read_tests", read)
+    damage(copied)
+    assert main(["--validate", "--data", str(copied)]) == 1 and refused == [code]
     said = capsys.readouterr()
-    assert said.out == "" and said.err.count("\n") == 1 and str(tmp_path) in said.err
+    assert said.out == "" and said.err.count("\n") == 1 and str(copied) in said.err
 
 
 def _outcome(folder, word):
@@ -198,8 +219,7 @@ def _replaced(folder, old, new):
     path.write_text(content.replace(old, new, 1))
 
 
-def test_that_the_bodies_of_a_folder_take_the_place_of_the_granite_ones(tmp_path):
-    invented(tmp_path)
-    (tmp_path / "bodies.csv").write_text("name,radius_m,inertia_over_mass_m2,slenderness_deg\n1,2.0,5.5,9\n")
-    (body,) = read_tests(tmp_path).bodies
+def test_that_the_bodies_of_a_folder_take_the_place_of_the_granite_ones(copied):
+    (copied / "bodies.csv").write_text("name,radius_m,inertia_over_mass_m2,slenderness_deg\n1,2.0,5.5,9\n")
+    (body,) = read_tests(copied).bodies
     assert body == Body("1", 2.0, 5.5, math.radians(9.0))

@@ -29,7 +29,7 @@ CASE = """
 scatter = 0
 count = 3
 [analysis]
-q_step = 0.05
+q_step = 0.1
 [demand]
 ag_g = 0.22
 [demand.spectrum]

@@ -56,16 +56,26 @@ def rows() -> list[str]:
     return found
 
 
-@pytest.fixture(scope="module")
-def case(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("large")
-    (folder / "walls.csv").write_text("\n".join([*HEAD, *rows()]))
+def written(folder, walls: list[str]):
+    """The case file of these walls and its records, in a folder."""
+    (folder / "walls.csv").write_text("\n".join([*HEAD, *walls]))
     for k in (1, 2, 3):
         samples = filtered_noise(k, 2.0)[200:500]
         (folder / f"short_{k}.txt").write_text("\n".join(f"{value:.5f}" for value in samples))
     path = folder / "many.toml"
     path.write_text(CASE)
     return path
+
+
+@pytest.fixture(scope="module")
+def case(tmp_path_factory):
+    return written(tmp_path_factory.mktemp("large"), rows())
+
+
+@pytest.fixture(scope="module")
+def three(tmp_path_factory):
+    """The case of three of its walls, one of them above the ground."""
+    return written(tmp_path_factory.mktemp("three"), [row for row in rows() if row[:2] in ("w0", "w1", "w2")])
 
 
 @pytest.fixture(scope="module")
@@ -79,6 +89,13 @@ def few(monkeypatch):
     """So few walls are many, in groups of four."""
     monkeypatch.setattr(plan, "MOST_WALLS", 11)
     monkeypatch.setattr(large_case, "MOST_GROUP", 4)
+
+
+@pytest.fixture
+def each(monkeypatch):
+    """Three walls are many, and each is a group."""
+    monkeypatch.setattr(plan, "MOST_WALLS", 2)
+    monkeypatch.setattr(large_case, "MOST_GROUP", 1)
 
 
 @pytest.fixture(scope="module")
@@ -171,15 +188,15 @@ def test_that_parts_in_any_order_make_the_table_of_the_undivided_run(case, table
         assert caught.value.code == "no_parts"
 
 
-def test_that_a_part_that_does_not_belong_is_refused(case, few, tmp_path):
+def test_that_a_part_that_does_not_belong_is_refused(three, each, tmp_path):
     for k in (1, 2):
-        batch.run_part(case, tmp_path, 2, True, k, 2)
+        batch.run_part(three, tmp_path, 2, True, k, 2)
     whole = part_path(tmp_path, "many", 2, 2).read_bytes()
 
     def refused(code, content):
         part_path(tmp_path, "many", 2, 2).write_bytes(content)
         with pytest.raises(InputError) as caught:
-            batch.run(case, tmp_path, 1, True, False, merge=True)
+            batch.run(three, tmp_path, 1, True, False, merge=True)
         assert caught.value.code == code and not (tmp_path / "many.parquet").exists()
 
     refused("part_of_another", part_path(tmp_path, "many", 1, 2).read_bytes())
@@ -187,17 +204,18 @@ def test_that_a_part_that_does_not_belong_is_refused(case, few, tmp_path):
     lines = whole.split(b"\n")
     other = b"8" if lines[1][-9:-8] == b"7" else b"7"  # a digit of the hash
     refused("part_damaged", b"\n".join([lines[0], lines[1][:-9] + other + lines[1][-8:], *lines[2:]]))
-    batch.run_part(case, tmp_path, 2, True, 2, 2)
-    assert batch.run(case, tmp_path, 1, True, False, merge=True) in (batch.DONE, batch.WITHOUT_NUMBER)
+    batch.run_part(three, tmp_path, 2, True, 2, 2)
+    assert batch.run(three, tmp_path, 1, True, False, merge=True) in (batch.DONE, batch.WITHOUT_NUMBER)
     (tmp_path / "many.parquet").unlink()
     part_path(tmp_path, "many", 2, 2).unlink()
     with pytest.raises(InputError) as caught:
-        batch.run(case, tmp_path, 1, True, False, merge=True)
+        batch.run(three, tmp_path, 1, True, False, merge=True)
     assert caught.value.code == "part_missing"
 
 
-def test_that_a_run_that_was_stopped_goes_on_with_the_groups_it_lacks(case, table, few, tmp_path, monkeypatch):
-    made = []
+def test_that_a_run_that_was_stopped_goes_on_with_the_groups_it_lacks(three, each, tmp_path, monkeypatch):
+    undivided, made = three.parent / "whole", []
+    assert batch.run(three, undivided, 2, True, False) in (batch.DONE, batch.WITHOUT_NUMBER)
 
     def stopping(large, todo, jobs, on_progress, cancelled):
         for g, result in large_case.group_results(large, todo, jobs, on_progress, cancelled):
@@ -208,11 +226,11 @@ def test_that_a_run_that_was_stopped_goes_on_with_the_groups_it_lacks(case, tabl
 
     monkeypatch.setattr(large_batch, "group_results", stopping)
     with pytest.raises(KeyboardInterrupt):
-        batch.run(case, tmp_path, 2, True, False)
+        batch.run(three, tmp_path, 2, True, False)
     assert [path.name for path in tmp_path.iterdir() if path.is_file()] == ["many.journal"]
-    assert batch.run(case, tmp_path, 1, True, True) in (batch.DONE, batch.WITHOUT_NUMBER)
+    assert batch.run(three, tmp_path, 1, True, True) in (batch.DONE, batch.WITHOUT_NUMBER)
     assert made == [0, 1, 2] and not (tmp_path / "many.journal").exists()
-    assert (tmp_path / "many.parquet").read_bytes() == table.read_bytes()
+    assert (tmp_path / "many.parquet").read_bytes() == (undivided / "many.parquet").read_bytes()
 
 
 def test_that_a_missing_package_is_refused_before_the_run(case, few, tmp_path, monkeypatch):

@@ -24,7 +24,7 @@ from core.text.catalogue import CATALOGUE, FOLDER, GROUPS, Catalogue
 from core.text.sentence import FormNames, Key, Quantity, capital, localized, sentence
 from core.variation.tie_design import FORCE_NAMES as FORCES
 from tests.conftest import ROOT
-from tests.trees import tree_of
+from tests.trees import nodes_of
 
 SOURCES = [
     path for top in ("core", "app") for path in sorted((ROOT / top).rglob("*.py")) if path.parent.name != "text"
@@ -84,18 +84,20 @@ PARTS = (".caption", ".tip", ".help", ".column")
 """What the catalogue says of a key besides its word and its choices."""
 
 
-def calls(tree):
+def calls(source):
     """(name of the function, call) of every call."""
-    for node in ast.walk(tree):
+    for node in nodes_of(source):
         if isinstance(node, ast.Call):
             name = getattr(node.func, "id", getattr(node.func, "attr", ""))
             yield name, node
 
 
-def docstrings(tree):
+def docstrings(source):
     """Expressions that are no value of anything: docstrings, and those below a constant."""
     return {
-        id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+        id(node.value)
+        for node in nodes_of(source)
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
     }
 
 
@@ -155,7 +157,7 @@ def test_that_a_sentence_in_italian_is_not_the_english_one():
 def test_that_every_code_that_is_used_exists_and_every_error_is_used():
     used = set()
     for path in SOURCES:
-        for name, call in calls(tree_of(path)):
+        for name, call in calls(path):
             first = call.args[0] if call.args else None
             if name in ("InputError", "RecordError", "OutputError") and isinstance(first, ast.Constant):
                 assert first.value in CATALOGUE["error"], (path.name, first.value)
@@ -175,7 +177,7 @@ def test_that_every_text_of_the_catalogue_is_used():
     literals = {
         node.value
         for path in SOURCES
-        for node in ast.walk(tree_of(path))
+        for node in nodes_of(path)
         if isinstance(node, ast.Constant) and isinstance(node.value, str)
     }
     sides = {f"{word}_{side}" for word in ("confidence", "dynamic") for side in ("demand", "capacity")}
@@ -204,12 +206,11 @@ def test_that_no_sentence_stands_outside_the_catalogue():
     found = []
     for path in SOURCES:
         name = path.relative_to(ROOT).as_posix()
-        tree = tree_of(path)
-        known = docstrings(tree)
-        for function, call in calls(tree):
+        known = docstrings(path)
+        for function, call in calls(path):
             if function in (*SPOKEN, "sheet"):
                 known |= {id(node) for a in call.args for node in ast.walk(a)}
-        for node in ast.walk(tree):
+        for node in nodes_of(path):
             text = node.value if isinstance(node, ast.Constant) else None
             described = name.startswith("core/derivation/") and text in CATALOGUE["report"]
             in_catalogue = text in CATALOGUE["terminal"] or described

@@ -406,7 +406,7 @@ def test_that_a_moment_of_inertia_above_a_rectangle_is_shown_with_that_of_one():
     assert row["other_end"] == pytest.approx(4.0 / 3.0 * 3.0104**2) and row["source"] == "given"
 
 
-@pytest.mark.parametrize("seeds", [4, pytest.param(12, marks=pytest.mark.long)])
+@pytest.mark.parametrize("seeds", [3, pytest.param(12, marks=pytest.mark.long)])
 def test_that_a_seed_is_not_chosen_by_what_comes_of_it(seeds):
     demand, wall = {"ag_g": 0.135, "spectrum": NTC | {"f0": 2.4}}, READER | {"unloaded_confirmed": True}
     seen = set()

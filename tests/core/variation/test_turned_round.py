@@ -63,9 +63,11 @@ def test_that_the_value_found_gives_what_is_required(wall, keys):
     assert found >= 2 * len(keys) - 1
 
 
-def test_that_histories_hold_in_the_run_at_what_is_found():
+@pytest.mark.parametrize("count", [3, pytest.param(7, marks=pytest.mark.long)])
+def test_that_histories_hold_in_the_run_at_what_is_found(count):
     wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa", "free_element")}
-    table = case_of(wall | {"unloaded_confirmed": True}, demand={"ag_g": 0.35}, generate={"scatter": 0.0, "count": 7})
+    generate = {"scatter": 0.0, "count": count}
+    table = case_of(wall | {"unloaded_confirmed": True}, demand={"ag_g": 0.35}, generate=generate)
     table["demand"]["spectrum"] = {**table["demand"]["spectrum"], "soil": "A"}
     table["analysis"] = {"q_step": 0.05}
     here = setting(table)
