@@ -55,8 +55,11 @@ def test_that_a_film_is_made_while_the_window_lives_and_can_be_cancelled(result,
     made = view.film(tmp_path / "f.gif")
     settle(application, made.job.isFinished)
     with Image.open(tmp_path / "f.gif") as film:
-        assert film.n_frames == made.count == 10 and film.info["duration"] == 50
-        assert max(film.size) <= 960
+        lasts = []
+        for k in range(film.n_frames):  # frames alike are one that lasts longer
+            film.seek(k)
+            lasts.append(film.info["duration"])
+        assert made.count == 10 and sum(lasts) == 500 and max(film.size) <= 960
     monkeypatch.setattr(client_view, "MOST_SECONDS", 20.0)
     cancelled = view.film(tmp_path / "g.gif")
     settle(application, lambda: cancelled.painted > 3)
