@@ -63,7 +63,7 @@ def test_that_a_film_is_made_while_the_window_lives_and_can_be_cancelled(result,
     monkeypatch.setattr(client_view, "MOST_SECONDS", 20.0)
     cancelled = view.film(tmp_path / "g.gif")
     settle(application, lambda: cancelled.painted > 3)
-    cancelled.dialog.cancel()
+    cancelled.dialog.canceled.emit()  # as its button
     settle(application, cancelled.job.isFinished)
     assert not (tmp_path / "g.gif").exists()
     view.close()
