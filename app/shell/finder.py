@@ -107,6 +107,12 @@ def _holds(one: Entry, words: list[str]) -> bool:
     return all(word in f"{one.words} {one.also}".lower() for word in words)
 
 
+def _rank(one: Entry, text: str, words: list[str]) -> tuple[bool, bool]:
+    """What begins with the text first, then what has its words, at last what only means the same."""
+    listed = one.words.lower()
+    return not listed.startswith(text), not all(word in listed for word in words)
+
+
 class Finder(QDialog):
     """A line to type into and what fits it: every word must be there, in any order."""
 
@@ -131,7 +137,7 @@ class Finder(QDialog):
     def _look(self, text: str) -> None:
         words = text.lower().split()
         self.fitting = [one for one in self.entries if _holds(one, words)]
-        self.fitting.sort(key=lambda one: not one.words.lower().startswith(text.lower()))
+        self.fitting.sort(key=lambda one: _rank(one, text.lower(), words))
         del self.fitting[MOST:]
         self.fitting += places_of(self.owner, text)
         self.list.clear()

@@ -38,6 +38,9 @@ MOST_ROWS, MOST_LINES = 5, 2
 """Rows of assumptions, and lines of what limits the verdict; all are on the page Answer."""
 
 
+WAITING = "…"
+"""Stands for what is on its way."""
+
 MOST_WALLS = 500
 """Walls of a case up to which the one of the form is run beside them."""
 
@@ -144,7 +147,7 @@ class LiveAnswer(Section):
             self.ladder.hide()
             self.say(tr("ζ follows once nothing is missing"))
             return
-        self.say("…")
+        self.say(WAITING)
         self.at_once.start()
 
     def showEvent(self, event) -> None:
@@ -288,7 +291,7 @@ class LiveAnswer(Section):
             self.job = None
             self._show_run()
             return
-        self.say("…")
+        self.say(WAITING)
         self._start(lambda job: turned(result, chosen, memory, job.cancelled), self._show_turned)
 
     def _show_turned(self, found: Evaluation | None) -> None:

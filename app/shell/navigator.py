@@ -162,7 +162,7 @@ class Navigator(QObject):
             self.stages.input.show_kind("wall")
             if self.stages.front == "input":
                 self.show_stage("input")
-            elif self.stages.front == "answer" and self.wall is not None:
+            elif self.stages.front == "answer" and (self.wall is not None or self._finished is not None):
                 self.show_page("check")
 
     def _wall_selected(self, row: int) -> None:
@@ -294,13 +294,24 @@ class Navigator(QObject):
 
     def fill(self, name: str) -> None:
         """A page, once per result and wall."""
-        page = self.pages[name]
+        page, part = self.pages[name], self._finished
         if name == "spectra":
             self.show_spectra()
+        elif name == "check" and part is not None:
+            content = page.content
+            assert isinstance(content, ResultTab)
+            content.show_wall(part, part.walls[part.verdicts[0].governing])
+            self.fresh.discard(page)
         elif self.wall is None and name in OF_A_RESULT:
             self.say_empty()
         elif page not in self.fresh and (self.wall is not None or page.made is None):
             self._show_wall(page)
+
+    @property
+    def _finished(self) -> StudyResult | None:
+        """The wall of the form, where it is judged while others run."""
+        part = self.runner.finished_results.get(self.walls.current) if self.runner.job is not None else None
+        return part if part is not None and part.verdicts else None
 
     def _show_wall(self, page: Page) -> None:
         content, result, wall = page.content, self.session.result, self.wall
@@ -312,7 +323,7 @@ class Navigator(QObject):
     def say_empty(self) -> None:
         """What brings something to show, where there is none."""
         page = self.page
-        if self.wall is None and page in OF_A_RESULT:
+        if self.wall is None and page in OF_A_RESULT and not (page == "check" and self._finished is not None):
             problem = next((one for one in self.missing.problems if one.stops), None)
             words = tr("Nothing to show yet. Press F5.")
             if problem is not None:
@@ -332,6 +343,7 @@ class Navigator(QObject):
         """Grey the page in front where its result is of an earlier input; Spectra shows the input as it is."""
         running = bool(self.runner.finished_walls) or self.left_case is not None
         live = self.page in (None, "spectra") or (self.page == "walls" and running)
+        live = live or (self.page == "check" and self._finished is not None)
         self.stages.veil.cover(self.session.stale and not live)
 
     def show_finished(self) -> None:
@@ -342,6 +354,12 @@ class Navigator(QObject):
         self.fresh.discard(self.pages["walls"])
         self.cover_pages()
 
+    def show_judged(self) -> None:
+        """The wall of the form may be judged while others run: its answer, where that is in front."""
+        if self.page == "check" and self._finished is not None:
+            self.fill("check")
+            self.cover_pages()
+
     def keep_finished(self) -> None:
         """What ran is cancelled: the walls that were finished stay in sight until the input changes."""
         from app.views.walls_tab import WallsTab
@@ -349,7 +367,7 @@ class Navigator(QObject):
         self.left_case = self.session.case
         self._tab("walls", WallsTab).say_cancelled()
         self.fresh.add(self.pages["walls"])
-        self.cover_pages()
+        self.show_result()
 
     def leave_finished(self) -> None:
         """What ran has failed, or the input has changed since: the last result again, or none."""

@@ -224,6 +224,7 @@ class MainWindow(QMainWindow):
         runner.told.connect(self.show_word)
         runner.progressed.connect(self._progressed)
         runner.found.connect(self._found)
+        runner.judged.connect(lambda: self.navigator.show_judged())
         runner.arrived.connect(self._arrived)
         runner.accuracy_stated.connect(lambda k, accuracy: self.navigator.show_accuracy(k, accuracy))
         runner.refused.connect(self._refused)

@@ -41,7 +41,7 @@ class Runner(QObject):
     case_starts : a case is about to run; started : a job has
     told(text, kind) : the word of the status line; kind : what it is about, for who may take it away again
     progressed(done, planned, words)
-    found : a wall has its verdict while others run
+    found, judged : a hinge of a wall, a wall has its verdict while others run
     arrived(result) : of the case, which is still the one of the session
     accuracy_stated(k, accuracy) : of the k-th result
     refused(sentence) : why the job brings nothing
@@ -53,6 +53,7 @@ class Runner(QObject):
     told = Signal(str, str)
     progressed = Signal(int, int, str)
     found = Signal()
+    judged = Signal()
     arrived = Signal(object)
     accuracy_stated = Signal(int, object)
     refused = Signal(str)
@@ -65,6 +66,8 @@ class Runner(QObject):
         self.job: Job | None = None
         self.to_end = self.cancelled = False
         self.finished_walls: list[WallResult] = []
+        self.finished_results: dict[int, StudyResult] = {}
+        """Row of a wall of what runs, all of which is there -> its results alone."""
         self.planned_results: dict[int, int] = {}
         """Row of a wall of what runs -> how many results it will have."""
         self.last_refusal: tuple[Case | None, InputError | None] = (None, None)
@@ -105,6 +108,7 @@ class Runner(QObject):
                 on_progress=job.progress,
                 cancelled=job.cancelled,
                 on_wall=job.found.emit,
+                on_finished=job.found.emit,
             ),
             arrived,
         )
@@ -126,7 +130,7 @@ class Runner(QObject):
         job.found.connect(unless_left(self._found))
         job.finished.connect(unless_left(self._ended))
         self._began, self._said, self.cancelled = time.monotonic(), None, False
-        self.finished_walls = []
+        self.finished_walls, self.finished_results = [], {}
         self.ticks.start()
         self.told.emit(tr("Running…"), "message")
         job.start()
@@ -145,9 +149,13 @@ class Runner(QObject):
             for row, found in of_row.items()
         }
 
-    def _found(self, wall: WallResult) -> None:
-        self.finished_walls.append(wall)
-        self.found.emit()
+    def _found(self, part: WallResult | StudyResult) -> None:
+        if isinstance(part, StudyResult):
+            self.finished_results[part.walls[0].part.origin] = part
+            self.judged.emit()
+        else:
+            self.finished_walls.append(part)
+            self.found.emit()
 
     def _progressed(self, done: int, planned: int, left: float | None) -> None:
         from core.jit import cache
@@ -181,7 +189,7 @@ class Runner(QObject):
     def _ended(self) -> None:
         self.ticks.stop()
         self.job, partly = None, bool(self.finished_walls)
-        self.finished_walls = []
+        self.finished_walls, self.finished_results = [], {}
         self.ended.emit(partly)
 
     def fail(self, sentence: str, log: str) -> None:

@@ -235,3 +235,25 @@ def test_that_the_walls_a_cancelled_run_has_finished_stay_until_the_input_change
     opened.navigator.show_page("walls")
     again = opened.pages["walls"].content
     assert "Cancelled" not in again.words.text() and again.table.rowCount() == 0
+
+
+def test_that_a_wall_that_is_judged_is_read_while_others_run(opened, application):
+    wall = opened.session.case.wall[0]
+    opened.session.edit(replace(opened.session.case, wall=(wall, replace(wall, name="second", height_m=5.5))))
+    opened.runner.finished_runs = Memory()
+    seen = []
+
+    def look() -> None:
+        if opened.runner.finished_results and not seen:
+            opened.walls.select(0)
+            opened.navigator.show_page("check")
+            tab = opened.pages["check"].content
+            seen.append((tab.heading.text(), opened.stages.veil.isVisible(), sorted(opened.runner.finished_results)))
+
+    opened.runner.judged.connect(look)
+    run(application, opened)
+    opened.runner.judged.disconnect(look)
+    ((heading, veiled, rows),) = seen
+    assert rows == [0] and not veiled
+    opened.navigator.pick(opened.navigator.results_of()[0][0])
+    assert heading == opened.pages["check"].content.heading.text() != ""
