@@ -132,7 +132,9 @@ def guide(folder: Path, small: Path | None) -> None:
                 window.navigator.show_page(page) if page in window.pages else window.navigator.show_input(page)
                 for key, section in window.walls.sections.items():  # of a body its shape
                     section.head.setChecked(key == "body" if name == "body_wall" else key in ("geometry", "mechanism"))
-                settle(application, lambda: True)
+                live = window.stages.input.live
+                live.unfold()
+                settle(application, lambda page=page, live=live: page != "wall" or live.result is not None)
                 path = folder / f"{name}_{language}.png"
                 picture(window, path)
                 Image.open(path).convert("RGB").quantize(128).save(path, optimize=True)
