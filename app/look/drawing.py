@@ -297,7 +297,7 @@ class WallDrawing(QWidget):
 
     def _draw_arrows(self, painter, place) -> None:
         """The loads, each with its size; dashed what is still to be given."""
-        half = 0.5 * known(self.size_of)[1]
+        half, taken = 0.5 * known(self.size_of)[1], []
         painter.setBrush(Qt.BrushStyle.NoBrush)
         for one in self.arrows:
             style = Qt.PenStyle.SolidLine if one.words else Qt.PenStyle.DashLine
@@ -306,9 +306,13 @@ class WallDrawing(QWidget):
             painter.drawPolyline(corners)
             if self.with_sizes:
                 painter.setPen(QColor(theme.current.ink))
-                wide = painter.fontMetrics().horizontalAdvance(one.words or "?")
+                metrics = painter.fontMetrics()
+                wide = metrics.horizontalAdvance(one.words or "?")
                 x = max(2.0, min(corners[0].x() - wide - 6.0, self.width() - wide - 2.0))
-                painter.drawText(QPointF(x, corners[0].y() - 4.0), one.words or "?")
+                area = QRectF(x, corners[0].y() - 4.0 - metrics.ascent(), wide, metrics.height())
+                if not any(area.intersects(other) for other in taken):  # of loads close together the first
+                    painter.drawText(QPointF(x, corners[0].y() - 4.0), one.words or "?")
+                    taken.append(area)
 
     def _draw_bars(self, painter, place) -> None:
         """The bars that hold a wall as it rocks: taut, slack (dashed), yielding (red, thick); none where one broke."""

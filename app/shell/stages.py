@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QSplitter,
     QStackedWidget,
     QStatusBar,
+    QStyle,
     QTabWidget,
     QVBoxLayout,
     QWidget,
@@ -169,7 +170,8 @@ class InputStage(QSplitter):
     def _share(self) -> None:
         kind = self.kind or "wall"
         forms, views = (self.width() * share // 100 for share in SHARES[kind])
-        needed = known(self.areas[kind].widget()).minimumSizeHint().width()
+        bar = self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent)
+        needed = known(self.areas[kind].widget()).minimumSizeHint().width() + bar
         self.setSizes([max(forms, needed), min(views, self.width() - needed)])
 
     def resizeEvent(self, event) -> None:

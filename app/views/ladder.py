@@ -26,6 +26,9 @@ class Rung(NamedTuple):
 ROOM = 1.25
 """Length of the axis over the zeta required or the largest bar."""
 
+LEAST_BARS = 60.0
+"""Room that bars need beside what is compared [px]."""
+
 MOST = 2.5
 """Times the zeta required that the axis shows: beyond it a bar ends at the edge, and its number says more."""
 
@@ -85,6 +88,9 @@ class Ladder(QWidget):
         small, bold = self._fonts()
         names, zetas, values = self._columns()
         left, right = names + 22.0, self.width() - values - 8.0
+        with_values = right - left - zetas >= LEAST_BARS
+        if not with_values:  # the tip has them
+            right = self.width() - 8.0
         known = [rung.zeta for rung in self.rungs if rung.zeta is not None]
         end = ROOM * max(self.target, min(max(known, default=0.0), MOST * self.target))
         per_zeta = max(right - left - zetas, 10.0) / end
@@ -113,6 +119,8 @@ class Ladder(QWidget):
             if at.x() - 4.0 < line < at.x() + wide + 4.0:  # beside the line, not on it
                 at.setX(line + 5.0)
             painter.drawText(at, words)
+            if not with_values:
+                continue
             painter.setFont(self.font())
             painter.setPen(quiet)
             place = QRectF(right, bar.top(), values, bar.height())
