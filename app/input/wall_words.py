@@ -169,6 +169,8 @@ def differences(case: Case, wall: Wall) -> list[str]:
 def shape_words(wall: Wall) -> list[str]:
     """What makes a wall another shape than a rectangle."""
     forms = [] if wall.gable_m is None else [tr("gable {z} m", z=number(wall.gable_m, "g"))]
+    if wall.out_of_plumb_m:
+        forms.append(tr("out of plumb {f} cm", f=number(100.0 * wall.out_of_plumb_m, "g")))
     for key, one, many in (
         ("openings", tr("1 opening"), tr("{n} openings", n=len(wall.openings))),
         ("steps", tr("1 step"), tr("{n} steps", n=len(wall.steps))),

@@ -232,7 +232,7 @@ def with_solids(wall: Wall, made: Sequence[dict], sizes: bool) -> Wall:
     if "thickness_m" in values:
         others = ("slenderness_deg", "height_over_thickness", "radius_m", "inertia_over_mass_m2")
         values |= dict.fromkeys(others)
-    return replace(wall, solid=solids, drawing=(), gable_m=None, openings=(), steps=(), **values)
+    return replace(wall, solid=solids, drawing=(), gable_m=None, openings=(), steps=(), out_of_plumb_m=None, **values)
 
 
 def sum_of_solids(solids: Sequence[Solid], weight: float) -> tuple[float, Body]:

@@ -16,7 +16,7 @@ def check_held_top(wall: Wall) -> None:
     if not wall.bends:
         return
     here = (place("wall", name=wall.name),)
-    for key in ("solid", "return_wedges", "gable_m"):
+    for key in ("solid", "return_wedges", "gable_m", "out_of_plumb_m"):
         if getattr(wall, key):
             raise InputError("bending_rectangle", place=here, key=key)
     for key in OF_HISTORIES:

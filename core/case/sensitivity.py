@@ -24,6 +24,7 @@ class Ranges:
     thickness_factor : and of the distances of its loads from its outer face
     load_factor : of all loads but ties
     setback_m : added to the hinge setback [m]
+    out_of_plumb_m : added outward for each storey of the height of a wall of rectangular outline [m]
     velocity_ratio_factor : of the theoretical velocity ratio, of Eq. 4 or 6
     modulus_factor : of the modulus that T_0 follows from
     building_period_factor, building_damping_factor : of the building that carries the wall
@@ -36,6 +37,7 @@ class Ranges:
     unit_weight_factor: tuple[float, float] = factors_key(0.9, 1.1)
     load_factor: tuple[float, float] = factors_key(0.8, 1.2)
     setback_m: tuple[float, float] = key("setbacks", (0.0, 0.03))
+    out_of_plumb_m: tuple[float, float] = key("setbacks", (0.0, 0.02))
     velocity_ratio_factor: tuple[float, float] = factors_key(0.9, 1.0)
     modulus_factor: tuple[float, float] = factors_key(0.5, 2.0)
     building_period_factor: tuple[float, float] = factors_key(0.8, 1.2)

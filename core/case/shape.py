@@ -12,7 +12,7 @@ from core.wall.solids import Part, top_of
 ANGLES = {"elevation": 0.5 * math.pi, "section": 0.0}
 """Angles of the planes of solids from the direction of motion [rad]."""
 
-SHORT_FORMS = ("gable_m", "openings", "steps")
+SHORT_FORMS = ("gable_m", "openings", "steps", "out_of_plumb_m")
 """Keys that make a wall another shape, in place of solids."""
 
 FLUSH = {"outer": 0.0, "inner": 1.0, "middle": 0.5}
@@ -32,6 +32,7 @@ class Shaped:
     gable_m: float | None
     openings: tuple[Opening, ...]
     steps: tuple[Step, ...]
+    out_of_plumb_m: float | None
     return_wedges: Wedges | None
 
     @property
@@ -98,11 +99,21 @@ class Shaped:
         for k, (low, thickness, flush) in enumerate(steps):
             high = steps[k + 1][0] if k + 1 < len(steps) else top
             start = FLUSH[flush] * (base - thickness)
+            if self.out_of_plumb_m:
+                corners = self._leaning(start, thickness, low, high)
+                found.append(Part(corners, (0.0, length), 0.0, 0.0, weight, "section"))
+                continue
             for corners, sign in [(outline, 1.0), *((opening.corners, -1.0) for opening in self.openings)]:
                 if polygon := _between(corners, low, high):
                     angle = ANGLES["elevation"]
                     found.append(Part(polygon, (0.0, thickness), angle, start, sign * weight, "elevation"))
         return found
+
+    def _leaning(self, start: float, thickness: float, low: float, high: float) -> tuple[tuple[float, float], ...]:
+        """Section between two heights of a wall whose top is out of plumb, outward [m]."""
+        lean = known(self.out_of_plumb_m) / known(self.height_m)
+        corners = ((start, low), (start + thickness, low), (start + thickness, high), (start, high))
+        return tuple((x - lean * z, z) for x, z in corners)
 
     def _is_rectangle(self, parts: tuple[Part, ...], weight: float) -> bool:
         if len(parts) != 1 or parts[0].weight != weight or len(parts[0].polygon) != 4:

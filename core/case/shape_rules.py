@@ -8,6 +8,7 @@ from core.case.solids import Solid
 from core.case.wall import Wall
 from core.errors import InputError, place
 from core.known import known
+from core.text.sentence import Key
 from core.wall.body import crossing, directions, polygon_sums, shared_area
 from core.wall.masonry import base_length
 from core.wall.solids import Part, faces_at, sum_of, top_of
@@ -124,6 +125,10 @@ def _check_short(wall: Wall, here) -> None:
         given = [key for key in ("width_m", "height_m", "diameter_m") if getattr(opening, key) is not None]
         if given not in (["width_m", "height_m"], ["diameter_m"]):
             raise InputError("opening_shape", place=here, key="openings", n=number)
+    if wall.out_of_plumb_m:
+        for key in ("gable_m", "openings", "return_wedges"):
+            if getattr(wall, key):
+                raise InputError("plumb_refuses", place=here, key="out_of_plumb_m", other=Key(key))
     wedges = wall.return_wedges
     if wedges is not None and wedges.from_z_m >= wall.shoulder:
         raise InputError("wedge_above", place=here, key="from_z_m", found=wedges.from_z_m, most=wall.shoulder)

@@ -16,6 +16,7 @@ from core.codes.floor_spectrum import estimated_period
 from core.codes.outcomes import OUTCOMES, PASSES, least
 from core.codes.record_sample import RecordPeaks, one_left_out
 from core.errors import InputError
+from core.known import known
 from core.setting.demand_input import with_ag
 from core.setting.floors import damaged
 from core.setting.plan import Floors
@@ -26,6 +27,9 @@ from core.variation.whole_wall import NONE, Setting, WholeWall, evaluate_wall, w
 
 DAMPINGS = (0.01, 0.30)
 """Dampings of a building that a case accepts."""
+
+STOREY = 3.0
+"""Height [m] for which the default of [sensitivity] leans by 2 cm."""
 
 FALLS_AT_REST = "unstable_under_loads"
 """Error of a wall that falls without an earthquake: it has no zeta. What is refused for another reason is not moved."""
@@ -96,12 +100,23 @@ def _of_wall(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | No
     if wall.thickness is not None:
         values = [wall.setback + added for added in ranges.setback_m if added]
         yield "setback_m", wall.setback, ends(values, lambda value: set_back(wall, value))
+    if _may_lean(wall):
+        given, storeys = wall.out_of_plumb_m or 0.0, max(1.0, known(wall.height_m) / STOREY)
+        values = [given + storeys * added for added in ranges.out_of_plumb_m if added]
+        yield "out_of_plumb_m", given, ends(values, lambda value: replace(wall, out_of_plumb_m=value))
     if (given := wall.elastic_modulus_mpa) is not None:
         values = [factor * given for factor in _others(ranges.modulus_factor)]
         yield "modulus_factor", given, ends(values, lambda value: replace(wall, elastic_modulus_mpa=value))
     if setting.has_histories:
         factors = list(ranges.velocity_ratio_factor)
         yield "velocity_ratio_factor", None, ends(factors, lambda factor: of_theory(wall, factor))
+
+
+def _may_lean(wall: Wall) -> bool:
+    """Whether a wall may be moved out of plumb: of a body by its solids, and of one held at its top, none is known."""
+    sizes = wall.height_m, wall.thickness, wall.length_m, wall.unit_weight_kn_m3
+    shaped = wall.solid or wall.gable_m or wall.openings or wall.return_wedges or wall.return_walls
+    return not (shaped or wall.bends or None in sizes)
 
 
 def _with(wall: Wall, setting: Setting) -> Setting:

@@ -11,6 +11,7 @@ SWING_FORMATS = {
     "unit_weight_factor": ("moved_unit_weight", 1.0, ".3g"),
     "load_factor": ("moved_loads", 100.0, ".0f"),
     "setback_m": ("moved_setback", 100.0, ".2g"),
+    "out_of_plumb_m": ("moved_plumb", 100.0, ".2g"),
     "velocity_ratio_factor": ("moved_velocity_ratio", 1.0, ".2f"),
     "modulus_factor": ("moved_modulus", 1.0, ".4g"),
     "building_period_factor": ("moved_building_period", 1.0, ".2f"),
