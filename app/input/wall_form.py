@@ -7,6 +7,7 @@ from typing import Any
 from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QFont, QFontMetrics, QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QGridLayout, QMessageBox, QToolButton, QVBoxLayout, QWidget
+from shiboken6 import isValid
 
 from app.input.body_form import BodyForm
 from app.input.editors import Choice
@@ -71,6 +72,8 @@ class WallForm(WallEditor):
         self.drawing.picked.connect(self._picked_in_drawing)
         self.drawing.moved.connect(self._moved_in_drawing)
         self.drawing.asked.connect(self._asked_in_drawing)
+        self.in_place: InPlace | None = None
+        self.changed_in_place: LineField | None = None
         self.summary = Plain()
         self.summary.setWordWrap(True)
         self.differs = Plain()
@@ -123,6 +126,7 @@ class WallForm(WallEditor):
             self.body.show_case,
             self.reasons.show_case,
             self._show_contents,
+            self._follow_in_place,
         )
 
     # building
@@ -197,6 +201,7 @@ class WallForm(WallEditor):
         for group in self.findChildren(OptionalGroup):
             group.forget()
         self.body.forget()
+        self._follow_in_place(True)
         self.former, self.shown = (None, None), (None, 0)
 
     def show_case(self) -> None:
@@ -363,22 +368,33 @@ class WallForm(WallEditor):
         self._field_in_drawing(kind, k).editor.setFocus()
 
     def _asked_in_drawing(self, kind: str, k: int, area: QRectF) -> None:
-        """What was clicked twice is changed there, as if it were typed into its field."""
+        """What was clicked twice is changed there, as if it were typed into its field; what no field has is not."""
         field = self._field_in_drawing(kind, k)
-        if not isinstance(field, LineField) or field.isHidden():  # of bars, say, whose force follows
+        drawn = {"height": "height_m", "thickness": "thickness_m", "load": "kn_m", "hinge": "hinge_heights"}[kind]
+        if field.key != drawn or not isinstance(field, LineField) or field.isHidden():
             return
         field.editor.entered.emit()
-        line = InPlace(self.drawing, area, field.text, field.caption.text())
+        before = field.text
+        line = self.in_place = InPlace(self.drawing, area, before, field.caption.text(), field.unit)
+        self.changed_in_place = field
 
         def typed(text: str) -> bool:
             field.type_again(text)
             return not field.wrong
 
         def given_up() -> None:
+            if field.text != before:
+                field.type_again(before)
             if field.wrong:
                 field.revert()
 
         line.typed, line.given_up = typed, given_up
+
+    def _follow_in_place(self, whatever: bool = False) -> None:
+        """Close the line in the drawing where its field holds something else now, or for another wall (whatever)."""
+        line, field = self.in_place, self.changed_in_place
+        if line is not None and isValid(line) and field is not None and (whatever or field.text != line.text()):
+            line.close_it()
 
     def _moved_in_drawing(self, k: int, height: float) -> None:
         """A load was dragged to another height."""

@@ -6,26 +6,38 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from app.look import theme
+from app.look.labels import Plain
 
-WIDTH = 90
-"""Of the line [px]."""
+WIDTH = 70
+"""Of its text [px]."""
 
 
 class InPlace(QLineEdit):
     """Each letter goes to `typed`, which returns whether it is accepted; Enter or a click elsewhere closes it, Esc
-    calls `given_up` where what stands there is refused."""
+    calls `given_up` before.
 
-    def __init__(self, over: QWidget, area: QRectF, text: str, name: str):
+    name, unit : of what is changed, which stand within it
+    """
+
+    def __init__(self, over: QWidget, area: QRectF, text: str, name: str, unit: str):
         super().__init__(text, over)
         self.setAccessibleName(name)
         self.typed: Callable[[str], bool] = lambda text: True
         self.given_up: Callable[[], None] = lambda: None
+        self.is_closed = False
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
-        middle = area.center().toPoint()
-        high = self.sizeHint().height()
-        left = max(0, min(middle.x() - WIDTH // 2, over.width() - WIDTH))
+        middle, high = area.center().toPoint(), self.sizeHint().height()
+        before, behind = Plain(name, self), Plain(unit, self)
+        sides = [label.sizeHint().width() + 6 for label in (before, behind)]
+        wide = min(sum(sides) + WIDTH, over.width())
+        self.setTextMargins(sides[0], 0, sides[1], 0)
+        left = max(0, min(middle.x() - wide // 2, over.width() - wide))
         top = max(0, min(middle.y() - high // 2, over.height() - high))
-        self.setGeometry(left, top, WIDTH, high)
+        self.setGeometry(left, top, wide, high)
+        before.setGeometry(4, 0, sides[0], high)
+        behind.setGeometry(wide - sides[1], 0, sides[1], high)
+        for label in (before, behind):
+            label.setStyleSheet(f"color: {theme.current.quiet};")
         self.textEdited.connect(self._typed)
         self.editingFinished.connect(self.close_it)
         self.show()
@@ -34,7 +46,7 @@ class InPlace(QLineEdit):
 
     def _typed(self, text: str) -> None:
         accepted = self.typed(text)
-        self.setStyleSheet("" if accepted else f"border: 1px solid {theme.current.bad};")
+        self.setStyleSheet("" if accepted else f"InPlace {{ border: 1px solid {theme.current.bad}; }}")
 
     def keyPressEvent(self, event) -> None:
         if event.key() == Qt.Key.Key_Escape:
@@ -44,6 +56,7 @@ class InPlace(QLineEdit):
         super().keyPressEvent(event)
 
     def close_it(self) -> None:
-        self.editingFinished.disconnect(self.close_it)
-        self.hide()
-        self.deleteLater()
+        if not self.is_closed:
+            self.is_closed = True
+            self.hide()
+            self.deleteLater()

@@ -8,6 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QProgressDialog, QWidget
+from shiboken6 import isValid
 
 from app.look.language import tr
 from app.work.worker import Job
@@ -79,7 +80,9 @@ class Film(QObject):
             job.commit()
             atomic_write.write({path: content})
 
+        self.failed = failed
         self.job = Job(work)
+        view.destroyed.connect(self.job.cancel)
         self.job.progressed.connect(lambda done, *_: self.dialog.setValue(min(done, count - 1)))
         self.job.failed.connect(lambda sentence, _: failed(sentence))
         self.job.finished.connect(self._end)
@@ -96,10 +99,18 @@ class Film(QObject):
                 self.timer.stop()
                 self.pictures.put(None)
                 return
-            self.pictures.put(self.picture(self.painted))
+            try:
+                self.pictures.put(self.picture(self.painted))
+            except Exception as error:  # of a view that is no more, say: the film must end, and say so
+                self.timer.stop()
+                self.job.cancel()
+                self.failed(f"{type(error).__name__}: {error}")
+                return
             self.painted += 1
 
     def _end(self) -> None:
+        if not isValid(self) or not isValid(self.dialog):  # they went with the view
+            return
         self.timer.stop()
         self.dialog.canceled.disconnect(self.job.cancel)
         self.dialog.close()

@@ -1,8 +1,10 @@
 """Below the drawing of the input: the checks of the wall at every key, its verdict and what raises it when the hand
 rests."""
 
+import contextlib
 import os
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, QTimer
@@ -11,12 +13,14 @@ from PySide6.QtWidgets import QCheckBox, QGridLayout, QWidget
 
 from app.look import theme
 from app.look.labels import Plain, Rich, plain
-from app.look.language import current_language, described, number, tr
+from app.look.language import called, current_language, described, number, tr
 from app.look.section import Section
 from app.views.answer_lines import limits, to_do, verdict_color
 from app.views.ladder import Ladder, Rung
 from app.views.zeta_rungs import rung_of, rungs_of
 from app.work.worker import Job
+from core.capacity.limit_states import LIMIT_FRACTION
+from core.case.schema import Case
 from core.codes.assumption import TOGETHER, Assumption, shown
 from core.codes.verdict import Verdict
 from core.errors import InputError
@@ -43,6 +47,18 @@ WAITING = "…"
 
 MOST_WALLS = 500
 """Walls of a case up to which the one of the form is run beside them."""
+
+
+def _files_of(case: Case | None, base_dir: Path) -> tuple:
+    """State of the files that the demand is read from, which another program may change."""
+    demand = case.demand if case else None
+    names = [name for name in (demand.spectrum_file, demand.hazard_file) if name] if demand else []
+    found = []
+    for name in names:
+        with contextlib.suppress(OSError):
+            status = (base_dir / name).stat()
+            found.append((status.st_mtime_ns, status.st_size))
+    return tuple(found)
 
 
 class Swing(QWidget):
@@ -131,7 +147,7 @@ class LiveAnswer(Section):
         self.setVisible(given.kind in KINDS and bool(session.case.wall) and session.case.demand is not None)
         runs = self.head.isChecked() and self.isVisible() and window.runner.job is None
         row = window.walls.current
-        at = (case, session.base_dir, row, session.samples) if runs else None
+        at = (case, session.base_dir, row, (session.samples, _files_of(case, session.base_dir))) if runs else None
         if at == self.at:
             return
         self.at = at
@@ -139,10 +155,12 @@ class LiveAnswer(Section):
             self.row = row
             self.body.setMinimumHeight(0)
         self._leave()
-        if at is None:
-            return
         self._show_rows([], None)
         self.lines.setText("")
+        self.ladder.hide()
+        if at is None:  # nothing of another input stays in sight
+            self.say()
+            return
         if case is None or case.demand is None:
             self.ladder.hide()
             self.say(tr("ζ follows once nothing is missing"))
@@ -192,7 +210,8 @@ class LiveAnswer(Section):
             self.ladder.hide()
             self.say(described(error))
             return
-        awaited = bool(case.record or case.generate or case.default_histories) and not case.wall[0].bends
+        asked = case.record or case.generate or case.select or case.default_histories
+        awaited = bool(asked) and not case.wall[0].bends and demand.limit_state in LIMIT_FRACTION
         self._show_checks(rungs_of(found, demand.q_code, None, {}, False, awaited), demand.zeta_target)
         if case.select is not None or len(whole.wall) > MOST_WALLS:
             self.say(tr("histories with a run (F5)"))
@@ -214,7 +233,7 @@ class LiveAnswer(Section):
     def _start(self, work, arrived) -> None:
         job = self.job = Job(work)
         job.done.connect(lambda found: arrived(found) if self.job is job else None)
-        job.failed.connect(lambda words, _: self.say(words) if self.job is job else None)
+        job.failed.connect(lambda words, log: self.say(f"{words} {log}".strip()) if self.job is job else None)
         job.start()
 
     def _arrived(self, result: StudyResult) -> None:
@@ -222,9 +241,12 @@ class LiveAnswer(Section):
         wall = result.walls[result.verdicts[0].governing]
         verdict = known(wall.assessment).verdict
         self._show_run()
-        self._show_rows([row for row in verdict.assumptions if row.key != TOGETHER], verdict)
+        told = [row for row in verdict.assumptions if row.key != TOGETHER and row.check in ("", verdict.governing)]
+        self._show_rows(told, verdict)
         warnings = [one.text(language) for one in wall.warnings if one.code != "variant_alone"]
         said = [*to_do(result, wall, language), *limits(result, wall, language, warnings)]
+        if known(self.at)[0].sensitivity is not None:
+            said.insert(0, tr("[sensitivity] is not in this answer: F5."))
         more = [tr("{n} more", n=len(said) - MOST_LINES)] if len(said) > MOST_LINES else []
         self.lines.setText("<br>".join([*said[:MOST_LINES], *more]))
         self._keep_height()
@@ -237,7 +259,7 @@ class LiveAnswer(Section):
         verdict, language = assessment.verdict, current_language()
         rungs = [rung_of(check, check.name == verdict.governing, assessment.dynamic) for check in assessment.checks]
         self._show_checks(rungs, verdict.zeta_target)
-        self._say(word(verdict.code, language), verdict.zeta_e, verdict_color(result, wall))
+        self._say(f"{called(wall.name)}: {word(verdict.code, language)}", verdict.zeta_e, verdict_color(result, wall))
 
     def _say(self, outcome: str, zeta: float | None, shade: str) -> None:
         """An outcome in the head, in its colour."""

@@ -18,7 +18,6 @@ from app.views.result_tab import ResultTab
 from app.work.runner import Runner
 from app.work.session import Session
 from core.capacity.accuracy import Accuracy
-from core.case.schema import Case
 from core.case.sensitivity import Ranges
 from core.case.wall import Wall
 from core.errors import InputError
@@ -47,7 +46,7 @@ class Navigator(QObject):
     """Brings stages, pages and walls to the front.
 
     shown : index of the result that is shown, -1 without one; fresh : pages that show it
-    left_case : of a run that was cancelled, whose finished walls are in sight
+    parts : pages that show walls that were finished, of a case that runs or was cancelled
     staged : another stage is in front; moved : another wall, result or page of it; run_asked : by an answer or a notice
     """
 
@@ -63,7 +62,7 @@ class Navigator(QObject):
         self.walls, self.demand = stages.input.walls, stages.input.demand
         self.records, self.missing = stages.input.records, stages.input.missing
         self.shown = -1
-        self.left_case: Case | None = None
+        self.parts: set[str] = set()
         self.fresh: set[QWidget] = set()
         self._known_rows: tuple[StudyResult | None, tuple[Wall, ...], dict[int, list[int]]] = (None, (), {})
         header.staged.connect(self.show_stage)
@@ -265,6 +264,12 @@ class Navigator(QObject):
         self.show_page("histories")
         self._tab("histories", HistoriesTab).show_run(run)
 
+    def pick_row(self, row: int) -> None:
+        """Show the answer of a wall that is judged while others run."""
+        self.walls.select(row)
+        if self._finished is not None:
+            self.show_page("check")
+
     def pick_input(self, k: int) -> None:
         """Show the input of the wall of the k-th result."""
         self._pick(k)
@@ -302,15 +307,18 @@ class Navigator(QObject):
             assert isinstance(content, ResultTab)
             content.show_wall(part, part.walls[part.verdicts[0].governing])
             self.fresh.discard(page)
+            self.parts.add(name)
         elif self.wall is None and name in OF_A_RESULT:
+            self.parts.discard(name)
             self.say_empty()
         elif page not in self.fresh and (self.wall is not None or page.made is None):
+            self.parts.discard(name)
             self._show_wall(page)
 
     @property
     def _finished(self) -> StudyResult | None:
-        """The wall of the form, where it is judged while others run."""
-        part = self.runner.finished_results.get(self.walls.current) if self.runner.job is not None else None
+        """The wall of the form, where it was judged by what runs or was cancelled, and is as it was then."""
+        part = self.runner.finished_results.get(self.walls.current) if self.runner.is_of_input else None
         return part if part is not None and part.verdicts else None
 
     def _show_wall(self, page: Page) -> None:
@@ -341,9 +349,10 @@ class Navigator(QObject):
 
     def cover_pages(self) -> None:
         """Grey the page in front where its result is of an earlier input; Spectra shows the input as it is."""
-        running = bool(self.runner.finished_walls) or self.left_case is not None
-        live = self.page in (None, "spectra") or (self.page == "walls" and running)
-        live = live or (self.page == "check" and self._finished is not None)
+        if self.page in self.parts:
+            self.stages.veil.cover(not self.runner.is_of_input)
+            return
+        live = self.page in (None, "spectra")
         self.stages.veil.cover(self.session.stale and not live)
 
     def show_finished(self) -> None:
@@ -352,6 +361,7 @@ class Navigator(QObject):
 
         self._tab("walls", WallsTab).show_running(self.runner.finished_walls, self.runner.zetas_so_far())
         self.fresh.discard(self.pages["walls"])
+        self.parts.add("walls")
         self.cover_pages()
 
     def show_judged(self) -> None:
@@ -364,17 +374,18 @@ class Navigator(QObject):
         """What ran is cancelled: the walls that were finished stay in sight until the input changes."""
         from app.views.walls_tab import WallsTab
 
-        self.left_case = self.session.case
+        self.show_finished()
         self._tab("walls", WallsTab).say_cancelled()
         self.fresh.add(self.pages["walls"])
         self.show_result()
 
     def leave_finished(self) -> None:
         """What ran has failed, or the input has changed since: the last result again, or none."""
-        self.left_case = None
-        self.fresh.discard(self.pages["walls"])
-        if self.session.result is None:
-            self.pages["walls"].empty()
+        self.parts = set()
+        for name in ("walls", "check"):
+            self.fresh.discard(self.pages[name])
+            if self.session.result is None:
+                self.pages[name].empty()
         self.show_result()
 
     def state_accuracy(self) -> None:
@@ -390,7 +401,7 @@ class Navigator(QObject):
 
     def take(self, result: StudyResult | None) -> None:
         """A result of study.run in the place of the last one; None while there is none."""
-        self.session.result, self.left_case = result, None
+        self.session.result, self.parts = result, set()
         self.fresh.clear()
         if result is None:
             self.shown = -1

@@ -26,6 +26,7 @@ def pages(
 
         tab = WallsTab(language)
         tab.picked.connect(navigator().pick)
+        tab.row_picked.connect(navigator().pick_row)
         return tab
 
     def check() -> QWidget:

@@ -194,6 +194,8 @@ class MainWindow(QMainWindow):
         if chosen is not None:
             self.tree.select(chosen.key)
         self.navigator.shown = shown
+        if self.runner.finished_walls and self.runner.job is None:
+            self.navigator.keep_finished()
         self.refresh()
         refused.type_into(self)
         if page is not None:
@@ -291,9 +293,10 @@ class MainWindow(QMainWindow):
 
     def _ended(self, partly: bool) -> None:
         self.stages.bar.setFormat("")
-        if partly and self.runner.cancelled:
+        if partly and self.runner.cancelled and self.runner.is_of_input:
             self.navigator.keep_finished()
         elif partly:
+            self.runner.forget_finished()
             self.navigator.leave_finished()
         self.show_running(False)
         self.refresh()
@@ -324,8 +327,8 @@ class MainWindow(QMainWindow):
 
     def _show_stale(self) -> None:
         Table.stale = self.session.stale
-        left = self.navigator.left_case
-        if left is not None and left is not self.session.case:
+        if self.navigator.parts and self.runner.job is None and not self.runner.is_of_input:
+            self.runner.forget_finished()
             self.navigator.leave_finished()
         self.navigator.cover_pages()
 
@@ -354,7 +357,9 @@ class MainWindow(QMainWindow):
         self.navigator.say_empty()
 
     def _show_tree(self) -> None:
-        finished = self.runner.zetas_so_far() if self.runner.job is not None and self.runner.finished_walls else None
+        runner = self.runner
+        so_far = runner.job is not None and runner.finished_walls and runner.is_of_input
+        finished = runner.zetas_so_far() if so_far else None
         state = tree.State(
             self.session.case,
             self.session.result,
@@ -373,7 +378,11 @@ class MainWindow(QMainWindow):
         given = self.stages.input
         if self.navigator.page == "spectra":
             self.navigator.show_spectra()
-        elif self.stages.front == "input" and given.kind == "records" and self.records.motions:
+        elif (
+            self.stages.front == "input"
+            and given.kind == "records"
+            and (self.records.motions or given.spectra.made is not None)
+        ):
             self.navigator.show_spectra(given.spectra)
 
     def show_recent(self) -> None:

@@ -263,7 +263,7 @@ class HistoriesTab(ResultTab):
         shown += [(self.second, self.second_step)] if self.second is not None else []
         if all(one.outcome == COLLAPSED for one, _ in shown):
             end = min(end, AFTER_FALL * max((one.rotation.size - 1) * step for one, step in shown))
-        if abs(end / self.until - 1.0) > OTHER_FALL:
+        if end > self.until or end < (1.0 - OTHER_FALL) * self.until:
             self._show_until(end)
 
     @property

@@ -56,15 +56,16 @@ def method_of(wall: WallResult, language: str) -> str:
 
 
 class WallsTab(ResultTab):
-    """One row a wall and mechanism. picked(k) : the row of the result's k-th wall was clicked twice, its name once."""
+    """One row a wall and mechanism. picked(k) : the row of the result's k-th wall was clicked twice, its name once;
+    row_picked(row) : of a wall of the case, of those that are finished while others run"""
 
-    picked = Signal(int)
+    picked, row_picked = Signal(int), Signal(int)
 
     def __init__(self, language: str):
         super().__init__()
         self.language = language
         self.order: list[int] = []
-        self.finished = 0
+        self.finished, self.finished_rows = 0, []
         self.shown: tuple[StudyResult, WallResult] | None = None
         self.by, self.falling = ZETA, False
         self.words = Plain(tr("No result yet: press F5.") + "\n\n" + "\n".join(steps()))
@@ -196,7 +197,8 @@ class WallsTab(ResultTab):
         self.words.setText(tr("Running, walls finished: {n}", n=self.finished))
         rows, seen = [], set()
         zeta = {id(wall): values_of(wall, None, None)["zeta_e"] for wall in walls}
-        for wall in sorted(walls, key=lambda wall: (zeta[id(wall)] is None, zeta[id(wall)] or 0.0)):
+        ordered = sorted(walls, key=lambda wall: (zeta[id(wall)] is None, zeta[id(wall)] or 0.0))
+        for wall in ordered:
             k = wall.part.origin
             if k in seen:
                 continue
@@ -204,6 +206,7 @@ class WallsTab(ResultTab):
             rows.append(self._row(wall, None, None))
             if not zetas[k][1]:
                 rows[-1][ZETA : ZETA + 2] = [f"≤ {rows[-1][ZETA]}", "…"]
+        self.finished_rows = list(dict.fromkeys(one.part.origin for one in ordered))
         self.table.show_rows(rows, [[None] * len(row) for row in rows])
 
     def say_cancelled(self) -> None:
@@ -213,3 +216,5 @@ class WallsTab(ResultTab):
     def _picked(self, row: int) -> None:
         if row < len(self.order):
             self.picked.emit(self.order[row])
+        elif not self.order and row < len(self.finished_rows):
+            self.row_picked.emit(self.finished_rows[row])

@@ -68,6 +68,8 @@ class Runner(QObject):
         self.finished_walls: list[WallResult] = []
         self.finished_results: dict[int, StudyResult] = {}
         """Row of a wall of what runs, all of which is there -> its results alone."""
+        self.case: Case | None = None
+        """That runs, or was cancelled: what was finished of it stays until another starts."""
         self.planned_results: dict[int, int] = {}
         """Row of a wall of what runs -> how many results it will have."""
         self.last_refusal: tuple[Case | None, InputError | None] = (None, None)
@@ -85,6 +87,7 @@ class Runner(QObject):
         generation, made = self.session.generation, self.finished_runs.analyses
         base = self.session.base_dir
         self.planned_results = dict(enumerate(results_by_wall(case)))
+        asked = case
 
         def arrived(result: StudyResult) -> None:
             if generation != self.session.generation:
@@ -112,6 +115,7 @@ class Runner(QObject):
             ),
             arrived,
         )
+        self.case = asked
 
     def start(self, work: Callable[[Job], Any], arrived: Callable[[Any], None], to_end: bool = False) -> None:
         """Work off this thread, one at a time; `arrived(result)` unless it is cancelled before. to_end : the
@@ -130,7 +134,7 @@ class Runner(QObject):
         job.found.connect(unless_left(self._found))
         job.finished.connect(unless_left(self._ended))
         self._began, self._said, self.cancelled = time.monotonic(), None, False
-        self.finished_walls, self.finished_results = [], {}
+        self.finished_walls, self.finished_results, self.case = [], {}, None
         self.ticks.start()
         self.told.emit(tr("Running…"), "message")
         job.start()
@@ -189,8 +193,18 @@ class Runner(QObject):
     def _ended(self) -> None:
         self.ticks.stop()
         self.job, partly = None, bool(self.finished_walls)
-        self.finished_walls, self.finished_results = [], {}
+        if not self.cancelled:
+            self.forget_finished()
         self.ended.emit(partly)
+
+    def forget_finished(self) -> None:
+        """What was finished of a run that ended otherwise is of no use any more."""
+        self.finished_walls, self.finished_results, self.case = [], {}, None
+
+    @property
+    def is_of_input(self) -> bool:
+        """Whether what runs, or was cancelled, is the case as it stands."""
+        return self.case is not None and self.case == self.session.checked()
 
     def fail(self, sentence: str, log: str) -> None:
         """Tell why there is no result. log : file with the details, empty for wrong input"""

@@ -55,6 +55,7 @@ class Assumption:
     turns_q : the other end turns the check with q of the code alone
     permitted : by a clause, without a reason: the outcome stands, and its sentence says what would turn it
     raises : zeta is lower at the other end
+    check : name of the check whose zeta this is; "" of the one that decides
     """
 
     key: str
@@ -69,6 +70,7 @@ class Assumption:
     turns_q: bool = False
     permitted: bool = False
     raises: bool = True
+    check: str = ""
 
     @property
     def has_switch(self) -> bool:

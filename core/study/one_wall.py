@@ -6,6 +6,7 @@ from pathlib import Path
 
 from core.case.schema import Case
 from core.codes.assumption import Assumption
+from core.codes.outcomes import worst
 from core.jit import cache
 from core.known import known
 from core.setting.plan import longest_of, plan_of, read_inputs
@@ -53,16 +54,22 @@ def turned(
     journal: Journal | Memory | None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Evaluation | None:
-    """The hinge that decides about the wall of a result of `run_wall`, with these rows at their other ends; None where
-    it does not stand there.
+    """The hinge of the wall of a result of `run_wall` that decides with these rows at their other ends, each hinge at
+    the ends of its own table; None where it does not stand there.
 
-    rows : of the table of that hinge, that have a switch
+    rows : of the table of the wall, that have a switch
     journal : of the checks of that run, which are not made again
     Raises Cancelled.
     """
-    k, demand = result.verdicts[0].governing, known(result.demand)
-    wall = result.walls[k]
+    demand, keys = known(result.demand), {row.key for row in rows}
     plan = plan_of(result.case, (demand, list(result.motions), list(result.kinds)))
-    scene = plan.scene(k, demand, result.compliance, KeptChecks(journal))
-    scene = replace(scene, q_slv=(wall.q_slv_low_set, wall.q_slv_set))
-    return at_other_ends(evaluate(scene, cancelled=cancelled), rows, cancelled)
+    found = []
+    for k, wall in enumerate(result.walls):
+        scene = plan.scene(k, demand, result.compliance, KeptChecks(journal))
+        as_it_is = evaluate(replace(scene, q_slv=(wall.q_slv_low_set, wall.q_slv_set)), cancelled=cancelled)
+        own = [row for row in wall.assessed.verdict.assumptions if row.key in keys and row.has_switch]
+        there = at_other_ends(as_it_is, own, cancelled) if own else as_it_is
+        if there is None:
+            return None
+        found.append(there)
+    return worst(found, lambda one: (one.outcome, one.zeta, demand.zeta_target))

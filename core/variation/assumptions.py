@@ -78,6 +78,7 @@ def assumptions(evaluation: Evaluation, cancelled: Callable[[], bool] = lambda: 
             turns_q=bool(q_check and q_check.passed) and "linear_q_code" in turns,
             permitted=one.permitted,
             raises=worth(zetas[lowest]) < worth(told.zeta),
+            check="" if told.name == decides.name else told.name,
         )
         rows.append(row)
         if row.raises:

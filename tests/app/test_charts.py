@@ -340,5 +340,8 @@ def test_that_panels_of_a_history_share_their_times_and_end_with_the_fall(shared
     assert end < 0.8 * tab.times[-1]
     assert all(end < ends[1] < 1.1 * end for ends in shown())
     assert tab.ground.plot.vb.height() >= 120
+    for factor in np.linspace(20.0, 3.0, 40):  # never before the fall
+        tab._set_q(factor)
+        assert tab.until >= min(tab.history.rotation.size * tab.motion.time_step, tab.times[-1]) - 1e-9
     tab._set_q(0.5)
     assert shown() == whole

@@ -8,6 +8,8 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
+from PySide6.QtWidgets import QMessageBox
+
 from app.shell import client_view
 from app.shell.client_view import ClientView, sides_of
 from core.case.rules import parse_case
@@ -66,5 +68,11 @@ def test_that_a_film_is_made_while_the_window_lives_and_can_be_cancelled(result,
     cancelled.dialog.canceled.emit()  # as its button
     settle(application, cancelled.job.isFinished)
     assert not (tmp_path / "g.gif").exists()
+    said = []
+    monkeypatch.setattr(QMessageBox, "warning", lambda *words: said.append(words[-1]))
+    monkeypatch.setattr(view, "picture", lambda: 1 / 0)
+    failed = view.film(tmp_path / "h.gif")
+    settle(application, failed.job.isFinished)
+    assert len(said) == 1 and "ZeroDivisionError" in said[0] and not (tmp_path / "h.gif").exists()
     view.close()
     view.deleteLater()

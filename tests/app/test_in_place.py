@@ -77,6 +77,34 @@ def test_that_what_is_refused_is_marked_and_esc_gives_it_up(opened, drawing, app
     assert not any(field.wrong for field in opened.stages.fields)
 
 
+def test_that_esc_gives_back_what_was_there_and_another_wall_or_an_undo_closes_the_line(opened, drawing, application):
+    before = opened.session.case.wall[0]
+    line = twice(drawing, "thickness")
+    QTest.keyClicks(line, "20")
+    assert opened.session.case.wall[0].thickness_m == 0.2
+    QTest.keyClick(line, Qt.Key.Key_Escape)
+    assert opened.session.case.wall[0] == before
+    line = twice(drawing, "thickness")
+    QTest.keyClicks(line, "33")
+    opened.session.undo()
+    assert line.is_closed and opened.session.case.wall[0] == before
+    opened.session.edit(replace(opened.session.case, wall=(before, replace(before, name="other"))))
+    line = twice(drawing, "thickness")
+    opened.walls.select(1)
+    assert line.is_closed
+
+
+@pytest.mark.parametrize("shape", ["slenderness_deg", "height_over_thickness", "general"])
+def test_that_no_other_quantity_is_changed_in_the_place_of_one(opened, drawing, application, shape):
+    opened.session.edit_wall(0, load=())
+    opened.walls._shape_chosen(opened.walls.shape.findData(shape))
+    application.processEvents()
+    drawing.grab()
+    area = next(area for area, *spot in drawing.spots if spot == ["thickness", 0])
+    QTest.mouseDClick(drawing, Qt.MouseButton.LeftButton, pos=area.center().toPoint())
+    assert not [line for line in drawing.findChildren(InPlace) if not line.is_closed]
+
+
 def test_that_the_hinges_of_a_body_stand_in_its_elevation(opened, drawing, application):
     wall = replace(opened.session.case.wall[0], length_m=4.0, openings=(Opening(1.0, 1.0, 1.0, 1.2),), load=())
     drawing.resize(700, 500)

@@ -8,6 +8,7 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 
 from shiboken6 import isValid
 
+from core.case.select import Select
 from core.case.site import Spectrum
 from core.known import known
 from core.study.run import run
@@ -32,6 +33,11 @@ def live(opened, application):
 
 def zetas(live) -> list:
     return [rung.zeta for rung in live.ladder.rungs]
+
+
+def shows_nothing(live) -> bool:
+    """No word of an answer."""
+    return live.ladder.isHidden() and live.head.words == "" and not live.lines.text() and live.board.isHidden()
 
 
 def verdict_of(result):
@@ -63,7 +69,7 @@ def test_that_the_clauses_follow_a_key_and_the_verdict_the_hand_that_rests(live,
     settle(application, lambda: live.result is not None)
     assert verdict_of(live.result) == verdict_of(expected) != before
     assert zetas(live) == [check.zeta for check in expected.walls[0].assessment.checks]
-    assert live.head.words.startswith(word(verdict_of(expected).code, "en"))
+    assert live.head.words.startswith(f"w: {word(verdict_of(expected).code, 'en')}")
 
 
 def test_that_a_switch_shows_the_wall_at_the_other_end_and_back(live, application):
@@ -81,7 +87,7 @@ def test_that_a_switch_shows_the_wall_at_the_other_end_and_back(live, applicatio
 def test_that_it_rests_while_folded_or_out_of_sight_or_the_case_runs(live, opened, application):
     settle(application, lambda: live.result is not None)
     live.head.setChecked(False)
-    assert live.at is None and live.result is None and live.job is None
+    assert live.at is None and live.result is None and live.job is None and shows_nothing(live)
     live.unfold()
     assert live.at is not None
     opened.navigator.show_stage("answer")
@@ -91,9 +97,35 @@ def test_that_it_rests_while_folded_or_out_of_sight_or_the_case_runs(live, opene
     opened.navigator.show_input("records")
     assert live.isHidden() and live.at is None
     opened.navigator.show_input("wall", 0)
+    settle(application, lambda: live.result is not None)
     opened.run()
-    assert opened.runner.job is not None and live.at is None
+    assert opened.runner.job is not None and live.at is None and shows_nothing(live)
+    opened.navigator.show_input("wall", 0)
+    opened.session.edit_wall(0, thickness_m=0.2)
+    application.processEvents()
+    assert shows_nothing(live) and not live.switches
     settle(application, lambda: opened.runner.job is None)
+
+
+def test_that_histories_decide_also_where_their_records_are_still_to_be_chosen(live, opened, application, tmp_path):
+    settle(application, lambda: live.result is not None)
+    case = opened.session.case
+    opened.session.edit(replace(case, record=(), select=Select(folder=str(tmp_path))))
+    settle(application, lambda: "F5" in live.head.words)
+    first = live.ladder.rungs[0]
+    assert first.decides and first.zeta is None and first.tone == "amber"
+
+
+def test_that_a_spectrum_another_program_wrote_is_another_input(live, opened, application, tmp_path):
+    path = tmp_path / "s.csv"
+    path.write_text("\n".join(f"{0.05 * k:.2f},{0.3 if k < 10 else 3.0 / (k + 1):.4f}" for k in range(81)))
+    demand = replace(opened.session.case.demand, spectrum=None, spectrum_file=str(path), soil_factor=1.2)
+    opened.session.edit(replace(opened.session.case, demand=demand))
+    settle(application, lambda: live.at is not None)
+    before = live.at
+    path.write_text(path.read_text().replace("0.3000", "0.6000"))
+    opened.refresh()
+    assert live.at != before
 
 
 def test_that_what_is_missing_is_asked_for_first_and_what_is_refused_said(live, opened, application):

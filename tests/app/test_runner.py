@@ -226,7 +226,7 @@ def test_that_the_walls_a_cancelled_run_has_finished_stay_until_the_input_change
     settle(application, lambda: opened.runner.job is None)
     opened.runner.found.disconnect(opened.runner.cancel)
     tab = opened.pages["walls"].content
-    assert opened.navigator.page == "walls" and tab.words.text().startswith("Cancelled, walls finished: 1.")
+    assert opened.navigator.page == "walls" and tab.words.text().startswith("Cancelled, walls finished: ")
     assert tab.table.rowCount() == 1 and not opened.stages.veil.isVisible()
     opened.navigator.show_stage("input")
     opened.navigator.show_page("walls")
@@ -257,3 +257,45 @@ def test_that_a_wall_that_is_judged_is_read_while_others_run(opened, application
     assert rows == [0] and not veiled
     opened.navigator.pick(opened.navigator.results_of()[0][0])
     assert heading == opened.pages["check"].content.heading.text() != ""
+
+
+def test_that_no_wall_of_an_earlier_input_is_read_as_judged(opened, application):
+    """Edited while it runs: its answer is covered, the tree says nothing of it, and a cancel leaves nothing."""
+    wall = opened.session.case.wall[0]
+    opened.session.edit(replace(opened.session.case, wall=(wall, replace(wall, name="second", height_m=5.5))))
+    opened.runner.finished_runs = Memory()
+    seen = []
+
+    def edit() -> None:
+        row = next(iter(opened.runner.finished_results))
+        opened.walls.select(row)
+        opened.navigator.show_page("check")
+        opened.session.edit_wall(row, thickness_m=0.2)
+        application.processEvents()
+        seen.append((opened.stages.veil.isVisible(), opened.navigator._finished))
+        opened.runner.cancel()
+
+    opened.runner.judged.connect(edit)
+    opened.run()
+    settle(application, lambda: opened.runner.job is None)
+    opened.runner.judged.disconnect(edit)
+    assert set(seen) == {(True, None)}
+    opened.navigator.show_page("walls")
+    assert "Cancelled" not in opened.pages["walls"].content.words.text() and not opened.navigator.parts
+
+
+def test_that_a_wall_a_cancelled_run_has_judged_is_opened_from_the_table(opened, application):
+    wall = opened.session.case.wall[0]
+    opened.session.edit(replace(opened.session.case, wall=(wall, replace(wall, name="second", height_m=5.5))))
+    opened.runner.finished_runs = Memory()
+    opened.runner.judged.connect(opened.runner.cancel)
+    opened.run()
+    settle(application, lambda: opened.runner.job is None)
+    opened.runner.judged.disconnect(opened.runner.cancel)
+    tab = opened.pages["walls"].content
+    tab._picked(tab.finished_rows.index(0))
+    assert opened.navigator.page == "check" and not opened.stages.veil.isVisible()
+    assert opened.pages["check"].content.heading.text().startswith("w: ")
+    opened.set_choice("theme", "dark")
+    opened.navigator.show_page("walls")
+    assert opened.pages["walls"].content.words.text().startswith("Cancelled, walls finished: ")
