@@ -41,11 +41,14 @@ def chart(application):
 
 def shaded(pixels: np.ndarray, shade: str) -> np.ndarray:
     """Where a picture has this colour: near to it, and of its hue, which an edge on white keeps and a grey has not."""
-    wanted = np.array([int(shade[k : k + 2], 16) for k in (1, 3, 5)], float)
-    near = (np.abs(pixels - wanted) <= 60).all(axis=-1)
-    hue, found = wanted - wanted.mean(), pixels - pixels.mean(axis=-1, keepdims=True)
+    wanted = [int(shade[k : k + 2], 16) for k in (1, 3, 5)]
+    red, green, blue = (np.abs(pixels[..., k] - pixels.dtype.type(one)) <= 60 for k, one in enumerate(wanted))
+    near = red & green & blue
+    hue, found = np.array(wanted) - np.mean(wanted), pixels[near].astype(float)
+    found -= found.mean(axis=-1, keepdims=True)
     along = found @ hue / np.linalg.norm(hue)
-    return near & (along >= 0.5 * np.linalg.norm(hue)) & (along >= 0.95 * np.linalg.norm(found, axis=-1))
+    near[near] = (along >= 0.5 * np.linalg.norm(hue)) & (along >= 0.95 * np.linalg.norm(found, axis=-1))
+    return near
 
 
 def pixels_of(content: bytes) -> np.ndarray:
