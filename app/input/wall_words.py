@@ -137,9 +137,14 @@ def said_of_histories(wall: Wall) -> dict[str, bool]:
     }
 
 
+def kind_of(load: Load) -> str:
+    """Kind of a load in words; of a draft it may still be to be given."""
+    return choice(load.kind, current_language()) if load.kind else "–"
+
+
 def _load_words(load: Load) -> str:
     size = f" {number(load.kn_m, 'g')} kN/m" if load.kn_m else ""
-    return named(f"choice_{load.kind}") + size
+    return kind_of(load) + size
 
 
 def differences(case: Case, wall: Wall) -> list[str]:
@@ -191,7 +196,7 @@ def contents_of(wall: Wall) -> dict[str, str]:
     except TypeError:  # still to be given
         thickness = ""
     base = "" if wall.base_z_m is None else tr("base {z} m", z=number(wall.base_z_m, "g"))
-    kinds = [named(f"choice_{load.kind}") for load in wall.load]
+    kinds = [kind_of(load) for load in wall.load]
     carries = [f"{kinds.count(kind)} × {kind}" for kind in dict.fromkeys(kinds)]
     held = []
     if wall.tie_height_m is not None:

@@ -231,3 +231,14 @@ def test_that_a_wall_of_a_table_is_no_draft_without_its_shape():
 
     case = Case(wall=(Wall("w", ""),))
     assert draft_case(table_of(case)) == case
+
+
+def test_that_a_load_whose_kind_is_still_to_be_given_is_shown(opened, application, faults, tmp_path):
+    path = tmp_path / "draft.toml"
+    sizes = 'mechanism = "one_sided"\nheight_m = 5.0\nthickness_m = 0.5\n'
+    path.write_text(f'[[wall]]\nname = "w"\n{sizes}[[wall.load]]\nkn_m = 10.0\n')
+    opened.session.saved = opened.session.case
+    assert opened.files.open(path)
+    opened.navigator.show_input("wall", 0)
+    application.processEvents()
+    assert faults == [] and opened.walls.loads.list.item(0).text().startswith("–, 10 kN/m")
