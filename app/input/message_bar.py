@@ -14,7 +14,7 @@ LINES = 2
 
 
 class MessageBar(Plain):
-    """Of the field in hand how its text is read and what is doubted; of one that was left what is wrong with it.
+    """Says how the text of the field in hand is read and what is doubted, and what is wrong with one that was left.
 
     fields() : of the form in front
     """

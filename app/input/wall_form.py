@@ -4,14 +4,14 @@ import math
 from dataclasses import replace
 from typing import Any
 
-from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QFont, QFontMetrics, QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QGridLayout, QMessageBox, QToolButton, QVBoxLayout, QWidget
-from shiboken6 import isValid
 
 from app.input.body_form import BodyForm
+from app.input.drawn_values import DrawnValues
 from app.input.editors import Choice
-from app.input.fields import Field, LineField, blank, connect
+from app.input.fields import Field, blank, connect
 from app.input.hinges_field import HingesField
 from app.input.impact_form import ImpactForm
 from app.input.loads_form import LoadsForm
@@ -31,7 +31,6 @@ from app.input.wall_words import (
 )
 from app.look import theme
 from app.look.drawing import WallDrawing, mechanism_icon
-from app.look.in_place import InPlace
 from app.look.labels import Plain, plain
 from app.look.language import FORM_NAMES, current_language, described, named, number, quoted_from_file, tr
 from app.look.parts import Parts
@@ -71,9 +70,7 @@ class WallForm(WallEditor):
         self.drawing = WallDrawing()
         self.drawing.picked.connect(self._picked_in_drawing)
         self.drawing.moved.connect(self._moved_in_drawing)
-        self.drawing.asked.connect(self._asked_in_drawing)
-        self.in_place: InPlace | None = None
-        self.changed_in_place: LineField | None = None
+        self.drawn = DrawnValues(self.drawing, self._field_in_drawing)
         self.summary = Plain()
         self.summary.setWordWrap(True)
         self.differs = Plain()
@@ -126,7 +123,7 @@ class WallForm(WallEditor):
             self.body.show_case,
             self.reasons.show_case,
             self._show_contents,
-            self._follow_in_place,
+            self.drawn.follow,
         )
 
     # building
@@ -201,7 +198,7 @@ class WallForm(WallEditor):
         for group in self.findChildren(OptionalGroup):
             group.forget()
         self.body.forget()
-        self._follow_in_place(True)
+        self.drawn.close()
         self.former, self.shown = (None, None), (None, 0)
 
     def show_case(self) -> None:
@@ -350,6 +347,10 @@ class WallForm(WallEditor):
         self.edit(**values)
         self.show_case()
 
+    def _picked_in_drawing(self, kind: str, k: int) -> None:
+        """What was clicked in the drawing: its field."""
+        self._field_in_drawing(kind, k).editor.setFocus()
+
     def _field_in_drawing(self, kind: str, k: int) -> Field:
         """The field of what is drawn, in front."""
         if kind == "load":
@@ -362,39 +363,6 @@ class WallForm(WallEditor):
         }[kind]
         unfold_to(field)
         return field
-
-    def _picked_in_drawing(self, kind: str, k: int) -> None:
-        """What was clicked in the drawing: its field."""
-        self._field_in_drawing(kind, k).editor.setFocus()
-
-    def _asked_in_drawing(self, kind: str, k: int, area: QRectF) -> None:
-        """What was clicked twice is changed there, as if it were typed into its field; what no field has is not."""
-        field = self._field_in_drawing(kind, k)
-        drawn = {"height": "height_m", "thickness": "thickness_m", "load": "kn_m", "hinge": "hinge_heights"}[kind]
-        if field.key != drawn or not isinstance(field, LineField) or field.isHidden():
-            return
-        field.editor.entered.emit()
-        before = field.text
-        line = self.in_place = InPlace(self.drawing, area, before, field.caption.text(), field.unit)
-        self.changed_in_place = field
-
-        def typed(text: str) -> bool:
-            field.type_again(text)
-            return not field.wrong
-
-        def given_up() -> None:
-            if field.text != before:
-                field.type_again(before)
-            if field.wrong:
-                field.revert()
-
-        line.typed, line.given_up = typed, given_up
-
-    def _follow_in_place(self, whatever: bool = False) -> None:
-        """Close the line in the drawing where its field holds something else now, or for another wall (whatever)."""
-        line, field = self.in_place, self.changed_in_place
-        if line is not None and isValid(line) and field is not None and (whatever or field.text != line.text()):
-            line.close_it()
 
     def _moved_in_drawing(self, k: int, height: float) -> None:
         """A load was dragged to another height."""

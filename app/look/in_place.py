@@ -9,7 +9,7 @@ from app.look import theme
 from app.look.labels import Plain
 
 WIDTH = 70
-"""Of its text [px]."""
+"""Width of its text [px]."""
 
 
 class InPlace(QLineEdit):

@@ -80,7 +80,6 @@ class Film(QObject):
             job.commit()
             atomic_write.write({path: content})
 
-        self.failed = failed
         self.job = Job(work)
         view.destroyed.connect(self.job.cancel)
         self.job.progressed.connect(lambda done, *_: self.dialog.setValue(min(done, count - 1)))
@@ -99,13 +98,14 @@ class Film(QObject):
                 self.timer.stop()
                 self.pictures.put(None)
                 return
+            failed = True
             try:
                 self.pictures.put(self.picture(self.painted))
-            except Exception as error:  # of a view that is no more, say: the film must end, and say so
-                self.timer.stop()
-                self.job.cancel()
-                self.failed(f"{type(error).__name__}: {error}")
-                return
+                failed = False
+            finally:  # what it raises goes to the hook of errors, once
+                if failed:
+                    self.timer.stop()
+                    self.job.cancel()
             self.painted += 1
 
     def _end(self) -> None:

@@ -100,7 +100,7 @@ class Wall(Shaped):
     gable_m: float | None = number_key(0.1, 60.0, unit="m", form="body")
     openings: tuple[Opening, ...] = key("tables", (), of=Opening, columns="opening{n}_")
     steps: tuple[Step, ...] = key("tables", (), of=Step, columns="step{n}_")
-    out_of_plumb_m: float | None = number_key(-2.0, 2.0, unit="m", form_unit="cm", form="body")
+    out_of_plumb_m: float | None = number_key(0.0, 2.0, unit="m", form_unit="cm", form="body")
     return_wedges: Wedges | None = key("section", of=Wedges, columns="wedges_")
     tie_height_m: float | None = number_key(0.1, 60.0, unit="m", form="held")
     tie_bar_length_m: float | None = number_key(0.2, 100.0, unit="m", form="held")

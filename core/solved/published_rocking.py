@@ -99,7 +99,7 @@ def _of_rocking() -> tuple[Solved, ...]:
 
 
 def _quarter_period() -> float:
-    """Of a block with its mass in its corners, half-width 0.2 and half-height 1 m, from half of alpha."""
+    """Time until a block falls back from half of alpha: its mass is in its corners, half-width 0.2, half-height 1 m."""
     radius = math.hypot(0.2, 1.0)
     block = Block(math.atan2(0.2, 1.0), radius, 2.0 * radius**2)
     model = RockingModel(block.slenderness, block.p2, 0.0, 0.9, 0.0, 0.0, 0.0)

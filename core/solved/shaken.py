@@ -84,7 +84,7 @@ def lines(found: Sequence[Found], left_out: int, language: str) -> list[str]:
 
 
 def chapter(found: Sequence[Found], left_out: int, language: str) -> list[Part]:
-    """The same as tables of a document."""
+    """Write what was found as tables of a document."""
     about = worded(
         "Whether each tested body overturns, computed with the model of every wall, beside what it did. What is "
         "fitted is fitted on one half of the events and scored on the other; each interval is of nine of ten draws "

@@ -10,6 +10,21 @@ from core.study.journal import Memory
 from tests.app.driving import Held, run, settle
 
 
+def two_walls(opened) -> None:
+    """A second wall beside that of the case, nothing of either computed before."""
+    wall = opened.session.case.wall[0]
+    opened.session.edit(replace(opened.session.case, wall=(wall, replace(wall, name="second", height_m=5.5))))
+    opened.runner.finished_runs = Memory()
+
+
+def run_until_cancelled(opened, application, signal) -> None:
+    """Run the case; the first of this signal of the runner cancels it."""
+    signal.connect(opened.runner.cancel)
+    opened.run()
+    settle(application, lambda: opened.runner.job is None)
+    signal.disconnect(opened.runner.cancel)
+
+
 def test_that_a_job_that_cannot_stop_is_left_at_once_and_nothing_of_it_arrives(opened, application):
     from app.work.worker import RUNNING
 
@@ -218,13 +233,8 @@ def test_that_the_clock_goes_on_while_nothing_is_told_and_the_time_left_shrinks(
 
 
 def test_that_the_walls_a_cancelled_run_has_finished_stay_until_the_input_changes(opened, application):
-    wall = opened.session.case.wall[0]
-    opened.session.edit(replace(opened.session.case, wall=(wall, replace(wall, name="second", height_m=5.5))))
-    opened.runner.finished_runs = Memory()
-    opened.runner.found.connect(opened.runner.cancel)
-    opened.run()
-    settle(application, lambda: opened.runner.job is None)
-    opened.runner.found.disconnect(opened.runner.cancel)
+    two_walls(opened)
+    run_until_cancelled(opened, application, opened.runner.found)
     tab = opened.pages["walls"].content
     assert opened.navigator.page == "walls" and tab.words.text().startswith("Cancelled, walls finished: ")
     assert tab.table.rowCount() == 1 and not opened.stages.veil.isVisible()
@@ -238,9 +248,7 @@ def test_that_the_walls_a_cancelled_run_has_finished_stay_until_the_input_change
 
 
 def test_that_a_wall_that_is_judged_is_read_while_others_run(opened, application):
-    wall = opened.session.case.wall[0]
-    opened.session.edit(replace(opened.session.case, wall=(wall, replace(wall, name="second", height_m=5.5))))
-    opened.runner.finished_runs = Memory()
+    two_walls(opened)
     seen = []
 
     def look() -> None:
@@ -261,9 +269,7 @@ def test_that_a_wall_that_is_judged_is_read_while_others_run(opened, application
 
 def test_that_no_wall_of_an_earlier_input_is_read_as_judged(opened, application):
     """Edited while it runs: its answer is covered, the tree says nothing of it, and a cancel leaves nothing."""
-    wall = opened.session.case.wall[0]
-    opened.session.edit(replace(opened.session.case, wall=(wall, replace(wall, name="second", height_m=5.5))))
-    opened.runner.finished_runs = Memory()
+    two_walls(opened)
     seen = []
 
     def edit() -> None:
@@ -286,13 +292,8 @@ def test_that_no_wall_of_an_earlier_input_is_read_as_judged(opened, application)
 
 
 def test_that_a_wall_a_cancelled_run_has_judged_is_opened_from_the_table(opened, application):
-    wall = opened.session.case.wall[0]
-    opened.session.edit(replace(opened.session.case, wall=(wall, replace(wall, name="second", height_m=5.5))))
-    opened.runner.finished_runs = Memory()
-    opened.runner.judged.connect(opened.runner.cancel)
-    opened.run()
-    settle(application, lambda: opened.runner.job is None)
-    opened.runner.judged.disconnect(opened.runner.cancel)
+    two_walls(opened)
+    run_until_cancelled(opened, application, opened.runner.judged)
     tab = opened.pages["walls"].content
     tab._picked(tab.finished_rows.index(0))
     assert opened.navigator.page == "check" and not opened.stages.veil.isVisible()
