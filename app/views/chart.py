@@ -15,6 +15,7 @@ from app.look.language import current_language, tr
 from app.views.axis import LEGEND_LETTERS, SPARE, elided, ends_of, number_axes, numbers, plot_widget
 from app.views.axis_names import show_names
 from app.views.chart_output import ChartOutput
+from app.views.edge_marks import EdgeMarks
 from core.text.sentence import numeral
 
 NEAR = 0.04
@@ -66,6 +67,7 @@ class Chart(ChartOutput):
         self.of_pairs: list[str] | None = None
         self.lines: list[tuple[float, str]] = []
         self.is_figure = False
+        self.edges = EdgeMarks(self)
         self.data: list[tuple[str, np.ndarray, np.ndarray]] = []
         self.read = Plain()
         self.read.setMinimumWidth(10)
@@ -100,6 +102,7 @@ class Chart(ChartOutput):
         self.found.clear()
         self.items, self.data, self.recolors, self.names, self.ranges = [], [], [], [], {}
         self.lines, self.entries, self.extents = [], [], []
+        self.edges.clear()
         self.plot.getAxis("bottom").stand_upright(0)
         self.reason.hide()
         number_axes(self.plot, True)
@@ -158,7 +161,8 @@ class Chart(ChartOutput):
         self.data.append((name, x, heights if values is None else numbers(values)))
 
     def level(self, value: float, label: str = "", color="quiet", vertical=False, place=None):
-        """A line across the chart with a label; place : of the label along it, 0 to 1."""
+        """A line across the chart with a label, which stands at the edge where the line lies outside. place : of the
+        label along it, 0 to 1"""
         shade = pg.mkColor(theme.current.back)
         shade.setAlpha(210)  # legible where it meets a bar or a curve
         options = {"position": place or (0.92 if vertical else 0.01), "fill": shade}
@@ -167,6 +171,7 @@ class Chart(ChartOutput):
         line = pg.InfiniteLine(value, 90 if vertical else 0, label=label or None, labelOpts=options)
         self.plot.addItem(line, ignoreBounds=True)
         self._keep(line, color, 1.2, True, False)
+        self.edges.add(line, label)
         return line
 
     def band(self, x, low, high, color=1) -> None:
@@ -323,6 +328,7 @@ class Chart(ChartOutput):
             self._paint(*entry, chosen, scale)
         for recolor in self.recolors:
             recolor(chosen, scale)
+        self.edges.paint(chosen)
 
     def _pressed(self, event) -> None:
         if event.button() == Qt.MouseButton.LeftButton and self.plot.vb.sceneBoundingRect().contains(event.scenePos()):

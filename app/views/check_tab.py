@@ -41,6 +41,9 @@ from core.study.wall_verdict import zetas_of
 from core.text.sentence import word
 from core.units import G
 
+TOP, ABOVE = 1.2, 1.15
+"""Largest peak over theta_c that bars show, and room above the largest bar and the limit that decides [of them]."""
+
 MOST_LIMITS = 3
 """Lines of limits that are always shown; what makes a verdict indicative is among them, however much it is."""
 
@@ -373,8 +376,9 @@ class CheckTab(ResultTab):
         return f"<table><tr>{cells}</tr></table>"
 
     def _bars(self, check) -> None:
-        top = 1.2
         values = np.array([np.nan if run.peak_ratio is None else run.peak_ratio for run in check.runs])
+        limit = LIMIT_FRACTION.get(check.limit_state, 1.0)
+        top = min(TOP, ABOVE * max(limit, *np.nan_to_num(values, nan=TOP)))
         drawn = np.minimum(np.nan_to_num(values, nan=top), top)  # to the edge: no number of its own
         places, exceeds = (np.arange(values.size, dtype=float), np.array([run.exceeded for run in check.runs]))
         for chosen, name, color in ((~exceeds, tr("within θc"), 0), (exceeds, tr("exceeds θc or overturns"), 1)):
@@ -385,7 +389,7 @@ class CheckTab(ResultTab):
             name = tr("mean {value:.2f}, which decides", value=mean)
             self.peaks.curve(name, ends, [mean, mean], "ink", 2.0)
         for fraction, label in ((0.40, "SLV"), (0.60, "SLC"), (1.00, "θc")):
-            wanted = LIMIT_FRACTION.get(check.limit_state) == fraction
+            wanted = limit == fraction
             self.peaks.level(
                 fraction, f"{number(fraction, '.2f')} {label}", "bad" if wanted or fraction == 1.0 else "quiet"
             )

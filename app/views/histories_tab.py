@@ -43,6 +43,10 @@ PAUSE = 5.0
 GROUND, AXIS = 200, 3.6
 """Height of the ground with its axis in a window of 800 [px], 120 of it the motion; width of all axes [lines]."""
 
+MOST_ROTATION, LEAST_ROTATION, ROOM, EMPTIED = 1.4, 0.01, 1.15, 0.4
+"""Largest and smallest rotation over theta_c that the axis ends at, its room above the peak, and the share of it below
+which a peak lets it shrink."""
+
 AFTER_FALL, OTHER_FALL = 1.03, 0.1
 """Time shown of a motion over that of the fall, and by how much another fall differs for the axis to follow."""
 
@@ -243,7 +247,8 @@ class HistoriesTab(ResultTab):
         for line in self.cursors:
             line.setMovable(True)
             line.sigDragged.connect(lambda line: self.set_time(line.value()))
-        self.rotation.set_range((0.0, float(self.times[-1])), (-1.4 if both_ways else -0.2, 1.4))
+        self.below_rest = -1.0 if both_ways else -0.14
+        self.rotation.set_range((0.0, float(self.times[-1])), (self.below_rest * MOST_ROTATION, MOST_ROTATION))
         self.energy.set_range((0.0, float(self.times[-1])), (0.0, 1.3))
         self._show_until(float(self.times[-1]))
         self._set_q(self.middle)
@@ -265,6 +270,14 @@ class HistoriesTab(ResultTab):
             end = min(end, AFTER_FALL * max((one.rotation.size - 1) * step for one, step in shown))
         if end > self.until or end < (1.0 - OTHER_FALL) * self.until:
             self._show_until(end)
+
+    def _follow_peak(self) -> None:
+        """The axis of rotations ends above the peak: it grows with it, and shrinks only where much of it is empty."""
+        shown = [float(np.abs(ratio).max(initial=0.0)) for _, _, ratio in self.rotation.data]
+        end = min(max(ROOM * max(shown), LEAST_ROTATION), MOST_ROTATION)
+        if not EMPTIED * self.rotation.ranges["y"][1] <= end <= self.rotation.ranges["y"][1]:
+            self.rotation.ranges["y"] = (self.below_rest * end, end)
+            self.rotation.plot.setYRange(*self.rotation.ranges["y"], padding=0.0)  # times are shared, and stay
 
     @property
     def middle(self) -> float:
@@ -345,6 +358,7 @@ class HistoriesTab(ResultTab):
         self.energy.data = [(tr("energy"), self.times[: energy.size], energy)]
         self._integrate_second(model)
         self._follow_fall()
+        self._follow_peak()
         if self.history.outcome == COLLAPSED:  # its largest rotation is where the analysis ended
             outcome = named("overturned")
         else:

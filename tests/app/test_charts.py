@@ -345,3 +345,39 @@ def test_that_panels_of_a_history_share_their_times_and_end_with_the_fall(shared
         assert tab.until >= min(tab.history.rotation.size * tab.motion.time_step, tab.times[-1]) - 1e-9
     tab._set_q(0.5)
     assert shown() == whole
+
+
+def test_that_a_limit_outside_of_a_chart_is_named_at_its_edge(application):
+    rng = np.random.default_rng(5)
+    for case in range(30):
+        log = bool(case % 3 == 0)
+        chart = Chart("x", "y", "limits")
+        chart.set_log(log)
+        ends = np.sort(rng.uniform(0.1, 10.0, (2, 2)), axis=1)
+        chart.set_range(*(tuple(np.log10(pair) if log else pair) for pair in ends))
+        values = rng.uniform(0.1, 10.0, 6)
+        lines = [
+            chart.level(float(np.log10(value) if log else value), f"limit {k}", vertical=k % 2 == 1)
+            for k, value in enumerate(values)
+        ]
+        for _ in range(2):  # as set, and after a zoom
+            shown, marks = chart.plot.viewRange(), chart.edges.items.items()
+            named = " ".join(item.toPlainText() for _, item in marks if item.isVisible())
+            for k, line in enumerate(lines):
+                low, high = shown[0] if k % 2 else shown[1]
+                assert (f"limit {k}" in named) == (not low <= line.value() <= high)
+            zoom(chart)
+        chart.clear()
+        assert not chart.edges.items and not chart.edges.lines
+        chart.deleteLater()
+
+
+def test_that_the_axis_of_rotations_follows_the_peak_and_names_the_collapse_beyond(shared, application):
+    shared.navigator.show_page("histories")
+    tab = shared.pages["histories"].content
+    for factor in (*np.geomspace(0.3, 6.0, 25), *np.geomspace(6.0, 0.3, 25)):
+        tab._set_q(float(factor))
+        peak, (_, top) = float(np.abs(tab.rotation.data[0][2]).max()), tab.rotation.ranges["y"]
+        assert min(peak, 1.4) <= top <= min(1.4, max(0.01, 1.16 * peak) / 0.4)
+        marks = [item.toPlainText() for item in tab.rotation.edges.items.values() if item.isVisible()]
+        assert any("θc" in mark for mark in marks) == (top < 1.0)
