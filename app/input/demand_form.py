@@ -4,7 +4,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QFileDialog, QGroupBox, QPushButton, QVBoxLayout, QWidget
 
 from app.input.building_form import BuildingForm
@@ -27,6 +27,7 @@ from core.case.schema import Analysis, Report
 from core.case.site import Demand, Spectrum, least_factor
 from core.codes.demand import unusual
 from core.codes.limits import EXCEEDANCE
+from core.codes.target_spectrum import Target
 from core.errors import InputError
 from core.known import known
 from core.setting.demand_input import target_of
@@ -34,6 +35,9 @@ from core.units import G
 
 if TYPE_CHECKING:
     from app.input.law_curve import SpectrumCurve
+
+RESTED = 120
+"""Time after a key before the spectrum is drawn again [ms]."""
 
 FROM_PLACE = ("ag_g", "site", "coordinates", "nominal_life_years", "use_class_factor", "return_period_years")
 """Fields of the demand that a place makes needless."""
@@ -78,6 +82,11 @@ class DemandForm(QWidget):
         connect(self.of_demand, self._changed)
         connect(self.of_spectrum, self._spectrum_changed)
         self.curve: SpectrumCurve | None = None
+        self.target: Target | None = None
+        self.rested = QTimer(self)
+        self.rested.setSingleShot(True)
+        self.rested.setInterval(RESTED)
+        self.rested.timeout.connect(self._draw)
         self.view = QWidget()
         self.curve_place = QVBoxLayout(self.view)
         self.curve_place.addWidget(self.summary)
@@ -155,7 +164,7 @@ class DemandForm(QWidget):
                 label.setText("")
             for section in self.sections:
                 section.say()
-            self._draw(None)
+            self._await(None)
             return
         for field in self.of_demand:
             field.show_value(getattr(demand, field.key))
@@ -184,12 +193,22 @@ class DemandForm(QWidget):
             self.summary.setText(self._said(demand, target))
         case = self.session.case
         self.no_records.setVisible(target is not None and not case.record and case.generate is None)
-        self._draw(target)
+        self._await(target)
 
-    def _draw(self, target) -> None:
+    def _await(self, target: Target | None) -> None:
+        """Draw this spectrum when the hand rests; the first one at once, and none."""
+        self.target = target
+        if self.curve is None or target is None:
+            self.rested.stop()
+            self._draw()
+        else:
+            self.rested.start()
+
+    def _draw(self) -> None:
         """The spectrum, where it is seen: it is made and drawn when it is looked at."""
         if not self.isVisible():
             return
+        target = self.target
         if self.curve is None:
             from app.input.law_curve import SpectrumCurve
 
@@ -239,6 +258,7 @@ class DemandForm(QWidget):
     def showEvent(self, event) -> None:
         super().showEvent(event)
         self.show_case()
+        self._draw()
 
     @staticmethod
     def _kind_of(demand: Demand) -> str:

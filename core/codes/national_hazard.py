@@ -1,5 +1,6 @@
 """Seismic hazard of Italy by place (NTC 2018 3.2; Annexes A and B of D.M. 14/01/2008, which it keeps)."""
 
+import bisect
 import math
 import unicodedata
 from collections.abc import Sequence
@@ -164,9 +165,28 @@ def _by_letters() -> dict[str, list[Municipality]]:
 
 
 @cache
-def _in_order() -> tuple[tuple[str, str, list[Municipality]], ...]:
-    """(folded name, without spaces, who is called so) by name: names are folded once, not at every key typed."""
-    return tuple((name, _joined(name), ones) for name, ones in sorted(_by_name().items()))
+def _in_order() -> tuple[list[list[Municipality]], str, str]:
+    """Who is called by each name, by name; the names without spaces and with them as lines, folded once and not at
+    every key typed."""
+    names = sorted(_by_name())
+    letters, lines = ("\n" + "\n".join(each) for each in (map(_joined, names), names))
+    return [_by_name()[name] for name in names], letters, lines
+
+
+@cache
+def _begins_of(lines: str) -> list[int]:
+    """Where each line begins, after the break before it."""
+    return [at for at, letter in enumerate(lines) if letter == "\n"]
+
+
+def _lines_with(lines: str, wanted: str, most: int) -> list[int]:
+    """Numbers of the first lines that hold a text, which may begin with the break before the line."""
+    found: list[int] = []
+    begins, at = _begins_of(lines), lines.find(wanted)
+    while at >= 0 and len(found) < most:
+        found.append(bisect.bisect_right(begins, at) - 1)
+        at = lines.find(wanted, begins[found[-1] + 1]) if found[-1] + 1 < len(begins) else -1
+    return found
 
 
 def beginning_with(text: str, most: int = 20) -> list[Municipality]:
@@ -175,10 +195,10 @@ def beginning_with(text: str, most: int = 20) -> list[Municipality]:
     joined = _joined(wanted)
     if not wanted:
         return []
-    found = [one for _, letters, ones in _in_order() if letters.startswith(joined) for one in ones]
-    if len(found) < most:
-        within = ((letters, ones) for name, letters, ones in _in_order() if wanted in name)
-        found += [one for letters, ones in within if not letters.startswith(joined) for one in ones]
+    order, letters, names = _in_order()
+    first = _lines_with(letters, "\n" + joined, most)
+    rows = first if len(first) >= most else [*first, *_lines_with(names, wanted, most + len(first))]
+    found = [one for row in dict.fromkeys(rows) for one in order[row]]
     return found[:most]
 
 
