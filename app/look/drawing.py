@@ -14,11 +14,12 @@ from app.look.body_drawing import BodyDrawing, complete, turned
 from app.look.language import number
 from core.case.loads import Load
 from core.case.wall import BENDS, Wall
-from core.codes.vertical_bending import Bending, Strip, bending, hinges_of, outlines, shown_rotation
+from core.codes.vertical_bending import Bending, bending, outlines, shown_rotation
 from core.errors import InputError
 from core.known import known
 from core.report.load_arrows import SHORTEST, arrows
 from core.rocking.bar_state import BROKEN, SLACK, YIELDING
+from core.wall.bending import Strip, hinges_of
 
 
 def outline(height: float, thickness: float, setback: float, rotation: float) -> list[QPointF]:

@@ -3,9 +3,10 @@
 from dataclasses import replace
 
 from core.case.wall import Wall
-from core.codes.vertical_bending import ON_TOP, bending
+from core.codes.vertical_bending import bending
 from core.errors import InputError, place
 from core.known import known
+from core.wall.bending import ON_TOP
 
 OF_HISTORIES = ("restitution", "velocity_ratio")
 """Keys of what it has not."""

@@ -1,12 +1,5 @@
-"""A wall held at its top that bends outward: two blocks and three hinges (Circolare 7/2019 C8.7.1.2.1.1 to .3).
-
-The lower block turns by theta about the outer edge of the base, the upper one by -phi about a hinge on the inner face,
-so that the outer edge of the top, which is held and free to rise, stays on its vertical. x is inward from the outer
-face, z above the base, forces are per metre of wall.
-
-With a hinge setback u the base hinge is at x = u and the one between at t - u, both by the weight on the base, the
-largest there is; the edge held at the top, which no weight crushes, stays at x = 0.
-"""
+"""The kinematic checks of a wall held at its top that bends outward: two blocks and three hinges (Circolare 7/2019
+C8.7.1.2.1.1 to .3); core/wall/bending.py has the blocks."""
 
 import functools
 import itertools
@@ -19,9 +12,9 @@ from core.boundary import narrowed
 from core.errors import InputError, place
 from core.known import known
 from core.units import G
-from core.wall.body import Body, cut_above, together
+from core.wall.bending import Strip, Turning, Weight, blocks_of, hinges_of, strip_of
 from core.wall.masonry import Masonry
-from core.wall.solids import Part, changes, contact_at, faces_at, sum_of
+from core.wall.solids import changes, faces_at
 
 LEAST_SLENDERNESS = 3.0
 """Smallest H/t: both blocks are at least as high as thick, and stockier walls do not bend."""
@@ -31,9 +24,6 @@ HEIGHTS = 400
 
 BESIDE = 1e-4
 """How far below and above a step a hinge is looked for too [m]."""
-
-ON_TOP = 1e-6
-"""How near to the top of the wall a load is on it [of H]."""
 
 SEARCHED, SECTIONS, GOLDEN = 16, 12, 0.5 * (math.sqrt(5.0) - 1.0)
 """Heights among which the least zeta of a check is looked for, and sections of the bracket around it: to 0.04 % of
@@ -52,49 +42,6 @@ REACHED = 0.999
 """Sine up to which the upper block is followed: beyond it no longer reaches its support."""
 
 
-class Weight(NamedTuple):
-    """A weight on a block: force [N/m] at x, z [m]; pushed : its mass moves sideways with the block"""
-
-    force: float
-    x: float
-    z: float
-    pushed: bool = True
-
-
-class Strip(NamedTuple):
-    """A metre of wall. height, thickness, setback : H, t at the base, u [m]; weight : W [N/m]
-    loads : (N [N/m], d inward of the outer face [m]) on its top, held there: their masses do not move sideways
-    below : the loads below it
-    parts, length : the solids of a wall with openings or steps, and its length [m]; none of a rectangle"""
-
-    height: float
-    thickness: float
-    setback: float
-    weight: float
-    loads: tuple[tuple[float, float], ...] = ()
-    below: tuple[Weight, ...] = ()
-    parts: tuple[Part, ...] = ()
-    length: float = 1.0
-
-    @property
-    def is_plain(self) -> bool:
-        """Whether it is a rectangle with loads on its top alone, of which all is in closed form."""
-        return not self.parts and not self.below
-
-    @property
-    def width(self) -> float:
-        """Distance between the hinges of the lower block of a rectangle [m]."""
-        return self.thickness - 2.0 * self.setback
-
-
-class Hinges(NamedTuple):
-    """x of the hinge at the base, of the one between and of the edge held at the top [m]."""
-
-    base: float
-    between: float
-    top: float
-
-
 class Turned(NamedTuple):
     """The blocks turned by a rotation of the lower one.
 
@@ -106,47 +53,6 @@ class Turned(NamedTuple):
     hinge: tuple[float, float]
     risen: float
     moved: float
-
-
-def hinges_of(strip: Strip, h1: float) -> Hinges:
-    """Hinges of a strip whose middle hinge is at h1 [m]: within the faces that both blocks share there."""
-    inner, top = strip.thickness, 0.0
-    if strip.parts:
-        faces, highest = contact_at(strip.parts, h1), _held_faces(strip.parts, strip.height)
-        inner, top = faces[1] if faces else inner, highest[0] if highest else top
-    return Hinges(strip.setback, inner - strip.setback, top)
-
-
-@functools.lru_cache(maxsize=64)
-def _held_faces(parts: tuple[Part, ...], height: float) -> tuple[float, float] | None:
-    """x of the faces at the top that is held, the same wherever the hinge between is."""
-    return faces_at(parts, height, below=True)
-
-
-@functools.lru_cache(maxsize=4096)
-def blocks_of(strip: Strip, h1: float) -> tuple[tuple[Weight, ...], tuple[Weight, ...]]:
-    """The weights of the lower and of the upper block, its own first."""
-    height = strip.height
-    if strip.parts:
-        cut = ((part, cut_above(part.polygon, h1)) for part in strip.parts)
-        above = together(part._replace(polygon=tuple(polygon)).body for part, polygon in cut if polygon)
-        whole, per = sum_of(strip.parts), G / strip.length
-        lower = Body(*(all_of - of_upper for all_of, of_upper in zip(whole, _lifted(above, h1), strict=True)))
-        (x1, z1), (x2, z2) = lower.centroid, above.centroid
-        own = Weight(per * lower.mass, x1, z1), Weight(per * above.mass, x2, h1 + z2)
-    else:
-        first, middle = strip.weight * h1 / height, 0.5 * strip.thickness
-        own = Weight(first, middle, 0.5 * h1), Weight(strip.weight - first, middle, 0.5 * (h1 + height))
-    on_lower = tuple(load for load in strip.below if load.z <= h1)
-    on_upper = tuple(load for load in strip.below if load.z > h1)
-    held = tuple(Weight(n, d, height, False) for n, d in strip.loads)
-    return (own[0], *on_lower), (own[1], *on_upper, *held)
-
-
-def _lifted(body: Body, z: float) -> Body:
-    """A body whose zero is at a height, from the ground [m]."""
-    inertia = body.inertia + 2.0 * z * body.first_z + z * z * body.mass
-    return Body(body.mass, body.first_x, body.first_z + z * body.mass, inertia)
 
 
 def virtual(strip: Strip, h1: float) -> list[tuple[Weight, float, float]]:
@@ -211,47 +117,6 @@ def _golden(value: Callable[[float], float], low: float, high: float, steps: int
         best = min(best, *found)
         low, high = (low, inside[1]) if found[0] <= found[1] else (inside[0], high)
     return best
-
-
-class Turning(NamedTuple):
-    """Both blocks with the hinge between at one height, whatever the rotation.
-
-    at : hinges; h1, above : heights of the lower and of the upper block [m]; width, edge : between the hinges of the
-    lower block, and from the edge held at the top to the hinge between [m]
-    lower : (force, x inward of the hinge at the base, z, whether it is pushed) of each weight; upper : the same, x
-    outward of the hinge between and z above it
-    """
-
-    at: Hinges
-    h1: float
-    above: float
-    width: float
-    edge: float
-    lower: tuple[tuple[float, float, float, bool], ...]
-    upper: tuple[tuple[float, float, float, bool], ...]
-
-    @classmethod
-    def of(cls, strip: Strip, h1: float) -> "Turning":
-        """The blocks of a strip whose middle hinge is at h1 [m]."""
-        at, (lower, upper) = hinges_of(strip, h1), blocks_of(strip, h1)
-        below = tuple((one.force, one.x - at.base, one.z, one.pushed) for one in lower)
-        over = tuple((one.force, at.between - one.x, one.z - h1, one.pushed) for one in upper)
-        return cls(at, h1, strip.height - h1, at.between - at.base, at.between - at.top, below, over)
-
-    def upper_rotation(self, cos: float, sin: float) -> float:
-        """phi [rad] at a rotation of the lower block. Raises ValueError where the upper one no longer reaches."""
-        x = self.at.base + self.width * cos - self.h1 * sin
-        return math.atan2(self.edge, self.above) - math.asin((x - self.at.top) / math.hypot(self.edge, self.above))
-
-    def risen(self, theta: float) -> float:
-        """`Turned.risen` at a rotation [rad] of the lower block. Raises ValueError as `upper_rotation`."""
-        cos, sin = math.cos(theta), math.sin(theta)
-        phi = self.upper_rotation(cos, sin)
-        c, s = math.cos(phi), math.sin(phi)
-        up = self.width * cos - self.h1 * sin  # of the hinge, by theta
-        rate = (self.width * sin + self.h1 * cos) / (self.edge * s + self.above * c)  # of phi, by theta
-        risen = math.fsum([force * (x * cos - z * sin) for force, x, z, _ in self.lower])
-        return risen + math.fsum([force * (up + rate * (x * c - z * s)) for force, x, z, _ in self.upper])
 
 
 def turned(strip: Strip, h1: float, theta: float) -> Turned:
@@ -357,16 +222,6 @@ def _collapse(strip: Strip, h1: float) -> float:
         low = high
     held, lost, _ = narrowed(lambda theta: blocks.risen(theta) > 0.0, low, high, steps=BISECTIONS)
     return 0.5 * (held + lost)
-
-
-def strip_of(wall: Masonry) -> Strip:
-    """A metre of a wall."""
-    height, thickness = known(wall.height), known(wall.thickness)
-    on_top = [load for load in wall.loads if abs(load.height - height) <= ON_TOP * height]
-    loads = tuple((load.force, load.depth) for load in on_top)
-    below = tuple(Weight(load.force, load.depth, load.height, load.pushes) for load in wall.loads if load not in on_top)
-    length = known(wall.length) if wall.parts else 1.0
-    return Strip(height, thickness, wall.setback, wall.weight, loads, below, wall.parts, length)
 
 
 def weakest(strip: Strip, zeta: Callable[[Bending], float]) -> Bending:

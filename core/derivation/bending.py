@@ -7,13 +7,14 @@ searches it.
 
 import math
 
-from core.codes.vertical_bending import Bending, blocks_of, turned, virtual
+from core.codes.vertical_bending import Bending, turned, virtual
 from core.derivation import body, checks
 from core.derivation.functions import arctan, cos, sin, sqrt
 from core.derivation.line import FULL, INPUT, LIVE, RUN, SYMBOLS, VALUE, Columns, Line, Section, Word
 from core.derivation.quantity import Given, quantity
 from core.known import known
 from core.study.results import WallResult
+from core.wall.bending import blocks_of
 
 LOADS = {"load.n": "N", "load.d": "d"}
 """Columns of the loads on the top."""

@@ -8,12 +8,13 @@ from pathlib import Path
 
 from core.case.rules import parse_case
 from core.codes.kinematic import Kinematic, kinematic
-from core.codes.vertical_bending import Bending, Strip, mechanism
+from core.codes.vertical_bending import Bending, mechanism
 from core.setting.demand_input import demand_of
 from core.solved import published_rocking
 from core.solved.experiments import section
 from core.solved.solved import Kind, Sketch, Solved, answer, told
 from core.units import G
+from core.wall.bending import Strip
 
 WALL = {"height_m": 3.0, "thickness_m": 0.45, "unit_weight_kn_m3": 18.0}
 """The wall of which most examples here are: 24.3 kN/m."""

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from core.codes.vertical_bending import Strip, mechanism, start_multiplier
+from core.codes.vertical_bending import mechanism, start_multiplier
 from core.known import known
 from core.rocking.history import History, history
 from core.rocking.outcome import COLLAPSED
@@ -16,6 +16,7 @@ from core.solved.solved import Answer, Head, Kind, Sketch, Solved, printed, row,
 from core.solved.walls import Asked
 from core.units import G
 from core.wall.bars import TieBar
+from core.wall.bending import Strip
 from core.wall.ties import elongation_at_yield, stress_area
 
 STEP = 1e-4

@@ -6,6 +6,7 @@ from typing import NamedTuple
 from core.jit.decorators import subkernel
 from core.units import G
 from core.wall.bars import Bar
+from core.wall.bending import HeldTop, near_rest
 from core.wall.block import Block
 from core.wall.impact import Restitution
 from core.wall.loads import BARE, RestoringMoment
@@ -63,6 +64,8 @@ class RockingModel(NamedTuple):
     other : of a two-sided body that is another one for negative rotations; None of a symmetric one, whose kernels then
         have nothing of it
     driven : its elastic branch where there is no plateau, solved in closed form; None of every other law
+    bending : of a wall held at its top, which core/rocking/held_top.py integrates: the rest is the block it is near to
+        rest, with its collapse rotations. None of every block
     """
 
     slenderness: float
@@ -79,6 +82,7 @@ class RockingModel(NamedTuple):
     bars: tuple[Bar, ...] = ()
     other: OtherSide | None = None
     driven: Oscillator | None = None
+    bending: HeldTop | None = None
 
     @property
     def collapse_rotation(self) -> float:
@@ -89,6 +93,7 @@ class RockingModel(NamedTuple):
     def both_signs_alike(self) -> bool:
         """Whether a record and its reverse do the same to it: two-sided, and alike on both sides."""
         same = self.restoring == self.mirrored and self.other is None
+        same &= self.bending is None or self.bending.outward == self.bending.inward
         return self.one_sided == 0.0 and same and not self.bars
 
     @property
@@ -154,6 +159,7 @@ def seen_from(model, side):
         model.bars,
         far_side(model, model.other, side),
         model.driven,
+        model.bending,
     )
 
 
@@ -211,4 +217,29 @@ def rocking_model(
         amplitude=weaker.amplitude,
         bars=bars,
         other=other,
+    )
+
+
+def bending_model(held: HeldTop, collapse: tuple[float, float], kept: float) -> RockingModel:
+    """The model of a wall held at its top. collapse : theta_c outward and inward [rad]; kept : e of its impacts"""
+    alpha = math.atan(held.outward.thickness / held.outward.height)
+    sides = []
+    for sign, end in zip((1.0, -1.0), collapse, strict=True):
+        p2, sine, cosine = near_rest(held.side(sign), alpha)
+        sides.append((p2, RestoringMoment(sine, cosine, math.hypot(sine, cosine), end - alpha)))
+    (p2, outward), (_, inward) = sides
+    weaker = min(outward, inward, key=lambda side: side.lean)
+    return RockingModel(
+        slenderness=alpha,
+        p2=p2,
+        one_sided=0.0,
+        ratio_at_rest=kept,
+        ratio_drop=0.0,
+        elastic_end=0.0,
+        plateau_end=0.0,
+        restoring=outward,
+        mirrored=outward if held.outward == held.inward else inward,
+        lean=weaker.lean,
+        amplitude=weaker.amplitude,
+        bending=held,
     )

@@ -1,10 +1,11 @@
 """Figure of a wall held at its top: both blocks as they turn, and their three hinges."""
 
-from core.codes.vertical_bending import bending, hinges_of, outlines, shown_rotation
+from core.codes.vertical_bending import bending, outlines, shown_rotation
 from core.report.load_arrows import arrows
 from core.report.note.parts import Curve, Figure, Label, path
 from core.report.note.words import Words
 from core.study.results import WallResult
+from core.wall.bending import hinges_of
 
 
 def _clear(height: float, others: list[float], h: float) -> float:

@@ -9,20 +9,12 @@ import pytest
 from scipy.optimize import brentq, minimize_scalar
 
 from core.case.held_top import bent_inward
-from core.codes.vertical_bending import (
-    Strip,
-    bending,
-    lowest_hinge,
-    mechanism,
-    outlines,
-    start_multiplier,
-    strip_of,
-    weakest,
-)
+from core.codes.vertical_bending import bending, lowest_hinge, mechanism, outlines, start_multiplier, weakest
 from core.derivation.line import Line
 from core.derivation.wall import checks_of
 from core.errors import InputError
 from core.units import G
+from core.wall.bending import Strip, strip_of
 from tests.validation.circolare import case
 
 W = 18.0 * 0.30 * 3.0
