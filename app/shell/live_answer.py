@@ -211,7 +211,7 @@ class LiveAnswer(Section):
             self.say(described(error))
             return
         asked = case.record or case.generate or case.select or case.default_histories
-        awaited = bool(asked) and not case.wall[0].bends and demand.limit_state in LIMIT_FRACTION
+        awaited = bool(asked) and demand.limit_state in LIMIT_FRACTION
         self._show_checks(rungs_of(found, demand.q_code, None, {}, False, awaited), demand.zeta_target)
         if case.select is not None or len(whole.wall) > MOST_WALLS:
             self.say(tr("histories with a run (F5)"))

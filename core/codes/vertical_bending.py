@@ -6,14 +6,15 @@ import itertools
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 from core.boundary import narrowed
 from core.errors import InputError, place
 from core.known import known
 from core.units import G
-from core.wall.bending import Strip, Turning, Weight, blocks_of, hinges_of, strip_of
+from core.wall.bending import HeldTop, Strip, Turning, Weight, blocks_of, hinges_of, kept_at_impact, strip_of
 from core.wall.masonry import Masonry
+from core.wall.rocking_model import RockingModel, bending_model
 from core.wall.solids import changes, faces_at
 
 LEAST_SLENDERNESS = 3.0
@@ -249,6 +250,43 @@ def bending(wall: Masonry) -> Bending:
 def uplift_multiplier(wall: Masonry, mechanism: str) -> float:
     """a_RM / g [-] (Eq. 2), of a two-sided wall the smaller one of its sides; of one held at its top alpha_0."""
     return bending(wall).alpha0 if wall.bends else wall.uplift_multiplier(mechanism)
+
+
+def model_of_bending(outward: Strip, inward: Strip, h1: float | None = None) -> RockingModel:
+    """The rocking model of a wall held at its top. inward : the wall mirrored; h1 : height of the hinge between [m],
+    None : where alpha_0 outward is lowest. Raises ValueError as `mechanism`."""
+    first = mechanism(outward, h1)
+    second, held = mechanism(inward, first.h1), HeldTop(outward, inward, first.h1)
+    return bending_model(held, (first.theta0, second.theta0), kept_at_impact(outward, inward, first.h1))
+
+
+@dataclass(frozen=True)
+class HingeAt:
+    """Another height of the hinge between, at which the histories are made too [m]."""
+
+    h1: float
+    assumed: ClassVar[bool] = False
+
+    def of(self, model: RockingModel) -> RockingModel:
+        """The model with its hinge here."""
+        held = known(model.bending)
+        return model_of_bending(held.outward, held.inward, self.h1)
+
+
+ALIKE = 1e-2
+"""Distance of two hinges that are taken as one [of H]: near the lowest, zeta differs by its square."""
+
+
+def hinges_in_histories(model: RockingModel, displacement: Bending | None) -> tuple[HingeAt, ...]:
+    """Heights of the hinge of which the worst decides by histories: those of the lowest alpha_0 outward and inward, and
+    that of the displacement check (a hinge belongs to a check)."""
+    held = known(model.bending)
+    heights = [held.h1, lowest_hinge(held.inward), *([displacement.h1] if displacement else [])]
+    found: list[float] = []
+    for h1 in heights:
+        if all(abs(h1 - other) > ALIKE * held.outward.height for other in found):
+            found.append(h1)
+    return tuple(HingeAt(h1) for h1 in found)
 
 
 def shown_rotation(mechanism: Bending) -> float:

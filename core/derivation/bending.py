@@ -14,12 +14,17 @@ from core.derivation.line import FULL, INPUT, LIVE, RUN, SYMBOLS, VALUE, Columns
 from core.derivation.quantity import Given, quantity
 from core.known import known
 from core.study.results import WallResult
+from core.units import G
 from core.wall.bending import blocks_of
 
 LOADS = {"load.n": "N", "load.d": "d"}
 """Columns of the loads on the top."""
 
 THETA_0 = Given("theta_0", "θ_0", "°", 3, label="θ_0 of the lower block, where α = 0")
+
+KEPT = Given("velocity_ratio", "e", "–", 4, label="velocity ratio of an impact: momentum of both blocks, projected")
+
+A_START = Given("a_rm_run", "a_RM", "g", 3, label="acceleration that starts the motion, outward or inward")
 
 
 # the start of the motion
@@ -239,6 +244,8 @@ def geometry(wall: WallResult) -> Section:
     if asked.load:
         rows = [(Word(f"choice_{load.kind}"), (known(load.kn_m), known(load.d_m))) for load in asked.load]
         lines.append(Columns("Loads on the top, from the outer face", LOADS, ("kN/m", "m"), rows, INPUT))
+    lines.append(Line(A_START, wall.model.threshold / G, RUN, VALUE))
+    lines.append(Line(KEPT, wall.model.ratio_at_rest, RUN, VALUE))
     return Section("The wall, held at its top", lines)
 
 

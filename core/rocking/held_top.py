@@ -1,9 +1,9 @@
 """Histories of a wall held at its top, by its own equation (resources/docs/physics.md, section 24).
 
 The one degree of freedom is followed in the coordinate y with y' = sqrt(I(theta)/I_0) theta', whose kinetic energy has
-a constant mass: y'' = p2 (beta x(y) - v(y)), v and x the work of the weights and of the push by y over I_0 p2. The
-steps are those of Dormand and Prince, cut at samples; uplift, impacts and turning points are located on the step
-itself.
+a constant mass: y'' = p2 (beta x(y) - v(y)), v and x the work of the weights and of the push by y over I_0 p2, which
+are polynomials in pieces of y. A step is its Taylor series of order 8, cut at samples; impacts and turning points are
+roots of the series.
 """
 
 import functools
@@ -13,7 +13,6 @@ from typing import NamedTuple
 import numpy as np
 
 from core.jit.decorators import kernel, subkernel
-from core.rocking.compared.dormand_prince import STAGES, tableau
 from core.rocking.events import IMPACTS_PER_SAMPLE, leave_impact, next_uplift, uplift_thresholds
 from core.rocking.grounds import Grounds
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
@@ -21,21 +20,22 @@ from core.units import G
 from core.wall.bending import HeldTop, Motion, near_rest
 from core.wall.rocking_model import RockingModel
 
-TOLERANCE = 1e-13
-"""Largest error of a step, of y over that of collapse [-]."""
+TOLERANCE = 1e-14
+"""Largest last term of a step, over y of collapse [-]."""
 
 BEYOND, SHORT_OF = 2.5, 0.8
 """The motion is followed to so many times the rotation of collapse, at most to this share of the way to where the
 upper block no longer reaches what holds it: beyond it the wall has overturned."""
 
-PIECES, DEGREE = 64, 7
-"""Pieces of the functions of y, and the degree of each: 1e-12 of their size (tests/core/rocking/test_held_top.py)."""
+PIECES, DEGREE, OVERLAP = 32, 7, 1.5
+"""Pieces of the functions of y, the degree of each, and how far it holds over its half width: to 1e-13 of their size
+(tests/core/rocking/test_held_top.py)."""
 
 SPECTRAL = 96
 """Degree of the series by which y, its inverse and the potential are made."""
 
-FINEST = 2.0**-12
-"""Share of a sample down to which it is cut where the wall may turn twice in it."""
+NEAREST, TINIEST = 1e-15, 1e-300
+"""Share of a step to which an event is located, and in place of zero where it is divided by."""
 
 
 class Side(NamedTuple):
@@ -56,8 +56,8 @@ class Side(NamedTuple):
 V, X, POTENTIAL, THETA = range(4)
 """The functions of `Side.values`."""
 
-NONE, ROOM = np.empty(0), np.zeros(2 * STAGES)
-"""Histories nobody wants, and room for the stages of a step."""
+NONE = np.empty(0)
+"""Histories nobody wants."""
 
 
 @functools.lru_cache(maxsize=64)
@@ -72,17 +72,17 @@ def side_of(motion: Motion, inertia: float, p2: float, collapse: float) -> Side:
     """The functions of one side. inertia : I_0 [kg m]; collapse : theta_c [rad]"""
     cheb = np.polynomial.chebyshev.Chebyshev
     last = min(BEYOND * collapse, collapse + SHORT_OF * (motion.last - collapse))
-    domain = [0.0, last]
+    domain = [-last / PIECES, last]  # the first piece overlaps rest
     rate = cheb.interpolate(lambda theta: np.sqrt(motion.parts(theta)[0] / inertia), SPECTRAL, domain)
     work = cheb.interpolate(lambda theta: motion.parts(theta)[1] / (inertia * p2), SPECTRAL, domain)
     y_of, stored = rate.integ(lbnd=0.0), work.integ(lbnd=0.0)
-    end = float(y_of(last))
-    nodes = np.cos(math.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
+    end = float(y_of(last)) * PIECES / (PIECES + OVERLAP)  # the last piece overlaps it
+    nodes = OVERLAP * np.cos(math.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
     y = ((np.arange(PIECES)[:, None] + 0.5 * (1.0 + nodes)) * (end / PIECES)).ravel()
     theta = y * (last / end)
     for _ in range(50):
         step = (y_of(theta) - y) / rate(theta)
-        theta = np.clip(theta - step, 0.0, last)
+        theta = theta - step
         if np.abs(step).max() < 1e-15:
             break
     inertias, risen, moved = motion.parts(theta)
@@ -105,114 +105,143 @@ def value(which, y, side):
 
 
 @subkernel
-def acceleration(y, beta, p2, side):
-    """y'' [rad/s2] at y under u''/g = beta seen from this side."""
+def series(y, speed, beta, slope, p2, side):
+    """Coefficients 1 to 8 of y as a power series in time, and the time [s] up to which it holds.
+
+    y, speed : at its start [rad], [rad/s]
+    beta : u''/g then, seen from this side [-]
+    slope : its rate [1/s]
+    side : Side
+    """
     at = y * side.scale
     piece = min(max(int(at), 0), PIECES - 1)
-    s, held, push = 2.0 * (at - piece) - 1.0, 0.0, 0.0
-    for k in range(DEGREE, -1, -1):
-        held = held * s + side.values[piece, V, k]
-        push = push * s + side.values[piece, X, k]
-    return p2 * (beta * push - held)
+    s, per = 2.0 * (at - piece) - 1.0, 2.0 * side.scale
+    v0 = v1 = v2 = v3 = v4 = v5 = v6 = 0.0
+    x0 = x1 = x2 = x3 = x4 = x5 = x6 = 0.0
+    for k in range(DEGREE, -1, -1):  # both functions about s
+        v6 = v6 * s + v5
+        v5 = v5 * s + v4
+        v4 = v4 * s + v3
+        v3 = v3 * s + v2
+        v2 = v2 * s + v1
+        v1 = v1 * s + v0
+        v0 = v0 * s + side.values[piece, V, k]
+        x6 = x6 * s + x5
+        x5 = x5 * s + x4
+        x4 = x4 * s + x3
+        x3 = x3 * s + x2
+        x2 = x2 * s + x1
+        x1 = x1 * s + x0
+        x0 = x0 * s + side.values[piece, X, k]
+    rate = per * p2
+    s1 = per * speed
+    s2 = 0.5 * rate * (beta * x0 - v0)
+    g1 = x1 * s1
+    s3 = rate / 6.0 * (beta * g1 + slope * x0 - v1 * s1)
+    q2 = s1 * s1
+    g2 = x1 * s2 + x2 * q2
+    s4 = rate / 12.0 * (beta * g2 + slope * g1 - v1 * s2 - v2 * q2)
+    q3, r3 = 2.0 * s1 * s2, s1 * q2
+    g3 = x1 * s3 + x2 * q3 + x3 * r3
+    s5 = rate / 20.0 * (beta * g3 + slope * g2 - v1 * s3 - v2 * q3 - v3 * r3)
+    q4, r4, w4 = 2.0 * s1 * s3 + s2 * s2, s1 * q3 + s2 * q2, s1 * r3
+    g4 = x1 * s4 + x2 * q4 + x3 * r4 + x4 * w4
+    s6 = rate / 30.0 * (beta * g4 + slope * g3 - v1 * s4 - v2 * q4 - v3 * r4 - v4 * w4)
+    q5, r5 = 2.0 * (s1 * s4 + s2 * s3), s1 * q4 + s2 * q3 + s3 * q2
+    w5, z5 = s1 * r4 + s2 * r3, s1 * w4
+    g5 = x1 * s5 + x2 * q5 + x3 * r5 + x4 * w5 + x5 * z5
+    s7 = rate / 42.0 * (beta * g5 + slope * g4 - v1 * s5 - v2 * q5 - v3 * r5 - v4 * w5 - v5 * z5)
+    q6, r6 = 2.0 * (s1 * s5 + s2 * s4) + s3 * s3, s1 * q5 + s2 * q4 + s3 * q3 + s4 * q2
+    w6, z6 = s1 * r5 + s2 * r4 + s3 * r3, s1 * w5 + s2 * w4
+    g6 = x1 * s6 + x2 * q6 + x3 * r6 + x4 * w6 + x5 * z6 + x6 * s1 * z5
+    s8 = rate / 56.0 * (beta * g6 + slope * g5 - v1 * s6 - v2 * q6 - v3 * r6 - v4 * w6 - v5 * z6 - v6 * s1 * z5)
+    holds = (TOLERANCE * per * side.top / max(abs(s8), TINIEST)) ** 0.125
+    terms = (s1 / per, s2 / per, s3 / per, s4 / per, s5 / per, s6 / per, s7 / per, s8 / per)
+    return terms, holds, s, per
 
 
 @subkernel
-def advance(y, speed, beta, slope, h, p2, side, table, rates, pushes):
-    """y [rad] and y' [rad/s] after h, in as many steps as the tolerance asks.
+def moved(terms, t):
+    """What a series adds to y after a time [s]."""
+    a, b, c, d, e, f, g, h = terms
+    return t * (a + t * (b + t * (c + t * (d + t * (e + t * (f + t * (g + t * h)))))))
 
-    beta : u''/g at the start, seen from this side [-]
-    slope : rate of beta [1/s]
-    h : time to go [s]
-    side : Side
-    table : of `tableau` [-], shape (16 * STAGES,)
-    rates : room for the velocities of the stages [rad/s], shape (STAGES,)
-    pushes : room for their accelerations [rad/s2], shape (STAGES,)
-    """
-    done, step, p = 0.0, h, math.sqrt(p2)
-    for _ in range(100_000):
-        step = min(step, h - done)
-        for i in range(STAGES):
-            x, v = y, speed
-            for j in range(i):
-                x += step * table[i * STAGES + j] * rates[j]
-                v += step * table[i * STAGES + j] * pushes[j]
-            rates[i] = v
-            pushes[i] = acceleration(x, beta + (done + step * table[13 * STAGES + i]) * slope, p2, side)
-        x, v, fifth, third = y, speed, 0.0, 0.0
-        for which in range(2):
-            part, five, three = 0.0, 0.0, 0.0
-            for i in range(STAGES):
-                stage = rates[i] if which == 0 else pushes[i] / p
-                part += table[12 * STAGES + i] * stage
-                five += table[14 * STAGES + i] * stage
-                three += table[15 * STAGES + i] * stage
-            x += step * part if which == 0 else 0.0
-            v += step * part * p if which == 1 else 0.0
-            fifth += five * five
-            third += three * three
-        total = fifth + 0.01 * third
-        error = step * fifth / math.sqrt(total) / side.top if total > 0.0 else 0.0
-        if error <= TOLERANCE or step < 1e-6 * h:
-            y, speed = x, v
-            if step >= h - done:
-                break
-            done += step
-            step *= 3.0
+
+@subkernel
+def speed_of(terms, t):
+    """y' of a series after a time [s]."""
+    a, b, c, d, e, f, g, h = terms
+    high = 5.0 * e + t * (6.0 * f + t * (7.0 * g + t * 8.0 * h))
+    return a + t * (2.0 * b + t * (3.0 * c + t * (4.0 * d + t * high)))
+
+
+@subkernel
+def push_of(terms, t):
+    """y'' of a series after a time [s]."""
+    _, b, c, d, e, f, g, h = terms
+    return 2.0 * b + t * (6.0 * c + t * (12.0 * d + t * (20.0 * e + t * (30.0 * f + t * (42.0 * g + t * 56.0 * h)))))
+
+
+@subkernel
+def slowest(terms, h):
+    """Time [s] at which y'' passes through zero, between 0 and h, at whose ends its signs differ."""
+    low, high, falls = 0.0, h, push_of(terms, 0.0) < 0.0
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        if (push_of(terms, middle) < 0.0) == falls:
+            low = middle
         else:
-            step *= max(0.2, 0.9 * (TOLERANCE / error) ** 0.125)
-    return y, speed
+            high = middle
+    return high
 
 
 @subkernel
-def turning(y, speed, beta, slope, h, p2, side, table, rates, pushes):
-    """Time [s] at which y' passes through zero, between 0 and h, at whose ends its signs differ; as `advance`."""
-    low, high, time = 0.0, h, 0.5 * h
+def turning(terms, h):
+    """Time [s] at which y' passes through zero, between 0 and h, at whose ends its signs differ."""
+    low, high, falls = 0.0, h, terms[0] < 0.0
+    time = 0.5 * h
     for _ in range(100):
-        x, v = advance(y, speed, beta, slope, time, p2, side, table, rates, pushes)
-        if v == 0.0:
-            break
-        if (v < 0.0) == (speed < 0.0):
+        v = speed_of(terms, time)
+        if (v < 0.0) == falls:
             low = time
         else:
             high = time
-        rate = acceleration(x, beta + slope * time, p2, side)
+        rate = push_of(terms, time)
         following = time - v / rate if rate != 0.0 else 0.5 * (low + high)
-        if not (low < following < high):
+        if not low < following < high:
             following = 0.5 * (low + high)
-        if abs(following - time) <= 1e-15 * h or following in (low, high):
+        if abs(following - time) <= NEAREST * h or high - low <= NEAREST * h:
             break
         time = following
     return time
 
 
 @subkernel
-def crossing(y, speed, beta, slope, h, p2, side, table, rates, pushes, level, sign):
-    """Time [s] at which sign * (y - level) falls to zero, between 0 and h, where it is negative; 0.0 for a start on
-    the level that only falls. As `advance`."""
+def landing(y, terms, h):
+    """Time [s] at which y falls to zero within h, where it is not above zero; 0.0 for a start at zero that only
+    falls."""
     low, high = 0.0, h
-    if y == level:
+    if y == 0.0:
         low = h
         for _ in range(60):
             low *= 0.5
-            x, _ = advance(y, speed, beta, slope, low, p2, side, table, rates, pushes)
-            if sign * (x - level) > 0.0:
+            if moved(terms, low) > 0.0:
                 break
             high = low
         else:
             return 0.0
     time = 0.5 * (low + high)
     for _ in range(100):
-        x, v = advance(y, speed, beta, slope, time, p2, side, table, rates, pushes)
-        if x == level:
-            break
-        if sign * (x - level) > 0.0:
+        x = y + moved(terms, time)
+        if x > 0.0:
             low = time
         else:
             high = time
-        following = time - (x - level) / v if v != 0.0 else 0.5 * (low + high)
-        if not (low < following < high):
+        v = speed_of(terms, time)
+        following = time - x / v if v != 0.0 else 0.5 * (low + high)
+        if not low < following < high:
             following = 0.5 * (low + high)
-        if following == time or following in (low, high):
+        if abs(following - time) <= NEAREST * h or high - low <= NEAREST * h:
             break
         time = following
     return time
@@ -254,7 +283,7 @@ def y_at(stored, side):
 
 @kernel
 def integrate(
-    ground, dt, scale, model, outward, inward, start, rotation, velocity, impact_time, impact_velocity, table, peaks
+    ground, dt, scale, model, outward, inward, start, rotation, velocity, impact_time, impact_velocity, peaks
 ):
     """Integrate one history as `taylor.integrate` does.
 
@@ -270,11 +299,9 @@ def integrate(
     velocity : results, y' at the samples [rad/s], of the same shape
     impact_time : results [s], up to its size
     impact_velocity : results, y' just after each impact [rad/s], of the same shape
-    table : of `tableau` with room for 2 STAGES [-]
     peaks : results, largest y outward and inward [rad], shape (2,)
     Returns (outcome, impacts, samples done).
     """
-    rates, pushes = table[16 * STAGES : 17 * STAGES], table[17 * STAGES :]
     thresholds, p2 = uplift_thresholds(model), model.p2
     peaks[:] = 0.0
     sign = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
@@ -285,7 +312,7 @@ def integrate(
         rotation[0], velocity[0] = start
     for i in range(ground.size - 1):
         ground0, slope = scale * ground[i], scale * (ground[i + 1] - ground[i]) / dt
-        t, impacts_before, cut = 0.0, impacts, 1.0
+        t, impacts_before = 0.0, impacts
         while t < dt:
             if not moving:
                 t, sign = next_uplift(ground0, slope, t, dt, thresholds)
@@ -294,30 +321,28 @@ def integrate(
                 moving, y, speed = True, 0.0, 0.0
             side, k = (outward, 0) if sign > 0.0 else (inward, 1)
             beta, rate = sign / G * (ground0 + slope * t), sign / G * slope
-            h = min(cut * dt, dt - t)
-            x, v = advance(y, speed, beta, rate, h, p2, side, table, rates, pushes)
-            before = acceleration(y, beta, p2, side)
-            after = acceleration(x, beta + rate * h, p2, side)
-            may_turn_twice = (before > 0.0) == (speed < 0.0) and (after > 0.0) != (before > 0.0)
-            if may_turn_twice and (speed < 0.0) == (v < 0.0) and h > FINEST * dt:
-                cut = 0.5 * h / dt
-                continue
-            lowest = x
+            terms, holds, s, per = series(y, speed, beta, rate, p2, side)
+            h = min(holds, dt - t)
+            while abs(s + per * moved(terms, h)) > OVERLAP and h > 1e-9 * dt:
+                h *= 0.5
+            v = speed_of(terms, h)
+            slows = (terms[1] > 0.0) == (speed < 0.0) and (push_of(terms, h) > 0.0) != (terms[1] > 0.0)
+            if slows and speed != 0.0 and (v < 0.0) == (speed < 0.0):  # it may turn twice
+                least = slowest(terms, h)
+                if (speed_of(terms, least) < 0.0) != (speed < 0.0):
+                    h, v = least, speed_of(terms, least)
+            x = y + moved(terms, h)
             if speed < 0.0 < v or v < 0.0 < speed:
-                turn = turning(y, speed, beta, rate, h, p2, side, table, rates, pushes)
-                reached, _ = advance(y, speed, beta, rate, turn, p2, side, table, rates, pushes)
-                if speed < 0.0:
-                    lowest = min(lowest, reached)
-                    if reached <= 0.0:
-                        h = turn
-                else:
+                turn = turning(terms, h)
+                reached = y + moved(terms, turn)
+                if speed > 0.0:
                     peaks[k] = max(peaks[k], reached)
-            cut = 1.0
-            if lowest < 0.0 or (x == 0.0 and v < 0.0):
-                h = crossing(y, speed, beta, rate, h, p2, side, table, rates, pushes, 0.0, 1.0)
-                _, v = advance(y, speed, beta, rate, h, p2, side, table, rates, pushes)
+                elif reached < 0.0:
+                    h, x = turn, reached
+            if x < 0.0 or (x == 0.0 and v < 0.0):
+                h = landing(y, terms, h)
+                arriving = max(-speed_of(terms, h), 0.0)
                 t = t + h if h < dt - t else dt
-                arriving = max(-v, 0.0)
                 speed, left, sign, moving, _ = leave_impact(arriving, sign, ground0 + slope * t, model, thresholds)
                 y = 0.0
                 if impacts < impact_time.size:
@@ -368,7 +393,7 @@ def to_rotations(y, rate, outward, inward):
     for i in range(y.size):
         side, sign = (outward, 1.0) if y[i] >= 0.0 else (inward, -1.0)
         rate[i] *= slope(THETA, sign * y[i], side)
-        y[i] = sign * value(THETA, sign * y[i], side)
+        y[i] = sign * max(value(THETA, sign * y[i], side), 0.0) if y[i] != 0.0 else 0.0
 
 
 @kernel
@@ -385,7 +410,7 @@ def to_y(theta, speed, side):
 
 
 @kernel
-def scan_record(ground, dt, scales, model, outward, inward, outcomes, peaks, none, table, both):
+def scan_record(ground, dt, scales, model, outward, inward, outcomes, peaks, none, both):
     """`history.scan` of a wall held at its top; peaks are those of theta [rad].
 
     ground : ground acceleration [m/s2], shape (n,)
@@ -396,48 +421,47 @@ def scan_record(ground, dt, scales, model, outward, inward, outcomes, peaks, non
     outcomes : results, codes of outcome.py, int64, shape (m,)
     peaks : results [rad], shape (m,)
     none : in place of the histories, which nobody wants, shape (0,)
-    table : of `tableau` with room for 2 STAGES [-]
     both : room for the peaks of both sides, shape (2,)
     """
     for j in range(scales.size):
         outcomes[j], _, _ = integrate(
-            ground, dt, scales[j], model, outward, inward, (0.0, 0.0), none, none, none, none, table, both
+            ground, dt, scales[j], model, outward, inward, (0.0, 0.0), none, none, none, none, both
         )
-        peaks[j] = max(value(THETA, both[0], outward), value(THETA, both[1], inward))
+        peaks[j] = max(value(THETA, both[0], outward), value(THETA, both[1], inward), 0.0)
 
 
-def _parts(model: RockingModel) -> tuple[RockingModel, Side, Side, np.ndarray]:
-    """The model as the kernels take it, its sides, and the table of the steps."""
+def _parts(model: RockingModel) -> tuple[RockingModel, Side, Side]:
+    """The model as the kernels take it, and its sides."""
     assert model.bending is not None
     alpha = model.slenderness
     collapse = alpha + model.restoring.lean, alpha + model.mirrored.lean
-    return model._replace(bending=None), *sides_of(model.bending, alpha, collapse), np.append(tableau(), ROOM)
+    return model._replace(bending=None), *sides_of(model.bending, alpha, collapse)
 
 
 def scan(grounds: Grounds, which, scales, model, outcomes, peaks) -> np.ndarray:
     """`history.scan_records` of a wall held at its top; no velocity ratio is ever clamped."""
-    bare, outward, inward, table = _parts(model)
+    bare, outward, inward = _parts(model)
     for k in np.unique(which):
         here = np.nonzero(which == k)[0]
         codes, reached = outcomes[here], peaks[here]
         ground = grounds.ground[grounds.first[k] : grounds.last[k] + 1]
-        scan_record(ground, grounds.dt, scales[here], bare, outward, inward, codes, reached, NONE, table, np.zeros(2))
+        scan_record(ground, grounds.dt, scales[here], bare, outward, inward, codes, reached, NONE, np.zeros(2))
         outcomes[here], peaks[here] = codes, reached
     return np.zeros(scales.size, np.int64)
 
 
 def history(ground, dt, scale, model, start, trace, impact_time, impact_velocity) -> tuple[int, float, int, int, int]:
     """One history in full, theta in `trace`, shape (2, n); returns as `taylor.integrate` does."""
-    bare, outward, inward, table = _parts(model)
+    bare, outward, inward = _parts(model)
     sign = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
     y, speed = to_y(sign * start[0], sign * start[1], outward if sign > 0.0 else inward)
     begin = (sign * y, sign * speed)
-    parts = bare, outward, inward, begin, trace[0], trace[1], impact_time, impact_velocity, table
+    parts = bare, outward, inward, begin, trace[0], trace[1], impact_time, impact_velocity
     peaks = np.zeros(2)
     outcome, impacts, done = integrate(ground, dt, scale, *parts, peaks)
     to_rotations(trace[0], trace[1], outward, inward)
     to_rotations(np.zeros(impact_velocity.size), impact_velocity, outward, inward)
-    peak = max(float(value_of(peaks[0], outward)), float(value_of(peaks[1], inward)))
+    peak = max(float(value_of(peaks[0], outward)), float(value_of(peaks[1], inward)), 0.0)
     return outcome, peak, impacts, 0, done
 
 

@@ -33,7 +33,7 @@ class Entry(NamedTuple):
 
     signs : each record is taken with, 1 as recorded, -1 reversed
     floor : it stands on, None on the ground
-    felt : the records as they move it, none of a wall held at its top
+    felt : the records as they move it
     kinematic : its mechanism, None without a demand and above the ground where the building is not known
     """
 
@@ -181,7 +181,7 @@ class Floors:
         """The floor of a wall, None on the ground. Raises InputError."""
         z = wall.felt_z_m, wall.bends
         if z not in self._known:
-            self._known[z] = floor_of(wall, building, demand, [] if wall.bends else motions)
+            self._known[z] = floor_of(wall, building, demand, motions)
             if self.most is not None and len(self._known) > self.most:
                 del self._known[next(iter(self._known))]
         return self._known[z]
@@ -221,7 +221,6 @@ def plan_of(
             if demand and (floor or not wall.above_ground):
                 found = kinematic(wall.in_si, mechanism, demand, floor.spectrum if floor else None)
             signs, felt = polarities_of(model, chosen.polarity), list(floor.motions) if floor else motions
-            felt = [] if wall.bends else felt  # no time histories of it
             entries.append(Entry(part, mechanism, model, signs, floor, felt, found))
     plan = Plan(case, demand, motions, kinds, method, search, entries, longest, walls)
     if demand and demand.target and motions:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
+from core.case.held_top import bent_inward
 from core.case.schema import Generate
 from core.case.site import Building, Demand
 from core.case.wall import Wall
@@ -14,10 +15,12 @@ from core.codes.elastic_branch import Branch, branches_of, wants_branch
 from core.codes.floor_spectrum import estimated_period
 from core.codes.kinematic import Kinematic, kinematic
 from core.codes.record_compatibility import Compliance, compliance
+from core.codes.vertical_bending import HingeAt, hinges_in_histories, model_of_bending
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
 from core.setting.demand_input import generated_for, set_of
 from core.setting.floors import Floor, floor_of
+from core.wall.bending import strip_of
 from core.wall.rocking_model import RockingModel, rocking_model
 
 ESTIMATES = 0.5, 1.0, 2.0
@@ -26,8 +29,10 @@ ESTIMATES = 0.5, 1.0, 2.0
 
 def model_of(wall: Wall, mechanism: str) -> RockingModel:
     """The rocking model of a wall."""
-    one_sided, restitution = mechanism == "one_sided", wall.restitution_of(mechanism)
     own = wall.in_si
+    if wall.bends:
+        return model_of_bending(strip_of(own), strip_of(bent_inward(wall).in_si))
+    one_sided, restitution = mechanism == "one_sided", wall.restitution_of(mechanism)
     return rocking_model(own.block, one_sided, restitution, own.law, own.restoring, own.bars, own.inner_block)
 
 
@@ -85,8 +90,12 @@ class Scene:
         return model_of(self.wall, self.mechanism)
 
     @cached_property
-    def branches(self) -> tuple[Branch, ...]:
-        """Elastic branches of an element free to vibrate, of which the worst decides; empty of another wall."""
+    def branches(self) -> tuple[Branch | HingeAt, ...]:
+        """What the histories are made with, of which the worst decides: the elastic branches of an element free to
+        vibrate, the hinges of a wall held at its top. Empty of another wall. Raises InputError."""
+        if self.wall.bends:
+            moved = self.kinematic.moved.bending if self.kinematic else None
+            return hinges_in_histories(self.model, moved)
         if not wants_branch(self.wall.in_si, self.mechanism) or not self.wall.moment_law().is_rigid:
             return ()
         return branches_of(self.wall.in_si, self.mechanism, self.model)
@@ -98,9 +107,7 @@ class Scene:
 
     @property
     def motions(self) -> list[GroundMotion]:
-        """The records as they move the wall; none of a wall held at its top, of which no histories are made."""
-        if self.wall.bends:
-            return []
+        """The records as they move the wall."""
         return list(self.floor.motions if self.floor else self.ground)
 
     @cached_property
@@ -116,8 +123,7 @@ class Scene:
         there = replace(self, **({"q_slv": (None, None)} | changes))
         if "floor" in changes or there._felt == self._felt:
             return there
-        motions = () if there.wall.bends else there.ground
-        return replace(there, floor=floor_of(there.wall, there.building, there.demand, motions))
+        return replace(there, floor=floor_of(there.wall, there.building, there.demand, there.ground))
 
     def under(self, demand: DemandResult) -> "Scene":
         """The scene under another demand: motions generated for its spectrum are generated for the new one, records

@@ -51,8 +51,7 @@ def history_at_demand(result: StudyResult, wall: WallResult, run: DemandRun) -> 
     as in the check."""
     motion, demand, check = result.motion_of(wall, run.motion), result.demand, wall.assessed.dynamic
     assert demand is not None and check is not None
-    own = check.branch.of(wall.model) if check.branch else wall.model
-    model, factor = at_demand(own, demand, check.confidence_on, motion)
+    model, factor = at_demand(wall.deciding_model, demand, check.confidence_on, motion)
     return motion, history(motion.acceleration, motion.time_step, run.polarity * factor, model, result.method)
 
 

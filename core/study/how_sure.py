@@ -77,7 +77,8 @@ def _interval(plan: Plan, wall: WallResult, demand: DemandResult, journal, stop)
     """Interval of zeta of one hinge whose histories have a zeta; taken from the journal where it is there."""
     motions, zeta = _felt(plan, wall), _zeta(wall)
     assert zeta is not None
-    key = check_key(wall.model, motions, _signs(wall), demand, plan.method, zeta, "interval") if journal else ""
+    parts = wall.deciding_model, motions, _signs(wall), demand, plan.method, zeta, "interval"
+    key = check_key(*parts) if journal else ""
     known = rebuilt(SampleInterval, journal.get(key)) if journal else None
     if known is not None:
         return known
@@ -145,7 +146,7 @@ def _signs(wall: WallResult) -> tuple[int, ...]:
 
 def _peaks_of(plan: Plan, wall: WallResult, demand: DemandResult, zeta: float, stop) -> RecordPeaks:
     """The peaks of a wall under each record. zeta : of its histories"""
-    return record_peaks(wall.model, _felt(plan, wall), _signs(wall), demand, plan.method, zeta, stop)
+    return record_peaks(wall.deciding_model, _felt(plan, wall), _signs(wall), demand, plan.method, zeta, stop)
 
 
 def ag_of(demand: DemandResult, asked: Demand | None, base_dir: Path) -> Callable[[float], float]:

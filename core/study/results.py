@@ -136,6 +136,12 @@ class WallResult:
         return shared(self.part, self.mechanism)
 
     @property
+    def deciding_model(self) -> RockingModel:
+        """The model whose histories decide at the demand: with the elastic branch, or the hinge, that fares worst."""
+        dynamic = self.assessment.dynamic if self.assessment else None
+        return dynamic.branch.of(self.model) if dynamic and dynamic.branch else self.model
+
+    @property
     def threshold(self) -> float:
         """Acceleration that starts the motion [m/s2]: a_RM, of a wall held at its top alpha_0 g."""
         return G * uplift_multiplier(self.wall.in_si, self.mechanism) if self.wall.bends else self.model.threshold

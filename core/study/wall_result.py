@@ -18,6 +18,7 @@ from core.study.results import Q_SOURCES, PerRecord, Run, WallResult
 from core.text.sentence import Key, Sentence, notice, sentence
 from core.units import CM
 from core.wall.block import Block
+from core.wall.impact import MOMENTUM, Restitution
 from core.wall.restitution import MODELS, housner_ratio, one_sided_ratio
 from core.wall.rocking_model import RockingModel
 from core.wall.solids import LEAST_BASE, section_area
@@ -134,7 +135,7 @@ def wall_result(part: Part, mechanism, model, runs, motions, search, demand, flo
             inequality(source, q, model.threshold, demand.pga) if q else None
             for source, q in zip(Q_SOURCES, sources, strict=True)
         )
-    restitution = wall.restitution_of(mechanism)
+    restitution = Restitution(MOMENTUM, model.ratio_at_rest) if wall.bends else wall.restitution_of(mechanism)
     estimated = ()
     if checks and demand.intensity and wall.has_closed_forms:
         estimated = estimates(block, restitution, law, one_sided, demand.intensity, demand.pga)

@@ -125,7 +125,8 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
     if ratio is not None and ratio < LOW_CODE:
         limits.append(sentence("reason", "code_below_records", ratio=ratio))
     limits += _of_life_and_records(evaluation)
-    limits += [*_of_bending(kinematic), *_of_ties_not_counted(evaluation), *_of_ties_that_lower(evaluation, cancelled)]
+    limits += [*_of_bending(kinematic, dynamic is not None), *_of_ties_not_counted(evaluation)]
+    limits += _of_ties_that_lower(evaluation, cancelled)
     limits += _of_a_thicker_wall(evaluation)
     if evaluation.zeta is not None and not made:
         limits.append(sentence("reason", "assumptions_not_made", n=MANY))
@@ -216,13 +217,14 @@ def _overturning(scene: Scene, cancelled: Callable[[], bool]) -> Evaluation | No
         return None
 
 
-def _of_bending(kinematic: Kinematic) -> list[Sentence]:
-    """Sentences that limit the verdict of a wall held at its top: no histories, a hinge as high as one is looked
-    for."""
+def _of_bending(kinematic: Kinematic, with_histories: bool) -> list[Sentence]:
+    """Sentences that limit the verdict of a wall held at its top: no histories, the force of what holds it, a hinge as
+    high as one is looked for."""
     found = kinematic.chain.bending
     if found is None:
         return []
-    limits = [sentence("reason", "no_histories", q=2), sentence("reason", "top_force", force=1e-3 * found.top_force)]
+    limits = [] if with_histories else [sentence("reason", "no_histories", q=2)]
+    limits.append(sentence("reason", "top_force", force=1e-3 * found.top_force))
     moved = kinematic.moved.bending or found
     if found.highest or moved.highest:
         limits.append(sentence("reason", "hinge_highest", height=found.h1))

@@ -183,7 +183,7 @@ def _of_the_law(evaluation: Evaluation) -> Iterator[Raised]:
     if not wall.moment_law().is_rigid:
         end = End(of_wall(law="rigid"), "rigid")
         yield one_end("law", "lift_law", wall.justification, _law_named(wall.law), end)
-    if evaluation.dynamic is not None and evaluation.dynamic.branch is not None:
+    if evaluation.dynamic is not None and isinstance(evaluation.dynamic.branch, Branch):
         yield _of_the_branch(evaluation.dynamic.branch)
     given = wall.law == "rigid" and wall.in_si.is_free(scene.mechanism) and evaluation.satisfied
     if given and can_have_branch(wall.in_si, scene.mechanism):  # a wall that fails without it is not asked
@@ -209,7 +209,7 @@ def _histories_left_out(evaluation: Evaluation) -> bool:
     """Whether histories could be made of the wall, and are not; of one that fails without them they are not asked
     for."""
     scene, demand = evaluation.scene, evaluation.scene.demand
-    can = demand.target is not None and demand.limit_state in LIMIT_FRACTION and not scene.wall.bends
+    can = demand.target is not None and demand.limit_state in LIMIT_FRACTION
     return can and scene.histories_off and not scene.ground and evaluation.satisfied
 
 

@@ -86,7 +86,7 @@ class Setting:
     @property
     def has_histories(self) -> bool:
         """Whether time histories decide."""
-        return bool(self.inputs[1]) and not self.case.wall[0].bends and self.demand.limit_state in LIMIT_FRACTION
+        return bool(self.inputs[1]) and self.demand.limit_state in LIMIT_FRACTION
 
 
 def setting_of(case: Case, k: int, base_dir: Path, inputs: Inputs, histories: Callable = demand_check) -> Setting:

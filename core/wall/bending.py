@@ -258,7 +258,7 @@ def _sums(weights: tuple[Weight, ...], masses: tuple[Mass, ...], x_of: Callable[
     moving = [(one.mass, x_of(one.x), one.z - z) for one in masses]
     each = [math.fsum(value) for rows in (forces, pushed, moving) for value in _moments(rows)]
     inertia = math.fsum(m * (x * x + y * y) for m, x, y in moving) + math.fsum(one.own for one in masses)
-    return Sums(*each, inertia)
+    return Sums._make([*each, inertia])
 
 
 def _moments(rows: list[tuple[float, float, float]]) -> tuple[list[float], list[float], list[float]]:

@@ -5,6 +5,9 @@ from dataclasses import dataclass
 
 from core.jit.decorators import subkernel
 
+MOMENTUM = "momentum"
+"""Model of a wall held at its top, whose ratio follows from its geometry: the momentum of both blocks, projected."""
+
 
 @dataclass(frozen=True)
 class Restitution:

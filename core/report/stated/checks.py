@@ -4,6 +4,9 @@ import math
 from typing import Any
 
 from core.capacity.accuracy import RECORD_ROUNDING
+from core.codes.dynamic_check import DemandCheck
+from core.codes.elastic_branch import Branch
+from core.codes.vertical_bending import HingeAt
 from core.report.stated.quantity import (
     Quantity,
     flag,
@@ -19,6 +22,15 @@ from core.report.stated.quantity import (
     whole,
 )
 from core.units import G
+
+
+def _elastic(check: DemandCheck) -> Branch | None:
+    return check.branch if isinstance(check.branch, Branch) else None
+
+
+def _hinge(check: DemandCheck) -> float | None:
+    return check.branch.h1 if isinstance(check.branch, HingeAt) else None
+
 
 RUN_AT_DEMAND = (
     text("record", "record"),
@@ -64,7 +76,8 @@ AT_DEMAND = (
     number("share_failing_at_demand", "-", "failing multipliers within 10 % of the zeta required"),
     one("zeta_other", "the check with FC on the other side, null where FC is 1", OTHER_SIDE),
     texts("not_counted", "records too weak beside the others to count"),
-    one("branch", "the elastic branch that decides, null without one", BRANCH),
+    one("branch", "the elastic branch that decides, null without one", BRANCH, _elastic),
+    number("hinge_between_m", "m", "height of the hinge of a wall held at its top that decides", _hinge),
 )
 """Quantities read from DemandCheck."""
 

@@ -219,11 +219,6 @@ class OfWallResult(NamedTuple):
         return [OfRun(run, self.wall, known(self.result)) for run in self.wall.runs]
 
     @property
-    def histories(self) -> WallResult | None:
-        """The result of a wall that has time histories: one held at its top has none."""
-        return None if self.wall.wall.bends else self.wall
-
-    @property
     def found(self) -> Any:
         return self.wall.assessment
 
@@ -236,11 +231,6 @@ class OfAssessment:
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self.found, name)
-
-
-def _held(of: OfWallResult, read) -> Any:
-    """Read a value of a wall that has time histories; None of another."""
-    return None if of.histories is None else read(of.histories)
 
 
 def _with_factor(of: OfWallResult) -> OfAssessment | None:
@@ -260,12 +250,18 @@ WALL = (
         lambda of: math.degrees(of.wall.block.slenderness),
         line="slenderness",
     ),
-    number("radius_m", "m", "R", lambda of: _held(of, lambda wall: wall.block.radius), line="radius"),
+    number(
+        "radius_m",
+        "m",
+        "R, null of a wall held at its top",
+        lambda of: None if of.wall.wall.bends else of.wall.block.radius,
+        line="radius",
+    ),
     number(
         "frequency_parameter_rad_s",
         "rad/s",
         "p",
-        lambda of: _held(of, lambda wall: wall.block.frequency_parameter),
+        lambda of: math.sqrt(of.wall.model.p2) if of.wall.wall.bends else of.wall.block.frequency_parameter,
         line="p",
     ),
     number(
@@ -276,15 +272,9 @@ WALL = (
         line="a_rm",
     ),
     text("mechanism", "one_sided, two_sided or vertical_bending", "wall.mechanism"),
-    text("restitution", "model of restitution", lambda of: _held(of, lambda wall: wall.restitution.model)),
-    number(
-        "velocity_ratio",
-        "-",
-        "at rest",
-        lambda of: _held(of, lambda wall: wall.restitution.ratio_at_rest),
-        line="velocity_ratio",
-    ),
-    Quantity("law", "any", "moment-rotation law", lambda of: _held(of, lambda wall: wall.wall.law)),
+    text("restitution", "model of restitution", "wall.restitution.model"),
+    number("velocity_ratio", "-", "at rest", "wall.restitution.ratio_at_rest", line="velocity_ratio"),
+    Quantity("law", "any", "moment-rotation law", lambda of: of.wall.wall.law),
     many("runs", "each record and sign", RUN),
     many("per_record", "the lower of both signs of each record", PER_RECORD, "wall.per_record"),
     text("set_rule", "mean, minimum, too_few or incomplete", "wall.set_rule"),
