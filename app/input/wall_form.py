@@ -150,7 +150,7 @@ class WallForm(WallEditor):
             ("two_sided", named("two_sided"), tr("Free on both faces: rocks to both sides")),
             ("one_sided", named("one_sided"), tr("A restraint behind: rocks outwards only")),
             ("both", named("both"), tr("Two results: with the restraint behind and without")),
-            (BENDS, named(BENDS), tr("Held at its top, free to rise there: bends outward. Kinematic checks only")),
+            (BENDS, named(BENDS), tr("Held at its top, free to rise there: bends outward and inward as two blocks")),
         ):
             button = QToolButton()
             button.setIcon(mechanism_icon(name))

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QWidget
 from app.look import theme
 from app.look.body_drawing import BodyDrawing, complete, turned
 from app.look.language import number
+from core.case.held_top import bent_inward
 from core.case.loads import Load
 from core.case.wall import BENDS, Wall
 from core.codes.vertical_bending import Bending, bending, outlines, shown_rotation
@@ -19,7 +20,7 @@ from core.errors import InputError
 from core.known import known
 from core.report.load_arrows import SHORTEST, arrows
 from core.rocking.bar_state import BROKEN, SLACK, YIELDING
-from core.wall.bending import Strip, hinges_of
+from core.wall.bending import HeldTop, Strip, hinges_of, strip_of
 
 
 def outline(height: float, thickness: float, setback: float, rotation: float) -> list[QPointF]:
@@ -46,6 +47,16 @@ def bent_blocks(found: Bending) -> Bent:
         tuple([QPointF(half - x, z) for x, z in block] for block in blocks),
         tuple(QPointF(half - x, z) for x, z in hinges),
     )
+
+
+def moving_blocks(held: HeldTop, rotation: float) -> list[list[QPointF]]:
+    """Both blocks of a wall held at its top at a rotation of the lower one [rad], inward negative."""
+    strip, half = held.outward, 0.5 * held.outward.thickness
+    if rotation < 0.0:
+        strip = held.inward
+    turned_by = min(abs(rotation), 0.9 * held.side(math.copysign(1.0, rotation)).last)
+    blocks, side = outlines(strip, held.h1, turned_by), 1.0 if rotation >= 0.0 else -1.0
+    return [[QPointF(side * (half - x), z) for x, z in block] for block in blocks]
 
 
 class Arrow(NamedTuple):
@@ -128,6 +139,7 @@ class WallDrawing(QWidget):
         self.size_of: tuple[float, float, float] | None = None
         self.one_sided = False
         self.bent = Bent()
+        self.held: HeldTop | None = None
         self.arrows: list[Arrow] = []
         self.bars: list[tuple[float, int]] = []
         self.hinges: list[tuple[float, float | None]] = []
@@ -146,7 +158,7 @@ class WallDrawing(QWidget):
         self._shown = wall, list(hinges)
         self.size_of, self.arrows, self.bars, self.hinges = None, [], [], list(hinges)
         self.body = BodyDrawing()
-        self.bent = Bent()
+        self.bent, self.held = Bent(), None
         if wall is not None:
             try:
                 all_loads, wall = wall.load, _with_loads_given(complete(wall))
@@ -157,7 +169,9 @@ class WallDrawing(QWidget):
                 self.one_sided = wall.mechanism == "one_sided"
                 self.body = BodyDrawing(wall, 0.5 * thickness)
                 self.arrows = arrows_of(wall, all_loads, height, thickness)
-                self.bent = bent_blocks(bending(wall.in_si)) if wall.bends else Bent()
+                if wall.bends:
+                    self.bent = bent_blocks(found := bending(wall.in_si))
+                    self.held = HeldTop(found.strip, strip_of(bent_inward(wall).in_si), found.h1)
             except (InputError, TypeError):
                 pass
         self.update()
@@ -200,14 +214,17 @@ class WallDrawing(QWidget):
         shade = QColor(theme.current.curves[0])
         shade.setAlpha(70)
         painter.setBrush(shade)
-        if self.body.section:
+        if self.held is not None and self.rotation != 0.0:
+            for block in moving_blocks(self.held, self.rotation):
+                painter.drawPolygon(QPolygonF([place(point) for point in block]))
+        elif self.body.section:
             self.body.draw_section(painter, place, 0.5 * thickness - setback, self.rotation)
         else:
             corners = [place(point) for point in outline(height, thickness, setback, self.rotation)]
             painter.drawPolygon(QPolygonF(corners))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(quiet, 1.2, Qt.PenStyle.DashLine))
-        for block in self.bent.blocks:
+        for block in self.bent.blocks if self.rotation == 0.0 and self.with_sizes else ():
             painter.drawPolyline([place(point) for point in block])
         painter.setBrush(QColor(theme.current.bad))
         painter.setPen(Qt.PenStyle.NoPen)

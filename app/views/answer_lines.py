@@ -118,8 +118,6 @@ def limits(result: StudyResult, wall: WallResult, language: str, warnings: list[
 
 def no_dynamic_check(result: StudyResult, wall: WallResult) -> tuple[str, str]:
     """(why a wall with a demand has no dynamic check, what leads to one)."""
-    if wall.wall.bends:
-        return tr("No time histories of this mechanism."), ""
     if wall.wall.above_ground and result.case.building is None:
         return tr("No dynamic check: the motion of the floor follows from the building."), "building"
     if not result.motions:

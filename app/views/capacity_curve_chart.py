@@ -21,10 +21,12 @@ class CapacityCurveChart(Chart):
         self.hide()
 
     def show_in_place_of(self, other: Chart, result: StudyResult, wall: WallResult) -> None:
-        """Draw the curves of a wall that bends in the place of another chart, which is shown for any other wall."""
-        other.setVisible(not wall.wall.bends)
-        self.setVisible(wall.wall.bends)
-        if wall.wall.bends:
+        """Draw the curves of a wall that bends and has no histories in the place of another chart, which is shown for
+        any other wall."""
+        here = wall.wall.bends and not (wall.assessment and wall.assessment.dynamic)
+        other.setVisible(not here)
+        self.setVisible(here)
+        if here:
             self.show_wall(result, wall)
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:

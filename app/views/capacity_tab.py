@@ -92,7 +92,7 @@ class CapacityTab(ResultTab):
             drawn = self._fragility_of(result.walls[other], 1, True, name) or drawn
             self.fragility.caption += name
         if not drawn:
-            why = tr("No time histories of this mechanism.") if wall.wall.bends else tr("No record with a q.")
+            why = tr("No record with a q.")
             self.fragility.say_why(why)
             return
         self.fragility.set_range(y=(0.0, 1.05))
@@ -158,7 +158,7 @@ class CapacityTab(ResultTab):
     def _show_strips(self, wall: WallResult) -> None:
         self.strips.clear()
         if not wall.runs:
-            self.strips.say_why(tr("No time histories of this mechanism.") if wall.wall.bends else tr("No records."))
+            self.strips.say_why(tr("No records."))
             return
         self.strips.caption = title_of(wall)
         first = min(run.ida.first_index for run in wall.runs)

@@ -163,7 +163,6 @@ class HistoriesTab(ResultTab):
         row.setStretchFactor(0, 3)
         row.setStretchFactor(1, 7)
         walls.setMinimumWidth(190)
-        self.moving = (self.record, self.slider, self.preset, row)
         layout = QVBoxLayout(self)
         layout.addLayout(bar)
         self.words.setWordWrap(True)
@@ -180,8 +179,6 @@ class HistoriesTab(ResultTab):
         self.again.setVisible(bool(wall.model.bars))
         self.below.tabBar().setVisible(bool(wall.model.bars))
         self.below.setCurrentIndex(1 if wall.model.bars else 0)
-        for widget in self.moving:  # one that bends has no histories
-            widget.setVisible(not wall.wall.bends)
         if not wall.model.bars:
             with QSignalBlocker(self.again):
                 self.again.setChecked(False)
@@ -204,8 +201,6 @@ class HistoriesTab(ResultTab):
     def _begin(self) -> None:
         """A record at the demand as the dynamic check has it; without a demand at the last survived multiplier."""
         self._chosen()
-        if self.shown is not None and self.shown[1].wall.bends:
-            self.words.setText(tr("No time histories of this mechanism."))
         if self.shown is not None and self.shown[0].demand is not None and self.run is not None:
             self._set_to(2)
 

@@ -56,7 +56,7 @@ class IntensityTab(ResultTab):
         known = [entry for entry in wall.per_record if entry.q is not None]
         why = ""
         if not known:
-            why = tr("No time histories of this mechanism.") if wall.wall.bends else tr("No record with a q.")
+            why = tr("No record with a q.")
         elif not wall.wall.has_closed_forms:
             why = tr("Not drawn above the ground and with loads, where Eq. 15 and 16 do not hold.")
         for chart in (self.chart, self.scale_free):

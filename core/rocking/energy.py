@@ -3,6 +3,7 @@
 import numpy as np
 
 from core.jit.decorators import kernel
+from core.rocking import held_top
 from core.rocking.history import History
 from core.wall.moment_rotation import potential
 from core.wall.rocking_model import RockingModel, seen_from
@@ -22,6 +23,8 @@ def _fill(rotation, velocity, model, ratios):
 def energy_ratios(history: History, model: RockingModel) -> np.ndarray:
     """Kinetic and stored energy at the samples over the energy at theta_c on that side [-], shape (n,): above 1 a wall
     on a ground that rests overturns (PHYSICS 2). The work of ties is not in it."""
+    if model.bending is not None:
+        return held_top.energy_ratios(history.rotation, history.velocity, model)
     ratios = np.empty(history.rotation.size)
     _fill(history.rotation, history.velocity, model, ratios)
     return ratios

@@ -388,12 +388,35 @@ def slope(which, y, side):
 
 
 @kernel
+def fill_energy(rotation, velocity, p2, outward, inward, ratios):
+    """Energy over that at collapse on its side. rotation [rad], velocity [rad/s], ratios : results [-], shape (n,)"""
+    for i in range(rotation.size):
+        side, sign = (outward, 1.0) if rotation[i] >= 0.0 else (inward, -1.0)
+        y, speed = to_y(sign * rotation[i], sign * velocity[i], side)
+        ratios[i] = (0.5 * speed * speed / p2 + value(POTENTIAL, y, side)) / side.barrier
+
+
+def energy_ratios(rotation: np.ndarray, velocity: np.ndarray, model: RockingModel) -> np.ndarray:
+    """The ratios of core/rocking/energy.py for a wall held at its top."""
+    bare, outward, inward = _parts(model)
+    ratios = np.zeros(rotation.size)
+    fill_energy(rotation, velocity, bare.p2, outward, inward, ratios)
+    return ratios
+
+
+@subkernel
+def turned_by(y, side):
+    """theta [rad] at y, zero exactly at rest."""
+    return max(value(THETA, y, side), 0.0) if y > 0.0 else 0.0
+
+
+@kernel
 def to_rotations(y, rate, outward, inward):
     """Turn y [rad] and y' [rad/s] into theta and theta' in place, shape (n,). outward, inward : Side"""
     for i in range(y.size):
         side, sign = (outward, 1.0) if y[i] >= 0.0 else (inward, -1.0)
         rate[i] *= slope(THETA, sign * y[i], side)
-        y[i] = sign * max(value(THETA, sign * y[i], side), 0.0) if y[i] != 0.0 else 0.0
+        y[i] = sign * turned_by(sign * y[i], side)
 
 
 @kernel
@@ -427,7 +450,7 @@ def scan_record(ground, dt, scales, model, outward, inward, outcomes, peaks, non
         outcomes[j], _, _ = integrate(
             ground, dt, scales[j], model, outward, inward, (0.0, 0.0), none, none, none, none, both
         )
-        peaks[j] = max(value(THETA, both[0], outward), value(THETA, both[1], inward), 0.0)
+        peaks[j] = max(turned_by(both[0], outward), turned_by(both[1], inward))
 
 
 def _parts(model: RockingModel) -> tuple[RockingModel, Side, Side]:
@@ -461,11 +484,11 @@ def history(ground, dt, scale, model, start, trace, impact_time, impact_velocity
     outcome, impacts, done = integrate(ground, dt, scale, *parts, peaks)
     to_rotations(trace[0], trace[1], outward, inward)
     to_rotations(np.zeros(impact_velocity.size), impact_velocity, outward, inward)
-    peak = max(float(value_of(peaks[0], outward)), float(value_of(peaks[1], inward)), 0.0)
+    peak = max(float(rotation_at(peaks[0], outward)), float(rotation_at(peaks[1], inward)))
     return outcome, peak, impacts, 0, done
 
 
 @kernel
-def value_of(y, side):
+def rotation_at(y, side):
     """theta [rad] at y; side : Side"""
-    return value(THETA, y, side)
+    return turned_by(y, side)

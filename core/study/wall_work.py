@@ -229,9 +229,10 @@ class _Wall:
 
 
 def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accuracy | None:
-    """Accuracy statement on the governing run of a wall; None without a q. motions : of the ground."""
+    """Accuracy statement on the governing run of a wall; None without a q, and of a wall held at its top, which no
+    other solver follows. motions : of the ground."""
     lowest = lowest_run(wall)
-    if lowest is None:
+    if lowest is None or wall.wall.bends:
         return None
     motion = (wall.floor.motions if wall.floor else motions)[lowest.motion]
     other = next((r.ida.q for r in wall.runs if r.motion == lowest.motion and r.polarity != lowest.polarity), None)

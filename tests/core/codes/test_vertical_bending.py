@@ -332,7 +332,9 @@ def test_that_a_shaped_wall_held_at_its_top_is_judged_and_written_down(tmp_path)
     building = {"height_m": 8.4, "storeys": 3, "period_s": 0.3}
     result = run(parse_case({"title": "t", "wall": [wall], "demand": demand, "building": building}), base_dir=tmp_path)
     (one,) = result.walls
-    assert {check.name for check in one.assessment.checks} == {"nonlinear", "linear_q_code"}
+    assert {check.name for check in one.assessment.checks} == {"dynamic", "nonlinear", "linear_q_code"}
+    heights = {branch.h1 for branch in (one.assessment.dynamic.branch,)}
+    assert heights and one.deciding_model.bending.h1 in heights
     lines = [line for section in checks_of(result, one) for line in section.lines if isinstance(line, Line)]
     values = {line.of.name: line.value for line in lines}
     assert values["alpha0"] == pytest.approx(one.assessment.kinematic.alpha0)
