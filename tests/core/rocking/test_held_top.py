@@ -135,6 +135,7 @@ def by_coordinates(sides, ground_of, start, end, kept):
     return found
 
 
+@pytest.mark.shows("held.histories")
 @pytest.mark.parametrize(
     ("wall", "h1", "amplitude", "period"),
     [
