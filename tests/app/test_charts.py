@@ -37,6 +37,8 @@ def shared(of_verdict):
 def charts_of(window, application):
     """Every chart with data, its tab in front."""
     for name, page in window.pages.items():
+        if name == "note":  # it has no chart, and takes a second to be set
+            continue
         window.navigator.show_page(name)
         application.processEvents()
         yield from (chart for chart in page.content.findChildren(Chart) if chart.data)
