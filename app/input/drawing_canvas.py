@@ -42,6 +42,7 @@ class DrawingCanvas(QWidget):
         self.roles: list[str] = []
         self.chosen: set[int] = set()
         self.hinge: float | None = None
+        self.extent = _extent((), ())
         self.zoom, self.shift = 1.0, QPointF()
         self.press: QPointF | None = None
         self.drags_hinge = False
@@ -57,8 +58,14 @@ class DrawingCanvas(QWidget):
 
     def show_sheet(self, sheet: Sheet) -> None:
         """The shapes, lines and gaps of a drawing."""
-        self.shapes, self.gaps, self.lines = sheet.shapes, sheet.gaps, sheet.lines
+        self.lines = sheet.lines
         self.zoom, self.shift = 1.0, QPointF()
+        self.show_shapes(sheet)
+
+    def show_shapes(self, sheet: Sheet) -> None:
+        """Its shapes and gaps, of the drawing that is shown."""
+        self.shapes, self.gaps = sheet.shapes, sheet.gaps
+        self.extent = _extent(self.shapes, self.lines)  # once: each point that is painted asks for it
         self.update()
 
     def show_roles(self, roles: list[str], chosen: set[int], hinge: float | None) -> None:
@@ -71,16 +78,10 @@ class DrawingCanvas(QWidget):
 
     def _frame(self) -> tuple[float, float, float]:
         """(pixels a unit of the drawing, x and y of the drawing in the middle of the widget)."""
-        extents = [shape.extent for shape in self.shapes]
-        extents += [
-            (min(xs), min(ys), max(xs), max(ys)) for xs, ys in (zip(*line, strict=True) for _, line in self.lines)
-        ]
-        extents = extents or [(0.0, 0.0, 1.0, 1.0)]
-        low_x, low_y, high_x, high_y = zip(*extents, strict=True)
-        width, height = max(high_x) - min(low_x), max(high_y) - min(low_y)
+        low_x, low_y, high_x, high_y = self.extent
         room_x, room_y = self.width() - 2 * MARGIN, self.height() - 2 * MARGIN
-        scale = min(room_x / max(width, 1e-9), room_y / max(height, 1e-9))
-        return scale * self.zoom, 0.5 * (min(low_x) + max(high_x)), 0.5 * (min(low_y) + max(high_y))
+        scale = min(room_x / max(high_x - low_x, 1e-9), room_y / max(high_y - low_y, 1e-9))
+        return scale * self.zoom, 0.5 * (low_x + high_x), 0.5 * (low_y + high_y)
 
     def at(self, x: float, y: float) -> QPointF:
         """Where a point of the drawing is in the widget."""
@@ -162,3 +163,11 @@ class DrawingCanvas(QWidget):
         self.zoom = min(max(self.zoom * 1.0015 ** event.angleDelta().y(), 0.5), 50.0)
         self.shift += event.position() - self.at(*before)
         self.update()
+
+
+def _extent(shapes: Sequence[Shape], lines: Sequence[tuple[str, Sequence[Point]]]) -> tuple[float, float, float, float]:
+    """Smallest x and y, largest x and y of all shapes and lines; of a unit where there are none."""
+    extents = [shape.extent for shape in shapes]
+    extents += [(min(xs), min(ys), max(xs), max(ys)) for xs, ys in (zip(*line, strict=True) for _, line in lines)]
+    low_x, low_y, high_x, high_y = zip(*(extents or [(0.0, 0.0, 1.0, 1.0)]), strict=True)
+    return min(low_x), min(low_y), max(high_x), max(high_y)

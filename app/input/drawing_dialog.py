@@ -201,7 +201,7 @@ class DrawingDialog(QDialog):
         self.closed += [self.scale * gap.size for gap in found.closed]
         with QSignalBlocker(self.list):
             self.list.addItems([""] * len(made))
-        self.canvas.shapes, self.canvas.gaps = self.sheet.shapes, self.sheet.gaps
+        self.canvas.show_shapes(self.sheet)
         self._later()
 
     def _give(self, role: str) -> None:

@@ -13,6 +13,7 @@ from app.look.file_dialogs import plain_name
 from app.look.labels import Plain
 from app.look.language import named, tr
 from app.shell.pages import Page, delete
+from app.shell.stages import stage_of
 from app.views.axis import SPARE, plot_widget
 from app.views.chart import Chart
 from app.views.figure_file import FigureSize, png, raster
@@ -118,7 +119,8 @@ class FigureExport(QObject):
         for part in frozen:
             part.setEnabled(False)
         try:
-            for k, (name, page) in enumerate(navigator.pages.items()):
+            drawn = {name: page for name, page in navigator.pages.items() if stage_of(name) != "report"}
+            for k, (name, page) in enumerate(drawn.items()):  # the note has no figure, and takes a second to be set
                 yield from self._make(page)
                 content = page.content
                 if isinstance(content, HistoriesTab):
@@ -141,7 +143,7 @@ class FigureExport(QObject):
                             yield image
                         self.figures.put((chart.name, image))
                         yield None
-                known(self.job).progress(k + 1, len(navigator.pages))
+                known(self.job).progress(k + 1, len(drawn))
         finally:
             while SPARE:
                 delete(SPARE.pop())

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
+from shiboken6 import isValid
 
 from app.input.demand_form import AnalysisForm, DemandForm
 from app.input.fields import Field
@@ -140,8 +141,9 @@ class InputStage(QSplitter):
         column_beside.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         column_beside.setWidget(beside)
         self.said = MessageBar(self._fields_in_front)
-        for area in self.areas.values():
-            for field in area.findChildren(Field):
+        self.fields_of = {kind: area.findChildren(Field) for kind, area in self.areas.items()}
+        for fields in self.fields_of.values():
+            for field in fields:
                 field.tell = self.said.follow
         column_of_forms = QWidget()
         left = QVBoxLayout(column_of_forms)
@@ -165,7 +167,8 @@ class InputStage(QSplitter):
             self.live.follow()
 
     def _fields_in_front(self) -> list[Field]:
-        return self.areas[self.kind].findChildren(Field) if self.kind else []
+        fields = self.fields_of[self.kind] if self.kind else []
+        return [field for field in fields if isValid(field)]  # the focus also leaves a window that is being deleted
 
     def _share(self) -> None:
         kind = self.kind or "wall"

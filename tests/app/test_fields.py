@@ -297,7 +297,7 @@ def test_that_a_wall_above_the_ground_shows_its_floor(opened, application):
     opened.session.edit_section("demand", soil_factor=None, spectrum=Spectrum("EN1998", "B", type=1))
     opened.run()
     settle(application, lambda: opened.session.result is not None and opened.runner.job is None)
-    for name in opened.pages:
+    for name in [page for page in opened.pages if page != "note"]:
         opened.navigator.show_page(name)
         application.processEvents()
         if name == "spectra":

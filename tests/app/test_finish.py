@@ -15,6 +15,7 @@ from app.look import language, theme
 from app.shell import figure_export
 from app.views.axis import SPARE
 from app.views.figure_file import FigureSize, figure, raster
+from app.views.note_tab import NoteTab
 from app.views.table import Table
 from app.views.walls_tab import KEYS, RISK, ZETA, values_of
 from core.codes.record_compatibility import common_factor
@@ -265,7 +266,7 @@ def test_that_all_figures_are_written_together_while_the_window_lives(walls, app
     settle(application, lambda: walls.stages.stack.isEnabled())
     assert not list(folder.iterdir()) and walls.navigator.page == "check" and walls.tree.isEnabled()
     begun.clear()
-    walls.files.export_figures(folder, FigureSize(80.0))
+    walls.files.export_figures(folder, FigureSize(80.0, 96))
     settle(application, lambda: walls.runner.job is None)
     assert walls.navigator.page == "check" and str(folder) in walls.word.text()
     names = sorted(path.name for path in folder.iterdir())
@@ -404,7 +405,8 @@ def test_that_numbers_have_a_comma_in_the_italian_window(walls):
 
 
 @pytest.mark.parametrize("tongue", ["it", pytest.param("en", marks=pytest.mark.long)])  # the longer words
-def test_that_the_window_fits_a_small_screen(walls, application, tongue):
+def test_that_the_window_fits_a_small_screen(walls, application, monkeypatch, tongue):
+    monkeypatch.setattr(NoteTab, "_set", lambda _: None)  # its pages scroll: nothing waits for them here
     walls.set_choice("language", tongue)
     for size in ((1024, 768), (960, 540)):
         walls.resize(*size)
@@ -475,7 +477,7 @@ def test_that_figures_of_tabs_never_looked_at_fill_their_page(walls, application
     walls.navigator.show_page("walls")
     walls.files.export_figures(tmp_path, FigureSize(160, 96))
     settle(application, lambda: walls.runner.job is None)
-    shown = {page for name, page in walls.pages.items() if name != "spectra"}
+    shown = {page for name, page in walls.pages.items() if name not in ("spectra", "note")}
     assert walls.navigator.fresh == shown | ({walls.navigator.beside} if size[0] > 1280 else set())
     assert walls.navigator.beside.made is None or walls.navigator.beside.content.run is not None
     figures = list(tmp_path.glob("* - *.png"))

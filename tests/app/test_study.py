@@ -61,6 +61,12 @@ def small(tmp_path):
     return path
 
 
+@pytest.fixture
+def undrawn(monkeypatch):
+    """Figures without their pictures: to draw them takes longer than the study."""
+    monkeypatch.setattr("core.research.study_files.figure_files", lambda _: {})
+
+
 def content(folder, stem="small"):
     """Files of a study without the time it took."""
     whole = json.loads((folder / f"{stem}.json").read_text())
@@ -179,7 +185,7 @@ def test_that_a_run_without_a_number_is_named_and_gives_exit_code_3(tmp_path, ca
 
 
 @pytest.mark.shows("batch.study")
-def test_that_a_short_run_has_its_own_files(small, tmp_path):
+def test_that_a_short_run_has_its_own_files(small, tmp_path, undrawn):
     assert call("--study", small, "--quick", "--quiet") == 0
     whole, _ = content(tmp_path, "small_quick")
     assert whole["quick"] and len(whole["motions"]) == 2
@@ -279,7 +285,9 @@ def test_that_the_italian_study_has_the_same_numbers(small, tmp_path):
 
 
 @pytest.mark.shows("window.of_a_study")
-def test_that_the_window_of_a_study_runs_cancels_goes_on_and_shows_it(application, small, tmp_path, monkeypatch):
+def test_that_the_window_of_a_study_runs_cancels_goes_on_and_shows_it(
+    application, small, tmp_path, monkeypatch, undrawn
+):
     from PySide6.QtWidgets import QMessageBox
 
     from app.shell.study_window import StudyWindow

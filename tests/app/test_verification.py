@@ -17,6 +17,7 @@ title = "Verified"
 [report]
 language = "en"
 date = "2026-11-27"
+extent = "short"
 [[wall]]
 name = "facade"
 height_m = 5.0

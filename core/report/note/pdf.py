@@ -9,7 +9,8 @@ import functools
 import io
 import json
 import re
-from collections.abc import Sequence
+import threading
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
@@ -98,6 +99,7 @@ class Note:
         }
         self.data: dict[str, Any] = legible(data)
         self.attachments = [vars(one) | {"type": one.mime} for one in attachments]
+        self.lock = threading.Lock()
 
     def pdf(self, standard: str = "a-3a") -> bytes:
         """The file; with attachments where its standard takes some. Raises InputError where Typst refuses it."""
@@ -106,21 +108,20 @@ class Note:
 
     def pages(self, resolution: float) -> list[bytes]:
         """Set each page as PNG. resolution : [dpi]"""
-        found = self._set([], format="png", ppi=resolution)
+        found = self._again(lambda made: made.compile(format="png", ppi=resolution))
         return found if isinstance(found, list) else [found]
 
     def places(self) -> list[dict[str, Any]]:
         """Places of the marks: page from 1, y from the top [pt], and what each leads to."""
-        import typst
-
-        return json.loads(typst.eval(_template(), LEADS, **self._given([])))
+        return json.loads(self._again(lambda made: made.eval(LEADS)))
 
     def lines(self) -> list[tuple[int, float, str]]:
         """Lines of the pages: page from 1, y of the line from the top [pt], its text."""
         import pypdf
 
         found: list[tuple[int, float, str]] = []
-        reader = pypdf.PdfReader(io.BytesIO(self._set([], format="pdf", timestamp=self._stamp())))
+        content = self._again(lambda made: made.compile(format="pdf", timestamp=self._stamp()))
+        reader = pypdf.PdfReader(io.BytesIO(content))
         for number, page in enumerate(reader.pages, start=1):
             tall, of_page = float(page.mediabox.height), dict[float, str]()
 
@@ -139,6 +140,23 @@ class Note:
         data = json.dumps(self.data | {"attachments": attachments}, ensure_ascii=False)
         own = self.data["font"] == FONT and USUAL.fullmatch(_texts(self.data)) is not None
         return {"sys_inputs": {"data": data}, "ignore_system_fonts": own}
+
+    @functools.cached_property
+    def _compiler(self) -> Any:
+        """Typst on this note without attachments: what it has laid out once serves pages of another size and marks."""
+        import typst
+
+        return typst.Compiler(str(TEMPLATE), **self._given([]))
+
+    def _again(self, work: Callable[[Any], Any]) -> Any:
+        """What `work(compiler)` gives; a compiler serves one thread at a time. Raises InputError as `pdf`."""
+        import typst
+
+        with self.lock:
+            try:
+                return work(self._compiler)
+            except typst.TypstError as error:
+                raise InputError("note_not_set", reason=error.message) from None
 
     def _set(self, attachments, **how) -> Any:
         import typst

@@ -110,7 +110,7 @@ def test_that_each_wall_begins_a_page_and_has_three_at_most(whole_building, file
     note = note_of(whole_building, Path())
     begun = [one["page"] for one in note.places() if "wall" in one and one["y"] < 80.0]
     assert len(begun) == len(whole_building.walls) and len(set(begun)) == len(begun)
-    after = next(k for k, page in enumerate(file.pages, 1) if "Site and demand" in _plain(page) and k > begun[-1])
+    after = next(k for k, page in enumerate(file.pages, 1) if k > begun[-1] and "Site and demand" in _plain(page))
     ends = [*begun[1:], after]
     assert all(end - first <= 3 for first, end in zip(begun, ends, strict=True))
     for page in begun:

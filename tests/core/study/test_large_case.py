@@ -45,14 +45,14 @@ HEAD = (
 
 
 def rows() -> list[str]:
-    """Twelve walls: some above the ground, some of two storeys, some by both mechanisms, a pair of variants apart."""
+    """Eight walls: some above the ground, some of two storeys, some by both mechanisms, a pair of variants apart."""
     found = []
-    for k in range(10):
+    for k in range(6):
         shape = f"{3.0 + 0.6 * k:.2f};{0.3 + 0.05 * (k % 4):.2f}"
         mechanism = ("one_sided", "two_sided", "both")[k % 3]
         found.append(f"w{k};;{(0, 0, 3.5)[k % 3]};{shape};{mechanism};18;;;;;")
     found.insert(1, "pair;stato di fatto;0;5;0.4;one_sided;18;;;;;")
-    found.insert(9, "pair;progetto;0;5;0.4;one_sided;18;vertical;20;0.1;5;none")
+    found.insert(6, "pair;progetto;0;5;0.4;one_sided;18;vertical;20;0.1;5;none")
     return found
 
 
@@ -86,9 +86,9 @@ def small(case):
 
 @pytest.fixture
 def few(monkeypatch):
-    """So few walls are many, in groups of four."""
-    monkeypatch.setattr(plan, "MOST_WALLS", 11)
-    monkeypatch.setattr(large_case, "MOST_GROUP", 4)
+    """So few walls are many, in groups of three."""
+    monkeypatch.setattr(plan, "MOST_WALLS", 7)
+    monkeypatch.setattr(large_case, "MOST_GROUP", 3)
 
 
 @pytest.fixture
@@ -103,8 +103,8 @@ def table(case):
     """The files of the undivided run."""
     folder = case.parent / "whole"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(plan, "MOST_WALLS", 11)
-        patch.setattr(large_case, "MOST_GROUP", 4)
+        patch.setattr(plan, "MOST_WALLS", 7)
+        patch.setattr(large_case, "MOST_GROUP", 3)
         assert batch.run(case, folder, 2, True, False) in (batch.DONE, batch.WITHOUT_NUMBER)
     return folder / "many.parquet"
 
@@ -117,7 +117,7 @@ def read(path) -> list[dict]:
 def test_that_the_numbers_are_those_of_the_same_walls_in_a_small_case(table, small):
     found = {(row["wall"], row["hinge_m"], row["mechanism"]): row for row in read(table)}
     known = json.loads(json_report.dumps(small))
-    assert len(found) == len(small.walls) == len(known["walls"]) > 12
+    assert len(found) == len(small.walls) == len(known["walls"]) > 8
     for wall, keys in zip(small.walls, known["walls"], strict=True):
         row = found[wall.part.origin + 1, wall.part.hinge, wall.mechanism]
         for name in ("q_set", "q_min", "q_robust_set", "q_slv_set", "q_slv_low_set", "set_rule", "name", "mechanism"):
@@ -146,8 +146,8 @@ def test_that_the_numbers_are_those_of_the_same_walls_in_a_small_case(table, sma
 def test_that_what_is_said_of_a_wall_is_said_of_all_its_hinges_and_variants(table, small):
     found = read(table)
     numbers = [row["wall"] for row in found]
-    assert sorted({*numbers}) == [*range(1, 13)]
-    assert numbers == sorted(numbers, key=lambda k: (2 if k == 10 else k, k))  # the variants of a wall side by side
+    assert sorted({*numbers}) == [*range(1, 9)]
+    assert numbers == sorted(numbers, key=lambda k: (2 if k == 7 else k, k))  # the variants of a wall side by side
     for k, one in enumerate(small.verdicts):
         mine = [row for row in found if row["wall"] == k + 1]
         worst = small.walls[one.governing]
@@ -163,11 +163,11 @@ def test_that_what_is_said_of_a_wall_is_said_of_all_its_hinges_and_variants(tabl
 @pytest.mark.shows("files.parquet")
 def test_that_the_summary_counts_the_verdicts_and_names_the_worst(table, small, case):
     told = json.loads(table.with_suffix(".json").read_text())
-    assert told["walls"] == 12 and told["table"]["rows"] == len(small.walls)
+    assert told["walls"] == 8 and told["table"]["rows"] == len(small.walls)
     codes = [small.walls[one.governing].assessment.verdict.code for one in small.verdicts]
     assert told["verdicts"] == {code: codes.count(code) for code in sorted(set(codes))}
     worst = [row["zeta_e"] for row in told["worst"]]
-    assert worst == sorted(worst) and len(worst) == 12
+    assert worst == sorted(worst) and len(worst) == 8
     assert told["case"]["wall"] == [] and told["case"]["walls"] == "walls.csv"
     assert told["demand"] == json_report.results(small)["demand"] and len(told["records"]) == 3
     assert [one["name"] for one in told["table"]["columns"]] == parquet.read_schema(table).names
@@ -261,7 +261,7 @@ def test_that_a_group_holds_so_many_searches_at_most(case, monkeypatch):
     asked = read_case(case)
     monkeypatch.setattr(large_case, "MOST_SEARCHES", 6)
     alone = large_case.in_order(asked, case.parent)
-    assert sorted(len(group) for group in alone.groups) == [*[1] * 10, 2]  # variants stay together
+    assert sorted(len(group) for group in alone.groups) == [*[1] * 6, 2]  # variants stay together
     assert alone.longest == large_case.in_order(asked, case.parent)._replace().longest > 0.0
 
 
