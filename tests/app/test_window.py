@@ -15,6 +15,7 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
+from app.look.drawing import moving_blocks
 from app.shell.navigator import row_of
 from core.case.reader import read_case
 from core.case.rules import parse_case
@@ -397,7 +398,7 @@ def test_that_the_answer_pressed_from_a_form_marks_the_wall_it_is_of(opened, app
     assert opened.tree.current.kind == "wall" and opened.tree.current.wall == opened.walls.current
 
 
-def test_that_a_wall_that_bends_has_an_empty_page_of_histories(opened, application):
+def test_that_a_wall_that_bends_moves_as_two_blocks(opened, application):
     opened.session.edit_wall(
         0, mechanism="vertical_bending", height_m=3.0, thickness_m=0.3, slenderness_deg=None, unit_weight_kn_m3=18.0
     )
@@ -406,8 +407,21 @@ def test_that_a_wall_that_bends_has_an_empty_page_of_histories(opened, applicati
     run(application, opened)
     opened.navigator.show_page("histories")
     page = opened.pages["histories"].content
-    assert all(widget.isHidden() for widget in page.moving) and not page.play.isVisible()
-    assert page.words.text() == "No time histories of this mechanism."
+    assert page.run.ida.q > 1.0 and page.history.peak > 0.0 and "q" in page.words.text()
+    energies = page.energy.data[0][2]
+    assert energies.max() > 0.0 and (np.abs(page.history.rotation) <= page.history.peak + 1e-12).all()
+    held = page.wall_drawing.held
+    for sign in (1.0, -1.0):
+        turned = moving_blocks(held, sign * 0.05)
+        assert len(turned) == 2
+        xs = [point.x() for point in turned[1]]
+        top = max(turned[1], key=lambda point: point.y()).x()
+        assert min(xs) < top <= max(xs) and max(point.y() for point in turned[1]) > 3.0  # it rises
+        corner = sign * 0.15  # the edge that is held stays on its vertical
+        assert min(abs(point.x() - corner) for point in turned[1]) < 1e-9
+    before = page.wall_drawing.grab().toImage()
+    page.set_time(float(page.times[int(np.abs(page.history.rotation).argmax())]))
+    assert page.wall_drawing.rotation != 0.0 and page.wall_drawing.grab().toImage() != before
 
 
 def test_that_an_empty_chart_has_no_numbers_at_its_axes(opened):
