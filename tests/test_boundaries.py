@@ -57,6 +57,7 @@ BODIES = "tests/validation/test_bodies.py"
 SOLVED = "tests/core/solved/test_cases.py"
 
 SHOWN_BY = {
+    "wall/bending": "tests/core/rocking/test_held_top.py",
     **{
         f"solved/{name}": SOLVED
         for name in (

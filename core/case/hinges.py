@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from core.case.above_hinge import LEAST_HEIGHT, above_hinge, named_above
+from core.case.between_holds import between, spans_of
 from core.case.schema import Case
 from core.case.site import Building
 from core.case.wall import Wall
@@ -28,16 +29,20 @@ class Part:
     origin : index of the wall in the case; asked : the wall there
     hinge : above its base [m], 0 for the whole wall
     wall : to be analysed, with a name for people
+    top : of a stretch that bends between the hinge and a tie, the height of the tie above the base [m]; else None
     """
 
     origin: int
     asked: Wall
     hinge: float
     wall: Wall
+    top: float | None = None
 
     @property
     def own_name(self) -> str:
         """Name of the wall as people read it, without the variant."""
+        if self.top is not None:
+            return self.wall.name
         return named_above(self.asked.name, self.hinge)
 
 
@@ -109,12 +114,15 @@ def check_hinges(wall: Wall, building: Building | None) -> None:
 def shared(part: Part, mechanism: str) -> tuple[str, float, str]:
     """Key that a wall about a hinge shares only with its other variant: name given, hinge [m], mechanism. A wall held
     at its top has here the mechanism one_sided, the overturning that its restraint prevents."""
+    if part.top is not None:
+        return part.asked.name, part.top, mechanism
     return part.asked.name, part.hinge, "one_sided" if part.wall.bends else mechanism
 
 
 def parts_of(k: int, asked: Wall, building: Building | None) -> list[Part]:
-    """The k-th wall of a case from every hinge of its up."""
-    return [Part(k, asked, hinge, above_hinge(asked, hinge)) for hinge in (0.0, *hinges_of(asked, building))]
+    """The k-th wall of a case from every hinge of its up, and where its ties make it bend between them."""
+    turning = [Part(k, asked, hinge, above_hinge(asked, hinge)) for hinge in (0.0, *hinges_of(asked, building))]
+    return turning + [Part(k, asked, low, between(asked, low, high), high) for low, high in spans_of(asked)]
 
 
 def parts(case: Case) -> list[Part]:

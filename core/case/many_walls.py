@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 
 from core.case.above_hinge import numbers_above
+from core.case.between_holds import spans_of
+from core.case.held_top import check_held_top
 from core.case.hinges import parts_of
 from core.case.load_rules import check_loads
 from core.case.rules import check_wall, refuse_modes
@@ -81,9 +83,11 @@ def with_many(case: Case, walls: ManyWalls) -> Case:
         titles.append(_digest(wall.title))
         check_wall(case, wall)
         for part in parts_of(k, wall, case.building):
-            if part.hinge:
+            if part.hinge or part.top:
                 above.append(_digest(part.wall.name))
-            check_loads(part.wall, numbers_above(part.asked, part.hinge))
+            check_loads(part.wall, numbers_above(part.asked, part.hinge), bends=bool(spans_of(wall)))
+            if part.top is not None:
+                check_held_top(part.wall)
             if (z := part.wall.felt_z_m) is not None and part.wall.above_ground:
                 low, high = min(low, z), max(high, z)
     known, counts = np.unique(np.array(titles), return_counts=True)
@@ -110,7 +114,7 @@ def _refuse_same_names(case: Case, walls: ManyWalls, digests: set[int]) -> None:
             titles.add(wall.title)
     for k, wall in enumerate(walls):
         for part in parts_of(k, wall, case.building):
-            if part.hinge and part.wall.name in titles:
+            if (part.hinge or part.top) and part.wall.name in titles:
                 raise InputError("same_name", key="name", wall=part.wall.name)
 
 

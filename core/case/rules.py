@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from core.case.above_hinge import numbers_above
 from core.case.back_restraint import names_something, says_gone
+from core.case.between_holds import spans_of
 from core.case.hazard_table import check_rising
 from core.case.held_top import check_held_top
 from core.case.hinges import check_hinges, parts_of
@@ -192,15 +193,17 @@ def _accepted(k: int, wall: Wall, building: Building | None, names: set[str]) ->
     """Check the parts of a wall above its hinges. Raises InputError. names : of the walls of the case"""
     found = parts_of(k, wall, building)
     for part in found:
-        if part.hinge and part.wall.name in names:
+        if (part.hinge or part.top) and part.wall.name in names:
             raise InputError("same_name", key="name", wall=part.wall.name)
-        check_loads(part.wall, numbers_above(part.asked, part.hinge))
-        if part.hinge:
+        check_loads(part.wall, numbers_above(part.asked, part.hinge), bends=bool(spans_of(wall)))
+        if part.top is not None:
+            check_held_top(part.wall)
+        elif part.hinge:
             check_given(part.wall)
             for mechanism in part.wall.mechanisms():
                 part.wall.restitution_of(mechanism)
     heights = (part.wall.felt_z_m for part in found if part.wall.above_ground)
-    above = tuple(part.wall.name for part in found if part.hinge)
+    above = tuple(part.wall.name for part in found if part.hinge or part.top)
     return Accepted(wall, above, frozenset(z for z in heights if z is not None))
 
 

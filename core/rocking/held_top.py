@@ -248,10 +248,46 @@ def landing(y, terms, h):
 
 
 @subkernel
+def step_of(y, speed, terms, h, s, per, least):
+    """One step by its series: length [s], y and y' after it, largest y in it [rad], and whether the wall lands in it.
+
+    y, speed : at its start [rad], [rad/s]
+    terms : of `series`
+    h : longest it may be [s]
+    s, per : place in the piece, of `series`, which the step does not leave
+    least : shortest it is cut to for that [s]
+    """
+    while abs(s + per * moved(terms, h)) > OVERLAP and h > least:
+        h *= 0.5
+    v = speed_of(terms, h)
+    slows = (terms[1] > 0.0) == (speed < 0.0) and (push_of(terms, h) > 0.0) != (terms[1] > 0.0)
+    if slows and speed != 0.0 and (v < 0.0) == (speed < 0.0):  # it may turn twice
+        slow = slowest(terms, h)
+        if (speed_of(terms, slow) < 0.0) != (speed < 0.0):
+            h, v = slow, speed_of(terms, slow)
+    x = y + moved(terms, h)
+    top = max(x, 0.0)
+    if speed < 0.0 < v or v < 0.0 < speed:
+        turn = turning(terms, h)
+        reached = y + moved(terms, turn)
+        if speed > 0.0:
+            top = max(top, reached)
+        elif reached < 0.0:
+            h, x = turn, reached
+    return h, x, v, top, x < 0.0 or (x == 0.0 and v < 0.0)
+
+
+@subkernel
 def at_rest_again(y, speed, p2, side, other, ratio, peaks, here):
-    """Decide by energy what the wall does once the ground is still. side, other : Side it moves on and the other one;
-    peaks : largest y of both, which grow with the free motion, shape (2,); here : place of this side. Returns the
-    outcome."""
+    """Decide by energy what the wall does once the ground is still; returns the outcome.
+
+    y, speed : y [rad] and y' [rad/s] then
+    p2 : of the model [1/s2]
+    side, other : Side it moves on, and the other one
+    ratio : velocity ratio of its impacts [-]
+    peaks : results, largest y of both, which grow with the free motion [rad], shape (2,)
+    here : place of this side in them
+    """
     energy = 0.5 * speed * speed / p2 + value(POTENTIAL, y, side)
     if (speed >= 0.0 and energy > side.barrier) or (y > side.top and energy <= side.barrier):
         return COLLAPSED
@@ -287,8 +323,6 @@ def integrate(
 ):
     """Integrate one history as `taylor.integrate` does.
 
-    Length: one loop over samples and their events, which change the same state.
-
     ground : ground acceleration [m/s2], shape (n,)
     dt : its time step [s]
     scale : multiplier [-], negative for the reversed record
@@ -322,24 +356,9 @@ def integrate(
             side, k = (outward, 0) if sign > 0.0 else (inward, 1)
             beta, rate = sign / G * (ground0 + slope * t), sign / G * slope
             terms, holds, s, per = series(y, speed, beta, rate, p2, side)
-            h = min(holds, dt - t)
-            while abs(s + per * moved(terms, h)) > OVERLAP and h > 1e-9 * dt:
-                h *= 0.5
-            v = speed_of(terms, h)
-            slows = (terms[1] > 0.0) == (speed < 0.0) and (push_of(terms, h) > 0.0) != (terms[1] > 0.0)
-            if slows and speed != 0.0 and (v < 0.0) == (speed < 0.0):  # it may turn twice
-                least = slowest(terms, h)
-                if (speed_of(terms, least) < 0.0) != (speed < 0.0):
-                    h, v = least, speed_of(terms, least)
-            x = y + moved(terms, h)
-            if speed < 0.0 < v or v < 0.0 < speed:
-                turn = turning(terms, h)
-                reached = y + moved(terms, turn)
-                if speed > 0.0:
-                    peaks[k] = max(peaks[k], reached)
-                elif reached < 0.0:
-                    h, x = turn, reached
-            if x < 0.0 or (x == 0.0 and v < 0.0):
+            h, x, v, top, lands = step_of(y, speed, terms, min(holds, dt - t), s, per, 1e-9 * dt)
+            peaks[k] = max(peaks[k], top)
+            if lands:
                 h = landing(y, terms, h)
                 arriving = max(-speed_of(terms, h), 0.0)
                 t = t + h if h < dt - t else dt
@@ -360,7 +379,6 @@ def integrate(
                 continue
             t = t + h if h < dt - t else dt
             y, speed = x, v
-            peaks[k] = max(peaks[k], y)
             if y > side.end:
                 return COLLAPSED, impacts, i + 1
         if rotation.size:
@@ -474,7 +492,17 @@ def scan(grounds: Grounds, which, scales, model, outcomes, peaks) -> np.ndarray:
 
 
 def history(ground, dt, scale, model, start, trace, impact_time, impact_velocity) -> tuple[int, float, int, int, int]:
-    """One history in full, theta in `trace`, shape (2, n); returns as `taylor.integrate` does."""
+    """One history in full, in theta; returns as `taylor.integrate` does.
+
+    ground : ground acceleration [m/s2], shape (n,)
+    dt : its time step [s]
+    scale : multiplier [-], negative for the reversed record
+    model : RockingModel with `bending`
+    start : theta [rad] and theta' [rad/s] at the first sample
+    trace : results, theta and theta' at the samples, shape (2, n)
+    impact_time : results [s], up to its size
+    impact_velocity : results, theta' just after each impact [rad/s], of the same shape
+    """
     bare, outward, inward = _parts(model)
     sign = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
     y, speed = to_y(sign * start[0], sign * start[1], outward if sign > 0.0 else inward)

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from core.capacity.ida import Search
+from core.case.between_holds import spans_of
 from core.case.hinges import Part, hinges_of, parts_of, shared
 from core.case.schema import Case
 from core.case.site import Building
@@ -230,7 +231,9 @@ def plan_of(
 
 def results_by_wall(case: Case) -> Iterator[int]:
     """Number of results of each wall of a case: about each hinge, by each mechanism."""
-    return ((1 + len(hinges_of(wall, case.building))) * len(wall.mechanisms()) for wall in case.wall)
+    return (
+        (1 + len(hinges_of(wall, case.building))) * len(wall.mechanisms()) + len(spans_of(wall)) for wall in case.wall
+    )
 
 
 def results_in(case: Case) -> int:

@@ -139,7 +139,7 @@ def where(wall: WallResult) -> Sentence | str:
     height, kinematic = wall.part.hinge, wall.assessment.kinematic if wall.assessment else None
     if kinematic is not None:
         of_check = kinematic.moved if wall.assessed.verdict.governing == "nonlinear" else kinematic.chain
-        height = of_check.bending.h1 if of_check.bending is not None else height
+        height = height + of_check.bending.h1 if of_check.bending is not None else height
     return at_hinge(height, (wall.part.asked.base_z_m or 0.0))
 
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from core.case.above_hinge import loads_above
+from core.case.hinges import parts_of
 from core.case.load_rules import carries
 from core.case.loads import Load
 from core.case.rules import parse_case
@@ -34,7 +35,7 @@ REFUSED = [
         {"mechanism": "two_sided", "hinge_setback_m": 0.1},
     ),
     ("two_sided_loads_rigid", (ROOF,), {"mechanism": "two_sided", "law": "doherty"}),
-    ("tie_too_strong", (ROOF, {**TIE, "kn_m": 12.0}), {}),
+    ("tie_too_strong", (ROOF, {**TIE, "kn_m": 12.0, "slack_mm": 1.0}), {}),
     ("collapse_too_far", ({**INWARD, "kn_m": -40.0},), {}),
     ("key_of_a_tie", ({**THRUST, "bar_length_m": 8.0},), {}),
     ("load_size", ({**THRUST, "kn_m": 0.0},), {}),
@@ -108,12 +109,18 @@ def test_that_every_kind_of_load_is_a_weight_or_a_force_and_moves_no_other_mass(
 
 
 @pytest.mark.shows("ties.too_strong")
-@pytest.mark.parametrize("load, sign", [(TIE, 1.0), (INWARD, -1.0)])
+@pytest.mark.parametrize("load, sign", [({**TIE, "slack_mm": 1.0}, 1.0), (INWARD, -1.0)])
 def test_that_no_kind_of_load_holds_more_than_one_rigid_block_can_take(load, sign):
     case_of(ROOF, {**load, "kn_m": 8.6 * sign})
     with pytest.raises(InputError) as caught:
         case_of(ROOF, {**load, "kn_m": 9.0 * sign})
     assert caught.value.code == "tie_too_strong"
+
+
+@pytest.mark.shows("held.between")
+def test_that_a_tie_that_is_stronger_makes_the_wall_bend_below_it():
+    assert len(parts_of(0, case_of(ROOF, {**TIE, "kn_m": 8.6}).wall[0], None)) == 1
+    assert len(parts_of(0, case_of(ROOF, {**TIE, "kn_m": 9.0}).wall[0], None)) == 2
 
 
 @pytest.mark.parametrize(

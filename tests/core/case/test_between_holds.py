@@ -1,0 +1,102 @@
+"""Walls whose ties would open a hinge above their base: they bend between base and tie."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from core.case.between_holds import between, spans_of
+from core.case.hinges import parts_of
+from core.case.rules import parse_case
+from core.codes.vertical_bending import bending
+from core.errors import InputError
+from core.study.run import run
+from core.wall.wall_loads import hinge_inside
+from tests.clauses_alone import parse_case as clauses_alone
+
+FACADE = {
+    "name": "facade",
+    "height_m": 7.5,
+    "thickness_m": 0.45,
+    "length_m": 8.0,
+    "unit_weight_kn_m3": 18.0,
+    "base_z_m": 0.0,
+    "mechanism": "one_sided",
+    "back_restraint": "cross_walls",
+    "restraint_evidence": "drawing",
+    "hinge_heights": "base",
+}
+ROOF = {"kind": "vertical", "kn_m": 12.0, "d_m": 0.225, "h_m": 6.5, "mass": "none"}
+BAR = {"number": 4, "diameter_mm": 24.0, "fy_mpa": 235.0, "fu_mpa": 360.0, "anchorage_kn": 200.0}
+TIE = {"kind": "tie", "h_m": 6.5, "bar_length_m": 8.0, "elongation": 0.05, "bar": BAR}
+DEMAND = {"ag_g": 0.26, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
+BUILDING = {"height_m": 7.5, "storeys": 2, "period_s": 0.3}
+
+
+def wall_of(*loads, **changes):
+    return parse_case({"wall": [{**FACADE, "load": list(loads), **changes}]}).wall[0]
+
+
+def study(*loads, **changes):
+    table = {"wall": [{**FACADE, "load": list(loads), **changes}], "demand": DEMAND, "building": BUILDING}
+    return run(clauses_alone(table), base_dir=Path())
+
+
+@pytest.mark.shows("held.between")
+def test_that_four_bars_give_an_answer_and_the_worst_of_turning_and_bending_decides():
+    result = study(ROOF, TIE)
+    turns, bends = result.walls
+    assert (turns.mechanism, bends.mechanism) == ("one_sided", "vertical_bending")
+    assert bends.name == "facade (0–6.5 m)" and bends.wall.height_m == 6.5
+    (verdict,) = result.verdicts
+    assert verdict.governing == 1
+    assert bends.assessment.verdict.zeta_e < turns.assessment.verdict.zeta_e
+    assert verdict.zeta_least == bends.assessment.verdict.zeta_e
+
+
+def test_that_what_is_above_the_tie_stands_on_the_stretch_below_it():
+    (low, high), wall = (0.0, 6.5), wall_of(ROOF, TIE)
+    assert spans_of(wall) == ((low, high),)
+    part = between(wall, low, high)
+    assert sorted(load.kn_m for load in part.load) == pytest.approx([18.0 * 0.45 * 1.0, 12.0])
+    assert all(load.h_m == 6.5 and load.mass == "none" for load in part.load)
+    # by virtual work: W1 at the middle of the lower block, W2 and both loads lifted by the upper one
+    found = bending(part.in_si)
+    h1, t, w = found.h1, 0.45, 18e3 * 0.45
+    k = h1 / (6.5 - h1)
+    lifted = w * h1 * t / 2 + w * (6.5 - h1) * (t + k * t / 2) + (12e3 + w) * (t + k * t / 2)
+    assert found.alpha0 == pytest.approx(lifted / (w * 6.5 * h1 / 2), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("loads", "changes"),
+    [
+        ((ROOF, {**TIE, "slack_mm": 2.0}), {}),
+        ((ROOF, {**TIE, "h_m": 1.2}), {}),  # too stocky to bend
+        ((ROOF, TIE, {"kind": "thrust", "kn_m": 1.0, "h_m": 3.0}), {}),
+        ((ROOF, TIE), {"steps": [{"from_z_m": 4.0, "thickness_m": 0.4, "flush": "outer"}]}),
+    ],
+)
+def test_that_where_it_cannot_bend_a_strong_tie_is_refused(loads, changes):
+    with pytest.raises(InputError) as refused:
+        wall_of(*loads, **changes)
+    assert refused.value.code == "tie_too_strong"
+
+
+def test_that_random_ties_are_accepted_where_the_wall_turns_or_bends_and_more_steel_never_lifts_bending():
+    rng = np.random.default_rng(11)
+    seen = set()
+    for _ in range(40):
+        height = float(rng.uniform(5.0, 9.0))
+        tie = {**TIE, "h_m": float(rng.uniform(0.5, 1.0)) * height}
+        bar = {**BAR, "number": int(rng.integers(1, 8)), "diameter_mm": float(rng.choice([12.0, 20.0, 30.0]))}
+        wall = wall_of({**ROOF, "h_m": height}, {**tie, "bar": bar}, height_m=height)
+        spans = spans_of(wall)
+        parts = parts_of(0, wall, None)
+        assert bool(spans) == (hinge_inside(wall.in_si) is not None)
+        assert len(parts) == 1 + len(spans)
+        seen.add(bool(spans))
+        for part in parts[1:]:
+            more = wall_of({**ROOF, "h_m": height}, {**tie, "bar": {**bar, "number": 20}}, height_m=height)
+            assert bending(between(more, part.hinge, part.top).in_si).alpha0 == bending(part.wall.in_si).alpha0
+    assert seen == {True, False}
