@@ -60,7 +60,8 @@ def test_that_the_block_near_rest_is_the_worked_one(wall, h1, alpha0, kept, p2, 
 
 
 class Coordinates:
-    """Both blocks of a rectangle placed by their corners alone; velocities and work by differences."""
+    """Both blocks of rectangles placed by their corners alone, any number at once; velocities and work by an imaginary
+    step."""
 
     def __init__(self, height, thickness, load, depth, h1):
         self.height, self.thickness, self.h1, self.load, self.depth = height, thickness, h1, load, depth
@@ -70,24 +71,22 @@ class Coordinates:
         self.turning = [m * (high**2 + thickness**2) / 12.0 for m, high in zip(self.masses, sizes, strict=True)]
 
     def placed(self, theta):
-        """Outward and upward place of both centroids, turn of both, rise of the load: shape (7,)."""
+        """Outward and upward place of both centroids, turn of both, rise of the load: shape (7, ...)."""
         t, above = self.thickness, self.height - self.h1
-        c, s = math.cos(theta), math.sin(theta)
+        c, s = np.cos(theta), np.sin(theta)
         hinge_x, hinge_z = t * c - self.h1 * s, self.h1 * c + t * s
-        phi = math.atan2(t, above) - math.asin(hinge_x / math.hypot(t, above))  # the outer edge of the top stays
-        cp, sp = math.cos(phi), math.sin(phi)
+        phi = np.arctan2(t, above) - np.arcsin(hinge_x / np.hypot(t, above))  # the outer edge of the top stays
+        cp, sp = np.cos(phi), np.sin(phi)
 
         def upper(x, z):  # from the hinge, x outward
             return hinge_x - x * cp + z * sp, hinge_z + z * cp + x * sp
 
         x1, z1 = 0.5 * t * c - 0.5 * self.h1 * s, 0.5 * self.h1 * c + 0.5 * t * s
         x2, z2 = upper(0.5 * t, 0.5 * above)
-        return np.array([-x1, z1, -x2, z2, theta, -phi, upper(t - self.depth, above)[1]])
+        return np.array([-x1, z1, -x2, z2, theta + 0.0 * phi, -phi, upper(t - self.depth, above)[1]])
 
     def rate(self, theta):
-        step = 1e-5
-        a, b, c, d = (self.placed(theta + k * step) for k in (-2, -1, 1, 2))
-        return (a - 8.0 * b + 8.0 * c - d) / (12.0 * step)
+        return self.placed(theta + 1e-30j).imag / 1e-30
 
     def inertia(self, theta):
         v = self.rate(theta)
@@ -96,18 +95,24 @@ class Coordinates:
 
     def parts(self, theta):
         """I, I', V', X' g."""
-        v, step = self.rate(theta), 1e-4
+        v, step = self.rate(theta), 1e-5
         slope = (self.inertia(theta + step) - self.inertia(theta - step)) / (2.0 * step)
         held = G * (self.masses[0] * v[1] + self.masses[1] * v[3]) + self.load * v[6]
         return self.inertia(theta), slope, held, G * (self.masses[0] * v[0] + self.masses[1] * v[2])
+
+    def pushed(self, theta, speed, beta):
+        """theta'' under u''/g = beta from this side."""
+        inertia, slope, held, moved = self.parts(theta)
+        return (beta * moved - held - 0.5 * slope * speed * speed) / inertia
 
     def impact(self, other):
         """Velocity of the mechanism that opens over that which closes."""
         one, two = self.rate(0.0), other.rate(0.0)
         (m1, m2), (j1, j2) = self.masses, self.turning
         weights = np.array([m1, m1, m2, m2, j1, j2])
-        one, two = -one[:6], two[:6] * np.array([-1, 1, -1, 1, -1, -1])  # the mirrored wall, in the axes of this one
-        return (weights * one * two).sum() / (weights * two * two).sum()
+        mirror = np.array([-1, 1, -1, 1, -1, -1]).reshape(6, *[1] * (one.ndim - 1))
+        one, two = -one[:6], two[:6] * mirror  # the mirrored wall, in the axes of this one
+        return (weights * one * two).sum(0) / (weights * two * two).sum(0)
 
 
 def by_coordinates(sides, ground_of, start, end, kept):
@@ -170,6 +175,85 @@ def test_that_a_history_is_that_of_coordinates(wall, h1, amplitude, period):
     )
     assert len(expected) >= 4
     assert turned[tops[: len(expected)]] == pytest.approx(expected, rel=2e-4, abs=2e-7)
+
+
+def runge_kutta(pair, side, theta, speed, start, step, ground_of):
+    """A step of each wall on its side, shape (n,), by the fourth order. step : of each [s]"""
+
+    def push(x, v, time):
+        sign = 1.0 - 2.0 * side
+        both = [wall.pushed(x, v, sign * ground_of(time) / G) for wall in pair]
+        return np.where(side == 0, *both)
+
+    a1 = push(theta, speed, start)
+    x2, v2 = theta + 0.5 * step * speed, speed + 0.5 * step * a1
+    a2 = push(x2, v2, start + 0.5 * step)
+    x3, v3 = theta + 0.5 * step * v2, speed + 0.5 * step * a2
+    a3 = push(x3, v3, start + 0.5 * step)
+    x4, v4 = theta + step * v3, speed + step * a3
+    a4 = push(x4, v4, start + step)
+    found = theta + step / 6.0 * (speed + 2.0 * (v2 + v3) + v4)
+    return found, speed + step / 6.0 * (a1 + 2.0 * (a2 + a3) + a4)
+
+
+@pytest.mark.shows("held.histories")
+@pytest.mark.parametrize("count", [30, pytest.param(1000, marks=pytest.mark.long)])
+def test_that_random_walls_do_as_their_coordinates_do(count):
+    """Let go at a rotation, under a sine; until the second impact or for a second and a half."""
+    rng = np.random.default_rng(12)
+    height = rng.uniform(2.4, 6.0, count)
+    thickness = height / rng.uniform(6.0, 16.0, count)
+    load, depth = rng.choice([0.0, 8e3, 40e3], count), thickness * rng.uniform(0.35, 0.65, count)
+    h1 = rng.uniform(0.4 * height, height - thickness)
+    pair = [Coordinates(height, thickness, load, d, h1) for d in (depth, thickness - depth)]
+    models = [
+        model_of_bending(*strips(*row[:4]), row[4]) for row in zip(height, thickness, load, depth, h1, strict=True)
+    ]
+    kept = [pair[0].impact(pair[1]), pair[1].impact(pair[0])]
+    period, strength = rng.uniform(0.3, 1.0, count), 0.5 * G * thickness / height
+    theta = rng.uniform(0.1, 0.5, count) * np.array([model.collapse_rotation for model in models])
+    begin, speed, side = theta.copy(), np.zeros(count), np.zeros(count, int)
+    step, steps = 5e-4, 3000
+    time, hits = np.zeros(count), np.zeros(count, int)
+    on = np.full(count, True)
+    reached = [begin.copy()]
+    for _ in range(steps):
+
+        def ground_of(at):
+            return strength * np.sin(2.0 * math.pi * at / period)
+
+        x, v = runge_kutta(pair, side, theta, speed, time, step, ground_of)
+        lands = on & (x < 0.0)
+        part = np.where(lands, np.clip(theta / np.where(theta - x > 0.0, theta - x, 1.0), 0.0, 1.0), 1.0)
+        for _ in range(4 if lands.any() else 0):  # Newton on the step itself
+            y, u = runge_kutta(pair, side, theta, speed, time, part * step, ground_of)
+            part = np.where(lands, np.clip(part - y / np.where(lands, u * step, 1.0), 0.0, 1.0), 1.0)
+        if lands.any():
+            y, u = runge_kutta(pair, side, theta, speed, time, part * step, ground_of)
+            after = np.where(side == 0, *kept) * -u
+            other = 1 - side
+            rest_x, rest_v = runge_kutta(
+                pair, other, np.zeros(count), after, time + part * step, (1.0 - part) * step, ground_of
+            )
+            x, v, side = np.where(lands, rest_x, x), np.where(lands, rest_v, v), np.where(lands, other, side)
+            hits += lands
+        theta, speed = np.where(on, x, theta), np.where(on, v, speed)
+        time = time + step
+        reached.append(np.where(side == 0, theta, -theta))
+        on &= (hits < 2) & (np.abs(theta) < 1.5 * begin + 0.3 * thickness / height)
+    reached = np.array(reached)
+    fine = 20
+    instants = np.arange(steps * fine + 1) * (step / fine)
+    checked = 0
+    for k, model in enumerate(models):
+        ground = strength[k] * np.sin(2.0 * math.pi * instants / period[k])
+        found = history(ground, step / fine, 1.0, model, start=(begin[k], 0.0)).rotation[::fine]
+        last = int(np.argmax(~np.isfinite(reached[:, k]))) or steps
+        moved = np.nonzero(np.diff(reached[:, k]) == 0.0)[0]
+        last = min(last, int(moved[0]) if moved.size else steps, found.size - 1)
+        assert found[:last] == pytest.approx(reached[:last, k], abs=2e-6 * model.collapse_rotation), k
+        checked += last > 100
+    assert checked > 0.9 * count
 
 
 def test_that_pieces_are_the_functions_of_the_wall():
