@@ -4,11 +4,11 @@ from pathlib import Path
 
 import pytest
 
-from core.case.rules import parse_case
 from core.report.note.content import note
 from core.report.note.parts import Derivation, Figures, Item, Paragraph
 from core.report.note.pdf import Note
 from core.study.run import run
+from tests.clauses_alone import parse_case
 from tests.core.variation.test_held_top import BUILDING, DEMAND, TOP, WALL
 
 
@@ -27,8 +27,18 @@ def test_that_the_note_has_hinge_figure_and_lines(result):
     cells = {step.cell for part in parts if isinstance(part, Derivation) for step in part.steps}
     assert {f"wall{n}_{name}" for n in (1, 2, 3) for name in ("h1", "alpha0", "d_c0", "d0", "alpha_d")} <= cells
     words = [part.text for part in parts if isinstance(part, (Paragraph, Item))]
-    assert any("7 runs" in line or "7 storie" in line or "overturn" in line or "ribalt" in line for line in words)
+    assert any("No time histories" in line or "storie temporali" in line for line in words)
     captions = [figure.caption for part in parts if isinstance(part, Figures) for figure in part.figures]
     held = "held at its top" if language == "en" else "vincolata in testa"
     assert sum(held in caption for caption in captions) == 3
     assert Note(parts, language).pdf().startswith(b"%PDF")
+
+
+def test_that_the_note_has_its_histories(folder):
+    records = [{"file": "r1.txt", "unit": "m/s2", "time_step_s": 0.01}]
+    table = {"wall": [WALL], "building": BUILDING, "demand": DEMAND | {"ag_g": 0.5}, "record": records}
+    result = run(parse_case(table | {"analysis": {"q_step": 0.1, "polarity": "as_recorded"}}), base_dir=folder)
+    parts = note(result, "en")
+    captions = [figure.caption for part in parts if isinstance(part, Figures) for figure in part.figures]
+    assert any("at the demand over θc" in caption for caption in captions)
+    assert not any("No time histories" in part.text for part in parts if isinstance(part, (Paragraph, Item)))

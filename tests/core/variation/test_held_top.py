@@ -145,7 +145,7 @@ def test_that_it_has_histories_as_other_walls_have(folder):
         demand_check(branch.of(bends.model), motions, (1,), result.demand, result.method, evaluate.RUN.value).zeta
         for branch in hinges_in_histories(bends.model, bends.assessment.kinematic.moved.bending)
     )
-    assert dynamic.zeta == worst
+    assert dynamic.zeta == worst and bends.deciding_model.bending.h1 == dynamic.branch.h1
 
 
 def test_that_without_a_demand_it_is_read_and_shown():
