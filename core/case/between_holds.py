@@ -11,8 +11,9 @@ from core.wall.wall_loads import hinge_inside
 
 def spans_of(wall: Wall) -> tuple[tuple[float, float], ...]:
     """Stretches (from, to) above the base [m] of a rectangle on one side whose ties would open a hinge above its base:
-    between base and ties, at least LEAST_SLENDERNESS times as high as thick. Empty of any other wall, and where what
-    stands between is more than weights, a tie has slack, or the hinge would open above the highest tie."""
+    between base and ties, at least LEAST_SLENDERNESS times as high as thick. Empty of any other wall, and where more
+    than weights acts below the highest tie (a thrust there goes into it), a tie has slack, or the hinge would open
+    above that tie."""
     ties = sorted({load.h_m for load in wall.load if load.is_tie})
     if not ties or any(load.slack_mm for load in wall.load) or wall.thickness is None:
         return ()
@@ -24,8 +25,8 @@ def spans_of(wall: Wall) -> tuple[tuple[float, float], ...]:
     pairs = [(low, high) for low, high in itertools.pairwise(holds) if high - low >= LEAST_SLENDERNESS * wall.thickness]
     if not any(low < hinge <= high for low, high in pairs):
         return ()
-    pushed = [load.h_m for load in wall.load if load.kind not in ("vertical", "tie")]
-    return () if any(height > 0.0 for height in pushed) else tuple(pairs)
+    others = [load.h_m for load in wall.load if load.kind not in ("vertical", "tie")]
+    return () if any(height < ties[-1] for height in others) else tuple(pairs)
 
 
 def between(wall: Wall, low: float, high: float) -> Wall:
@@ -33,9 +34,10 @@ def between(wall: Wall, low: float, high: float) -> Wall:
     stands on it, at the middle of the wall: its mass is held by the tie."""
     assert wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None
     above = wall.unit_weight_kn_m3 * wall.thickness * (wall.height_m - high)
-    weights = [load for load in wall.load if load.kind == "vertical" and load.h_m > low]
     loads = [
-        replace(load, h_m=min(load.h_m, high) - low, mass="none" if load.h_m >= high else load.mass) for load in weights
+        replace(load, kind="vertical", h_m=min(load.h_m, high) - low, mass="none" if load.h_m >= high else load.mass)
+        for load in wall.load
+        if load.is_weight and load.h_m > low
     ]
     if above > 0.0:
         loads.append(Load(kind="vertical", kn_m=above, d_m=0.5 * wall.thickness, h_m=high - low, mass="none"))

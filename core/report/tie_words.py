@@ -72,6 +72,14 @@ def tie_words(say: Callable[..., str], wall: WallResult, language: str) -> str:
         words.append(say("The time histories give none: there are no records."))
     elif tie.missing == "none":
         words.append(say("The time histories give none: up to the largest force the rule does not hold."))
+    if tie.bending is not None:
+        words.append(
+            say(
+                "Above {largest:.2f} kN/m the wall bends between its base and the tie: ζ {zeta}.",
+                zeta=numeral(tie.bending, ".2f", language),
+                **values,
+            )
+        )
     if tie.force:
         words += _of_the_bar(say, tie)
     return " ".join(words)

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from core.boundary import edge, written_up
+from core.case.between_holds import between, spans_of
 from core.case.load_rules import carries
 from core.case.loads import Load
 from core.case.wall import Wall
@@ -61,10 +62,12 @@ class TieDesign:
     missing : why there is none of the histories: "histories" without records, "bar" without a length of the bar, which
         they need, "none" where none does it; "" where there is one
     force, check : the one named, the largest of the deciding ones, and which it is; None where one of these is not
-        known or none does it, or beyond `largest`
+        known or none does it, or beyond `largest` where the wall does not hold as it bends
     asked : the largest of these, also beyond `largest` [N/m]; None where one is not known, or none does it
     at_least : the largest of those that are known [N/m], where one is not
     largest : up to which the wall turns as one block about each of its hinges [N/m]
+    bending : the lowest zeta of the wall as it bends between its base and a tie beyond that; None where it does not
+        reach the one required, or cannot be known
     elongation : of the bar with the force named, at the largest peak of the histories at the demand, at d_SLV and at
         d_0 of the base hinge [m]
     stands : the elongation of the bar before it is gone [m], None without its length; stands_more : beyond yield
@@ -92,6 +95,7 @@ class TieDesign:
     spacing: float | None = None
     curve: tuple[tuple[float, float | None], ...] = ()
     stands_more: bool = False
+    bending: float | None = None
 
 
 @dataclass(frozen=True)
@@ -133,12 +137,14 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
     below = [hinge for hinge in hinges if hinge.scene.wall.tie_height_m is not None]
     above = [hinge for hinge in hinges if hinge.scene.wall.tie_height_m is None]
     largest = min(_largest(hinge, height) for hinge in below)
+    bending = _bending(below[0], height, cancelled) if below[0].height == 0.0 else None
+    strongest = largest if bending is None else MAX_FORCE
     forces = {name: _force(name, below, above, height) for name in FORCE_NAMES[1:]}
     missing = "histories" if any(hinge.dynamic is None for hinge in hinges) else ""
     missing = missing or ("bar" if asked.tie_bar_length_m is None else "")
     forces["dynamic"] = None
     if not missing:
-        forces["dynamic"] = _of_histories(below, above, height, largest, forces, cancelled)
+        forces["dynamic"] = _of_histories(below, above, height, strongest, forces, cancelled)
         missing = "none" if forces["dynamic"] is None else ""
     named = _deciding(below[0].scene, missing != "histories")
     known = {name: force for name in named if (force := forces[name]) is not None}
@@ -146,7 +152,7 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
     most = max(known.values()) if len(known) == len(named) else None
     at_least = max(known.values()) if unknown and len(known) == len(named) - 1 else None
     force = check = None
-    if most is not None and most <= largest:
+    if most is not None and most <= strongest:
         force, check = written_up(most, UNIT), max(known, key=lambda name: known[name])
     zeta, elongation, bars = {}, dict.fromkeys(("demand", "d_slv", "d_0")), (None, None)
     stands, more = None, False
@@ -175,7 +181,24 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
         asked.tie_spacing_m,
         curve,
         more,
+        bending if force is not None and force > largest else None,
     )
+
+
+def _bending(base: Hinge, height: float, cancelled: Callable[[], bool]) -> float | None:
+    """The lowest zeta of the wall between its base and a tie too strong for one block, None where its checks do not
+    surely hold, or it cannot bend there. Raises Cancelled."""
+    wall = with_tie(base.scene.wall, MAX_FORCE, height)
+    stretches = [(low, high) for low, high in spans_of(wall) if high == height]
+    if not stretches:
+        return None
+    try:
+        part = between(wall, *stretches[0])
+        found = evaluate(base.scene.but(wall=part, mechanism=part.mechanism), other=False, cancelled=cancelled)
+    except InputError:
+        return None
+    passes = found.kinematic is not None and found.decides is not None and found.satisfied
+    return found.zeta if passes else None
 
 
 def _deciding(scene: Scene, histories: bool) -> list[str]:

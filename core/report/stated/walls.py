@@ -171,6 +171,7 @@ TIE_DESIGN = (
     number("at_least_kn_m", "kN/m", "the largest known, where one is not", lambda tie: _kilo(tie.at_least)),
     text("check", "check that asks it"),
     number("largest_kn_m", "kN/m", "up to which the wall is one block", lambda tie: _kilo(tie.largest)),
+    number("zeta_bending", "-", "lowest zeta as it bends below a tie beyond that, null of a weaker one", "bending"),
     free("elongation_m", "of the bar with the force named [m]", "elongation"),
     number("stands_m", "m", "elongation of the bar before it is gone", "stands"),
     free("zeta", "zeta_E of each check with the force named"),

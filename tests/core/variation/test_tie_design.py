@@ -75,6 +75,7 @@ def designed(monkeypatch):
         monkeypatch.setattr(tie_module, "CURVE", curve)
         stands = lambda wall: sum(load.kn_m for load in wall.load if load.is_tie) <= 6.0  # noqa: E731
         monkeypatch.setattr(tie_module, "carries", stands)
+        monkeypatch.setattr(tie_module, "_bending", lambda *_: None)
         scenes = [quick_scene(asked, demand, k=k, building=BUILDING) for k in (0, 1)]
         hinges = [Hinge(at, scene, histories(scene)) for at, scene in zip((0.0, 3.0), scenes, strict=True)]
         whole = quick_scene(asked, demand).wall
@@ -423,3 +424,40 @@ def test_that_a_design_that_is_not_made_leaves_nothing_open():
     case = replace(case, wall=(replace(case.wall[0], mechanism="both", load=()),))
     study.run(case, base_dir=CHURCH.parent, on_progress=lambda *state: told.append(state))
     assert told[-1][0] == told[-1][1]
+
+
+@pytest.mark.shows("held.between")
+def test_that_a_tie_beyond_one_block_is_named_where_the_wall_holds_as_it_bends():
+    """A facade that needs more at a high demand than one block takes: it is satisfied as it bends, or there is none."""
+    asked = {
+        "name": "facade",
+        "height_m": 7.0,
+        "thickness_m": 0.6,
+        "length_m": 8.0,
+        "unit_weight_kn_m3": 18.0,
+        "base_z_m": 0.0,
+        "mechanism": "one_sided",
+        "back_restraint": "cross_walls",
+        "hinge_heights": "base",
+        "tie_height_m": 4.2,
+        "tie_bar_length_m": 9.0,
+        "tie_elongation_m": 0.5,
+        "load": [{"kind": "vertical", "kn_m": 150.0, "d_m": 0.3, "h_m": 4.2, "mass": "none"}],
+    }
+    building = {"height_m": 7.0, "storeys": 2, "period_s": 0.3}
+    seen = set()
+    for ag in (0.1, 0.37, 0.9):
+        demand = {"ag_g": ag, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
+        result = study.run(parse_case({"wall": [asked], "demand": demand, "building": building}), base_dir=Path())
+        tie = result.walls[0].assessment.tie
+        beyond = tie.asked is not None and tie.asked > tie.largest
+        assert (tie.force is None) == (beyond and tie.bending is None)
+        if beyond and tie.force is not None:
+            bar = {"kind": "tie", "h_m": 4.2, "kn_m": 1e-3 * tie.force, "bar_length_m": 9.0, "elongation_m": 0.5}
+            made = {key: value for key, value in asked.items() if not key.startswith("tie_")}
+            case = {"wall": [made | {"load": [*asked["load"], bar]}], "demand": demand, "building": building}
+            turns, bends = study.run(parse_case(case), base_dir=Path()).walls
+            assert bends.assessment.verdict.zeta_e == pytest.approx(tie.bending, rel=1e-12)
+            assert min(turns.assessment.verdict.zeta_e, tie.bending) >= 1.0 - 1e-3
+        seen.add((beyond, tie.force is None))
+    assert (True, False) in seen and (False, False) in seen
