@@ -57,7 +57,9 @@ BODIES = "tests/validation/test_bodies.py"
 SOLVED = "tests/core/solved/test_cases.py"
 
 SHOWN_BY = {
-    "wall/bending": "tests/core/rocking/test_held_top.py",
+    **dict.fromkeys(
+        ("wall/bending", "rocking/side_functions", "rocking/side_series"), "tests/core/rocking/test_held_top.py"
+    ),
     **{
         f"solved/{name}": SOLVED
         for name in (

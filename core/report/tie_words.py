@@ -72,7 +72,7 @@ def tie_words(say: Callable[..., str], wall: WallResult, language: str) -> str:
         words.append(say("The time histories give none: there are no records."))
     elif tie.missing == "none":
         words.append(say("The time histories give none: up to the largest force the rule does not hold."))
-    if tie.bending is not None:
+    if tie.bending is not None and tie.force is not None and tie.force > tie.largest:
         words.append(
             say(
                 "Above {largest:.2f} kN/m the wall bends between its base and the tie: ζ {zeta}.",

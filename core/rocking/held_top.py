@@ -1,4 +1,4 @@
-"""Histories of a wall held at its top, by its own equation (resources/docs/physics.md, section 24).
+"""Histories of a wall held at its top, by its own equation (resources/docs/physics.md, section 19).
 
 The one degree of freedom is followed in the coordinate y with y' = sqrt(I(theta)/I_0) theta', whose kinetic energy has
 a constant mass: y'' = p2 (beta x(y) - v(y)), v and x the work of the weights and of the push by y over I_0 p2, which
@@ -6,275 +6,29 @@ are polynomials in pieces of y. A step is its Taylor series of order 8, cut at s
 roots of the series.
 """
 
-import functools
-import math
-from typing import NamedTuple
-
 import numpy as np
 
 from core.jit.decorators import kernel, subkernel
 from core.rocking.events import IMPACTS_PER_SAMPLE, leave_impact, next_uplift, uplift_thresholds
 from core.rocking.grounds import Grounds
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
+from core.rocking.side_functions import (
+    POTENTIAL,
+    Side,
+    rotation_at,
+    sides_of,
+    to_rotations,
+    to_y,
+    turned_by,
+    value,
+    y_at,
+)
+from core.rocking.side_series import landing, series, speed_of, step_of
 from core.units import G
-from core.wall.bending import HeldTop, Motion, near_rest
 from core.wall.rocking_model import RockingModel
-
-TOLERANCE = 1e-14
-"""Largest last term of a step, over y of collapse [-]."""
-
-BEYOND, SHORT_OF = 2.5, 0.8
-"""The motion is followed to so many times the rotation of collapse, at most to this share of the way to where the
-upper block no longer reaches what holds it: beyond it the wall has overturned."""
-
-PIECES, DEGREE, OVERLAP = 32, 7, 1.5
-"""Pieces of the functions of y, the degree of each, and how far it holds over its half width: to 1e-13 of their size
-(tests/core/rocking/test_held_top.py)."""
-
-SPECTRAL = 96
-"""Degree of the series by which y, its inverse and the potential are made."""
-
-NEAREST, TINIEST = 1e-15, 1e-300
-"""Share of a step to which an event is located, and in place of zero where it is divided by."""
-
-
-class Side(NamedTuple):
-    """Functions of y to one side.
-
-    scale : pieces in a unit of y [-]; end : y at which the wall has overturned, top : y of collapse [rad]
-    barrier : potential at `top` [-]
-    values : polynomials of v, x, the potential and theta in each piece, in -1 to 1, shape (PIECES, 4, DEGREE + 1)
-    """
-
-    scale: float
-    end: float
-    top: float
-    barrier: float
-    values: np.ndarray
-
-
-V, X, POTENTIAL, THETA = range(4)
-"""The functions of `Side.values`."""
 
 NONE = np.empty(0)
 """Histories nobody wants."""
-
-
-@functools.lru_cache(maxsize=64)
-def sides_of(held: HeldTop, slenderness: float, collapse: tuple[float, float]) -> tuple[Side, Side]:
-    """The functions outward and inward. slenderness : alpha of the model; collapse : theta_c of both sides [rad]"""
-    first = held.side(1.0)
-    inertia, (p2, _, _) = float(first.parts(np.zeros(1))[0][0]), near_rest(first, slenderness)
-    return side_of(first, inertia, p2, collapse[0]), side_of(held.side(-1.0), inertia, p2, collapse[1])
-
-
-def side_of(motion: Motion, inertia: float, p2: float, collapse: float) -> Side:
-    """The functions of one side. inertia : I_0 [kg m]; collapse : theta_c [rad]"""
-    cheb = np.polynomial.chebyshev.Chebyshev
-    last = min(BEYOND * collapse, collapse + SHORT_OF * (motion.last - collapse))
-    domain = [-last / PIECES, last]  # the first piece overlaps rest
-    rate = cheb.interpolate(lambda theta: np.sqrt(motion.parts(theta)[0] / inertia), SPECTRAL, domain)
-    work = cheb.interpolate(lambda theta: motion.parts(theta)[1] / (inertia * p2), SPECTRAL, domain)
-    y_of, stored = rate.integ(lbnd=0.0), work.integ(lbnd=0.0)
-    end = float(y_of(last)) * PIECES / (PIECES + OVERLAP)  # the last piece overlaps it
-    nodes = OVERLAP * np.cos(math.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
-    y = ((np.arange(PIECES)[:, None] + 0.5 * (1.0 + nodes)) * (end / PIECES)).ravel()
-    theta = y * (last / end)
-    for _ in range(50):
-        step = (y_of(theta) - y) / rate(theta)
-        theta = theta - step
-        if np.abs(step).max() < 1e-15:
-            break
-    inertias, risen, moved = motion.parts(theta)
-    slope = np.sqrt(inertias / inertia) * inertia * p2
-    at_nodes = np.stack([risen / slope, moved / slope, stored(theta), theta], axis=1).reshape(PIECES, DEGREE + 1, 4)
-    values = np.linalg.solve(np.vander(nodes, increasing=True), at_nodes)
-    top = float(y_of(collapse))
-    return Side(PIECES / end, end, top, float(stored(collapse)), np.ascontiguousarray(values.transpose(0, 2, 1)))
-
-
-@subkernel
-def value(which, y, side):
-    """One of the functions of y, continued beyond its ends. which : V, X, POTENTIAL or THETA; side : Side"""
-    at = y * side.scale
-    piece = min(max(int(at), 0), PIECES - 1)
-    s, found = 2.0 * (at - piece) - 1.0, 0.0
-    for k in range(DEGREE, -1, -1):
-        found = found * s + side.values[piece, which, k]
-    return found
-
-
-@subkernel
-def series(y, speed, beta, slope, p2, side):
-    """Coefficients 1 to 8 of y as a power series in time, and the time [s] up to which it holds.
-
-    y, speed : at its start [rad], [rad/s]
-    beta : u''/g then, seen from this side [-]
-    slope : its rate [1/s]
-    side : Side
-    """
-    at = y * side.scale
-    piece = min(max(int(at), 0), PIECES - 1)
-    s, per = 2.0 * (at - piece) - 1.0, 2.0 * side.scale
-    v0 = v1 = v2 = v3 = v4 = v5 = v6 = 0.0
-    x0 = x1 = x2 = x3 = x4 = x5 = x6 = 0.0
-    for k in range(DEGREE, -1, -1):  # both functions about s
-        v6 = v6 * s + v5
-        v5 = v5 * s + v4
-        v4 = v4 * s + v3
-        v3 = v3 * s + v2
-        v2 = v2 * s + v1
-        v1 = v1 * s + v0
-        v0 = v0 * s + side.values[piece, V, k]
-        x6 = x6 * s + x5
-        x5 = x5 * s + x4
-        x4 = x4 * s + x3
-        x3 = x3 * s + x2
-        x2 = x2 * s + x1
-        x1 = x1 * s + x0
-        x0 = x0 * s + side.values[piece, X, k]
-    rate = per * p2
-    s1 = per * speed
-    s2 = 0.5 * rate * (beta * x0 - v0)
-    g1 = x1 * s1
-    s3 = rate / 6.0 * (beta * g1 + slope * x0 - v1 * s1)
-    q2 = s1 * s1
-    g2 = x1 * s2 + x2 * q2
-    s4 = rate / 12.0 * (beta * g2 + slope * g1 - v1 * s2 - v2 * q2)
-    q3, r3 = 2.0 * s1 * s2, s1 * q2
-    g3 = x1 * s3 + x2 * q3 + x3 * r3
-    s5 = rate / 20.0 * (beta * g3 + slope * g2 - v1 * s3 - v2 * q3 - v3 * r3)
-    q4, r4, w4 = 2.0 * s1 * s3 + s2 * s2, s1 * q3 + s2 * q2, s1 * r3
-    g4 = x1 * s4 + x2 * q4 + x3 * r4 + x4 * w4
-    s6 = rate / 30.0 * (beta * g4 + slope * g3 - v1 * s4 - v2 * q4 - v3 * r4 - v4 * w4)
-    q5, r5 = 2.0 * (s1 * s4 + s2 * s3), s1 * q4 + s2 * q3 + s3 * q2
-    w5, z5 = s1 * r4 + s2 * r3, s1 * w4
-    g5 = x1 * s5 + x2 * q5 + x3 * r5 + x4 * w5 + x5 * z5
-    s7 = rate / 42.0 * (beta * g5 + slope * g4 - v1 * s5 - v2 * q5 - v3 * r5 - v4 * w5 - v5 * z5)
-    q6, r6 = 2.0 * (s1 * s5 + s2 * s4) + s3 * s3, s1 * q5 + s2 * q4 + s3 * q3 + s4 * q2
-    w6, z6 = s1 * r5 + s2 * r4 + s3 * r3, s1 * w5 + s2 * w4
-    g6 = x1 * s6 + x2 * q6 + x3 * r6 + x4 * w6 + x5 * z6 + x6 * s1 * z5
-    s8 = rate / 56.0 * (beta * g6 + slope * g5 - v1 * s6 - v2 * q6 - v3 * r6 - v4 * w6 - v5 * z6 - v6 * s1 * z5)
-    holds = (TOLERANCE * per * side.top / max(abs(s8), TINIEST)) ** 0.125
-    terms = (s1 / per, s2 / per, s3 / per, s4 / per, s5 / per, s6 / per, s7 / per, s8 / per)
-    return terms, holds, s, per
-
-
-@subkernel
-def moved(terms, t):
-    """What a series adds to y after a time [s]."""
-    a, b, c, d, e, f, g, h = terms
-    return t * (a + t * (b + t * (c + t * (d + t * (e + t * (f + t * (g + t * h)))))))
-
-
-@subkernel
-def speed_of(terms, t):
-    """y' of a series after a time [s]."""
-    a, b, c, d, e, f, g, h = terms
-    high = 5.0 * e + t * (6.0 * f + t * (7.0 * g + t * 8.0 * h))
-    return a + t * (2.0 * b + t * (3.0 * c + t * (4.0 * d + t * high)))
-
-
-@subkernel
-def push_of(terms, t):
-    """y'' of a series after a time [s]."""
-    _, b, c, d, e, f, g, h = terms
-    return 2.0 * b + t * (6.0 * c + t * (12.0 * d + t * (20.0 * e + t * (30.0 * f + t * (42.0 * g + t * 56.0 * h)))))
-
-
-@subkernel
-def slowest(terms, h):
-    """Time [s] at which y'' passes through zero, between 0 and h, at whose ends its signs differ."""
-    low, high, falls = 0.0, h, push_of(terms, 0.0) < 0.0
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        if (push_of(terms, middle) < 0.0) == falls:
-            low = middle
-        else:
-            high = middle
-    return high
-
-
-@subkernel
-def turning(terms, h):
-    """Time [s] at which y' passes through zero, between 0 and h, at whose ends its signs differ."""
-    low, high, falls = 0.0, h, terms[0] < 0.0
-    time = 0.5 * h
-    for _ in range(100):
-        v = speed_of(terms, time)
-        if (v < 0.0) == falls:
-            low = time
-        else:
-            high = time
-        rate = push_of(terms, time)
-        following = time - v / rate if rate != 0.0 else 0.5 * (low + high)
-        if not low < following < high:
-            following = 0.5 * (low + high)
-        if abs(following - time) <= NEAREST * h or high - low <= NEAREST * h:
-            break
-        time = following
-    return time
-
-
-@subkernel
-def landing(y, terms, h):
-    """Time [s] at which y falls to zero within h, where it is not above zero; 0.0 for a start at zero that only
-    falls."""
-    low, high = 0.0, h
-    if y == 0.0:
-        low = h
-        for _ in range(60):
-            low *= 0.5
-            if moved(terms, low) > 0.0:
-                break
-            high = low
-        else:
-            return 0.0
-    time = 0.5 * (low + high)
-    for _ in range(100):
-        x = y + moved(terms, time)
-        if x > 0.0:
-            low = time
-        else:
-            high = time
-        v = speed_of(terms, time)
-        following = time - x / v if v != 0.0 else 0.5 * (low + high)
-        if not low < following < high:
-            following = 0.5 * (low + high)
-        if abs(following - time) <= NEAREST * h or high - low <= NEAREST * h:
-            break
-        time = following
-    return time
-
-
-@subkernel
-def step_of(y, speed, terms, h, s, per, least):
-    """One step by its series: length [s], y and y' after it, largest y in it [rad], and whether the wall lands in it.
-
-    y, speed : at its start [rad], [rad/s]
-    terms : of `series`
-    h : longest it may be [s]
-    s, per : place in the piece, of `series`, which the step does not leave
-    least : shortest it is cut to for that [s]
-    """
-    while abs(s + per * moved(terms, h)) > OVERLAP and h > least:
-        h *= 0.5
-    v = speed_of(terms, h)
-    slows = (terms[1] > 0.0) == (speed < 0.0) and (push_of(terms, h) > 0.0) != (terms[1] > 0.0)
-    if slows and speed != 0.0 and (v < 0.0) == (speed < 0.0):  # it may turn twice
-        slow = slowest(terms, h)
-        if (speed_of(terms, slow) < 0.0) != (speed < 0.0):
-            h, v = slow, speed_of(terms, slow)
-    x = y + moved(terms, h)
-    top = max(x, 0.0)
-    if speed < 0.0 < v or v < 0.0 < speed:
-        turn = turning(terms, h)
-        reached = y + moved(terms, turn)
-        if speed > 0.0:
-            top = max(top, reached)
-        elif reached < 0.0:
-            h, x = turn, reached
-    return h, x, v, top, x < 0.0 or (x == 0.0 and v < 0.0)
 
 
 @subkernel
@@ -302,19 +56,6 @@ def at_rest_again(y, speed, p2, side, other, ratio, peaks, here):
         return COLLAPSED
     peaks[here] = max(peaks[here], y_at(energy, side))
     return STABLE
-
-
-@subkernel
-def y_at(stored, side):
-    """y in [0, top] at which the potential reaches `stored`, below the barrier [rad]."""
-    low, high = 0.0, side.top
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        if value(POTENTIAL, middle, side) < stored:
-            low = middle
-        else:
-            high = middle
-    return high
 
 
 @kernel
@@ -394,17 +135,6 @@ def integrate(
     return outcome, impacts, ground.size
 
 
-@subkernel
-def slope(which, y, side):
-    """The derivative of `value` by y."""
-    at = y * side.scale
-    piece = min(max(int(at), 0), PIECES - 1)
-    s, found = 2.0 * (at - piece) - 1.0, 0.0
-    for k in range(DEGREE, 0, -1):
-        found = found * s + k * side.values[piece, which, k]
-    return 2.0 * side.scale * found
-
-
 @kernel
 def fill_energy(rotation, velocity, p2, outward, inward, ratios):
     """Energy over that at collapse on its side. rotation [rad], velocity [rad/s], ratios : results [-], shape (n,)"""
@@ -420,34 +150,6 @@ def energy_ratios(rotation: np.ndarray, velocity: np.ndarray, model: RockingMode
     ratios = np.zeros(rotation.size)
     fill_energy(rotation, velocity, bare.p2, outward, inward, ratios)
     return ratios
-
-
-@subkernel
-def turned_by(y, side):
-    """theta [rad] at y, zero exactly at rest."""
-    return max(value(THETA, y, side), 0.0) if y > 0.0 else 0.0
-
-
-@kernel
-def to_rotations(y, rate, outward, inward):
-    """Turn y [rad] and y' [rad/s] into theta and theta' in place, shape (n,). outward, inward : Side"""
-    for i in range(y.size):
-        side, sign = (outward, 1.0) if y[i] >= 0.0 else (inward, -1.0)
-        rate[i] *= slope(THETA, sign * y[i], side)
-        y[i] = sign * turned_by(sign * y[i], side)
-
-
-@kernel
-def to_y(theta, speed, side):
-    """y [rad] and y' [rad/s] of a rotation to this side, by bisection. speed : theta' [rad/s]; side : Side"""
-    low, high = 0.0, side.end
-    for _ in range(80):
-        middle = 0.5 * (low + high)
-        if value(THETA, middle, side) < theta:
-            low = middle
-        else:
-            high = middle
-    return high if theta > 0.0 else 0.0, speed / slope(THETA, high if theta > 0.0 else 0.0, side)
 
 
 @kernel
@@ -514,9 +216,3 @@ def history(ground, dt, scale, model, start, trace, impact_time, impact_velocity
     to_rotations(np.zeros(impact_velocity.size), impact_velocity, outward, inward)
     peak = max(float(rotation_at(peaks[0], outward)), float(rotation_at(peaks[1], inward)))
     return outcome, peak, impacts, 0, done
-
-
-@kernel
-def rotation_at(y, side):
-    """theta [rad] at y; side : Side"""
-    return turned_by(y, side)

@@ -137,7 +137,7 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
     below = [hinge for hinge in hinges if hinge.scene.wall.tie_height_m is not None]
     above = [hinge for hinge in hinges if hinge.scene.wall.tie_height_m is None]
     largest = min(_largest(hinge, height) for hinge in below)
-    bending = _bending(below[0], height, cancelled) if below[0].height == 0.0 else None
+    bending = _bending(below[0], height, cancelled)
     strongest = largest if bending is None else MAX_FORCE
     forces = {name: _force(name, below, above, height) for name in FORCE_NAMES[1:]}
     missing = "histories" if any(hinge.dynamic is None for hinge in hinges) else ""
@@ -181,7 +181,7 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
         asked.tie_spacing_m,
         curve,
         more,
-        bending if force is not None and force > largest else None,
+        bending,
     )
 
 
@@ -190,7 +190,7 @@ def _bending(base: Hinge, height: float, cancelled: Callable[[], bool]) -> float
     surely hold, or it cannot bend there. Raises Cancelled."""
     wall = with_tie(base.scene.wall, MAX_FORCE, height)
     stretches = [(low, high) for low, high in spans_of(wall) if high == height]
-    if not stretches:
+    if not stretches or base.height > 0.0:
         return None
     try:
         part = between(wall, *stretches[0])

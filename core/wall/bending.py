@@ -215,7 +215,7 @@ class Sums(NamedTuple):
 
 
 class Motion:
-    """The one degree of freedom of a strip whose middle hinge is at h1 [m] (resources/docs/physics.md, section 24):
+    """The one degree of freedom of a strip whose middle hinge is at h1 [m] (resources/docs/physics.md, section 19):
     I(theta) theta''+ I'(theta) theta'^2/2 + V'(theta) = a X'(theta), theta >= 0 the rotation of the lower block."""
 
     def __init__(self, strip: Strip, h1: float):

@@ -9,10 +9,10 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from core.codes.vertical_bending import model_of_bending
-from core.rocking.held_top import POTENTIAL, THETA, V, X, side_of, sides_of
 from core.rocking.history import history, scan
 from core.rocking.methods import METHODS
 from core.rocking.outcome import COLLAPSED, STABLE
+from core.rocking.side_functions import POTENTIAL, THETA, V, X, side_of, sides_of
 from core.units import G
 from core.wall.bending import Motion, Strip, near_rest
 from core.wall.rocking_model import weakened
