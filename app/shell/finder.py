@@ -1,5 +1,6 @@
 """Find by name: fields, walls, pages, actions (Ctrl+K)."""
 
+import re
 from collections.abc import Callable, Iterator
 from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
@@ -103,14 +104,22 @@ def places_of(window: "MainWindow", text: str) -> list[Entry]:
     return [Entry(tr("{name}: the demand from this place", name=name), partial(take, name)) for name in names]
 
 
+def _plain(words: str) -> str:
+    """Words as they are typed: "ag" is meant where a_g stands."""
+    return words.lower().replace("_", "")
+
+
 def _holds(one: Entry, words: list[str]) -> bool:
-    return all(word in f"{one.words} {one.also}".lower() for word in words)
+    return all(word in _plain(f"{one.words} {one.also}") for word in words)
 
 
-def _rank(one: Entry, text: str, words: list[str]) -> tuple[bool, bool]:
-    """What begins with the text first, then what has its words, at last what only means the same."""
-    listed = one.words.lower()
-    return not listed.startswith(text), not all(word in listed for word in words)
+def _rank(one: Entry, text: str, words: list[str]) -> tuple[bool, bool, bool]:
+    """What has it as whole words first (of a symbol of two letters the field), then what begins with the text, then
+    what has its words, at last what only means the same."""
+    listed = _plain(one.words)
+    whole = set(re.findall(r"\w+", listed))
+    not_whole = not all(word in whole for word in words)
+    return not_whole, not listed.startswith(text), not all(word in listed for word in words)
 
 
 class Finder(QDialog):
@@ -135,9 +144,9 @@ class Finder(QDialog):
         self._look("")
 
     def _look(self, text: str) -> None:
-        words = text.lower().split()
+        words = _plain(text).split()
         self.fitting = [one for one in self.entries if _holds(one, words)]
-        self.fitting.sort(key=lambda one: _rank(one, text.lower(), words))
+        self.fitting.sort(key=lambda one: _rank(one, _plain(text), words))
         del self.fitting[MOST:]
         self.fitting += places_of(self.owner, text)
         self.list.clear()

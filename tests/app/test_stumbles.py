@@ -136,6 +136,16 @@ def test_that_the_place_is_found(opened, text):
     assert {"Municipality", "Coordinates", "From the place (national grid)"} & {one.words for one in found.fitting}
 
 
+@pytest.mark.parametrize("language", ["en", "it"])
+@pytest.mark.parametrize(("typed", "first"), [("ag", "a_g"), ("a_g", "a_g"), ("fc", "FC")])
+def test_that_a_symbol_finds_its_field(opened, language, typed, first):
+    opened.set_choice("language", language)
+    found = finder.Finder(opened)
+    found._look(typed)
+    assert found.fitting[0].words.split()[0] == first
+    opened.set_choice("language", "en")
+
+
 def test_that_a_municipality_that_is_found_gives_the_demand_and_leads_to_the_soil(opened):
     opened.session.edit(replace(opened.session.case, demand=None))
     opened.activateWindow()
