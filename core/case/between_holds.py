@@ -11,7 +11,8 @@ from core.wall.wall_loads import hinge_inside
 
 def spans_of(wall: Wall) -> tuple[tuple[float, float], ...]:
     """Stretches (from, to) above the base [m] of a rectangle on one side whose ties would open a hinge above its base:
-    between base and ties, at least LEAST_SLENDERNESS times as high as thick. Empty of any other wall, and where more
+    between base and ties, also from where a weight stands between them, for the weight holds only what is below it; at
+    least LEAST_SLENDERNESS times as high as thick. Empty of any other wall, and where more
     than weights acts below the highest tie (a thrust there goes into it), a tie has slack, or the hinge would open
     above that tie."""
     ties = sorted({load.h_m for load in wall.load if load.is_tie})
@@ -21,8 +22,13 @@ def spans_of(wall: Wall) -> tuple[tuple[float, float], ...]:
         return ()
     if (hinge := hinge_inside(wall.in_si)) is None:
         return ()
-    holds = [0.0, *ties]
-    pairs = [(low, high) for low, high in itertools.pairwise(holds) if high - low >= LEAST_SLENDERNESS * wall.thickness]
+    weights = {load.h_m for load in wall.load if load.is_weight}
+    pairs = [
+        (low, high)
+        for hold, high in itertools.pairwise([0.0, *ties])
+        for low in sorted({hold, *(height for height in weights if hold < height < high)})
+        if high - low >= LEAST_SLENDERNESS * wall.thickness
+    ]
     if not any(low < hinge <= high for low, high in pairs):
         return ()
     others = [load.h_m for load in wall.load if load.kind not in ("vertical", "tie")]

@@ -121,8 +121,17 @@ def shared(part: Part, mechanism: str) -> tuple[str, float, str]:
 
 def parts_of(k: int, asked: Wall, building: Building | None) -> list[Part]:
     """The k-th wall of a case from every hinge of its up, and where its ties make it bend between them."""
-    turning = [Part(k, asked, hinge, above_hinge(asked, hinge)) for hinge in (0.0, *hinges_of(asked, building))]
-    return turning + [Part(k, asked, low, between(asked, low, high), high) for low, high in spans_of(asked)]
+    hinges, spans = turning_hinges(asked, building), spans_of(asked)
+    turning = [Part(k, asked, hinge, above_hinge(asked, hinge)) for hinge in (0.0, *hinges)]
+    return turning + [Part(k, asked, low, between(asked, low, high), high) for low, high in spans]
+
+
+def turning_hinges(asked: Wall, building: Building | None) -> Sequence[float]:
+    """Heights of the hinges about which a wall turns; above a tie below which it bends it may, whatever is asked."""
+    hinges = hinges_of(asked, building)
+    ties = {high for _, high in spans_of(asked)}
+    more = [height for height in usual_hinges(asked, building) if height in ties and height not in hinges]
+    return sorted([*hinges, *more]) if more else hinges
 
 
 def parts(case: Case) -> list[Part]:

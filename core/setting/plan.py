@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from core.capacity.ida import Search
 from core.case.between_holds import spans_of
-from core.case.hinges import Part, hinges_of, parts_of, shared
+from core.case.hinges import Part, parts_of, shared, turning_hinges
 from core.case.schema import Case
 from core.case.site import Building
 from core.case.wall import Wall
@@ -232,7 +232,8 @@ def plan_of(
 def results_by_wall(case: Case) -> Iterator[int]:
     """Number of results of each wall of a case: about each hinge, by each mechanism."""
     return (
-        (1 + len(hinges_of(wall, case.building))) * len(wall.mechanisms()) + len(spans_of(wall)) for wall in case.wall
+        (1 + len(turning_hinges(wall, case.building))) * len(wall.mechanisms()) + len(spans_of(wall))
+        for wall in case.wall
     )
 
 

@@ -94,9 +94,32 @@ def test_that_random_ties_are_accepted_where_the_wall_turns_or_bends_and_more_st
         spans = spans_of(wall)
         parts = parts_of(0, wall, None)
         assert bool(spans) == (hinge_inside(wall.in_si) is not None)
-        assert len(parts) == 1 + len(spans)
+        bends = [part for part in parts if part.top is not None]
+        assert [(part.hinge, part.top) for part in bends] == list(spans)
         seen.add(bool(spans))
-        for part in parts[1:]:
+        for part in bends:
             more = wall_of({**ROOF, "h_m": height}, {**tie, "bar": {**bar, "number": 20}}, height_m=height)
             assert bending(between(more, part.hinge, part.top).in_si).alpha0 == bending(part.wall.in_si).alpha0
     assert seen == {True, False}
+
+
+def test_that_a_weight_between_holds_only_what_is_below_it():
+    """A floor that carries much at 3 m: from there to the tie the wall bends sooner than from its base."""
+    floor = {**ROOF, "kn_m": 150.0, "h_m": 3.0}
+    loads = ({**ROOF, "kn_m": 2.0, "h_m": 9.0}, {**TIE, "h_m": 9.0}, floor)
+    wall = wall_of(*loads, height_m=9.0)
+    assert spans_of(wall) == ((0.0, 9.0), (3.0, 9.0))
+    whole, upper = (bending(between(wall, *span).in_si).alpha0 for span in spans_of(wall))
+    assert upper < whole
+    alone = between(wall_of(*loads[:2], height_m=9.0, base_z_m=0.0), 3.0, 9.0)
+    assert bending(alone.in_si).alpha0 == upper
+
+
+def test_that_the_wall_above_a_tie_is_looked_at_whatever_hinges_are_asked():
+    wall = wall_of({**ROOF, "h_m": 4.5}, {**TIE, "h_m": 4.5, "bar": {**BAR, "number": 8}}, height_m=9.0)
+    assert spans_of(wall) == ((0.0, 4.5),) and wall.hinge_heights == "base"
+    assert [(part.hinge, part.top) for part in parts_of(0, wall, None)] == [(0.0, None), (4.5, None), (0.0, 4.5)]
+    weak = wall_of(
+        {**ROOF, "h_m": 4.5}, {**TIE, "h_m": 4.5, "bar": {**BAR, "number": 1, "diameter_mm": 8.0}}, height_m=9.0
+    )
+    assert [part.hinge for part in parts_of(0, weak, None)] == [0.0]
