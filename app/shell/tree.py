@@ -167,7 +167,8 @@ def _chip(state: State, k: int) -> tuple[str, str]:
 
 def hinge_text(wall: WallResult) -> str:
     """Where a result turns, and how."""
-    return f"+{number(wall.part.hinge, 'g')} m, {named(wall.mechanism)}"
+    ends = [wall.part.hinge, *([] if wall.part.top is None else [wall.part.top])]
+    return f"+{'–'.join(number(end, 'g') for end in ends)} m, {named(wall.mechanism)}"
 
 
 def _hinges(state: State, k: int, depth: int) -> Iterable[Row]:

@@ -1,38 +1,77 @@
 """The stretches of a wall between its base and what holds it, in which it bends before it turns about its base."""
 
-import itertools
+import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 from core.case.loads import Load
 from core.case.wall import BENDS, Wall
-from core.codes.vertical_bending import LEAST_SLENDERNESS
-from core.wall.wall_loads import hinge_inside
+from core.codes.vertical_bending import LEAST_SLENDERNESS, bending
+from core.known import known
+from core.units import G
+from core.wall.wall_loads import hinge_inside, restoring_with_ties
+
+NEAR = 0.8
+"""Share of the multiplier by which a wall bends from which it is looked at: where turning about the base with its ties
+at yield starts at less, that governs."""
 
 
 def spans_of(wall: Wall) -> tuple[tuple[float, float], ...]:
-    """Stretches (from, to) above the base [m] of a rectangle on one side whose ties would open a hinge above its base:
-    between base and ties, also from where a weight stands between them, for the weight holds only what is below it; at
-    least LEAST_SLENDERNESS times as high as thick. Empty of any other wall, and where more
-    than weights acts below the highest tie (a thrust there goes into it), a tie has slack, or the hinge would open
-    above that tie."""
+    """Stretches (from, to) above the base [m] in which a rectangle on one side bends below its ties, where these hold
+    about as much as one block takes, or more: from its base, each tie and each weight (which holds only what is below
+    it) to each tie above, over ties too weak for what the stretches beside them push with; at least LEAST_SLENDERNESS
+    times as high as thick. Empty of any other wall, and where more than weights acts below the highest tie (a thrust
+    there goes into it), or a tie has slack."""
     ties = sorted({load.h_m for load in wall.load if load.is_tie})
     if not ties or any(load.slack_mm for load in wall.load) or wall.thickness is None:
         return ()
     if wall.mechanism != "one_sided" or wall.has_shape or wall.return_walls is not None:
         return ()
-    if (hinge := hinge_inside(wall.in_si)) is None:
-        return ()
-    weights = {load.h_m for load in wall.load if load.is_weight}
-    pairs = [
-        (low, high)
-        for hold, high in itertools.pairwise([0.0, *ties])
-        for low in sorted({hold, *(height for height in weights if hold < height < high)})
-        if high - low >= LEAST_SLENDERNESS * wall.thickness
-    ]
-    if not any(low < hinge <= high for low, high in pairs):
-        return ()
     others = [load.h_m for load in wall.load if load.kind not in ("vertical", "tie")]
-    return () if any(height < ties[-1] for height in others) else tuple(pairs)
+    least = LEAST_SLENDERNESS * wall.thickness
+    if any(height < ties[-1] for height in others):
+        return ()
+    holds = _holds(wall, ties)
+    lows = sorted({0.0, *ties, *(load.h_m for load in wall.load if load.is_weight)})
+    pairs = tuple(
+        (low, high)
+        for high in ties
+        for low in lows
+        if high - low >= least and not any(low < hold < high for hold in holds)
+    )
+    if not pairs or hinge_inside(wall.in_si) is not None:
+        return pairs
+    turning = _at_yield(wall)
+    return tuple(pair for pair in pairs if turning >= NEAR * bending(between(wall, *pair).in_si).alpha0)
+
+
+def _holds(wall: Wall, ties: Sequence[float]) -> list[float]:
+    """Heights of the ties that stand what the stretches below and above push on them with as they bend [m]."""
+    found, strength = [], {}
+    for load, one in zip(wall.load, wall.in_si.loads, strict=True):
+        if load.is_tie:
+            strength[load.h_m] = strength.get(load.h_m, 0.0) + one.force
+    for below, height, above in zip([0.0, *ties], ties, ties[1:], strict=False):
+        least = LEAST_SLENDERNESS * known(wall.thickness)
+        if min(height - below, above - height) < least:
+            continue
+        lower, upper = (bending(between(wall, *pair).in_si) for pair in ((below, height), (height, above)))
+        pushes = lower.top_force + upper.alpha0 * upper.mass * G - upper.top_force
+        if strength[height] >= pushes:
+            found.append(height)
+    return found
+
+
+def _at_yield(wall: Wall) -> float:
+    """alpha_0 of the wall about its base, its ties at yield."""
+    masonry = wall.in_si
+    side = restoring_with_ties(masonry)
+    return side.sine * math.tan(masonry.block.slenderness) + side.cosine
+
+
+def named_between(name: str, low: float, high: float) -> str:
+    """What a stretch of a wall is called."""
+    return f"{name} ({low:.4g}–{high:.4g} m)"
 
 
 def between(wall: Wall, low: float, high: float) -> Wall:
@@ -49,7 +88,7 @@ def between(wall: Wall, low: float, high: float) -> Wall:
         loads.append(Load(kind="vertical", kn_m=above, d_m=0.5 * wall.thickness, h_m=high - low, mass="none"))
     return replace(
         wall,
-        name=f"{wall.title} ({low:.4g}–{high:.4g} m)",
+        name=named_between(wall.title, low, high),
         mechanism=BENDS,
         height_m=high - low,
         thickness_m=wall.thickness,
@@ -68,5 +107,5 @@ def between(wall: Wall, low: float, high: float) -> Wall:
         tie_elongation_m=None,
         tie_spacing_m=None,
         back_restraint="other",
-        restraint_note=f"tie at {high:.4g} m",
+        restraint_note=f"tie, catena: {high:.4g} m",
     )

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from core.case.above_hinge import LEAST_HEIGHT, above_hinge, named_above
-from core.case.between_holds import between, spans_of
+from core.case.between_holds import between, named_between, spans_of
 from core.case.schema import Case
 from core.case.site import Building
 from core.case.wall import Wall
@@ -42,7 +42,7 @@ class Part:
     def own_name(self) -> str:
         """Name of the wall as people read it, without the variant."""
         if self.top is not None:
-            return self.wall.name
+            return named_between(self.asked.name, self.hinge, self.top)
         return named_above(self.asked.name, self.hinge)
 
 
@@ -115,7 +115,7 @@ def shared(part: Part, mechanism: str) -> tuple[str, float, str]:
     """Key that a wall about a hinge shares only with its other variant: name given, hinge [m], mechanism. A wall held
     at its top has here the mechanism one_sided, the overturning that its restraint prevents."""
     if part.top is not None:
-        return part.asked.name, part.top, mechanism
+        return named_between(part.asked.name, part.hinge, part.top), part.hinge, mechanism
     return part.asked.name, part.hinge, "one_sided" if part.wall.bends else mechanism
 
 

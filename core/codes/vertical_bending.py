@@ -205,7 +205,11 @@ def mechanism(strip: Strip, h1: float | None = None) -> Bending:
     total, first, second = (math.fsum(force * way**power for force, way in moved) for power in (0, 1, 2))
     theta0, at = _collapse(strip, h1), hinges_of(strip, h1)
     d_c0 = (at.between - at.base) * (1.0 - math.cos(theta0)) + h1 * math.sin(theta0)
-    return Bending(strip, h1, alpha0, first**2 / (total * second), total / G, theta0, d_c0, second / (h1 * first))
+    e_star = first**2 / (total * second)
+    if any(load.pushed for load in strip.below):  # a mass that hardly moves must not raise a_0*: 1 mm below the top
+        held = strip._replace(below=tuple(load._replace(pushed=False) for load in strip.below))
+        e_star = max(e_star, alpha0 / start_multiplier(held, h1))
+    return Bending(strip, h1, alpha0, e_star, total / G, theta0, d_c0, second / (h1 * first))
 
 
 def _collapse(strip: Strip, h1: float) -> float:
@@ -278,10 +282,12 @@ ALIKE = 1e-2
 
 
 def hinges_in_histories(model: RockingModel, displacement: Bending | None) -> tuple[HingeAt, ...]:
-    """Heights of the hinge of which the worst decides by histories: those of the lowest alpha_0 outward and inward, and
-    that of the displacement check (a hinge belongs to a check)."""
+    """Heights of the hinge of which the worst decides by histories: those of the lowest alpha_0 outward and inward,
+    that of the displacement check (a hinge belongs to a check), and the middle between it and the first."""
     held = known(model.bending)
-    heights = [held.h1, lowest_hinge(held.inward), *([displacement.h1] if displacement else [])]
+    heights = [held.h1, lowest_hinge(held.inward)]
+    if displacement:
+        heights += [displacement.h1, 0.5 * (held.h1 + displacement.h1)]
     found: list[float] = []
     for h1 in heights:
         if all(abs(h1 - other) > ALIKE * held.outward.height for other in found):

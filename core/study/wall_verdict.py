@@ -108,7 +108,7 @@ def by_severity(verdicts: tuple[WallVerdict, ...], walls) -> list[WallVerdict]:
 
 def _left_out(asked: Wall, case: Case, walls, indices) -> list[Sentence]:
     """Heights at which a mechanism may start and that were not checked."""
-    checked = {round(walls[k].part.hinge, 3) for k in indices}
+    checked = {round(walls[k].part.hinge, 3) for k in indices if walls[k].part.top is None}
     usual = [h for h in usual_hinges(asked, case.building) if round(h, 3) not in checked]
     if not usual:
         return []
@@ -148,6 +148,6 @@ def zetas_of(result: StudyResult, wall: WallResult) -> list[tuple[float, float |
     has one alone."""
     found: dict[float, list[float | None]] = {}
     for one in result.walls:
-        if one.part.origin == wall.part.origin and one.assessment:
+        if one.part.origin == wall.part.origin and one.part.top is None and one.assessment:
             found.setdefault(one.part.hinge, []).append(one.assessment.verdict.zeta_e)
     return [(hinge, least(zetas)) for hinge, zetas in sorted(found.items())] if len(found) > 1 else []

@@ -9,6 +9,7 @@ overturn (resources/docs/ties.md): it stands beside it, but where neither of the
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -137,9 +138,11 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
     below = [hinge for hinge in hinges if hinge.scene.wall.tie_height_m is not None]
     above = [hinge for hinge in hinges if hinge.scene.wall.tie_height_m is None]
     largest = min(_largest(hinge, height) for hinge in below)
-    bending = _bending(below[0], height, cancelled)
-    strongest = largest if bending is None else MAX_FORCE
+    holds, bending = _bending(below[0], MAX_FORCE, height, cancelled)
+    strongest = MAX_FORCE if holds else largest
     forces = {name: _force(name, below, above, height) for name in FORCE_NAMES[1:]}
+    if _bending(below[0], 0.0, height, cancelled)[0] is False:  # below the ties it has: no further one mends that
+        forces = dict.fromkeys(FORCE_NAMES)
     missing = "histories" if any(hinge.dynamic is None for hinge in hinges) else ""
     missing = missing or ("bar" if asked.tie_bar_length_m is None else "")
     forces["dynamic"] = None
@@ -152,6 +155,8 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
     most = max(known.values()) if len(known) == len(named) else None
     at_least = max(known.values()) if unknown and len(known) == len(named) - 1 else None
     force = check = None
+    if most is not None and most <= largest and _bending(below[0], most, height, cancelled)[0] is False:
+        strongest = largest = most - UNIT  # it bends
     if most is not None and most <= strongest:
         force, check = written_up(most, UNIT), max(known, key=lambda name: known[name])
     zeta, elongation, bars = {}, dict.fromkeys(("demand", "d_slv", "d_0")), (None, None)
@@ -185,20 +190,24 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
     )
 
 
-def _bending(base: Hinge, height: float, cancelled: Callable[[], bool]) -> float | None:
-    """The lowest zeta of the wall between its base and a tie too strong for one block, None where its checks do not
-    surely hold, or it cannot bend there. Raises Cancelled."""
-    wall = with_tie(base.scene.wall, MAX_FORCE, height)
-    stretches = [(low, high) for low, high in spans_of(wall) if high == height]
-    if not stretches or base.height > 0.0:
-        return None
-    try:
-        part = between(wall, *stretches[0])
-        found = evaluate(base.scene.but(wall=part, mechanism=part.mechanism), other=False, cancelled=cancelled)
-    except InputError:
-        return None
-    passes = found.kinematic is not None and found.decides is not None and found.satisfied
-    return found.zeta if passes else None
+def _bending(base: Hinge, force: float, height: float, cancelled: Callable[[], bool]) -> tuple[bool | None, Any]:
+    """(whether the wall holds as it bends below its ties and one of this force, its lowest zeta there); None where it
+    does not bend, or what moves it there is not known. Raises Cancelled."""
+    zetas = []
+    if base.height > 0.0:
+        return None, None
+    for low, high in spans_of(tied := with_tie(base.scene.wall, force, height)):
+        part = between(tied, low, high)
+        try:
+            found = evaluate(base.scene.but(wall=part, mechanism=part.mechanism), other=False, cancelled=cancelled)
+        except InputError:
+            return False, None
+        if found.kinematic is None or found.decides is None:
+            return None, None
+        if not found.satisfied:
+            return False, found.zeta
+        zetas.append(found.zeta)
+    return (True, least(zetas)) if zetas else (None, None)
 
 
 def _deciding(scene: Scene, histories: bool) -> list[str]:
