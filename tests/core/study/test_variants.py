@@ -12,7 +12,7 @@ from tests.clauses_alone import parse_case
 from tests.validation.test_loaded_walls import DEMAND, ROOF, TIE, WALL
 
 BEFORE = {**WALL, "name": "facade", "variant": "stato di fatto", "load": [ROOF]}
-AFTER = {**WALL, "name": "facade", "variant": "progetto", "load": [ROOF, TIE], "thickness_m": 0.40}
+AFTER = {**WALL, "name": "facade", "variant": "progetto", "load": [ROOF, {**TIE, "kn_m": 2.0}], "thickness_m": 0.40}
 
 
 @pytest.mark.shows("case.variant")
