@@ -140,9 +140,7 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
     largest = min(_largest(hinge, height) for hinge in below)
     holds, bending = _bending(below[0], MAX_FORCE, height, cancelled)
     strongest = MAX_FORCE if holds else largest
-    forces = {name: _force(name, below, above, height) for name in FORCE_NAMES[1:]}
-    if _bending(below[0], 0.0, height, cancelled)[0] is False:  # below the ties it has: no further one mends that
-        forces = dict.fromkeys(FORCE_NAMES)
+    forces = _forces(below, above, height, cancelled)
     missing = "histories" if any(hinge.dynamic is None for hinge in hinges) else ""
     missing = missing or ("bar" if asked.tie_bar_length_m is None else "")
     forces["dynamic"] = None
@@ -155,8 +153,7 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
     most = max(known.values()) if len(known) == len(named) else None
     at_least = max(known.values()) if unknown and len(known) == len(named) - 1 else None
     force = check = None
-    if most is not None and most <= largest and _bending(below[0], most, height, cancelled)[0] is False:
-        strongest = largest = most - UNIT  # it bends
+    largest, strongest = _as_it_bends(below[0], most, height, (largest, strongest), cancelled)
     if most is not None and most <= strongest:
         force, check = written_up(most, UNIT), max(known, key=lambda name: known[name])
     zeta, elongation, bars = {}, dict.fromkeys(("demand", "d_slv", "d_0")), (None, None)
@@ -188,6 +185,26 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
         more,
         bending,
     )
+
+
+def _forces(
+    below: Sequence[Hinge], above: Sequence[Hinge], height: float, cancelled: Callable[[], bool]
+) -> dict[str, float | None]:
+    """Forces by the checks of the clauses and the thrust [N/m]; none of a wall that fails as it bends below the ties it
+    has: no further one mends that. Raises Cancelled."""
+    if _bending(below[0], 0.0, height, cancelled)[0] is False:
+        return dict.fromkeys(FORCE_NAMES)
+    return {name: _force(name, below, above, height) for name in FORCE_NAMES[1:]}
+
+
+def _as_it_bends(
+    base: Hinge, force: float | None, height: float, most: tuple[float, float], cancelled: Callable[[], bool]
+) -> tuple[float, float]:
+    """(force up to which the wall turns as one block, force that may be named) [N/m], both below a force with which it
+    fails as it bends. Raises Cancelled."""
+    if force is None or force > most[0] or _bending(base, force, height, cancelled)[0] is not False:
+        return most
+    return force - UNIT, force - UNIT
 
 
 def _bending(base: Hinge, force: float, height: float, cancelled: Callable[[], bool]) -> tuple[bool | None, Any]:
