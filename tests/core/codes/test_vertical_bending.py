@@ -14,7 +14,7 @@ from core.derivation.line import Line
 from core.derivation.wall import checks_of
 from core.errors import InputError
 from core.units import G
-from core.wall.bending import Strip, strip_of
+from core.wall.bending import Strip, Weight, strip_of
 from tests.validation.circolare import case
 
 W = 18.0 * 0.30 * 3.0
@@ -367,3 +367,16 @@ def test_that_each_block_of_a_wall_that_bends_at_its_step_is_drawn_with_one_thic
     for block, (low, high, thickness) in zip(blocks, ((0.0, 2.4, 0.45), (2.4, 5.6, 0.32)), strict=True):
         corners = ((0.0, low), (thickness, low), (thickness, high), (0.0, high), (0.0, low))
         assert block == [pytest.approx(corner, abs=1e-12) for corner in corners]
+
+
+@pytest.mark.parametrize("load", [12e3, 40e3])
+def test_that_a_mass_that_hardly_moves_raises_nothing(load):
+    """A floor just below the held top: a_0* is not above that with its mass held, and goes over into it."""
+    strip = Strip(6.5, 0.45, 0.0, 18e3 * 6.5 * 0.45)
+    for height in (6.499, 6.4, 6.0, 5.0):
+        floors = [(Weight(load, 0.225, height, pushes),) for pushes in (True, False)]
+        moving, held = (mechanism(strip._replace(below=floor), 5.5) for floor in floors)
+        assert moving.alpha0 / moving.e_star <= held.alpha0 / held.e_star * (1.0 + 1e-12)
+    on_top = mechanism(strip._replace(loads=((load, 0.225),)), 5.5)
+    near = mechanism(strip._replace(below=(Weight(load, 0.225, 6.499, True),)), 5.5)
+    assert near.alpha0 / near.e_star == pytest.approx(on_top.alpha0 / on_top.e_star, rel=2e-3)
