@@ -127,6 +127,28 @@ def leave_impact(arriving, side, ground, model, thresholds):
 
 
 @subkernel
+def land(arriving, side, ground, model, thresholds, hop, instant, impacts, impact_time, impact_velocity):
+    """Carry the block through an impact and write it down.
+
+    arriving, side, ground, model, thresholds : of `leave_impact`
+    hop : time since the step before it began [s]
+    instant : of the impact [s]
+    impacts : so far
+    impact_time : results [s], up to its size
+    impact_velocity : results just after each impact [rad/s], of the same shape
+    Returns (speed just after [rad/s], side from here on, moving, 1 if Eq. 7 was held at 0, whether time must be moved
+    on: pushed back by the rounding of the threshold, without a hop).
+    """
+    speed, after, side, moving, clamp = leave_impact(arriving, side, ground, model, thresholds)
+    if impacts < impact_time.size:
+        impact_time[impacts] = instant
+        impact_velocity[impacts] = after * speed
+    stuck = arriving == 0.0 and hop == 0.0
+    moving = moving and not stuck
+    return speed if moving else 0.0, side, moving, clamp, stuck
+
+
+@subkernel
 def carried(ratio, left, onward, other):
     """Share of the energy over I0 p2 that an impact leaves [-]. left, onward : RockingModel as the hinges see it, of
     which I0 p2 = m g R is the same, and p2, in a symmetric wall (other None)."""

@@ -9,7 +9,7 @@ roots of the series.
 import numpy as np
 
 from core.jit.decorators import kernel, subkernel
-from core.rocking.events import IMPACTS_PER_SAMPLE, leave_impact, next_uplift, uplift_thresholds
+from core.rocking.events import IMPACTS_PER_SAMPLE, land, next_uplift, uplift_thresholds
 from core.rocking.grounds import Grounds
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.side_functions import (
@@ -21,7 +21,7 @@ from core.rocking.side_functions import (
     to_y,
     turned_by,
     value,
-    y_at,
+    y_where,
 )
 from core.rocking.side_series import landing, series, speed_of, step_of
 from core.units import G
@@ -46,15 +46,15 @@ def at_rest_again(y, speed, p2, side, other, ratio, peaks, here):
     if (speed >= 0.0 and energy > side.barrier) or (y > side.top and energy <= side.barrier):
         return COLLAPSED
     if speed > 0.0:
-        peaks[here] = max(peaks[here], y_at(energy, side))
+        peaks[here] = max(peaks[here], y_where(POTENTIAL, energy, side.top, side))
     energy *= ratio * ratio
     if energy > other.barrier:
         return COLLAPSED
-    peaks[1 - here] = max(peaks[1 - here], y_at(energy, other))
+    peaks[1 - here] = max(peaks[1 - here], y_where(POTENTIAL, energy, other.top, other))
     energy *= ratio * ratio
     if energy > side.barrier:
         return COLLAPSED
-    peaks[here] = max(peaks[here], y_at(energy, side))
+    peaks[here] = max(peaks[here], y_where(POTENTIAL, energy, side.top, side))
     return STABLE
 
 
@@ -103,17 +103,11 @@ def integrate(
                 h = landing(y, terms, h)
                 arriving = max(-speed_of(terms, h), 0.0)
                 t = t + h if h < dt - t else dt
-                speed, left, sign, moving, _ = leave_impact(arriving, sign, ground0 + slope * t, model, thresholds)
-                y = 0.0
-                if impacts < impact_time.size:
-                    impact_time[impacts] = i * dt + t
-                    impact_velocity[impacts] = left * speed
-                if arriving == 0.0 and h == 0.0:
-                    # pushed back by the rounding of the threshold: no hop, and time must go on
-                    moving = False
-                    t += 1e-12 * dt
-                if not moving:
-                    speed = 0.0
+                y, now = 0.0, ground0 + slope * t
+                speed, sign, moving, _, stuck = land(
+                    arriving, sign, now, model, thresholds, h, i * dt + t, impacts, impact_time, impact_velocity
+                )
+                t += 1e-12 * dt if stuck else 0.0
                 impacts += 1
                 if impacts - impacts_before > IMPACTS_PER_SAMPLE:
                     return IMPACT_LIMIT, impacts, i + 1

@@ -99,12 +99,12 @@ def slope(which, y, side):
 
 
 @subkernel
-def y_at(stored, side):
-    """y in [0, top] at which the potential reaches `stored`, below the barrier [rad]."""
-    low, high = 0.0, side.top
-    for _ in range(60):
+def y_where(which, reached, end, side):
+    """y in [0, end] at which one of the functions, which grows there, reaches a value [rad]."""
+    low, high = 0.0, end
+    for _ in range(80):
         middle = 0.5 * (low + high)
-        if value(POTENTIAL, middle, side) < stored:
+        if value(which, middle, side) < reached:
             low = middle
         else:
             high = middle
@@ -128,15 +128,9 @@ def to_rotations(y, rate, outward, inward):
 
 @kernel
 def to_y(theta, speed, side):
-    """y [rad] and y' [rad/s] of a rotation to this side, by bisection. speed : theta' [rad/s]; side : Side"""
-    low, high = 0.0, side.end
-    for _ in range(80):
-        middle = 0.5 * (low + high)
-        if value(THETA, middle, side) < theta:
-            low = middle
-        else:
-            high = middle
-    return high if theta > 0.0 else 0.0, speed / slope(THETA, high if theta > 0.0 else 0.0, side)
+    """y [rad] and y' [rad/s] of a rotation to this side. speed : theta' [rad/s]; side : Side"""
+    y = y_where(THETA, theta, side.end, side) if theta > 0.0 else 0.0
+    return y, speed / slope(THETA, y, side)
 
 
 @kernel

@@ -89,34 +89,30 @@ def push_of(terms, t):
 
 
 @subkernel
-def slowest(terms, h):
-    """Time [s] at which y'' passes through zero, between 0 and h, at whose ends its signs differ."""
-    low, high, falls = 0.0, h, push_of(terms, 0.0) < 0.0
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        if (push_of(terms, middle) < 0.0) == falls:
-            low = middle
-        else:
-            high = middle
-    return high
+def derived(order, y, terms, t):
+    """y, y' or y'' of a series after a time [s]. order : 0, 1 or 2"""
+    if order == 0:
+        return y + moved(terms, t)
+    return speed_of(terms, t) if order == 1 else push_of(terms, t)
 
 
 @subkernel
-def turning(terms, h):
-    """Time [s] at which y' passes through zero, between 0 and h, at whose ends its signs differ."""
-    low, high, falls = 0.0, h, terms[0] < 0.0
-    time = 0.5 * h
+def root(order, y, terms, low, high):
+    """Time [s] at which y, y' or y'' passes through zero between two times at which its signs differ, by Newton inside
+    the bracket. order : 0, 1 or 2"""
+    least, positive = NEAREST * high, derived(order, y, terms, high) <= 0.0
+    time = 0.5 * (low + high)
     for _ in range(100):
-        v = speed_of(terms, time)
-        if (v < 0.0) == falls:
+        found = derived(order, y, terms, time)
+        if (found > 0.0) == positive:
             low = time
         else:
             high = time
-        rate = push_of(terms, time)
-        following = time - v / rate if rate != 0.0 else 0.5 * (low + high)
+        rate = derived(order + 1, y, terms, time) if order < 2 else 0.0
+        following = time - found / rate if rate != 0.0 else 0.5 * (low + high)
         if not low < following < high:
             following = 0.5 * (low + high)
-        if abs(following - time) <= NEAREST * h or high - low <= NEAREST * h:
+        if abs(following - time) <= least or high - low <= least:
             break
         time = following
     return time
@@ -126,31 +122,17 @@ def turning(terms, h):
 def landing(y, terms, h):
     """Time [s] at which y falls to zero within h, where it is not above zero; 0.0 for a start at zero that only
     falls."""
-    low, high = 0.0, h
+    low = 0.0
     if y == 0.0:
         low = h
         for _ in range(60):
             low *= 0.5
             if moved(terms, low) > 0.0:
                 break
-            high = low
+            h = low
         else:
             return 0.0
-    time = 0.5 * (low + high)
-    for _ in range(100):
-        x = y + moved(terms, time)
-        if x > 0.0:
-            low = time
-        else:
-            high = time
-        v = speed_of(terms, time)
-        following = time - x / v if v != 0.0 else 0.5 * (low + high)
-        if not low < following < high:
-            following = 0.5 * (low + high)
-        if abs(following - time) <= NEAREST * h or high - low <= NEAREST * h:
-            break
-        time = following
-    return time
+    return root(0, y, terms, low, h)
 
 
 @subkernel
@@ -168,13 +150,13 @@ def step_of(y, speed, terms, h, s, per, least):
     v = speed_of(terms, h)
     slows = (terms[1] > 0.0) == (speed < 0.0) and (push_of(terms, h) > 0.0) != (terms[1] > 0.0)
     if slows and speed != 0.0 and (v < 0.0) == (speed < 0.0):  # it may turn twice
-        slow = slowest(terms, h)
+        slow = root(2, y, terms, 0.0, h)
         if (speed_of(terms, slow) < 0.0) != (speed < 0.0):
             h, v = slow, speed_of(terms, slow)
     x = y + moved(terms, h)
     top = max(x, 0.0)
     if speed < 0.0 < v or v < 0.0 < speed:
-        turn = turning(terms, h)
+        turn = root(1, y, terms, 0.0, h)
         reached = y + moved(terms, turn)
         if speed > 0.0:
             top = max(top, reached)

@@ -20,7 +20,7 @@ from core.wall.bending import Strip
 from core.wall.ties import elongation_at_yield, stress_area
 
 STEP = 1e-4
-"""Of the ground [s]: at 5e-4 the straight lines between its samples are a ten-thousandth off in the peaks."""
+"""Time step of the ground [s]: at 5e-4 the straight lines between its samples move the peaks by a ten-thousandth."""
 
 
 class Tied(NamedTuple):

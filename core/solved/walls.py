@@ -65,7 +65,7 @@ class Asked:
 
     @cached_property
     def floor(self) -> FloorSpectrum | None:
-        """Of a wall above the ground."""
+        """Spectrum of the floor that moves the wall; there is none on the ground."""
         if self.case.building is None or not self.wall.above_ground:
             return None
         return known(floor_of(self.wall, self.case.building, self.demand, ())).spectrum
@@ -75,7 +75,7 @@ class Asked:
         return kinematic(self.wall.in_si, self.mechanism, self.demand, self.floor)
 
     def zeta_linear(self, q: float = 2.0) -> float:
-        """Of the check with q."""
+        """zeta of the linear check with a behaviour factor q, which C8.7.1.2.1.7 takes as 2."""
         return known(known(linear("linear_q_code", self.checked, self.demand, q)).zeta)
 
     @property

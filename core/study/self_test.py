@@ -84,7 +84,7 @@ def numbers_are_right() -> bool:
 
 
 def order_of(method: Method, model: RockingModel, dt: float) -> tuple[str, ...]:
-    """Of ORDERS the one whose kernels the analyses of a wall compile; none where they are others. dt : [s]"""
+    """Find which of ORDERS names the kernels that analyses of a wall compile; none where they are others. dt : [s]"""
     resolved = resolve_auto(method, model, dt)
     return (resolved.name,) if in_lanes(resolved, model) and not by_order_8(model) else ()
 

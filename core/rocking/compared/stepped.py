@@ -5,7 +5,7 @@ A crossing is seen at the end of a step; a dip and return within one step is mis
 
 from core.jit.decorators import inner_kernel, subkernel
 from core.rocking.compared import dormand_prince, linearised, newmark_events, rk4
-from core.rocking.events import IMPACTS_PER_SAMPLE, LAST_ROTATION, BlockState, leave_impact, next_uplift
+from core.rocking.events import IMPACTS_PER_SAMPLE, LAST_ROTATION, BlockState, land, next_uplift
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.units import G
 from core.wall.moment_rotation import moment_branch, zone_of
@@ -188,17 +188,12 @@ def through_sample(
             zone += -1 if falling else 1
             continue
         arriving = max(-speed, 0.0)
-        speed, after, side, moving, clamp = leave_impact(arriving, side, ground0 + slope * t, model, thresholds)
+        now = ground0 + slope * t
+        speed, side, moving, clamp, stuck = land(
+            arriving, side, now, model, thresholds, h, start + t, impacts, impact_time, impact_velocity
+        )
         clamped += clamp
-        if impacts < impact_time.size:
-            impact_time[impacts] = start + t
-            impact_velocity[impacts] = after * speed
-        if arriving == 0.0 and h == 0.0:
-            # pushed back by the rounding of the threshold: no hop, and time must go on
-            moving = False
-            t += 1e-12 * dt
-        if not moving:
-            speed = 0.0
+        t += 1e-12 * dt if stuck else 0.0
         impacts += 1
         if impacts - impacts_before > IMPACTS_PER_SAMPLE:
             outcome = IMPACT_LIMIT

@@ -20,6 +20,7 @@ from core.variation.evaluate import RUN
 from core.variation.tie_design import FORCE_NAMES, Hinge, tie_design, with_tie
 from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
+from tests.core.case.test_between_holds import FACADE
 from tests.core.variation.one_evaluation import WALL as QUICK
 from tests.core.variation.one_evaluation import history
 from tests.core.variation.one_evaluation import scene_of as quick_scene
@@ -429,21 +430,9 @@ def test_that_a_design_that_is_not_made_leaves_nothing_open():
 @pytest.mark.shows("held.between")
 def test_that_a_tie_beyond_one_block_is_named_where_the_wall_holds_as_it_bends():
     """A facade that needs more at a high demand than one block takes: it is satisfied as it bends, or there is none."""
-    asked = {
-        "name": "facade",
-        "height_m": 7.0,
-        "thickness_m": 0.6,
-        "length_m": 8.0,
-        "unit_weight_kn_m3": 18.0,
-        "base_z_m": 0.0,
-        "mechanism": "one_sided",
-        "back_restraint": "cross_walls",
-        "hinge_heights": "base",
-        "tie_height_m": 4.2,
-        "tie_bar_length_m": 9.0,
-        "tie_elongation_m": 0.5,
-        "load": [{"kind": "vertical", "kn_m": 150.0, "d_m": 0.3, "h_m": 4.2, "mass": "none"}],
-    }
+    load = {"kind": "vertical", "kn_m": 150.0, "d_m": 0.3, "h_m": 4.2, "mass": "none"}
+    asked = FACADE | {"height_m": 7.0, "thickness_m": 0.6, "tie_height_m": 4.2, "tie_bar_length_m": 9.0}
+    asked |= {"tie_elongation_m": 0.5, "load": [load]}
     building = {"height_m": 7.0, "storeys": 2, "period_s": 0.3}
     seen = set()
     for ag in (0.1, 0.37, 0.9):
