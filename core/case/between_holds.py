@@ -69,6 +69,12 @@ def _at_yield(wall: Wall) -> float:
     return side.sine * math.tan(masonry.block.slenderness) + side.cosine
 
 
+def _is_shown(wall: Wall) -> bool:
+    """Whether the engineer says what shows the ties: evidence of the restraint behind the wall is none of them."""
+    reasons = wall.justification
+    return reasons is not None and bool(reasons.anchorage_kn or reasons.elongation_m)
+
+
 def named_between(name: str, low: float, high: float) -> str:
     """What a stretch of a wall is called."""
     return f"{name} ({low:.4g}–{high:.4g} m)"
@@ -107,5 +113,6 @@ def between(wall: Wall, low: float, high: float) -> Wall:
         tie_elongation_m=None,
         tie_spacing_m=None,
         back_restraint="other",
+        restraint_evidence=wall.restraint_evidence if _is_shown(wall) else None,
         restraint_note=f"tie, catena: {high:.4g} m",
     )

@@ -104,6 +104,20 @@ def test_that_random_ties_are_accepted_where_the_wall_turns_or_bends_and_more_st
     assert seen == {True, False}
 
 
+def test_that_what_shows_the_cross_walls_does_not_show_the_tie():
+    """A stretch that passes is no verification before the engineer says what shows its tie."""
+    gentle = {"demand": {"ag_g": 0.05, "spectrum": DEMAND["spectrum"]}, "building": BUILDING}
+    codes = {}
+    for reason in ({}, {"justification": {"anchorage_kn": "plates and masonry, calculation 12"}}):
+        table = {"wall": [{**FACADE, "thickness_m": 0.6, "load": [{**ROOF, "d_m": 0.3}, TIE], **reason}], **gentle}
+        walls = run(clauses_alone(table), base_dir=Path()).walls
+        (stretch,) = (one for one in walls if one.part.top is not None)
+        assert stretch.wall.restraint_evidence == ("drawing" if reason else None)
+        codes[bool(reason)] = stretch.assessment.verdict
+    row = next(row for row in codes[False].assumptions if row.key == "back_restraint")
+    assert row.reason == "" and (codes[False].code == "indicative" or not row.turns)
+
+
 def test_that_a_weak_tie_between_holds_nothing():
     """A wire at mid-height does not make two stretches of one; bars that stand the push of both do."""
     wire = {**TIE, "h_m": 3.25, "bar": {**BAR, "number": 1, "diameter_mm": 4.0}}
