@@ -113,14 +113,7 @@ class DemandForm(QWidget):
         for widget in (self.given, self.reasons):
             layout.addWidget(widget)
         layout.addStretch(1)
-        self.parts = Parts(
-            self,
-            self._show_demand,
-            self.place.show_case,
-            self.building.show_case,
-            self.hazard.show_case,
-            self.reasons.show_case,
-        )
+        self.parts = Parts(self, self._show_demand, self.place.show_case, self.hazard.show_case, self.reasons.show_case)
 
     def forget(self) -> None:
         """Another case: what was switched off in the last one does not come back in this."""

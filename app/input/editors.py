@@ -8,6 +8,8 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QComboBox, QDialog, QLineEdit
 
+from app.look.parts import typing
+
 
 class Choice(QComboBox):
     """A list to choose from that the mouse wheel passes by, unless it has the focus."""
@@ -67,8 +69,11 @@ class Line(QLineEdit):
         steps = {Qt.Key.Key_Up: 1, Qt.Key.Key_Down: -1}
         if event.modifiers() & Qt.KeyboardModifier.ControlModifier and event.key() in steps:
             self.stepped.emit(steps[event.key()])
-        else:
+        elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             super().keyPressEvent(event)
+        else:
+            with typing():
+                super().keyPressEvent(event)
 
     def event(self, event) -> bool:
         if event.type() in (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress):

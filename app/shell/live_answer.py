@@ -142,8 +142,7 @@ class LiveAnswer(Section):
         out of sight, or the case runs."""
         window, session = self.window_of, self.window_of.session
         given = window.stages.input
-        stopped = any(problem.stops for problem in given.missing.problems)  # as text that no field accepts
-        case = None if stopped else session.checked()
+        case = session.checked() if given.missing.can_run() else None
         self.setVisible(given.kind in KINDS and bool(session.case.wall) and session.case.demand is not None)
         runs = self.head.isChecked() and self.isVisible() and window.runner.job is None
         row = window.walls.current

@@ -62,8 +62,13 @@ class Missing(QFrame):
         """The first problem in words."""
         return self.problems[0].words if self.problems else ""
 
-    def show_problems(self) -> bool:
-        """Mark the fields and list what is wrong. Returns whether the case can run."""
+    def can_run(self) -> bool:
+        """Whether no rule of the case is broken and no field holds a text that is not in the case."""
+        window = self.window_of
+        return not window.session.problems() and not any(field.wrong for field in window.stages.fields)
+
+    def show_problems(self) -> None:
+        """Mark the fields and list what is wrong."""
         window = self.window_of
         errors, refused = window.session.problems(), self._refused()
         logo = self._logo()
@@ -92,7 +97,6 @@ class Missing(QFrame):
             found.append(Problem(words, lambda: window.navigator.ask("building"), False))
         self.problems = found
         self._write()
-        return not any(problem.stops for problem in found)
 
     def _write(self) -> None:
         colour = theme.current.curves[0]

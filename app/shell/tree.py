@@ -233,6 +233,22 @@ class Chips(QStyledItemDelegate):
         painter.restore()
 
 
+class Item(QTreeWidgetItem):
+    """A row in its place: another row there costs no signals, which of 200 walls are half of a key's time."""
+
+    def __init__(self, row: Row):
+        super().__init__()
+        self.row = row
+
+    def data(self, column: int, role: int) -> object:
+        """Its words, with those of its chip: for a screen reader, the delegate paints."""
+        if role == Qt.ItemDataRole.UserRole:
+            return self.row
+        if role == Qt.ItemDataRole.DisplayRole:
+            return f"{self.row.text} {theme.marked(self.row.tone, self.row.chip)}".strip()
+        return plain(self.row.text) if role == Qt.ItemDataRole.ToolTipRole else super().data(column, role)
+
+
 class ProjectTree(QFrame):
     """The tree and the buttons that add to it. chosen(row) : a Row was chosen by mouse or key"""
 
@@ -241,7 +257,9 @@ class ProjectTree(QFrame):
     def __init__(self):
         super().__init__()
         self.rows: list[Row] = []
+        self.items: list[Item] = []
         self.tree = QTreeWidget()
+        self.tree.setUniformRowHeights(True)
         self.tree.setHeaderHidden(True)
         self.tree.setIndentation(13)
         self.tree.setItemDelegate(Chips(self.tree))
@@ -305,19 +323,19 @@ class ProjectTree(QFrame):
         if rows == self.rows:
             return
         alike = [(row.depth, row.key) for row in rows] == [(row.depth, row.key) for row in self.rows]
-        before, old, self.rows = self.current, self.rows, rows
+        before, self.rows = self.current, rows
         self.filling = True
         if alike:
-            for item, row, shown in zip(self._items(), rows, old, strict=True):
-                if row != shown:
-                    self._fill(item, row)
+            for item, row in zip(self.items, rows, strict=True):
+                item.row = row
         else:
-            opened = {item.data(0, Qt.ItemDataRole.UserRole).key for item in self._items() if item.isExpanded()}
+            opened = {item.row.key for item in self.items if item.isExpanded()}
+            self.items = []
             self.tree.clear()
-            above: list[QTreeWidgetItem] = []
+            above: list[Item] = []
             for row in rows:
-                item = QTreeWidgetItem()
-                self._fill(item, row)
+                item = Item(row)
+                self.items.append(item)
                 del above[row.depth :]
                 if above:
                     above[-1].addChild(item)
@@ -331,26 +349,6 @@ class ProjectTree(QFrame):
         self.fit(self.window_width)
         self.tree.viewport().update()
 
-    @staticmethod
-    def _fill(item: QTreeWidgetItem, row: Row) -> None:
-        item.setText(
-            0, f"{row.text} {theme.marked(row.tone, row.chip)}".strip()
-        )  # for a screen reader; the delegate paints
-        item.setToolTip(0, plain(row.text))
-        item.setData(0, Qt.ItemDataRole.UserRole, row)
-
-    def _items(self) -> list[QTreeWidgetItem]:
-        found: list[QTreeWidgetItem] = []
-
-        def walk(item: QTreeWidgetItem) -> None:
-            found.append(item)
-            for k in range(item.childCount()):
-                walk(item.child(k))
-
-        for k in range(self.tree.topLevelItemCount()):
-            walk(known(self.tree.topLevelItem(k)))
-        return found
-
     @property
     def current(self) -> Row | None:
         item = self.tree.currentItem()
@@ -359,8 +357,8 @@ class ProjectTree(QFrame):
     def select(self, key: tuple) -> None:
         """Choose the row of this key without telling anyone."""
         filling, self.filling = self.filling, True
-        for item in self._items():
-            if item.data(0, Qt.ItemDataRole.UserRole).key == key:
+        for item in self.items:
+            if item.row.key == key:
                 self.tree.setCurrentItem(item)
         self.filling = filling
 

@@ -11,7 +11,7 @@ from app.look import language, theme
 from app.look.focus import FocusFrame
 from app.look.labels import plain
 from app.look.language import tr
-from app.look.parts import Parts
+from app.look.parts import Parts, Seen, typing
 from app.shell import guide, menus, stages, tabs, tree
 from app.shell.files import Files
 from app.shell.first_run import FirstRun, follow
@@ -99,24 +99,27 @@ class MainWindow(QMainWindow):
         self.word_kind = ""
         self.show_running(self.runner.job is not None)
         for field in self.stages.fields:
-            field.judged.connect(self.refresh)
+            field.judged.connect(self._judged)
         self.parts.deleteLater()
+        building, note = self.demand.building, self.stages.note_form
+        forms = [Seen(one, one.show_case) for one in (self.walls, self.demand, building, self.analysis, note)]
+        self.forms = forms  # a signal keeps none of them
         self.parts = Parts(
             self,
             self._show_state,
-            self.walls.show_case,
-            self.demand.show_case,
-            self.demand.building.show_case,
-            self.analysis.show_case,
-            self.records.show_case,
-            self.stages.note_form.show_case,
+            *(one.at_once for one in forms),
+            self.records.show_case,  # it reads what it shows, whatever is in front
             self._show_stale,
-            self._show_note,
-            self._show_problem,
-            self._show_tree,
-            self._show_input,
+            self._may_run,
             self.stages.input.live.follow,
-            self.preparation.prepare_next,
+            resting=(
+                *(one.at_rest for one in forms),
+                self._show_note,
+                self._show_problem,
+                self._show_tree,
+                self._show_input,
+                self.preparation.prepare_next,
+            ),
         )
         self.stages.input.show_kind("wall")
         self.navigator.show_stage("input")
@@ -183,6 +186,7 @@ class MainWindow(QMainWindow):
             return
         page, stage, shown, row = self.navigator.page, self.stages.front, self.navigator.shown, self.walls.row
         chosen, refused = self.tree.current, RefusedTexts(self)
+        self.parts.settle()
         stages.remove(self)  # before: what goes is not to be painted in another theme first
         if setting == "theme":
             theme.set_theme(name)
@@ -343,11 +347,19 @@ class MainWindow(QMainWindow):
             self.navigator.fresh.discard(page)
             self.navigator.show_result()
 
-    def _show_problem(self) -> None:
-        runs = self.missing.show_problems()
-        can_run = runs and self.runner.job is None
+    def _judged(self) -> None:
+        """A field takes or refuses what was typed into it."""
+        with typing():
+            self.refresh()
+
+    def _may_run(self) -> None:
+        """At each key, for F5 may come right after it."""
+        can_run = self.runner.job is None and self.missing.can_run()
         self.run_action.setEnabled(can_run)
         self.run_button.setEnabled(can_run)
+
+    def _show_problem(self) -> None:
+        self.missing.show_problems()
         count, words = len(self.missing.problems), ""
         if count and self.stages.front != "input":
             words = tr("Before F5: {n}", n=count)

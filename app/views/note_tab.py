@@ -1,8 +1,10 @@
 """The tab Note: the pages of the calculation note as they print, set in the background; a number leads to its check, a
 heading to its wall."""
 
+from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from itertools import accumulate
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -69,6 +71,7 @@ class Paper(QWidget):
     def __init__(self):
         super().__init__()
         self.images: list[QImage] = []
+        self.tops = [GAP]
         self.scale = 1.0
         self.found: tuple[int, float] | None = None
         self.setMouseTracking(True)
@@ -78,29 +81,29 @@ class Paper(QWidget):
         self.images, self.scale, self.found = images, scale, None
         sizes = [image.deviceIndependentSize().toSize() for image in images]
         wide = max((size.width() for size in sizes), default=0)
-        self.setFixedSize(QSize(wide + 2 * GAP, sum(size.height() + GAP for size in sizes) + GAP))
+        self.tops = list(accumulate((size.height() + GAP for size in sizes), initial=GAP))
+        self.setFixedSize(QSize(wide + 2 * GAP, self.tops[-1]))
         self.update()
 
     def top_of(self, page: int) -> int:
         """Where a page begins [px]."""
-        return GAP + sum(image.deviceIndependentSize().toSize().height() + GAP for image in self.images[: page - 1])
+        return self.tops[page - 1]
 
     def at(self, point: QPoint) -> tuple[int, float] | None:
         """Page and place on it of a point; None between the pages."""
-        for number, image in enumerate(self.images, start=1):
-            y = point.y() - self.top_of(number)
-            if 0 <= y < image.deviceIndependentSize().height():
-                return number, y / self.scale
-        return None
+        number = bisect_right(self.tops, point.y())
+        if not 1 <= number <= len(self.images):
+            return None
+        y = point.y() - self.top_of(number)
+        return (number, y / self.scale) if y < self.images[number - 1].deviceIndependentSize().height() else None
 
     def paintEvent(self, event) -> None:
         painter = QPainter(self)
         painter.fillRect(event.rect(), QColor(theme.current.window).darker(108))
-        for number, image in enumerate(self.images, start=1):
-            y = self.top_of(number)
-            height = image.deviceIndependentSize().height()
-            if y > event.rect().bottom() or y + height < event.rect().top():
-                continue
+        first = max(bisect_right(self.tops, event.rect().top()), 1)
+        last = min(bisect_right(self.tops, event.rect().bottom()), len(self.images))
+        for number in range(first, last + 1):
+            image, y = self.images[number - 1], self.top_of(number)
             painter.drawImage(QPoint(GAP, y), image)
             if self.found and self.found[0] == number:
                 mark = QColor(theme.current.amber)

@@ -24,9 +24,17 @@ def run(application, made) -> None:
 
 
 def type_into(field, text: str) -> None:
+    """Type in the place of what a field holds, then rest."""
     field.editor.setFocus()
     field.editor.selectAll()
     QTest.keyClicks(field.editor, text)
+    rest(field)
+
+
+def rest(field) -> None:
+    """Let the hand rest: what waits for it follows."""
+    if parts := getattr(field.window(), "parts", None):
+        parts.settle()
 
 
 class Held:

@@ -88,7 +88,7 @@ def test_that_no_verdict_is_told_by_a_colour_alone(opened, application):
     run(application, opened)
     chips = [row for row in opened.tree.rows if row.tone in theme.MARKS and row.chip]
     assert any(row.kind == "wall" for row in chips)
-    shown = {item.text(0) for item in opened.tree._items()}
+    shown = {item.text(0) for item in opened.tree.items}
     for row in chips:
         assert f"{row.text} {theme.marked(row.tone, row.chip)}" in shown and theme.MARKS[row.tone] in str(shown)
     ladder = opened.pages["check"].content.ladder

@@ -25,7 +25,7 @@ from core.case.wall import Wall
 from core.errors import InputError
 from core.quantities import factor_to
 from core.text.catalogue import CATALOGUE
-from tests.app.driving import settle, type_into
+from tests.app.driving import rest, settle, type_into
 
 
 def test_that_a_refused_number_stays_and_keeps_the_run_back(opened, application):
@@ -282,7 +282,7 @@ def test_that_the_building_of_walls_above_the_ground_is_edited_saved_and_taken_b
     assert parse_case(tomllib.loads(opened.session.path.read_text())).building == building
     period.editor.selectAll()
     QTest.keyClick(period.editor, Qt.Key.Key_Delete)
-    application.processEvents()
+    rest(period)
     assert "estimate" in form.summary.text()
     form.given.setChecked(False)
     assert opened.session.case.building is None

@@ -133,7 +133,8 @@ def test_that_what_is_missing_is_asked_for_first_and_what_is_refused_said(live, 
     settle(application, lambda: live.result is not None)
     type_into(field, "high")
     settle(application, lambda: live.at is None or live.at[0] is None)
-    assert opened.missing.problems and live.ladder.isHidden() and "missing" in live.head.words
+    settle(application, lambda: opened.missing.problems)  # when the hand rests
+    assert live.ladder.isHidden() and "missing" in live.head.words
     assert not live.at_once.isActive() and not live.rested.isActive()
 
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
 from core.case.site import Spectrum
-from tests.app.driving import settle
+from tests.app.driving import rest, settle
 
 
 @pytest.fixture
@@ -98,9 +98,12 @@ def test_that_a_name_that_is_being_typed_leaves_no_other_place_to_run(placed):
     form.search.setFocus()
     form.search.clear()
     QTest.keyClicks(form.search, "Rom")
+    assert not window.run_action.isEnabled()
+    rest(form)
     assert window.session.case.site.municipality == "Rom" and window.session.checked() is None
     assert window.session.case.demand.ag_g == "" and form.municipality.rule
     QTest.keyClicks(form.search, "a (RM)")
+    rest(form)
     assert window.session.checked() is not None and not form.municipality.rule
 
 

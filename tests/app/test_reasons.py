@@ -18,7 +18,7 @@ from core.case.solids import Wedges
 from core.case.wall import WallJustification
 from core.case.writer import dumps
 from core.study.run import run
-from tests.app.driving import type_into
+from tests.app.driving import rest, type_into
 from tests.conftest import ROOT
 
 
@@ -89,6 +89,7 @@ def test_that_a_reason_is_typed_saved_read_and_taken_back(opened, application):
     assert rows(opened.demand.reasons) == {"q_code", "scatter"}
     field.editor.selectAll()
     QTest.keyClick(field.editor, Qt.Key.Key_Delete)
+    rest(field)
     assert session.case.demand.justification is None and rows(opened.demand.reasons) == {"scatter"}
     session.undo()
     assert session.case.demand.justification.q_code == "tests of this masonry"
