@@ -56,16 +56,20 @@ class Parts(QObject):
             self._rest.stop()
             self._rested.emit()
 
+    def wait(self) -> bool:
+        """Whether keys are being typed."""
+        return self._rest.isActive()
+
     def settle(self) -> None:
         """Have the parts that wait show the case now: what follows acts on what they say."""
-        if self._rest.isActive():
+        if self.wait():
             self._rest.stop()
             self._rested.emit()
 
     @contextlib.contextmanager
     def once(self) -> Iterator[None]:
         """Show only the last of all changes made within it, where there is one."""
-        self._held, self._wanted = True, self._rest.isActive()
+        self._held, self._wanted = True, self.wait()
         self._rest.stop()
         try:
             yield

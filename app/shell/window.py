@@ -11,7 +11,7 @@ from app.look import language, theme
 from app.look.focus import FocusFrame
 from app.look.labels import plain
 from app.look.language import tr
-from app.look.parts import Parts, Seen, typing
+from app.look.parts import REST_MS, Parts, Seen, typing
 from app.shell import guide, menus, stages, tabs, tree
 from app.shell.files import Files
 from app.shell.first_run import FirstRun, follow
@@ -418,7 +418,10 @@ class MainWindow(QMainWindow):
 
     def _autosave(self) -> None:
         """Keep the case for a crash, unless it is kept already: of 200 walls that takes a tenth of a second. Saving, or
-        taking back all changes, drops the file of a case that may come back."""
+        taking back all changes, drops the file of a case that may come back. Never between two keys."""
+        if self.parts.wait():
+            QTimer.singleShot(REST_MS, self, self._autosave)
+            return
         kept = self.session.case is self.autosaved and self.session.recovery_file.exists()
         if not kept and self.session.autosave():
             self.autosaved = self.session.case

@@ -70,3 +70,12 @@ def test_that_what_waits_outlives_no_window_and_no_case(opened, application, cha
     shown = texts(opened)
     opened.refresh()
     assert texts(opened) == shown
+
+
+def test_that_a_case_is_kept_for_a_crash_between_no_two_keys(opened, application):
+    settle(application, lambda: not opened.session.recovery_file.exists())
+    typed(opened, "4.4")
+    opened.timer.timeout.emit()
+    assert not opened.session.recovery_file.exists()
+    settle(application, opened.session.recovery_file.exists)
+    assert opened.session.case.wall[0].height_m == 4.4

@@ -217,15 +217,17 @@ def own_time(application, act) -> float:
     return spent
 
 
-def typed(application, window, keys: int) -> dict[str, list[float]]:
-    """Seconds of this thread for each key typed, by what is in front: forms of the input, pages of the result. The
-    paint that follows is counted; every second key makes the result stale, the others give it back."""
+def typed(application, window, keys: int) -> dict[str, tuple[list[float], list[float]]]:
+    """Seconds of this thread for each key typed, and for what follows when the hand rests after it, by what is in
+    front: forms of the input, pages of the result. The paint that follows is counted; every second key makes the
+    result stale, the others give it back."""
     from PySide6.QtCore import Qt
     from PySide6.QtTest import QTest
 
     from app.input.number_fields import NumberField
+    from app.look.parts import REST_MS
 
-    found: dict[str, list[float]] = {}
+    found = {}
     height, town = window.walls.fields["height_m"], window.demand.place.municipality
     places = {"municipality": "demand"} if window.session.case.site else {}
     for name in (*window.stages.input.areas, *places, *window.pages):
@@ -243,19 +245,21 @@ def typed(application, window, keys: int) -> dict[str, list[float]]:
         settled(application, window)
         field.editor.setFocus()
         field.editor.end(False)
-        before, spent = field.editor.text(), []
+        before, spent, rests = field.editor.text(), [], []
         for k in range(2 * keys):
             key = Qt.Key.Key_1 if k % 2 == 0 else Qt.Key.Key_Backspace
             spent.append(own_time(application, lambda key=key, to=field.editor: QTest.keyClick(to, key)))
             assert (field.editor.text() == before) == (k % 2 == 1), f"{field.key} took no key"
-        found[name] = spent
+            time.sleep(1e-3 * REST_MS)
+            rests.append(own_time(application, lambda: None))
+        found[name] = spent, rests
     return found
 
 
 def print_typed(application, window, words: str, keys: int) -> None:
     """Type into each form, and beside each page."""
-    for name, spent in typed(application, window, keys).items():
-        print(f"a key typed, {words}, {name} in front: {said(*spent)}")
+    for name, (spent, rests) in typed(application, window, keys).items():
+        print(f"a key typed, {words}, {name} in front: {said(*spent)}; the hand rests: {said(*rests)}")
 
 
 def print_many_records(application, window, small: bool) -> None:
