@@ -197,7 +197,7 @@ def runge_kutta(pair, side, theta, speed, start, step, ground_of):
 
 
 @pytest.mark.shows("held.histories")
-@pytest.mark.parametrize("count", [30, pytest.param(1000, marks=pytest.mark.long)])
+@pytest.mark.parametrize("count", [8, pytest.param(1000, marks=pytest.mark.long)])
 def test_that_random_walls_do_as_their_coordinates_do(count):
     """Let go at a rotation, under a sine; until the second impact or for a second and a half."""
     rng = np.random.default_rng(12)
