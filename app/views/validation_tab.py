@@ -95,7 +95,7 @@ class ValidationTab(ResultTab):
             "\n".join(
                 (
                     tr(
-                        "Solver ({method}): no other follows ties; bound of its error {bound} θc ({record}).",
+                        "Solver ({method}): no other follows this wall; bound of its error {bound} θc ({record}).",
                         method=accuracy.method,
                         bound=power(accuracy.history_bound),
                         record=accuracy.record,

@@ -53,8 +53,8 @@ class MethodPoint:
 class Accuracy:
     """Accuracy statement for one wall, on its governing record and sign.
 
-    scale : multiplier of the histories, the last survived one; points : the methods on it, none for a wall held by
-    ties, which no other solver follows;
+    scale : multiplier of the histories, the last survived one; points : the methods on it, none for a wall that
+    `one_solver` alone follows;
     solver_q_difference : |q / q_reference - 1| [-], q_reference : of the same search by dormand_prince;
     noise_effect : of NOISE on the history, over theta_c, infinite where it overturns the wall [-];
     steps : (q_step, q, q_robust); rounded : (q, q_robust) of the record with noise of RECORD_ROUNDING;
@@ -97,6 +97,12 @@ class Accuracy:
         """Spread of a column: largest over smallest, less one [-]; None with fewer than two numbers."""
         known = [row[index] for row in rows if row[index] is not None]
         return max(known) / min(known) - 1.0 if len(known) > 1 else None
+
+
+def one_solver(model: RockingModel) -> bool:
+    """Whether only the series of order 8 follow a wall, whatever is asked for: with bars, of unlike sides, held at its
+    top."""
+    return bool(model.bars) or model.other is not None or model.bending is not None
 
 
 def methods(model: RockingModel) -> list[Method]:
@@ -182,17 +188,15 @@ def accuracy(
     """
     require("accuracy")
     assert ida.q is not None and ida.bracket is not None
-    # a wall with bars, or of unlike sides, is taken by the series of order 8, whatever is asked for
-    method = (
-        METHODS["taylor"] if model.bars or model.other is not None else resolve_auto(method, model, motion.time_step)
-    )
+    alone = one_solver(model)
+    method = METHODS["taylor"] if alone else resolve_auto(method, model, motion.time_step)
 
     def searched(ground, asked: Search, by: Method) -> Ida:
         return incremental_dynamic_analysis(ground, motion.time_step, motion.pga, polarity, model, by, asked, cancelled)
 
     scale = polarity * multiplier_of(ida.bracket[0], motion.pga, threshold_of(model))
     points, q_reference = [], None
-    if not model.bars and model.other is None:
+    if not alone:
         theta = truth(motion, scale, model, cancelled)
         for each in methods(model):
             if cancelled():

@@ -296,7 +296,7 @@ def method(book: Book, result: StudyResult) -> None:
 def _compared(book: Book, accuracy: Accuracy) -> str:
     """How far another solver is from the one used, in a sentence."""
     if not accuracy.points:
-        return book.say("No other solver follows a wall held by ties.")
+        return book.say("No other solver follows this wall.")
     return book.say(
         "q by dormand_prince: {_digits} against {q:.4f}, difference {_percent}; history against "
         "DOP853 of scipy at the last survived scale: {_power} of θc.",

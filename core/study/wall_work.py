@@ -21,7 +21,6 @@ from core.study.results import Assessment, WallResult, WallVerdict
 from core.study.variants import with_variant_alone
 from core.study.wall_result import run_result, wall_result
 from core.study.wall_verdict import wall_verdicts
-from core.text.sentence import notice
 from core.threads import Batch, Work
 from core.variation.assessment import assess
 from core.variation.limit_states import at_states
@@ -219,8 +218,7 @@ class _Wall:
             lambda k, one: given.progress.done(("accuracy", k), one is not None),
         )
         for k, wall in self.results.items():
-            bends = (notice("bending_no_accuracy"),) if wall.wall.bends else ()
-            self.results[k] = replace(wall, accuracy=found[k], warnings=(*wall.warnings, *bends))
+            self.results[k] = replace(wall, accuracy=found[k])
 
     def _add(self, k: int, **parts) -> None:
         """Add parts to the assessment of an entry."""
@@ -229,10 +227,9 @@ class _Wall:
 
 
 def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accuracy | None:
-    """Accuracy statement on the governing run of a wall; None without a q, and of a wall held at its top, which no
-    other solver follows. motions : of the ground."""
+    """Accuracy statement on the governing run of a wall; None without a q. motions : of the ground."""
     lowest = lowest_run(wall)
-    if lowest is None or wall.wall.bends:
+    if lowest is None:
         return None
     motion = (wall.floor.motions if wall.floor else motions)[lowest.motion]
     other = next((r.ida.q for r in wall.runs if r.motion == lowest.motion and r.polarity != lowest.polarity), None)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from core.capacity.accuracy import NOISE, NOISES, PROMISED, TIMES_NOISE
 from core.codes.vertical_bending import model_of_bending
 from core.rocking.history import history, scan
 from core.rocking.methods import METHODS
@@ -254,6 +255,64 @@ def test_that_random_walls_do_as_their_coordinates_do(count):
         assert found[:last] == pytest.approx(reached[:last, k], abs=2e-6 * model.collapse_rotation), k
         checked += last > 100
     assert checked > 0.9 * count
+
+
+def by_another_solver(model, ground, dt, theta):
+    """theta at the samples, let go outward at `theta`, by DOP853 on the functions of the wall themselves, until it has
+    overturned or an impact leaves it all but still: theta' = w / r and w' = F / (I_0 r), where r = sqrt(I / I_0) and F
+    is the work of all forces by theta."""
+    sides = [model.bending.side(sign) for sign in (1.0, -1.0)]
+    first = float(sides[0].parts(np.zeros(1))[0][0])
+    found, side, state = [theta], 0, np.array([theta, 0.0])
+    for low, high in itertools.pairwise(ground):
+        t = 0.0
+        while t < dt:
+
+            def rhs(time, state, side=side, low=low, slope=(high - low) / dt):
+                inertia, risen, moved = (float(part[0]) for part in sides[side].parts(state[:1]))
+                r = math.sqrt(inertia / first)
+                push = (1.0 - 2.0 * side) * (low + slope * time) / G
+                return [state[1] / r, (push * moved - risen) / (first * r)]
+
+            def lands(time, state):
+                return state[0]
+
+            lands.terminal, lands.direction = True, -1
+            fine = {"rtol": 1e-13, "atol": 1e-16, "max_step": 0.25 * dt}
+            made = solve_ivp(rhs, (t, dt), state, "DOP853", events=lands, **fine)
+            t, state = made.t[-1], made.y[:, -1]
+            if made.status == 1:
+                side, state = 1 - side, np.array([0.0, -model.ratio_at_rest * state[1]])
+                if state[1] < 1e-2 * math.sqrt(model.p2) * model.collapse_rotation:
+                    return np.array(found)
+        found.append((1.0 - 2.0 * side) * state[0])
+        if state[0] > 1.2 * model.collapse_rotation:
+            break
+    return np.array(found)
+
+
+@pytest.mark.shows("held.histories", "search.accuracy")
+@pytest.mark.parametrize("count", [4, pytest.param(200, marks=pytest.mark.long)])
+def test_that_a_history_is_within_the_bound_that_its_accuracy_states(count):
+    rng, dt, checked = np.random.default_rng(8), 0.01, 0
+    for _ in range(count):
+        _, model = random_wall(rng)
+        strength = rng.uniform(0.3, 1.5) * G * math.tan(model.slenderness)
+        ground = strength * np.convolve(rng.standard_normal(220), np.hanning(21) / 3.0, "valid")
+        begin = rng.uniform(0.05, 0.4) * model.collapse_rotation
+        expected = by_another_solver(model, ground, dt, begin)
+
+        def turned(samples, model=model, start=(begin, 0.0), n=expected.size):
+            return history(samples, dt, 1.0, model, start=start).rotation[:n]
+
+        once = turned(ground)
+        assert once.size == expected.size
+        moved = [turned(ground * (1.0 + NOISE * rng.uniform(-1.0, 1.0, ground.size))) for _ in range(NOISES)]
+        noise = max(float(np.abs(one - once).max()) for one in moved if one.size == once.size)
+        error = float(np.abs(once - expected).max())
+        assert error <= max(PROMISED * model.collapse_rotation, TIMES_NOISE * noise)
+        checked += expected.size > 60
+    assert checked >= 0.5 * count
 
 
 def test_that_pieces_are_the_functions_of_the_wall():

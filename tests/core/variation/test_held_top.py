@@ -137,7 +137,10 @@ def test_that_it_has_histories_as_other_walls_have(folder):
     result = study(WALL, other, base_dir=folder, record=records, analysis=analysis)
     bends, rocks = result.walls
     assert len(bends.per_record) == len(rocks.per_record) == 3 and bends.q_set > 0.0
-    assert "bending_no_accuracy" in [one.code for one in bends.warnings] and bends.accuracy is None
+    stated = bends.accuracy
+    assert stated.points == () and stated.q_reference is None and stated.q == min(run.ida.q for run in bends.runs)
+    assert stated.history_bound >= 1e-9 and stated.noise_effect < 1e-9 and rocks.accuracy.points
+    assert stated.spread(0, stated.rounded) < 0.05
     dynamic = bends.assessment.dynamic
     assert bends.assessment.checks[0].name == "dynamic" and "no_histories" not in codes(bends)
     motions = list(bends.floor.motions)
