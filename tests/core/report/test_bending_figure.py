@@ -1,5 +1,6 @@
 """A wall held at its top in the note: its figure, its lines; all sheets of the workbook are made."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -12,13 +13,19 @@ from tests.clauses_alone import parse_case
 from tests.core.variation.test_held_top import BUILDING, DEMAND, TOP, WALL
 
 
-@pytest.fixture(scope="module", params=["en", "it"])
-def result(request):
+@pytest.fixture(scope="module")
+def of_three():
     bare = {key: value for key, value in WALL.items() if key not in ("load", "back_restraint")}
     walls = [WALL, WALL | {"name": "back", "hinge_setback_m": 0.02, "load": [TOP, TOP | {"d_m": 0.25}]}]
     walls.append(bare | {"name": "bare", "base_z_m": 0.0})
-    table = {"wall": walls, "building": BUILDING, "demand": DEMAND, "report": {"language": request.param}}
+    table = {"wall": walls, "building": BUILDING, "demand": DEMAND}
     return run(parse_case(table), base_dir=Path())
+
+
+@pytest.fixture(params=["en", "it"])
+def result(request, of_three):
+    report = replace(of_three.case.report, language=request.param)
+    return replace(of_three, case=replace(of_three.case, report=report))
 
 
 def test_that_the_note_has_hinge_figure_and_lines(result):
