@@ -3,11 +3,11 @@
 import contextlib
 from collections.abc import Callable, Iterable, Iterator
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QElapsedTimer, QObject, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
-REST_MS = 120
-"""How long no key comes before the parts that wait for it show the case."""
+REST_MS, MOST_MS = 120, 1000
+"""How long no key comes before the parts that wait for it show the case, and how long they wait for that at most."""
 
 _typing = False
 
@@ -39,6 +39,7 @@ class Parts(QObject):
         self._held = self._wanted = False
         self._rest = QTimer(self, singleShot=True, interval=REST_MS)
         self._rest.timeout.connect(self._rested)
+        self._typed = QElapsedTimer()
         for part in parts:
             self._due.connect(part)
         for part in resting:
@@ -51,7 +52,10 @@ class Parts(QObject):
             return
         self._due.emit()
         if _typing:
-            self._rest.start()
+            if not self._rest.isActive():
+                self._typed.start()
+            if self._typed.elapsed() < MOST_MS:
+                self._rest.start()
         else:
             self._rest.stop()
             self._rested.emit()

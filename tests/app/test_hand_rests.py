@@ -79,3 +79,15 @@ def test_that_a_case_is_kept_for_a_crash_between_no_two_keys(opened, application
     assert not opened.session.recovery_file.exists()
     settle(application, opened.session.recovery_file.exists)
     assert opened.session.case.wall[0].height_m == 4.4
+
+
+def test_that_a_hand_that_never_rests_waits_a_second_at_most(opened, application):
+    run(application, opened)
+    typed(opened, "4")
+    for key in "1234567890123456789012345678901234567890":
+        QTest.keyClicks(opened.walls.fields["name"].editor, key)
+        QTest.qWait(50)
+        if any(row.kind == "wall" and row.text.startswith("1234") for row in opened.tree.rows):
+            break
+    else:
+        raise AssertionError("the tree is still that before the first key")
