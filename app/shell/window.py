@@ -116,6 +116,8 @@ class MainWindow(QMainWindow):
                 *(one.at_rest for one in forms),
                 self._show_note,
                 self._show_problem,
+                self._may_run,  # again: forms that followed hide and show fields
+                self.stages.input.live.follow,
                 self._show_tree,
                 self._show_input,
                 self.preparation.prepare_next,
@@ -238,7 +240,8 @@ class MainWindow(QMainWindow):
 
     def run(self) -> None:
         """Run the case, unless something is missing or another job runs."""
-        if self.run_action.isEnabled():
+        self.parts.settle()
+        if self.run_action.isEnabled() and self.missing.can_run():
             self.runner.run()
 
     def show_word(self, text: str, kind: str = "message") -> None:
@@ -419,6 +422,8 @@ class MainWindow(QMainWindow):
     def _autosave(self) -> None:
         """Keep the case for a crash, unless it is kept already: of 200 walls that takes a tenth of a second. Saving, or
         taking back all changes, drops the file of a case that may come back. Never between two keys."""
+        if self.closing:
+            return
         if self.parts.wait():
             QTimer.singleShot(REST_MS, self, self._autosave)
             return

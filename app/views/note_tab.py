@@ -242,7 +242,7 @@ class NoteTab(ResultTab):
     def _failed(self, words: str, _log: str) -> None:
         if self.sender() is not self.job:
             return
-        self.job = None
+        self.job, self.pages = None, Pages()
         self.paper.show_images([], 1.0)
         self.word.setText(words)
 
