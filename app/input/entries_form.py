@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from PySide6.QtCore import QSignalBlocker
+from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import QHBoxLayout, QListWidget, QToolButton, QVBoxLayout
 
 from app.input.fields import Field, blank, connect
@@ -39,7 +39,10 @@ class EntriesForm(WallEditor):
     made : words of a button -> a new table, its values still to be given
     words : what the list says of a table; is_shown(table, key) : whether it has this key
     first : keys whose fields come first; lead : that of the field at which an error without a key of its own stands
+    chosen : another table is; the rules it breaks are to stand at the fields
     """
+
+    chosen = Signal()
 
     def __init__(
         self,
@@ -111,6 +114,7 @@ class EntriesForm(WallEditor):
         for field in self.fields:
             field.forget()
         self._show_entry()
+        self.chosen.emit()
 
     def _show_entry(self) -> None:
         entry = self.entry

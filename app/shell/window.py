@@ -7,6 +7,7 @@ from PySide6.QtCore import QByteArray, QEvent, QSettings, QSize, QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QMessageBox, QVBoxLayout, QWidget
 
+from app.input.entries_form import EntriesForm
 from app.look import language, theme
 from app.look.focus import FocusFrame
 from app.look.labels import plain
@@ -100,6 +101,8 @@ class MainWindow(QMainWindow):
         self.show_running(self.runner.job is not None)
         for field in self.stages.fields:
             field.judged.connect(self._judged)
+        for entries in self.walls.findChildren(EntriesForm):
+            entries.chosen.connect(self._show_problem)
         self.parts.deleteLater()
         building, note = self.demand.building, self.stages.note_form
         forms = [Seen(one, one.show_case) for one in (self.walls, self.demand, building, self.analysis, note)]
@@ -186,9 +189,9 @@ class MainWindow(QMainWindow):
         shown = {theme.current.name} if setting == "theme" else {language.current_language(), self.language}
         if shown == {name}:
             return
+        self.parts.settle()
         page, stage, shown, row = self.navigator.page, self.stages.front, self.navigator.shown, self.walls.row
         chosen, refused = self.tree.current, RefusedTexts(self)
-        self.parts.settle()
         stages.remove(self)  # before: what goes is not to be painted in another theme first
         if setting == "theme":
             theme.set_theme(name)
@@ -422,7 +425,7 @@ class MainWindow(QMainWindow):
     def _autosave(self) -> None:
         """Keep the case for a crash, unless it is kept already: of 200 walls that takes a tenth of a second. Saving, or
         taking back all changes, drops the file of a case that may come back. Never between two keys."""
-        if self.closing:
+        if not self.timer.isActive():  # the window is closed
             return
         if self.parts.wait():
             QTimer.singleShot(REST_MS, self, self._autosave)
@@ -448,6 +451,7 @@ class MainWindow(QMainWindow):
         self.navigator.show_input("wall", 0)
 
     def closeEvent(self, event) -> None:
+        self.parts.settle()
         if not self.closing and not self.files.give_up():
             event.ignore()
             return

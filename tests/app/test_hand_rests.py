@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtTest import QTest
 
-from tests.app.driving import run, settle
+from tests.app.driving import run, settle, type_into
 
 
 def texts(window) -> tuple:
@@ -91,3 +91,30 @@ def test_that_a_hand_that_never_rests_waits_a_second_at_most(opened, application
             break
     else:
         raise AssertionError("the tree is still that before the first key")
+
+
+@pytest.mark.parametrize("hidden_first", [True, False])
+def test_that_a_form_behind_that_hides_or_shows_a_red_text_decides_whether_the_case_may_run(
+    opened, application, hidden_first
+):
+    """Undone from another stage, a mechanism hides or shows the field of E, in which what stands is in no case."""
+    modulus, button = opened.walls.fields["elastic_modulus_mpa"], opened.walls.mechanisms["two_sided"]
+    mechanism = "two_sided" if hidden_first else "vertical_bending"
+    opened.session.edit_wall(0, mechanism=mechanism, unit_weight_kn_m3=18.0)
+    if not hidden_first:
+        button.click()
+    opened.navigator.show_input("wall")
+    type_into(modulus, "abc")
+    assert modulus.wrong
+    if hidden_first:
+        opened.walls.mechanisms["vertical_bending"].click()
+        assert modulus.isHidden()
+    opened.navigator.show_stage("answer")
+    opened.session.undo()
+    application.processEvents()
+    stopped = any(one.stops for one in opened.missing.problems)
+    assert stopped == modulus.wrong == hidden_first, opened.missing.text()
+    assert opened.run_action.isEnabled() == opened.run_button.isEnabled() == (not stopped)
+    opened.run()
+    assert (opened.runner.job is None) == stopped
+    settle(application, lambda: opened.runner.job is None)

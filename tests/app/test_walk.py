@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QPlainTextEdit, QToolBut
 
 from app.input.fields import ChoiceField, FlagField
 from app.look.section import Section, unfold_to
+from app.shell.header import STAGES
 from app.work.session import Session
 from core.case.loads import Load
 from core.case.values import field_of
@@ -58,6 +59,7 @@ class Walk:
             self.paste: 2,
             self.change_the_walls: 5,
             self.choose_a_row_of_the_tree: 4,
+            self.change_the_stage: 5,
             self.change_the_records: 3,
             self.undo_or_redo: 10,
         }
@@ -216,6 +218,11 @@ class Walk:
         self.window.navigator.choose_row(row)
         return row.key
 
+    def change_the_stage(self):
+        name = self.one_of(STAGES)
+        self.window.navigator.show_stage(name)
+        return name
+
     def change_the_records(self):
         records = self.window.records
         if self.chance.random() < 0.5:
@@ -230,6 +237,27 @@ class Walk:
         act = self.one_of((self.window.session.undo, self.window.session.undo, self.window.session.redo))
         act()
         return act.__name__
+
+
+def shown(window) -> dict:
+    """What is said of the case as it stands, and whether it may run."""
+    problems = [(one.words, one.stops) for one in window.missing.problems]
+    fields = {f"{k} {one.key}": (one.isHidden(), one.rule, one.wrong) for k, one in enumerate(window.stages.fields)}
+    may = window.run_action.isEnabled(), window.run_button.isEnabled()
+    rows = {str(k): row.text for k, row in enumerate(window.tree.rows)}
+    return {"may run": may, "problems": problems, "notice": window.header.notice_words, **rows, **fields}
+
+
+def check_shown(window, application) -> None:
+    """Once the hand rests nothing in sight or behind is of an earlier state, and what may run is what lacks nothing."""
+    application.processEvents()
+    window.parts.settle()
+    before = shown(window)
+    stopped = any(one.stops for one in window.missing.problems)
+    assert before["may run"] == (not stopped, not stopped) and window.missing.can_run() != stopped
+    window.refresh()
+    after = shown(window)
+    assert {key: (before.get(key), now) for key, now in after.items() if now != before.get(key)} == {}
 
 
 def check_drafts(walk: Walk, session: Session, wholly: bool) -> None:
@@ -263,6 +291,7 @@ def walk_through(window, application, tmp_path, monkeypatch, faults, seed: int, 
     try:
         for n in range(steps):
             walk.step()
+            check_shown(window, application)
             assert faults == []
             check_drafts(walk, window.session, wholly=n % 5 == 0)
         settle(application, lambda: not window.records.pending)
