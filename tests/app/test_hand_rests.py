@@ -110,8 +110,8 @@ def test_that_a_form_behind_that_hides_or_shows_a_red_text_decides_whether_the_c
         opened.walls.mechanisms["vertical_bending"].click()
         assert modulus.isHidden()
     opened.navigator.show_stage("answer")
-    opened.session.undo()
     application.processEvents()
+    opened.session.undo()  # and no event after it
     stopped = any(one.stops for one in opened.missing.problems)
     assert stopped == modulus.wrong == hidden_first, opened.missing.text()
     assert opened.run_action.isEnabled() == opened.run_button.isEnabled() == (not stopped)
