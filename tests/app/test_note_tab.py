@@ -138,6 +138,15 @@ def test_that_a_note_that_cannot_be_set_says_why(opened, application):
     assert "none.png" in tab.word.text() and tab.pages.images == []
 
 
+def test_that_pages_that_are_set_again_in_vain_leave_nothing_to_go_to(pages):
+    assert pages.paper.at(pages.paper.rect().bottomRight()) is None and pages.paper.at(pages.paper.rect().center())
+    pages._failed("the pages could not be set", "")
+    pages.search.setText("SLV")
+    pages.find_next()
+    pages.show_wall(pages.result, pages.result.walls[0])
+    assert pages.pages.images == [] and pages.paper.height() == pages.paper.top_of(1)
+
+
 @pytest.mark.shows("window.note_pages")
 def test_that_a_judgement_typed_beside_the_pages_is_in_them_without_another_run(opened, shown, application):
     before = opened.session.result
