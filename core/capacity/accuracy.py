@@ -31,6 +31,10 @@ the effect of NOISE on it, but where a landing is tangent to the last digit: one
 (resources/docs/speed.md, measured by tests/benchmarks/noise_promise.py). The tolerance of a step
 allows it a hundred times what NOISE does to it (core/rocking/taylor_bounds.py); the largest measured is 170."""
 
+HELD_TRIED = 200
+"""Random histories of walls held at their top of which none exceeds it; of landings that are tangent none was tried
+(tests/core/rocking/test_held_top.py)."""
+
 STEP_FACTORS = (4.0, 2.0, 0.5, 0.2)
 """Steps of the search tried, as multiples of the one asked."""
 
@@ -57,6 +61,7 @@ class Accuracy:
     `one_solver` alone follows;
     solver_q_difference : |q / q_reference - 1| [-], q_reference : of the same search by dormand_prince;
     noise_effect : of NOISE on the history, over theta_c, infinite where it overturns the wall [-];
+    held : whether the wall is held at its top, of which fewer histories were tried;
     steps : (q_step, q, q_robust); rounded : (q, q_robust) of the record with noise of RECORD_ROUNDING;
     polarities : (q as recorded, q reversed), None where both are alike.
     """
@@ -72,6 +77,7 @@ class Accuracy:
     rounded: tuple[tuple[float | None, float | None], ...]
     polarities: tuple[float | None, float | None] | None
     noise_effect: float
+    held: bool = False
 
     @property
     def solver_q_difference(self) -> float | None:
@@ -229,4 +235,5 @@ def accuracy(
         rounded=tuple(rounded),
         polarities=None if model.both_signs_alike else pair,
         noise_effect=effect_of_noise(motion, scale, model, method),
+        held=model.bending is not None,
     )

@@ -3,7 +3,7 @@
 import math
 import platform
 
-from core.capacity.accuracy import NOISE, PROMISED, TIMES_NOISE, Accuracy
+from core.capacity.accuracy import HELD_TRIED, NOISE, PROMISED, TIMES_NOISE, Accuracy
 from core.ground.provenance import provenance
 from core.report.cells import (
     ACCELERATION,
@@ -310,15 +310,21 @@ def _compared(book: Book, accuracy: Accuracy) -> str:
 def _bound(book: Book, accuracy: Accuracy) -> str:
     """Sentence on the bound of the error of the governing history; "" for a method that has none."""
     if accuracy.history_bound is not None:
-        return " " + book.say(
+        bound = {"_bound": _power(book, accuracy.history_bound), "least": PROMISED, "times": TIMES_NOISE}
+        said = book.say(
             "Its error is within {_bound} of θc, the larger of {least:g} and {times:g} times what noise of {noise:g} "
-            "on the samples does to it: so in 30 000 random histories. Where a landing is tangent to the last digit "
-            "one in a thousand exceeds it.",
-            _bound=_power(book, accuracy.history_bound),
-            least=PROMISED,
-            times=TIMES_NOISE,
+            "on the samples does to it",
             noise=NOISE,
+            **bound,
         )
+        if accuracy.held:
+            tried = book.say(": so in {n:g} random histories; landings that are tangent were not tried.", n=HELD_TRIED)
+        else:
+            tried = book.say(
+                ": so in 30 000 random histories. Where a landing is tangent to the last digit one in a thousand "
+                "exceeds it."
+            )
+        return f" {said}{tried}"
     if math.isfinite(accuracy.noise_effect):
         return ""
     return " " + book.say("Noise of {noise:g} on the samples decides whether the wall stands.", noise=NOISE)

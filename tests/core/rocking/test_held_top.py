@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from core.capacity.accuracy import NOISE, NOISES, PROMISED, TIMES_NOISE
+from core.capacity.accuracy import HELD_TRIED, NOISE, NOISES, PROMISED, TIMES_NOISE
 from core.codes.vertical_bending import model_of_bending
 from core.rocking.history import history, scan
 from core.rocking.methods import METHODS
@@ -292,7 +292,7 @@ def by_another_solver(model, ground, dt, theta):
 
 
 @pytest.mark.shows("held.histories", "search.accuracy")
-@pytest.mark.parametrize("count", [4, pytest.param(200, marks=pytest.mark.long)])
+@pytest.mark.parametrize("count", [4, pytest.param(HELD_TRIED, marks=pytest.mark.long)])
 def test_that_a_history_is_within_the_bound_that_its_accuracy_states(count):
     rng, dt, checked = np.random.default_rng(8), 0.01, 0
     for _ in range(count):

@@ -140,7 +140,7 @@ def test_that_it_has_histories_as_other_walls_have(folder):
     stated = bends.accuracy
     assert stated.points == () and stated.q_reference is None and stated.q == min(run.ida.q for run in bends.runs)
     assert stated.history_bound >= 1e-9 and stated.noise_effect < 1e-9 and rocks.accuracy.points
-    assert stated.spread(0, stated.rounded) < 0.05
+    assert stated.spread(0, stated.rounded) < 0.05 and stated.held and not rocks.accuracy.held
     dynamic = bends.assessment.dynamic
     assert bends.assessment.checks[0].name == "dynamic" and "no_histories" not in codes(bends)
     motions = list(bends.floor.motions)
