@@ -84,6 +84,7 @@ class ValidationTab(ResultTab):
                 mark = "ost"[k // 7]  # colours come again after seven
                 self.chart.points(name, [1e3 * point.seconds], [max(point.error, 1e-16)], k, 11, symbol=mark)
         self.chart.reset()
+        self.chart.say_why("" if accuracy.points else tr("No other method follows this wall."))
 
         def share(value: float | None) -> str:
             return "–" if value is None else f"{number(100 * value, '.2g' if value < 0.995 else '.0f')} %"

@@ -4,6 +4,7 @@ import gc
 import os
 import re
 import weakref
+from dataclasses import replace
 
 import numpy as np
 import pyqtgraph as pg
@@ -79,6 +80,16 @@ def test_that_reset_shows_everything_in_every_chart(shared, application, wall):
         assert shows_everything(chart), (chart.name, before, chart.plot.viewRange())
         names.append(chart.name)
     assert len(names) >= 9
+
+
+def test_that_the_chart_of_methods_says_why_it_is_empty(shared, accuracy):
+    shared.navigator.pick(0)
+    shared.navigator.show_page("validation")
+    tab = shared.pages["validation"].content
+    tab.show_accuracy(replace(accuracy, points=(), q_reference=None))
+    assert "No other method" in tab.chart.reason.text() and not tab.chart.reason.isHidden()
+    tab.show_accuracy(accuracy)
+    assert tab.chart.reason.isHidden()
 
 
 def test_that_the_next_wall_is_shown_whole_after_a_zoom(shared, application):
