@@ -3,7 +3,7 @@ again."""
 
 from dataclasses import replace
 
-from core.case.rules import Accepted, beside_walls, parse_case, parse_sections, parsed_wall, with_walls
+from core.case.rules import Accepted, parse_case, parse_sections, parsed_wall, with_walls
 from core.case.schema import Case
 from core.case.wall import Wall
 from core.case.writer import table_of
@@ -17,13 +17,12 @@ class Judge:
     those it does not change, as the same objects.
 
     read : `id` of a wall of the case -> that wall, the one that is read of it, the keys that are given
-    accepted : as of `with_walls`, checked beside `rest`
+    accepted : as of `with_walls`
     """
 
     def __init__(self):
         self.read: dict[int, tuple[Wall, Wall, tuple[str, ...]]] = {}
         self.accepted: dict[int, Accepted] = {}
-        self.rest: tuple = ()
 
     def __call__(self, case: Case) -> Case:
         """The case as the batch would read it. Raises InputError."""
@@ -31,9 +30,8 @@ class Judge:
             return parse_case(table_of(case))
         found = parse_sections(table_of(replace(case, wall=())))
         rows = [self._row(wall, k) for k, wall in enumerate(case.wall)]
-        rest = beside_walls(found)
-        if rest != self.rest or len(self.read) > 2 * len(rows) + MOST:
-            self.rest, self.accepted, self.read = rest, {}, {id(row[0]): row for row in rows}
+        if len(self.read) > 2 * len(rows) + MOST:
+            self.accepted, self.read = {}, {id(row[0]): row for row in rows}
         given = {("wall", k, key) for k, (_, _, keys) in enumerate(rows) for key in keys}
         walls = [wall for _, wall, _ in rows]
         found = with_walls(replace(found, given=found.given | given), walls, self.accepted)

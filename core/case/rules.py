@@ -9,7 +9,7 @@ from core.case.back_restraint import names_something, says_gone
 from core.case.between_holds import spans_of
 from core.case.hazard_table import check_rising
 from core.case.held_top import check_held_top
-from core.case.hinges import check_hinges, parts_of
+from core.case.hinges import check_hinges, parts_of, turning_hinges
 from core.case.keys import is_required
 from core.case.load_rules import check_design, check_given, check_loads
 from core.case.place import HERE, Site, filled, placed
@@ -155,18 +155,20 @@ def draft_case(table: dict) -> Case:
 
 
 class Accepted(NamedTuple):
-    """A wall that breaks no rule of its own or with the rest of its case. above : names of its parts above hinges;
-    heights : above the ground at which they are felt [m]"""
+    """A wall that breaks no rule of its own or with the rest of its case. beside : `beside_walls` then; hinges : about
+    which it turns; above : names of its parts above them; heights : above the ground at which they are felt [m]"""
 
     wall: Wall
+    beside: tuple
+    hinges: tuple[float, ...]
     above: tuple[str, ...]
     heights: frozenset[float]
 
 
 def with_walls(case: Case, walls: list[Wall], accepted: dict[int, Accepted] | None = None) -> Case:
-    """The case with these walls, checked as a set. Raises InputError. accepted : by `id`, those checked beside the same
-    `beside_walls`, which are not checked again; the others are added"""
-    accepted = {} if accepted is None else accepted
+    """The case with these walls, checked as a set. Raises InputError. accepted : by `id`, those checked before, of
+    which only what is beside them is looked at again, where it is another; the others are added"""
+    accepted, beside = {} if accepted is None else accepted, beside_walls(case)
     if not walls:
         raise InputError("no_wall", section=Key("[[wall]]"))
     names = set[str]()
@@ -174,22 +176,28 @@ def with_walls(case: Case, walls: list[Wall], accepted: dict[int, Accepted] | No
         if wall.title in names:
             raise InputError("same_name", key="name", wall=wall.title)
         names.add(wall.title)
-        if id(wall) not in accepted:
-            check_wall(case, wall)
+        known = accepted.get(id(wall))
+        if known is None or known.beside != beside:
+            check_wall(case, wall, alone=known is None)
     case = replace(case, wall=tuple(walls), walls=None)
     heights: set[float] = set()
     for k, wall in enumerate(walls):
-        if id(wall) not in accepted:
-            accepted[id(wall)] = _accepted(k, wall, case.building, names)
-        elif taken := next((name for name in accepted[id(wall)].above if name in names), None):
+        known = accepted.get(id(wall))
+        if known is not None and known.beside != beside:
+            same = known.hinges == tuple(turning_hinges(wall, case.building))
+            known = known._replace(beside=beside) if same else None
+        if known is None:
+            known = _accepted(k, wall, case.building, names, beside)
+        elif taken := next((name for name in known.above if name in names), None):
             raise InputError("same_name", key="name", wall=taken)
+        accepted[id(wall)] = known
         heights |= accepted[id(wall)].heights
     if len(heights) > 1:
         refuse_modes(case, min(heights), max(heights))
     return replace(case, sha256=case.digest())
 
 
-def _accepted(k: int, wall: Wall, building: Building | None, names: set[str]) -> Accepted:
+def _accepted(k: int, wall: Wall, building: Building | None, names: set[str], beside: tuple) -> Accepted:
     """Check the parts of a wall above its hinges. Raises InputError. names : of the walls of the case"""
     found = parts_of(k, wall, building)
     for part in found:
@@ -204,7 +212,8 @@ def _accepted(k: int, wall: Wall, building: Building | None, names: set[str]) ->
                 part.wall.restitution_of(mechanism)
     heights = (part.wall.felt_z_m for part in found if part.wall.above_ground)
     above = tuple(part.wall.name for part in found if part.hinge or part.top)
-    return Accepted(wall, above, frozenset(z for z in heights if z is not None))
+    hinges = tuple(turning_hinges(wall, building))
+    return Accepted(wall, beside, hinges, above, frozenset(z for z in heights if z is not None))
 
 
 def beside_walls(case: Case) -> tuple:
@@ -214,8 +223,18 @@ def beside_walls(case: Case) -> tuple:
     return analysis.method, analysis.accuracy, confidence, case.building
 
 
-def check_wall(case: Case, wall: Wall) -> None:
-    """Raise InputError for a wall that breaks a rule of its own or one with the rest of the case."""
+def check_wall(case: Case, wall: Wall, alone: bool = True) -> None:
+    """Raise InputError for a wall that breaks a rule of its own or one with the rest of the case. alone : whether those
+    of its own are to be checked too"""
+    if alone:
+        _check_alone(wall)
+    _check_beside(case, wall)
+    if alone:
+        _check_reasons(wall)
+
+
+def _check_alone(wall: Wall) -> None:
+    """Refuse a wall without a shape, or one that no motion can be made of."""
     if wall.drawing:
         here = (place("wall", name=wall.name),)
         raise InputError("drawing_not_read", place=here, key="drawing", file=wall.drawing[0].file)
@@ -230,6 +249,11 @@ def check_wall(case: Case, wall: Wall) -> None:
         wall.moment_law()
     except InputError as error:
         raise error.at(place("wall", name=wall.title)) from None
+
+
+def _check_beside(case: Case, wall: Wall) -> None:
+    """Refuse a wall beside a method, a demand or a building that is not for it; all that is read of these is in
+    `beside_walls`."""
     _check_exact(case, wall)
     if case.analysis.method == "linearised" and not wall.moment_law().is_rigid:
         raise InputError("linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.title)
@@ -246,6 +270,10 @@ def check_wall(case: Case, wall: Wall) -> None:
         raise InputError("base_missing", place=(place("wall", name=wall.title),), key="base_z_m")
     if case.demand:
         check_confidence(case.demand, wall)
+
+
+def _check_reasons(wall: Wall) -> None:
+    """Refuse reasons and notes of a wall that say nothing."""
     check_reasons(wall.justification, place("wall", name=wall.title))
     note = wall.restraint_note
     if wall.back_restraint == "other" and not names_something(note):

@@ -102,7 +102,8 @@ def test_that_walls_that_did_not_change_are_neither_read_nor_checked_again(monke
     parsed, accepted = judge_module.parsed_wall, judge_module.with_walls.__globals__["check_wall"]
     monkeypatch.setattr(judge_module, "parsed_wall", lambda entry, k: read.append(k) or parsed(entry, k))
     monkeypatch.setattr(
-        "core.case.rules.check_wall", lambda case, wall: checked.append(wall.name) or accepted(case, wall)
+        "core.case.rules.check_wall",
+        lambda case, wall, alone: checked.append((wall.name, alone)) or accepted(case, wall, alone),
     )
     judge, case = Judge(), case_of(20)
     first = judge(case)
@@ -110,12 +111,12 @@ def test_that_walls_that_did_not_change_are_neither_read_nor_checked_again(monke
     changed = of_wall(random.Random(3), thickness_m=0.4)(case)
     k = next(k for k in range(20) if changed.wall[k] is not case.wall[k])
     found = judge(changed)
-    assert read[20:] == [k] and checked[20:] == [case.wall[k].name]
+    assert read[20:] == [k] and checked[20:] == [(case.wall[k].name, True)]
     assert all((a is b) == (n != k) for n, (a, b) in enumerate(zip(first.wall, found.wall, strict=True)))
     judge(replace(changed, report=Report(author="A"), analysis=Analysis(q_step=0.01)))
     assert len(read) == len(checked) == 21
     judge(replace(changed, building=Building(15.0, 5)))
-    assert len(read) == 21 and len(checked) == 41
+    assert len(read) == 21 and len(checked) == 41 and not any(alone for _, alone in checked[21:])
 
 
 def test_that_the_digest_is_of_the_whole_content():
