@@ -130,6 +130,8 @@ def turning_hinges(asked: Wall, building: Building | None) -> Sequence[float]:
     """Heights of the hinges about which a wall turns; above a tie below which it bends it may, whatever is asked."""
     hinges = hinges_of(asked, building)
     ties = {high for _, high in spans_of(asked)}
+    if not ties:
+        return hinges
     more = [height for height in usual_hinges(asked, building) if height in ties and height not in hinges]
     return sorted([*hinges, *more]) if more else hinges
 

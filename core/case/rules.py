@@ -169,6 +169,8 @@ def with_walls(case: Case, walls: list[Wall], accepted: dict[int, Accepted] | No
     """The case with these walls, checked as a set. Raises InputError. accepted : by `id`, those checked before, of
     which only what is beside them is looked at again, where it is another; the others are added"""
     accepted, beside = {} if accepted is None else accepted, beside_walls(case)
+    # the same object where it is equal: of 200 walls each would be compared twice
+    beside = next((one.beside for one in accepted.values() if one.beside == beside), beside)
     if not walls:
         raise InputError("no_wall", section=Key("[[wall]]"))
     names = set[str]()
@@ -177,13 +179,13 @@ def with_walls(case: Case, walls: list[Wall], accepted: dict[int, Accepted] | No
             raise InputError("same_name", key="name", wall=wall.title)
         names.add(wall.title)
         known = accepted.get(id(wall))
-        if known is None or known.beside != beside:
+        if known is None or known.beside is not beside:
             check_wall(case, wall, alone=known is None)
     case = replace(case, wall=tuple(walls), walls=None)
     heights: set[float] = set()
     for k, wall in enumerate(walls):
         known = accepted.get(id(wall))
-        if known is not None and known.beside != beside:
+        if known is not None and known.beside is not beside:
             same = known.hinges == tuple(turning_hinges(wall, case.building))
             known = known._replace(beside=beside) if same else None
         if known is None:
@@ -212,7 +214,7 @@ def _accepted(k: int, wall: Wall, building: Building | None, names: set[str], be
                 part.wall.restitution_of(mechanism)
     heights = (part.wall.felt_z_m for part in found if part.wall.above_ground)
     above = tuple(part.wall.name for part in found if part.hinge or part.top)
-    hinges = tuple(turning_hinges(wall, building))
+    hinges = tuple(part.hinge for part in found[1:] if part.top is None)
     return Accepted(wall, beside, hinges, above, frozenset(z for z in heights if z is not None))
 
 
