@@ -9,26 +9,13 @@ roots of the series.
 import numpy as np
 
 from core.jit.decorators import kernel, subkernel
+from core.jit.fma import fma
 from core.rocking.events import IMPACTS_PER_SAMPLE, land, next_uplift, uplift_thresholds
-from core.rocking.grounds import Grounds
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
-from core.rocking.side_functions import (
-    POTENTIAL,
-    Side,
-    rotation_at,
-    sides_of,
-    to_rotations,
-    to_y,
-    turned_by,
-    value,
-    y_where,
-)
+from core.rocking.side_functions import POTENTIAL, Side, rotation_at, sides_of, to_rotations, to_y, value, y_where
 from core.rocking.side_series import landing, series, speed_of, step_of
 from core.units import G
 from core.wall.rocking_model import RockingModel
-
-NONE = np.empty(0)
-"""Histories nobody wants."""
 
 
 @subkernel
@@ -58,6 +45,80 @@ def at_rest_again(y, speed, p2, side, other, ratio, peaks, here):
     return STABLE
 
 
+@subkernel
+def through_sample(
+    y,
+    speed,
+    sign,
+    moving,
+    impacts,
+    instant,
+    ground0,
+    slope,
+    dt,
+    model,
+    thresholds,
+    outward,
+    inward,
+    impact_time,
+    impact_velocity,
+    peaks,
+):
+    """Carry the wall through one sample, or until it has overturned.
+
+    y, speed : at its start [rad], [rad/s], seen from the side it is on
+    sign : of that side, 1.0 outward, -1.0 inward
+    moving : False at rest
+    impacts : so far
+    instant : of its start [s]
+    ground0, slope : ground acceleration then [m/s2] and its rate [m/s3]
+    thresholds : of `uplift_thresholds` [m/s2]
+    dt, model, outward, inward, impact_time, impact_velocity : of `integrate`
+    peaks : largest y outward and inward so far, which grow [rad], shape (2,)
+    Returns (y, speed, sign, moving, impacts, outcome).
+    """
+    p2, t, before = model.p2, 0.0, impacts
+    while t < dt:
+        if not moving:
+            t, sign = next_uplift(ground0, slope, t, dt, thresholds)
+            if t >= dt:
+                break
+            moving, y, speed = True, 0.0, 0.0
+        side, k = (outward, 0) if sign > 0.0 else (inward, 1)
+        beta, rate = sign / G * fma(slope, t, ground0), sign / G * slope
+        terms, holds, s, per = series(y, speed, beta, rate, p2, side, dt - t)
+        h, x, v, top, lands = step_of(y, speed, terms, holds, s, per, 1e-9 * dt)
+        peaks[k] = max(peaks[k], top)
+        if lands:
+            h = landing(y, terms, h)
+            arriving = max(-speed_of(terms, h), 0.0)
+            t = t + h if h < dt - t else dt
+            y, now = 0.0, fma(slope, t, ground0)
+            speed, sign, moving, _, stuck = land(
+                arriving, sign, now, model, thresholds, h, instant + t, impacts, impact_time, impact_velocity
+            )
+            t += 1e-12 * dt if stuck else 0.0
+            impacts += 1
+            if impacts - before > IMPACTS_PER_SAMPLE:
+                return y, speed, sign, moving, impacts, IMPACT_LIMIT
+            continue
+        t = t + h if h < dt - t else dt
+        y, speed = x, v
+        if y > side.end:
+            return y, speed, sign, moving, impacts, COLLAPSED
+    return y, speed, sign, moving, impacts, STABLE
+
+
+@subkernel
+def after_record(y, speed, sign, moving, model, outward, inward, peaks):
+    """`at_rest_again` of a wall that may rest already. Arguments as of `through_sample`."""
+    if not moving:
+        return STABLE
+    if sign > 0.0:
+        return at_rest_again(y, speed, model.p2, outward, inward, model.ratio_at_rest, peaks, 0)
+    return at_rest_again(y, speed, model.p2, inward, outward, model.ratio_at_rest, peaks, 1)
+
+
 @kernel
 def integrate(
     ground, dt, scale, model, outward, inward, start, rotation, velocity, impact_time, impact_velocity, peaks
@@ -70,63 +131,45 @@ def integrate(
     model : RockingModel, without `bending`
     outward, inward : Side
     start : y [rad] and y' [rad/s] at the first sample, outward positive
-    rotation : results, y at the samples, inward negative [rad], shape (n,), or (0,) where nobody wants them
+    rotation : results, y at the samples, inward negative [rad], shape (n,)
     velocity : results, y' at the samples [rad/s], of the same shape
     impact_time : results [s], up to its size
     impact_velocity : results, y' just after each impact [rad/s], of the same shape
     peaks : results, largest y outward and inward [rad], shape (2,)
     Returns (outcome, impacts, samples done).
     """
-    thresholds, p2 = uplift_thresholds(model), model.p2
+    thresholds = uplift_thresholds(model)
     peaks[:] = 0.0
     sign = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
     y, speed = sign * start[0], sign * start[1]
     moving, impacts = y != 0.0 or speed != 0.0, 0
     peaks[0 if sign > 0.0 else 1] = y
-    if rotation.size:
-        rotation[0], velocity[0] = start
+    rotation[0], velocity[0] = start
     for i in range(ground.size - 1):
         ground0, slope = scale * ground[i], scale * (ground[i + 1] - ground[i]) / dt
-        t, impacts_before = 0.0, impacts
-        while t < dt:
-            if not moving:
-                t, sign = next_uplift(ground0, slope, t, dt, thresholds)
-                if t >= dt:
-                    break
-                moving, y, speed = True, 0.0, 0.0
-            side, k = (outward, 0) if sign > 0.0 else (inward, 1)
-            beta, rate = sign / G * (ground0 + slope * t), sign / G * slope
-            terms, holds, s, per = series(y, speed, beta, rate, p2, side)
-            h, x, v, top, lands = step_of(y, speed, terms, min(holds, dt - t), s, per, 1e-9 * dt)
-            peaks[k] = max(peaks[k], top)
-            if lands:
-                h = landing(y, terms, h)
-                arriving = max(-speed_of(terms, h), 0.0)
-                t = t + h if h < dt - t else dt
-                y, now = 0.0, ground0 + slope * t
-                speed, sign, moving, _, stuck = land(
-                    arriving, sign, now, model, thresholds, h, i * dt + t, impacts, impact_time, impact_velocity
-                )
-                t += 1e-12 * dt if stuck else 0.0
-                impacts += 1
-                if impacts - impacts_before > IMPACTS_PER_SAMPLE:
-                    return IMPACT_LIMIT, impacts, i + 1
-                continue
-            t = t + h if h < dt - t else dt
-            y, speed = x, v
-            if y > side.end:
-                return COLLAPSED, impacts, i + 1
-        if rotation.size:
-            rotation[i + 1] = sign * y if moving else 0.0
-            velocity[i + 1] = sign * speed if moving else 0.0
-    outcome = STABLE
-    if moving:
-        ratio = model.ratio_at_rest
-        if sign > 0.0:
-            outcome = at_rest_again(y, speed, p2, outward, inward, ratio, peaks, 0)
-        else:
-            outcome = at_rest_again(y, speed, p2, inward, outward, ratio, peaks, 1)
-    return outcome, impacts, ground.size
+        y, speed, sign, moving, impacts, outcome = through_sample(
+            y,
+            speed,
+            sign,
+            moving,
+            impacts,
+            i * dt,
+            ground0,
+            slope,
+            dt,
+            model,
+            thresholds,
+            outward,
+            inward,
+            impact_time,
+            impact_velocity,
+            peaks,
+        )
+        if outcome != STABLE:
+            return outcome, impacts, i + 1
+        rotation[i + 1] = sign * y if moving else 0.0
+        velocity[i + 1] = sign * speed if moving else 0.0
+    return after_record(y, speed, sign, moving, model, outward, inward, peaks), impacts, ground.size
 
 
 @kernel
@@ -140,51 +183,18 @@ def fill_energy(rotation, velocity, p2, outward, inward, ratios):
 
 def energy_ratios(rotation: np.ndarray, velocity: np.ndarray, model: RockingModel) -> np.ndarray:
     """The ratios of core/rocking/energy.py for a wall held at its top."""
-    bare, outward, inward = _parts(model)
+    bare, outward, inward = parts_of(model)
     ratios = np.zeros(rotation.size)
     fill_energy(rotation, velocity, bare.p2, outward, inward, ratios)
     return ratios
 
 
-@kernel
-def scan_record(ground, dt, scales, model, outward, inward, outcomes, peaks, none, both):
-    """`history.scan` of a wall held at its top; peaks are those of theta [rad].
-
-    ground : ground acceleration [m/s2], shape (n,)
-    dt : its time step [s]
-    scales : multipliers [-], shape (m,)
-    model : RockingModel, without `bending`
-    outward, inward : Side
-    outcomes : results, codes of outcome.py, int64, shape (m,)
-    peaks : results [rad], shape (m,)
-    none : in place of the histories, which nobody wants, shape (0,)
-    both : room for the peaks of both sides, shape (2,)
-    """
-    for j in range(scales.size):
-        outcomes[j], _, _ = integrate(
-            ground, dt, scales[j], model, outward, inward, (0.0, 0.0), none, none, none, none, both
-        )
-        peaks[j] = max(turned_by(both[0], outward), turned_by(both[1], inward))
-
-
-def _parts(model: RockingModel) -> tuple[RockingModel, Side, Side]:
+def parts_of(model: RockingModel) -> tuple[RockingModel, Side, Side]:
     """The model as the kernels take it, and its sides."""
     assert model.bending is not None
     alpha = model.slenderness
     collapse = alpha + model.restoring.lean, alpha + model.mirrored.lean
     return model._replace(bending=None), *sides_of(model.bending, alpha, collapse)
-
-
-def scan(grounds: Grounds, which, scales, model, outcomes, peaks) -> np.ndarray:
-    """`history.scan_records` of a wall held at its top; no velocity ratio is ever clamped."""
-    bare, outward, inward = _parts(model)
-    for k in np.unique(which):
-        here = np.nonzero(which == k)[0]
-        codes, reached = outcomes[here], peaks[here]
-        ground = grounds.ground[grounds.first[k] : grounds.last[k] + 1]
-        scan_record(ground, grounds.dt, scales[here], bare, outward, inward, codes, reached, NONE, np.zeros(2))
-        outcomes[here], peaks[here] = codes, reached
-    return np.zeros(scales.size, np.int64)
 
 
 def history(ground, dt, scale, model, start, trace, impact_time, impact_velocity) -> tuple[int, float, int, int, int]:
@@ -199,7 +209,7 @@ def history(ground, dt, scale, model, start, trace, impact_time, impact_velocity
     impact_time : results [s], up to its size
     impact_velocity : results, theta' just after each impact [rad/s], of the same shape
     """
-    bare, outward, inward = _parts(model)
+    bare, outward, inward = parts_of(model)
     sign = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
     y, speed = to_y(sign * start[0], sign * start[1], outward if sign > 0.0 else inward)
     begin = (sign * y, sign * speed)

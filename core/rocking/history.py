@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.rocking import held_top, lane_scheduler, taylor, taylor_with_bars
+from core.rocking import held_lanes, held_top, lane_scheduler, taylor, taylor_with_bars
 from core.rocking.compared.comparison import integrate_comparison, scan_comparison
 from core.rocking.grounds import Grounds
 from core.rocking.methods import METHODS, NO_TABLE, TAYLOR, Method, resolve_auto
@@ -31,7 +31,7 @@ def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarr
 def in_lanes(method: Method, model: RockingModel) -> bool:
     """Whether `scan_records` takes analyses side by side; others go one after another, and many at once only make a
     cancel wait."""
-    return model.bending is None and (method.code == TAYLOR or by_order_8(model))
+    return method.code == TAYLOR or by_order_8(model) or model.bending is not None
 
 
 def by_order_8(model: RockingModel) -> bool:
@@ -41,7 +41,7 @@ def by_order_8(model: RockingModel) -> bool:
 
 def scan_records(method: Method, grounds: Grounds, which, scales, model, outcomes, peaks) -> np.ndarray:
     """`scan` of several records of one time step. A wall with bars, a two-sided body that is not symmetric and a
-    branch in closed form are always taken by the Taylor series of order 8, a wall held at its top by its own steps.
+    branch in closed form are always taken by the Taylor series of order 8, a wall held at its top by its own series.
 
     Analyses of a ground that is no number or beyond MAX_GROUND end at once with BAD_INPUT.
 
@@ -63,7 +63,7 @@ def scan_records(method: Method, grounds: Grounds, which, scales, model, outcome
             outcomes[sound], peaks[sound] = codes, reached
         return clamped
     if model.bending is not None:
-        return held_top.scan(grounds, which, scales, model, outcomes, peaks)
+        return held_lanes.scan(grounds, which, scales, model, outcomes, peaks)
     if by_order_8(model):
         return lane_scheduler.scan(8, grounds, which, scales, model, outcomes, peaks)
     method = resolve_auto(method, model, grounds.dt)

@@ -1,6 +1,7 @@
 """A step of a wall held at its top as the power series of its coordinate, and its roots."""
 
-from core.jit.decorators import subkernel
+from core.jit.decorators import inner_kernel, subkernel
+from core.jit.fma import fma
 from core.rocking.side_functions import DEGREE, OVERLAP, PIECES, V, X
 
 TOLERANCE = 1e-14
@@ -10,82 +11,117 @@ NEAREST, TINIEST = 1e-15, 1e-300
 """Share of a step to which an event is located, and in place of zero where it is divided by."""
 
 
-@subkernel
-def series(y, speed, beta, slope, p2, side):
-    """Coefficients 1 to 8 of y as a power series in time, and the time [s] up to which it holds.
+@inner_kernel
+def about(s, c):
+    """Coefficients 0 to 6 of a polynomial of degree 7 about s. c : its own, from the lowest on"""
+    c0 = c1 = c2 = c3 = c4 = c5 = c6 = 0.0
+    for k in range(DEGREE, -1, -1):
+        c6 = fma(c6, s, c5)
+        c5 = fma(c5, s, c4)
+        c4 = fma(c4, s, c3)
+        c3 = fma(c3, s, c2)
+        c2 = fma(c2, s, c1)
+        c1 = fma(c1, s, c0)
+        c0 = fma(c0, s, c[k])
+    return c0, c1, c2, c3, c4, c5, c6
 
-    y, speed : at its start [rad], [rad/s]
+
+@inner_kernel
+def terms_of(speed, beta, slope, p2, per, v, x):
+    """Coefficients 1 to 8 of y as a power series in time.
+
+    speed : y' at its start [rad/s]
     beta : u''/g then, seen from this side [-]
     slope : its rate [1/s]
-    side : Side
+    p2 : of the model [1/s2]
+    per : change of the place in the piece with y [1/rad]
+    v, x : of `about`, of both functions
     """
-    at = y * side.scale
-    piece = min(max(int(at), 0), PIECES - 1)
-    s, per = 2.0 * (at - piece) - 1.0, 2.0 * side.scale
-    v0 = v1 = v2 = v3 = v4 = v5 = v6 = 0.0
-    x0 = x1 = x2 = x3 = x4 = x5 = x6 = 0.0
-    for k in range(DEGREE, -1, -1):  # both functions about s
-        v6 = v6 * s + v5
-        v5 = v5 * s + v4
-        v4 = v4 * s + v3
-        v3 = v3 * s + v2
-        v2 = v2 * s + v1
-        v1 = v1 * s + v0
-        v0 = v0 * s + side.values[piece, V, k]
-        x6 = x6 * s + x5
-        x5 = x5 * s + x4
-        x4 = x4 * s + x3
-        x3 = x3 * s + x2
-        x2 = x2 * s + x1
-        x1 = x1 * s + x0
-        x0 = x0 * s + side.values[piece, X, k]
+    v0, v1, v2, v3, v4, v5, v6 = v
+    x0, x1, x2, x3, x4, x5, x6 = x
     rate = per * p2
     s1 = per * speed
     s2 = 0.5 * rate * (beta * x0 - v0)
     g1 = x1 * s1
-    s3 = rate / 6.0 * (beta * g1 + slope * x0 - v1 * s1)
+    s3 = rate / 6.0 * fma(beta, g1, fma(slope, x0, -(v1 * s1)))
     q2 = s1 * s1
-    g2 = x1 * s2 + x2 * q2
-    s4 = rate / 12.0 * (beta * g2 + slope * g1 - v1 * s2 - v2 * q2)
+    g2 = fma(x1, s2, x2 * q2)
+    s4 = rate / 12.0 * fma(beta, g2, fma(slope, g1, -fma(v1, s2, v2 * q2)))
     q3, r3 = 2.0 * s1 * s2, s1 * q2
-    g3 = x1 * s3 + x2 * q3 + x3 * r3
-    s5 = rate / 20.0 * (beta * g3 + slope * g2 - v1 * s3 - v2 * q3 - v3 * r3)
-    q4, r4, w4 = 2.0 * s1 * s3 + s2 * s2, s1 * q3 + s2 * q2, s1 * r3
-    g4 = x1 * s4 + x2 * q4 + x3 * r4 + x4 * w4
-    s6 = rate / 30.0 * (beta * g4 + slope * g3 - v1 * s4 - v2 * q4 - v3 * r4 - v4 * w4)
-    q5, r5 = 2.0 * (s1 * s4 + s2 * s3), s1 * q4 + s2 * q3 + s3 * q2
-    w5, z5 = s1 * r4 + s2 * r3, s1 * w4
-    g5 = x1 * s5 + x2 * q5 + x3 * r5 + x4 * w5 + x5 * z5
-    s7 = rate / 42.0 * (beta * g5 + slope * g4 - v1 * s5 - v2 * q5 - v3 * r5 - v4 * w5 - v5 * z5)
-    q6, r6 = 2.0 * (s1 * s5 + s2 * s4) + s3 * s3, s1 * q5 + s2 * q4 + s3 * q3 + s4 * q2
-    w6, z6 = s1 * r5 + s2 * r4 + s3 * r3, s1 * w5 + s2 * w4
-    g6 = x1 * s6 + x2 * q6 + x3 * r6 + x4 * w6 + x5 * z6 + x6 * s1 * z5
-    s8 = rate / 56.0 * (beta * g6 + slope * g5 - v1 * s6 - v2 * q6 - v3 * r6 - v4 * w6 - v5 * z6 - v6 * s1 * z5)
-    holds = (TOLERANCE * per * side.top / max(abs(s8), TINIEST)) ** 0.125
-    terms = (s1 / per, s2 / per, s3 / per, s4 / per, s5 / per, s6 / per, s7 / per, s8 / per)
-    return terms, holds, s, per
+    g3 = fma(x1, s3, fma(x2, q3, x3 * r3))
+    s5 = rate / 20.0 * fma(beta, g3, fma(slope, g2, -fma(v1, s3, fma(v2, q3, v3 * r3))))
+    q4, r4, w4 = fma(2.0 * s1, s3, s2 * s2), fma(s1, q3, s2 * q2), s1 * r3
+    g4 = fma(x1, s4, fma(x2, q4, fma(x3, r4, x4 * w4)))
+    s6 = rate / 30.0 * fma(beta, g4, fma(slope, g3, -fma(v1, s4, fma(v2, q4, fma(v3, r4, v4 * w4)))))
+    q5, r5 = 2.0 * fma(s1, s4, s2 * s3), fma(s1, q4, fma(s2, q3, s3 * q2))
+    w5, z5 = fma(s1, r4, s2 * r3), s1 * w4
+    g5 = fma(x1, s5, fma(x2, q5, fma(x3, r5, fma(x4, w5, x5 * z5))))
+    low5 = fma(v1, s5, fma(v2, q5, fma(v3, r5, fma(v4, w5, v5 * z5))))
+    s7 = rate / 42.0 * fma(beta, g5, fma(slope, g4, -low5))
+    q6 = fma(2.0, fma(s1, s5, s2 * s4), s3 * s3)
+    r6 = fma(s1, q5, fma(s2, q4, fma(s3, q3, s4 * q2)))
+    w6, z6, a6 = fma(s1, r5, fma(s2, r4, s3 * r3)), fma(s1, w5, s2 * w4), s1 * z5
+    g6 = fma(x1, s6, fma(x2, q6, fma(x3, r6, fma(x4, w6, fma(x5, z6, x6 * a6)))))
+    low6 = fma(v1, s6, fma(v2, q6, fma(v3, r6, fma(v4, w6, fma(v5, z6, v6 * a6)))))
+    s8 = rate / 56.0 * fma(beta, g6, fma(slope, g5, -low6))
+    y = 1.0 / per
+    return y * s1, y * s2, y * s3, y * s4, y * s5, y * s6, y * s7, y * s8
+
+
+@inner_kernel
+def surely_holds(last, h, top):
+    """Whether a series holds for a time [s] by its last term, with a margin for what a root is rounded by.
+
+    last : coefficient 8 of y; top : y of collapse [rad]
+    """
+    square = h * h
+    fourth = square * square
+    return abs(last) * (fourth * fourth) <= 0.99 * TOLERANCE * top
 
 
 @subkernel
+def series(y, speed, beta, slope, p2, side, h):
+    """Coefficients 1 to 8 of y as a power series in time, the time [s] up to which it holds, place in the piece, change
+    of that with y.
+
+    y, speed : at its start [rad], [rad/s]
+    beta : u''/g then, seen from this side [-]
+    slope : its rate [1/s]
+    p2 : of the model [1/s2]
+    side : Side
+    h : longest time that is wanted [s]
+    """
+    at = y * side.scale
+    piece = min(max(int(at), 0), PIECES - 1)
+    s, per = 2.0 * (at - piece) - 1.0, 2.0 * side.scale
+    v, x = about(s, side.values[piece, V]), about(s, side.values[piece, X])
+    terms = terms_of(speed, beta, slope, p2, per, v, x)
+    if not surely_holds(terms[7], h, side.top):
+        h = min(h, (TOLERANCE * side.top / max(abs(terms[7]), TINIEST)) ** 0.125)
+    return terms, h, s, per
+
+
+@inner_kernel
 def moved(terms, t):
     """What a series adds to y after a time [s]."""
     a, b, c, d, e, f, g, h = terms
-    return t * (a + t * (b + t * (c + t * (d + t * (e + t * (f + t * (g + t * h)))))))
+    return t * fma(t, fma(t, fma(t, fma(t, fma(t, fma(t, fma(t, h, g), f), e), d), c), b), a)
 
 
-@subkernel
+@inner_kernel
 def speed_of(terms, t):
     """y' of a series after a time [s]."""
     a, b, c, d, e, f, g, h = terms
-    high = 5.0 * e + t * (6.0 * f + t * (7.0 * g + t * 8.0 * h))
-    return a + t * (2.0 * b + t * (3.0 * c + t * (4.0 * d + t * high)))
+    high = fma(t, fma(t, fma(t, 8.0 * h, 7.0 * g), 6.0 * f), 5.0 * e)
+    return fma(t, fma(t, fma(t, fma(t, high, 4.0 * d), 3.0 * c), 2.0 * b), a)
 
 
-@subkernel
+@inner_kernel
 def push_of(terms, t):
     """y'' of a series after a time [s]."""
     _, b, c, d, e, f, g, h = terms
-    return 2.0 * b + t * (6.0 * c + t * (12.0 * d + t * (20.0 * e + t * (30.0 * f + t * (42.0 * g + t * 56.0 * h)))))
+    high = fma(t, fma(t, fma(t, 56.0 * h, 42.0 * g), 30.0 * f), 20.0 * e)
+    return fma(t, fma(t, fma(t, high, 12.0 * d), 6.0 * c), 2.0 * b)
 
 
 @subkernel
@@ -100,8 +136,11 @@ def derived(order, y, terms, t):
 def root(order, y, terms, low, high):
     """Time [s] at which y, y' or y'' passes through zero between two times at which its signs differ, by Newton inside
     the bracket. order : 0, 1 or 2"""
-    least, positive = NEAREST * high, derived(order, y, terms, high) <= 0.0
-    time = 0.5 * (low + high)
+    at_low, at_high = derived(order, y, terms, low), derived(order, y, terms, high)
+    least, positive = NEAREST * high, at_high <= 0.0
+    time = low + (high - low) * (at_low / (at_low - at_high))
+    if not low < time < high:
+        time = 0.5 * (low + high)
     for _ in range(100):
         found = derived(order, y, terms, time)
         if (found > 0.0) == positive:
@@ -109,12 +148,10 @@ def root(order, y, terms, low, high):
         else:
             high = time
         rate = derived(order + 1, y, terms, time) if order < 2 else 0.0
-        following = time - found / rate if rate != 0.0 else 0.5 * (low + high)
-        if not low < following < high:
-            following = 0.5 * (low + high)
-        if abs(following - time) <= least or high - low <= least:
+        step = found / rate if rate != 0.0 else high - low
+        if abs(step) <= least or high - low <= least:  # asked first: from there on rounding may leave the bracket
             break
-        time = following
+        time = time - step if low < time - step < high else 0.5 * (low + high)
     return time
 
 

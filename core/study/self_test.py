@@ -86,7 +86,8 @@ def numbers_are_right() -> bool:
 def order_of(method: Method, model: RockingModel, dt: float) -> tuple[str, ...]:
     """Find which of ORDERS names the kernels that analyses of a wall compile; none where they are others. dt : [s]"""
     resolved = resolve_auto(method, model, dt)
-    return (resolved.name,) if in_lanes(resolved, model) and not by_order_8(model) else ()
+    own = by_order_8(model) or model.bending is not None
+    return (resolved.name,) if in_lanes(resolved, model) and not own else ()
 
 
 def tell(methods: Iterable[str] = ORDERS) -> Outcome:

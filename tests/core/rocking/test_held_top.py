@@ -10,7 +10,8 @@ from scipy.integrate import solve_ivp
 
 from core.capacity.accuracy import HELD_TRIED, NOISE, NOISES, PROMISED, TIMES_NOISE
 from core.codes.vertical_bending import model_of_bending
-from core.rocking.history import history, scan
+from core.rocking.grounds import Grounds
+from core.rocking.history import history, scan_records
 from core.rocking.methods import METHODS
 from core.rocking.outcome import COLLAPSED, STABLE
 from core.rocking.side_functions import POTENTIAL, THETA, V, X, side_of, sides_of
@@ -380,18 +381,25 @@ def test_that_energy_is_kept_between_impacts_and_lost_by_e_squared():
             assert other / one == pytest.approx(model.ratio_at_rest**2, rel=2e-3)
 
 
-def test_that_a_scan_is_its_histories_and_a_still_wall_rests():
+@pytest.mark.parametrize("count", [6, pytest.param(200, marks=pytest.mark.long)])
+def test_that_a_scan_is_its_histories_and_a_still_wall_rests(count):
+    """More analyses than there are lanes, of records of several lengths, both signs, some beyond all bounds; steps of
+    0.04 s among them, which a series does not hold for."""
     rng = np.random.default_rng(6)
-    for _ in range(6):
+    for _ in range(count):
         _, model = random_wall(rng)
-        ground = model.threshold * rng.standard_normal(500) * np.hanning(500)
-        largest = float(np.abs(ground).max()) / model.threshold
-        scales = np.array([0.99 / largest, *rng.uniform(0.5, 6.0, 30)])
+        lengths, dt = rng.integers(2, 700, 5), float(rng.choice([0.0025, 0.01, 0.04]))
+        records = [model.threshold * rng.standard_normal(n) * np.hanning(n + 2)[1:-1] for n in lengths]
+        grounds = Grounds.of(records, dt)
+        which = rng.integers(0, len(records), 90)
+        scales = rng.choice([-1.0, 1.0], 90) * rng.uniform(0.0, 6.0, 90) ** 2
+        which[0], scales[0] = 0, 0.99 / (grounds.strongest[0] / model.threshold)
+        scales[1] = 0.0
         outcomes, peaks = np.zeros(scales.size, np.int64), np.zeros(scales.size)
-        scan(METHODS["taylor"], ground, 0.01, scales, model, outcomes, peaks)
-        assert (outcomes[0], peaks[0]) == (STABLE, 0.0) and COLLAPSED in outcomes
-        for scale, outcome, peak in zip(scales, outcomes, peaks, strict=True):
-            one = history(ground, 0.01, scale, model)
+        scan_records(METHODS["taylor"], grounds, which, scales, model, outcomes, peaks)
+        assert (outcomes[0], peaks[0]) == (outcomes[1], peaks[1]) == (STABLE, 0.0) and COLLAPSED in outcomes
+        for k, scale, outcome, peak in zip(which, scales, outcomes, peaks, strict=True):
+            one = history(records[k], dt, scale, model)
             assert (one.outcome, one.peak) == (outcome, peak)
             if outcome == STABLE:
                 assert one.peak <= model.collapse_rotation * 2.5

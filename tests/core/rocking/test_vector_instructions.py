@@ -10,15 +10,18 @@ import pytest
 from core.jit import cache
 from core.jit.decorators import Kernel
 from core.jit.shipped import LEVELS
-from core.rocking import lanes
+from core.rocking import held_lanes, lanes
 from core.rocking.taylor_series import WallConstants
 from core.wall.rocking_model import OtherSide, RockingModel
 
-LOOPS = {
-    name: value.py_func
-    for name, value in vars(lanes).items()
-    if isinstance(value, Kernel) and "widest_vectors" in value.py_func.__code__.co_names
-}
+LOOPS, HELD = (
+    {
+        name: value.py_func
+        for name, value in vars(module).items()
+        if isinstance(value, Kernel) and "widest_vectors" in value.py_func.__code__.co_names
+    }
+    for module in (lanes, held_lanes)
+)
 CASES = (
     [
         (name, order, slopes, "one body")
@@ -28,8 +31,10 @@ CASES = (
     ]
     + [(name, 8, False, "two hinges") for name in LOOPS]
     + [(name, 8, True, "bars") for name, loop in LOOPS.items() if "bars" in inspect.signature(loop).parameters]
+    + [(name, 8, True, "held") for name in HELD]
 )
-"""Loop, order of the series, whether the law has slopes, whether the wall has two hinges or bars."""
+"""Loop, order of the series, whether the law has slopes, whether the wall has two hinges or bars or is held at its
+top."""
 FEW = [one for one in CASES if one[1] == 8 and (one[2] or one[3] != "one body")]
 """Of one body those of most terms."""
 SCALAR = re.compile(r"\sv?(?:add|sub|mul|min|max|fn?m(?:add|sub)\d+|u?comi|cmp\w*)sd\s.*")
@@ -45,6 +50,7 @@ BUDGET = {
     "stay_in_sample": {"x86-64-v3": (27, 0), "x86-64-v4": (24, 0)},
     "vector_step": {"x86-64-v3": (305, 97), "x86-64-v4": (214, 35)},
     "locate_impacts": {"x86-64-v3": (324, 97), "x86-64-v4": (273, 37)},
+    "plain_steps": {"x86-64-v3": (423, 115), "x86-64-v4": (339, 41)},
 }
 WITH_BARS = {
     "lane_initial_terms": {"x86-64-v3": (60, 14), "x86-64-v4": (60, 0)},
@@ -111,7 +117,7 @@ def assembly(monkeypatch):
     optimise = codegen.CPUCodeLibrary._optimize_final_module
 
     def for_each_processor(library):
-        if library.name in LOOPS:
+        if library.name in {**LOOPS, **HELD}:
             whole, own = library._final_module, library._codegen._tm
             for name, (machine, level) in processors(own).items():
                 library._final_module, library._codegen._tm = whole.clone(), machine
@@ -136,6 +142,8 @@ def assembly(monkeypatch):
             "model": typeof(RockingModel(0.1, 2.0, 0.0, 0.9, 0.0, 0.0, 0.0, other=other)),
             "bars": number[:, ::1] if wall == "bars" else types.none,
             "state": number[::1],
+            "p2": number,
+            **dict.fromkeys(("outward", "inward"), typeof((1.0, 1.0, 1.0))),
             "constants": typeof(WallConstants((1.0, 1.0), *(1.0,) * 7, other)),
         }
         loop = njit(nogil=True, error_model="numpy", _nrt=False, no_cpython_wrapper=True, no_cfunc_wrapper=True)
@@ -153,7 +161,10 @@ def assembly(monkeypatch):
 def test_that_a_loop_over_lanes_is_packed_and_no_longer_than_it_needs_on_every_processor(
     assembly, name, order, slopes, wall
 ):
-    found, budget = assembly(LOOPS[name], order, slopes, wall), (WITH_BARS if wall == "bars" else BUDGET)[name]
+    found, budget = (
+        assembly({**LOOPS, **HELD}[name], order, slopes, wall),
+        (WITH_BARS if wall == "bars" else BUDGET)[name],
+    )
     assert len(found) >= 2
     for processor, text in found.items():
         loops = loops_of(text)
