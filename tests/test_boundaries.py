@@ -58,7 +58,8 @@ SOLVED = "tests/core/solved/test_cases.py"
 
 SHOWN_BY = {
     **dict.fromkeys(
-        ("wall/bending", "rocking/side_functions", "rocking/side_series"), "tests/core/rocking/test_held_top.py"
+        ("wall/bending", "rocking/side_functions", "rocking/side_series", "rocking/held_lanes"),
+        "tests/core/rocking/test_held_top.py",
     ),
     **{
         f"solved/{name}": SOLVED

@@ -381,6 +381,7 @@ def test_that_energy_is_kept_between_impacts_and_lost_by_e_squared():
             assert other / one == pytest.approx(model.ratio_at_rest**2, rel=2e-3)
 
 
+@pytest.mark.shows("mechanics.lanes")
 @pytest.mark.parametrize("count", [6, pytest.param(200, marks=pytest.mark.long)])
 def test_that_a_scan_is_its_histories_and_a_still_wall_rests(count):
     """More analyses than there are lanes, of records of several lengths, both signs, some beyond all bounds; steps of
