@@ -75,7 +75,13 @@ class IntensityTab(ResultTab):
             self.chart.band(x / CM, 0.8 * y, 1.2 * y, 1)
         self.chart.curve(form, x / CM, y, 1, 2.0)
         law = wall.power_law
-        text = tr("set: q {q}, q robust {robust}", q=digits(wall.q_set), robust=digits(wall.q_robust_set))
+        text = tr(
+            "set: q {q}, robust {robust}; q SLV {slv}, robust {slv_robust}",
+            q=digits(wall.q_set),
+            robust=digits(wall.q_robust_set),
+            slv=digits(wall.q_slv_set),
+            slv_robust=digits(wall.q_slv_robust_set),
+        )
         if law:
             inside = np.geomspace(si.min(), si.max(), 60)  # where the records are, no further
             fit = [law.q_eff(v) for v in inside]

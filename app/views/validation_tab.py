@@ -112,12 +112,14 @@ class ValidationTab(ResultTab):
                         record=accuracy.record,
                     ),
                     tr(
-                        "Definition: by the step of the search q spreads {q}, q robust {robust}; by rounding the "
-                        "record to five figures {rounded} and {rounded_robust}.",
+                        "Definition: by the step of the search q spreads {q}, q robust {robust}, q SLV robust {slv}; "
+                        "by rounding the record to five figures {rounded}, {rounded_robust}, {rounded_slv}.",
                         q=share(accuracy.spread(1, accuracy.steps)),
                         robust=share(accuracy.spread(2, accuracy.steps)),
                         rounded=share(accuracy.spread(0, accuracy.rounded)),
                         rounded_robust=share(accuracy.spread(1, accuracy.rounded)),
+                        slv=share(accuracy.spread(3, accuracy.steps)),
+                        rounded_slv=share(accuracy.spread(2, accuracy.rounded)),
                     ),
                 )
             )

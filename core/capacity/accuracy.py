@@ -53,6 +53,14 @@ class MethodPoint:
     error: float | None
 
 
+Robust = tuple[float | None, float | None, float | None]
+"""q, q_robust, q_slv_robust of a search."""
+
+
+def _robust(ida: Ida) -> Robust:
+    return ida.q, ida.q_robust, ida.q_slv_robust
+
+
 @dataclass(frozen=True)
 class Accuracy:
     """Accuracy statement for one wall, on its governing record and sign.
@@ -62,7 +70,8 @@ class Accuracy:
     solver_q_difference : |q / q_reference - 1| [-], q_reference : of the same search by dormand_prince;
     noise_effect : of NOISE on the history, over theta_c, infinite where it overturns the wall [-];
     held : whether the wall is held at its top, of which fewer histories were tried;
-    steps : (q_step, q, q_robust); rounded : (q, q_robust) of the record with noise of RECORD_ROUNDING;
+    steps : (q_step, q, q_robust, q_slv_robust); rounded : (q, q_robust, q_slv_robust) of the record with noise of
+    RECORD_ROUNDING;
     polarities : (q as recorded, q reversed), None where both are alike.
     """
 
@@ -73,8 +82,8 @@ class Accuracy:
     q: float
     q_reference: float | None
     points: tuple[MethodPoint, ...]
-    steps: tuple[tuple[float, float | None, float | None], ...]
-    rounded: tuple[tuple[float | None, float | None], ...]
+    steps: tuple[tuple[float, *Robust], ...]
+    rounded: tuple[Robust, ...]
     polarities: tuple[float | None, float | None] | None
     noise_effect: float
     held: bool = False
@@ -210,18 +219,18 @@ def accuracy(
             points.append(point(motion, scale, model, each, theta))
         q_reference = searched(motion.acceleration, search, METHODS["dormand_prince"]).q
     ground = motion.acceleration
-    steps: list[tuple[float, float | None, float | None]] = [(search.q_step, ida.q, ida.q_robust)]
+    steps = [(search.q_step, *_robust(ida))]
     for factor in STEP_FACTORS:
         step = factor * search.q_step
         if 1e-4 <= step <= 0.05:
             result = searched(ground, replace(search, q_step=step), method)
-            steps.append((step, result.q, result.q_robust))
+            steps.append((step, *_robust(result)))
     noise = np.random.Generator(np.random.PCG64(1))
-    rounded: list[tuple[float | None, float | None]] = [(ida.q, ida.q_robust)]
+    rounded = [_robust(ida)]
     for _ in range(NOISES):
         moved = ground + RECORD_ROUNDING * motion.pga * noise.uniform(-1.0, 1.0, ground.size)
         result = searched(moved, search, method)
-        rounded.append((result.q, result.q_robust))
+        rounded.append(_robust(result))
     pair = (ida.q, other_sign) if polarity > 0 else (other_sign, ida.q)
     return Accuracy(
         record=motion.name,

@@ -74,6 +74,7 @@ class Ida:
     status : collapse_found, no_collapse_found or impact_limit; q in bracket = (lo, hi), q = hi
     q_slv, q_slc : first peak at 0.40, 0.60 alpha
     q_slv_low : lower end of the spread of q_slv, the grid point below the first peak at LOWER_SHARE of 0.40 alpha
+    q_slv_robust : q_robust of peaks of 0.40 alpha in the place of collapses
     q_robust, q_last_survival, survived_fraction, survival_windows : of the map, they depend on q_step
     analyses : integrations made
     impact_limited : grid points of unknown outcome
@@ -88,6 +89,7 @@ class Ida:
     q_slv: float | None
     q_slc: float | None
     q_slv_low: float | None
+    q_slv_robust: float | None
     q_robust: float | None
     q_last_survival: float | None
     survived_fraction: float | None
@@ -344,15 +346,17 @@ def first_with_share(flags: np.ndarray, half: int, share: float) -> int | None:
     return int(hits[0]) if hits.size else None
 
 
-def _robust_index(grid: _Map, half: int) -> int | None:
-    """Smallest grid index whose whole window holds a share >= 0.16 of collapsing points."""
-    index = first_with_share(grid.outcomes == COLLAPSED, half, ROBUST_SHARE)
+def _robust_index(grid: _Map, half: int, fraction: float = math.inf) -> int | None:
+    """Smallest grid index whose whole window holds a share >= 0.16 of points that collapse, or whose peak reaches this
+    fraction of theta_c."""
+    index = first_with_share(grid.reaches(grid.outcomes, grid.peaks, fraction), half, ROBUST_SHARE)
     return None if index is None else grid.first + index
 
 
 def _result(grid: _Map, status: str, brackets, robust: int | None) -> Ida:
     """brackets : of q, q_slv, q_slc, each None where it has none."""
     collapses = status == "collapse_found"
+    robust_slv = _robust_index(grid, grid.search.half_window, LIMIT_FRACTION["SLV"]) if brackets[1] else None
     q, q_slv, q_slc = (bracket[1] if bracket else None for bracket in brackets)
     lower = grid.first_reaching(LOWER_SLV) if q_slv is not None else None
     windows, last, fraction = [], None, None
@@ -372,6 +376,7 @@ def _result(grid: _Map, status: str, brackets, robust: int | None) -> Ida:
         q_slv=q_slv,
         q_slc=q_slc,
         q_slv_low=grid.q_of(lower - 1) if lower is not None else None,
+        q_slv_robust=grid.q_of(robust_slv) if robust_slv is not None else None,
         q_robust=grid.q_of(robust) if robust is not None else None,
         q_last_survival=last,
         survived_fraction=fraction,

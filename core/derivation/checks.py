@@ -18,6 +18,8 @@ SEZ_T0_GIVEN = Given("se_t0", "S_eZ(T_0, 5 %)", "g", 3, clause="C8.7.1.9")
 T0_GIVEN = Given("period_0", "T_0", "s", clause="C8.7.1.7")
 Q_SLV = Given("q_slv", "q SLV", "–", 2)
 Q_SLV_LOW = Given("q_slv_low", "q_SLV,min", "–", 3, label="lower end of the spread of q SLV")
+Q_SLV_ROBUST = Given("q_slv_robust", "q_SLV,rob", "–", 3, label="around which 16 % reach SLV")
+Q_SLV_SAFE = Given("q_slv_safe", "q_SLV*", "–", 3, label="the lower one")
 D_BREAK = Given("d_limit", "d_{state}", "m", 4, label="d_{state}, where a tie breaks", clause="C8.7.1.2.1.6")
 D0_WITH_TIES = Given("d0_with_ties", "d_0,T", "m", 4, label="d_0 were the ties at yield up to collapse, not taken")
 D0_GIVEN = Given("d0", "d_0", "m", 4, clause="C8.7.1.4")
@@ -220,23 +222,23 @@ def linear_q_code(code_q):
 
 
 @quantity("q", "–", "C8.7.1.5")
-def linear_q_slv(q_slv_low, e_star):
-    return q_slv_low * e_star
+def linear_q_slv(q_slv_safe, e_star):
+    return q_slv_safe * e_star
 
 
 @quantity("q", "–", "C8.7.1.5", name="linear_q_slv")
-def linear_q_slv_with_friction(q_slv_low, e_star_friction, alpha0, alpha0_friction):
-    return q_slv_low * e_star_friction * min(1, alpha0 / alpha0_friction)
+def linear_q_slv_with_friction(q_slv_safe, e_star_friction, alpha0, alpha0_friction):
+    return q_slv_safe * e_star_friction * min(1, alpha0 / alpha0_friction)
 
 
 @quantity("q", "–", "C8.7.1.5", name="linear_q_slv")
-def linear_q_slv_with_ties(q_slv_low, e_star, alpha0, alpha0_bare):
-    return q_slv_low * e_star * alpha0_bare / alpha0
+def linear_q_slv_with_ties(q_slv_safe, e_star, alpha0, alpha0_bare):
+    return q_slv_safe * e_star * alpha0_bare / alpha0
 
 
 @quantity("q", "–", "C8.7.1.5", name="linear_q_slv")
-def linear_q_slv_with_ties_and_friction(q_slv_low, e_star_friction, alpha0_bare, alpha0_friction):
-    return q_slv_low * e_star_friction * min(1, alpha0_bare / alpha0_friction)
+def linear_q_slv_with_ties_and_friction(q_slv_safe, e_star_friction, alpha0_bare, alpha0_friction):
+    return q_slv_safe * e_star_friction * min(1, alpha0_bare / alpha0_friction)
 
 
 @quantity("ζ", "–", "C8.7.1.2.1.7")

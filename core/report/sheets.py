@@ -3,6 +3,8 @@
 import math
 import platform
 
+from openpyxl.utils import get_column_letter
+
 from core.capacity.accuracy import HELD_TRIED, NOISE, PROMISED, TIMES_NOISE, Accuracy
 from core.ground.provenance import provenance
 from core.report.cells import (
@@ -173,6 +175,7 @@ def results(book: Book, result: StudyResult) -> None:
         (say("bracket low"), 8, "bracket", "0.0000"),
         (say("bracket high"), 8, "bracket", "0.0000"),
         ("q SLV", 8, "q_slv", RATIO),
+        (say("q SLV robust"), 8, "q_slv_robust", RATIO),
         ("q SLC", 8, "q_slc", RATIO),
         (say("q robust"), 8, "q_robust", RATIO),
         (say("Scale C"), 8, "collapse_scale", ACCELERATION),
@@ -216,7 +219,7 @@ def results(book: Book, result: StudyResult) -> None:
                 number(sheet, row, column, value, shape, bold=heading == "q" and value is not None)
             rule(sheet, row, 1, len(widths))
     if row > 3:
-        sheet.auto_filter.ref = f"A3:S{row}"
+        sheet.auto_filter.ref = f"A3:{get_column_letter(len(widths))}{row}"
     sheet.freeze_panes = "D4"
     sheet.print_title_rows = "3:3"
     paragraph(
@@ -344,15 +347,16 @@ def _uncertainty(book: Book, sheet, result: StudyResult, row: int) -> int:
             (say("Solver"), _compared(book, accuracy) + _bound(book, accuracy)),
             (
                 say("Spread by definition"),
-                say("q (q robust) by step of the search: ")
+                say("q (q robust, q SLV robust) by step of the search: ")
                 + "; ".join(
-                    f"{book.digits(100 * s, 'g')} %: {_digits(book, q)} ({_digits(book, r)})"
-                    for s, q, r in accuracy.steps
+                    f"{book.digits(100 * s, 'g')} %: {_digits(book, q)} ({_digits(book, r)}, {_digits(book, slv)})"
+                    for s, q, r, slv in accuracy.steps
                 )
                 + ". "
                 + say("Samples rounded to five figures: q spreads ")
                 + f"{_percent(book, accuracy.spread(0, accuracy.rounded))}, q robust "
-                f"{_percent(book, accuracy.spread(1, accuracy.rounded))}."
+                f"{_percent(book, accuracy.spread(1, accuracy.rounded))}, q SLV robust "
+                f"{_percent(book, accuracy.spread(2, accuracy.rounded))}."
                 + (
                     say(" Sign: ") + " / ".join(_digits(book, q) for q in accuracy.polarities)
                     if accuracy.polarities

@@ -111,7 +111,12 @@ def through_sample(
 
 @subkernel
 def after_record(y, speed, sign, moving, model, outward, inward, peaks):
-    """`at_rest_again` of a wall that may rest already. Arguments as of `through_sample`."""
+    """`at_rest_again` of a wall that may rest already.
+
+    y, speed, sign, moving : of `through_sample`, at the end of the record
+    model, outward, inward : of `integrate`
+    peaks : largest y outward and inward, which grow with the free motion [rad], shape (2,)
+    """
     if not moving:
         return STABLE
     if sign > 0.0:

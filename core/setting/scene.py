@@ -63,7 +63,7 @@ class Scene:
     by_default : the records are generated for want of given ones: they may lower an outcome, never raise it
     histories_off : none are to be made
     many : the case has so many walls that the table of assumptions is made only where it can change an outcome
-    q_slv : of the searches of this very wall, the lower end of its spread and itself; None where none was made
+    q_slv : of the searches of this very wall, the one its linear check takes and itself; None where none was made
     histories : `demand_check`, or one that keeps its results
     period_taken : the period of the building is none that is given, but the worst of those it may have
     """

@@ -71,6 +71,7 @@ class PerRecord:
     q_robust: float | None
     q_slv: float | None
     q_slv_low: float | None
+    q_slv_robust: float | None
     q_eff: float | None
     intensity: float
     pga: float
@@ -96,6 +97,7 @@ class WallResult:
     q_robust_set: float | None
     q_slv_set: float | None
     q_slv_low_set: float | None
+    q_slv_robust_set: float | None
     power_law: PowerLaw | None
     fragility: Fragility | None
     closed_form_q_eff: float | None
@@ -106,6 +108,11 @@ class WallResult:
     assessment: Assessment | None = None
     accuracy: Accuracy | None = None
     floor: Floor | None = None
+
+    @property
+    def q_slv_safe(self) -> float | None:
+        """q of the set that the linear check takes: the lower one of q_slv_low_set and q_slv_robust_set."""
+        return min((q for q in (self.q_slv_low_set, self.q_slv_robust_set) if q is not None), default=None)
 
     @property
     def wall(self) -> Wall:

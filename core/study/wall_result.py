@@ -81,6 +81,7 @@ def _per_record(
         q_robust=_lower([run.ida.q_robust for run in runs]),
         q_slv=_lower([run.ida.q_slv for run in runs]),
         q_slv_low=_lower([run.ida.q_slv_low for run in runs]),
+        q_slv_robust=_lower([run.ida.q_slv_robust for run in runs]),
         q_eff=lowest.q_eff if lowest else None,
         intensity=si,
         pga=(felt or motion).pga,
@@ -121,7 +122,7 @@ def wall_result(part: Part, mechanism, model, runs, motions, search, demand, flo
     rule = "incomplete" if incomplete else set_rule(counted) if runs else None
     sets = {
         name: set_value([getattr(entry, name) for entry in per_record], rule)
-        for name in ("q", "q_robust", "q_slv", "q_slv_low")
+        for name in ("q", "q_robust", "q_slv", "q_slv_low", "q_slv_robust")
     }
     closed_q_eff = closed_q = None
     if demand and demand.intensity and wall.has_closed_forms:
@@ -156,6 +157,7 @@ def wall_result(part: Part, mechanism, model, runs, motions, search, demand, flo
         q_robust_set=sets["q_robust"],
         q_slv_set=sets["q_slv"],
         q_slv_low_set=sets["q_slv_low"],
+        q_slv_robust_set=sets["q_slv_robust"],
         power_law=law_of_si,
         fragility=fragile,
         closed_form_q_eff=closed_q_eff,

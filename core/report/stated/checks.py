@@ -291,18 +291,25 @@ DEFINITION = (
             number("q_step", "-", "step", lambda row: row[0]),
             number("q", "-", "q", lambda row: row[1]),
             number("q_robust", "-", "q_robust", lambda row: row[2]),
+            number("q_slv_robust", "-", "q_slv_robust", lambda row: row[3]),
         ),
     ),
     number("step_spread", "-", "spread of q", lambda found: found.spread(1, found.steps)),
     number("step_spread_robust", "-", "spread of q_robust", lambda found: found.spread(2, found.steps)),
+    number("step_spread_slv_robust", "-", "spread of q_slv_robust", lambda found: found.spread(3, found.steps)),
     number("rounding", "-", "rounding of the samples", lambda _: RECORD_ROUNDING),
     many(
         "rounded",
         "q of the rounded record",
-        (number("q", "-", "q", lambda row: row[0]), number("q_robust", "-", "q_robust", lambda row: row[1])),
+        (
+            number("q", "-", "q", lambda row: row[0]),
+            number("q_robust", "-", "q_robust", lambda row: row[1]),
+            number("q_slv_robust", "-", "q_slv_robust", lambda row: row[2]),
+        ),
     ),
     number("rounding_spread", "-", "spread of q", lambda found: found.spread(0, found.rounded)),
     number("rounding_spread_robust", "-", "spread of q_robust", lambda found: found.spread(1, found.rounded)),
+    number("rounding_spread_slv_robust", "-", "spread of q_slv_robust", lambda found: found.spread(2, found.rounded)),
     numbers("polarities", "-", "q as recorded and reversed", lambda found: found.polarities or None),
 )
 

@@ -82,9 +82,12 @@ def test_that_a_wall_with_ties_has_the_bound_and_no_other_solver(make_model, ref
 
 def test_that_the_spread_by_definition_stands_apart(said):
     ida, found = said
-    assert (0.02, ida.q, ida.q_robust) in found.steps
+    own = ida.q, ida.q_robust, ida.q_slv_robust
+    assert (0.02, *own) in found.steps and found.rounded[0] == own and None not in own
     assert len(found.steps) >= 3 and len(found.rounded) == NOISES + 1
-    assert found.spread(1, found.steps) >= 0.0
+    for column in (1, 2, 3):
+        known = [row[column] for row in found.steps]
+        assert found.spread(column, found.steps) == max(known) / min(known) - 1.0 >= 0.0
     assert found.polarities is None
 
 

@@ -69,9 +69,10 @@ def test_that_every_number_is_its_definition(ground, make_model, one_sided, law)
     near = [outcome == COLLAPSED or peak >= 0.36 for outcome, peak in known].index(True)
     assert found.q_slv_low == found.q_start * 1.02 ** (found.first_index + near - 1) < found.q_slv
     half = round(0.10 / math.log(1.02))
-    shares = [sum(collapsed[max(0, k - half) : k + half + 1]) / (2 * half + 1) for k in range(len(grid) - half)]
-    index = next(k for k, share in enumerate(shares) if share >= 0.16)
-    assert found.q_robust == grid[index]
+    damaged = np.array([outcome == COLLAPSED or peak >= 0.40 for outcome, peak in known])
+    for q, flags in ((found.q_robust, collapsed), (found.q_slv_robust, damaged)):
+        shares = [sum(flags[max(0, k - half) : k + half + 1]) / (2 * half + 1) for k in range(len(grid) - half)]
+        assert q == grid[next(k for k, share in enumerate(shares) if share >= 0.16)]
     survivors = np.nonzero(~collapsed)[0]
     assert found.q_last_survival == grid[survivors[-1]]
     if survivors[-1] > first:

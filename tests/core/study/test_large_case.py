@@ -120,7 +120,17 @@ def test_that_the_numbers_are_those_of_the_same_walls_in_a_small_case(table, sma
     assert len(found) == len(small.walls) == len(known["walls"]) > 8
     for wall, keys in zip(small.walls, known["walls"], strict=True):
         row = found[wall.part.origin + 1, wall.part.hinge, wall.mechanism]
-        for name in ("q_set", "q_min", "q_robust_set", "q_slv_set", "q_slv_low_set", "set_rule", "name", "mechanism"):
+        for name in (
+            "q_set",
+            "q_min",
+            "q_robust_set",
+            "q_slv_set",
+            "q_slv_low_set",
+            "q_slv_robust_set",
+            "set_rule",
+            "name",
+            "mechanism",
+        ):
             assert row[name] == keys[name], name
         for name in ("height_m", "thickness_m", "slenderness_deg", "radius_m", "threshold_acceleration_g"):
             assert row[name] == keys[name], name

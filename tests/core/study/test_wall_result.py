@@ -62,12 +62,12 @@ def test_that_seven_files_of_four_stations_take_the_minimum_in_every_check(tmp_p
     wall = of_stations(tmp_path, reference, STATIONS).walls[0]
     check = wall.assessment.dynamic
     assert (wall.set_rule, check.set_rule) == ("minimum", "maximum")
-    for name in ("q", "q_slv", "q_slv_low", "q_robust"):
+    for name in ("q", "q_slv", "q_slv_low", "q_slv_robust", "q_robust"):
         values = [getattr(entry, name) for entry in wall.per_record]
         assert len(values) == 7 and getattr(wall, f"{name}_set") == min(values) < np.mean(values)
     assert check.peak_ratio == max(run.peak_ratio for run in check.runs)
     (linear,) = (one for one in wall.assessment.checks if one.name == "linear_q_slv")
-    assert linear.q == wall.q_slv_low_set
+    assert linear.q == min(wall.q_slv_low_set, wall.q_slv_robust_set)
     (said,) = (one for one in wall.warnings if one.code == "few_stations")
     assert "7 records" in said.text("en") and "4 station" in said.text("en")
     assert "4 stazioni" in said.text("it")
@@ -153,8 +153,8 @@ def test_that_input_no_engineer_means_is_questioned(wall, code, tmp_path):
 
 
 @pytest.mark.shows("kinematic.q_slv")
-def test_that_the_linear_check_takes_the_lower_end_of_q_slv_and_says_where_that_decides(tmp_path, reference):
-    """a_g between those at which the check with either end of the spread just passes: it fails."""
+def test_that_the_linear_check_takes_the_lower_q_slv_and_says_where_that_decides(tmp_path, reference):
+    """a_g between those at which the check with the safe q SLV and with q SLV itself just passes: it fails."""
 
     def at(ag: float):
         demand = {"ag_g": ag, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
@@ -164,12 +164,12 @@ def test_that_the_linear_check_takes_the_lower_end_of_q_slv_and_says_where_that_
         return wall, linear, said
 
     wall, linear, _ = at(0.1)
-    ratio, limit = wall.q_slv_set / wall.q_slv_low_set, 0.1 * linear.zeta
-    assert linear.q == wall.q_slv_low_set and ratio > 1.001
+    ratio, limit = wall.q_slv_set / wall.q_slv_safe, 0.1 * linear.zeta
+    assert linear.q == wall.q_slv_safe == min(wall.q_slv_low_set, wall.q_slv_robust_set) and ratio > 1.001
     _, linear, (words,) = at(limit * ratio**0.5)
     assert not linear.passed and linear.zeta == pytest.approx(ratio**-0.5)
-    assert f"q {wall.q_slv_low_set:.2f}" in words.text("en")
-    assert "estremo inferiore" in words.text("it")
+    assert f"q {wall.q_slv_safe:.2f}" in words.text("en")
+    assert "il minore fra" in words.text("it")
     for ag in (0.999 * limit, 1.001 * limit * ratio):  # both ends decide alike: nothing is said
         assert not at(ag)[2]
 
