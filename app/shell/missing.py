@@ -74,7 +74,7 @@ class Missing(QFrame):
         logo = self._logo()
         told = [(one, self._place_of(one)) for one in (*errors, refused, logo) if one]
         fields = window.stages.fields
-        for field in fields:
+        for field in fields if told else (one for one in fields if one.rule):
             here = next((error for error, place in told if self._is_named(field, error, place)), None)
             field.show_rule(described(here) if here else "")
         found = [Problem(described(error), partial(self._lead_to, error)) for error in errors]
