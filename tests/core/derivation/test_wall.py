@@ -250,7 +250,7 @@ def results_agree(result, wall, lines):
 
 
 @pytest.mark.shows("files.derivations")
-@pytest.mark.parametrize("walls", [34, pytest.param(90, marks=pytest.mark.long)])
+@pytest.mark.parametrize("walls", [44, pytest.param(90, marks=pytest.mark.long)])
 def test_that_every_description_gives_the_number_of_the_program_and_none_is_of_nothing(walls):
     described = {
         value.function.__name__
