@@ -79,16 +79,25 @@ def branches_of(wall: Masonry, mechanism: str, model: RockingModel) -> tuple[Bra
         assert period is not None
         alpha0, share, _ = sums.start
         stiffness = (2.0 * math.pi / period) ** 2
-        by_curve = 1.0 / (1.0 + stiffness * sums.d0 / (alpha0 * G / share))
-        by_motion = by_curve
-        for _ in range(ROUNDS):  # D = p2 M(D) / (theta_c omega^2): a small part of it depends on D
-            by_motion = _moment(model, by_motion) / (model.collapse_rotation * stiffness)
-        for limit in (by_curve,) if given is None else (by_curve, by_motion):
+        limits = [1.0 / (1.0 + stiffness * sums.d0 / (alpha0 * G / share))]
+        if given is not None:
+            limits.append(_by_motion(model, stiffness, limits[0]))
+        for limit in limits:
             kept = max(limit, LEAST_LIMIT)
             if kept < MOST_LIMIT:
                 own = 2.0 * math.pi * math.sqrt(kept * model.collapse_rotation / _moment(model, kept))
                 branches.append(Branch(modulus, given is None, period, kept, own))
     return tuple(branches)
+
+
+def _by_motion(model: RockingModel, stiffness: float, limit: float) -> float:
+    """D = p2 M(D) / (theta_c omega^2), a small part of which depends on D. stiffness : omega^2 [1/s2]; limit : where it
+    begins"""
+    for _ in range(ROUNDS):
+        before, limit = limit, _moment(model, limit) / (model.collapse_rotation * stiffness)
+        if limit == before:
+            break
+    return limit
 
 
 def _moment(model: RockingModel, limit: float) -> float:
