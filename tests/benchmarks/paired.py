@@ -136,6 +136,20 @@ def calls(small: bool) -> dict[str, Callable[[], None]]:
                 assert (peaks > 0.0).all(), "lanes at rest"
 
             found[f"lanes, branch, {name}"] = on_branch
+    with contextlib.suppress(ImportError):  # trees before walls held at their top
+        from core.codes.vertical_bending import model_of_bending
+        from core.wall.bending import Strip
+
+        strip = Strip(6.0, 0.18, 0.0, 19.44e3)
+        held = model_of_bending(strip, strip, 3.0)
+
+        def held_at_top():
+            scan(taylor, ground, TIME_STEP, scales, held, outcomes, peaks)
+            assert (peaks > 0.0).all(), "lanes at rest"
+
+        found["lanes, held at the top"] = held_at_top
+        found["search, held at the top"] = partial(searched, held)
+        found["history, held at the top"] = partial(moved, held)
     # steps that are taken in parts: 0.05 s under a wall of 1 m, and a stiff elastic branch
     for name, dt, model in (
         ("long steps", 0.05, RockingModel(alpha, 14.6, 0.0, 0.979, 0.0, 0.0, 0.0)),
