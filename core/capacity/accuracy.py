@@ -53,11 +53,11 @@ class MethodPoint:
     error: float | None
 
 
-Robust = tuple[float | None, float | None, float | None]
+Numbers = tuple[float | None, float | None, float | None]
 """q, q_robust, q_slv_robust of a search."""
 
 
-def _robust(ida: Ida) -> Robust:
+def _numbers(ida: Ida) -> Numbers:
     return ida.q, ida.q_robust, ida.q_slv_robust
 
 
@@ -82,8 +82,8 @@ class Accuracy:
     q: float
     q_reference: float | None
     points: tuple[MethodPoint, ...]
-    steps: tuple[tuple[float, *Robust], ...]
-    rounded: tuple[Robust, ...]
+    steps: tuple[tuple[float, *Numbers], ...]
+    rounded: tuple[Numbers, ...]
     polarities: tuple[float | None, float | None] | None
     noise_effect: float
     held: bool = False
@@ -219,18 +219,18 @@ def accuracy(
             points.append(point(motion, scale, model, each, theta))
         q_reference = searched(motion.acceleration, search, METHODS["dormand_prince"]).q
     ground = motion.acceleration
-    steps = [(search.q_step, *_robust(ida))]
+    steps = [(search.q_step, *_numbers(ida))]
     for factor in STEP_FACTORS:
         step = factor * search.q_step
         if 1e-4 <= step <= 0.05:
             result = searched(ground, replace(search, q_step=step), method)
-            steps.append((step, *_robust(result)))
+            steps.append((step, *_numbers(result)))
     noise = np.random.Generator(np.random.PCG64(1))
-    rounded = [_robust(ida)]
+    rounded = [_numbers(ida)]
     for _ in range(NOISES):
         moved = ground + RECORD_ROUNDING * motion.pga * noise.uniform(-1.0, 1.0, ground.size)
         result = searched(moved, search, method)
-        rounded.append(_robust(result))
+        rounded.append(_numbers(result))
     pair = (ida.q, other_sign) if polarity > 0 else (other_sign, ida.q)
     return Accuracy(
         record=motion.name,

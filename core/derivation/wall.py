@@ -94,11 +94,12 @@ def linear(result: StudyResult, wall: WallResult) -> Section:
             continue
         if check.name == "linear_q_slv":
             q = _q_slv(wall)
-            words = {"q": wall.q_slv_set, "check": Word(check.label)}
-            lower = "q SLV {q:.2f}, its lower end or robust, times e*"
+            words = {"check": Word(check.label)}
+            lower = "of each record the lower of q_SLV,min and q_SLV,rob, times e*"
             lines += [Line(checks.Q_SLV, wall.q_slv_set, RUN), Line(checks.Q_SLV_LOW, wall.q_slv_low_set, RUN)]
-            lines.append(Line(checks.Q_SLV_ROBUST, wall.q_slv_robust_set, RUN))
-            lines.append(Line(checks.Q_SLV_SAFE, wall.q_slv_safe, RUN))
+            if wall.q_slv_robust_set is not None:
+                lines.append(Line(checks.Q_SLV_ROBUST, wall.q_slv_robust_set, RUN))
+            lines.append(Line(checks.Q_SLV_SAFE, wall.q_slv_safe_set, RUN))
             lines.append(Line(q, check.q, LIVE, FULL, lower, "q: {check}", words))
             zeta = checks.linear_q_slv_zeta
         else:

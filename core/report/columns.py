@@ -115,7 +115,8 @@ def _tie(row: Row) -> float | None:
 
 
 SIZES = ("slenderness_deg", "radius_m", "frequency_parameter_rad_s", "threshold_acceleration_g")
-SETS = ("set_rule", "q_set", "q_min", "q_robust_set", "q_slv_set", "q_slv_low_set", "q_slv_robust_set")
+Q_SLV = ("q_slv_set", "q_slv_low_set", "q_slv_robust_set", "q_slv_safe_set")
+SETS = ("set_rule", "q_set", "q_min", "q_robust_set", *Q_SLV)
 
 COLUMNS = (
     whole("wall", "number of the wall in the case, from 1", "number"),

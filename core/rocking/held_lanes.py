@@ -1,7 +1,7 @@
 """Analyses of a wall held at its top at many multipliers, in lanes that step together.
 
 Each lane has its own record and sample. A step that is plain, a whole sample within its piece of the functions in which
-the wall neither lands nor turns, is taken of all lanes at once by vector instructions; any other one by
+the wall does not land nor turn to a new peak, is taken of all lanes at once by vector instructions; any other one by
 `held_top.through_sample`, so that results equal those of histories bit for bit.
 """
 
@@ -79,7 +79,9 @@ def plain_steps(lanes, dt, p2, outward, inward, state):
         terms = terms_of(speed, sign / G * (scale * ground), sign / G * slope, p2, per, v, x)
         added, after, pushed, bent = moved(terms, dt), speed_of(terms, dt), push_of(terms, dt), terms[1]
         reached = y + added
-        steepest = 2.0 * max(abs(2.0 * bent), abs(pushed))  # twice what is: more than there is between
+        # twice the push at both ends: between them it is more only where it turns round within a step that is far too
+        # long for the series to hold
+        steepest = 2.0 * max(abs(2.0 * bent), abs(pushed))
         strays = 0.25 * steepest * dt * dt
         onward = ((speed > 0.0) & (after > 0.0)) | ((speed < 0.0) & (after < 0.0))
         tops = (speed > 0.0) & (after < 0.0) & (max(y, reached) + strays <= peak)

@@ -52,7 +52,8 @@ def sides_of(held: HeldTop, slenderness: float, collapse: tuple[float, float]) -
 
 
 def side_of(motion: Motion, inertia: float, p2: float, collapse: float) -> Side:
-    """The functions of one side. inertia : I_0 [kg m]; collapse : theta_c [rad]"""
+    """The functions of one side. inertia : I_0 [kg m]; collapse : theta_c [rad]. Raises ValueError where they are no
+    numbers, of a hinge so near the top that the upper block cannot turn."""
     cheb = np.polynomial.chebyshev.Chebyshev
     last = min(BEYOND * collapse, collapse + SHORT_OF * (motion.last - collapse))
     domain = [-last / PIECES, last]  # the first piece overlaps rest
@@ -73,6 +74,8 @@ def side_of(motion: Motion, inertia: float, p2: float, collapse: float) -> Side:
     at_nodes = np.stack([risen / slope, moved / slope, stored(theta), theta], axis=1).reshape(PIECES, DEGREE + 1, 4)
     values = np.linalg.solve(np.vander(nodes, increasing=True), at_nodes)
     top = float(y_of(collapse))
+    if not (math.isfinite(top) and np.isfinite(values).all()):
+        raise ValueError(collapse)
     return Side(PIECES / end, end, top, float(stored(collapse)), np.ascontiguousarray(values.transpose(0, 2, 1)))
 
 

@@ -66,7 +66,7 @@ def turned(
     found = []
     for k, wall in enumerate(result.walls):
         scene = plan.scene(k, demand, result.compliance, KeptChecks(journal))
-        as_it_is = evaluate(replace(scene, q_slv=(wall.q_slv_safe, wall.q_slv_set)), cancelled=cancelled)
+        as_it_is = evaluate(replace(scene, q_slv=(wall.q_slv_safe_set, wall.q_slv_set)), cancelled=cancelled)
         own = [row for row in wall.assessed.verdict.assumptions if row.key in keys and row.has_switch]
         there = at_other_ends(as_it_is, own, cancelled) if own else as_it_is
         if there is None:

@@ -59,6 +59,7 @@ class PerRecord:
 
     record : its name for people; motion : its index in the study
     polarity : of q
+    q_slv_safe : the lower of q_slv_low and q_slv_robust, which the linear check takes
     intensity : of the record [m]
     pga : of the motion under the wall [m/s2]
     closed_form_q_eff, closed_form_q : Eq. 15, 16; None above the ground
@@ -72,6 +73,7 @@ class PerRecord:
     q_slv: float | None
     q_slv_low: float | None
     q_slv_robust: float | None
+    q_slv_safe: float | None
     q_eff: float | None
     intensity: float
     pga: float
@@ -98,6 +100,7 @@ class WallResult:
     q_slv_set: float | None
     q_slv_low_set: float | None
     q_slv_robust_set: float | None
+    q_slv_safe_set: float | None
     power_law: PowerLaw | None
     fragility: Fragility | None
     closed_form_q_eff: float | None
@@ -108,11 +111,6 @@ class WallResult:
     assessment: Assessment | None = None
     accuracy: Accuracy | None = None
     floor: Floor | None = None
-
-    @property
-    def q_slv_safe(self) -> float | None:
-        """q of the set that the linear check takes: the lower one of q_slv_low_set and q_slv_robust_set."""
-        return min((q for q in (self.q_slv_low_set, self.q_slv_robust_set) if q is not None), default=None)
 
     @property
     def wall(self) -> Wall:

@@ -82,6 +82,7 @@ def _per_record(
         q_slv=_lower([run.ida.q_slv for run in runs]),
         q_slv_low=_lower([run.ida.q_slv_low for run in runs]),
         q_slv_robust=_lower([run.ida.q_slv_robust for run in runs]),
+        q_slv_safe=_lower([q for run in runs for q in (run.ida.q_slv_low, run.ida.q_slv_robust)]),
         q_eff=lowest.q_eff if lowest else None,
         intensity=si,
         pga=(felt or motion).pga,
@@ -122,7 +123,7 @@ def wall_result(part: Part, mechanism, model, runs, motions, search, demand, flo
     rule = "incomplete" if incomplete else set_rule(counted) if runs else None
     sets = {
         name: set_value([getattr(entry, name) for entry in per_record], rule)
-        for name in ("q", "q_robust", "q_slv", "q_slv_low", "q_slv_robust")
+        for name in ("q", "q_robust", "q_slv", "q_slv_low", "q_slv_robust", "q_slv_safe")
     }
     closed_q_eff = closed_q = None
     if demand and demand.intensity and wall.has_closed_forms:
@@ -158,6 +159,7 @@ def wall_result(part: Part, mechanism, model, runs, motions, search, demand, flo
         q_slv_set=sets["q_slv"],
         q_slv_low_set=sets["q_slv_low"],
         q_slv_robust_set=sets["q_slv_robust"],
+        q_slv_safe_set=sets["q_slv_safe"],
         power_law=law_of_si,
         fragility=fragile,
         closed_form_q_eff=closed_q_eff,

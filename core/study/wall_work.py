@@ -156,7 +156,7 @@ class _Wall:
     def _scene(self, k: int, demand: DemandResult) -> Scene:
         """Scene of the checks of an entry, with q of its searches."""
         wall, scene = self.results[k], self.given.plan.scene(k, demand, self.given.rules, self.kept[k])
-        return replace(scene, q_slv=(wall.q_slv_safe, wall.q_slv_set))
+        return replace(scene, q_slv=(wall.q_slv_safe_set, wall.q_slv_set))
 
     def _assessed(self, demand: DemandResult) -> Work:
         """Make the checks at the demand."""

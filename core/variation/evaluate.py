@@ -121,7 +121,7 @@ class Evaluation:
 
     @property
     def lower_q(self) -> Sentence | None:
-        """That the linear check with q SLV passes with q SLV and not with the lower end of its spread."""
+        """That the linear check with q SLV passes with q SLV and not with the q it takes."""
         low, high = (_counted(self.kinematic, q) if self.kinematic else None for q in self.scene.q_slv)
         check, demand = self.made("linear_q_slv"), self.scene.demand
         if check is None or check.passed or high is None or self.kinematic is None:

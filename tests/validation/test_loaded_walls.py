@@ -206,7 +206,7 @@ def test_that_q_of_the_histories_is_not_raised_by_e_star_twice(tmp_path):
     wall = study.run(parse_case(table), base_dir=tmp_path).walls[0]
     row = next(check for check in wall.assessment.checks if check.name == "linear_q_slv")
     assert wall.assessment.kinematic.e_star < 0.9
-    expected = wall.q_slv_safe * wall.model.threshold / (1.35 * 0.312 * G)
+    expected = wall.q_slv_safe_set * wall.model.threshold / (1.35 * 0.312 * G)
     assert row.zeta == pytest.approx(expected, rel=1e-9)
 
 

@@ -66,6 +66,7 @@ PER_RECORD = (
     number("q_slv", "-", "lower q_slv"),
     number("q_slv_low", "-", "lower end of its spread"),
     number("q_slv_robust", "-", "lower q_slv_robust"),
+    number("q_slv_safe", "-", "the lower of both, which the linear check takes"),
     number("q_eff", "-", "lower q_eff"),
     number("housner_intensity_cm", "cm", "SI of the record", per(CM, "intensity")),
     number("closed_form_q_eff", "-", "Eq. 15 or 16"),
@@ -287,6 +288,7 @@ WALL = (
     number("q_slv_set", "-", "q_slv of the set", "wall.q_slv_set", line="q_slv"),
     number("q_slv_low_set", "-", "the same of its lower ends", "wall.q_slv_low_set", line="q_slv_low"),
     number("q_slv_robust_set", "-", "the same of q_slv_robust", "wall.q_slv_robust_set", line="q_slv_robust"),
+    number("q_slv_safe_set", "-", "the same of q_slv_safe", "wall.q_slv_safe_set", line="q_slv_safe"),
     one(
         "power_law",
         "q_eff = C1 SI^C2, Eq. 13",

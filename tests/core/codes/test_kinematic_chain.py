@@ -101,7 +101,7 @@ def test_that_the_friction_does_not_raise_what_the_histories_lead_to(tmp_path):
     (wall,) = study.run(parse_case(table), base_dir=tmp_path).walls
     row = next(check for check in wall.assessment.checks if check.name == "linear_q_slv")
     assert wall.assessment.kinematic.alpha0 > 1.2 * wall.assessment.kinematic.chain.alpha0
-    assert row.zeta == pytest.approx(wall.q_slv_safe * 0.15 / (1.35 * 0.312), rel=1e-9)
+    assert row.zeta == pytest.approx(wall.q_slv_safe_set * 0.15 / (1.35 * 0.312), rel=1e-9)
 
 
 @pytest.mark.shows("kinematic.friction")

@@ -216,7 +216,7 @@ def evaluate(sections):
 
 
 ABOUT_A_HINGE = {"slenderness", "radius", "p", "velocity_ratio"}
-OF_RECORDS = {"dynamic_zeta", "peak_limit", "zeta_16", "zeta_other", "q_slv", "q_slv_low", "q_slv_robust"}
+OF_RECORDS = {"dynamic_zeta", "peak_limit", "zeta_16", "zeta_other", "q_slv", "q_slv_low", "q_slv_robust", "q_slv_safe"}
 
 
 def derived_of(group, source):

@@ -384,18 +384,20 @@ def test_that_energy_is_kept_between_impacts_and_lost_by_e_squared():
 @pytest.mark.shows("mechanics.lanes")
 @pytest.mark.parametrize("count", [6, pytest.param(200, marks=pytest.mark.long)])
 def test_that_a_scan_is_its_histories_and_a_still_wall_rests(count):
-    """More analyses than there are lanes, of records of several lengths, both signs, some beyond all bounds; steps of
-    0.04 s among them, which a series does not hold for."""
+    """More analyses than there are lanes, of records of several lengths, both signs, some beyond all bounds, some at
+    the threshold; steps of 0.04 and 0.4 s among them, which a series does not hold for."""
     rng = np.random.default_rng(6)
     for _ in range(count):
         _, model = random_wall(rng)
-        lengths, dt = rng.integers(2, 700, 5), float(rng.choice([0.0025, 0.01, 0.04]))
+        lengths, dt = rng.integers(2, 700, 5), float(rng.choice([0.0025, 0.01, 0.04, 0.4]))
         records = [model.threshold * rng.standard_normal(n) * np.hanning(n + 2)[1:-1] for n in lengths]
+        level = model.threshold * rng.choice([1.0, 1.0 - 1e-9, -1.0, 1.2])
+        records += [np.full(40, level), np.append(np.zeros(30), 2.0 * level)]  # still lifting at its end
         grounds = Grounds.of(records, dt)
         which = rng.integers(0, len(records), 90)
         scales = rng.choice([-1.0, 1.0], 90) * rng.uniform(0.0, 6.0, 90) ** 2
         which[0], scales[0] = 0, 0.99 / (grounds.strongest[0] / model.threshold)
-        scales[1] = 0.0
+        scales[1], which[2], scales[2] = 0.0, 5, 1.0
         outcomes, peaks = np.zeros(scales.size, np.int64), np.zeros(scales.size)
         scan_records(METHODS["taylor"], grounds, which, scales, model, outcomes, peaks)
         assert (outcomes[0], peaks[0]) == (outcomes[1], peaks[1]) == (STABLE, 0.0) and COLLAPSED in outcomes

@@ -1,6 +1,8 @@
 """From runs to the result of a wall: sign, set, warnings."""
 
 import json
+import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,6 +11,7 @@ from core.case.rules import parse_case
 from core.report import json_report
 from core.setting.demand_input import demand_of
 from core.study import run as study
+from core.study.wall_result import wall_result
 from core.units import G
 from tests.conftest import STANDING
 from tests.core.report import whole_workbook
@@ -62,12 +65,12 @@ def test_that_seven_files_of_four_stations_take_the_minimum_in_every_check(tmp_p
     wall = of_stations(tmp_path, reference, STATIONS).walls[0]
     check = wall.assessment.dynamic
     assert (wall.set_rule, check.set_rule) == ("minimum", "maximum")
-    for name in ("q", "q_slv", "q_slv_low", "q_slv_robust", "q_robust"):
+    for name in ("q", "q_slv", "q_slv_low", "q_slv_robust", "q_slv_safe", "q_robust"):
         values = [getattr(entry, name) for entry in wall.per_record]
         assert len(values) == 7 and getattr(wall, f"{name}_set") == min(values) < np.mean(values)
     assert check.peak_ratio == max(run.peak_ratio for run in check.runs)
     (linear,) = (one for one in wall.assessment.checks if one.name == "linear_q_slv")
-    assert linear.q == min(wall.q_slv_low_set, wall.q_slv_robust_set)
+    assert linear.q == wall.q_slv_safe_set <= min(wall.q_slv_low_set, wall.q_slv_robust_set)
     (said,) = (one for one in wall.warnings if one.code == "few_stations")
     assert "7 records" in said.text("en") and "4 station" in said.text("en")
     assert "4 stazioni" in said.text("it")
@@ -164,14 +167,36 @@ def test_that_the_linear_check_takes_the_lower_q_slv_and_says_where_that_decides
         return wall, linear, said
 
     wall, linear, _ = at(0.1)
-    ratio, limit = wall.q_slv_set / wall.q_slv_safe, 0.1 * linear.zeta
-    assert linear.q == wall.q_slv_safe == min(wall.q_slv_low_set, wall.q_slv_robust_set) and ratio > 1.001
+    ratio, limit = wall.q_slv_set / wall.q_slv_safe_set, 0.1 * linear.zeta
+    assert linear.q == wall.q_slv_safe_set and ratio > 1.001
     _, linear, (words,) = at(limit * ratio**0.5)
     assert not linear.passed and linear.zeta == pytest.approx(ratio**-0.5)
-    assert f"q {wall.q_slv_safe:.2f}" in words.text("en")
-    assert "il minore fra" in words.text("it")
+    assert f"q {wall.q_slv_safe_set:.2f}" in words.text("en")
+    assert "il minore fra q SLV robusto e l'estremo inferiore" in words.text("it")
     for ag in (0.999 * limit, 1.001 * limit * ratio):  # both ends decide alike: nothing is said
         assert not at(ag)[2]
+
+
+@pytest.mark.shows("kinematic.q_slv")
+@pytest.mark.parametrize("stations", ["ABC", "ABCDEFG"])
+def test_that_the_q_of_the_linear_check_is_the_lowest_of_each_record_whichever_that_is(tmp_path, reference, stations):
+    """Of the lower ends and the robust values of both signs, some of which are missing, then the rule of the set."""
+    study_result = of_stations(tmp_path, reference, stations)
+    wall, rng = study_result.walls[0], np.random.default_rng(3)
+    for _ in range(40):
+        runs, lowest = [], {}
+        for run in wall.runs:
+            low, robust = rng.uniform(1.0, 9.0, 2).tolist()
+            robust = None if rng.random() < 0.2 else robust
+            runs.append(replace(run, ida=replace(run.ida, q_slv=9.5, q_slv_low=low, q_slv_robust=robust)))
+            lowest[run.motion] = min(lowest.get(run.motion, math.inf), low, math.inf if robust is None else robust)
+        asked = wall.part, wall.mechanism, wall.model, runs, study_result.motions, study_result.search, None
+        found = wall_result(*asked)
+        values = list(lowest.values())
+        assert found.set_rule == ("mean" if len(stations) == 7 else "minimum")
+        expected = np.mean(values) if len(stations) == 7 else min(values)
+        assert found.q_slv_safe_set == pytest.approx(expected, rel=1e-15)
+        assert found.q_slv_safe_set <= found.q_slv_low_set
 
 
 @pytest.mark.parametrize("alike", ["intensity", "pga", "file"])
