@@ -51,7 +51,7 @@ class Assumption:
     source : GIVEN, DEFAULT, LEFT_OUT or DECLARED
     zeta, outcome : at the other end; zeta is None where it has none
     turns : the other end turns what is satisfied into what is not, alone or with others that have no reason
-    reason : of the engineer, "" without one
+    reason : of the engineer, his own words or those of what shows it; "" without one
     turns_q : the other end turns the check with q of the code alone
     permitted : by a clause, without a reason: the outcome stands, and its sentence says what would turn it
     raises : zeta is lower at the other end
@@ -66,7 +66,7 @@ class Assumption:
     zeta: float | None = None
     outcome: str = "undetermined"
     turns: bool = False
-    reason: str = ""
+    reason: str | Sentence = ""
     turns_q: bool = False
     permitted: bool = False
     raises: bool = True

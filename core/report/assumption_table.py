@@ -39,7 +39,7 @@ def rows_of(result: StudyResult, wall: WallResult, language: str) -> list[tuple[
             shown(row, row.other_end, language),
             numeral(row.zeta, ".2f", language),
             word(row.outcome, language),
-            row.reason,
+            shown(row, row.reason, language),
         ]
         found.append((cells, row.turns))
     return found

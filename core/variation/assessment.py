@@ -191,7 +191,7 @@ def _of_the_restraint(evaluation: Evaluation, free: Evaluation) -> Assumption:
         free.zeta,
         free.outcome,
         turns=evaluation.satisfied and not free.satisfied,
-        reason=sentence("word", f"evidence_{wall.restraint_evidence}").text("en") if named and shown else "",
+        reason=sentence("word", f"evidence_{wall.restraint_evidence}") if named and shown else "",
     )
 
 

@@ -32,7 +32,7 @@ ASSUMPTION = (
     number("zeta", "-", "zeta_E there"),
     text("outcome", "outcome there"),
     flag("turns", "whether it turns what is satisfied into what is not"),
-    text("reason", "of the engineer"),
+    text("reason", "of the engineer", lambda row: _in_english(row.reason)),
     text("text_it", "the row in Italian", lambda row: row.words.text("it")),
     text("text_en", "the row in English", lambda row: row.words.text("en")),
 )

@@ -15,7 +15,7 @@ from core.codes.kinematic import elastic_period
 from core.codes.masonry_types import TYPES, least_strength
 from core.codes.outcomes import OUTCOMES, PASSES, severity
 from core.errors import InputError
-from core.report import json_report
+from core.report import assumption_table, json_report
 from core.setting import demand_input, plan
 from core.setting.demand_input import demand_of, with_ag
 from core.setting.plan import plan_of, read_inputs
@@ -660,6 +660,14 @@ def test_that_a_general_body_is_moved_once_and_its_row_says_what_it_is():
     rows = rows_of(found_of(general, {"ag_g": 0.02, "spectrum": NTC}))
     assert rows["hinge_setback_m"]["text_en"].startswith("The body is given about its hinge")
     assert rows["together"]["zeta"] == pytest.approx(rows["masonry"]["zeta"])
+
+
+def test_that_what_shows_the_restraint_stands_in_the_language_of_the_table():
+    found = found_of(HELD, NTC_AG, building=BUILDING)
+    for language, words in (("it", "da un disegno"), ("en", "by a drawing")):
+        cells = [row for row, _ in assumption_table.rows_of(found, found.walls[0], language)]
+        assert [row[-1] for row in cells if words in row] == [words]
+    assert rows_of(found)["back_restraint"]["reason"] == "by a drawing"
 
 
 @pytest.mark.parametrize("note", ["da definire", "non so", "muri trasversali crollati", "demolished in 1950"])
