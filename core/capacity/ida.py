@@ -28,6 +28,9 @@ LOWER_SHARE = 0.9
 """Share of the rotation of SLV whose first peak is the lower end of the spread of q_slv [-]
 (resources/docs/physics.md, section 11)."""
 
+LEAST_SLV_WINDOW = 0.10
+"""Least half width of the window of q_slv_robust, in ln q."""
+
 TRILINEAR_START = 0.5
 TRILINEAR_FLOOR = 0.05
 CHUNK = 128
@@ -51,6 +54,11 @@ class Search:
     def half_window(self) -> int:
         """Grid points on either side of the robust window."""
         return round(self.robust_window / math.log1p(self.q_step))
+
+    @property
+    def half_slv_window(self) -> int:
+        """The same of q_slv_robust, which a check takes: a window narrower than the usual one would raise it."""
+        return round(max(self.robust_window, LEAST_SLV_WINDOW) / math.log1p(self.q_step))
 
 
 @dataclass(frozen=True)
@@ -294,7 +302,7 @@ def _search(run: Run, model: RockingModel, search: Search) -> Steps:
         return _result(grid, "bad_input", [None] * 3, None)
     yield from grid.grow(0, 0)
     if not grid.rigid:
-        yield from _descend(grid, half)
+        yield from _descend(grid, max(half, search.half_slv_window))
     collapse = None
     while collapse is None and grid.last < limit:
         yield from grid.grow(grid.first, min(limit, grid.last + CHUNK))
@@ -310,9 +318,10 @@ def _search(run: Run, model: RockingModel, search: Search) -> Steps:
         return _result(grid, "impact_limit", [None] * len(fractions), None)
     end = min(limit, max(collapse, grid.index_below(search.map_span * brackets[0][1])))
     yield from grid.grow(grid.first, end)
-    while (robust := _robust_index(grid, half)) is None and grid.last < limit:
+    while None in (robust := _robust_index(grid, half), slv := _robust_slv_index(grid)) and grid.last < limit:
         yield from grid.grow(grid.first, min(limit, grid.last + max(half, 1)))
-    grid.cut(grid.last if robust is None else max(end, robust + half))
+    if robust is not None and slv is not None:
+        grid.cut(max(end, robust + half, slv + search.half_slv_window))
     return _result(grid, "collapse_found", brackets, robust)
 
 
@@ -353,10 +362,15 @@ def _robust_index(grid: _Map, half: int, fraction: float = math.inf) -> int | No
     return None if index is None else grid.first + index
 
 
+def _robust_slv_index(grid: _Map) -> int | None:
+    """Grid index of q_slv_robust."""
+    return _robust_index(grid, grid.search.half_slv_window, LIMIT_FRACTION["SLV"])
+
+
 def _result(grid: _Map, status: str, brackets, robust: int | None) -> Ida:
     """brackets : of q, q_slv, q_slc, each None where it has none."""
     collapses = status == "collapse_found"
-    robust_slv = _robust_index(grid, grid.search.half_window, LIMIT_FRACTION["SLV"]) if brackets[1] else None
+    robust_slv = _robust_slv_index(grid) if brackets[1] else None
     q, q_slv, q_slc = (bracket[1] if bracket else None for bracket in brackets)
     lower = grid.first_reaching(LOWER_SLV) if q_slv is not None else None
     windows, last, fraction = [], None, None

@@ -82,6 +82,19 @@ def test_that_every_number_is_its_definition(ground, make_model, one_sided, law)
     assert inside == sum(survivors > first)
 
 
+@pytest.mark.shows("kinematic.q_slv")
+@pytest.mark.parametrize("law", ["rigid", "doherty"])
+def test_that_no_window_raises_the_q_slv_that_a_check_takes(ground, make_model, law):
+    for alpha in (5.0, 9.0):
+        model = make_model(alpha_deg=alpha, law=law)
+        usual = search_of(ground, model, Search(q_step=0.02))
+        for window in (0.02, 0.05):
+            narrow = search_of(ground, model, Search(q_step=0.02, robust_window=window))
+            assert narrow.q_slv_robust == usual.q_slv_robust and narrow.q_slv_low == usual.q_slv_low
+        wide = search_of(ground, model, Search(q_step=0.02, robust_window=0.3))
+        assert wide.q_slv_robust is not None
+
+
 def test_that_the_map_does_not_depend_on_how_many_points_run_at_once(ground, make_model, monkeypatch):
     for search in (Search(), Search(q_step=0.05), Search(q_step=0.02, map_span=1.0)):
         whole = search_of(ground, make_model(), search)
