@@ -57,6 +57,7 @@ BODIES = "tests/validation/test_bodies.py"
 SOLVED = "tests/core/solved/test_cases.py"
 
 SHOWN_BY = {
+    "case/wall_columns": "tests/core/case/test_wall_table.py",
     **dict.fromkeys(
         ("wall/bending", "rocking/side_functions", "rocking/side_series", "rocking/held_lanes"),
         "tests/core/rocking/test_held_top.py",

@@ -1,132 +1,18 @@
 """Walls of a table: .xlsx or .csv, one row a wall; units in a row below the column titles, or in the titles."""
 
 import csv
-import functools
 import io
 import re
-from dataclasses import Field, fields
 from pathlib import Path
-from typing import NamedTuple
 
-from core.case.hinges import BASE, FLOORS
-from core.case.keys import NESTED
 from core.case.many_walls import ManyWalls
-from core.case.number import parse_quantity
-from core.case.rules import parse_wall
-from core.case.values import field_of
 from core.case.wall import Wall
+from core.case.wall_columns import THOUSANDS, Head, is_units
 from core.errors import InputError, place
 from core.ooxml.sheet import MAX_NAME, Limits, Sheet, hidden_notes, read_sheet, refuse_cells, spoken
-from core.quantities import WRITTEN, factor_to, unit_of
+from core.quantities import unit_of
 from core.regular_file import TooLarge, read_regular
-from core.text.catalogue import CATALOGUE
 from core.text.sentence import Sentence, notice
-
-MOST_LOADS = 4
-
-_LATER = re.compile(r"[a-z]+[2-9]_")
-"""Columns of the second and of later loads and solids, which a sentence leaves out."""
-
-
-class Column(NamedTuple):
-    """What stands in a column: the key, and the titles it may have, in small letters."""
-
-    entry: Field
-    titles: frozenset[str]
-
-
-@functools.cache
-def columns() -> dict[str, Column]:
-    """Name of a column -> column, of every key of a wall, also of those of its loads and return walls: "load1_kn_m",
-    "across_friction". One of these is called by the title of the load and by its own, the first by the former alone."""
-    found = {}
-    for entry in fields(Wall):
-        if entry.metadata["kind"] not in NESTED:
-            found[entry.name] = Column(entry, frozenset((entry.name, *_titles(entry.name, 0), *_titles(entry.name, 1))))
-        for n in range(1, MOST_LOADS + 1) if "columns" in entry.metadata else ():
-            inside = [inner for inner in fields(entry.metadata["of"]) if inner.metadata["kind"] not in NESTED]
-            for k, inner in enumerate(inside):
-                name = entry.metadata["columns"].format(n=n) + inner.name
-                titles = {name}
-                for language, whole in enumerate(CATALOGUE["key"][f"{entry.name}.column"]):
-                    before = whole.format(n=n)
-                    ends = [f" {title}" for title in _titles(inner.name, language)]
-                    titles |= {before + end for end in (*ends, *([""] if k == 0 else []))}
-                found[name] = Column(inner, frozenset(titles))
-    return found
-
-
-def _titles(key: str, language: int) -> list[str]:
-    """What a key is called in a table beside its name, in English (0) or Italian (1): its `.column` in the catalogue,
-    else its word."""
-    texts = CATALOGUE["key"]
-    return texts.get(f"{key}.column", texts[key])[language].lower().split(", ")
-
-
-LOAD_KINDS = {
-    "verticale": "vertical",
-    "spinta": "thrust",
-    "catena": "tie",
-    "tirante": "tie",
-    "massa portata": "carried_mass",
-    "vertical": "vertical",
-    "thrust": "thrust",
-    "tie": "tie",
-    "carried mass": "carried_mass",
-    "carried_mass": "carried_mass",
-}
-LOAD_MASSES = {
-    "nessuna": "none",
-    "orizzontale": "horizontal",
-    "solidale": "moving",
-    "none": "none",
-    "horizontal": "horizontal",
-    "moving": "moving",
-}
-
-MECHANISMS = {
-    "su due lati": "two_sided",
-    "due lati": "two_sided",
-    "su un lato": "one_sided",
-    "un lato": "one_sided",
-    "entrambi": "both",
-    "flessione verticale": "vertical_bending",
-    "two-sided": "two_sided",
-    "one-sided": "one_sided",
-    "both": "both",
-    "vertical bending": "vertical_bending",
-}
-CHOICES = {"mechanism": MECHANISMS, "kind": LOAD_KINDS, "mass": LOAD_MASSES}
-"""Key -> its words in a table; another choice is written as in the case file."""
-
-UNIT_WORDS = ("u.m.", "u.m", "unità", "unita", "unit", "units")
-"""What stands above or before a row of units."""
-
-MAY_BE_EMPTY = ("", "kN/m3", "kN/m", "deg", "m2")
-"""Units of keys whose column may name none."""
-
-NO_UNIT = ("", "-", "–")
-
-LENGTHS, WORDS = ("hinges", "polygon"), ("text", "choice", "flag", "law")
-"""Kinds of keys that hold several lengths in metres, and those that hold words."""
-
-FLAGS = {
-    "sì": True,
-    "si": True,
-    "yes": True,
-    "true": True,
-    "vero": True,
-    "x": True,
-    "1": True,
-    "no": False,
-    "false": False,
-    "falso": False,
-    "0": False,
-}
-
-OF_A_SMALL_UNIT = 0.05
-"""Factor of the unit of a column over that of its key below which `1.200` is more likely 1200 than 1.2: the program
-asks."""
 
 MAX_ROWS, MAX_COLUMNS, MAX_BYTES = 2000, 40, 20_000_000
 MAX_CELLS = MAX_ROWS * 4 * MAX_COLUMNS
@@ -199,7 +85,6 @@ def _mark(text: str) -> str:
 _SEPARATOR = re.compile(r"\s*sep=([;,\t])[;,\t]*\r?\n", re.IGNORECASE)
 _DIGIT = re.compile(r"\d")
 _COMMA = re.compile(r"[+−-]?\d+,\d+(?!\d|,).*")
-_THOUSANDS = re.compile(r"[+−-]?[1-9]\d{0,2}(\.\d{3})+(\s*[^\W\d].*)?")
 
 
 def text_rows(text: str) -> list[list[str]]:
@@ -237,14 +122,14 @@ def _refuse_thousands(rows: list[list[str]]) -> None:
         return
     for n, row in enumerate(rows, start=1):
         for cell in row:
-            if _THOUSANDS.fullmatch(cell):
+            if THOUSANDS.fullmatch(cell):
                 raise InputError("thousands_or_decimals", text=cell, place=(place("row", n=n),))
 
 
 def _refuse_cut(heads: list[str], n: int, row: list[str]) -> None:
     """Refuse a row of a text with fewer cells than the titles: what writes tables gives all their marks. n : from 1"""
     width = max((k for k, head in enumerate(heads, start=1) if head.strip()), default=0)
-    if any(cell.strip() for cell in row) and len(row) < width and not (n == 2 and _is_units(row)):
+    if any(cell.strip() for cell in row) and len(row) < width and not (n == 2 and is_units(row)):
         raise InputError("row_cut", given=len(row), titles=width, place=(place("row", n=n),))
 
 
@@ -280,13 +165,13 @@ def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
     """Walls of a table's cells: a row of column titles, a row of units, one row a wall; empty rows are skipped.
     with_demand : an empty height of the base is an error, never the ground."""
     rows = [(n, row) for n, row in enumerate(rows, start=1) if n == 2 or any(row)]
-    if len(rows) >= 2 and rows[1][0] == 2 and not _is_units(rows[1][1]):
+    if len(rows) >= 2 and rows[1][0] == 2 and not is_units(rows[1][1]):
         rows.insert(1, (0, []))  # the titles name their units
     if len(rows) < 3:
         raise InputError("table_rows")
     if len(rows) > MAX_ROWS or len(rows[0][1]) > 4 * MAX_COLUMNS:
         raise InputError("table_too_large", rows=MAX_ROWS, columns=4 * MAX_COLUMNS)
-    head = _Head.of(rows[0][1], rows[1][1], with_demand)
+    head = Head.of(rows[0][1], rows[1][1], with_demand)
     return [head.wall(number, row) for number, row in rows[2:]]
 
 
@@ -302,11 +187,11 @@ def _many_walls(text: str, with_demand: bool) -> ManyWalls:
             if _is_comment(row):
                 continue
             commas = commas or any(map(_COMMA.fullmatch, row))
-            if not thousands[0] and (cell := next(filter(_THOUSANDS.fullmatch, row), "")):
+            if not thousands[0] and (cell := next(filter(THOUSANDS.fullmatch, row), "")):
                 thousands = number, cell
             if len(first) < 2 and (number == 2 or any(row)):
                 first.append((number, row))
-                if len(first) == 1 or number != 2 or _is_units(row):
+                if len(first) == 1 or number != 2 or is_units(row):
                     continue
                 first[1] = (0, [])  # the titles name their units
             if any(row):
@@ -322,182 +207,5 @@ def _many_walls(text: str, with_demand: bool) -> ManyWalls:
         raise InputError("table_rows")
     if len(first[0][1]) > 4 * MAX_COLUMNS:
         raise InputError("table_too_large", rows=MANY_ROWS, columns=4 * MAX_COLUMNS)
-    walls.wall_of = _Head.of(first[0][1], first[1][1], with_demand).wall
+    walls.wall_of = Head.of(first[0][1], first[1][1], with_demand).wall
     return walls
-
-
-class _Head(NamedTuple):
-    """The titles of a table, the keys of its columns, what each is multiplied with, and whether an empty height of the
-    base is an error."""
-
-    heads: list[str]
-    keys: list[str]
-    factors: list[float]
-    with_demand: bool
-
-    @classmethod
-    def of(cls, heads: list[str], units: list[str], with_demand: bool) -> "_Head":
-        """Read the head from the rows of titles and of units. Raises InputError."""
-        keys = _heads(heads)
-        return cls(heads, keys, _factors(keys, units, heads), with_demand)
-
-    def wall(self, number: int, row: list[str]) -> Wall:
-        """The wall of the cells of a row. number : of the row, from 1. Raises InputError."""
-        heads, keys = self.heads, self.keys
-        if any(cell for cell in row[len(keys) :]):
-            raise InputError("value_beyond_columns", place=(place("row", n=number),))
-        table = {}
-        for key, factor, cell, head in zip(keys, self.factors, row, heads, strict=False):
-            if key and cell:
-                table[key] = _cell(key, factor, cell, place("cell", n=number, key=head[:60]))
-        table.setdefault("name", f"row {number}")
-        _gather(table)
-        try:
-            if self.with_demand and "base_z_m" not in table:
-                raise InputError("base_missing", key="base_z_m")
-            return parse_wall(table)
-        except InputError as error:
-            where = _column_of(error, keys)
-            here = place("row", n=number)
-            if where is not None:
-                here = place("cell", n=number, key=heads[where][:60])
-            raise error.at(here) from None
-
-
-def _is_units(cells: list[str]) -> bool:
-    """Whether this row has nothing but units, or nothing at all."""
-    return all(not cell or cell.lower() in UNIT_WORDS or unit_of(cell) is not None for cell in cells)
-
-
-def _column_of(error: InputError, keys: list) -> int | None:
-    """The column an error of a wall is about."""
-    key = error.key
-    for part in error.place:
-        if not isinstance(part, Sentence):
-            continue
-        values = dict(part.values)
-        if part.code in ("load", "solid"):
-            key = f"{part.code}{values['n']}_{key}"
-        elif inside := re.fullmatch(r"\[\[(\w+)\]\] (\d+)", str(values.get("name", ""))):
-            key = field_of(Wall, inside[1]).metadata["columns"].format(n=inside[2]) + str(key)
-    return keys.index(key) if key in keys else None
-
-
-def _gather(table: dict) -> None:
-    """Put the cells of each load, opening, ... of a row together, as [[wall.load]] has them, and those of a section."""
-    for entry in fields(Wall):
-        if "columns" not in entry.metadata:
-            continue
-        starts = dict.fromkeys(entry.metadata["columns"].format(n=n) for n in range(1, MOST_LOADS + 1))
-        parts = [{key.removeprefix(at): table.pop(key) for key in list(table) if key.startswith(at)} for at in starts]
-        if given := [part for part in parts if part]:
-            table[entry.name] = given if entry.metadata["kind"] == "tables" else given[0]
-
-
-def _heads(cells: list[str]) -> list[str]:
-    known = {title: name for name, column in columns().items() for title in column.titles}
-    while cells and not cells[-1]:
-        cells = cells[:-1]
-    keys = []
-    for cell in cells:
-        name = re.sub(r"\s*[\[(].*", "", cell).strip().lower()
-        if name.replace(" ", "_") in ("variant_of", "variante_di"):
-            raise InputError("variant_of_in_table", column=cell[:60])
-        if name not in known:
-            first = (name for name in columns() if not _LATER.match(name))
-            raise InputError("unknown_column", column=cell[:60], known=", ".join(first))
-        if known[name] in keys:
-            raise InputError("column_twice", column=cell[:60])
-        keys.append(known[name])
-    return keys
-
-
-_REMARK = re.compile(r"[^\W\d_]+([ '-][^\W\d_]+)*")
-_BRACKETS = re.compile(r"[\[(]\s*([^\[\]()]*)")
-_LETTER = re.compile(r"[^\W\d_]")
-_BRACKET = re.compile(r"[\[(][^\[\]()]*[\])]")
-
-
-def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
-    """Factor of each column: its unit, in the row of units, in brackets in the head or in both, over that of its key.
-    What stands in the brackets of a number is a unit of the key, or the table is refused; a word beside the unit is a
-    remark, and so is what stands beside a word, unless it is a unit."""
-    factors = []
-    for k, key in enumerate(keys):
-        kind, metadata = columns()[key].entry.metadata["kind"], columns()[key].entry.metadata
-        unit = "m" if kind in LENGTHS else metadata.get("unit", "")
-        below = (cells[k] if k < len(cells) else "").strip()
-        below = "" if below.lower() in UNIT_WORDS else below
-        named = [one.strip() for one in (below, *_BRACKETS.findall(heads[k])) if one.strip("[]() ") not in NO_UNIT]
-        units = [one for one in named if unit_of(one) is not None]
-        if kind in WORDS or (units and all(_REMARK.fullmatch(one) for one in named if one not in units)):
-            named = units
-        if beside := _beside_unit(heads[k]):
-            raise _unknown_unit(beside, heads[k], unit)
-        found = []
-        for text in named:
-            factor = factor_to(text, unit)
-            if factor is None or (kind in (*WORDS, "polygon") and factor != 1.0):
-                raise _unknown_unit(text, heads[k], unit, kind == "polygon")
-            found.append(factor)
-        if not found and kind not in LENGTHS and unit not in MAY_BE_EMPTY:
-            raise _unknown_unit("", heads[k], unit)
-        if len(set(found)) > 1:
-            raise InputError("two_units_of_column", column=heads[k][:60], named=named[1][:20], unit=named[0][:20])
-        factors.append(found[0] if found else 1.0)
-    return factors
-
-
-def _beside_unit(head: str) -> str:
-    """What a title says behind its brackets and is no mere word: a factor, another unit; "" where it says nothing."""
-    behind = _BRACKET.split(head, maxsplit=1)[1:]
-    words = _BRACKET.sub(" ", " ".join(behind)).strip()
-    mere = _REMARK.fullmatch(words) and not any(unit_of(word) for word in words.split() if len(word) > 1)
-    return "" if mere else words
-
-
-def _unknown_unit(text: str, head: str, unit: str, alone: bool = False) -> InputError:
-    """A text where the unit of a column stands, or should. alone : no other one is taken"""
-    known = unit if alone else WRITTEN.get(unit, unit)
-    return InputError("unknown_unit", unit=text[:40], column=head[:60], known=known)
-
-
-def _cell(key: str, factor: float, cell: str, here: Sentence):
-    """Read the value of a cell. here : its place, for an error"""
-    entry = columns()[key].entry
-    kind = entry.metadata["kind"]
-    if entry.name in CHOICES:
-        return _one_of(
-            cell.replace("_", "-") if key == "mechanism" and cell.isascii() else cell, CHOICES[entry.name], here
-        )
-    if kind in ("text", "choice", "law", "polygon"):
-        return cell
-    if kind == "flag":
-        if cell.lower() not in FLAGS:
-            raise InputError("not_yes_or_no", text=cell[:60], place=(here,))
-        return FLAGS[cell.lower()]
-    try:
-        if kind != "hinges":
-            if factor < OF_A_SMALL_UNIT and _THOUSANDS.fullmatch(cell):
-                raise InputError("thousands_or_decimals", text=cell)
-            value = parse_quantity(cell, entry.metadata.get("unit", ""), factor)
-            return int(value) if kind == "int" and value == int(value) else value
-        if cell.lower() in (FLOORS, "piani"):
-            return FLOORS
-        if cell.lower() == BASE:
-            return BASE
-        parts = re.split(r"\s*;\s*|\s+(?![^\W\d])", cell)
-        if len({bool(_LETTER.search(part)) for part in parts}) > 1:  # the unit of one is that of all, or not
-            raise InputError("unit_of_number", text=cell[:60], known="m")
-        return [parse_quantity(part, "m", factor) for part in parts]
-    except InputError as error:
-        raise error.at(here) from None
-
-
-def _one_of(cell: str, words: dict[str, str], here: Sentence) -> str:
-    """Code of the word of a list in a cell. Raises InputError for a word that is not in the list."""
-    code = words.get(cell.lower())
-    if code is None:
-        known = ", ".join(word for word in words if word not in words.values() or word.isalpha())
-        raise InputError("table_word", text=cell[:60], known=known, place=(here,))
-    return code

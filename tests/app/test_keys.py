@@ -12,7 +12,7 @@ from app.input.fields import Field, TextField
 from app.input.made_fields import make_fields
 from app.look.language import described, set_language
 from app.shell import guide
-from core.case import wall_table
+from core.case import wall_columns, wall_table
 from core.case.keys import NESTED, number_key
 from core.case.place import Site
 from core.case.schema import Generate, Record, sections
@@ -111,9 +111,9 @@ def test_that_its_line_and_its_words_are_all_that_a_key_needs(opened, monkeypatc
         section_of(Plastered, {"name": "w", "mechanism": "both", "plaster_kn_m2": 3}, "wall", place("wall", name="w"))
     assert described(caught.value) == 'wall "w": Weight of the plaster = 3 is not accepted: from 0 to 2 kN/m2'
 
-    monkeypatch.setattr(wall_table, "Wall", Plastered)
-    monkeypatch.setattr(wall_table, "parse_wall", lambda table: table)
-    monkeypatch.setattr(wall_table, "columns", wall_table.columns.__wrapped__)
+    monkeypatch.setattr(wall_columns, "Wall", Plastered)
+    monkeypatch.setattr(wall_columns, "parse_wall", lambda table: table)
+    monkeypatch.setattr(wall_columns, "columns", wall_columns.columns.__wrapped__)
     for titles in ("Parete;Peso dell'intonaco [kN/m²];j [cm]", "name;weight of the plaster [kN/m2];joint_m [cm]"):
         (row,) = wall_table.walls_of(wall_table.text_rows(f"{titles}\nw;0,4;2"))
         assert row == {"name": "w", "plaster_kn_m2": 0.4, "joint_m": 0.02}

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from core.case.hazard_table import parse_hazard
-from core.case.wall_table import columns, walls_of
+from core.case.wall_columns import columns
+from core.case.wall_table import walls_of
 from core.errors import InputError, RecordError
 from core.ground import records
 from core.quantities import BASES, factor_to, foreign_unit, unit_of

@@ -53,6 +53,7 @@ BESIDE: dict[str, tuple[str, ...]] = {
     "core/case/loads.py": (KEYS, LOADS),
     "core/case/solids.py": (KEYS, CONTACT),
     "core/case/wall_table.py": ("tests/core/case/test_many_walls.py", "tests/core/case/test_wall_table_units.py"),
+    "core/case/wall_columns.py": ("tests/core/case/test_wall_table.py", "tests/core/case/test_wall_table_units.py"),
     **dict.fromkeys(
         [
             f"core/codes/{name}.py"

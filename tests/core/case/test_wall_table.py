@@ -7,7 +7,7 @@ from dataclasses import fields
 import pytest
 from openpyxl import Workbook, load_workbook
 
-from core.case import wall_table
+from core.case import wall_columns, wall_table
 from core.case.loads import Load, ReturnWalls
 from core.case.reader import read_case
 from core.case.solids import Opening, Step, Wedges
@@ -78,9 +78,9 @@ def test_that_the_template_is_read_as_it_is():
 @pytest.mark.parametrize(
     ("column", "words", "section", "key"),
     [
-        ("P", wall_table.LOAD_KINDS, Load, "kind"),
-        ("T", wall_table.LOAD_MASSES, Load, "mass"),
-        ("I", wall_table.MECHANISMS, Wall, "mechanism"),
+        ("P", wall_columns.LOAD_KINDS, Load, "kind"),
+        ("T", wall_columns.LOAD_MASSES, Load, "mass"),
+        ("I", wall_columns.MECHANISMS, Wall, "mechanism"),
     ],
 )
 def test_that_the_template_offers_every_choice_of_its_columns(column, words, section, key):
@@ -357,7 +357,7 @@ def test_that_hinges_stand_in_a_column(cell, heights):
 
 @pytest.mark.shows("case.table")
 def test_that_a_table_takes_every_key_of_a_wall():
-    columns = wall_table.columns()
+    columns = wall_columns.columns()
     for entry in fields(Wall):
         assert entry.name in columns or entry.name in NESTED_OF_A_WALL, entry.name
     for entry in fields(ReturnWalls):

@@ -8,7 +8,7 @@ from string import Formatter
 
 import pytest
 
-from core.case import wall_table
+from core.case import wall_columns
 from core.case.back_restraint import EVIDENCE
 from core.case.loads import Load
 from core.case.rules import parse_case
@@ -48,7 +48,7 @@ WORDS = re.compile(r"[A-Za-z]{2,} [a-z]{2,} [a-z]{2,}")
 OF_NO_SENTENCE = {
     "app/terminal/command_line.py": "what argparse says, and the texts of the terminal for it",
     "core/case/back_restraint.py": "words of older texts, in both languages",
-    "core/case/wall_table.py": "heads of columns, in both languages",
+    "core/case/wall_columns.py": "heads of columns, in both languages",
     "core/case/wall.py": "the values of a key",
     **dict.fromkeys(
         [
@@ -294,6 +294,6 @@ def test_that_a_field_has_a_caption_of_its_own_only_where_it_is_not_its_word():
 def test_that_every_kind_of_load_has_its_words():
     for kind in LOAD_KINDS:
         assert f"choice_{kind}" in CATALOGUE["word"], kind
-        assert kind in wall_table.LOAD_KINDS.values()
+        assert kind in wall_columns.LOAD_KINDS.values()
         for words, said in zip(CATALOGUE["word"][f"choice_{kind}"], CATALOGUE["key"]["load.kind.help"], strict=True):
             assert words in said, kind
