@@ -124,7 +124,7 @@ class FigureExport(QObject):
                 yield from self._make(page)
                 content = page.content
                 if isinstance(content, HistoriesTab):
-                    content.play.setChecked(False)  # nothing moves between two strips of a figure
+                    content.walls.play.setChecked(False)  # nothing moves between two strips of a figure
                 to_fill = {page, navigator.beside} - navigator.fresh
                 navigator.fresh |= to_fill  # to the front now, filled in turns of their own
                 navigator.show_page(name)

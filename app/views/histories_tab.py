@@ -3,27 +3,17 @@
 import math
 
 import numpy as np
-from PySide6.QtCore import QElapsedTimer, QSignalBlocker, Qt, QTimer
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QComboBox,
-    QHBoxLayout,
-    QPushButton,
-    QSlider,
-    QSplitter,
-    QTabWidget,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QSlider, QSplitter, QTabWidget, QVBoxLayout
 
 from app.look.charting import pg
-from app.look.drawing import WallDrawing
 from app.look.labels import Plain
 from app.look.language import current_language, named, number, tr
 from app.look.whole_text import tell_whole
 from app.views.chart import Chart
+from app.views.moving_walls import Film, MovingWalls
 from app.views.result_tab import ResultTab
-from app.views.runs import before_motion, governing_run, index_of, run_name, title_of
+from app.views.runs import governing_run, index_of, run_name, title_of
 from core.capacity.ida import multiplier_of, threshold_of
 from core.codes.dynamic_check import at_demand
 from core.known import known
@@ -89,9 +79,6 @@ class HistoriesTab(ResultTab):
                 "q is its peak then over the acceleration at which the wall moves."
             )
         )
-        self.play = QPushButton(tr("Play"))
-        self.play.setCheckable(True)
-        self.play.toggled.connect(self._toggled)
         self.ground = Chart("t [s]", "u'' [g]", tr("Ground motion"))
         self.rotation = Chart("t [s]", "θ/θc [-]", tr("Rotation"))
         self.rotation.plot.setXLink(self.ground.plot)
@@ -102,28 +89,17 @@ class HistoriesTab(ResultTab):
         self.again.toggled.connect(lambda _: self._chosen())
         self.energy = Chart("t [s]", "E/E(θc) [-]", tr("Energy"))
         self.energy.plot.setXLink(self.ground.plot)
-        self.wall_drawing, self.other_drawing = WallDrawing(with_sizes=False), WallDrawing(with_sizes=False)
-        self.other = QComboBox()
-        self.other.setAccessibleName(tr("Second record"))
-        self.other.setToolTip(tr("A second record at the same multiplier, beside the first"))
+        self.walls = MovingWalls()
+        self.walls.asked.connect(self.set_time)
+        self.other = self.walls.other
         self.other.activated.connect(lambda _: self.integrate())
-        self.speed = QComboBox()
-        self.speed.setAccessibleName(tr("Speed"))
-        for name, speed in (("1×", 1.0), ("½×", 0.5), ("¼×", 0.25), ("1⁄10×", 0.1)):
-            self.speed.addItem(name, speed)
-        self.speed.activated.connect(lambda _: self._again_from_here())
-        for box in (self.record, self.preset, self.other):
+        for box in (self.record, self.preset):
             tell_whole(box)
         self._lay_out()
-        self.timer = QTimer(self)
-        self.timer.setInterval(33)
-        self.timer.timeout.connect(self._frame)
-        self.clock, self.started = QElapsedTimer(), 0.0
         self.shown: tuple[StudyResult, WallResult] | None = None
         self.history: History | None = None
         self.second: History | None = None
         self.cursors: list[pg.InfiniteLine] = []
-        self.bars: list[BarHistory] = []
 
     def _lay_out(self) -> None:
         """The walls beside the panels, what is chosen above them."""
@@ -143,26 +119,12 @@ class HistoriesTab(ResultTab):
         charts.setSizes([GROUND, 260, 200])
         for chart in (self.ground, self.rotation, self.energy):  # a time stands at one place in all of them
             chart.plot.getAxis("left").setWidth(round(AXIS * self.fontMetrics().height()))
-        walls = QWidget()
-        column = QVBoxLayout(walls)
-        column.setContentsMargins(0, 0, 0, 0)
-        drawings = QHBoxLayout()
-        for drawing in (self.wall_drawing, self.other_drawing):
-            drawings.addWidget(drawing, 1)
-        column.addLayout(drawings, 1)
-        below = QHBoxLayout()
-        below.addWidget(self.play)
-        below.addWidget(self.speed)
-        self.other.setMinimumWidth(60)
-        below.addWidget(self.other, 1)
-        column.addLayout(below)
         row = QSplitter(Qt.Orientation.Horizontal)
-        row.addWidget(walls)
+        row.addWidget(self.walls)
         row.addWidget(charts)
         row.setSizes([320, 720])
         row.setStretchFactor(0, 3)
         row.setStretchFactor(1, 7)
-        walls.setMinimumWidth(190)
         layout = QVBoxLayout(self)
         layout.addLayout(bar)
         self.words.setWordWrap(True)
@@ -171,11 +133,8 @@ class HistoriesTab(ResultTab):
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
         """Fill the tab from one wall of a result."""
-        self.play.setChecked(False)
+        self.walls.show_wall(wall)
         self.shown, self.history, self.cursors = (result, wall), None, []
-        for drawing in (self.wall_drawing, self.other_drawing):
-            drawing.show_wall(wall.wall)
-            drawing.one_sided = wall.mechanism == "one_sided"
         self.again.setVisible(bool(wall.model.bars))
         self.below.tabBar().setVisible(bool(wall.model.bars))
         self.below.setCurrentIndex(1 if wall.model.bars else 0)
@@ -361,10 +320,13 @@ class HistoriesTab(ResultTab):
             outcome = f"{tr('stands')}   θmax/θc {peak}"
         which = self._wall_in_words()
         wall_and_c = (title_of(wall), f"C {number(abs(scale), '.3f')}")
-        words = (*wall_and_c, f"q {number(self.q, '.3f')}", outcome, *which, *self._show_bars())
+        bars = bar_histories(wall.wall, self.history, self.strength_factor) if wall.model.bars else []
+        words = (*wall_and_c, f"q {number(self.q, '.3f')}", outcome, *which, *self._show_bars(bars))
         self.words.setText("   ".join(words))
         for chart in (self.ground, self.rotation, self.energy, self.force, self.elongation):
             chart.caption = ", ".join((wall_and_c[0], run_name(self.run), wall_and_c[1], *which))
+        films = [Film(self.history.rotation, self.motion.time_step)]
+        self.walls.take(films + ([Film(self.second.rotation, self.second_step)] if self.second else []), bars)
         self.set_time(self.cursors[0].value())
 
     def _integrate_second(self, model) -> None:
@@ -372,7 +334,6 @@ class HistoriesTab(ResultTab):
         result, wall = known(self.shown)
         k = self.other.currentIndex() - 1
         self.second = None
-        self.other_drawing.setVisible(k >= 0)
         self.second_curve.setVisible(k >= 0)
         if k < 0:
             return
@@ -385,16 +346,15 @@ class HistoriesTab(ResultTab):
         self.second_curve.setData(times, ratio)
         self.rotation.data.append((tr("second record"), times, ratio))
 
-    def _show_bars(self) -> tuple[str, ...]:
+    def _show_bars(self, bars: list[BarHistory]) -> tuple[str, ...]:
         """Force and elongation of each tie, and what they and the impacts took."""
         history_now, (_, wall) = known(self.history), known(self.shown)
-        self.bars = bar_histories(wall.wall, history_now, self.strength_factor) if wall.model.bars else []
-        if not self.bars:
+        if not bars:
             return ()
         self.force.clear()
         self.elongation.clear()
         times = self.times[: history_now.rotation.size]
-        for k, one in enumerate(self.bars):
+        for k, one in enumerate(bars):
             name = f"h {number(one.bar.height, '.2f')} m"
             self.force.curve(name, times, 1e-3 * one.force, k, 1.4)
             self.elongation.curve(f"u, {name}", times, 1e3 * one.elongation, k, 1.4)
@@ -405,7 +365,7 @@ class HistoriesTab(ResultTab):
             self.cursors.append(chart.level(0.0, "", "ink", vertical=True))
         del self.cursors[3:-2]
         lost = work_of_impacts(wall.wall, wall.model, history_now)
-        words = [tr("ties took {work} kJ/m", work=number(1e-3 * sum(one.work for one in self.bars), ".2f"))]
+        words = [tr("ties took {work} kJ/m", work=number(1e-3 * sum(one.work for one in bars), ".2f"))]
         if lost is not None:
             words.append(tr("impacts {work} kJ/m", work=number(1e-3 * lost, ".2f")))
         return tuple(words)
@@ -425,37 +385,7 @@ class HistoriesTab(ResultTab):
         return tuple(words)
 
     def set_time(self, time: float) -> None:
-        """Both cursors and the small wall at this time [s]."""
+        """All cursors and the walls at this time [s]."""
         for line in self.cursors:
             line.setValue(time)
-        rotation = known(self.history).rotation
-        sample = min(max(0, int(time / self.motion.time_step)), rotation.size - 1)
-        self.wall_drawing.bars = [(one.bar.height, int(one.phase[sample])) for one in self.bars]
-        self.wall_drawing.set_rotation(float(np.clip(rotation[sample], -1.5, 1.5)))
-        if self.second is not None:
-            other = self.second.rotation
-            sample = min(max(0, int(time / self.second_step)), other.size - 1)
-            self.other_drawing.set_rotation(float(np.clip(other[sample], -1.5, 1.5)))
-
-    def _again_from_here(self) -> None:
-        """Another speed, from the moment that is shown."""
-        if self.play.isChecked():
-            self.started = self.cursors[0].value()
-            self.clock.restart()
-
-    def _toggled(self, on: bool) -> None:
-        self.play.setText(tr("Pause") if on else tr("Play"))
-        if on and self.history is not None:
-            now, last = self.cursors[0].value(), self.times[self.history.rotation.size - 1]
-            begin = before_motion(self.history.rotation, self.motion.time_step)
-            self.started = begin if now >= last else max(now, begin)
-            self.clock.start()
-            self.timer.start()
-        else:
-            self.timer.stop()
-
-    def _frame(self) -> None:
-        time = self.started + 0.001 * self.speed.currentData() * self.clock.elapsed()
-        self.set_time(time)
-        if time >= self.times[known(self.history).rotation.size - 1]:
-            self.play.setChecked(False)
+        self.walls.show_time(time)

@@ -318,10 +318,10 @@ def test_that_no_figure_is_painted_while_the_file_of_another_is_made(walls, appl
 
 def test_that_nothing_plays_while_figures_are_painted(walls, application, tmp_path, begun):
     walls.navigator.show_page("histories")
-    walls.pages["histories"].content.play.setChecked(True)
+    walls.pages["histories"].content.walls.play.setChecked(True)
     walls.files.export_figures(tmp_path, FigureSize(80.0))
     settle(application, lambda: len(begun) > 1)
-    assert walls.runner.job is not None and not walls.pages["histories"].content.play.isChecked()
+    assert walls.runner.job is not None and not walls.pages["histories"].content.walls.play.isChecked()
     walls.runner.cancel()
     settle(application, lambda: walls.runner.job is None)
 

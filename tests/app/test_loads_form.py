@@ -188,12 +188,12 @@ def test_that_the_histories_show_what_a_tie_does(opened, application, tmp_path):
     tab.again.setChecked(True)
     assert tab.history.rotation.size > once or tab.history.outcome != 0
     tab.set_time(0.0)
-    assert [height for height, phase in tab.wall_drawing.bars if phase != BROKEN] == [6.0]
-    tab.wall_drawing.grab()
+    assert [height for height, phase in tab.walls.drawings[0].bars if phase != BROKEN] == [6.0]
+    tab.walls.drawings[0].grab()
     tab.show_wall(result, result.walls[1])
     assert (
         not tab.below.tabBar().isVisibleTo(tab)
         and tab.energy.isVisibleTo(tab)
         and not tab.again.isVisibleTo(tab)
-        and tab.wall_drawing.bars == []
+        and tab.walls.drawings[0].bars == []
     )

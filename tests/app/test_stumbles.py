@@ -177,10 +177,10 @@ def test_that_an_animation_begins_as_the_wall_begins_to_move_and_its_button_says
     content = opened.pages["histories"].content
     first = np.flatnonzero(content.history.rotation)[0] * content.motion.time_step
     content.set_time(0.0)
-    content.play.click()
-    assert content.started == pytest.approx(max(0.0, first - 0.5)) and content.play.text() == "Pause"
-    content.play.click()
-    assert content.play.text() == "Play"
+    content.walls.play.click()
+    assert content.walls.started == pytest.approx(max(0.0, first - 0.5)) and content.walls.play.text() == "Pause"
+    content.walls.play.click()
+    assert content.walls.play.text() == "Play"
     assert before_motion(np.zeros(9), 0.01) == 0.0
 
 

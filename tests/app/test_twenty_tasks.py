@@ -94,9 +94,9 @@ def test_that_twenty_tasks_take_no_more_than_forty_five_actions(fresh, applicati
     done_with("read the answer of the worst wall", navigator.page == "check")
     hand.key("Ctrl+3")
     done_with("see it rock", navigator.page == "histories")
-    hand.click(window.pages["histories"].content.play)
-    done_with("play it", window.pages["histories"].content.timer.isActive())
-    window.pages["histories"].content.play.setChecked(False)
+    hand.click(window.pages["histories"].content.walls.play)
+    done_with("play it", window.pages["histories"].content.walls.timer.isActive())
+    window.pages["histories"].content.walls.play.setChecked(False)
     hand.key("Alt+1")
     done_with("back to its input", window.stages.front == "input")
     live = given.live

@@ -410,7 +410,7 @@ def test_that_a_wall_that_bends_moves_as_two_blocks(opened, application):
     assert page.run.ida.q > 1.0 and page.history.peak > 0.0 and "q" in page.words.text()
     energies = page.energy.data[0][2]
     assert energies.max() > 0.0 and (np.abs(page.history.rotation) <= page.history.peak + 1e-12).all()
-    held = page.wall_drawing.held
+    held = page.walls.drawings[0].held
     for sign in (1.0, -1.0):
         turned = moving_blocks(held, sign * 0.05)
         assert len(turned) == 2
@@ -419,9 +419,9 @@ def test_that_a_wall_that_bends_moves_as_two_blocks(opened, application):
         assert min(xs) < top <= max(xs) and max(point.y() for point in turned[1]) > 3.0  # it rises
         corner = sign * 0.15  # the edge that is held stays on its vertical
         assert min(abs(point.x() - corner) for point in turned[1]) < 1e-9
-    before = page.wall_drawing.grab().toImage()
+    before = page.walls.drawings[0].grab().toImage()
     page.set_time(float(page.times[int(np.abs(page.history.rotation).argmax())]))
-    assert page.wall_drawing.rotation != 0.0 and page.wall_drawing.grab().toImage() != before
+    assert page.walls.drawings[0].rotation != 0.0 and page.wall_drawing.grab().toImage() != before
 
 
 def test_that_an_empty_chart_has_no_numbers_at_its_axes(opened):
