@@ -421,7 +421,7 @@ def test_that_a_wall_that_bends_moves_as_two_blocks(opened, application):
         assert min(abs(point.x() - corner) for point in turned[1]) < 1e-9
     before = page.walls.drawings[0].grab().toImage()
     page.set_time(float(page.times[int(np.abs(page.history.rotation).argmax())]))
-    assert page.walls.drawings[0].rotation != 0.0 and page.wall_drawing.grab().toImage() != before
+    assert page.walls.drawings[0].rotation != 0.0 and page.walls.drawings[0].grab().toImage() != before
 
 
 def test_that_an_empty_chart_has_no_numbers_at_its_axes(opened):
