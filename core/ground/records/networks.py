@@ -45,9 +45,9 @@ CSMNC_HEAD = 40
 
 _BHRC = re.compile(r"\*\s*VOL(\w+)\s+FILE:", re.IGNORECASE)
 _BHRC_POINTS = re.compile(rf"\s*NO\. OF POINTS =\s*(\d{{1,8}})\s+DURATION =\s*({NUMBER})", re.IGNORECASE)
-BHRC_TEXTS, BHRC_RATE, BHRC_DATA, BHRC_ROW, BHRC_WIDTH = 13, 21, 27, 10, 13
+BHRC_TEXTS, BHRC_RATE, BHRC_DATA, BHRC_WIDTH = 13, 21, 27, 13
 """BHRC_TEXTS: lines of text of a channel. BHRC_RATE: its line from 0 whose first real is the rate. BHRC_DATA: that of
-the first sample. BHRC_ROW, BHRC_WIDTH: samples in a line, and their width."""
+the first sample. BHRC_WIDTH: width of a sample."""
 
 TENTH_OF_G = 0.1
 
