@@ -4,7 +4,7 @@ import functools
 import json
 from pathlib import Path
 
-VERSION = "0.28.0"
+VERSION = "0.29.0"
 NAME = "Ribalta"
 
 

@@ -5,7 +5,7 @@ import json
 import sys
 from pathlib import Path
 
-from core.derivation import bending, body, checks, closed_forms, demand, geometry
+from core.derivation import arch, bending, body, checks, closed_forms, demand, geometry
 from core.derivation.quantity import Given
 from core.report.columns import COLUMNS
 from core.report.stated.quantity import Quantity, listed, schema
@@ -52,7 +52,7 @@ def kind_of(quantity: Quantity) -> str:
 
 SYMBOLS = {
     value.name: value.symbol.format(state="LS", damping="ξ", years="years")
-    for module in (bending, body, checks, closed_forms, demand, geometry)
+    for module in (arch, bending, body, checks, closed_forms, demand, geometry)
     for value in vars(module).values()
     if isinstance(value, Given)
 }

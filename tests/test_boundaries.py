@@ -57,6 +57,9 @@ BODIES = "tests/validation/test_bodies.py"
 SOLVED = "tests/core/solved/test_cases.py"
 
 SHOWN_BY = {
+    "case/arch": "tests/core/case/test_spanning.py",
+    "derivation/arch": "tests/core/derivation/test_wall.py",
+    "report/note/arch_figure": "tests/core/report/test_bending_figure.py",
     "case/wall_columns": "tests/core/case/test_wall_table.py",
     **dict.fromkeys(
         ("wall/bending", "rocking/side_functions", "rocking/side_series", "rocking/held_lanes"),

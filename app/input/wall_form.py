@@ -37,9 +37,10 @@ from app.look.parts import Parts
 from app.look.section import Section, unfold_to
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
+from core.case.arch import Between
 from core.case.loads import ReturnWalls
 from core.case.values import check_value
-from core.case.wall import AS_IS, BENDS, DESIGNED, Wall
+from core.case.wall import ARCHES, AS_IS, BENDS, DESIGNED, Wall
 from core.case.wall_table import read_table, text_rows, walls_of
 from core.codes.masonry_types import TYPES
 from core.codes.vertical_bending import bending, uplift_multiplier
@@ -90,12 +91,14 @@ class WallForm(WallEditor):
         empty = ReturnWalls(TO_BE_GIVEN, TO_BE_GIVEN, TO_BE_GIVEN, TO_BE_GIVEN)
         title = tr("Friction of return walls (in α0 only)")
         self.across = OptionalGroup(title, "return_walls", empty, lambda: self.wall, self.edit)
+        title = tr("Span between the transverse walls (horizontal bending)")
+        self.arch = OptionalGroup(title, "arch", Between(TO_BE_GIVEN), lambda: self.wall, self.edit)
         base = [self.fields[key] for key in BASE]
         notes = [field for field in check_fields if field.key not in (*BASE, "unloaded_confirmed")]
         self.sections = {
             "geometry": Section(tr("Geometry"), [self.fields["name"], self.shape, *self.shape_fields], open=True),
             "body": Section(tr("Shape"), [self.body]),
-            "mechanism": Section(tr("Mechanism and base"), [self._mechanism(), *base], open=True),
+            "mechanism": Section(tr("Mechanism and base"), [self._mechanism(), *base, self.arch], open=True),
             "loads": Section(tr("Loads and ties"), [self.fields["unloaded_confirmed"], self.loads]),
             "held": Section(
                 tr("Tie to be designed, return walls"),
@@ -120,6 +123,7 @@ class WallForm(WallEditor):
             self.impact.show_case,
             self.loads.show_case,
             self.across.show_case,
+            self.arch.show_case,
             self.body.show_case,
             self.reasons.show_case,
             self._show_contents,
@@ -151,11 +155,12 @@ class WallForm(WallEditor):
             ("one_sided", named("one_sided"), tr("A restraint behind: rocks outwards only")),
             ("both", named("both"), tr("Two results: with the restraint behind and without")),
             (BENDS, named(BENDS), tr("Held at its top, free to rise there: bends outward and inward as two blocks")),
+            (ARCHES, named(ARCHES), tr("Held at both ends by transverse walls: spans between them as a flat arch")),
         ):
             button = QToolButton()
             button.setIcon(mechanism_icon(name))
             button.setIconSize(QSize(44, 44))
-            lines = label.split(" ") if name == BENDS else [label]
+            lines = label.split(" ") if name in (BENDS, ARCHES) else [label]
             button.setText("\n".join(lines))
             button.setToolTip(plain(tip))
             button.setAccessibleName(label)
@@ -170,7 +175,7 @@ class WallForm(WallEditor):
             button.setMinimumWidth(widest + 10)  # chosen it is bold
             button.clicked.connect(lambda _, name=name: self._mechanism_chosen(name))
             self.mechanisms[name] = button
-        in_a_row = 4 if sum(one.sizeHint().width() for one in self.mechanisms.values()) < IN_A_ROW else 2
+        in_a_row = 5 if sum(one.sizeHint().width() for one in self.mechanisms.values()) < IN_A_ROW else 3
         for k, button in enumerate(self.mechanisms.values()):
             grid.addWidget(button, *divmod(k, in_a_row))
         grid.setColumnStretch(in_a_row, 1)
@@ -239,6 +244,7 @@ class WallForm(WallEditor):
                 field.show_usual(wall, self.session.case.building)
         # only what the mechanism needs, and what stands there all the same
         held = wall.mechanism in ("one_sided", "both", BENDS)
+        self.arch.setVisible(wall.mechanism in ("one_sided", "both", ARCHES) or wall.arch is not None)
         self.fields["back_restraint"].setVisible(held or bool(wall.back_restraint))
         for key in ("restraint_evidence", "restraint_note"):
             self.fields[key].setVisible(bool(wall.back_restraint) or bool(getattr(wall, key)))

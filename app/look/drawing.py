@@ -12,9 +12,10 @@ from PySide6.QtWidgets import QWidget
 from app.look import theme
 from app.look.body_drawing import BodyDrawing, complete, turned
 from app.look.language import number
+from app.look.plan_drawing import paint_plan, plan_of
 from core.case.held_top import bent_inward
 from core.case.loads import Load
-from core.case.wall import BENDS, Wall
+from core.case.wall import ARCHES, BENDS, Wall
 from core.codes.vertical_bending import Bending, bending, outlines, shown_rotation
 from core.errors import InputError
 from core.known import known
@@ -140,6 +141,7 @@ class WallDrawing(QWidget):
         self.one_sided = False
         self.bent = Bent()
         self.held: HeldTop | None = None
+        self.plan: Bending | None = None
         self.arrows: list[Arrow] = []
         self.bars: list[tuple[float, int]] = []
         self.hinges: list[tuple[float, float | None]] = []
@@ -158,7 +160,7 @@ class WallDrawing(QWidget):
         self._shown = wall, list(hinges)
         self.size_of, self.arrows, self.bars, self.hinges = None, [], [], list(hinges)
         self.body = BodyDrawing()
-        self.bent, self.held = Bent(), None
+        self.bent, self.held, self.plan = Bent(), None, None
         if wall is not None:
             try:
                 all_loads, wall = wall.load, _with_loads_given(complete(wall))
@@ -169,7 +171,8 @@ class WallDrawing(QWidget):
                 self.one_sided = wall.mechanism == "one_sided"
                 self.body = BodyDrawing(wall, 0.5 * thickness)
                 self.arrows = arrows_of(wall, all_loads, height, thickness)
-                if wall.bends:
+                self.plan = plan_of(wall) if self.with_sizes else None
+                if wall.mechanism == BENDS:
                     self.bent = bent_blocks(found := bending(wall.in_si))
                     self.held = HeldTop(found.strip, strip_of(bent_inward(wall).in_si), found.h1)
             except (InputError, TypeError):
@@ -242,6 +245,8 @@ class WallDrawing(QWidget):
             self._zetas(painter, place)
             self._sizes(painter, place, height, thickness, setback)
             self._mark_spots(place, height, thickness, setback)
+        if self.plan is not None:
+            paint_plan(painter, self.width(), self.plan)
         if seen is not None:
             self.body.draw_elevation(painter, seen, scale, self.hinges)
 
@@ -397,10 +402,18 @@ def mechanism_icon(name: str, size: int = 52) -> QIcon:
     ink = QColor(theme.current.ink)
     painter.setPen(QPen(ink, 1.2))
     painter.drawLine(4, size - 6, size - 4, size - 6)
-    if name == BENDS:
+    if name in (BENDS, ARCHES):
         shade = QColor(theme.current.curves[0])
         shade.setAlpha(110)
         painter.setBrush(shade)
+    if name == ARCHES:  # in plan
+        for block in outlines(Strip(36.0, 9.0, 0.0, 1.0, ((1.0, 0.0),), lies=True), 18.0, 0.22):
+            painter.drawPolygon(QPolygonF([QPointF(size / 2 - 18.0 + z, size - 14 - x) for x, z in block]))
+        for x in (size / 2 - 18.0, size / 2 + 18.0):
+            painter.drawLine(QPointF(x, size - 14), QPointF(x, 8))
+        painter.end()
+        return QIcon(picture)
+    if name == BENDS:
         strip, between = Strip(40.0, 9.0, 0.0, 1.0, ((1.0, 4.5),)), 80.0 / 3.0  # where its multiplier is least
         for block in outlines(strip, between, 0.22):
             painter.drawPolygon(QPolygonF([QPointF(size / 2 + 2.0 - x, size - 6 - z) for x, z in block]))

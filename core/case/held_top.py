@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from core.case.wall import Wall
+from core.case.wall import BENDS, Wall
 from core.codes.vertical_bending import bending
 from core.errors import InputError, place
 from core.known import known
@@ -14,7 +14,7 @@ OF_HISTORIES = ("restitution", "velocity_ratio")
 
 def check_held_top(wall: Wall) -> None:
     """Raise InputError for a wall held at its top that is not complete, or has what does not go with it."""
-    if not wall.bends:
+    if wall.mechanism != BENDS:
         return
     here = (place("wall", name=wall.name),)
     for key in ("solid", "return_wedges", "gable_m", "out_of_plumb_m"):

@@ -7,7 +7,8 @@ from core.case.above_hinge import LEAST_HEIGHT, above_hinge, named_above
 from core.case.between_holds import between, named_between, spans_of
 from core.case.schema import Case
 from core.case.site import Building
-from core.case.wall import Wall
+from core.case.spanning import named_spanning, spanning, spans
+from core.case.wall import ARCHES, Wall
 from core.errors import InputError, place
 from core.wall.solids import SNAP, changes, contact_at
 
@@ -29,7 +30,8 @@ class Part:
     origin : index of the wall in the case; asked : the wall there
     hinge : above its base [m], 0 for the whole wall
     wall : to be analysed, with a name for people
-    top : of a stretch that bends between the hinge and a tie, the height of the tie above the base [m]; else None
+    top : of a stretch that bends between the hinge and a tie, the height of the tie above the base [m], of a wall that
+        spans between transverse walls its own; else None
     """
 
     origin: int
@@ -41,6 +43,8 @@ class Part:
     @property
     def own_name(self) -> str:
         """Name of the wall as people read it, without the variant."""
+        if self.wall.arch is not None and self.top is not None and self.wall.mechanism == ARCHES:
+            return named_spanning(self.asked.name, self.wall.arch.spacing_m)
         if self.top is not None:
             return named_between(self.asked.name, self.hinge, self.top)
         return named_above(self.asked.name, self.hinge)
@@ -115,15 +119,17 @@ def shared(part: Part, mechanism: str) -> tuple[str, float, str]:
     """Key that a wall about a hinge shares only with its other variant: name given, hinge [m], mechanism. A wall held
     at its top has here the mechanism one_sided, the overturning that its restraint prevents."""
     if part.top is not None:
-        return named_between(part.asked.name, part.hinge, part.top), part.hinge, mechanism
+        return part.own_name, part.hinge, mechanism
     return part.asked.name, part.hinge, "one_sided" if part.wall.bends else mechanism
 
 
 def parts_of(k: int, asked: Wall, building: Building | None) -> list[Part]:
-    """The k-th wall of a case from every hinge of its up, and where its ties make it bend between them."""
-    hinges, spans = turning_hinges(asked, building), spans_of(asked)
+    """The k-th wall of a case from every hinge of its up, where its ties make it bend between them, and between its
+    transverse walls."""
+    hinges, stretches = turning_hinges(asked, building), spans_of(asked)
     turning = [Part(k, asked, hinge, above_hinge(asked, hinge)) for hinge in (0.0, *hinges)]
-    return turning + [Part(k, asked, low, between(asked, low, high), high) for low, high in spans]
+    bending = [Part(k, asked, low, between(asked, low, high), high) for low, high in stretches]
+    return turning + bending + ([Part(k, asked, 0.0, spanning(asked), asked.height_m)] if spans(asked) else [])
 
 
 def turning_hinges(asked: Wall, building: Building | None) -> Sequence[float]:

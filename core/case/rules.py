@@ -18,6 +18,7 @@ from core.case.select import Select
 from core.case.sensitivity import Ranges
 from core.case.shape_memory import check_known_shape
 from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
+from core.case.spanning import check_arch
 from core.case.values import (
     SHOWN_LETTERS,
     are_ends,
@@ -246,6 +247,7 @@ def _check_alone(wall: Wall) -> None:
         check_design(wall)
         check_given(wall)
         check_held_top(wall)
+        check_arch(wall)
         for mechanism in wall.mechanisms():
             wall.restitution_of(mechanism)
         wall.moment_law()
@@ -339,6 +341,7 @@ def parse_wall(table: dict) -> Wall:
     check_design(wall)
     check_given(wall)
     check_held_top(wall)
+    check_arch(wall)
     return wall
 
 

@@ -5,6 +5,7 @@ import math
 from dataclasses import MISSING, dataclass, replace
 from functools import cached_property
 
+from core.case.arch import Between
 from core.case.back_restraint import EVIDENCE, RESTRAINTS, with_choice
 from core.case.keys import choice_key, content_of, flag_key, key, number_key, text_key
 from core.case.loads import Load, ReturnWalls
@@ -14,9 +15,10 @@ from core.codes.masonry_types import TYPES
 from core.errors import InputError, place
 from core.known import known
 from core.text.sentence import Key, sentence
+from core.wall.arch import Arch
 from core.wall.block import Block
 from core.wall.impact import Restitution
-from core.wall.masonry import BENDS, Declared, Masonry, base_length, weight_per_metre
+from core.wall.masonry import ARCHES, BENDS, Declared, Masonry, base_length, weight_per_metre
 from core.wall.moment_rotation import LAWS, WITH_BRANCH, MomentLaw
 from core.wall.restitution import MODELS, restitution
 from core.wall.solids import sum_of
@@ -39,6 +41,7 @@ class WallJustification:
     restitution: str = text_key()
     law: str = text_key()
     return_walls: str = text_key()
+    arch: str = text_key()
     return_wedges: str = text_key()
     contact: str = text_key()
     free_element: str = text_key()
@@ -68,7 +71,7 @@ class Wall(Shaped):
     """[[wall]]: geometry, mechanism, restitution, moment law."""
 
     name: str = text_key(MISSING)
-    mechanism: str = choice_key("one_sided", "two_sided", "both", BENDS)
+    mechanism: str = choice_key("one_sided", "two_sided", "both", BENDS, ARCHES)
     height_m: float | None = number_key(0.1, 60.0, unit="m", form="shape", filled=True)
     thickness_m: float | None = number_key(0.005, 20.0, unit="m", form_unit="cm", form="shape", filled=True)
     slenderness_deg: float | None = number_key(0.05, 60.0, unit="deg", form="shape", filled=True)
@@ -102,6 +105,7 @@ class Wall(Shaped):
     steps: tuple[Step, ...] = key("tables", (), of=Step, columns="step{n}_")
     out_of_plumb_m: float | None = number_key(0.0, 2.0, unit="m", form_unit="cm", form="body")
     return_wedges: Wedges | None = key("section", of=Wedges, columns="wedges_")
+    arch: Between | None = key("section", of=Between, columns="arch_")
     tie_height_m: float | None = number_key(0.1, 60.0, unit="m", form="held")
     tie_bar_length_m: float | None = number_key(0.2, 100.0, unit="m", form="held")
     tie_elongation_m: float | None = number_key(0.0, 10.0, unit="m", form="held")
@@ -127,6 +131,8 @@ class Wall(Shaped):
     def setback(self) -> float:
         """u [m], the hinge inside the edge: as given, or 2 N / (3 f L) with N = unit weight t H L and the vertical
         loads, the triangle of stress under the wall about to turn."""
+        if (arch := self._arch()) is not None:
+            return arch.setback
         if self.compressive_strength_mpa is None or self.thickness is None:
             return self.hinge_setback_m
         parts, weight = self.parts, known(self.unit_weight_kn_m3)
@@ -180,10 +186,31 @@ class Wall(Shaped):
             parts=self.parts,
             loads=tuple(load.in_si(self.length_m) for load in self.load),
             across=None if across is None else across.in_si(),
+            arch=self._arch(),
             declared=Declared(
-                self.back_restraint, self.restraint_evidence, self.restraint_note, self.unloaded_confirmed
+                self.back_restraint,
+                self.restraint_evidence,
+                self.restraint_note,
+                self.unloaded_confirmed,
+                self.arch is not None,
             ),
         )
+
+    def _arch(self) -> Arch | None:
+        """The arch of a wall that spans between transverse walls; None of another one. Raises InputError where it lacks
+        something."""
+        if self.mechanism != ARCHES:
+            return None
+        here = (place("wall", name=self.name),)
+        if self.arch is None:
+            raise InputError("arch_missing", place=here, key="arch", arch=Key("[wall.arch]"))
+        height, thickness = self.height_m, self.thickness
+        weight, strength = self.unit_weight_kn_m3, self.compressive_strength_mpa
+        if height is None or thickness is None or weight is None or strength is None:
+            given = {"height_m": height, "thickness_m": thickness, "unit_weight_kn_m3": weight}
+            key = next((key for key, value in given.items() if value is None), "compressive_strength_mpa")
+            raise InputError("arch_needs", place=here, key=key)
+        return self.arch.in_si(height, thickness, 1e3 * weight, 1e6 * strength)
 
     @cached_property
     def as_json(self) -> str:
@@ -274,15 +301,15 @@ class Wall(Shaped):
     @property
     def felt_z_m(self) -> float | None:
         """Height above the ground [m] at which its demand is taken: of its hinge, of a wall held at its top of its
-        middle; None where it is not given."""
+        middle, of one that spans between transverse walls of its top; None where it is not given."""
         if self.base_z_m is None or not self.bends:
             return self.base_z_m
-        return self.base_z_m + 0.5 * (self.height_m or 0.0)
+        return self.base_z_m + (1.0 if self.mechanism == ARCHES else 0.5) * (self.height_m or 0.0)
 
     @property
     def bends(self) -> bool:
-        """Whether it is held at its top and opens a hinge between."""
-        return self.mechanism == BENDS
+        """Whether it is held at its top, or at both ends, and opens a hinge between."""
+        return self.mechanism in (BENDS, ARCHES)
 
     def mechanisms(self) -> tuple[str, ...]:
         return ("two_sided", "one_sided") if self.mechanism == "both" else (self.mechanism,)

@@ -85,10 +85,12 @@ MECHANISMS = {
     "un lato": "one_sided",
     "entrambi": "both",
     "flessione verticale": "vertical_bending",
+    "flessione orizzontale": "horizontal_bending",
     "two-sided": "two_sided",
     "one-sided": "one_sided",
     "both": "both",
     "vertical bending": "vertical_bending",
+    "horizontal bending": "horizontal_bending",
 }
 CHOICES = {"mechanism": MECHANISMS, "kind": LOAD_KINDS, "mass": LOAD_MASSES}
 """Key -> its words in a table; another choice is written as in the case file."""

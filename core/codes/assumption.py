@@ -13,6 +13,9 @@ the engineer of what no program can see."""
 RESTRAINT = "back_restraint"
 """Key of what stands behind a wall or holds its top; its reason is what shows it."""
 
+ARCH = "arch"
+"""Key of what the ends of a wall between its transverse walls push against."""
+
 EDGE = "hinge_setback_m"
 """Key of the hinge at the edge: every wall has one, and its row is enough where it turns nothing."""
 
@@ -75,7 +78,7 @@ class Assumption:
     @property
     def has_switch(self) -> bool:
         """Whether the wall can be tried at the other end of this input alone, the restraint as it is."""
-        return self.key not in (TOGETHER, RESTRAINT)
+        return self.key not in (TOGETHER, RESTRAINT, ARCH)
 
     @property
     def open(self) -> bool:

@@ -110,6 +110,8 @@ class Chain:
         spostamento corrispondente a situazioni nelle quali si verifichino rotture di elementi, quali catene o altri
         collegamenti, che [...] producano una riduzione della capacità, in termini di accelerazione, superiore al 50%
         del valore massimo" (C8.7.1.2.1.6) [m]."""
+        if self.bending is not None:
+            return min(d, self.bending.breaks_at)
         if not self.ties:
             return d
         most = max(self.alpha(end) for end in (0.0, *self.ends_of_ties()))

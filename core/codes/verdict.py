@@ -27,6 +27,7 @@ TO_MEND = {
     "no_top_restraint": Sentence(
         "reason", "to_no_top_restraint", (("key", Key("back_restraint")), ("one_sided", Sentence("word", "one_sided")))
     ),
+    "no_arch": Sentence("reason", "to_no_arch", (("arch", Key("[wall.arch]")),)),
     "no_spectrum": Sentence("reason", "to_no_spectrum"),
     "not_compatible": Sentence("reason", "to_not_compatible"),
     "few_records": Sentence("reason", "to_few_records"),
@@ -381,7 +382,8 @@ def _activated(seen: Evidence, threshold: float) -> bool:
     strongest = _strongest(seen) * max(1.0, demand.zeta_target)
     at_rest = demand.confidence_factor * strongest <= threshold
     rigid = seen.wall.law.is_rigid
-    unheld = seen.wall.bends and not seen.wall.declared.restraint  # what is not held at its top overturns before
+    held = seen.wall.arch is not None or seen.wall.declared.restraint
+    unheld = seen.wall.bends and not held  # what is not held at its top overturns before
     return unheld or not rigid or not at_rest or any(check.passed is False for check in seen.checks)
 
 
@@ -427,7 +429,9 @@ def _limits(seen: Evidence) -> list[Sentence]:
         reasons.append(_reason("period_estimated"))
     if seen.mechanism == "one_sided" and not seen.wall.declared.restraint:
         reasons.append(_reason("no_restraint"))
-    if seen.wall.bends and not seen.wall.declared.restraint:
+    if seen.mechanism == "one_sided" and seen.wall.declared.restraint == "cross_walls" and not seen.wall.declared.spans:
+        reasons.append(_reason("no_arch", arch=Key("[wall.arch]")))
+    if seen.wall.bends and seen.wall.arch is None and not seen.wall.declared.restraint:
         reasons.append(_reason("no_top_restraint"))
     if not demand.soil_factor_stated:
         reasons.append(_reason("no_soil_factor"))

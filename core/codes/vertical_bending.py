@@ -20,6 +20,10 @@ from core.wall.solids import changes, faces_at
 LEAST_SLENDERNESS = 3.0
 """Smallest H/t: both blocks are at least as high as thick, and stockier walls do not bend."""
 
+MAX_ARCH_SLENDERNESS = 25.0
+"""Largest L/t of a wall that spans between transverse walls: a more slender arch shortens under its thrust by as much
+as it rises (a rule of ours; EN 1996-1-1, 6.3.2, has the same number, from memory)."""
+
 HEIGHTS = 400
 """Heights of the hinge among which the lowest multiplier is looked for, before its bracket is narrowed."""
 
@@ -68,9 +72,9 @@ def virtual(strip: Strip, h1: float) -> list[tuple[Weight, float, float]]:
 def start_multiplier(strip: Strip, h1: float) -> float:
     """alpha_0 with the hinge at h1 [m] (C8.7.1.1) [-]: of a rectangle [W1 b/2 + W2 (b + k b/2) + sum N (b + k (t - u -
     d))] over (W1 + W2) h1/2, with k = h1/(H - h1) and b = t - 2 u."""
-    found = virtual(strip, h1)
-    holding = math.fsum(one.force * rise for one, rise, _ in found)
-    return holding / math.fsum(one.force * way for one, _, way in found if one.pushed)
+    weights = virtual(strip, h1)
+    holding = math.fsum(one.lifted * rise for one, rise, _ in weights)
+    return holding / math.fsum(one.force * way for one, _, way in weights if one.pushed) - strip.pressed
 
 
 def rises(strip: Strip, h1: float) -> bool:
@@ -95,9 +99,11 @@ def heights_of(strip: Strip, count: int) -> list[float]:
 
 @functools.lru_cache(maxsize=256)
 def lowest_hinge(strip: Strip) -> float:
-    """h1 [m] of the lowest alpha_0: the best of HEIGHTS, then bisections of the bracket around it, of a wall that is no
-    rectangle the golden section. Without a load on the top, or with one near the inner face, it is as high as it may
-    be."""
+    """h1 [m] of the lowest alpha_0, of a strip that lies its middle: the best of HEIGHTS, then bisections of the
+    bracket around it, of a wall that is no rectangle the golden section. Without a load on the top, or with one near
+    the inner face, it is as high as it may be."""
+    if strip.lies:
+        return 0.5 * strip.height
     heights = heights_of(strip, HEIGHTS)
     values = [start_multiplier(strip, h1) for h1 in heights]
     best = min(range(len(heights)), key=lambda n: values[n])
@@ -126,13 +132,8 @@ def turned(strip: Strip, h1: float, theta: float) -> Turned:
     at, width = blocks.at, blocks.width
     cos, sin = math.cos(theta), math.sin(theta)
     phi = blocks.upper_rotation(cos, sin)
-    c, s = math.cos(phi), math.sin(phi)
-    along = width * sin + h1 * cos  # of the hinge, by theta
-    rate = along / (blocks.edge * s + blocks.above * c)  # of phi, by theta
-    moved = math.fsum(force * (x * sin + z * cos) for force, x, z, pushed in blocks.lower if pushed)
-    moved += math.fsum(force * (along - rate * (x * s + z * c)) for force, x, z, pushed in blocks.upper if pushed)
     hinge = at.base + width * cos - h1 * sin, h1 * cos + width * sin
-    return Turned(phi, hinge, blocks.risen(theta), moved)
+    return Turned(phi, hinge, blocks.risen(theta), blocks.moved(cos, sin, math.cos(phi), math.sin(phi)))
 
 
 @dataclass(frozen=True)
@@ -180,6 +181,24 @@ class Bending:
         """Whether the hinge is as high as it may be."""
         strip = self.strip
         return self.h1 > strip.height - strip.thickness - 1e-6 * strip.height
+
+    def parted(self, theta: float) -> float:
+        """By how much the ends of a strip that lies have parted [m], at theta of the first block [rad]."""
+        blocks = Turning.of(self.strip, self.h1)
+        cos, sin = math.cos(theta), math.sin(theta)
+        phi = blocks.upper_rotation(cos, sin)
+        first = self.h1 * cos + blocks.width * sin
+        return first + blocks.above * math.cos(phi) + blocks.edge * math.sin(phi) - self.strip.height
+
+    @property
+    def breaks_at(self) -> float:
+        """d of the equivalent oscillator at which the tie along a strip that lies breaks [m]; infinite where it stands
+        what the ends part by up to collapse, and of another wall."""
+        stands = self.strip.stands
+        if math.isinf(stands) or self.parted(self.theta0) <= stands:
+            return math.inf
+        theta, _, _ = narrowed(lambda angle: self.parted(angle) <= stands, 0.0, self.theta0, steps=BISECTIONS)
+        return self.share * (self.width * (1.0 - math.cos(theta)) + self.h1 * math.sin(theta))
 
     def rotation(self, d: float) -> float:
         """theta of the lower block [rad] at d of the equivalent oscillator [m]."""
@@ -231,7 +250,10 @@ def _collapse(strip: Strip, h1: float) -> float:
 
 def weakest(strip: Strip, zeta: Callable[[Bending], float]) -> Bending:
     """The mechanism of least zeta, where the hinge may be: the best of SEARCHED heights and of the one of the lowest
-    alpha_0, then the golden section between its neighbours."""
+    alpha_0, then the golden section between its neighbours. Of a strip that lies the one in its middle: both halves
+    bear and weigh alike."""
+    if strip.lies:
+        return mechanism(strip)
     heights = sorted({*heights_of(strip, SEARCHED), lowest_hinge(strip)})
     found = min((zeta(mechanism(strip, h1)), n) for n, h1 in enumerate(heights))
     low, high = heights[max(found[1] - 1, 0)], heights[min(found[1] + 1, len(heights) - 1)]
@@ -240,9 +262,20 @@ def weakest(strip: Strip, zeta: Callable[[Bending], float]) -> Bending:
 
 
 def bending(wall: Masonry) -> Bending:
-    """The mechanism of a wall with the lowest alpha_0. Raises InputError for one that does not stand, or is
-    too stocky."""
-    here, ratio = (place("wall", name=wall.name),), known(wall.height) / known(wall.thickness)
+    """The mechanism of a wall with the lowest alpha_0. Raises InputError for one that does not stand, or is too stocky;
+    for one between transverse walls that is too slender too."""
+    here = (place("wall", name=wall.name),)
+    if wall.arch is not None:
+        slender = wall.arch.spacing / known(wall.thickness)
+        if not LEAST_SLENDERNESS * (1.0 - 1e-9) <= slender <= MAX_ARCH_SLENDERNESS * (1.0 + 1e-9):
+            at = (*here, place("arch"))
+            bounds = {"least": LEAST_SLENDERNESS, "most": MAX_ARCH_SLENDERNESS}
+            raise InputError("arch_slender", place=at, key="spacing_m", found=slender, **bounds)
+        try:
+            return mechanism(strip_of(wall))
+        except ValueError:
+            raise InputError("arch_unstable", place=(*here, place("arch"))) from None
+    ratio = known(wall.height) / known(wall.thickness)
     if not ratio >= LEAST_SLENDERNESS * (1.0 - 1e-9):
         raise InputError("bending_too_stocky", place=here, found=ratio, least=LEAST_SLENDERNESS)
     try:

@@ -2,14 +2,14 @@
 
 import math
 
-from core.derivation import bending, body
+from core.derivation import arch, bending, body
 from core.derivation.line import FULL, INPUT, LIVE, RUN, SYMBOLS, VALUE, Columns, Line, Section, Word
 from core.derivation.quantity import Given
 from core.known import known
 from core.study.results import WallResult
 from core.units import G
 from core.wall.block import Block
-from core.wall.masonry import as_force
+from core.wall.masonry import ARCHES, as_force
 from core.wall.restitution import MODELS, housner_ratio, one_sided_ratio
 from core.wall.rocking_model import seen_from
 from core.wall.solids import Part
@@ -32,6 +32,8 @@ def shown_block(wall: WallResult) -> Block:
 def geometry(wall: WallResult) -> Section:
     """Section of the block: sizes, slenderness, radius, frequency parameter, uplift, velocity ratio."""
     asked, block = wall.wall, shown_block(wall)
+    if asked.mechanism == ARCHES:
+        return arch.geometry(wall)
     if asked.bends:
         return bending.geometry(wall)
     by_sizes = asked.height_m is not None and (asked.slenderness_deg is None or asked.setback > 0.0)

@@ -11,7 +11,7 @@ from core.codes.kinematic import PERIOD_FACTOR, STATE_DAMPING, Displacement
 from core.codes.kinematic_chain import of_side
 from core.codes.risk import EXPONENT, exponent_by_ag
 from core.codes.target_spectrum import CodeSpectrum
-from core.derivation import bending, body, checks
+from core.derivation import arch, bending, body, checks
 from core.derivation.geometry import forces_at_limit, governing_side, shown_block
 from core.derivation.line import FULL, INPUT, LIVE, NOT, RUN, SYMBOLS, VALUE, Columns, Line, Section, Word
 from core.derivation.quantity import Given
@@ -34,7 +34,7 @@ def chain(wall: WallResult) -> Section:
     sums, where = kinematic.chain, "about the outer hinge"
     lines: list[Line | Columns] = []
     if sums.bending is not None:
-        lines = [*bending.chain(wall)]
+        lines = [*(arch.chain(wall) if asked.arch else bending.chain(wall))]
     elif asked.loads:
         where = where if governing_side(wall) > 0.0 else "about the inner hinge"
         moments = start_moments(asked, governing_side(wall))
@@ -174,7 +174,7 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
     damping = 100.0 * STATE_DAMPING[state]
     constants = {"share": LIMIT_FRACTION[state], "factor": PERIOD_FACTOR[state] / math.pi, "damping": damping}
     if kinematic.chain.bending is not None:
-        d0 = bending.collapse(wall)
+        d0 = arch.collapse(wall) if wall.wall.arch else bending.collapse(wall)
     elif not wall.wall.load:
         d0 = [Line(checks.d0, kinematic.d0, note=FULL)]
     elif sides_agree(wall):

@@ -12,7 +12,8 @@ from core.case.between_holds import spans_of
 from core.case.hinges import Part, parts_of, shared, turning_hinges
 from core.case.schema import Case
 from core.case.site import Building
-from core.case.wall import Wall
+from core.case.spanning import spans
+from core.case.wall import ARCHES, Wall
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
 from core.codes.kinematic import Kinematic, kinematic
@@ -97,10 +98,13 @@ class Plan:
         return [one for k in range(len(self.entries)) for one in self.runs_of(k)]
 
     def runs_of(self, k: int) -> list[tuple[int, int, int]]:
-        """`runs` of one entry; none of motions by default, which are for the check at the demand."""
+        """`runs` of one entry; none of motions by default, which are for the check at the demand, nor of
+        a wall between transverse walls, whose ends do not push back alike as it returns."""
         if self.case.default_histories:
             return []
         entry = self.entries[k]
+        if entry.part.wall.mechanism == ARCHES:
+            return []
         return [(k, record, sign) for record in range(len(entry.felt)) for sign in entry.signs]
 
     @cached_property
@@ -232,7 +236,7 @@ def plan_of(
 def results_by_wall(case: Case) -> Iterator[int]:
     """Number of results of each wall of a case: about each hinge, by each mechanism."""
     return (
-        (1 + len(turning_hinges(wall, case.building))) * len(wall.mechanisms()) + len(spans_of(wall))
+        (1 + len(turning_hinges(wall, case.building))) * len(wall.mechanisms()) + len(spans_of(wall)) + spans(wall)
         for wall in case.wall
     )
 

@@ -8,7 +8,7 @@ from typing import Any
 from core.case.held_top import bent_inward
 from core.case.schema import Generate
 from core.case.site import Building, Demand
-from core.case.wall import Wall
+from core.case.wall import ARCHES, Wall
 from core.codes.demand import DemandResult, with_records
 from core.codes.dynamic_check import demand_check
 from core.codes.elastic_branch import Branch, branches_of, wants_branch
@@ -30,6 +30,8 @@ ESTIMATES = 0.5, 1.0, 2.0
 def model_of(wall: Wall, mechanism: str) -> RockingModel:
     """The rocking model of a wall."""
     own = wall.in_si
+    if wall.mechanism == ARCHES:  # alike to both sides, but for what presses it outward
+        return model_of_bending(strip_of(own), strip_of(own))
     if wall.bends:
         return model_of_bending(strip_of(own), strip_of(bent_inward(wall).in_si))
     one_sided, restitution = mechanism == "one_sided", wall.restitution_of(mechanism)

@@ -170,6 +170,18 @@ def bent(key: str, load: tuple[float, float], values: str) -> tuple[Answer, ...]
     return row(heads, values, found, 1.0)
 
 
+def spanning(thrust: float, thickness: float, spacing: float, weight: float, alpha0: str) -> tuple[Answer, ...]:
+    """alpha_0 and d_C,0 of a wall between transverse walls. thrust : H [kN/m]; weight : [kN/m3]"""
+
+    def found() -> tuple[float, float]:
+        ends = ((1e3 * thrust, 0.0),)
+        one = mechanism(Strip(spacing, thickness, 0.0, 1e3 * weight * thickness * spacing, ends, lies=True))
+        return one.alpha0, one.d_c0
+
+    heads = ((f"α_0 (H {thrust:g} kN/m, L {spacing:g} m)", ""), (f"d_C,0 (t {thickness:g} m)", "m"))
+    return row(heads, f"{alpha0} {thickness:.2f}", found, 1.0)
+
+
 def bending_sketch(*loads: tuple[float, float]) -> Sketch:
     box = ((0.0, 0.0), (0.3, 0.0), (0.3, 3.0), (0.0, 3.0))
     return Sketch(box, tuple((d, 3.0, 0.0, -1.0) for _, d in loads), others=(((0.0, 2.088), (0.3, 2.088)),))
@@ -238,6 +250,17 @@ CASES: tuple[Solved, ...] = (
             "3.0 × 0.30 m, 18 kN/m³: the lowest over the height h_1 of the hinge; d_C,0 by the finite "
             "geometry of both blocks."
         ),
+    ),
+    Solved(
+        "arch",
+        Kind.HAND,
+        worded("Horizontal bending of a wall between transverse walls"),
+        "Circolare 7/2019, C8.7.1.1; physics.md, 19",
+        spanning(30.0, 0.45, 5.0, 18.0, "0.53333")
+        + spanning(20.0, 0.30, 4.0, 18.0, "0.55556")
+        + spanning(60.0, 0.60, 8.0, 20.0, "0.37500"),
+        "alpha_0 = (8 H)/(w L^2), quad d_(C,0) = t",
+        comment=worded("Three walls, hinges at the faces: H per metre of height, w L t between the transverse walls."),
     ),
     Solved(
         "bending_free",

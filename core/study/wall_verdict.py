@@ -136,6 +136,8 @@ def deciding(wall: WallResult) -> Check | None:
 
 def where(wall: WallResult) -> Sentence | str:
     """Words that say where the hinge of a result is."""
+    if (arch := wall.wall.in_si.arch) is not None:
+        return sentence("added", "between_walls", spacing=arch.spacing)
     height, kinematic = wall.part.hinge, wall.assessment.kinematic if wall.assessment else None
     if kinematic is not None:
         of_check = kinematic.moved if wall.assessed.verdict.governing == "nonlinear" else kinematic.chain

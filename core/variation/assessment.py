@@ -1,10 +1,12 @@
 """The checks of one wall at the demand, what raises zeta, and its verdict."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from core.case.load_rules import carries
-from core.codes.assumption import DECLARED, LEFT_OUT, RESTRAINT, Assumption
+from core.case.wall import BENDS, Wall
+from core.codes.assumption import ARCH, DECLARED, LEFT_OUT, RESTRAINT, Assumption
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import SLD_CLAUSE, Check, Kinematic, with_and_without_ties
 from core.codes.kinematic_chain import chain
@@ -24,6 +26,7 @@ from core.variation.assumptions import assumptions
 from core.variation.changes import thinner
 from core.variation.evaluate import Evaluation, evaluate, histories
 from core.variation.tie_design import TieDesign
+from core.wall.arch import Arch
 
 OF_THE_FLOOR = ("other_building", "at_centroid")
 """Codes of what lifts zeta above the ground."""
@@ -125,7 +128,7 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
     if ratio is not None and ratio < LOW_CODE:
         limits.append(sentence("reason", "code_below_records", ratio=ratio))
     limits += _of_life_and_records(evaluation)
-    limits += [*_of_bending(kinematic, dynamic is not None), *_of_ties_not_counted(evaluation)]
+    limits += [*_of_bending(kinematic, scene.wall, dynamic is not None), *_of_ties_not_counted(evaluation)]
     limits += _of_ties_that_lower(evaluation, cancelled)
     limits += _of_a_thicker_wall(evaluation)
     if evaluation.zeta is not None and not made:
@@ -134,6 +137,8 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
     bound, passes = (free.zeta, free.satisfied) if free else (None, None)
     if free is not None and bound is not None:
         raised = (*raised, _of_the_restraint(evaluation, free))
+    if (arch := scene.wall.in_si.arch) is not None:
+        raised = (*raised, _of_the_arch(evaluation, arch))
     said = verdict(evaluation.evidence, bound, tuple(limits), raised)
     sensitivity = {row.words.code: row.zeta for row in raised if row.words.code in OF_THE_FLOOR}
     parts = (kinematic, evaluation.checks, dynamic, below, said, sensitivity, ratio, _capacity(evaluation))
@@ -208,7 +213,7 @@ def _overturning(scene: Scene, cancelled: Callable[[], bool]) -> Evaluation | No
     """A wall held at its top, were it not: it overturns about its base. None of another wall, where its loads
     would overturn it without an earthquake, and where a spectrum ends before its period."""
     wall = scene.wall
-    if not wall.bends or not carries(wall):
+    if wall.mechanism != BENDS or not carries(wall):
         return None
     try:
         free = scene.but(wall=replace(wall, mechanism="one_sided"), mechanism="one_sided")
@@ -217,13 +222,38 @@ def _overturning(scene: Scene, cancelled: Callable[[], bool]) -> Evaluation | No
         return None
 
 
-def _of_bending(kinematic: Kinematic, with_histories: bool) -> list[Sentence]:
-    """Sentences that limit the verdict of a wall held at its top: no histories, the force of what holds it, a hinge as
-    high as one is looked for."""
-    found = kinematic.chain.bending
+def _of_the_arch(evaluation: Evaluation, arch: Arch) -> Assumption:
+    """What the ends of a wall push against: without it nothing holds the wall between its transverse walls."""
+    reasons = evaluation.scene.wall.justification
+    value = sentence("added", "thrust_by", thrust=1e-3 * arch.thrust, by=sentence("word", arch.by))
+    return Assumption(
+        ARCH,
+        sentence("reason", "arch_fails"),
+        value,
+        sentence("accepted", "none"),
+        DECLARED,
+        0.0,
+        "not_verified",
+        turns=evaluation.satisfied,
+        reason=reasons.arch if reasons else "",
+    )
+
+
+def _of_bending(kinematic: Kinematic, wall: Wall, with_histories: bool) -> list[Sentence]:
+    """Sentences that limit the verdict of a wall that bends: no histories, the force of what holds it, a hinge as high
+    as one is looked for."""
+    found, arch = kinematic.chain.bending, wall.in_si.arch
     if found is None:
         return []
     limits = [] if with_histories else [sentence("reason", "no_histories", q=2)]
+    if arch is not None:
+        by = sentence("word", arch.by)
+        limits.append(sentence("reason", "arch_thrust", spacing=arch.spacing, thrust=1e-3 * arch.thrust, by=by))
+        moved = kinematic.moved.bending or found
+        if kinematic.d_limit is not None and not math.isinf(arch.stands):
+            parted = moved.parted(moved.rotation(kinematic.d_limit))
+            limits.append(sentence("reason", "arch_parts", mm=1e3 * parted))
+        return limits
     limits.append(sentence("reason", "top_force", force=1e-3 * found.top_force))
     moved = kinematic.moved.bending or found
     if found.highest or moved.highest:

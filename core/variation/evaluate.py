@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 
+from core.case.wall import ARCHES
 from core.codes.demand import LEAST_OF_DEMAND
 from core.codes.dynamic_check import DemandCheck
 from core.codes.elastic_branch import can_have_branch, wants_branch
@@ -187,7 +188,7 @@ def histories(
     scene: Scene, precision: Precision = RUN, other: bool = False, cancelled: Callable[[], bool] = lambda: False
 ) -> DemandCheck | None:
     """The check of a scene by time histories alone; the parameters are those of `evaluate`."""
-    if not (motions := scene.motions):
+    if not (motions := scene.motions) or scene.wall.mechanism == ARCHES:
         return None
     parts = motions, scene.signs, scene.demand, scene.method, precision.value, other, cancelled
     found: list[DemandCheck] = []

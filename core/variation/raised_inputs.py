@@ -10,7 +10,7 @@ import numpy as np
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.site import FULL_FACTOR
-from core.case.wall import Wall, WallJustification
+from core.case.wall import ARCHES, Wall, WallJustification
 from core.codes.assumption import DECLARED, DEFAULT, GIVEN
 from core.codes.elastic_branch import ELASTIC, Branch, can_have_branch
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM
@@ -209,7 +209,7 @@ def _histories_left_out(evaluation: Evaluation) -> bool:
     """Whether histories could be made of the wall, and are not; of one that fails without them they are not asked
     for."""
     scene, demand = evaluation.scene, evaluation.scene.demand
-    can = demand.target is not None and demand.limit_state in LIMIT_FRACTION
+    can = demand.target is not None and demand.limit_state in LIMIT_FRACTION and scene.wall.mechanism != ARCHES
     return can and scene.histories_off and not scene.ground and evaluation.satisfied
 
 
@@ -217,6 +217,9 @@ def _of_the_edge(scene: Scene) -> Iterator[Raised]:
     """A hinge nearer to the edge than the weakest masonry of its type lets it be, or than LEAST_SETBACK: FC 1.35 lets
     one leave the strength out (C8.7.1.2.1.3), and alpha_0 then counts on more than there is."""
     wall = scene.wall
+    if wall.mechanism == ARCHES:
+        yield from _of_the_hinges(scene)
+        return
     weakest, least = least_strength(wall.masonry), _setback_at(wall, wall.masonry)
     of_any = _setback_at(wall, None)
     if wall.masonry and of_any > max(least, wall.setback) and wall.compressive_strength_mpa is None:
@@ -241,6 +244,19 @@ def _of_the_edge(scene: Scene) -> Iterator[Raised]:
             reasons = replace(reasons or WallJustification(), compressive_strength_mpa=scene.asked.investigations)
         end = End(there, weakest)
         yield one_end("compressive_strength_mpa", "lift_strength", reasons, f, end, given=f, f=weakest, cm=cm)
+
+
+def _of_the_hinges(scene: Scene) -> Iterator[Raised]:
+    """A strength above the lowest of its masonry, by which the hinges of an arch lie nearer to the faces and its ends
+    are crushed by a larger thrust."""
+    wall = scene.wall
+    f, weakest = known(wall.compressive_strength_mpa), least_strength(wall.masonry)
+    if f <= weakest:
+        return
+    there = known(replace(wall, compressive_strength_mpa=weakest).in_si.arch)
+    end = End(of_wall(compressive_strength_mpa=weakest), weakest)
+    said = {"given": f, "f": weakest, "cm": 100.0 * there.setback}
+    yield one_end("compressive_strength_mpa", "lift_strength", wall.justification, f, end, **said)
 
 
 def _setback_at(wall: Wall, masonry: str | None) -> float:

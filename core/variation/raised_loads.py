@@ -9,7 +9,7 @@ from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.held_top import bent_inward
 from core.case.load_rules import check_loads
 from core.case.loads import Load
-from core.case.wall import Wall
+from core.case.wall import BENDS, Wall
 from core.codes.assumption import LEFT_OUT
 from core.codes.kinematic_chain import chain
 from core.errors import InputError
@@ -166,7 +166,7 @@ def of_the_loads(scene: Scene, clauses: bool) -> Iterator[Raised]:
         )
     if any(load.prestress for load in given):
         yield one_end("prestress", "lift_prestress", reasons, GIVEN_WORD, End(_of_ties(prestress=None), NONE_WORD))
-    if wall.bends:
+    if wall.mechanism == BENDS:
         end = End(_bent_inward, sentence("word", "inward"))
         yield one_end("load", "lift_bends_inward", reasons, sentence("word", "outward"), end)
     if any(map(_pulls_inward, wall.load)):

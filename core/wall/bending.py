@@ -31,19 +31,30 @@ TINY = 1e-30
 
 
 class Weight(NamedTuple):
-    """A weight on a block: force [N/m] at x, z [m]; pushed : its mass moves sideways with the block"""
+    """A weight on a block: force [N/m] at x, z [m]; pushed : its mass moves sideways with the block; works : it rises
+    with the block, as no weight of a strip that lies does"""
 
     force: float
     x: float
     z: float
     pushed: bool = True
+    works: bool = True
+
+    @property
+    def lifted(self) -> float:
+        """Force that does work as the block rises [N/m]."""
+        return self.force if self.works else 0.0
 
 
 class Strip(NamedTuple):
     """A metre of wall. height, thickness, setback : H, t at the base, u [m]; weight : W [N/m]
     loads : (N [N/m], d inward of the outer face [m]) on its top, held there: their masses do not move sideways
     below : the loads below it
-    parts, length : the solids of a wall with openings or steps, and its length [m]; none of a rectangle"""
+    parts, length : the solids of a wall with openings or steps, and its length [m]; none of a rectangle
+    lies : it spans along the wall between transverse walls (core/wall/arch.py): a metre of its height, z along the
+        wall; its weight does no work, both ends turn alike, and the thrust of the ends is its load
+    pressed : of a strip that lies, what presses it outward without an earthquake, over its weight [-]
+    stands : of a strip that lies, by how much its ends may part before the tie along it breaks [m]"""
 
     height: float
     thickness: float
@@ -53,11 +64,14 @@ class Strip(NamedTuple):
     below: tuple[Weight, ...] = ()
     parts: tuple[Part, ...] = ()
     length: float = 1.0
+    lies: bool = False
+    pressed: float = 0.0
+    stands: float = math.inf
 
     @property
     def is_plain(self) -> bool:
         """Whether it is a rectangle with loads on its top alone, of which all is in closed form."""
-        return not self.parts and not self.below
+        return not (self.parts or self.below or self.lies)
 
     @property
     def width(self) -> float:
@@ -75,7 +89,7 @@ class Hinges(NamedTuple):
 
 def hinges_of(strip: Strip, h1: float) -> Hinges:
     """Hinges of a strip whose middle hinge is at h1 [m]: within the faces that both blocks share there."""
-    inner, top = strip.thickness, 0.0
+    inner, top = strip.thickness, strip.setback if strip.lies else 0.0
     if strip.parts:
         faces, highest = contact_at(strip.parts, h1), _held_faces(strip.parts, strip.height)
         inner, top = faces[1] if faces else inner, highest[0] if highest else top
@@ -105,7 +119,10 @@ def blocks_of(strip: Strip, h1: float) -> tuple[tuple[Weight, ...], tuple[Weight
         own = Weight(per * lower.mass, x1, z1), Weight(per * above.mass, x2, z2)
     else:
         first, middle = strip.weight * h1 / height, 0.5 * strip.thickness
-        own = Weight(first, middle, 0.5 * h1), Weight(strip.weight - first, middle, 0.5 * (h1 + height))
+        own = tuple(
+            Weight(force, middle, z, works=not strip.lies)
+            for force, z in ((first, 0.5 * h1), (strip.weight - first, 0.5 * (h1 + height)))
+        )
     on_lower = tuple(load for load in strip.below if load.z <= h1)
     on_upper = tuple(load for load in strip.below if load.z > h1)
     held = tuple(Weight(n, d, height, False) for n, d in strip.loads)
@@ -123,8 +140,9 @@ class Turning(NamedTuple):
 
     at : hinges; h1, above : heights of the lower and of the upper block [m]; width, edge : between the hinges of the
     lower block, and from the edge held at the top to the hinge between [m]
-    lower : (force, x inward of the hinge at the base, z, whether it is pushed) of each weight; upper : the same, x
-    outward of the hinge between and z above it
+    lower : (force that does work, x inward of the hinge at the base, z, force that is pushed) of each weight; upper :
+        the same, x outward of the hinge between and z above it
+    pressed : of the strip
     """
 
     at: Hinges
@@ -132,16 +150,17 @@ class Turning(NamedTuple):
     above: float
     width: float
     edge: float
-    lower: tuple[tuple[float, float, float, bool], ...]
-    upper: tuple[tuple[float, float, float, bool], ...]
+    lower: tuple[tuple[float, float, float, float], ...]
+    upper: tuple[tuple[float, float, float, float], ...]
+    pressed: float = 0.0
 
     @classmethod
     def of(cls, strip: Strip, h1: float) -> "Turning":
         """The blocks of a strip whose middle hinge is at h1 [m]."""
         at, (lower, upper) = hinges_of(strip, h1), blocks_of(strip, h1)
-        below = tuple((one.force, one.x - at.base, one.z, one.pushed) for one in lower)
-        over = tuple((one.force, at.between - one.x, one.z - h1, one.pushed) for one in upper)
-        return cls(at, h1, strip.height - h1, at.between - at.base, at.between - at.top, below, over)
+        below = tuple((one.lifted, one.x - at.base, one.z, one.force * one.pushed) for one in lower)
+        over = tuple((one.lifted, at.between - one.x, one.z - h1, one.force * one.pushed) for one in upper)
+        return cls(at, h1, strip.height - h1, at.between - at.base, at.between - at.top, below, over, strip.pressed)
 
     def upper_rotation(self, cos: float, sin: float) -> float:
         """phi [rad] at a rotation of the lower block. Raises ValueError where the upper one no longer reaches."""
@@ -156,12 +175,29 @@ class Turning(NamedTuple):
         up = self.width * cos - self.h1 * sin  # of the hinge, by theta
         rate = (self.width * sin + self.h1 * cos) / (self.edge * s + self.above * c)  # of phi, by theta
         risen = math.fsum([force * (x * cos - z * sin) for force, x, z, _ in self.lower])
-        return risen + math.fsum([force * (up + rate * (x * c - z * s)) for force, x, z, _ in self.upper])
+        risen += math.fsum([force * (up + rate * (x * c - z * s)) for force, x, z, _ in self.upper])
+        return risen - self.pressed * self.moved(cos, sin, c, s) if self.pressed else risen
+
+    def moved(self, cos: float, sin: float, c: float, s: float) -> float:
+        """`Turned.moved` by cosine and sine of the rotations of the lower and of the upper block."""
+        along = self.width * sin + self.h1 * cos  # of the hinge, by theta
+        rate = along / (self.edge * s + self.above * c)
+        moved = math.fsum([pushed * (x * sin + z * cos) for _, x, z, pushed in self.lower])
+        return moved + math.fsum([pushed * (along - rate * (x * s + z * c)) for _, x, z, pushed in self.upper])
 
 
 def strip_of(wall: Masonry) -> Strip:
-    """A metre of a wall."""
+    """A metre of length of a wall, of one that spans between transverse walls a metre of its height."""
     height, thickness = known(wall.height), known(wall.thickness)
+    if wall.arch is not None:
+        arch, weight = wall.arch, wall.weight / height * wall.arch.spacing
+        more = sum(load.force for load in wall.loads if load.pushes) / height * arch.spacing
+        thrusts = (max(load.force, 0.0) for load in wall.loads if load.kind == "thrust")  # none helps to hold it
+        pressed = sum(thrusts) / height * arch.spacing
+        weight, ends = weight + more, ((arch.thrust, arch.setback),)
+        return Strip(
+            arch.spacing, thickness, arch.setback, weight, ends, lies=True, pressed=pressed / weight, stands=arch.stands
+        )
     on_top = [load for load in wall.loads if abs(load.height - height) <= ON_TOP * height]
     loads = tuple((load.force, load.depth) for load in on_top)
     below = tuple(Weight(load.force, load.depth, load.height, load.pushes) for load in wall.loads if load not in on_top)
@@ -253,8 +289,8 @@ class Motion:
 
 def _sums(weights: tuple[Weight, ...], masses: tuple[Mass, ...], x_of: Callable[[float], float], z: float) -> Sums:
     """Sums over a block. x_of : x from its hinge; z : height of the hinge [m]"""
-    forces = [(one.force, x_of(one.x), one.z - z) for one in weights]
-    pushed = [row for row, one in zip(forces, weights, strict=True) if one.pushed]
+    forces = [(one.lifted, x_of(one.x), one.z - z) for one in weights]
+    pushed = [(one.force, x_of(one.x), one.z - z) for one in weights if one.pushed]
     moving = [(one.mass, x_of(one.x), one.z - z) for one in masses]
     each = [math.fsum(value) for rows in (forces, pushed, moving) for value in _moments(rows)]
     inertia = math.fsum(m * (x * x + y * y) for m, x, y in moving) + math.fsum(one.own for one in masses)

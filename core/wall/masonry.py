@@ -10,6 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from core.units import G
+from core.wall.arch import Arch
 from core.wall.bars import Bar
 from core.wall.block import Block
 from core.wall.body import Body
@@ -19,7 +20,7 @@ from core.wall.restitution import Contact
 from core.wall.solids import LEAST_BASE, Part, Section, section_area, sections_of, sum_of, top_of
 from core.wall.ties import Tie
 
-BENDS = "vertical_bending"
+BENDS, ARCHES = "vertical_bending", "horizontal_bending"
 """Mechanism of a wall held at its top: kinematic checks, no time histories."""
 
 MOST_COLLAPSE = math.radians(60.0)
@@ -87,20 +88,21 @@ class Declared:
     """What the engineer says of a wall, which no number shows.
 
     restraint : what stands behind it or holds its top, a key of words, None : nothing; evidence, note : what shows it
-    unloaded : that nothing rests on it
+    unloaded : that nothing rests on it; spans : how far the transverse walls behind it stand apart
     """
 
     restraint: str | None = None
     evidence: str | None = None
     note: str = ""
     unloaded: bool = False
+    spans: bool = False
 
 
 @dataclass(frozen=True)
 class Masonry:
     """A wall of one geometry whose keys were judged.
 
-    mechanism : two_sided, one_sided, both or vertical_bending
+    mechanism : two_sided, one_sided, both, vertical_bending or horizontal_bending
     bare : the wall alone about its outer hinge
     height, thickness : to where it meets its restraint, and of its base [m]; None of a block given by its radius
     setback : u, of the hinges inside the edges [m]
@@ -110,6 +112,7 @@ class Masonry:
     felt : height above the ground at which its demand is taken [m], None where it is not given
     parts : its solids, none of a rectangle
     across : the walls behind it, dragged by friction
+    arch : of a wall that spans between transverse walls (horizontal_bending)
     """
 
     name: str
@@ -131,11 +134,12 @@ class Masonry:
     loads: tuple[Load, ...] = ()
     across: ReturnWalls | None = None
     declared: Declared = Declared()
+    arch: Arch | None = None
 
     @property
     def bends(self) -> bool:
-        """Whether it is held at its top and opens a hinge between."""
-        return self.mechanism == BENDS
+        """Whether it is held at its top, or at both ends, and opens a hinge between."""
+        return self.mechanism in (BENDS, ARCHES)
 
     @property
     def is_two_sided(self) -> bool:

@@ -9,7 +9,7 @@ import numpy as np
 from core.report.note.parts import Figure
 from core.report.note.words import Words
 
-SIZES = {1: (8.1, 4.9), 2: (8.1, 4.9), 3: (5.5, 4.5), 4: (4.4, 3.0)}
+SIZES = {1: (8.1, 4.7), 2: (8.1, 4.7), 3: (5.5, 4.1), 4: (4.4, 3.0)}
 """Width and height of a figure by how many stand side by side [cm]."""
 
 TICKS = 5

@@ -9,7 +9,7 @@ from core.codes.capacity_curve import capacity_curve
 from core.codes.dynamic_check import at_demand
 from core.known import known
 from core.report.load_arrows import arrows
-from core.report.note import bending_figure
+from core.report.note import arch_figure, bending_figure
 from core.report.note.parts import Curve, Figure, Label, path
 from core.report.note.words import Words
 from core.report.outlines import in_elevation, in_section
@@ -18,6 +18,7 @@ from core.study.bar_histories import bar_histories
 from core.study.demand_histories import demand_histories
 from core.study.results import StudyResult, WallResult
 from core.units import CM, G
+from core.wall.masonry import ARCHES
 
 TURNED = math.radians(7.0)
 """Rotation of the dashed outline of the mechanism."""
@@ -31,6 +32,8 @@ FULL_BAR = 1.2
 
 def drawing(wall: WallResult, words: Words) -> Figure | None:
     """The wall to scale with its sizes, hinge, restraint, loads and the mechanism; None for a general block."""
+    if wall.wall.mechanism == ARCHES:
+        return arch_figure.drawing(wall, words)
     if wall.wall.bends:
         return bending_figure.drawing(wall, words)
     h, t, u = wall.height, wall.thickness, wall.wall.setback

@@ -96,7 +96,25 @@ CHECK = (
 def _bending(kinematic: Any) -> Any:
     """(mechanism of the start, mechanism of the displacement check) of a wall held at its top."""
     start, moved = kinematic.chain.bending, kinematic.moved.bending
-    return None if start is None or moved is None else (start, moved)
+    of_arch = kinematic.wall.arch is not None
+    return None if start is None or moved is None or of_arch else (start, moved)
+
+
+def _parted(kinematic: Any) -> float | None:
+    """By how much the ends have parted at d_SLV or d_SLC [m]."""
+    moved = kinematic.moved.bending
+    return None if kinematic.d_limit is None else moved.parted(moved.rotation(kinematic.d_limit))
+
+
+ARCH = (
+    number("spacing_m", "m", "clear distance of the transverse walls", "wall.arch.spacing", line="spacing"),
+    number(
+        "thrust_kn_m", "kN/m", "H of its ends, for each metre of height", per(1e3, "wall.arch.thrust"), line="thrust"
+    ),
+    text("limited_by", "arch_tie, arch_shoulder or arch_crushing: what H is limited by", "wall.arch.by"),
+    number("setback_m", "m", "u of its hinges", "wall.arch.setback", line="setback"),
+    number("parted_m", "m", "by how much its ends have parted at d_SLV or d_SLC", _parted),
+)
 
 
 BENDING = (
@@ -169,6 +187,12 @@ KINEMATIC = (
         line="d0_with_ties",
     ),
     number("d_limit_m", "m", "d_SLV or d_SLC", "kinematic.d_limit", line="d_limit"),
+    one(
+        "arch",
+        "of a wall that spans between transverse walls",
+        ARCH,
+        lambda found: found.kinematic if found.kinematic.wall.arch else None,
+    ).optional(),
     one("bending", "of a wall held at its top", BENDING, lambda found: _bending(found.kinematic)).optional(),
     number("period_s", "s", "T_SLV or T_SLC, C8.7.1.10 and .11", "kinematic.period", line="period"),
     number("s_de_m", "m", "displacement demand", "kinematic.s_de", line="s_de"),

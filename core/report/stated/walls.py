@@ -275,7 +275,7 @@ WALL = (
         lambda of: of.wall.threshold / G,
         line="a_rm",
     ),
-    text("mechanism", "one_sided, two_sided or vertical_bending", "wall.mechanism"),
+    text("mechanism", "one_sided, two_sided, vertical_bending or horizontal_bending", "wall.mechanism"),
     text("restitution", "model of restitution", "wall.restitution.model"),
     number("velocity_ratio", "-", "at rest", "wall.restitution.ratio_at_rest", line="velocity_ratio"),
     Quantity("law", "any", "moment-rotation law", lambda of: of.wall.wall.law),

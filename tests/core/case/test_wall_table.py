@@ -24,7 +24,17 @@ Facciata;terra;0;7,0;83;5;19;5;un lato;muri di spina;prova
 Timpano;2;6,5;3.5;45;4;18;;su due lati;;
 """
 
-NESTED_OF_A_WALL = ("load", "return_walls", "justification", "solid", "openings", "steps", "return_wedges", "drawing")
+NESTED_OF_A_WALL = (
+    "load",
+    "return_walls",
+    "arch",
+    "justification",
+    "solid",
+    "openings",
+    "steps",
+    "return_wedges",
+    "drawing",
+)
 """Keys of a wall whose own keys are columns; a drawing is named in the case."""
 
 

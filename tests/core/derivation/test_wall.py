@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 from core.codes.target_spectrum import ntc2018
-from core.derivation import bending, body, checks, closed_forms, demand
+from core.derivation import arch, bending, body, checks, closed_forms, demand
 from core.derivation import wall as of_wall
 from core.derivation.closed_forms import closed
 from core.derivation.geometry import forces_at_limit, geometry, governing_side
@@ -96,6 +96,19 @@ def held_at_top(draw, name):
     return size | ({"load": loads} if loads else {})
 
 
+def between_walls(draw, name):
+    """A wall that spans between transverse walls, by a tie, by masonry beyond or by both."""
+    thickness = round(draw.uniform(0.3, 0.6), 3)
+    tie = {"tie_kn_m": round(draw.uniform(8.0, 600.0), 1), "tie_elongation_m": draw.choice((0.02, 0.3))}
+    beyond = {"shoulder_length_m": 2.5, "shoulder_thickness_m": 0.6}
+    arch = {"spacing_m": round(draw.uniform(3.0, 6.0), 2), **draw.choice((tie, beyond, tie | beyond))}
+    size = {"name": name, "mechanism": "horizontal_bending", "height_m": 3.5, "thickness_m": thickness, "arch": arch}
+    size |= {"compressive_strength_mpa": 1.5, "unit_weight_kn_m3": 18.0, "base_z_m": draw.choice((0.0, 3.0))}
+    push = {"kind": "thrust", "kn_m": 0.5, "h_m": 3.4}
+    roof = {"kind": "vertical", "kn_m": 6.0, "d_m": round(0.5 * thickness, 3), "h_m": 3.5, "mass": "horizontal"}
+    return size | draw.choice(({}, {"load": [push]}, {"load": [roof]}, {"load": [roof, push]}))
+
+
 def wall_of(draw, k):
     """A wall of any kind."""
     height, thickness = round(draw.uniform(2.0, 8.0), 3), round(draw.uniform(0.3, 0.8), 3)
@@ -122,8 +135,11 @@ def wall_of(draw, k):
         "body",
         "body",
         "bends",
+        "spans",
     )
     kind = draw.choice(kinds)
+    if kind == "spans":
+        return between_walls(draw, wall["name"])
     if kind == "bends":
         return held_at_top(draw, wall["name"])
     if kind == "general":
@@ -254,7 +270,7 @@ def results_agree(result, wall, lines):
 def test_that_every_description_gives_the_number_of_the_program_and_none_is_of_nothing(walls):
     described = {
         value.function.__name__
-        for module in (bending, body, checks, closed_forms, demand)
+        for module in (arch, bending, body, checks, closed_forms, demand)
         for value in vars(module).values()
         if isinstance(value, Quantity)
     }

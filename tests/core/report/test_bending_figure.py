@@ -49,3 +49,18 @@ def test_that_the_note_has_its_histories(folder):
     captions = [figure.caption for part in parts if isinstance(part, Figures) for figure in part.figures]
     assert any("at the demand over θc" in caption for caption in captions)
     assert not any("No time histories" in part.text for part in parts if isinstance(part, (Paragraph, Item)))
+
+
+def test_that_a_wall_between_transverse_walls_is_drawn_in_plan_with_its_lines():
+    arch = {"spacing_m": 4.0, "tie_kn_m": 30.0, "tie_elongation_m": 0.06}
+    bare = {key: value for key, value in WALL.items() if key not in ("load", "back_restraint")}
+    wall = bare | {"name": "spans", "mechanism": "horizontal_bending", "arch": arch, "compressive_strength_mpa": 2.0}
+    result = run(parse_case({"wall": [wall], "building": BUILDING, "demand": DEMAND}), base_dir=Path())
+    parts = note(result, "en")
+    (drawn,) = (
+        figure for part in parts if isinstance(part, Figures) for figure in part.figures if "in plan" in figure.caption
+    )
+    labels = " ".join(label.text for label in drawn.labels)
+    assert "L 4.00 m" in labels and "H 30.0 kN/m" in labels
+    cells = {step.cell for part in parts if isinstance(part, Derivation) for step in part.steps}
+    assert {f"wall1_{name}" for name in ("thrust", "setback", "alpha0", "d0", "alpha_d")} <= cells

@@ -244,6 +244,23 @@ def held(folder):
 
 
 @pytest.fixture(scope="module")
+def arches(folder):
+    """Walls between transverse walls, by masonry beyond and by a tie, with what pushes them and without."""
+    own = {"height_m": 3.0, "thickness_m": 0.3, "unit_weight_kn_m3": 18.0, "mechanism": "horizontal_bending"}
+    own |= {"compressive_strength_mpa": 2.0, "base_z_m": 0.0}
+    beyond = {"spacing_m": 4.0, "shoulder_length_m": 3.0, "shoulder_thickness_m": 0.6}
+    along, push = {"tie_kn_m": 60.0, "tie_elongation_m": 0.02}, {"kind": "thrust", "kn_m": 0.4, "h_m": 2.5}
+    pushing = {"kind": "vertical", "kn_m": 12.0, "d_m": 0.1, "h_m": 3.0, "mass": "horizontal"}
+    walls = [
+        {"name": "spans", "arch": beyond, **own},
+        {"name": "tied", "arch": beyond | along, "load": [push, pushing], **own},
+    ]
+    spectrum = {"code": "EN1998", "type": 1, "soil": "B"}
+    building = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
+    return made(folder, wall=walls, demand={"ag_g": 0.2, "spectrum": spectrum}, building=building)[1]
+
+
+@pytest.fixture(scope="module")
 def loads(folder):
     """Walls with every kind of load, hinge setback, return walls, tie, variants, hazard."""
     roof = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.30, "h_m": 3.0, "mass": "none"}
@@ -355,7 +372,7 @@ def test_that_walls_above_the_ground_have_a_sheet_of_their_floors(height, book):
     assert "PFA [g]" in shown and any("wall at 6 m" in str(value) for value in shown)
 
 
-BOOKS = ("book", "ntc", "height", "held", "loads", "bodies")
+BOOKS = ("book", "ntc", "height", "held", "arches", "loads", "bodies")
 
 
 @pytest.fixture(scope="module")

@@ -17,6 +17,12 @@ LIFTING = re.compile(
 """Inputs that lift zeta, and what is left out, in the English of a sentence; the Italian says the same."""
 
 STATES = {
+    "arch_tie",
+    "arch_without_thrust",
+    "arch_parts",
+    "arch_mechanism",
+    "arch_key",
+    "arch_openings",
     "decimated",
     "solid_too_far",
     "alone",

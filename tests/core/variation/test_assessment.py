@@ -253,7 +253,7 @@ def test_that_a_restraint_turns_the_outcome_where_the_wall_fails_without_it(held
     (row,) = (row for row in found.verdict.assumptions if row.key == "back_restraint")
     assert (row.turns, row.zeta, row.source, row.raises) == (turns, free[0], "declared", True)
     assert "opening" in row.reason.text("en") and "saggio" in row.reason.text("it")
-    assert row.words.code == "restraint_fails" and row.value.code == "choice_cross_walls"
+    assert row.words.code == "restraint_fails" and row.value.code == "choice_tied_floors"
 
 
 def test_that_a_restraint_left_out_or_without_evidence_has_no_reason():

@@ -232,7 +232,7 @@ WALL = {
     "mechanism": "one_sided",
     "base_z_m": 0.0,
     "unit_weight_kn_m3": 18.0,
-    "back_restraint": "cross walls",
+    "back_restraint": "tied_floors",
     "unloaded_confirmed": True,
 }
 SPECTRUM = {"code": "EN1998", "type": 1, "soil": "B"}

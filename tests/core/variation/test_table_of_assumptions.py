@@ -29,11 +29,11 @@ from tests.core.ooxml.writers import WRITERS, workbook
 
 NTC = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
 WALL = {"name": "w", "height_m": 4.0, "thickness_m": 0.45, "mechanism": "one_sided", "base_z_m": 0.0}
-WALL |= {"unit_weight_kn_m3": 18.0, "back_restraint": "cross_walls", "restraint_evidence": "opening"}
+WALL |= {"unit_weight_kn_m3": 18.0, "back_restraint": "tied_floors", "restraint_evidence": "opening"}
 PARAPET = {"name": "p", "height_m": 1.2, "thickness_m": 0.25, "mechanism": "two_sided", "base_z_m": 0.0}
 PARAPET |= {"unit_weight_kn_m3": 18.0, "elastic_modulus_mpa": 1000.0, "unloaded_confirmed": True}
 LONE = {"name": "l", "height_m": 6.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0}
-LONE |= {"unit_weight_kn_m3": 18.0, "back_restraint": "cross_walls", "restraint_evidence": "drawing"}
+LONE |= {"unit_weight_kn_m3": 18.0, "back_restraint": "tied_floors", "restraint_evidence": "drawing"}
 LONE |= {"unloaded_confirmed": True}
 LOADED = {key: value for key, value in LONE.items() if key != "unloaded_confirmed"} | {"hinge_heights": "base"}
 HELD = {"name": "v", "height_m": 3.5, "thickness_m": 0.15, "mechanism": "vertical_bending", "base_z_m": 0.0}

@@ -1,0 +1,43 @@
+"""What a case says of a wall between its transverse walls, and the part of the wall that spans there."""
+
+from dataclasses import MISSING, dataclass
+
+from core.case.keys import number_key
+from core.wall import arch
+
+
+@dataclass(frozen=True)
+class Between:
+    """[wall.arch]: the transverse walls between which a wall spans, and what its ends push against.
+
+    spacing_m : clear distance L between two of them
+    tie_kn_m : yield force of the ties along the wall, per metre of its height; tie_elongation_m : what they stand
+    shoulder_length_m, shoulder_thickness_m : of the masonry beyond the last transverse wall, along it and across
+    """
+
+    spacing_m: float = number_key(0.3, 50.0, MISSING, unit="m")
+    tie_kn_m: float | None = number_key(0.0, 10000.0, unit="kN/m", exclusive=True)
+    tie_elongation_m: float | None = number_key(0.0, 10.0, unit="m")
+    shoulder_length_m: float | None = number_key(0.05, 50.0, unit="m")
+    shoulder_thickness_m: float | None = number_key(0.05, 20.0, unit="m", form_unit="cm")
+
+    @property
+    def with_tie(self) -> bool:
+        """Whether ties along the wall are said to hold it."""
+        return self.tie_kn_m is not None
+
+    @property
+    def with_shoulder(self) -> bool:
+        """Whether masonry beyond its ends is."""
+        return self.shoulder_length_m is not None
+
+    def in_si(self, height: float, thickness: float, unit_weight: float, strength: float) -> arch.Arch:
+        """The arch of a wall. height, thickness : [m]; unit_weight : w [N/m3]; strength : f [Pa]"""
+        tie = shoulder = None
+        if self.tie_kn_m is not None and self.tie_elongation_m is not None:
+            tie = 1e3 * self.tie_kn_m, self.tie_elongation_m
+        if self.shoulder_length_m is not None and self.shoulder_thickness_m is not None:
+            sizes = self.shoulder_length_m, self.shoulder_thickness_m
+            parted = arch.parted_flat(self.spacing_m, thickness)
+            shoulder = arch.thrust_of_shoulder(*sizes, height, unit_weight, parted)
+        return arch.arch_of(self.spacing_m, thickness, strength, tie, shoulder)

@@ -1,0 +1,181 @@
+"""A wall between its transverse walls: when it is looked at, what it needs, what decides."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from core.case.rules import parse_case
+from core.case.spanning import spanning, whole_courses
+from core.case.wall_table import text_rows, walls_of
+from core.errors import InputError
+from core.study.run import run
+from tests.clauses_alone import parse_case as clauses_alone
+
+BEYOND = {"shoulder_length_m": 3.0, "shoulder_thickness_m": 0.45}
+TIE = {"tie_kn_m": 30.0, "tie_elongation_m": 0.06}
+WALL = {
+    "name": "facade",
+    "mechanism": "one_sided",
+    "height_m": 3.5,
+    "thickness_m": 0.45,
+    "base_z_m": 0.0,
+    "unit_weight_kn_m3": 18.0,
+    "compressive_strength_mpa": 2.4,
+    "unloaded_confirmed": True,
+    "back_restraint": "cross_walls",
+    "restraint_evidence": "opening",
+}
+DEMAND = {"ag_g": 0.08, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
+BUILDING = {"height_m": 7.0, "storeys": 2, "period_s": 0.25}
+SHOWN = {"arch": "ties seen from end to end, tested by flat jack and pull, report 3"}
+
+
+def wall_of(**changes):
+    table = {key: value for key, value in {**WALL, **changes}.items() if value is not None}
+    return parse_case({"wall": [table]}).wall[0]
+
+
+def study(building=BUILDING, **changes):
+    table = {"wall": [{**WALL, **changes}], "demand": DEMAND} | ({"building": building} if building else {})
+    return run(clauses_alone(table), base_dir=Path())
+
+
+def outcome(result):
+    (one,) = result.verdicts
+    return result.walls[one.governing]
+
+
+@pytest.mark.shows("arch.needed")
+def test_that_cross_walls_without_their_spacing_give_no_more_than_an_indication():
+    bare = study()
+    verdict = outcome(bare).assessed.verdict
+    assert verdict.code == "indicative" and [one.code for one in verdict.limits][:1] == ["no_arch"]
+    assert "[wall.arch]" in verdict.to_do[0].text("en")
+    assert outcome(study(back_restraint="tied_floors")).assessed.verdict.code == "verified"
+    assert outcome(study(arch={"spacing_m": 5.0, **TIE}, justification=SHOWN)).assessed.verdict.code == "verified"
+
+
+@pytest.mark.shows("arch.needed")
+def test_that_the_worse_of_overturning_and_spanning_decides_and_says_where():
+    result = study(arch={"spacing_m": 8.0, "tie_kn_m": 8.0, "tie_elongation_m": 0.002}, justification=SHOWN)
+    assert [wall.mechanism for wall in result.walls] == ["one_sided", "horizontal_bending"]
+    turns, spans = (wall.assessed.verdict for wall in result.walls)
+    assert turns.code == "verified" and spans.code == "not_verified"
+    worst = outcome(result)
+    assert worst.name == "facade (L 8 m)" and worst.assessed.dynamic is None
+    said = result.verdicts[0]
+    assert said.zeta_least == spans.zeta_e
+    from core.report.verdict_words import sentence_of
+
+    assert "between the transverse walls, 8 m apart" in sentence_of(worst, "en")
+    assert "fra i muri trasversali, distanti 8 m" in sentence_of(worst, "it")
+
+
+@pytest.mark.shows("arch.needed")
+def test_that_a_thrust_without_a_reason_is_no_more_than_an_indication_and_its_row_says_so():
+    verdict = outcome(study(arch={"spacing_m": 4.0, **TIE})).assessed.verdict
+    (row,) = [row for row in verdict.assumptions if row.key == "arch"]
+    assert verdict.code == "indicative" and row.turns and row.zeta == 0.0 and not row.has_switch
+    thrust = next(one for one in verdict.limits if one.code == "arch_thrust").text("en")
+    assert "H = 30.0 kN" in thrust and "yield of the ties" in thrust
+
+
+def test_that_its_demand_is_that_at_its_top_and_needs_the_building():
+    verdict = outcome(study(building=None, arch={"spacing_m": 4.0, **TIE})).assessed.verdict
+    assert verdict.code == "undetermined" and verdict.decides.code == "upper_middle"
+    assert spanning(wall_of(arch={"spacing_m": 4.0, **TIE})).felt_z_m == 3.5
+
+
+@pytest.mark.shows("arch.thrust")
+def test_that_more_of_what_holds_it_never_lowers_zeta_of_its_linear_check():
+    draw = np.random.default_rng(11)
+    for _ in range(12):
+        arch = {"spacing_m": round(draw.uniform(3.0, 7.0), 2), **BEYOND, "tie_kn_m": draw.uniform(3.0, 60.0)}
+        arch["tie_elongation_m"] = 0.3
+
+        def zetas(f=2.4, arch=arch, **changes):
+            wall = study(arch=arch | changes, compressive_strength_mpa=f).walls[1]
+            return [check.zeta for check in wall.assessed.checks]
+
+        base = zetas()
+        for more in (zetas(tie_kn_m=1.3 * arch["tie_kn_m"]), zetas(shoulder_length_m=3.5), zetas(f=3.0)):
+            assert all(one >= other * (1.0 - 1e-9) for one, other in zip(more, base, strict=True))
+        assert all(one <= other for one, other in zip(zetas(spacing_m=1.2 * arch["spacing_m"]), base, strict=True))
+
+
+def test_that_loads_that_push_or_press_are_counted_and_weights_hold_nothing_there():
+    arch = {"spacing_m": 5.0, **TIE}
+    loads = (
+        ({"kind": "vertical", "kn_m": 10.0, "d_m": 0.2, "h_m": 3.5, "mass": "none"}, 0.0, 0.0),
+        ({"kind": "vertical", "kn_m": 7.0, "d_m": 0.2, "h_m": 3.5, "mass": "horizontal"}, 10.0, 0.0),
+        ({"kind": "thrust", "kn_m": 0.7, "h_m": 3.4}, 0.0, 1.0),
+    )
+    for load, more, pressed in loads:
+        from core.codes.vertical_bending import bending
+
+        strip = bending(spanning(wall_of(arch=arch, load=[load], unloaded_confirmed=None)).in_si).strip
+        assert strip.weight == pytest.approx(1e3 * (40.5 + more)) and strip.lies
+        assert strip.pressed * strip.weight == pytest.approx(1e3 * pressed)
+
+
+def test_that_whole_courses_bear_the_weight_of_a_wall_with_openings_steps_and_a_gable():
+    shape = {"length_m": 6.0, "gable_m": 0.9, "arch": {"spacing_m": 5.0, **TIE}}
+    shape["openings"] = [
+        {"s_m": 1.0, "z_m": 0.0, "width_m": 1.0, "height_m": 1.2},
+        {"s_m": 3.0, "z_m": 0.8, "width_m": 1.0, "height_m": 0.8},
+    ]
+    wall = wall_of(**shape)
+    assert whole_courses(wall) == pytest.approx(1.0)  # from 1.6 to the eaves at 2.6
+    part = spanning(wall)
+    assert part.height_m == pytest.approx(1.0) and part.felt_z_m == pytest.approx(3.5)
+    from core.codes.vertical_bending import bending
+
+    weight = bending(part.in_si).strip.weight
+    assert weight == pytest.approx(wall.in_si.weight * 5.0, rel=1e-12)  # over a metre of courses
+    thin = wall_of(steps=[{"from_z_m": 2.0, "thickness_m": 0.3}], length_m=6.0, arch=shape["arch"])
+    assert spanning(thin).thickness == 0.3
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"mechanism": "horizontal_bending"}, "[wall.arch]"),
+        ({"mechanism": "two_sided", "arch": {"spacing_m": 5.0, **TIE}}, "one_sided, both or horizontal_bending"),
+        ({"arch": {"spacing_m": 5.0}}, "nothing takes the thrust"),
+        ({"arch": {"spacing_m": 5.0, "tie_kn_m": 5.0}}, "tie_elongation_m go together"),
+        ({"arch": {"spacing_m": 5.0, "shoulder_length_m": 5.0}}, "shoulder_thickness_m go together"),
+        ({"arch": {"spacing_m": 1.2, **TIE}}, "L/t from 3 to 25"),
+        ({"arch": {"spacing_m": 12.0, **TIE}}, "L/t from 3 to 25"),
+        ({"compressive_strength_mpa": None, "arch": {"spacing_m": 5.0, **TIE}}, "compressive_strength_mpa is needed"),
+        ({"arch": {"spacing_m": 5.0, **TIE}, "mechanism": "horizontal_bending", "law": "doherty"}, "law does not go"),
+        (
+            {
+                "arch": {"spacing_m": 5.0, "tie_kn_m": 0.5, "tie_elongation_m": 0.1},
+                "load": [{"kind": "thrust", "kn_m": 2.0, "h_m": 3.0}],
+                "unloaded_confirmed": None,
+                "thickness_m": 0.6,
+            },
+            "without any earthquake",
+        ),
+        (
+            {
+                "arch": {"spacing_m": 5.0, **TIE},
+                "length_m": 6.0,
+                "openings": [{"s_m": 1.0, "z_m": 0.0, "width_m": 1.0, "height_m": 3.2}],
+            },
+            "no arch carries",
+        ),
+    ],
+)
+def test_that_what_is_missing_or_does_not_go_with_it_is_said_in_one_sentence(changes, words):
+    with pytest.raises(InputError) as caught:
+        wall_of(**changes)
+    assert words in str(caught.value) and "facade" in str(caught.value)
+
+
+def test_that_a_table_of_walls_has_its_columns():
+    head = "Parete;H [m];t [m];Meccanismo;z [m];Peso specifico;f [MPa];arco L [m];arch_tie_kn_m [kN/m];"
+    row = "a;3,5;0,45;flessione orizzontale;0;18;2,4;5;30;6"
+    (wall,) = walls_of(text_rows(f"{head}arch_tie_elongation_m [cm]\n{row}"))
+    assert (wall.mechanism, wall.arch.spacing_m, wall.arch.tie_elongation_m) == ("horizontal_bending", 5.0, 0.06)
