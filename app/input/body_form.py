@@ -190,10 +190,10 @@ class BodyForm(WallEditor):
         try:
             length, height = (parse_number(line.text()) for line in (self.brick_length, self.brick_height))
             crack = self.wall.shoulder - wedges.from_z_m
-            found = crack * length / (2.0 * height)
+            wedge_length = crack * length / (2.0 * height)
         except (InputError, TypeError, ZeroDivisionError):
             return None
-        return round(found, 3) if 0.0 < found <= 30.0 else None
+        return round(wedge_length, 3) if 0.0 < wedge_length <= 30.0 else None
 
     def _show_offer(self) -> None:
         offered = self.offered

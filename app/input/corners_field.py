@@ -25,17 +25,17 @@ class CornersField(ParagraphsField):
 
     def offer(self, value: str) -> None:
         """Corners as text into the case; a line that is none is named, and the corners before it stay."""
-        found = []
+        points = []
         for n, line in enumerate(value.splitlines(), start=1):
             parts = re.split(r"[\s;]+", line.strip(" \t;"))
             try:
                 if line.strip():
                     s, z = map(parse_number, parts)
-                    found.append((s, z))
+                    points.append((s, z))
             except ValueError:  # an InputError too
                 self.show_error(tr("line {n}: not s and z", n=n))
                 return
-        corners = corners_of(found)
+        corners = corners_of(points)
         if corners is None:
             self.show_error(tr("too many corners"))
             return

@@ -132,8 +132,8 @@ class DrawingCanvas(QWidget):
     def shape_at(self, position: QPointF) -> int | None:
         """The smallest shape at a place of the widget."""
         point = self._point(position)
-        found = [k for k, shape in enumerate(self.shapes) if holds(shape.corners, point)]
-        return min(found, key=lambda k: polygon_sums(self.shapes[k].corners).area, default=None)
+        hits = [k for k, shape in enumerate(self.shapes) if holds(shape.corners, point)]
+        return min(hits, key=lambda k: polygon_sums(self.shapes[k].corners).area, default=None)
 
     def mousePressEvent(self, event) -> None:
         self.press, self.drags_hinge = event.position(), self._on_hinge(event.position())

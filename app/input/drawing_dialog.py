@@ -189,16 +189,16 @@ class DrawingDialog(QDialog):
         """The outline around a place between lines becomes a shape of the wall, what stands apart in it openings."""
         close, same = CLOSE / self.scale, TOLERANCE / self.scale
         try:
-            found = around(self.sheet.lines, (x, y), close, same)
+            region = around(self.sheet.lines, (x, y), close, same)
         except InputError as error:
             self.words.setText(described(error))
             return
-        made = [Shape(found.layer, corners) for corners in (found.outline, *found.holes)]
-        left = [gap for gap in self.sheet.gaps if gap.at not in {one.at for one in found.closed}]
+        made = [Shape(region.layer, corners) for corners in (region.outline, *region.holes)]
+        left = [gap for gap in self.sheet.gaps if gap.at not in {one.at for one in region.closed}]
         self.sheet = self.sheet._replace(shapes=(*self.sheet.shapes, *made), gaps=tuple(left))
-        self.roles += [BODY, *(OPENING for _ in found.holes)]
+        self.roles += [BODY, *(OPENING for _ in region.holes)]
         self.areas += [self.scale**2 * polygon_sums(shape.corners).area for shape in made]
-        self.closed += [self.scale * gap.size for gap in found.closed]
+        self.closed += [self.scale * gap.size for gap in region.closed]
         with QSignalBlocker(self.list):
             self.list.addItems([""] * len(made))
         self.canvas.show_shapes(self.sheet)
@@ -279,14 +279,14 @@ class DrawingDialog(QDialog):
     def _preview(self, wall: Wall) -> str:
         area, body = sum_of_solids(wall.solid, self.weight)
         x, z = body.centroid
-        found = [
+        properties = [
             tr("area {area} m²", area=number(area, ".2f")),
             f"M {number(body.mass / 1000.0, '.2f')} t ({number(self.weight, 'g')} kN/m³)",
             f"x_G {number(x, '.3f')} m, z_G {number(z, '.3f')} m",
             f"H {number(wall.height_m, '.2f')} m, t {number(100.0 * known(wall.thickness), '.1f')} cm, "
             f"L {number(wall.length_m, '.2f')} m",
         ]
-        return "   ".join(found)
+        return "   ".join(properties)
 
     def _gaps_closed(self) -> str:
         """The gaps that outlines between lines have closed."""
@@ -301,8 +301,8 @@ class DrawingDialog(QDialog):
 
     def _not_read(self) -> str:
         """What the drawing holds besides and is not read: areas and references first."""
-        found = sorted(self.sheet.unread, key=lambda one: not one.is_ground)
-        return tr("Not read: {left}.", left=", ".join(map(str, found[:SHOWN]))) if found else ""
+        unread = sorted(self.sheet.unread, key=lambda one: not one.is_ground)
+        return tr("Not read: {left}.", left=", ".join(map(str, unread[:SHOWN]))) if unread else ""
 
     def _open_outlines(self) -> str:
         if not self.sheet.gaps:

@@ -210,7 +210,7 @@ class WallForm(WallEditor):
         if known is not None and len(walls) != count:  # the same wall, in another place
             ways = (lambda one: one == known, lambda one: one.title == known.title, lambda one: one.name == known.name)
             alike = ((k for k, one in enumerate(walls) if way(one)) for way in ways)
-            self.row = next((k for found in alike for k in found), self.row)
+            self.row = next((k for matches in alike for k in matches), self.row)
         self.row = self.current
         self.shown = (self.wall, len(walls))
         for section in self.sections.values():

@@ -38,11 +38,11 @@ class Bent(NamedTuple):
     hinges: tuple[QPointF, ...] = ()
 
 
-def bent_blocks(found: Bending) -> Bent:
+def bent_blocks(mechanism: Bending) -> Bent:
     """A wall held at its top."""
-    strip, half, at = found.strip, 0.5 * found.strip.thickness, hinges_of(found.strip, found.h1)
-    blocks = outlines(strip, found.h1, shown_rotation(found))
-    hinges = ((at.base, 0.0), (at.between, found.h1), (at.top, strip.height))
+    strip, half, at = mechanism.strip, 0.5 * mechanism.strip.thickness, hinges_of(mechanism.strip, mechanism.h1)
+    blocks = outlines(strip, mechanism.h1, shown_rotation(mechanism))
+    hinges = ((at.base, 0.0), (at.between, mechanism.h1), (at.top, strip.height))
     return Bent(
         tuple([QPointF(half - x, z) for x, z in block] for block in blocks),
         tuple(QPointF(half - x, z) for x, z in hinges),
@@ -91,19 +91,19 @@ def arrows_of(wall: Wall, all_loads: Sequence[Load], height: float, thickness: f
     wall : with the loads that are given
     all_loads : of the wall of the form
     """
-    lines, found = iter(arrows(wall, height, thickness)), []
+    lines, drawn = iter(arrows(wall, height, thickness)), []
     sizes = iter(wall.in_si.loads)
     for k, load in enumerate(all_loads):
         if load in wall.load:
             size = f"{number(abs(next(sizes).force) / 1e3, '.3g')} kN/m"
-            found.append(Arrow(k, next(lines), size))
+            drawn.append(Arrow(k, next(lines), size))
             continue
         at = load.h_m if isinstance(load.h_m, float) else height
         x = thickness - load.d_m if isinstance(load.d_m, float) else 0.5 * thickness
         size = SHORTEST * height
         line = [(x, at + size), (x, at)] if load.is_weight else [(x - size, at), (x, at)]
-        found.append(Arrow(k, line, ""))
-    return found
+        drawn.append(Arrow(k, line, ""))
+    return drawn
 
 
 NEAR = 7.0
@@ -170,8 +170,8 @@ class WallDrawing(QWidget):
                 self.body = BodyDrawing(wall, 0.5 * thickness)
                 self.arrows = arrows_of(wall, all_loads, height, thickness)
                 if wall.bends:
-                    self.bent = bent_blocks(found := bending(wall.in_si))
-                    self.held = HeldTop(found.strip, strip_of(bent_inward(wall).in_si), found.h1)
+                    self.bent = bent_blocks(mechanism := bending(wall.in_si))
+                    self.held = HeldTop(mechanism.strip, strip_of(bent_inward(wall).in_si), mechanism.h1)
             except (InputError, TypeError):
                 pass
         self.update()
@@ -304,10 +304,10 @@ class WallDrawing(QWidget):
 
     def mouseDoubleClickEvent(self, event) -> None:
         at = event.position()
-        found = next((spot for spot in self.spots if spot[0].contains(at)), None) if self.with_sizes else None
-        if found is not None:
+        hit = next((spot for spot in self.spots if spot[0].contains(at)), None) if self.with_sizes else None
+        if hit is not None:
             self.dragged = None
-            area, kind, k = found
+            area, kind, k = hit
             self.asked.emit(kind, k, area)
 
     def mouseReleaseEvent(self, event) -> None:
