@@ -59,7 +59,7 @@ def sides_of(result: StudyResult, wall: WallResult) -> list[Side]:
     """Before and after, or the wall alone, each with the outcome of the wall and the lowest share of its hinges, and as
     the hinge that decides moves; under the record at the demand that turns the first one most."""
     verdicts = walls_beside(result, wall)
-    found = []
+    sides = []
     run = None
     for of_wall in verdicts:
         one = result.walls[of_wall.governing]
@@ -74,8 +74,8 @@ def sides_of(result: StudyResult, wall: WallResult) -> list[Side]:
         share = None if of_wall.zeta_least is None else of_wall.zeta_least / known(one.assessment).verdict.zeta_target
         alone, before = len(verdicts) == 1, of_wall.wall.variant == AS_IS
         title = tr("The wall") if alone else tr("As it is") if before else tr("As designed")
-        found.append(Side(title, one, share, tone_of(result, one), moved.rotation, motion.time_step))
-    return found
+        sides.append(Side(title, one, share, tone_of(result, one), moved.rotation, motion.time_step))
+    return sides
 
 
 def walls_beside(result: StudyResult, wall: WallResult) -> list[WallVerdict]:

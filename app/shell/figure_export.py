@@ -51,12 +51,12 @@ class FigureExport(QObject):
             while True:
                 job.check()
                 try:
-                    found = self.figures.get(timeout=0.05)
+                    figure = self.figures.get(timeout=0.05)
                 except queue.Empty:
                     continue
-                if found is None:
+                if figure is None:
                     break
-                files[folder / f"{start}{plain_name(found[0])}.png"] = png(found[1])
+                files[folder / f"{start}{plain_name(figure[0])}.png"] = png(figure[1])
                 self.figures.task_done()
             job.commit()
             atomic_write.write(files)

@@ -68,12 +68,12 @@ class Film(QObject):
             while True:
                 job.check()
                 try:
-                    found = self.pictures.get(timeout=0.05)
+                    image = self.pictures.get(timeout=0.05)
                 except queue.Empty:
                     continue
-                if found is None:
+                if image is None:
                     break
-                frames.append(frame_of(found))
+                frames.append(frame_of(image))
                 self.pictures.task_done()
                 job.progress(len(frames), count)
             content = gif_of(frames, per_second)

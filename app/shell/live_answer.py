@@ -53,12 +53,12 @@ def _files_of(case: Case | None, base_dir: Path) -> tuple:
     """State of the files that the demand is read from, which another program may change."""
     demand = case.demand if case else None
     names = [name for name in (demand.spectrum_file, demand.hazard_file) if name] if demand else []
-    found = []
+    states = []
     for name in names:
         with contextlib.suppress(OSError):
             status = (base_dir / name).stat()
-            found.append((status.st_mtime_ns, status.st_size))
-    return tuple(found)
+            states.append((status.st_mtime_ns, status.st_size))
+    return tuple(states)
 
 
 class Swing(QWidget):
@@ -204,14 +204,14 @@ class LiveAnswer(Section):
         try:
             demand = known(demand_of(case, base))
             setting = Setting(case, base, (demand, [], []))
-            found = evaluate_wall(setting, None)
+            evaluated = evaluate_wall(setting, None)
         except InputError as error:
             self.ladder.hide()
             self.say(described(error))
             return
         asked = case.record or case.generate or case.select or case.default_histories
         awaited = bool(asked) and demand.limit_state in LIMIT_FRACTION
-        self._show_checks(rungs_of(found, demand.q_code, None, {}, False, awaited), demand.zeta_target)
+        self._show_checks(rungs_of(evaluated, demand.q_code, None, {}, False, awaited), demand.zeta_target)
         if case.select is not None or len(whole.wall) > MOST_WALLS:
             self.say(tr("histories with a run (F5)"))
             return
@@ -231,7 +231,7 @@ class LiveAnswer(Section):
 
     def _start(self, work, arrived) -> None:
         job = self.job = Job(work)
-        job.done.connect(lambda found: arrived(found) if self.job is job else None)
+        job.done.connect(lambda answer: arrived(answer) if self.job is job else None)
         job.failed.connect(lambda words, log: self.say(f"{words} {log}".strip()) if self.job is job else None)
         job.start()
 
@@ -315,13 +315,14 @@ class LiveAnswer(Section):
         self.say(WAITING)
         self._start(lambda job: turned(result, chosen, memory, job.cancelled), self._show_turned)
 
-    def _show_turned(self, found: Evaluation | None) -> None:
-        if found is None:
+    def _show_turned(self, evaluation: Evaluation | None) -> None:
+        if evaluation is None:
             self._say(tr("so it does not stand"), None, theme.current.bad)
             return
-        decides = found.decides
+        decides = evaluation.decides
         self.ladder.show_rungs(
-            [rung_of(check, check is decides, found.dynamic) for check in found.checks], found.scene.demand.zeta_target
+            [rung_of(check, check is decides, evaluation.dynamic) for check in evaluation.checks],
+            evaluation.scene.demand.zeta_target,
         )
-        shade = theme.current.ink if found.satisfied else theme.current.bad
-        self._say(tr("so: {outcome}", outcome=word(found.outcome, current_language())), found.zeta, shade)
+        shade = theme.current.ink if evaluation.satisfied else theme.current.bad
+        self._say(tr("so: {outcome}", outcome=word(evaluation.outcome, current_language())), evaluation.zeta, shade)

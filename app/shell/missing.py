@@ -77,25 +77,25 @@ class Missing(QFrame):
         for field in fields if told else (one for one in fields if one.rule):
             here = next((error for error, place in told if self._is_named(field, error, place)), None)
             field.show_rule(described(here) if here else "")
-        found = [Problem(described(error), partial(self._lead_to, error)) for error in errors]
+        problems = [Problem(described(error), partial(self._lead_to, error)) for error in errors]
         for field in fields:
             if field.wrong:
                 words = f"{field.caption.text()}: {field.error}"
-                found.append(Problem(words, partial(point_at, window.navigator, field)))
+                problems.append(Problem(words, partial(point_at, window.navigator, field)))
         row = window.records.unreadable_row()
         if row is not None:
             words = str(window.records.rows[row][1])
-            found.append(Problem(words, lambda: self._record(row), False))
+            problems.append(Problem(words, lambda: self._record(row), False))
         if logo:
-            found.append(Problem(described(logo), lambda: self._lead_to(logo), False))
-        if refused and not found:
-            found.append(Problem(described(refused), lambda: self._lead_to(refused), False))
+            problems.append(Problem(described(logo), lambda: self._lead_to(logo), False))
+        if refused and not problems:
+            problems.append(Problem(described(refused), lambda: self._lead_to(refused), False))
         if above := self._without_building():
             words = tr(
                 "{walls}: the motion above the ground follows from the building; no verdict without it", walls=above
             )
-            found.append(Problem(words, lambda: window.navigator.ask("building"), False))
-        self.problems = found
+            problems.append(Problem(words, lambda: window.navigator.ask("building"), False))
+        self.problems = problems
         self._write()
 
     def _write(self) -> None:

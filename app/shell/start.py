@@ -103,14 +103,14 @@ def data_folder() -> Path:
 def logged_crash(folder: Path):
     """Where the process ends by a fault of a library, what it was doing goes to a file of this folder. Yields the
     files of earlier starts, each once."""
-    found = []
+    crash_logs = []
     with contextlib.suppress(OSError):
         for file in sorted(folder.glob("crash-*.log")):
             if file.stat().st_size:
-                found.append(file.replace(file.with_suffix(".txt")))
+                crash_logs.append(file.replace(file.with_suffix(".txt")))
     with tempfile.NamedTemporaryFile("w", dir=folder, prefix=f"crash-{VERSION}-", suffix=".log", delete=False) as log:
         faulthandler.enable(log)
-        yield found
+        yield crash_logs
         faulthandler.disable()
     Path(log.name).unlink(missing_ok=True)
 
@@ -129,8 +129,8 @@ class Application(QApplication):
 
 def make(arguments: list[str] | None = None) -> tuple[QApplication, MainWindow]:
     """The application and its window, not shown yet."""
-    found = QApplication.instance()
-    application = found if isinstance(found, QApplication) else Application(arguments or sys.argv[:1])
+    instance = QApplication.instance()
+    application = instance if isinstance(instance, QApplication) else Application(arguments or sys.argv[:1])
     application.setApplicationName(NAME)
     application.setOrganizationName(NAME)
     application.setWindowIcon(QIcon(str(ICON)))

@@ -66,7 +66,7 @@ def key_words(case: Case, k: int, key: SweepKey) -> str:
 def figures_of(points: list[SweepPoint], x: str, factor: float, case: Case) -> list[Figure]:
     """Zeta of each check and q against the key. x : label of its axis; factor : to the unit there"""
     demand = case.demand
-    found = []
+    figures = []
     labels = list(dict.fromkeys(label for point in points for label in point.zeta))
     if demand and labels:
         curves = [
@@ -75,9 +75,9 @@ def figures_of(points: list[SweepPoint], x: str, factor: float, case: Case) -> l
         ]
         ends = tuple(factor * one.value for one in (points[0], points[-1]))
         target = Series(tr("ζ required"), ends, (demand.zeta_target,) * 2, DASHED, len(labels))
-        found.append(Figure("sweep_zeta", tr("ζ of each check"), x, "ζ [-]", (*curves, target)))
+        figures.append(Figure("sweep_zeta", tr("ζ of each check"), x, "ζ [-]", (*curves, target)))
     q = _series("q", points, factor, lambda point: point.q, 0)
-    return [*found, Figure("sweep_q", tr("q of the set"), x, "q [-]", (q,))]
+    return [*figures, Figure("sweep_q", tr("q of the set"), x, "q [-]", (q,))]
 
 
 def check_words(case: Case, label: str) -> str:

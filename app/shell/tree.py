@@ -137,8 +137,8 @@ def _zeta(state: State, k: int) -> float | None:
     if state.finished is not None:
         return state.finished.get(k, (None, False))[0]
     results = state.of_row.get(k, [])
-    found = state.result.walls[results[0]].assessment if state.result and results else None
-    return found.verdict.zeta_e if found else None
+    assessment = state.result.walls[results[0]].assessment if state.result and results else None
+    return assessment.verdict.zeta_e if assessment else None
 
 
 def _wall(state: State, k: int, text: str, depth: int, broken: set[int | None]) -> Row:

@@ -102,11 +102,11 @@ def _when(state: Path) -> str:
 
 def files(folder: Path) -> list[Path]:
     """The recovery files of a folder, the newest first."""
-    found: dict[Path, float] = {}
+    modified: dict[Path, float] = {}
     with contextlib.suppress(OSError):
         for end in STATES:
             for state in folder.glob(f"*.swap{end}"):
                 if state.is_file():
                     file = state.with_name(state.name.removesuffix(end))
-                    found[file] = max(found.get(file, 0.0), state.stat().st_mtime)
-    return sorted(found, key=lambda file: -found[file])
+                    modified[file] = max(modified.get(file, 0.0), state.stat().st_mtime)
+    return sorted(modified, key=lambda file: -modified[file])
