@@ -43,9 +43,9 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str):
         for pattern, text in REFUSED:
-            found = pattern.fullmatch(message)
-            if found:
-                message = terminal(text, words=found["words"]) + self._nearest(found["words"])
+            match = pattern.fullmatch(message)
+            if match:
+                message = terminal(text, words=match["words"]) + self._nearest(match["words"])
                 break
         words = terminal("error: {error}", error=message.removeprefix("argument "))
         self.exit(2, f"{self.format_usage()}{words}\n")
@@ -121,10 +121,10 @@ def _jobs(word: str) -> int:
 
 
 def _part(word: str) -> tuple[int, int]:
-    found = re.fullmatch(r"([0-9]{1,6})/([0-9]{1,6})", word)
-    if not found or not 1 <= int(found[1]) <= int(found[2]):
+    match = re.fullmatch(r"([0-9]{1,6})/([0-9]{1,6})", word)
+    if not match or not 1 <= int(match[1]) <= int(match[2]):
         raise argparse.ArgumentTypeError(terminal("{word!r} is not a part such as 2/8", word=word))
-    return int(found[1]), int(found[2])
+    return int(match[1]), int(match[2])
 
 
 def _scheduler(word: str) -> str:

@@ -190,8 +190,8 @@ class Report:
             book.add(result)
         for wall in result.walls:
             self.check()
-            if len(self._histories) < HISTORY_WALLS and (found := collapse_histories(result, wall)):
-                self._histories.append(found)
+            if len(self._histories) < HISTORY_WALLS and (histories := collapse_histories(result, wall)):
+                self._histories.append(histories)
 
     def write(
         self,

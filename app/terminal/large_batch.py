@@ -175,13 +175,13 @@ def _write(
         worked = False
         for g in range(count):
             raise_if(cancel)()
-            while (found := book.get(g)) is None:
+            while (group_rows := book.get(g)) is None:
                 next(work)
                 worked = True
             if not worked:
                 show.writing(g, count)
-            tally.add(found)
-            yield found
+            tally.add(group_rows)
+            yield group_rows
 
     def put_table(stream: BinaryIO) -> None:
         parquet_file.write(stream, rows(), {"program": f"{NAME} {VERSION}", "case_sha256": large.case.sha256})
