@@ -34,13 +34,13 @@ def elided(name: str, most: int = LEGEND_LETTERS) -> str:
 def ends_of(values: list[np.ndarray], log: bool) -> tuple[float, float] | None:
     """Least and largest place of an axis among these values, None where there is no number. log : whether places are
     their logarithms"""
-    found = np.concatenate([np.empty(0), *values])
+    places = np.concatenate([np.empty(0), *values])
     if log:
-        found = np.log10(found[found > 0.0])
-    found = found[np.isfinite(found)]
-    if not found.size:
+        places = np.log10(places[places > 0.0])
+    places = places[np.isfinite(places)]
+    if not places.size:
         return None
-    low, high = float(found.min()), float(found.max())
+    low, high = float(places.min()), float(places.max())
     half = 0.0 if high > low else 0.5 * abs(low) or 0.5
     return low - half, high + half
 

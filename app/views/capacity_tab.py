@@ -140,13 +140,13 @@ class CapacityTab(ResultTab):
 
     def _overlay(self, result: StudyResult, wall: WallResult) -> None:
         """All records, with mean and scatter as long as none has overturned."""
-        found = [_peaks(result, wall, run) for run in wall.runs]
-        self.peaks.bundle([run_name(run) for run in wall.runs], found)
-        first = min((q[np.isnan(ratio)][0] if np.isnan(ratio).any() else q[-1]) for q, ratio in found)
-        low = max(q[0] for q, _ in found)
+        curves = [_peaks(result, wall, run) for run in wall.runs]
+        self.peaks.bundle([run_name(run) for run in wall.runs], curves)
+        first = min((q[np.isnan(ratio)][0] if np.isnan(ratio).any() else q[-1]) for q, ratio in curves)
+        low = max(q[0] for q, _ in curves)
         if first > low:
             grid = np.geomspace(low, 0.999 * first, 200)
-            values = np.array([np.interp(grid, q, ratio) for q, ratio in found])
+            values = np.array([np.interp(grid, q, ratio) for q, ratio in curves])
             mean, scatter = values.mean(axis=0), values.std(axis=0)
             self.peaks.band(grid, np.maximum(mean - scatter, 0.0), mean + scatter, 0)
             name = tr("mean and standard deviation, until a record overturns")

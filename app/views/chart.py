@@ -358,7 +358,7 @@ class Chart(ChartOutput):
     def _nearest(self, x: float, y: float, log: bool) -> tuple[str, float, float] | None:
         """(curve, x, y) of the data point close to a place of the axes; None where none is."""
         (left, right), (low, high) = self.plot.viewRange()
-        best, found = NEAR, None
+        best, nearest = NEAR, None
         for name, xs, ys in self.data:
             if not xs.size or xs.size != ys.size:
                 continue
@@ -370,8 +370,8 @@ class Chart(ChartOutput):
                 continue
             k = int(np.nanargmin(away))
             if away[k] < best:
-                best, found = float(away[k]), (name, float(xs[k]), float(ys[k]))
-        return found
+                best, nearest = float(away[k]), (name, float(xs[k]), float(ys[k]))
+        return nearest
 
     # menu
 
@@ -413,7 +413,7 @@ class Chart(ChartOutput):
         from app.views.figure_dialogs import axis_limits
 
         (left, right), (low, high) = self.plot.viewRange()
-        found = axis_limits(self, self.labels, (left, right, low, high))
-        if found is not None:
-            self.plot.setXRange(*found[:2], padding=0)
-            self.plot.setYRange(*found[2:], padding=0)
+        limits = axis_limits(self, self.labels, (left, right, low, high))
+        if limits is not None:
+            self.plot.setXRange(*limits[:2], padding=0)
+            self.plot.setYRange(*limits[2:], padding=0)

@@ -344,8 +344,8 @@ class CheckTab(ResultTab):
 
     def _facts(self, result: StudyResult, wall: WallResult) -> str:
         """Five facts by which a reader judges how far the verdict goes."""
-        found = known(wall.assessment)
-        dynamic, facts = found.dynamic, []
+        assessment = known(wall.assessment)
+        dynamic, facts = assessment.dynamic, []
         if dynamic and dynamic.zeta is not None:
             other = f"ζ {digits(dynamic.zeta_16)} – {digits(dynamic.zeta)}"
             facts.append((tr("Scatter: one multiplier in six fails"), other))
@@ -356,15 +356,15 @@ class CheckTab(ResultTab):
         if verdict and (interval := verdict.interval):
             ends = digits(interval.low), "…" if interval.open_end else digits(interval.high)
             facts.append((tr("Other stations, nine of ten"), f"ζ {ends[0]} – {ends[1]}"))
-        if found.lower_bound is not None:
-            facts.append((tr("If the restraint behind fails"), f"ζ {digits(found.lower_bound.zeta)}"))
-        elif found.verdict.lower_bound is not None:
-            facts.append((tr("If what holds the top fails"), f"ζ {digits(found.verdict.lower_bound)}"))
+        if assessment.lower_bound is not None:
+            facts.append((tr("If the restraint behind fails"), f"ζ {digits(assessment.lower_bound.zeta)}"))
+        elif assessment.verdict.lower_bound is not None:
+            facts.append((tr("If what holds the top fails"), f"ζ {digits(assessment.verdict.lower_bound)}"))
         elif dynamic and dynamic.zeta_other:
             side = word(f"confidence_{dynamic.zeta_other.confidence_on}", self.language)
             facts.append((side, f"ζ {digits(dynamic.zeta_other.zeta)}"))
-        if found.sensitivity:
-            facts.append((tr("Other building or height"), f"ζ {digits(least(found.sensitivity.values()))}"))
+        if assessment.sensitivity:
+            facts.append((tr("Other building or height"), f"ζ {digits(least(assessment.sensitivity.values()))}"))
         elif risk := risk_of(result, wall):
             facts.append(("PGA_C", f"{number(risk.pga / G, '.3f')} g"))
         quiet = theme.current.quiet

@@ -38,15 +38,15 @@ class EdgeMarks:
     def beyond(self) -> dict[str, list[str]]:
         """Names of the limits beyond each edge, with their values where the name has none."""
         (left, right), (low, high) = self.chart.plot.viewRange()
-        found: dict[str, list[str]] = {}
+        by_edge: dict[str, list[str]] = {}
         for line, label in self.lines:
             value, upright = line.value(), line.angle % 180 == 90
             first, last = (left, right) if upright else (low, high)
             if first <= value <= last:
                 continue
             sides = ("left", "right") if upright else ("bottom", "top")
-            found.setdefault(sides[int(value > last)], []).append(self._named(label, value))
-        return found
+            by_edge.setdefault(sides[int(value > last)], []).append(self._named(label, value))
+        return by_edge
 
     def _named(self, label: str, value: float) -> str:
         if any(letter.isdigit() for letter in label):

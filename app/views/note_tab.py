@@ -257,15 +257,15 @@ class NoteTab(ResultTab):
 
     def _clicked(self, page: int, y: float) -> None:
         """A number leads to its check, a heading or a row of the first page to its wall."""
-        wall, found = None, None
+        wall, nearest = None, None
         for place in self.pages.places:  # in the order of the text
             if (place["page"], place["y"]) > (page, y + 4.0):
                 break
             wall = place.get("wall", wall)
-            found = place
-        if wall is None or found is None or found["page"] != page or y - found["y"] > REACH:
+            nearest = place
+        if wall is None or nearest is None or nearest["page"] != page or y - nearest["y"] > REACH:
             return
-        (self.picked if "wall" in found else self.checked).emit(wall)
+        (self.picked if "wall" in nearest else self.checked).emit(wall)
 
     def find_next(self) -> None:
         """Go to the next line that holds what is asked for, from the first again after the last."""

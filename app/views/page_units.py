@@ -46,8 +46,8 @@ def _shape(name: str, written: str, matrix: list[float]) -> str | None:
     """A shape whose points a matrix has moved, None where it is none. written : its attributes"""
 
     def value(key: str) -> float:
-        found = re.search(rf'\b{key}="({_NUMBER})"', written)
-        return float(found[1]) if found else 0.0
+        match = re.search(rf'\b{key}="({_NUMBER})"', written)
+        return float(match[1]) if match else 0.0
 
     def points(*places: tuple[float, float]) -> str:
         return " ".join(_at(matrix, *place) for place in places)
@@ -55,8 +55,8 @@ def _shape(name: str, written: str, matrix: list[float]) -> str | None:
     others = re.sub(rf' ?\b(?:x|y|width|height|[xyr][12xy]|c[xy]|r)="{_NUMBER}"', "", written)
     if name in ("polyline", "polygon", "path"):
 
-        def place(found: re.Match) -> str:
-            return _PAIR.sub(lambda pair: points((float(pair[1]), float(pair[2]))), found[0])
+        def place(match: re.Match) -> str:
+            return _PAIR.sub(lambda pair: points((float(pair[1]), float(pair[2]))), match[0])
 
         return f"<{name}{_POINTS.sub(place, written)}/>"
     if name == "rect":

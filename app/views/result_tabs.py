@@ -206,8 +206,8 @@ class SpectraTab(QWidget):
             color = None if rule.passed is None else theme.current.good if rule.passed else theme.current.bad
             value = f"{number(percent * rule.value, '.3g')} {rule.unit}"
             limit = "–" if rule.limit is None else f"{number(percent * rule.limit, '.3g')} {rule.unit}"
-            name, found = word(rule.name, self.language), word(outcome, self.language)
-            rows.append([name, rule.clause, value, limit, found])
+            name, outcome_word = word(rule.name, self.language), word(outcome, self.language)
+            rows.append([name, rule.clause, value, limit, outcome_word])
             colors.append([None, None, None, None, color])
         self.table.show_rows(rows, colors)
         self.table.setVisible(bool(rows))
