@@ -40,11 +40,11 @@ def narrowed(holds: Holds, good: float, bad: float, close: float = 0.0, steps: i
         middle = 0.5 * (good + bad)
         if abs(good - bad) <= close * max(abs(good), abs(bad)) or middle in (good, bad):
             break
-        found = holds(middle)
-        if found:
+        held = holds(middle)
+        if held:
             good = middle
         else:
-            bad, refused = middle, found is None
+            bad, refused = middle, held is None
     return Bracket(good, bad, refused)
 
 
@@ -61,10 +61,10 @@ def edge(holds: Holds, start: float, ends: tuple[float, float], rises: bool, ste
     while value != last:
         before = value
         value = min(step * value, last) if upwards else max(value / step, last)
-        found = holds(value)
-        if bool(found) != inside:
+        held = holds(value)
+        if bool(held) != inside:
             sides = (before, value) if inside else (value, before)
-            refused = inside and found is None
+            refused = inside and held is None
             good, bad, last_refused = narrowed(holds, *sides, close)
             return Edge(good, bad, last_refused or (refused and bad == sides[1]))
     return Edge(value, None) if inside else Edge(None, value)

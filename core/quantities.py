@@ -128,11 +128,11 @@ def unit_of(text: str) -> Unit | None:
             base = BASES.get(token)  # whole first: cm2 is no word, mmq and ° are
             power = 1
             if base is None:
-                found = _TOKEN.fullmatch(token)
-                base = BASES.get(found[1]) if found else None
-                if found is None or base is None or found[2] is None:
+                match = _TOKEN.fullmatch(token)
+                base = BASES.get(match[1]) if match else None
+                if match is None or base is None or match[2] is None:
                     return None
-                power = int(found[2])
+                power = int(match[2])
             power *= sign
             factor *= base.factor**power
             exponents = [have + power * one for have, one in zip(exponents, base[1:], strict=True)]

@@ -20,10 +20,10 @@ class TooLarge(OSError):
 
 def refuse_irregular(stream: BinaryIO) -> os.stat_result:
     """Return what the system says of an open file. Raises OSError for a device, a pipe, a socket: they have no end."""
-    found = os.fstat(stream.fileno())
-    if not stat.S_ISREG(found.st_mode):
+    status = os.fstat(stream.fileno())
+    if not stat.S_ISREG(status.st_mode):
         raise OSError(errno.EINVAL, "not a regular file")
-    return found
+    return status
 
 
 def read_regular(path: Path, most: int) -> bytes:

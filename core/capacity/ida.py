@@ -203,8 +203,8 @@ class _Map:
             middles = [part[1:-1] for part in points]
             outcomes, peaks, _ = yield from self.analyse(np.concatenate(middles))
             cuts = np.cumsum([part.size for part in middles])[:-1]
-            found = zip(wanted, np.split(outcomes, cuts), np.split(peaks, cuts), strict=True)
-            flags = [(self.reaches(codes, most, fractions[k]), codes == IMPACT_LIMIT) for k, codes, most in found]
+            by_fraction = zip(wanted, np.split(outcomes, cuts), np.split(peaks, cuts), strict=True)
+            flags = [(self.reaches(codes, most, fractions[k]), codes == IMPACT_LIMIT) for k, codes, most in by_fraction]
             edges = all_narrowed(edges, points, flags)
         for k, bracket in zip(wanted, edges, strict=True):
             pairs[k] = bracket

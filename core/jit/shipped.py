@@ -97,8 +97,8 @@ def library() -> Library:
 
         folder = Path(llvmlite.__file__).resolve().parents[1] / PACKAGE
         if folder.is_dir() and only_own(folder, ROOT) and only_own(folder / INDEX, ROOT):
-            found, purpose = read(folder)
-            return found if purpose == made_for() else NOTHING
+            shipped, purpose = read(folder)
+            return shipped if purpose == made_for() else NOTHING
     except (OSError, ValueError, LookupError, TypeError, RecursionError, ImportError):
         pass
     return NOTHING

@@ -82,16 +82,16 @@ class Package:
         itself; a part without relations has none, and what lies outside the package is left out."""
         folder, _, name = _key(source).rpartition("/")
         held = posixpath.join(folder, "_rels", f"{name}.rels")
-        found = {}
+        relations = {}
 
         def start(parent: str, name: str, attributes: dict[str, str]) -> None:
             if name == "Relationship" and attributes.get("TargetMode") != "External":
                 target = _key(posixpath.join("/", folder, attributes["Target"].replace("\\", "/")))
-                found[attributes["Id"]] = (attributes["Type"].rpartition("/")[2], target)
+                relations[attributes["Id"]] = (attributes["Type"].rpartition("/")[2], target)
 
         if held in self.parts:
             self.parse(held, start)
-        return found
+        return relations
 
     def one(self, source: str, kind: str) -> str | None:
         """The part a relation of this type leads to from another, None without one."""

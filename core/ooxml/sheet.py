@@ -368,7 +368,7 @@ def letters(column: int) -> str:
     return name
 
 
-def spoken(found: Sequence) -> str:
+def spoken(items: Sequence) -> str:
     """Cells (row, column), merged areas, rows, or names in a sentence."""
 
     def one(item) -> str:
@@ -377,14 +377,14 @@ def spoken(found: Sequence) -> str:
             return ":".join(ends)
         return str(item)
 
-    named = ", ".join(one(item) for item in found[:MAX_SPOKEN])
-    return named if len(found) <= MAX_SPOKEN else f"{named}, … ({len(found)})"
+    named = ", ".join(one(item) for item in items[:MAX_SPOKEN])
+    return named if len(items) <= MAX_SPOKEN else f"{named}, … ({len(items)})"
 
 
-def refuse_cells(found: dict[str, Sequence]) -> None:
-    """Raise InputError that names all cells which hold no value of their own, if there are any. found : by their kind,
-    a code of what is accepted"""
-    kinds = tuple(sentence("accepted", kind, cells=spoken(cells)) for kind, cells in found.items() if cells)
+def refuse_cells(cells_by_kind: dict[str, Sequence]) -> None:
+    """Raise InputError that names all cells which hold no value of their own, if there are any. cells_by_kind : the
+    kind is a code of what is accepted"""
+    kinds = tuple(sentence("accepted", kind, cells=spoken(cells)) for kind, cells in cells_by_kind.items() if cells)
     if kinds:
         raise InputError("cells_without_value", cells=kinds)
 

@@ -451,13 +451,13 @@ def locate_impacts(falling, dt, model, rest_below, order, bars, state):
         k = shift + j
         v, side = series_of(k, order, state), state[PLAIN + j]
         t = state[TIME + k]
-        part, top, found = landing(v, state[PHI + k], 1.0)
+        part, top, located = landing(v, state[PHI + k], 1.0)
         speed = fma(change(v, part), state[PER_STEP + k], state[SPEED + k])
         arriving = max(-speed, 0.0)
         ratio = ratio_or_whole(model, bars, side, arriving)
         speed = max(ratio, 0.0) * arriving
         t = fma(part * state[PART + k], 1.0 - t, t)
-        plain = found & (top <= state[PEAK + k]) & (part < 1.0) & (t < 1.0) & (ratio >= 0.0)
+        plain = located & (top <= state[PEAK + k]) & (part < 1.0) & (t < 1.0) & (ratio >= 0.0)
         after = RESTS if speed < slowest_of(rest_below, model.other, side) else MOVES
         state[PLAIN + j] = after if plain else NOT_LOCATED
         state[SPEED + k] = speed

@@ -84,10 +84,10 @@ def value(which, y, side):
     """One of the functions of y, continued beyond its ends. which : V, X, POTENTIAL or THETA; side : Side"""
     at = y * side.scale
     piece = min(max(int(at), 0), PIECES - 1)
-    s, found = 2.0 * (at - piece) - 1.0, 0.0
+    s, total = 2.0 * (at - piece) - 1.0, 0.0
     for k in range(DEGREE, -1, -1):
-        found = found * s + side.values[piece, which, k]
-    return found
+        total = total * s + side.values[piece, which, k]
+    return total
 
 
 @subkernel
@@ -95,10 +95,10 @@ def slope(which, y, side):
     """The derivative of `value` by y."""
     at = y * side.scale
     piece = min(max(int(at), 0), PIECES - 1)
-    s, found = 2.0 * (at - piece) - 1.0, 0.0
+    s, total = 2.0 * (at - piece) - 1.0, 0.0
     for k in range(DEGREE, 0, -1):
-        found = found * s + k * side.values[piece, which, k]
-    return 2.0 * side.scale * found
+        total = total * s + k * side.values[piece, which, k]
+    return 2.0 * side.scale * total
 
 
 @subkernel

@@ -142,13 +142,13 @@ def root(order, y, terms, low, high):
     if not low < time < high:
         time = 0.5 * (low + high)
     for _ in range(100):
-        found = derived(order, y, terms, time)
-        if (found > 0.0) == positive:
+        residual = derived(order, y, terms, time)
+        if (residual > 0.0) == positive:
             low = time
         else:
             high = time
         rate = derived(order + 1, y, terms, time) if order < 2 else 0.0
-        step = found / rate if rate != 0.0 else high - low
+        step = residual / rate if rate != 0.0 else high - low
         if abs(step) <= least or high - low <= least:  # asked first: from there on rounding may leave the bracket
             break
         time = time - step if low < time - step < high else 0.5 * (low + high)

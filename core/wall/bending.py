@@ -286,9 +286,9 @@ def _moving(strip: Strip, h1: float) -> list[tuple[float, float]]:
 def _rates(strip: Strip, h1: float) -> list[tuple[float, float, float]]:
     """Sideways, upwards [m] and turn of each mass by a unit of theta at rest."""
     (lower, upper), at, k = masses_of(strip, h1), hinges_of(strip, h1), h1 / (strip.height - h1)
-    found = [(one.z, one.x - at.base, 1.0) for one in lower]
+    of_lower = [(one.z, one.x - at.base, 1.0) for one in lower]
     rise = at.between - at.base
-    return found + [(h1 - k * (one.z - h1), rise + k * (at.between - one.x), k) for one in upper]
+    return of_lower + [(h1 - k * (one.z - h1), rise + k * (at.between - one.x), k) for one in upper]
 
 
 class HeldTop(NamedTuple):
