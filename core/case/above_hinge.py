@@ -126,10 +126,10 @@ def above_cracks(parts: Sequence[Part], hinge: float, face: float) -> list[tuple
     if min(z for _, z in behind) <= foot + 1e-9:  # it stands on something, or is a block
         return [tuple(cut) for cut in cuts]
     flat = max(x / (z - foot) for x, z in behind)
-    found = []
+    polygons = []
     for part, cut in zip(parts, cuts, strict=True):
         if part in dragged and cut:
             turned = cut_above([(z, face - part.start - s + flat * z) for s, z in cut], 0.0)
             cut = [(face - part.start + flat * z - left, z) for z, left in turned]
-        found.append(tuple(cut))
-    return found
+        polygons.append(tuple(cut))
+    return polygons

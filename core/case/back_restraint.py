@@ -39,8 +39,8 @@ def with_choice(table: dict) -> dict:
     parts = "".join(letter if letter.isalnum() else " " for letter in words).split()
     if set(parts) & set(DENIALS) or not names_something(said):
         return table
-    found = next((name for name, known in OLD_WORDS.items() if any(one in words for one in known)), "other")
-    return {"restraint_note": said, **table, "back_restraint": found}
+    choice = next((name for name, known in OLD_WORDS.items() if any(one in words for one in known)), "other")
+    return {"restraint_note": said, **table, "back_restraint": choice}
 
 
 _GONE = re.compile(r"\b(?:crollat|demolit|rimoss|inesistent|collapsed|demolished|removed)\w*", re.IGNORECASE)

@@ -47,7 +47,7 @@ def spans_of(wall: Wall) -> tuple[tuple[float, float], ...]:
 
 def _holds(wall: Wall, ties: Sequence[float]) -> list[float]:
     """Heights of the ties that stand what the stretches below and above push on them with as they bend [m]."""
-    found, strength = [], {}
+    heights, strength = [], {}
     for load, one in zip(wall.load, wall.in_si.loads, strict=True):
         if load.is_tie:
             strength[load.h_m] = strength.get(load.h_m, 0.0) + one.force
@@ -58,8 +58,8 @@ def _holds(wall: Wall, ties: Sequence[float]) -> list[float]:
         lower, upper = (bending(between(wall, *pair).in_si) for pair in ((below, height), (height, above)))
         pushes = lower.top_force + upper.alpha0 * upper.mass * G - upper.top_force
         if strength[height] >= pushes:
-            found.append(height)
-    return found
+            heights.append(height)
+    return heights
 
 
 def _at_yield(wall: Wall) -> float:

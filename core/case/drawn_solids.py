@@ -226,9 +226,9 @@ def with_solids(wall: Wall, made: Sequence[dict], sizes: bool) -> Wall:
     across = [s for s, z in corners if z == 0.0] or along
     depth = body[0].to_m - body[0].from_m
     widths = (depth, max(along) - min(along)) if body[0].plane == "elevation" else (max(across) - min(across), depth)
-    found = {"height_m": max(z for _, z in corners), "thickness_m": widths[0], "length_m": widths[1]}
+    extents = {"height_m": max(z for _, z in corners), "thickness_m": widths[0], "length_m": widths[1]}
     given = {"height_m": wall.height_m, "thickness_m": wall.thickness, "length_m": wall.length_m}
-    values: dict[str, Any] = {k: round(value, DIGITS) for k, value in found.items() if sizes or given[k] is None}
+    values: dict[str, Any] = {k: round(value, DIGITS) for k, value in extents.items() if sizes or given[k] is None}
     if "thickness_m" in values:
         others = ("slenderness_deg", "height_over_thickness", "radius_m", "inertia_over_mass_m2")
         values |= dict.fromkeys(others)

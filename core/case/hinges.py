@@ -80,15 +80,15 @@ def usual_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
     shape = changes(wall.parts) if wall.parts else ()
     others = [*loads, *(storey_ends(wall, building) if building else ())]
     apart = [height for height in others if all(abs(height - z) > SAME_HINGE + SNAP for z in shape)]
-    found: list[float] = []
+    heights: list[float] = []
     for height in sorted({*shape, *apart}):
         faces = contact_at(wall.parts, height) if wall.parts else None
         thickness = min(faces[1] - faces[0], wall.thickness) if faces else wall.thickness
         highest = wall.height_m - max(SLENDER_ABOVE * thickness, LEAST_HEIGHT)
-        near = bool(found) and height - found[-1] <= SAME_HINGE + SNAP and height not in shape
+        near = bool(heights) and height - heights[-1] <= SAME_HINGE + SNAP and height not in shape
         if LEAST_HEIGHT <= height <= highest + 1e-9 and not near:
-            found.append(height)
-    return tuple(found)
+            heights.append(height)
+    return tuple(heights)
 
 
 def check_hinges(wall: Wall, building: Building | None) -> None:

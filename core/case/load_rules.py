@@ -47,8 +47,8 @@ def check_given(wall: Wall) -> None:
     if across is not None:
         if wall.length_m is None:
             raise InputError("return_walls_need_length", place=here, key="length_m")
-        if (found := across.number * across.thickness_m) > wall.length_m:
-            raise InputError("return_walls_too_many", place=here, found=found, length=wall.length_m)
+        if (total_thickness := across.number * across.thickness_m) > wall.length_m:
+            raise InputError("return_walls_too_many", place=here, found=total_thickness, length=wall.length_m)
     for key, given in (("return_walls", across), ("tie_height_m", tie)):
         if given is not None and wall.mechanism == "two_sided":
             raise InputError("holds_one_side", place=here, key=key)
@@ -220,9 +220,9 @@ def _held_inward(wall: Masonry) -> float:
 def _check_inward(wall: Wall, here, numbers: tuple[int, ...]) -> None:
     """Raise InputError for ties, or other forces inward, under which the wall opens a hinge above its base.
     numbers : of the loads, the strongest of which is named"""
-    found = wall.in_si
-    forces, held = _forces_inward(found), _held_inward(found)
-    if not held or (hinge := hinge_inside(found)) is None:
+    masonry = wall.in_si
+    forces, held = _forces_inward(masonry), _held_inward(masonry)
+    if not held or (hinge := hinge_inside(masonry)) is None:
         return
     k = forces.index(max(forces))
     raise InputError(
@@ -231,5 +231,5 @@ def _check_inward(wall: Wall, here, numbers: tuple[int, ...]) -> None:
         key="kn_m" if wall.load[k].bar is None else "diameter_mm",
         found=1e-3 * held,
         hinge=hinge,
-        most=1e-3 * held * largest_tie_share(found),
+        most=1e-3 * held * largest_tie_share(masonry),
     )

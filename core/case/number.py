@@ -38,10 +38,10 @@ def parse_quantity(text: str, unit: str, bare: float = 1.0) -> float:
 
     unit : of the key, empty for a number without one; bare : what a number without a unit is multiplied with
     """
-    found = _WITH_UNIT.fullmatch(text.strip())
-    if found is None:
+    match = _WITH_UNIT.fullmatch(text.strip())
+    if match is None:
         return parse_number(text) * bare
-    value, factor = parse_number(found[1]), factor_to(found[2], unit)
+    value, factor = parse_number(match[1]), factor_to(match[2], unit)
     if factor is None:
         raise InputError("unit_of_number", text=text.strip()[:SHOWN_LETTERS], known=WRITTEN.get(unit, unit))
     return value * factor
@@ -56,9 +56,9 @@ def parse_formula(text: str, unit: str, bare: float = 1.0) -> float:
     """A sum or product of numbers as one types it into a form, with brackets, a unit at its end: `(30+40)/2 cm`. Raises
     InputError as `parse_quantity`. unit, bare : as there"""
     rest, tokens = text.strip().translate(_MARKS), []
-    while (found := _TOKEN.match(rest)) and len(tokens) <= MAX_TOKENS:
-        tokens.append(found[1])
-        rest = rest[found.end() :]
+    while (match := _TOKEN.match(rest)) and len(tokens) <= MAX_TOKENS:
+        tokens.append(match[1])
+        rest = rest[match.end() :]
     wrong = InputError("not_a_number", text=text.strip()[:SHOWN_LETTERS])
     if not 1 < len(tokens) <= MAX_TOKENS:
         raise wrong

@@ -58,8 +58,8 @@ def check_short_forms(wall: Wall, here) -> None:
     if wedges is None:
         return
     if wedges.number * wedges.thickness_m > length + TOUCH:
-        found = wedges.number * wedges.thickness_m
-        raise InputError("wedges_too_long", place=here, key="return_wedges", found=found, most=length)
+        total_thickness = wedges.number * wedges.thickness_m
+        raise InputError("wedges_too_long", place=here, key="return_wedges", found=total_thickness, most=length)
     high = wall.shoulder - wedges.from_z_m
     if wedges.length_at_top_m > STEEPEST * high + TOUCH:
         raise InputError("crack_too_flat", place=here, key="length_at_top_m", found=wedges.length_at_top_m, most=high)
@@ -97,7 +97,7 @@ def _heights(parts) -> list[tuple[float, bool]]:
         wide = [min(part.polygon)[1], max(part.polygon)[1]]
         levels |= {*zs} if part.weight > 0.0 or len(zs) < ROUND_FROM else {min(zs), max(zs), *wide}
     ordered = sorted(levels)
-    found: list[tuple[float, bool]] = []
+    heights: list[tuple[float, bool]] = []
     for low, high in itertools.pairwise(ordered):
         if high - low <= 2.0 * INTO:
             continue
@@ -107,9 +107,9 @@ def _heights(parts) -> list[tuple[float, bool]]:
                 if part.weight > 0.0 and min(z0, z1) < high and max(z0, z1) > low and z0 != z1:
                     moves.append(abs((s1 - s0) / (z1 - z0)) * (high - low))
         count = min(2 + math.ceil(max(moves) / DRIFT), MOST_HEIGHTS)
-        found += [(low + (high - low) * k / count, False) for k in range(count)]
-        found.append((high, True))
-    return found
+        heights += [(low + (high - low) * k / count, False) for k in range(count)]
+        heights.append((high, True))
+    return heights
 
 
 def _check_pieces(wall: Wall, parts: tuple[Part, ...], here) -> None:
@@ -192,9 +192,9 @@ def _check_behind(wall: Wall, parts: tuple[Part, ...], here) -> None:
     seen = [s for part in rest if part.plane == "elevation" for s, _ in part.polygon]
     seen += [end for part in rest if part.plane == "section" for end in part.ends]
     most = max(length, max(seen) - min(seen)) if seen else length
-    found = max(length_of(cells_of(pieces_at(behind, z))) for z in _middles(behind))
-    if found > most + TOUCH:
-        raise InputError("wedges_too_long", place=here, key="solid", found=found, most=most)
+    longest = max(length_of(cells_of(pieces_at(behind, z))) for z in _middles(behind))
+    if longest > most + TOUCH:
+        raise InputError("wedges_too_long", place=here, key="solid", found=longest, most=most)
 
 
 def _box(part: Part) -> list[tuple[float, float]]:
@@ -229,7 +229,7 @@ def _check_foot(wall: Wall, parts: tuple[Part, ...], here) -> None:
     if carried < CARRIED * length_of(base) and all(part.plane != "oblique" for part in placed):
         raise InputError("foot_short", place=here, found=carried, whole=length_of(base))
     if faces is None or faces[0] > most + TOUCH:
-        found = math.inf if faces is None else faces[0]
-        raise InputError("foot_alone", place=here, found=found, z=low, most=most)
+        outer_face = math.inf if faces is None else faces[0]
+        raise InputError("foot_alone", place=here, found=outer_face, z=low, most=most)
     if "two_sided" in wall.mechanisms() and faces[1] < thickness - most - TOUCH:
         raise InputError("inner_foot_alone", place=here, found=thickness - faces[1], z=low, most=most)

@@ -105,8 +105,8 @@ def load_of(error: InputError) -> int | None:
         values = dict(getattr(part, "values", ()))
         if getattr(part, "code", "") == "load":
             return values["n"] - 1
-        if found := re.match(r"\[\[load\]\] (\d+)", str(values.get("name", ""))):
-            return int(found[1]) - 1
+        if match := re.match(r"\[\[load\]\] (\d+)", str(values.get("name", ""))):
+            return int(match[1]) - 1
     return None
 
 

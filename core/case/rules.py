@@ -201,8 +201,8 @@ def with_walls(case: Case, walls: list[Wall], accepted: dict[int, Accepted] | No
 
 def _accepted(k: int, wall: Wall, building: Building | None, names: set[str], beside: tuple) -> Accepted:
     """Check the parts of a wall above its hinges. Raises InputError. names : of the walls of the case"""
-    found = parts_of(k, wall, building)
-    for part in found:
+    parts = parts_of(k, wall, building)
+    for part in parts:
         if (part.hinge or part.top) and part.wall.name in names:
             raise InputError("same_name", key="name", wall=part.wall.name)
         check_loads(part.wall, numbers_above(part.asked, part.hinge), bends=bool(spans_of(wall)))
@@ -212,9 +212,9 @@ def _accepted(k: int, wall: Wall, building: Building | None, names: set[str], be
             check_given(part.wall)
             for mechanism in part.wall.mechanisms():
                 part.wall.restitution_of(mechanism)
-    heights = (part.wall.felt_z_m for part in found if part.wall.above_ground)
-    above = tuple(part.wall.name for part in found if part.hinge or part.top)
-    hinges = tuple(part.hinge for part in found[1:] if part.top is None)
+    heights = (part.wall.felt_z_m for part in parts if part.wall.above_ground)
+    above = tuple(part.wall.name for part in parts if part.hinge or part.top)
+    hinges = tuple(part.hinge for part in parts[1:] if part.top is None)
     return Accepted(wall, beside, hinges, above, frozenset(z for z in heights if z is not None))
 
 

@@ -33,13 +33,13 @@ def check_known_shape(wall: Wall) -> None:
     if not wall.has_shape:
         return
     try:
-        found = _found(replace(wall, **BESIDE))
+        refusal = _found(replace(wall, **BESIDE))
     except TypeError:  # a value that is no key of a memory
         check_shape(wall)
         return
-    if found is not None:
-        error = copy.copy(found)
-        error.place = (place("wall", name=wall.title), *found.place[1:])
+    if refusal is not None:
+        error = copy.copy(refusal)
+        error.place = (place("wall", name=wall.title), *refusal.place[1:])
         raise error
 
 

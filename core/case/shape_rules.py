@@ -100,8 +100,8 @@ def _along(part: Part, s: float, n: float) -> float:
 
 def _reach(part: Part, of) -> tuple[float, float]:
     """Least and largest coordinate of a solid [m]. of : the coordinate, _inward or _along"""
-    found = [of(part, s, n) for s, _ in part.polygon for n in part.ends]
-    return min(found), max(found)
+    coordinates = [of(part, s, n) for s, _ in part.polygon for n in part.ends]
+    return min(coordinates), max(coordinates)
 
 
 def _extent(parts: tuple[Part, ...]) -> float:

@@ -150,8 +150,8 @@ def _pair(value, least: float, most: float) -> tuple[float, float] | None:
 
 
 def _range(entry, value, here):
-    found = _pair(value, *PERIOD_LIMITS)
-    return found if found and found[0] < found[1] else None
+    pair = _pair(value, *PERIOD_LIMITS)
+    return pair if pair and pair[0] < pair[1] else None
 
 
 def _factors(entry, value, here):
@@ -171,9 +171,9 @@ def _list(entry, value, here):
 
 def _texts(entry, value, here):
     """Read one text or several as a tuple; None for anything else."""
-    found = [value] if isinstance(value, str) else value
-    fits = isinstance(found, (list, tuple)) and all(_is_short_text(text) and text for text in found)
-    return tuple(found) if fits and (found or entry.default == ()) else None
+    texts = [value] if isinstance(value, str) else value
+    fits = isinstance(texts, (list, tuple)) and all(_is_short_text(text) and text for text in texts)
+    return tuple(texts) if fits and (texts or entry.default == ()) else None
 
 
 def _tables(entry, value, here):
@@ -294,11 +294,11 @@ def accepted_by(entry) -> Sentence:
 def value_of(entry, value, *here):
     """Check one value against its field; raises InputError with place, value, accepted. here : the place."""
     read, accepted = KINDS[entry.metadata["kind"]]
-    found = read(entry, value, here)
-    if found is None:
+    converted = read(entry, value, here)
+    if converted is None:
         shown = repeated(value)
         raise InputError("not_accepted", place=here, key=entry.name, value=shown, accepted=accepted(entry), found=value)
-    return found
+    return converted
 
 
 def repeated(value) -> str:

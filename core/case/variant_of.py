@@ -76,7 +76,7 @@ def contracted(walls: list[dict], stated) -> list[dict]:
     originals = {
         wall.get("name"): wall for wall, old in reversed(list(zip(walls, stated, strict=True))) if KEY not in old
     }
-    found = list(walls)
+    written = list(walls)
     for k, old in enumerate(stated):
         original = originals.get(str(old[KEY])) if KEY in old else None
         if original is not None:
@@ -85,5 +85,5 @@ def contracted(walls: list[dict], stated) -> list[dict]:
                 del own["variant"]
             replaced = {key for keys in ALTERNATIVES if any(key in own for key in keys) for key in keys}
             gone = dict.fromkeys(original.keys() - walls[k].keys() - replaced, "")
-            found[k] = {KEY: old[KEY], **own, **gone}
-    return found
+            written[k] = {KEY: old[KEY], **own, **gone}
+    return written

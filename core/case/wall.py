@@ -130,15 +130,15 @@ class Wall(Shaped):
         if self.compressive_strength_mpa is None or self.thickness is None:
             return self.hinge_setback_m
         parts, weight = self.parts, known(self.unit_weight_kn_m3)
-        found = weight_per_metre(parts, self.length_m, 1e3 * weight, self.thickness, self.height_m)
+        vertical_force = weight_per_metre(parts, self.length_m, 1e3 * weight, self.thickness, self.height_m)
         if self.load:
-            found += self._vertical_loads()
+            vertical_force += self._vertical_loads()
         if parts:
             whole = base_length(parts, known(self.length_m), self.thickness)
             if not whole:
                 raise InputError("nothing_at_base", place=(place("wall", name=self.title),), key="solid")
-            found *= known(self.length_m) / whole
-        return 2.0 * found / (3.0 * 1e6 * self.compressive_strength_mpa)
+            vertical_force *= known(self.length_m) / whole
+        return 2.0 * vertical_force / (3.0 * 1e6 * self.compressive_strength_mpa)
 
     def _vertical_loads(self) -> float:
         """Sum of the vertical loads [N/m]. Raises InputError where one has no size yet."""

@@ -33,10 +33,12 @@ class Column(NamedTuple):
 def columns() -> dict[str, Column]:
     """Name of a column -> column, of every key of a wall, also of those of its loads and return walls: "load1_kn_m",
     "across_friction". One of these is called by the title of the load and by its own, the first by the former alone."""
-    found = {}
+    by_name = {}
     for entry in fields(Wall):
         if entry.metadata["kind"] not in NESTED:
-            found[entry.name] = Column(entry, frozenset((entry.name, *_titles(entry.name, 0), *_titles(entry.name, 1))))
+            by_name[entry.name] = Column(
+                entry, frozenset((entry.name, *_titles(entry.name, 0), *_titles(entry.name, 1)))
+            )
         for n in range(1, MOST_LOADS + 1) if "columns" in entry.metadata else ():
             inside = [inner for inner in fields(entry.metadata["of"]) if inner.metadata["kind"] not in NESTED]
             for k, inner in enumerate(inside):
@@ -46,8 +48,8 @@ def columns() -> dict[str, Column]:
                     before = whole.format(n=n)
                     ends = [f" {title}" for title in _titles(inner.name, language)]
                     titles |= {before + end for end in (*ends, *([""] if k == 0 else []))}
-                found[name] = Column(inner, frozenset(titles))
-    return found
+                by_name[name] = Column(inner, frozenset(titles))
+    return by_name
 
 
 def _titles(key: str, language: int) -> list[str]:
@@ -233,17 +235,17 @@ def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
             named = units
         if beside := _beside_unit(heads[k]):
             raise _unknown_unit(beside, heads[k], unit)
-        found = []
+        unit_factors = []
         for text in named:
             factor = factor_to(text, unit)
             if factor is None or (kind in (*WORDS, "polygon") and factor != 1.0):
                 raise _unknown_unit(text, heads[k], unit, kind == "polygon")
-            found.append(factor)
-        if not found and kind not in LENGTHS and unit not in MAY_BE_EMPTY:
+            unit_factors.append(factor)
+        if not unit_factors and kind not in LENGTHS and unit not in MAY_BE_EMPTY:
             raise _unknown_unit("", heads[k], unit)
-        if len(set(found)) > 1:
+        if len(set(unit_factors)) > 1:
             raise InputError("two_units_of_column", column=heads[k][:60], named=named[1][:20], unit=named[0][:20])
-        factors.append(found[0] if found else 1.0)
+        factors.append(unit_factors[0] if unit_factors else 1.0)
     return factors
 
 
