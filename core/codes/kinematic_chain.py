@@ -128,9 +128,9 @@ def chain(wall: Masonry, two_sided: bool) -> Chain:
     """Sums of the chain; of a two-sided wall the smaller alpha_0 and d_0 of its two sides."""
     if wall.bends:
         return of_bending(wall, bending(wall))
-    found = [of_side(wall, side) for side in ((1.0, -1.0) if two_sided else (1.0,))]
-    weaker = min(found, key=lambda side: side.d0)
-    alpha0, bare = (min(getattr(side, name) for side in found) for name in ("alpha0", "alpha0_bare"))
+    sides = [of_side(wall, side) for side in ((1.0, -1.0) if two_sided else (1.0,))]
+    weaker = min(sides, key=lambda side: side.d0)
+    alpha0, bare = (min(getattr(side, name) for side in sides) for name in ("alpha0", "alpha0_bare"))
     # the side that no tie holds decides
     sums = replace(weaker, alpha0=alpha0, alpha0_bare=bare, ties=()) if two_sided else weaker
     if wall.across is None or two_sided:  # they hold a wall that turns outward
@@ -167,16 +167,16 @@ def of_side(wall: Masonry, side: float) -> Chain:
     alpha0, alpha0_bare = (start_multiplier(weight, x, y, all_of, pushed) for all_of in (forces, own))
     block, restoring = wall.sides[0 if side > 0.0 else 1]
     e_star, reach = first**2 / (total * second), bare.radius * second / (y * first)
-    found = Chain(bare.slenderness, reach, alpha0, e_star, total / G, 0.0, alpha0_bare)
-    found = replace(found, d0=float(found.displacement(block.slenderness + restoring.lean)))
+    sums = Chain(bare.slenderness, reach, alpha0, e_star, total / G, 0.0, alpha0_bare)
+    sums = replace(sums, d0=float(sums.displacement(block.slenderness + restoring.lean)))
     bars = [tie.bar for tie in wall.ties if not tie.is_slack]
     if not bars or side < 0.0:
-        return found
+        return sums
     with_ties = block.slenderness + restoring_with_ties(wall).lean
     return replace(
-        found,
+        sums,
         ties=tuple(HeldBy(bar.height / first, bar) for bar in bars),
-        d0_with_ties=float(found.displacement(with_ties)),
+        d0_with_ties=float(sums.displacement(with_ties)),
     )
 
 

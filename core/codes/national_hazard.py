@@ -145,10 +145,10 @@ def folded(name: str) -> str:
 
 @cache
 def _by_name() -> dict[str, list[Municipality]]:
-    found: dict[str, list[Municipality]] = {}
+    by_name: dict[str, list[Municipality]] = {}
     for one in municipalities():
-        found.setdefault(folded(one.name), []).append(one)
-    return found
+        by_name.setdefault(folded(one.name), []).append(one)
+    return by_name
 
 
 def _joined(name: str) -> str:
@@ -158,10 +158,10 @@ def _joined(name: str) -> str:
 
 @cache
 def _by_letters() -> dict[str, list[Municipality]]:
-    found: dict[str, list[Municipality]] = {}
+    by_letters: dict[str, list[Municipality]] = {}
     for name, ones in _by_name().items():
-        found.setdefault(_joined(name), []).extend(ones)
-    return found
+        by_letters.setdefault(_joined(name), []).extend(ones)
+    return by_letters
 
 
 @cache
@@ -181,12 +181,12 @@ def _begins_of(lines: str) -> list[int]:
 
 def _lines_with(lines: str, wanted: str, most: int) -> list[int]:
     """Numbers of the first lines that hold a text, which may begin with the break before the line."""
-    found: list[int] = []
+    line_numbers: list[int] = []
     begins, at = _begins_of(lines), lines.find(wanted)
-    while at >= 0 and len(found) < most:
-        found.append(bisect.bisect_right(begins, at) - 1)
-        at = lines.find(wanted, begins[found[-1] + 1]) if found[-1] + 1 < len(begins) else -1
-    return found
+    while at >= 0 and len(line_numbers) < most:
+        line_numbers.append(bisect.bisect_right(begins, at) - 1)
+        at = lines.find(wanted, begins[line_numbers[-1] + 1]) if line_numbers[-1] + 1 < len(begins) else -1
+    return line_numbers
 
 
 def beginning_with(text: str, most: int = 20) -> list[Municipality]:
@@ -198,22 +198,22 @@ def beginning_with(text: str, most: int = 20) -> list[Municipality]:
     order, letters, names = _in_order()
     first = _lines_with(letters, "\n" + joined, most)
     rows = first if len(first) >= most else [*first, *_lines_with(names, wanted, most + len(first))]
-    found = [one for row in dict.fromkeys(rows) for one in order[row]]
-    return found[:most]
+    matches = [one for row in dict.fromkeys(rows) for one in order[row]]
+    return matches[:most]
 
 
 def municipality(name: str, province: str = "") -> Municipality:
     """The one of a name, and of a province where it is not unique. Raises InputError."""
-    found = _by_name().get(folded(name)) or _by_letters().get(_joined(folded(name)), [])
+    namesakes = _by_name().get(folded(name)) or _by_letters().get(_joined(folded(name)), [])
     letters = province.strip().upper()
-    kept = [one for one in found if not letters or letters in (one.province, one.province_name.upper())]
+    kept = [one for one in namesakes if not letters or letters in (one.province, one.province_name.upper())]
     if len(kept) == 1:
         return kept[0]
     if kept:
         provinces = ", ".join(one.province for one in kept)
         raise InputError("municipality_of_two", key="municipality", name=name, provinces=provinces)
-    if found:
-        provinces = ", ".join(one.province for one in found)
+    if namesakes:
+        provinces = ", ".join(one.province for one in namesakes)
         raise InputError("municipality_elsewhere", key="province", name=name, found=province, provinces=provinces)
     if near := ", ".join(one.name for one in beginning_with(name[:4], 3)):
         raise InputError("municipality_near", key="municipality", name=name, near=near)

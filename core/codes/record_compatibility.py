@@ -166,9 +166,9 @@ def kept_spectrum(ground: np.ndarray, dt: float, periods: np.ndarray) -> np.ndar
 
 @functools.lru_cache(KEPT)
 def _spectrum(samples: _Samples, periods: tuple[float, ...]) -> np.ndarray:
-    found = pseudo_acceleration_spectrum(samples.acceleration, samples.time_step, np.array(periods))
-    found.flags.writeable = False
-    return found
+    spectrum = pseudo_acceleration_spectrum(samples.acceleration, samples.time_step, np.array(periods))
+    spectrum.flags.writeable = False
+    return spectrum
 
 
 def compliance(

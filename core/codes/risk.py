@@ -58,10 +58,10 @@ class Risk:
         return f"> {high:.0f}" if self.return_period > high else f"{self.return_period:.0f}"
 
 
-def least_risk(found: Sequence[Risk | None]) -> Risk | None:
+def least_risk(risks: Sequence[Risk | None]) -> Risk | None:
     """The capacity of a wall: the smallest of all its mechanisms, with the worst letter; None where one is unknown."""
-    known = [one for one in found if one is not None]
-    if not known or len(known) < len(found):
+    known = [one for one in risks if one is not None]
+    if not known or len(known) < len(risks):
         return None
     letters = [letter for _, letter in CLASSES]
     weakest = min(known, key=lambda one: one.pga)

@@ -60,17 +60,17 @@ def virtual(strip: Strip, h1: float) -> list[tuple[Weight, float, float]]:
     """(weight, its rise, its way outward) by a unit of the rotation of the lower block, at the start."""
     lower, upper = blocks_of(strip, h1)
     at, k = hinges_of(strip, h1), h1 / (strip.height - h1)
-    found = [(one, one.x - at.base, one.z) for one in lower]
+    of_lower = [(one, one.x - at.base, one.z) for one in lower]
     rise = at.between - at.base
-    return found + [(one, rise + k * (at.between - one.x), h1 - k * (one.z - h1)) for one in upper]
+    return of_lower + [(one, rise + k * (at.between - one.x), h1 - k * (one.z - h1)) for one in upper]
 
 
 def start_multiplier(strip: Strip, h1: float) -> float:
     """alpha_0 with the hinge at h1 [m] (C8.7.1.1) [-]: of a rectangle [W1 b/2 + W2 (b + k b/2) + sum N (b + k (t - u -
     d))] over (W1 + W2) h1/2, with k = h1/(H - h1) and b = t - 2 u."""
-    found = virtual(strip, h1)
-    holding = math.fsum(one.force * rise for one, rise, _ in found)
-    return holding / math.fsum(one.force * way for one, _, way in found if one.pushed)
+    displacements = virtual(strip, h1)
+    holding = math.fsum(one.force * rise for one, rise, _ in displacements)
+    return holding / math.fsum(one.force * way for one, _, way in displacements if one.pushed)
 
 
 def rises(strip: Strip, h1: float) -> bool:
@@ -114,9 +114,9 @@ def _golden(value: Callable[[float], float], low: float, high: float, steps: int
     best = (math.inf, low)
     for _ in range(steps):
         inside = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-        found = [(value(place), place) for place in inside]
-        best = min(best, *found)
-        low, high = (low, inside[1]) if found[0] <= found[1] else (inside[0], high)
+        points = [(value(place), place) for place in inside]
+        best = min(best, *points)
+        low, high = (low, inside[1]) if points[0] <= points[1] else (inside[0], high)
     return best
 
 
@@ -233,9 +233,9 @@ def weakest(strip: Strip, zeta: Callable[[Bending], float]) -> Bending:
     """The mechanism of least zeta, where the hinge may be: the best of SEARCHED heights and of the one of the lowest
     alpha_0, then the golden section between its neighbours."""
     heights = sorted({*heights_of(strip, SEARCHED), lowest_hinge(strip)})
-    found = min((zeta(mechanism(strip, h1)), n) for n, h1 in enumerate(heights))
-    low, high = heights[max(found[1] - 1, 0)], heights[min(found[1] + 1, len(heights) - 1)]
-    best = min(_golden(lambda h1: zeta(mechanism(strip, h1)), low, high, SECTIONS), (found[0], heights[found[1]]))
+    lowest = min((zeta(mechanism(strip, h1)), n) for n, h1 in enumerate(heights))
+    low, high = heights[max(lowest[1] - 1, 0)], heights[min(lowest[1] + 1, len(heights) - 1)]
+    best = min(_golden(lambda h1: zeta(mechanism(strip, h1)), low, high, SECTIONS), (lowest[0], heights[lowest[1]]))
     return mechanism(strip, best[1])
 
 
@@ -288,11 +288,11 @@ def hinges_in_histories(model: RockingModel, displacement: Bending | None) -> tu
     heights = [held.h1, lowest_hinge(held.inward)]
     if displacement:
         heights += [displacement.h1, 0.5 * (held.h1 + displacement.h1)]
-    found: list[float] = []
+    distinct: list[float] = []
     for h1 in heights:
-        if all(abs(h1 - other) > ALIKE * held.outward.height for other in found):
-            found.append(h1)
-    return tuple(HingeAt(h1) for h1 in found)
+        if all(abs(h1 - other) > ALIKE * held.outward.height for other in distinct):
+            distinct.append(h1)
+    return tuple(HingeAt(h1) for h1 in distinct)
 
 
 def shown_rotation(mechanism: Bending) -> float:

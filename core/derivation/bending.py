@@ -323,14 +323,14 @@ def at_limit(wall: WallResult) -> list[Line]:
     """Lines of alpha at the limit of the displacement check, by the finite geometry: it lies below the straight line to
     d_0."""
     kinematic = wall.mechanics
-    found, limit = known(kinematic.moved.bending), known(kinematic.d_limit)
-    if not found.strip.is_plain:
-        alpha = found.alpha(limit)
+    mechanism, limit = known(kinematic.moved.bending), known(kinematic.d_limit)
+    if not mechanism.strip.is_plain:
+        alpha = mechanism.alpha(limit)
         return [
             Line(ALPHA_D, alpha, RUN, VALUE, "finite geometry, below the straight line to d_0"),
-            Line(E_STAR_D, found.e_star, RUN, VALUE),
+            Line(E_STAR_D, mechanism.e_star, RUN, VALUE),
         ]
-    strip, h1, theta = found.strip, found.h1, found.rotation(limit)
+    strip, h1, theta = mechanism.strip, mechanism.h1, mechanism.rotation(limit)
     at = turned(strip, h1, theta)
     degrees = math.degrees(theta)
     rise, way = strip.width * cos(degrees) - h1 * sin(degrees), strip.width * sin(degrees) + h1 * cos(degrees)
