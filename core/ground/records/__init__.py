@@ -280,16 +280,16 @@ def channels(path: Path, options: Options = Options()) -> tuple[str, ...]:
         return ()
     if not is_zip(read_regular(path, MAX_BYTES)[:4]):
         return names
-    found: list[str] = []
+    all_names: list[str] = []
     for name in names:  # a member may have channels of its own
         try:
             read(path, replace(options, channel=name))
         except RecordError as error:
             if error.code == "which_channel":
-                found += error.values["names"]
+                all_names += error.values["names"]
                 continue
-        found.append(name)
-    return tuple(found)
+        all_names.append(name)
+    return tuple(all_names)
 
 
 def expand(pattern: str, base_dir: Path) -> list[Path]:

@@ -241,13 +241,13 @@ def _cosmos_standing(head: list[str]) -> str:
 def _values_below(head: list[str], title: str) -> list[float]:
     """The hundred values of COSMOS below the line that names them."""
     said = (k for k, line in enumerate(head) if title in line.lower())
-    found: list[float] = []
+    values: list[float] = []
     for line in head[next(said, len(head)) + 1 :]:
         row = numbers(line)
-        if not row or len(found) >= 100:
+        if not row or len(values) >= 100:
             break
-        found += row
-    return found
+        values += row
+    return values
 
 
 def recognises_pairs(lines: list[str]) -> bool:

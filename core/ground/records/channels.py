@@ -50,7 +50,7 @@ def refuse_unchosen(names: list[str], verticals: list[bool], asked: str | None) 
     if not same and wanted.isascii() and wanted.isdigit():
         numbered = [_NUMBERED.match(name) for name in names]
         if all(numbered):  # a number is that of the channel, whatever its place in the file
-            same = [k for k, found in enumerate(numbered) if found and found[1] == wanted]
+            same = [k for k, match in enumerate(numbered) if match and match[1] == wanted]
         elif 0 < int(wanted[:4]) <= len(names):
             same = [int(wanted[:4]) - 1]
     if len(same) == 1:

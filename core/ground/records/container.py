@@ -140,8 +140,8 @@ def sheet_of(content: bytes, asked: str | None) -> tuple[str, list[str], bool, l
         }
         # a title over several columns is none of the samples
         merged = [area for area in sheet.merged if area[0] < area[2] and area[:2] in numbers]
-        found = {"uncomputed_cells": sheet.uncomputed, "error_cells": sheet.errors}
-        refuse_cells({"merged_cells": merged, **found})
+        refused_cells = {"uncomputed_cells": sheet.uncomputed, "error_cells": sheet.errors}
+        refuse_cells({"merged_cells": merged, **refused_cells})
     except RecordError:
         raise
     except InputError as error:

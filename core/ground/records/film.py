@@ -36,14 +36,14 @@ def read(lines: list[str], options: Options) -> Parsed:
     for k, place in enumerate(places):
         end = places[k + 1] if k + 1 < len(places) else len(lines)
         head = [line[:200] for line in lines[place : place + TEXTS]]
-        match = next((found for line in head if (found := _CHANNEL.match(line))), None)
+        match = next((channel for line in head if (channel := _CHANNEL.match(line))), None)
         name = f"{match[1]}: {match[2]}" if match else str(k + 1)
         channels.append(Channel(name, is_vertical(match[2] if match else ""), partial(_pairs, lines, place, end, head)))
     return chosen(channels, options)
 
 
 def _pairs(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
-    points = next((found for line in head if (found := _POINTS.match(line))), None)
+    points = next((match for line in head if (match := _POINTS.match(line))), None)
     if points is None or to_count(points[1]) < 3:
         raise RecordError("head_lacks", label="NO. OF POINTS, RECORD LENGTH")
     declared, length = to_count(points[1]), to_float(points[2])
@@ -65,7 +65,7 @@ def _pairs(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
         parsed.values, parsed.time_step = np.interp(grid, times, samples) * 0.1, GRID
         parsed.warnings.append(notice("drawn_on_grid"))
         parsed.written = samples
-    stated = next((found for line in head if (found := _PEAK.search(line))), None)
+    stated = next((match for line in head if (match := _PEAK.search(line))), None)
     peak, read = to_float(stated[1]) if stated else None, float(np.abs(samples).max()) * 0.1
     if peak is not None:
         agree_with_peak(parsed, read if abs(abs(peak) - read) <= ROUNDED else peak)

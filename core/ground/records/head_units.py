@@ -206,15 +206,15 @@ def stated_unit(head: str) -> Unit | None:
     """Unit of acceleration a head states. A unit after a number is that of another quantity (`gravity = 9.81 [m/s2]`,
     `PGA 0.013 (g)`) and states nothing; where it differs from the one stated, or two are stated, nobody knows which
     holds. Raises RecordError then, and for counts and volts."""
-    found: dict[str, list[Unit]] = {"said": [], "beside": [], "words": []}
+    by_wording: dict[str, list[Unit]] = {"said": [], "beside": [], "words": []}
     for unit, how in _units(head):
         if unit.quantity in ("counts", "voltage") and how != "beside":
             raise RecordError("unit_not_read", unit=unit.text, line=unit.line)
         if unit.quantity == "acceleration":
-            found[how].append(unit)
-    units = found["said"] or found["words"]
-    words = [one for one in found["words"] if units and one.line != units[0].line]
-    for other in [*units[1:], *words, *found["beside"]] if units else ():
+            by_wording[how].append(unit)
+    units = by_wording["said"] or by_wording["words"]
+    words = [one for one in by_wording["words"] if units and one.line != units[0].line]
+    for other in [*units[1:], *words, *by_wording["beside"]] if units else ():
         one = units[0]
         if abs(other.size / one.size - 1.0) > 1e-9:
             raise RecordError("two_units", one=one.name, first=one.line, other=other.name, second=other.line)
@@ -253,9 +253,9 @@ def _other_of(line: str) -> str | None:
 def _words_of_other(line: str) -> str | None:
     """A word of another quantity."""
     match = _MOTION.search(line)
-    if not match and not _ACCELERATION_WORD.search(line) and (found := _OTHER.search(line)):
-        valued = _NUMBER_AFTER.match(line, found.end()) or _VALUE.search(line[: found.start()])
-        match = None if valued else found
+    if not match and not _ACCELERATION_WORD.search(line) and (other := _OTHER.search(line)):
+        valued = _NUMBER_AFTER.match(line, other.end()) or _VALUE.search(line[: other.start()])
+        match = None if valued else other
     return match[0] if match else None
 
 

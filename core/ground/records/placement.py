@@ -26,6 +26,6 @@ def in_structure(lines: list[str], channel: str) -> str:
     """The words by which a head, or the name of a channel, places its sensor in a structure; "" where none does."""
     heads = [line for line in lines[:LINES] if any(char.isalpha() for char in line)]
     for text in (channel, *heads):
-        if found := IN_STRUCTURE.search(text):
-            return found[0]
+        if match := IN_STRUCTURE.search(text):
+            return match[0]
     return ""

@@ -331,10 +331,10 @@ def stated_peak(said: str, unit: str | None) -> float | None:
     for match, k in _found(head_of(said), _PEAK):
         line = head_of(said).lines[k]
         of = wordings.UNIT.match(line, match.end())
-        found = next(units_of(of, line), None) if of else None
+        written_unit = next(units_of(of, line), None) if of else None
         value = factor_of(match["peak"])
-        if value and found is not None and found.quantity == "acceleration":
-            return abs(value) * found.size / UNITS[unit]
+        if value and written_unit is not None and written_unit.quantity == "acceleration":
+            return abs(value) * written_unit.size / UNITS[unit]
     return None
 
 

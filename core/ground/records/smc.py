@@ -76,7 +76,7 @@ def _peak_time(reals: list[float]) -> float | None:
 
 def _describe(parsed: Parsed, head: list[str], kind: str) -> None:
     """Channel and details by the texts of the head."""
-    where = next((found for line in head if (found := _STATION.match(line))), None)
+    where = next((match for line in head if (match := _STATION.match(line))), None)
     component = (where[2] or "") if where else ""
     parsed.channel, parsed.vertical = component, is_vertical(component)
     written = _WHEN.match(head[3])
