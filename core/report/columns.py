@@ -45,13 +45,13 @@ def _verdict(row: Row) -> Any:
 
 def _kinematic(row: Row) -> Any:
     """Assessment of a wall with closed forms, None of any other."""
-    found = row.wall.assessment
-    return found if found is not None and found.kinematic is not None else None
+    assessment = row.wall.assessment
+    return assessment if assessment is not None and assessment.kinematic is not None else None
 
 
 def _risk(row: Row) -> Any:
-    found = row.wall.assessment
-    return found if found is not None and found.risk is not None else None
+    assessment = row.wall.assessment
+    return assessment if assessment is not None and assessment.risk is not None else None
 
 
 def _dynamic(row: Row) -> Any:
@@ -87,8 +87,8 @@ def _zeta_at(state: str) -> Quantity:
 
 def _eq9(k: int, source: str) -> Quantity:
     def value(row: Row) -> float | None:
-        found = row.wall.code_check[k] if k < len(row.wall.code_check) else None
-        return found.ratio if found else None
+        check = row.wall.code_check[k] if k < len(row.wall.code_check) else None
+        return check.ratio if check else None
 
     return number(f"eq9_{source}", "-", f"capacity over demand of Eq. 9 by {source}", value)
 
@@ -106,7 +106,7 @@ def _limits(row: Row) -> list[str] | None:
 
 def _of(source: Callable[[Row], Any], name: str) -> Callable[[Row], Any]:
     """An attribute of a source, None where there is none."""
-    return lambda row: None if (found := source(row)) is None else getattr(found, name)
+    return lambda row: None if (owner := source(row)) is None else getattr(owner, name)
 
 
 def _tie(row: Row) -> float | None:

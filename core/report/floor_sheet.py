@@ -14,7 +14,7 @@ def floors_of(result: StudyResult) -> dict[float, Floor]:
 
 def floors(book: Book, result: StudyResult) -> None:
     """A table of the modes and the floor motions, and a chart of the spectra, for each height."""
-    say, found = book.say, floors_of(result)
+    say, by_height = book.say, floors_of(result)
     sheet = book.sheet("Floors", [22, 12, 12, 12, 12, 12, 12, 12])
     title(sheet, 1, say("Motion of the floors"))
     row = paragraph(
@@ -29,7 +29,7 @@ def floors(book: Book, result: StudyResult) -> None:
         105,
         color=QUIET,
     )
-    for index, (z, floor) in enumerate(sorted(found.items())):
+    for index, (z, floor) in enumerate(sorted(by_height.items())):
         row = _floor(book, sheet, floor, z, index, row + 1)
 
 

@@ -17,9 +17,9 @@ LAST = 11
 
 def has_risk(result: StudyResult) -> bool:
     """Whether a wall has a zeta, and something beside it that the Summary does not show."""
-    found = [wall.assessment for wall in result.walls if wall.assessment]
-    beside = any(one.states or one.tie for one in found) or bool(wall_comparisons(result.verdicts))
-    return beside and any(one.risk for one in found)
+    assessments = [wall.assessment for wall in result.walls if wall.assessment]
+    beside = any(one.states or one.tie for one in assessments) or bool(wall_comparisons(result.verdicts))
+    return beside and any(one.risk for one in assessments)
 
 
 def risk(book: Book, result: StudyResult) -> None:
@@ -130,14 +130,14 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
 
 def _variants(book: Book, sheet, result: StudyResult, row: int) -> int:
     """The walls as they are beside the walls as they are designed."""
-    say, found, language = book.say, wall_comparisons(result.verdicts), book.language
-    if not found:
+    say, pairs, language = book.say, wall_comparisons(result.verdicts), book.language
+    if not pairs:
         return row
     title(sheet, row, say("Before and after"), 12)
     heads = [say("Wall"), say("before"), "", "ζ", say("by"), say("after"), "", "ζ", say("by"), "", say("changed")]
     header(sheet, row + 1, heads, 1, 30)
     row += 1
-    for one in found:
+    for one in pairs:
         row += 1
         text(sheet, row, 1, one.name, wrap=True)
         for column, verdict in ((2, one.before), (6, one.after)):

@@ -145,17 +145,17 @@ def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult]
         heighten(sheet, row, (wall.name, 24), (label, 26))
         weight = wall.wall.weight
         setback = wall.wall.setback if wall.wall.height_m else None
-        found = stated(SHOWN, OfWallResult(wall, result))
+        values = stated(SHOWN, OfWallResult(wall, result))
         for column, value, shape in (
-            (3, found["height_m"], RATIO),
-            (4, found["thickness_m"], RATIO),
+            (3, values["height_m"], RATIO),
+            (4, values["thickness_m"], RATIO),
             (5, setback, ACCELERATION),
             (6, wall.height / wall.thickness, "0.0"),
-            (7, found["slenderness_deg"], RATIO),
-            (8, found["threshold_acceleration_g"], ACCELERATION),
+            (7, values["slenderness_deg"], RATIO),
+            (8, values["threshold_acceleration_g"], ACCELERATION),
             (9, weight / 1000.0 if weight else None, "0.0"),
-            (10, found["q_set"], RATIO),
-            (11, found["q_robust_set"], RATIO),
+            (10, values["q_set"], RATIO),
+            (11, values["q_robust_set"], RATIO),
         ):
             number(sheet, row, column, value, shape)
         color = verdict_color(result, wall)
@@ -191,8 +191,8 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
     say, assessment = book.say, wall.assessed
     label = f"{wall.name} – {word(wall.mechanism, book.language)}"
     title(sheet, row, label, 12)
-    if found := risk_of(result, wall):
-        row = paragraph(sheet, row + 1, _risk_line(book, found), LAST, 150, color=QUIET) - 1
+    if risk := risk_of(result, wall):
+        row = paragraph(sheet, row + 1, _risk_line(book, risk), LAST, 150, color=QUIET) - 1
     top = row + 1
     header(
         sheet,

@@ -26,10 +26,10 @@ def names_in(language: str) -> FormNames:
 def in_order(result: StudyResult) -> list[tuple[WallResult, bool]]:
     """(result, whether it is the one that decides about its wall): the worst wall first, of each its worst hinge first;
     without a demand all as they are."""
-    found = by_severity(result.verdicts, result.walls)
-    if not found:
+    ordered = by_severity(result.verdicts, result.walls)
+    if not ordered:
         return [(wall, True) for wall in result.walls]
-    return [(result.walls[k], k == one.governing) for one in found for k in one.results]
+    return [(result.walls[k], k == one.governing) for one in ordered for k in one.results]
 
 
 def sentence_of(wall: WallResult, language: str) -> str:
@@ -39,11 +39,11 @@ def sentence_of(wall: WallResult, language: str) -> str:
 
 def outcome_of(result: StudyResult, verdict: WallVerdict) -> tuple[str, str | None]:
     """(code of the outcome of a wall, label of the check that decides)."""
-    found = result.walls[verdict.governing].assessment
-    if found is None:
+    assessment = result.walls[verdict.governing].assessment
+    if assessment is None:
         return "undetermined", None
-    decides = next((check.label for check in found.checks if check.name == found.verdict.governing), None)
-    return found.verdict.code, decides
+    decides = next((check.label for check in assessment.checks if check.name == assessment.verdict.governing), None)
+    return assessment.verdict.code, decides
 
 
 KINDS = ("to_do", "limits", "note")

@@ -181,7 +181,7 @@ def _verdicts(result: StudyResult, words: Words) -> list[Part]:
     rows, tones = [], {}
     ordered = in_order(result)
     for n, (wall, decides) in enumerate(ordered):
-        found = wall.assessment
+        assessment = wall.assessment
         row = [
             wall.name if decides else f"– {wall.name}",
             words.word(wall.mechanism),
@@ -189,9 +189,9 @@ def _verdicts(result: StudyResult, words: Words) -> list[Part]:
             words.number(wall.thickness, ".3f"),
             words.number(wall.q_set, ".2f"),
         ]
-        if found:
-            verdict = found.verdict
-            by = next((check for check in found.checks if check.name == verdict.governing), None)
+        if assessment:
+            verdict = assessment.verdict
+            by = next((check for check in assessment.checks if check.name == verdict.governing), None)
             row += [words.number(verdict.zeta_e, ".2f"), words.short(by) if by else "–", words.word(verdict.code)]
             tones[n, 5] = tones[n, 7] = tone_of(result, wall)
         else:
@@ -323,16 +323,16 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
 
 def _checks(result: StudyResult, wall: WallResult, words: Words) -> Bars:
     """zeta of each check of a wall over the zeta required."""
-    found = wall.assessed
+    assessed = wall.assessed
     rows = [
         (
             words.short(check),
             check.clause,
             check.zeta,
             "good" if check.passed else "bad",
-            check.name == found.verdict.governing,
+            check.name == assessed.verdict.governing,
         )
-        for check in found.checks
+        for check in assessed.checks
     ]
     target = result.required.zeta_target
     caption = words.say(
@@ -351,9 +351,9 @@ def _side_by_side(figures: list) -> list[Part]:
 
 def _verdict(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
     """The sentence of the verdict with every reason and every warning of the wall."""
-    found, language = wall.assessment, words.language
+    assessment, language = wall.assessment, words.language
     parts: list[Part] = []
-    if found is not None:
+    if assessment is not None:
         parts = [Paragraph(sentence_of(wall, language), tone_of(result, wall))]
         parts += [Item(line) for line in (*lines_of(result, wall, language), *tie_lines(wall, language))]
     return [*parts, *(Item(warning.text(language), "quiet") for warning in wall.warnings)]

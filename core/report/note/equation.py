@@ -150,11 +150,11 @@ class Equation(Face):
         return [to.run(head), to.brackets(to.run(", ").join(inner))], ATOM
 
     def name(self, name):
-        if (found := self.leaf(name)) is not None:
+        if (leaf := self.leaf(name)) is not None:
             degree = (
                 self.notation.run("°") if self.in_angle and name.endswith("_degrees") and self.point != THIN else ""
             )
-            return [f"{found} {degree}" if degree else found], ATOM
+            return [f"{leaf} {degree}" if degree else leaf], ATOM
         if name in CONSTANTS and (self.point == THIN or name == "pi"):
             return [self.notation.letter(CONSTANTS[name])], ATOM
         return self.constant(self.known(name))
@@ -181,32 +181,32 @@ def width(node: ElementTree.Element) -> int:
 
 def sides(step: Step, language: str, to: Notation) -> list[str]:
     """Sides of a step, between its signs of equality: symbol, formula, numbers, result and unit."""
-    found = [to.symbol(step.symbol)]
+    parts = [to.symbol(step.symbol)]
     if step.formula and step.quantity is not None:
         symbols = {name: to.symbol(text) for name, text in step.symbols.items()}
         face = Equation(to, step.quantity.function, symbols.get, THIN, language)
-        found.append("".join(face.of(step.quantity.tree)[0]))
+        parts.append("".join(face.of(step.quantity.tree)[0]))
     if step.numbers and step.quantity is not None:
         numbers = {name: to.run(shown.text(language)) for name, shown in step.values.items()}
         face = Equation(to, step.quantity.function, numbers.get, " · ", language)
-        found.append("".join(face.of(step.quantity.tree)[0]))
+        parts.append("".join(face.of(step.quantity.tree)[0]))
     unit = "" if step.unit in ("–", "") else f" {step.unit}"
-    return [*found, to.run(step.result_written(language) + unit)]
+    return [*parts, to.run(step.result_written(language) + unit)]
 
 
 def rows(step: Step, language: str, to: Notation, longest: int = LONGEST) -> list[list[str]]:
     """`sides` as they stand in a line each: what a line has no room for stands below, what no line has room for is left
     out, its numbers standing above."""
     written, measured = sides(step, language, to), [_width(side) + 2 for side in sides(step, language, OMML)]
-    found, room = [[written[0], written[1]]], measured[0] + measured[1]
+    lines, room = [[written[0], written[1]]], measured[0] + measured[1]
     for side, wide in zip(written[2:], measured[2:], strict=True):
         if room + wide <= longest:
-            found[-1].append(side)
+            lines[-1].append(side)
             room += wide
         elif wide <= WIDEST or side is written[-1]:
-            found.append([side])
+            lines.append([side])
             room = wide
-    return found
+    return lines
 
 
 def equations(step: Step, language: str) -> list[str]:

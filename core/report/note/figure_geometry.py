@@ -67,18 +67,18 @@ def laid_out(figure: Figure, words: Words, side_by_side: int = 2) -> dict[str, A
             half, foot = 0.35 * wide / (x1 - x0), place([0.0], [0.0])[0][1]
             points = [[x - half, min(y, foot), 2.0 * half, abs(foot - y)] for x, y in points]
         marks.append({"shape": curve.shape, "color": curve.color, "width": curve.width, "points": points})
-    found = {"size": [width, height], "area": [left, top, wide, high], "marks": marks, "caption": figure.caption}
-    found["texts"] = [[*place([label.x], [label.y])[0], label.text] for label in figure.labels]
-    found["framed"] = not figure.is_drawing
+    layout = {"size": [width, height], "area": [left, top, wide, high], "marks": marks, "caption": figure.caption}
+    layout["texts"] = [[*place([label.x], [label.y])[0], label.text] for label in figure.labels]
+    layout["framed"] = not figure.is_drawing
     if not figure.is_drawing:
-        found |= {"x": figure.x.strip(), "y": figure.y, "names": [], "x_ticks": []}
-        found["y_ticks"] = [[place([x0], [y])[0][1], words.number(y, "g")] for y in _clean(ticks(y0, y1))]
+        layout |= {"x": figure.x.strip(), "y": figure.y, "names": [], "x_ticks": []}
+        layout["y_ticks"] = [[place([x0], [y])[0][1], words.number(y, "g")] for y in _clean(ticks(y0, y1))]
         if figure.names:
-            found["names"] = [[place([k], [y0])[0][0], name] for k, name in enumerate(figure.names)]
+            layout["names"] = [[place([k], [y0])[0][0], name] for k, name in enumerate(figure.names)]
         else:
-            found["x_ticks"] = [[place([x], [y0])[0][0], words.number(x, "g")] for x in _clean(ticks(x0, x1))]
-        found["legend"] = [[[named[k].name, named[k].color, named[k].shape] for k in row] for row in rows]
-    return found
+            layout["x_ticks"] = [[place([x], [y0])[0][0], words.number(x, "g")] for x in _clean(ticks(x0, x1))]
+        layout["legend"] = [[[named[k].name, named[k].color, named[k].shape] for k in row] for row in rows]
+    return layout
 
 
 def _clean(values: list[float]) -> list[float]:

@@ -108,8 +108,8 @@ class Note:
 
     def pages(self, resolution: float) -> list[bytes]:
         """Set each page as PNG. resolution : [dpi]"""
-        found = self._again(lambda made: made.compile(format="png", ppi=resolution))
-        return found if isinstance(found, list) else [found]
+        images = self._again(lambda made: made.compile(format="png", ppi=resolution))
+        return images if isinstance(images, list) else [images]
 
     def places(self) -> list[dict[str, Any]]:
         """Places of the marks: page from 1, y from the top [pt], and what each leads to."""
@@ -119,7 +119,7 @@ class Note:
         """Lines of the pages: page from 1, y of the line from the top [pt], its text."""
         import pypdf
 
-        found: list[tuple[int, float, str]] = []
+        placed_lines: list[tuple[int, float, str]] = []
         content = self._again(lambda made: made.compile(format="pdf", timestamp=self._stamp()))
         reader = pypdf.PdfReader(io.BytesIO(content))
         for number, page in enumerate(reader.pages, start=1):
@@ -130,8 +130,8 @@ class Note:
                 of_page[y] = of_page.get(y, "") + text.replace("\n", "")
 
             page.extract_text(visitor_text=seen)
-            found += [(number, y, text) for y, text in sorted(of_page.items()) if text.strip()]
-        return found
+            placed_lines += [(number, y, text) for y, text in sorted(of_page.items()) if text.strip()]
+        return placed_lines
 
     def _stamp(self) -> int:
         return int(datetime.datetime.combine(self.day, datetime.time(), datetime.UTC).timestamp())

@@ -220,8 +220,8 @@ def forces_of_ties(result: StudyResult, wall: WallResult, words: Words) -> Figur
         return None
     worst, curves, last = deciding[0], [], 0.0
     weakened, _ = at_demand(wall.model, result.required, known(wall.assessed.dynamic).confidence_on, worst.motion)
-    found = bar_histories(wall.wall, worst.history, wall.model.p2 / weakened.p2)
-    for one, color in zip(found, ("accent", "bad", "amber", "ink") * 9, strict=False):
+    of_bars = bar_histories(wall.wall, worst.history, wall.model.p2 / weakened.p2)
+    for one, color in zip(of_bars, ("accent", "bad", "amber", "ink") * 9, strict=False):
         size = min(one.force.size, worst.motion.acceleration.size)
         chosen = thinned(one.force[:size], POINTS)
         times = [k * worst.motion.time_step for k in chosen]
