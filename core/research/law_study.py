@@ -75,8 +75,10 @@ def _rival_table(values: list[MotionValue], fits: dict, say: Say) -> Table:
     """The law beside p PGV/PGA and Eq. 15/16, as printed and refitted, on the same sets."""
     rows = []
 
-    def add(mechanism: str, quantity: str, name: str, found: Agreement) -> None:
-        rows.append((say(MECHANISM[mechanism]), quantity, name, found.bias, found.scatter, found.within, found.n))
+    def add(mechanism: str, quantity: str, name: str, distance: Agreement) -> None:
+        rows.append(
+            (say(MECHANISM[mechanism]), quantity, name, distance.bias, distance.scatter, distance.within, distance.n)
+        )
 
     for (mechanism, law, quantity), fit in fits.items():
         if law != "rigid":
@@ -131,8 +133,8 @@ def _refit(sets: Columns) -> np.ndarray:
     predicted = np.empty(sets.q.size)
     for shape in dict.fromkeys(sets.spectrum):
         own = sets.spectrum == shape
-        found = least_squares(lambda c, rest=~own: value(c, rest) - np.log(sets.q[rest]), (30.0, 78.0, 90.0, -1.0))
-        predicted[own] = np.exp(value(found.x, own))
+        fit = least_squares(lambda c, rest=~own: value(c, rest) - np.log(sets.q[rest]), (30.0, 78.0, 90.0, -1.0))
+        predicted[own] = np.exp(value(fit.x, own))
     return predicted
 
 

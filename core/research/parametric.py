@@ -142,19 +142,19 @@ def natural_motions(
 
     records_from : a folder, or a TOML file of [[record]] tables. Raises InputError.
     """
-    found: list[GroundMotion] = []
+    motions: list[GroundMotion] = []
     refused: list[tuple[str, RecordError]] = []
     if study.record:
-        found = read_records(study, base_dir)[0]
+        motions = read_records(study, base_dir)[0]
     if records_from is not None and records_from.is_dir():
         more, refused = folder_records(records_from)
         if not more:
             raise InputError("study_no_record", place=(records_from,))
-        found += more
+        motions += more
     elif records_from is not None:
-        found += read_records(read_record_list(records_from), records_from.parent)[0]
+        motions += read_records(read_record_list(records_from), records_from.parent)[0]
     kept: list[GroundMotion] = []
-    for motion in found:
+    for motion in motions:
         if any(warning.code == "vertical" for warning in motion.warnings):
             refused.append((motion.name, RecordError("vertical_component")))
         elif not any(one_motion(motion, other) for other in kept):

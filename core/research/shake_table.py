@@ -148,9 +148,9 @@ def read_tests(folder: Path) -> TableTests:
         raise InputError("validation_events", least=LEAST_EVENTS, place=(place,))
     motions = _motions(folder, [row["test"] for row in kept])
     for row, motion in zip(kept, motions, strict=True):
-        found, measured = float(np.abs(motion).max()), _number(row, "measured_pga_g", place)
-        if not measured / UNITS < found < measured * UNITS:
-            raise InputError("validation_unit", test=row["test"], found=found, stated=measured, place=(place,))
+        peak, measured = float(np.abs(motion).max()), _number(row, "measured_pga_g", place)
+        if not measured / UNITS < peak < measured * UNITS:
+            raise InputError("validation_unit", test=row["test"], found=peak, stated=measured, place=(place,))
     others = tuple(
         {
             key.removeprefix("dem: "): np.array([_outcome(row, key, place) for row in kept])
@@ -323,7 +323,7 @@ def _fitted(method: str, computed: np.ndarray, values: Sequence[float | str], ov
 
 def compared(tests: TableTests, seed: int = 1, told: Callable[[float], None] = lambda share: None) -> list[Found]:
     """What the model and others tell of each body. seed : of the halves; told : share of the work that is done"""
-    computed, parts, found = Computed(tests.motions), halves(tests.events, seed), []
+    computed, parts, results = Computed(tests.motions), halves(tests.events, seed), []
     first_setback = 0.0
     for k, (body, overturned) in enumerate(zip(tests.bodies, tests.overturned, strict=True)):
         inertia = body.inertia_over_mass - body.radius**2
@@ -361,9 +361,9 @@ def compared(tests: TableTests, seed: int = 1, told: Callable[[float], None] = l
             said = computed.of(with_setback(body, first_setback))[0]
             tried = scored("setback", said, overturned, tests.events, (round(first_setback, 3),))
         below = int(inside.sum()), int((inside & overturned).sum())
-        found.append(Found(body, overturned.size, tuple(scores), below, (own, *ends), tried))
+        results.append(Found(body, overturned.size, tuple(scores), below, (own, *ends), tried))
         told((k + 1) / len(tests.bodies))
-    return found
+    return results
 
 
 def _interval_of_fit(computed: np.ndarray, values: np.ndarray, overturned, events) -> tuple[float, float]:
@@ -381,7 +381,7 @@ def _interval_of_fit(computed: np.ndarray, values: np.ndarray, overturned, event
     return float(low), float(high)
 
 
-def as_json(tests: TableTests, found: list[Found], seed: int) -> dict:
+def as_json(tests: TableTests, results: list[Found], seed: int) -> dict:
     """The content of validation.json."""
 
     def score(one: Score) -> dict:
@@ -389,7 +389,7 @@ def as_json(tests: TableTests, found: list[Found], seed: int) -> dict:
         return values | {"interval": list(one.interval), "fitted": list(one.fitted)}
 
     bodies = []
-    for one in found:
+    for one in results:
         main = next(score for score in one.scores if score.method == "slenderness")
         bodies.append(
             {

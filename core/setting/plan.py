@@ -150,8 +150,8 @@ def with_chosen(
         return case, None
     demand = demand_of(case, base_dir)
     assert demand is not None
-    found = select_records(case.select, base_dir, demand, longest_of(case, demand), told, cancelled)
-    return replace(case, select=None, record=found.chosen.records), found
+    selection = select_records(case.select, base_dir, demand, longest_of(case, demand), told, cancelled)
+    return replace(case, select=None, record=selection.chosen.records), selection
 
 
 MANY = 50
@@ -218,11 +218,11 @@ def plan_of(
     for part in hinged:
         wall, floor = part.wall, at_height.of(part.wall, case.building, demand, motions)
         for mechanism in wall.mechanisms():
-            model, found = model_of(wall, mechanism), None
+            model, closed_form = model_of(wall, mechanism), None
             if demand and (floor or not wall.above_ground):
-                found = kinematic(wall.in_si, mechanism, demand, floor.spectrum if floor else None)
+                closed_form = kinematic(wall.in_si, mechanism, demand, floor.spectrum if floor else None)
             signs, felt = polarities_of(model, chosen.polarity), list(floor.motions) if floor else motions
-            entries.append(Entry(part, mechanism, model, signs, floor, felt, found))
+            entries.append(Entry(part, mechanism, model, signs, floor, felt, closed_form))
     plan = Plan(case, demand, motions, kinds, method, search, entries, longest, walls)
     if demand and demand.target and motions:
         period_range(kinds, plan.longest_period, demand)

@@ -263,8 +263,8 @@ def shipped_facade():
 
     case = read_case(SHIPPED / "facade.toml")
     demand = known(demand_of(case, SHIPPED))
-    found = kinematic(case.wall[0].in_si, "one_sided", demand)
-    return found, known(linear("linear_q_code", found, demand, 2.0))
+    mechanism = kinematic(case.wall[0].in_si, "one_sided", demand)
+    return mechanism, known(linear("linear_q_code", mechanism, demand, 2.0))
 
 
 def facade() -> tuple[Answer, ...]:

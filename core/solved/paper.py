@@ -75,10 +75,8 @@ def q_of(record: GroundMotion, alpha: float, height: float, one_sided: bool, sig
     model = restitution(block, "one_sided_theoretical" if one_sided else "housner")
     moving = rocking_model(block, one_sided, model, LAWS["rigid"])
     ground, step = record.acceleration, record.time_step
-    found = incremental_dynamic_analysis(
-        ground, step, record.pga, sign, moving, METHODS["taylor"], Search(q_step=q_step)
-    )
-    return known(found.q)
+    ida = incremental_dynamic_analysis(ground, step, record.pga, sign, moving, METHODS["taylor"], Search(q_step=q_step))
+    return known(ida.q)
 
 
 def el_centro(folder: Path) -> GroundMotion:

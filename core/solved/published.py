@@ -161,8 +161,8 @@ def _start(wall: dict, *loads: dict) -> float:
 
 def _end(wall: dict, *loads: dict) -> float:
     """Way of the top over the thickness at which nothing holds the wall."""
-    found = mechanism_of(wall, *loads)
-    return wall["height_m"] * math.sin(found.chain.rotation(found.d0)) / wall["thickness_m"]
+    closed_form = mechanism_of(wall, *loads)
+    return wall["height_m"] * math.sin(closed_form.chain.rotation(closed_form.d0)) / wall["thickness_m"]
 
 
 def _spanning(depth: float, h1: float | None = None) -> Bending:
