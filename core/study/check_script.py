@@ -106,7 +106,7 @@ def _runs(plan: Plan, k: int, demand: DemandResult | None) -> Iterator[tuple[Gro
 def _chosen(plan: Plan, k: int, demand: DemandResult | None) -> Chosen:
     """The history that governs at the demand, or the next one if noise in the last digits of the samples decides it.
     Raises NoCheck."""
-    runs = [(*run, found) for run in _runs(plan, k, demand) if (found := _answer(*run))]
+    runs = [(*run, answered) for run in _runs(plan, k, demand) if (answered := _answer(*run))]
     if not runs:
         raise NoCheck("no_records")
     runs.sort(key=lambda run: (run[3].overturns, run[3].rotation), reverse=True)
@@ -220,28 +220,28 @@ def _demand_lines(entry: Entry, demand: DemandResult) -> dict[str, Any]:
 
 def _by_hand(entry: Entry, demand: DemandResult | None, model: RockingModel) -> dict[str, float]:
     """Name in the script -> number of the program."""
-    found, own = {}, entry.kinematic
+    numbers, own = {}, entry.kinematic
     for side, name in ((1.0, "outer"), (-1.0, "inner")) if entry.mechanism == "two_sided" else ((1.0, "outer"),):
         seen = seen_from.py_func(model, side)
         held, alpha = seen.restoring, seen.slenderness
-        found[f"alpha, {name} hinge [rad]"] = alpha
-        found[f"p^2, {name} hinge [1/s2]"] = seen.p2
-        found[f"collapse rotation, {name} hinge [rad]"] = alpha + held.lean
-        found[f"uplift a_RM / g, {name} hinge"] = held.sine * np.tan(alpha) + held.cosine
+        numbers[f"alpha, {name} hinge [rad]"] = alpha
+        numbers[f"p^2, {name} hinge [1/s2]"] = seen.p2
+        numbers[f"collapse rotation, {name} hinge [rad]"] = alpha + held.lean
+        numbers[f"uplift a_RM / g, {name} hinge"] = held.sine * np.tan(alpha) + held.cosine
     sums = own.chain if own else chain(entry.part.wall.in_si, entry.mechanism == "two_sided")
-    found |= {"alpha_0 (C8.7.1.1)": sums.alpha0, "e* (C8.7.1.5)": sums.e_star, "d_0 [m]": sums.d0}
+    numbers |= {"alpha_0 (C8.7.1.1)": sums.alpha0, "e* (C8.7.1.5)": sums.e_star, "d_0 [m]": sums.d0}
     if own is None or demand is None:
-        return found
+        return numbers
     if sums.alpha0_friction is None:
-        found["a_0* / g (C8.7.1.3)"] = own.a0 / G
+        numbers["a_0* / g (C8.7.1.3)"] = own.a0 / G
     if displacement := own.without_ties or (None if sums.ties else own.displacement):
-        found["d of the limit state [m] (C8.7.1.2.1.6)"] = displacement.limit
-        found["a(d) / g"] = displacement.capacity / G
-        found["T(d) [s] (C8.7.1.10)"] = displacement.period
+        numbers["d of the limit state [m] (C8.7.1.2.1.6)"] = displacement.limit
+        numbers["a(d) / g"] = displacement.capacity / G
+        numbers["T(d) [s] (C8.7.1.10)"] = displacement.period
         if isinstance(demand.target, CodeSpectrum) and entry.floor is None:
-            found["S_De(T) [m]"] = displacement.demand
-            found["d / S_De (C8.7.1.12)"] = displacement.ratio
-    return found
+            numbers["S_De(T) [m]"] = displacement.demand
+            numbers["d / S_De (C8.7.1.12)"] = displacement.ratio
+    return numbers
 
 
 class Expression(str):

@@ -175,8 +175,8 @@ def groups_elsewhere(
         return shared, tuple(large.case.wall[k] for k in group), group, rows
 
     tasks = ((g, given(large.groups[g])) for g in todo)
-    for g, found in results_from(executor, group_alone, tasks, cancelled):
-        if found is not None:
-            yield g, found
+    for g, group_rows in results_from(executor, group_alone, tasks, cancelled):
+        if group_rows is not None:
+            yield g, group_rows
             progress.finished(g)
             progress.within(0, 0, None)

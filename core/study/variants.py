@@ -34,13 +34,13 @@ def changed_keys(before: Wall, after: Wall) -> tuple[str, ...]:
 def comparisons(walls: tuple[WallResult, ...]) -> tuple[Comparison, ...]:
     """The pairs of a study, in its order."""
     after = {w.pair: w for w in walls if w.wall.variant == DESIGNED}
-    found = []
+    pairs = []
     for wall in walls:
         other = after.get(wall.pair)
         if wall.wall.variant == AS_IS and other is not None:
             changed = changed_keys(wall.wall, other.wall)
-            found.append(Comparison(wall.part.own_name, wall, other, changed))
-    return tuple(found)
+            pairs.append(Comparison(wall.part.own_name, wall, other, changed))
+    return tuple(pairs)
 
 
 @dataclass(frozen=True)
