@@ -220,14 +220,14 @@ def _overturning(scene: Scene, cancelled: Callable[[], bool]) -> Evaluation | No
 def _of_bending(kinematic: Kinematic, with_histories: bool) -> list[Sentence]:
     """Sentences that limit the verdict of a wall held at its top: no histories, the force of what holds it, a hinge as
     high as one is looked for."""
-    found = kinematic.chain.bending
-    if found is None:
+    mechanism = kinematic.chain.bending
+    if mechanism is None:
         return []
     limits = [] if with_histories else [sentence("reason", "no_histories", q=2)]
-    limits.append(sentence("reason", "top_force", force=1e-3 * found.top_force))
-    moved = kinematic.moved.bending or found
-    if found.highest or moved.highest:
-        limits.append(sentence("reason", "hinge_highest", height=found.h1))
+    limits.append(sentence("reason", "top_force", force=1e-3 * mechanism.top_force))
+    moved = kinematic.moved.bending or mechanism
+    if mechanism.highest or moved.highest:
+        limits.append(sentence("reason", "hinge_highest", height=mechanism.h1))
     return limits
 
 

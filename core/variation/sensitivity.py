@@ -175,12 +175,12 @@ def sensitivity_of(
     setting: Setting,
     ranges: Ranges,
     made: Sequence[Move],
-    found: Sequence[WholeWall | InputError],
+    walls: Sequence[WholeWall | InputError],
     hinges: Sequence[Assessment],
 ) -> Sensitivity:
     """The sensitivity of one wall.
 
-    made : of `moves` and `records_left_out`; found : what the task of each gave
+    made : of `moves` and `records_left_out`; walls : what the task of each gave
     hinges : of all its hinges and mechanisms
     """
     base = least(one.verdict.zeta_e for one in hinges)
@@ -189,7 +189,7 @@ def sensitivity_of(
     names = [motion.name for motion in setting.inputs[1]]
     swings: dict[str, Swing] = {}
     refused: dict[str, InputError] = {}
-    for move, there in zip(made, found, strict=True):
+    for move, there in zip(made, walls, strict=True):
         if isinstance(there, InputError):
             refused.setdefault(move.key, there)
             continue

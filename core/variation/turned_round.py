@@ -79,12 +79,12 @@ def keys_of(setting: Setting) -> dict[str, float]:
     """Keys whose value is searched for a wall -> their value now."""
     wall, demand = setting.case.wall[0], setting.case.demand
     assert demand is not None
-    found = {"ag_g": demand.ag_g}
+    values = {"ag_g": demand.ag_g}
     if wall.thickness is not None and not wall.solid:
-        found["thickness_m"] = wall.thickness
+        values["thickness_m"] = wall.thickness
     if tie_force(wall) > 0.0:
-        found["tie_kn_m"] = tie_force(wall)
-    return found
+        values["tie_kn_m"] = tie_force(wall)
+    return values
 
 
 CHANGES: dict[str, Change] = {
@@ -100,12 +100,12 @@ CHANGES: dict[str, Change] = {
 def moved_keys(setting: Setting) -> dict[str, float]:
     """Keys of a wall that can be moved by hand -> their value now."""
     wall = setting.case.wall[0]
-    found = keys_of(setting)
+    values = keys_of(setting)
     if wall.height_m is not None and not wall.solid:
-        found["height_m"] = wall.height_m
+        values["height_m"] = wall.height_m
     if any(not load.is_tie for load in wall.load):
-        found["load_factor"] = 1.0
-    return {key: found[key] for key in CHANGES if key in found}
+        values["load_factor"] = 1.0
+    return {key: values[key] for key in CHANGES if key in values}
 
 
 def with_values(setting: Setting, values: dict[str, float]) -> Setting:
@@ -134,15 +134,15 @@ def reach_of(setting: Setting, key: str, given: float, cancelled: Callable[[], b
                 known[value, precision] = NONE
         return known[value, precision]
 
-    found: dict[str, float | None] = {}
+    by_check: dict[str, float | None] = {}
     throughout = []
     for label in at(given, GLANCE).by_check:
         edge_of = _searched(functools.partial(_holds_at, at, label), key, given, label == "dynamic")
-        found[label] = None if edge_of.bad is None else edge_of.good
+        by_check[label] = None if edge_of.bad is None else edge_of.good
         # what ends at a value that is refused holds at all that are accepted
         if edge_of.good is not None and (edge_of.bad is None or edge_of.refused):
-            found[label], throughout = None, [*throughout, label]
-    return Reach(key, given, found, tuple(throughout))
+            by_check[label], throughout = None, [*throughout, label]
+    return Reach(key, given, by_check, tuple(throughout))
 
 
 def _holds_at(
@@ -161,19 +161,19 @@ def _searched(holds: Callable[[float, Precision | None], bool | None], key: str,
     ends = given / WIDEST[key], given * WIDEST[key]
 
     def fine(value: float, precision: Precision | None) -> bool | None:
-        found = holds(value, precision)
+        held = holds(value, precision)
         beyond = (RAISED,) if dynamic else STRONGER
         # where it is refused it fails for another reason
-        return found and all(holds(value * factor**sign, precision) is not False for factor in beyond)
+        return held and all(holds(value * factor**sign, precision) is not False for factor in beyond)
 
-    found = edge(lambda value: fine(value, GLANCE if dynamic else None), given, ends, not falls, STEP, CLOSE)
-    if found.good is None or found.bad is None or found.refused:
-        return found
+    boundary = edge(lambda value: fine(value, GLANCE if dynamic else None), given, ends, not falls, STEP, CLOSE)
+    if boundary.good is None or boundary.bad is None or boundary.refused:
+        return boundary
     for k in range(TRIES if dynamic else 1):
-        value = _written(key, found.good * (1.0 + BEYOND) ** (sign * k))
+        value = _written(key, boundary.good * (1.0 + BEYOND) ** (sign * k))
         if holds(value, RUN if dynamic else None):
-            return found._replace(good=value)
-    return Edge(None, found.bad)
+            return boundary._replace(good=value)
+    return Edge(None, boundary.bad)
 
 
 def _written(key: str, value: float) -> float:
