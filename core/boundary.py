@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 Holds = Callable[[float], bool | None]
 
-MOST_STEPS = 200
+MAX_STEPS = 200
 """Halvings after which a bracket is as narrow as its numbers allow."""
 
 
@@ -30,7 +30,7 @@ class Bracket(NamedTuple):
     refused: bool
 
 
-def narrowed(holds: Holds, good: float, bad: float, close: float = 0.0, steps: int = MOST_STEPS) -> Bracket:
+def narrowed(holds: Holds, good: float, bad: float, close: float = 0.0, steps: int = MAX_STEPS) -> Bracket:
     """Narrow by bisection the boundary between a value at which something holds and one at which it does not.
 
     close : difference of both sides, over the larger one, at which it stops; steps : halvings at the most

@@ -148,7 +148,7 @@ def factor_to(text: str, unit: str) -> float | None:
     return given.factor / wanted.factor
 
 
-_BARE = re.compile(r"(?<![\w/])(%g|ms|mg|hz|gal|g ?/ ?[0-9]+|c?m ?s-2|[a-z]+/[a-z]+[\^]?[0-9²³]?)(?![\w/])")
+_UNBRACKETED_UNIT = re.compile(r"(?<![\w/])(%g|ms|mg|hz|gal|g ?/ ?[0-9]+|c?m ?s-2|[a-z]+/[a-z]+[\^]?[0-9²³]?)(?![\w/])")
 _REMARK = re.compile(r"[^\W\d_]+([ '-][^\W\d_]+)*|[0-9.,]+ ?%")
 
 
@@ -159,5 +159,8 @@ def foreign_unit(head: str, known: tuple[str, ...]) -> str | None:
         word = text.strip().lower()
         if word not in known and (unit_of(word) is not None or not _REMARK.fullmatch(word)) and word:
             return text.strip()
-    bare = next((one for one in _BARE.findall(re.sub(r"[\[(].*?[\])]", " ", head.lower())) if one not in known), None)
+    bare = next(
+        (one for one in _UNBRACKETED_UNIT.findall(re.sub(r"[\[(].*?[\])]", " ", head.lower())) if one not in known),
+        None,
+    )
     return bare

@@ -6,7 +6,7 @@ import stat
 from pathlib import Path
 from typing import BinaryIO
 
-PIECE = 1 << 20
+FILE_CHUNK = 1 << 20
 """Bytes read at a time of a file that has more than it says."""
 
 
@@ -37,7 +37,7 @@ def read_regular(path: Path, most: int) -> bytes:
         if size > most:
             raise TooLarge(size)
         content = stream.read(size + 1)
-        while size < len(content) <= most and (more := stream.read(PIECE)):  # it grows, or says that it is empty
+        while size < len(content) <= most and (more := stream.read(FILE_CHUNK)):  # it grows, or says that it is empty
             content += more
     if len(content) > most:
         raise TooLarge(len(content))

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from core.errors import Cancelled
 
-AHEAD = 2
+TASKS_PER_THREAD = 2
 """Tasks of a thread that it is handed: the one it does, and the next."""
 
 
@@ -65,7 +65,9 @@ class Threads:
             flying: dict[Future, tuple[int, Any]] = {}
             try:
                 while True:
-                    while len(flying) < AHEAD * self.jobs and (upcoming := under_way.next_task()) is not None:
+                    while (
+                        len(flying) < TASKS_PER_THREAD * self.jobs and (upcoming := under_way.next_task()) is not None
+                    ):
                         number, key, task = upcoming
                         future = pool.submit(task, lambda: ended.is_set() or self.cancelled())
                         flying[future] = number, key

@@ -12,11 +12,11 @@ from core.case.drawing_file import Shape, Sheet
 from core.case.drawing_outlines import Gap, Point
 from core.wall.body import holds, polygon_sums
 
-BODY, OPENING, NOTHING = "body", "opening", "nothing"
-ROLES = (BODY, OPENING, NOTHING)
+BODY, OPENING, NO_PART = "body", "opening", "nothing"
+ROLES = (BODY, OPENING, NO_PART)
 """What a shape can be, in the order of clicks."""
 
-NEAR = 6.0
+CLICK_TOLERANCE = 6.0
 """Pixels from the hinge line, and of a movement that is still a click."""
 
 MARGIN = 18.0
@@ -107,11 +107,11 @@ class DrawingCanvas(QWidget):
         painter.setPen(QPen(quiet, 0.8))
         for _, line in self.lines:
             painter.drawPolyline(QPolygonF([self.at(x, y) for x, y in line]))
-        order = {BODY: 0, OPENING: 1, NOTHING: 2}
+        order = {BODY: 0, OPENING: 1, NO_PART: 2}
         for k in sorted(range(len(self.roles)), key=lambda k: order[self.roles[k]]):
             role = self.roles[k]
-            edge = QColor(theme.current.ink) if role != NOTHING else quiet
-            style = Qt.PenStyle.DotLine if role == NOTHING else Qt.PenStyle.SolidLine
+            edge = QColor(theme.current.ink) if role != NO_PART else quiet
+            style = Qt.PenStyle.DotLine if role == NO_PART else Qt.PenStyle.SolidLine
             painter.setPen(QPen(edge, 3.0 if k in self.chosen else 1.2, style))
             fill = {BODY: shade, OPENING: back}.get(role, Qt.BrushStyle.NoBrush)
             painter.setBrush(fill)
@@ -127,7 +127,7 @@ class DrawingCanvas(QWidget):
             painter.drawLine(QPointF(0.0, level), QPointF(self.width(), level))
 
     def _on_hinge(self, position: QPointF) -> bool:
-        return self.hinge is not None and abs(self.at(0.0, self.hinge).y() - position.y()) <= NEAR
+        return self.hinge is not None and abs(self.at(0.0, self.hinge).y() - position.y()) <= CLICK_TOLERANCE
 
     def shape_at(self, position: QPointF) -> int | None:
         """The smallest shape at a place of the widget."""
@@ -150,7 +150,7 @@ class DrawingCanvas(QWidget):
         if press is None or self.drags_hinge:
             return
         way = event.position() - press
-        if way.manhattanLength() > NEAR:
+        if way.manhattanLength() > CLICK_TOLERANCE:
             self.shift += way
             self.update()
         elif (k := self.shape_at(press)) is not None:

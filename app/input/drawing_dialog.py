@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.input.drawing_canvas import BODY, NOTHING, OPENING, ROLES, DrawingCanvas
+from app.input.drawing_canvas import BODY, NO_PART, OPENING, ROLES, DrawingCanvas
 from app.input.fields import LineField, connect
 from app.input.made_fields import make_field
 from app.look import theme
@@ -37,25 +37,25 @@ from core.errors import InputError
 from core.known import known
 from core.wall.body import holds, point_within, polygon_sums
 
-CLOSE = 0.02
+MAX_GAP = 0.02
 """How far the end of a line may be from the line it should meet, in an outline around a click [m]."""
 
-SHOWN = 8
+MAX_UNREAD_SHOWN = 8
 """Kinds of entities that are not read, named in the dialog."""
 
 WEIGHT = 18.0
 """What a wall without a unit weight is taken to weigh, for the mass that is shown [kN/m3]."""
 
-MOST_ROWS = 2000
+MAX_SHAPES = 2000
 """Shapes of a drawing that are looked at for what they may be: of more none is."""
 
 
 def likely_roles(shapes: tuple[Shape, ...]) -> list[str]:
     """The largest shape is the body, what lies in it an opening unless it lies in another one, the rest nothing."""
     areas = [polygon_sums(shape.corners).area for shape in shapes]
-    if not shapes or len(shapes) > MOST_ROWS:
-        return [NOTHING] * len(shapes)
-    roles, largest = [NOTHING] * len(shapes), max(range(len(shapes)), key=lambda k: areas[k])
+    if not shapes or len(shapes) > MAX_SHAPES:
+        return [NO_PART] * len(shapes)
+    roles, largest = [NO_PART] * len(shapes), max(range(len(shapes)), key=lambda k: areas[k])
     roles[largest], openings = BODY, []
     for k in sorted(range(len(shapes)), key=lambda k: -areas[k]):
         if k == largest or areas[k] > 0.9 * areas[largest]:  # a hatch of the wall
@@ -91,7 +91,7 @@ class DrawingDialog(QDialog):
         self.list.setAccessibleName(tr("Shapes"))
         self.list.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.list.itemSelectionChanged.connect(self._show_roles)
-        self.names = {BODY: tr("Body"), OPENING: tr("Opening"), NOTHING: tr("Nothing")}
+        self.names = {BODY: tr("Body"), OPENING: tr("Opening"), NO_PART: tr("Nothing")}
         self.buttons_of_roles = {role: QPushButton(name) for role, name in self.names.items()}
         choices = QHBoxLayout()
         for role, button in self.buttons_of_roles.items():
@@ -187,7 +187,7 @@ class DrawingDialog(QDialog):
 
     def _around(self, x: float, y: float) -> None:
         """The outline around a place between lines becomes a shape of the wall, what stands apart in it openings."""
-        close, same = CLOSE / self.scale, TOLERANCE / self.scale
+        close, same = MAX_GAP / self.scale, TOLERANCE / self.scale
         try:
             region = around(self.sheet.lines, (x, y), close, same)
         except InputError as error:
@@ -294,7 +294,7 @@ class DrawingDialog(QDialog):
             return ""
         return tr(
             "Gaps closed between lines, up to {most} mm: {n}, the largest {mm} mm.",
-            most=number(1e3 * CLOSE, "g"),
+            most=number(1e3 * MAX_GAP, "g"),
             n=len(self.closed),
             mm=number(1e3 * max(self.closed), ".1f"),
         )
@@ -302,7 +302,7 @@ class DrawingDialog(QDialog):
     def _not_read(self) -> str:
         """What the drawing holds besides and is not read: areas and references first."""
         unread = sorted(self.sheet.unread, key=lambda one: not one.is_ground)
-        return tr("Not read: {left}.", left=", ".join(map(str, unread[:SHOWN]))) if unread else ""
+        return tr("Not read: {left}.", left=", ".join(map(str, unread[:MAX_UNREAD_SHOWN]))) if unread else ""
 
     def _open_outlines(self) -> str:
         if not self.sheet.gaps:

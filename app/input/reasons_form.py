@@ -17,7 +17,7 @@ from core.codes.limits import ORDINARY_LIFE
 from core.codes.national_hazard import national_range
 from core.codes.verdict import CODE_Q
 from core.ground.scattered import SPREAD
-from core.setting.floors import GREATEST_STOREY, LEAST_STOREY
+from core.setting.floors import MAX_STOREY, MIN_STOREY
 from core.text.sentence import capital
 from core.wall.restitution import MODELS
 
@@ -103,7 +103,7 @@ def is_number(value: object) -> TypeGuard[float]:
 def _odd_storeys(building: Building) -> bool:
     """Whether the storeys of a building, as far as it is given, are of an odd height."""
     known = is_number(building.height_m) and is_number(building.storeys) and building.storeys > 0
-    return known and not LEAST_STOREY <= building.height_m / building.storeys <= GREATEST_STOREY
+    return known and not MIN_STOREY <= building.height_m / building.storeys <= MAX_STOREY
 
 
 class ReasonField(TextField):

@@ -18,7 +18,7 @@ from core.case.wall import BENDS, Wall
 from core.codes.vertical_bending import Bending, bending, outlines, shown_rotation
 from core.errors import InputError
 from core.known import known
-from core.report.load_arrows import SHORTEST, arrows
+from core.report.load_arrows import MIN_ARROW, arrows
 from core.rocking.bar_state import BROKEN, SLACK, YIELDING
 from core.wall.bending import HeldTop, Strip, hinges_of, strip_of
 
@@ -100,19 +100,19 @@ def arrows_of(wall: Wall, all_loads: Sequence[Load], height: float, thickness: f
             continue
         at = load.h_m if isinstance(load.h_m, float) else height
         x = thickness - load.d_m if isinstance(load.d_m, float) else 0.5 * thickness
-        size = SHORTEST * height
+        size = MIN_ARROW * height
         line = [(x, at + size), (x, at)] if load.is_weight else [(x - size, at), (x, at)]
         drawn.append(Arrow(k, line, ""))
     return drawn
 
 
-NEAR = 7.0
+CLICK_MARGIN = 7.0
 """How close to a mark a click belongs to it [px]."""
 
-BESIDE = 420
+MIN_WIDTH_OF_ELEVATION = 420
 """Width from which on the elevation of a body stands beside its section [px]."""
 
-STEP = 0.05
+HEIGHT_STEP = 0.05
 """Heights a load is dragged to are multiples of it [m]."""
 
 
@@ -263,14 +263,14 @@ class WallDrawing(QWidget):
     @property
     def has_elevation(self) -> bool:
         """Whether there is room for one beside the section of a body."""
-        return self.with_sizes and bool(self.body.elevation) and self.width() >= BESIDE
+        return self.with_sizes and bool(self.body.elevation) and self.width() >= MIN_WIDTH_OF_ELEVATION
 
     def _mark_spots(self, place, height, thickness, setback) -> None:
         """Where a click leads to a field: loads first, for a tie may stand at a hinge."""
 
         def around(points, kind: str, k: int = 0) -> None:
             area = QPolygonF([place(QPointF(x, y)) for x, y in points]).boundingRect()
-            self.spots.append((area.adjusted(-NEAR, -NEAR, NEAR, NEAR), kind, k))
+            self.spots.append((area.adjusted(-CLICK_MARGIN, -CLICK_MARGIN, CLICK_MARGIN, CLICK_MARGIN), kind, k))
 
         half = 0.5 * thickness
         for one in self.arrows:
@@ -287,8 +287,8 @@ class WallDrawing(QWidget):
     def mouseMoveEvent(self, event) -> None:
         spot = self._spot_at(event.position())
         if self.dragged is not None and event.buttons() & Qt.MouseButton.LeftButton:
-            height = STEP * round((self.base_y - event.position().y()) / self.scale / STEP)
-            self.moved.emit(self.dragged, round(max(STEP, min(height, known(self.size_of)[0])), 3))
+            height = HEIGHT_STEP * round((self.base_y - event.position().y()) / self.scale / HEIGHT_STEP)
+            self.moved.emit(self.dragged, round(max(HEIGHT_STEP, min(height, known(self.size_of)[0])), 3))
         elif spot is None:
             self.unsetCursor()
         else:

@@ -17,7 +17,7 @@ from core import atomic_write
 LARGEST, COLOURS = 960, 48
 """Longest side of a frame [px], and its colours."""
 
-AHEAD = 4
+PICTURES_AHEAD = 4
 """Frames that wait to be made into the film."""
 
 
@@ -93,7 +93,7 @@ class Film(QObject):
         """A frame, unless enough of them wait."""
         if self.job.cancelled():
             self.timer.stop()
-        elif self.pictures.unfinished_tasks < AHEAD:
+        elif self.pictures.unfinished_tasks < PICTURES_AHEAD:
             if self.painted == self.count:
                 self.timer.stop()
                 self.pictures.put(None)

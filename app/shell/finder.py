@@ -19,7 +19,7 @@ from core.known import known
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
 
-MOST = 60
+MAX_ENTRIES = 60
 """Entries that are listed."""
 
 PLACES, LETTERS = 3, 3
@@ -147,7 +147,7 @@ class Finder(QDialog):
         words = _plain(text).split()
         self.fitting = [one for one in self.entries if _holds(one, words)]
         self.fitting.sort(key=lambda one: _rank(one, _plain(text), words))
-        del self.fitting[MOST:]
+        del self.fitting[MAX_ENTRIES:]
         self.fitting += places_of(self.owner, text)
         self.list.clear()
         self.list.addItems([one.words for one in self.fitting])

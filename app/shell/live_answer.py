@@ -38,14 +38,14 @@ KINDS = ("wall", "demand", "building")
 AT_ONCE_MS, RESTED_MS = 0, 400
 """Pauses after a key: before the checks of the clauses, for which no letter waits, and before the wall runs."""
 
-MOST_ROWS, MOST_LINES = 5, 2
+MAX_ROWS_SHOWN, MAX_LINES_SHOWN = 5, 2
 """Rows of assumptions, and lines of what limits the verdict; all are on the page Answer."""
 
 
 WAITING = "…"
 """Stands for what is on its way."""
 
-MOST_WALLS = 500
+MAX_WALLS_AT_REST = 500
 """Walls of a case up to which the one of the form is run beside them."""
 
 
@@ -212,7 +212,7 @@ class LiveAnswer(Section):
         asked = case.record or case.generate or case.select or case.default_histories
         awaited = bool(asked) and demand.limit_state in LIMIT_FRACTION
         self._show_checks(rungs_of(evaluated, demand.q_code, None, {}, False, awaited), demand.zeta_target)
-        if case.select is not None or len(whole.wall) > MOST_WALLS:
+        if case.select is not None or len(whole.wall) > MAX_WALLS_AT_REST:
             self.say(tr("histories with a run (F5)"))
             return
         self.rested.start()
@@ -246,8 +246,8 @@ class LiveAnswer(Section):
         said = [*to_do(result, wall, language), *limits(result, wall, language, warnings)]
         if known(self.at)[0].sensitivity is not None:
             said.insert(0, tr("[sensitivity] is not in this answer: F5."))
-        more = [tr("{n} more", n=len(said) - MOST_LINES)] if len(said) > MOST_LINES else []
-        self.lines.setText("<br>".join([*said[:MOST_LINES], *more]))
+        more = [tr("{n} more", n=len(said) - MAX_LINES_SHOWN)] if len(said) > MAX_LINES_SHOWN else []
+        self.lines.setText("<br>".join([*said[:MAX_LINES_SHOWN], *more]))
         self._keep_height()
 
     def _show_run(self) -> None:
@@ -286,7 +286,7 @@ class LiveAnswer(Section):
         here, target, language = verdict.zeta_e or 0.0, verdict.zeta_target, current_language()
         end = 1.1 * max(here, target, *(row.zeta or 0.0 for row in known_zetas))
         self.heading.setText(tr("What raises ζ; ticked, it is at its other end:"))
-        for k, row in enumerate(sorted(known_zetas, key=lambda row: row.zeta or 0.0)[:MOST_ROWS]):
+        for k, row in enumerate(sorted(known_zetas, key=lambda row: row.zeta or 0.0)[:MAX_ROWS_SHOWN]):
             taken, other = shown(row, row.value, language), shown(row, row.other_end, language)
             text = f"{word(f'key_{row.key}', language)}: {taken} → {other}"
             name = Switch(text)

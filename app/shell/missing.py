@@ -21,10 +21,10 @@ from core.errors import InputError
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
 
-MOST = 8
+MAX_PROBLEMS = 8
 """Lines that are shown."""
 
-MOST_LETTERS = 700
+MAX_LETTERS = 700
 """Letters of a line: a longer sentence is whole in the tip of the notice."""
 
 
@@ -101,13 +101,13 @@ class Missing(QFrame):
     def _write(self) -> None:
         colour = theme.current.curves[0]
         lines = []
-        for k, problem in enumerate(self.problems[:MOST]):
+        for k, problem in enumerate(self.problems[:MAX_PROBLEMS]):
             words = problem.words
-            words = words if len(words) < MOST_LETTERS else words[: MOST_LETTERS - 1] + "…"
+            words = words if len(words) < MAX_LETTERS else words[: MAX_LETTERS - 1] + "…"
             words = html.escape(words, quote=False)
             lines.append(f"<a href='{k}' style='color:{colour}; text-decoration:none'>→ {words}</a>")
-        if len(self.problems) > MOST:
-            lines.append(tr("{n} more", n=len(self.problems) - MOST))
+        if len(self.problems) > MAX_PROBLEMS:
+            lines.append(tr("{n} more", n=len(self.problems) - MAX_PROBLEMS))
         count = len(self.problems)
         one, many = tr("Before F5: one thing to give or mend"), tr("Before F5: {n} things to give or mend", n=count)
         self.heading.setText(one if count == 1 else many)

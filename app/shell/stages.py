@@ -51,7 +51,7 @@ ANSWER, WHY = ("walls", "check"), ("histories", "sure", "capacity", "intensity",
 CHOICES = 300
 """Width of what stands beside the pages of the note [px]."""
 
-SHARES = {"wall": (44, 56), "demand": (44, 56), "building": (44, 56), "records": (62, 38), "report": (56, 44)}
+WIDTH_SHARES = {"wall": (44, 56), "demand": (44, 56), "building": (44, 56), "records": (62, 38), "report": (56, 44)}
 """Shares of the width of the stage that forms and what stands beside them take."""
 
 
@@ -172,7 +172,7 @@ class InputStage(QSplitter):
 
     def _share(self) -> None:
         kind = self.kind or "wall"
-        forms, views = (self.width() * share // 100 for share in SHARES[kind])
+        forms, views = (self.width() * share // 100 for share in WIDTH_SHARES[kind])
         bar = self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent)
         needed = known(self.areas[kind].widget()).minimumSizeHint().width() + bar
         self.setSizes([max(forms, needed), min(views, self.width() - needed)])

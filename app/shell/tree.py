@@ -29,10 +29,10 @@ from core.known import known
 from core.report.verdict_words import tone_of
 from core.study.results import StudyResult, WallResult
 
-WIDTH, WIDE = 216, 280
+TREE_WIDTH, WIDE = 216, 280
 """Width of the tree in a window of 1280 and of 1920 [px]."""
 
-MOST = 0.20
+MAX_SHARE_OF_WINDOW = 0.20
 """Share of the width of the window that the tree takes for the words of its first level."""
 
 WIDE_FROM = 1600
@@ -277,7 +277,7 @@ class ProjectTree(QFrame):
         layout.setSpacing(0)
         layout.addWidget(self.tree, 1)
         layout.addWidget(self.buttons)
-        self.least, self.window_width = WIDTH, 0
+        self.least, self.window_width = TREE_WIDTH, 0
         self.filling = False
 
     def set_buttons(self, buttons: Sequence[tuple]) -> None:
@@ -296,7 +296,7 @@ class ProjectTree(QFrame):
         for count in (3, 2):
             lines = [made[k : k + count] for k in range(0, len(made), count)]
             wide = max(sum(button.sizeHint().width() + 2 for button in line) for line in lines) + 8
-            if wide <= WIDTH:
+            if wide <= TREE_WIDTH:
                 break
         for line in lines:
             row = QHBoxLayout()
@@ -315,8 +315,8 @@ class ProjectTree(QFrame):
         first = [row.text for row in self.rows if row.depth == 0 and row.kind != "report"]
         words = max((QFontMetricsF(font).horizontalAdvance(text) for text in first), default=0.0)
         around = self.tree.indentation() + chip_width(font, "✓") + 16  # edges, and the chip that may come
-        wanted = min(math.ceil(words + around), round(MOST * window))
-        self.setFixedWidth(max(self.least, WIDE if window >= WIDE_FROM else WIDTH, wanted))
+        wanted = min(math.ceil(words + around), round(MAX_SHARE_OF_WINDOW * window))
+        self.setFixedWidth(max(self.least, WIDE if window >= WIDE_FROM else TREE_WIDTH, wanted))
 
     def show_rows(self, rows: list[Row]) -> None:
         """The rows in place of those before; the chosen one stays chosen, what was open stays open."""

@@ -26,7 +26,7 @@ from core.variation.whole_wall import NONE, Setting, WholeWall, evaluate_wall, s
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
 
-STEPS, RANGE = 200, 2.0
+STEPS, SLIDER_FACTOR = 200, 2.0
 """Places of a slider, and the factor of the value at hand at its upper end; its inverse is at the lower."""
 
 SETTLED_MS = 120
@@ -35,7 +35,7 @@ SETTLED_MS = 120
 OWN_Q = "linear_q_slv"
 """The check that asks for a search of q, which is not made here."""
 
-SHOWN = {
+VALUE_FORMATS = {
     "thickness_m": (100.0, ".1f", 3),
     "height_m": (1.0, ".2f", 2),
     "tie_kn_m": (1.0, ".2f", 2),
@@ -228,7 +228,7 @@ class WhatIfWindow(QDialog):
     def values(self) -> dict[str, float]:
         """By key, of the sliders that are moved, as they are shown."""
         return {
-            key: round(self.given[key] * RANGE ** (slider.value() / STEPS), SHOWN[key][2])
+            key: round(self.given[key] * SLIDER_FACTOR ** (slider.value() / STEPS), VALUE_FORMATS[key][2])
             for key, slider in self.sliders.items()
             if slider.value()
         }
@@ -236,7 +236,7 @@ class WhatIfWindow(QDialog):
     def _say_values(self) -> None:
         values = self.values
         for key, label in self.values_shown.items():
-            factor, form, _ = SHOWN[key]
+            factor, form, _ = VALUE_FORMATS[key]
             given = number(factor * self.given[key], form)
             label.setText(given if key not in values else f"{number(factor * values[key], form)} ({given})")
 

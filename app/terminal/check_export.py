@@ -21,7 +21,7 @@ REASONS = {
 }
 """Why a wall has no script -> the text of the terminal."""
 
-HEAD = 60
+COMPARED_BYTES = 60
 """Bytes by which a script of ours is known."""
 
 
@@ -57,5 +57,5 @@ def _refuse_overwriting(files: set[Path], sources: set[Path]) -> None:
     """Raise InputError where a script would take the place of a source, or of a file that is no such script."""
     refuse_taking({path.resolve() for path in files}, sources)
     for path in files:
-        if path.exists() and first_bytes(path, HEAD) != TEMPLATE.read_bytes()[:HEAD]:
+        if path.exists() and first_bytes(path, COMPARED_BYTES) != TEMPLATE.read_bytes()[:COMPARED_BYTES]:
             raise InputError("would_overwrite", path=path)

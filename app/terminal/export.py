@@ -30,10 +30,10 @@ from core.study.results import CollapseHistories, StudyResult
 HISTORY_WALLS = 20
 """Walls whose histories and charts are drawn; the rest are listed."""
 
-HEAD = 1 << 20
+HEAD_BYTES = 1 << 20
 """Bytes of results, and of what a workbook says of itself, that are looked at."""
 
-MOST_SUBJECT = 255
+MAX_SUBJECT_LETTERS = 255
 """Letters that a docx can say of its subject."""
 
 WALLS, NOTE = 53, 90
@@ -106,7 +106,7 @@ def _results_of(case: Case, path: Path) -> bool:
     none."""
     if not _ours(path):
         return False
-    head, decode = first_bytes(path, HEAD).decode("utf-8", "ignore"), json.JSONDecoder().raw_decode
+    head, decode = first_bytes(path, HEAD_BYTES).decode("utf-8", "ignore"), json.JSONDecoder().raw_decode
     title, wall = (re.search(pattern, head) for pattern in (r'"case": \{\s*"title": ', r'"wall": \[\s*\{\s*"name": '))
     try:
         alike = title is not None and decode(head, title.end())[0] == case.title
@@ -121,7 +121,7 @@ def _saved_since(path: Path) -> bool:
         return False
     try:
         with open_regular(path) as stream, zipfile.ZipFile(stream) as book, book.open("docProps/core.xml") as about:
-            return b"lastModifiedBy" in about.read(HEAD)
+            return b"lastModifiedBy" in about.read(HEAD_BYTES)
     except (OSError, ValueError, LookupError, NotImplementedError, RuntimeError, zlib.error, zipfile.BadZipFile):
         return True
 
@@ -144,7 +144,7 @@ def _subject(case: dict) -> str:
     """What a note is told by. case : by its keys"""
     from core.report.xml_text import for_xml
 
-    return for_xml(f"{case['title']} – {case['wall'][0]['name']}")[:MOST_SUBJECT]
+    return for_xml(f"{case['title']} – {case['wall'][0]['name']}")[:MAX_SUBJECT_LETTERS]
 
 
 def check_note(path: Path | None, case_path: Path, case: Case | None = None) -> None:

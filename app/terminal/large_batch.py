@@ -39,7 +39,7 @@ from core.study.journal import Journal, journal_key
 from core.study.large_case import LargeCase, group_results, groups_elsewhere, in_order, without_walls
 from core.version import NAME, VERSION
 
-SHOWN = 20
+MAX_WALLS_SHOWN = 20
 """Walls a terminal shows, the worst."""
 
 
@@ -201,7 +201,7 @@ def summary(tally: Tally, folder: Path, stem: str) -> str:
     if with_demand:
         columns += ["zeta", "verdict", "by"]
     table = [[terminal(head) for head in columns]]
-    for row in tally.worst[:SHOWN]:
+    for row in tally.worst[:MAX_WALLS_SHOWN]:
         cells = [row["name"][:48], coded(row["mechanism"]), short(row["q_set"])]
         if with_demand:
             cells += [short(row["zeta_e"]), coded(row["verdict"]), coded(row["check"])]

@@ -22,7 +22,7 @@ NAME_OF_TESTS = "validation.json"
 SEED = 1
 """Seed that draws the halves of the events."""
 
-DIFFERS = 5
+EXIT_DIFFERS = 5
 """Exit code where a case does not agree with its source, as of --verify."""
 
 BEGINS = b'{\n "program": "Ribalta"'
@@ -61,7 +61,7 @@ def run(output: Path | None, records: Path | None, data: Path | None = None) -> 
         atomic_write.write({output / name: content for name, content in files.items()})
         for name in files:
             say(str(output / name))
-    return DIFFERS if differing else 0
+    return EXIT_DIFFERS if differing else 0
 
 
 def _refuse_overwriting(output: Path) -> None:

@@ -23,10 +23,10 @@ from core.study.results import StudyResult
 from core.study.run import run as run_study
 from core.version import VERSION
 
-EQUAL, DIFFERS, CANNOT = 0, 5, 6
+EXIT_EQUAL, EXIT_DIFFERS, EXIT_CANNOT = 0, 5, 6
 """Exit codes."""
 
-MOST_LINES = 40
+MAX_DIFFERENCES_SHOWN = 40
 """Differences that are listed."""
 
 SECONDS, MEGABYTES = 60.0, 2000
@@ -70,13 +70,13 @@ def compared(report: Path, records: Path | None = None, **how: Any) -> tuple[int
             raise Unverifiable(terminal("these records are not those of the report: {names}", names=", ".join(changed)))
         differences = list(itertools.islice(_compared(report, content, reported, result, folder), 10_000))
     except Unverifiable as reason:
-        return CANNOT, [terminal("{path}: cannot be verified: {reason}", path=report, reason=str(reason))]
-    lines = [_line(one) for one in differences[:MOST_LINES]]
-    if len(differences) > MOST_LINES:
-        lines.append(terminal("… and {n} more", n=len(differences) - MOST_LINES))
+        return EXIT_CANNOT, [terminal("{path}: cannot be verified: {reason}", path=report, reason=str(reason))]
+    lines = [_line(one) for one in differences[:MAX_DIFFERENCES_SHOWN]]
+    if len(differences) > MAX_DIFFERENCES_SHOWN:
+        lines.append(terminal("… and {n} more", n=len(differences) - MAX_DIFFERENCES_SHOWN))
     if differences:
-        return DIFFERS, [*lines, terminal("{path}: {n} differences", path=report, n=len(differences))]
-    return EQUAL, [terminal("{path}: equal, run again by version {version}", path=report, version=VERSION)]
+        return EXIT_DIFFERS, [*lines, terminal("{path}: {n} differences", path=report, n=len(differences))]
+    return EXIT_EQUAL, [terminal("{path}: equal, run again by version {version}", path=report, version=VERSION)]
 
 
 def _line(one: Difference) -> str:

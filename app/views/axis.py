@@ -12,7 +12,7 @@ def numbers(values) -> np.ndarray:
     return np.ascontiguousarray(np.asarray(values, dtype=np.float64).ravel())
 
 
-LEAST_TICK = 26
+MIN_TICK_DISTANCE = 26
 """Room [px] below which the labels of neighbouring ticks of a bottom axis touch."""
 
 
@@ -79,7 +79,7 @@ class Axis(pg.AxisItem):
         span = abs(maxVal - minVal)
         if self.orientation != "bottom" or not span:
             return levels
-        return [level for level in levels if level[0] * size >= LEAST_TICK * span] or levels[:1]
+        return [level for level in levels if level[0] * size >= MIN_TICK_DISTANCE * span] or levels[:1]
 
     def tickStrings(self, values, scale, spacing):
         words = super().tickStrings(values, scale, spacing)

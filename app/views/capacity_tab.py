@@ -23,7 +23,7 @@ from core.rocking.history import scan
 from core.rocking.outcome import COLLAPSED, STABLE
 from core.study.results import Run, StudyResult, WallResult
 
-EDGE = 1.25
+OVERTURNED_AT = 1.25
 """Where a point that overturned is drawn, at the upper edge: it has no number."""
 
 MARKS = (0.5, 0.7, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 40, 60, 100)
@@ -129,7 +129,7 @@ class CapacityTab(ResultTab):
             self.peaks.curve(run_name(run), q, ratio, 0)
             fell = q[np.isnan(ratio)]
             none = np.full(fell.size, np.nan)
-            self.peaks.points(named("overturned"), fell, np.full(fell.size, EDGE), 1, 4, values=none)
+            self.peaks.points(named("overturned"), fell, np.full(fell.size, OVERTURNED_AT), 1, 4, values=none)
             if run.ida.q:
                 self.peaks.level(run.ida.q, "q", "bad", vertical=True, place=0.75)
             self.peaks.caption = f"{title_of(wall)}, {run_name(run)}"

@@ -18,11 +18,11 @@ from app.views.chart_output import ChartOutput
 from app.views.edge_marks import EdgeMarks
 from core.text.sentence import numeral
 
-NEAR = 0.04
+MAX_POINT_DISTANCE = 0.04
 """How close the cursor must be to a data point to be read there, over the size of the axes."""
 
 
-ROOM = 0.06
+AXIS_PADDING = 0.06
 """Beside the data that `Chart.reset` shows, of the length of an axis."""
 
 
@@ -280,7 +280,7 @@ class Chart(ChartOutput):
             if name in self.ranges:
                 show(*self.ranges[name], padding=(0.01, 0.0)[k])
             elif (ends := ends_of([extent[k] for extent in self.extents], log)) is not None:
-                show(*ends, padding=ROOM)
+                show(*ends, padding=AXIS_PADDING)
 
     # colours
 
@@ -358,7 +358,7 @@ class Chart(ChartOutput):
     def _nearest(self, x: float, y: float, log: bool) -> tuple[str, float, float] | None:
         """(curve, x, y) of the data point close to a place of the axes; None where none is."""
         (left, right), (low, high) = self.plot.viewRange()
-        best, nearest = NEAR, None
+        best, nearest = MAX_POINT_DISTANCE, None
         for name, xs, ys in self.data:
             if not xs.size or xs.size != ys.size:
                 continue

@@ -44,7 +44,7 @@ from core.units import G
 TOP, ABOVE = 1.2, 1.15
 """Largest peak over theta_c that bars show, and room above the largest bar and the limit that decides [of them]."""
 
-MOST_LIMITS = 3
+MAX_LIMITS_SHOWN = 3
 """Lines of limits that are always shown; what makes a verdict indicative is among them, however much it is."""
 
 MIN_HEIGHT = 340
@@ -203,7 +203,7 @@ class CheckTab(ResultTab):
         self.heading.setStyleSheet(f"{theme.points(1.75)} font-weight: 700; color: {shade};")
         self.sentence.setText(called(sentence_of(wall, self.language)))
         lines = limits(result, wall, self.language, self._warnings(result, wall))
-        shown = max(MOST_LIMITS, verdict.blocking) if len(lines) > MOST_LIMITS + 1 else len(lines)
+        shown = max(MAX_LIMITS_SHOWN, verdict.blocking) if len(lines) > MAX_LIMITS_SHOWN + 1 else len(lines)
         self.important.setText("<br>\n".join([*to_do(result, wall, self.language), *lines[:shown]]))
         self.others.setText("<br>\n".join(lines[shown:]))
         self.assumed.setText(assumption_rows(result, wall, self.language))

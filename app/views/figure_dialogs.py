@@ -58,7 +58,7 @@ def axis_limits(parent, labels, now) -> tuple[float, float, float, float] | None
     return (left, right, low, high) if left < right and low < high else None
 
 
-MOST_ROWS = 20_000
+MAX_TABLE_ROWS = 20_000
 """Rows of a table of data that are shown: more nobody reads; the CSV has them all."""
 
 
@@ -78,7 +78,7 @@ def data_table(chart) -> QDialog:
         for name, xs, ys in chart.data
         for x, y in zip(xs.tolist(), ys.tolist(), strict=True)
     ]
-    table.show_rows(rows[:MOST_ROWS])
+    table.show_rows(rows[:MAX_TABLE_ROWS])
     table.live = chart.live
     layout = QVBoxLayout(dialog)
     layout.addWidget(table)

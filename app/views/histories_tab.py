@@ -33,7 +33,7 @@ PAUSE = 5.0
 GROUND, AXIS = 200, 3.6
 """Height of the ground with its axis in a window of 800 [px], 120 of it the motion; width of all axes [lines]."""
 
-MOST_ROTATION, LEAST_ROTATION, ROOM, EMPTIED = 1.4, 0.01, 1.15, 0.4
+MAX_RATIO_SHOWN, MIN_RATIO_SHOWN, ROTATION_AXIS_FACTOR, EMPTIED = 1.4, 0.01, 1.15, 0.4
 """Largest and smallest rotation over theta_c that the axis ends at, its room above the peak, and the share of it below
 which a peak lets it shrink."""
 
@@ -202,7 +202,7 @@ class HistoriesTab(ResultTab):
             line.setMovable(True)
             line.sigDragged.connect(lambda line: self.set_time(line.value()))
         self.below_rest = -1.0 if both_ways else -0.14
-        self.rotation.set_range((0.0, float(self.times[-1])), (self.below_rest * MOST_ROTATION, MOST_ROTATION))
+        self.rotation.set_range((0.0, float(self.times[-1])), (self.below_rest * MAX_RATIO_SHOWN, MAX_RATIO_SHOWN))
         self.energy.set_range((0.0, float(self.times[-1])), (0.0, 1.3))
         self._show_until(float(self.times[-1]))
         self._set_q(self.middle)
@@ -228,7 +228,7 @@ class HistoriesTab(ResultTab):
     def _follow_peak(self) -> None:
         """The axis of rotations ends above the peak: it grows with it, and shrinks only where much of it is empty."""
         shown = [float(np.abs(ratio).max(initial=0.0)) for _, _, ratio in self.rotation.data]
-        end = min(max(ROOM * max(shown), LEAST_ROTATION), MOST_ROTATION)
+        end = min(max(ROTATION_AXIS_FACTOR * max(shown), MIN_RATIO_SHOWN), MAX_RATIO_SHOWN)
         if not EMPTIED * self.rotation.ranges["y"][1] <= end <= self.rotation.ranges["y"][1]:
             self.rotation.ranges["y"] = (self.below_rest * end, end)
             self.rotation.plot.setYRange(*self.rotation.ranges["y"], padding=0.0)  # times are shared, and stay

@@ -48,7 +48,7 @@ DOTS, POINTS = 96.0, 72.0
 GAP = 12
 """Between two pages [px]."""
 
-REACH = 30.0
+MAX_CLICK_DISTANCE = 30.0
 """How far below a mark a click still belongs to it [pt]."""
 
 
@@ -263,7 +263,7 @@ class NoteTab(ResultTab):
                 break
             wall = place.get("wall", wall)
             nearest = place
-        if wall is None or nearest is None or nearest["page"] != page or y - nearest["y"] > REACH:
+        if wall is None or nearest is None or nearest["page"] != page or y - nearest["y"] > MAX_CLICK_DISTANCE:
             return
         (self.picked if "wall" in nearest else self.checked).emit(wall)
 

@@ -6,7 +6,7 @@ units of the axes (a bar of 0.23 stands as high as 0.73); where it is honoured i
 
 import re
 
-ASKED = 'vector-effect="non-scaling-stroke"'
+FIXED_STROKE = 'vector-effect="non-scaling-stroke"'
 
 _NUMBER = r"-?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?"
 _GROUP = re.compile(r'transform="matrix\(([^)]*)\)"([^>]*>)((?:(?!<g\b).)*?)</g>', re.DOTALL)
@@ -21,12 +21,12 @@ QUARTER = 4.0 / 3.0 * (2.0**0.5 - 1.0)
 def in_page_units(drawing: str) -> str:
     """The drawing without strokes that do not scale: the matrix of such a group moves the points of its shapes."""
     moved = _GROUP.sub(_moved, drawing)
-    return moved.replace(ASKED, 'vector-effect="none"')  # of what has no matrix: a clip
+    return moved.replace(FIXED_STROKE, 'vector-effect="none"')  # of what has no matrix: a clip
 
 
 def _moved(group: re.Match) -> str:
     text, rest, inside = group.groups()
-    if ASKED not in inside:
+    if FIXED_STROKE not in inside:
         return group[0]
     matrix = [float(number) for number in text.split(",")]
 

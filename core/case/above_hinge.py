@@ -12,7 +12,7 @@ from core.known import known
 from core.wall.body import cut_above
 from core.wall.solids import Part, contact_at, is_dragged, snapped
 
-LEAST_HEIGHT = 0.1
+MIN_HEIGHT_ABOVE = 0.1
 """Least height of the part of a wall above a hinge [m]: that of any wall."""
 
 
@@ -58,7 +58,7 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
         load=loads,
         unloaded_confirmed=wall.unloaded_confirmed or (bool(wall.load) and not loads),
         tie_height_m=None
-        if wall.tie_height_m is None or wall.tie_height_m < hinge + LEAST_HEIGHT
+        if wall.tie_height_m is None or wall.tie_height_m < hinge + MIN_HEIGHT_ABOVE
         else wall.tie_height_m - hinge,
     )
     if part.parts and fault_of(part.parts, known(part.thickness)) is not None:

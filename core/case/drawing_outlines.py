@@ -17,10 +17,10 @@ LOOSE = 200
 CROWD = 32
 """Ends around a point within three gaps: of more none goes on, as of three that meet."""
 
-MOST_POINTS = 400_000
+MAX_POINTS = 400_000
 """Points of all lines of a drawing once they are divided, at most."""
 
-MOST_CHORDS = 20_000
+MAX_CHORDS = 20_000
 """Chords of an arc, at most: a circle with a radius of 80 km has as many."""
 
 
@@ -47,7 +47,7 @@ def arc(start: Point, end: Point, bulge: float, tolerance: float) -> list[Point]
     y = 0.5 * (start[1] + end[1]) + to_centre * (end[0] - start[0])
     first = math.atan2(start[1] - y, start[0] - x)
     count = math.ceil(abs(angle) / (2.0 * math.acos(max(0.0, 1.0 - tolerance / radius))))
-    if count > MOST_CHORDS:
+    if count > MAX_CHORDS:
         raise ValueError("bulge")
     turns = (first + angle * k / count for k in range(1, count))
     return [*((x + radius * math.cos(turn), y + radius * math.sin(turn)) for turn in turns), end]
@@ -66,8 +66,8 @@ def with_bulges(corners: Sequence[tuple[float, float, float]], closed: bool, tol
 
 def refuse_many(points: int) -> None:
     """Raise InputError for more points than a drawing may have."""
-    if points > MOST_POINTS:
-        raise InputError("drawing_too_many_points", most=MOST_POINTS)
+    if points > MAX_POINTS:
+        raise InputError("drawing_too_many_points", most=MAX_POINTS)
 
 
 def distinct(lines: Sequence[list[Point]]) -> list[list[Point]]:

@@ -6,11 +6,21 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from core.case.drawing_file import DRAWING_UNITS, LARGEST, SAME, SMALLEST, DxfFile, Shape, Sheet, largest, likely_unit
+from core.case.drawing_file import (
+    DRAWING_UNITS,
+    LARGEST,
+    MIN_CORNER_DISTANCE,
+    SMALLEST,
+    DxfFile,
+    Shape,
+    Sheet,
+    largest,
+    likely_unit,
+)
 from core.case.drawing_outlines import Point, parts_above
 from core.case.shape import ANGLES
 from core.case.solids import Drawing, Solid
-from core.case.values import MOST_CORNERS, section_of
+from core.case.values import MAX_CORNERS, section_of
 from core.case.wall import Wall
 from core.errors import InputError, place, section
 from core.file_names import name_of, shown
@@ -21,7 +31,7 @@ from core.wall.solids import Part, sum_of
 DIGITS = 6
 """Decimals of a corner [m]: corners drawn at one place are at one place."""
 
-MOST_NAMES = 20
+MAX_LAYERS_NAMED = 20
 """Layers repeated in a sentence."""
 
 
@@ -104,7 +114,7 @@ def _said(wall: str, view: View, made: list[dict]) -> Drawn:
     told |= {"solids": len(made) - openings, "openings": openings}
     if not view.sheet.unread:
         return Drawn(view.drawing.file, view.file.sha256, notice("drawing_read", **told))
-    left = ", ".join(map(str, view.sheet.unread[:MOST_NAMES]))
+    left = ", ".join(map(str, view.sheet.unread[:MAX_LAYERS_NAMED]))
     return Drawn(view.drawing.file, view.file.sha256, notice("drawing_read_in_part", left=left, **told))
 
 
@@ -113,7 +123,7 @@ def chosen_of(sheet: Sheet, drawing: Drawing) -> tuple[list[Shape], list[Shape]]
     names = {layer.casefold(): layer for layer in sheet.layers}
     for layer in (*drawing.layers, *drawing.opening_layers):
         if layer.casefold() not in names:
-            known = tuple(sheet.layers[:MOST_NAMES])
+            known = tuple(sheet.layers[:MAX_LAYERS_NAMED])
             raise InputError("drawing_layer", layer=layer, known=known)
     body, openings = ({layer.casefold() for layer in layers} for layers in (drawing.layers, drawing.opening_layers))
     if both := body & openings:
@@ -148,9 +158,9 @@ def origin_of(body: Sequence[Shape], unit: str, plane: str, hinge: float | None)
     if not solid:
         top = max(shape.extent[3] for shape in body) * scale
         raise InputError("drawing_hinge", key="hinge_y_m", found=base, top=top)
-    if plane == "section" and all(y > SAME for part in solid for _, y in part):
+    if plane == "section" and all(y > MIN_CORNER_DISTANCE for part in solid for _, y in part):
         raise InputError("drawing_section_floats", key="hinge_y_m")
-    low = SAME if plane == "section" else math.inf
+    low = MIN_CORNER_DISTANCE if plane == "section" else math.inf
     leftmost = min(x for part in solid for x, _ in part)
     return min((x for part in solid for x, y in part if y <= low), default=leftmost), base
 
@@ -196,13 +206,13 @@ def _above(shape: Shape, scale: float, base: float) -> list[list[Point]]:
     corners = [(round(scale * x, DIGITS), round(scale * y - base, DIGITS)) for x, y in shape.corners]
     x, y = shape.corners[0]
     here = {"layer": shape.layer, "x": scale * x, "y": scale * y}
-    if len(corners) > MOST_CORNERS:
-        raise InputError("drawing_corners", n=len(corners), most=MOST_CORNERS, **here)
+    if len(corners) > MAX_CORNERS:
+        raise InputError("drawing_corners", n=len(corners), most=MAX_CORNERS, **here)
     if (edges := crossing(corners)) is not None:
         x, y = shape.corners[edges[0] - 1]
         raise InputError("drawing_crosses", layer=shape.layer, x=scale * x, y=scale * y)
     parts = parts_above(corners, 0.0)
-    return [rounded for part in parts if polygon_sums(rounded := _rounded(part)).area > SAME]
+    return [rounded for part in parts if polygon_sums(rounded := _rounded(part)).area > MIN_CORNER_DISTANCE]
 
 
 def _rounded(part: list[Point]) -> list[Point]:

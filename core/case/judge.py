@@ -8,7 +8,7 @@ from core.case.schema import Case
 from core.case.wall import Wall
 from core.case.writer import table_of
 
-MOST = 1000
+MAX_SPARE_WALLS = 1000
 """Walls kept beside those of the case while it cannot be accepted."""
 
 
@@ -30,7 +30,7 @@ class Judge:
             return parse_case(table_of(case))
         judged = parse_sections(table_of(replace(case, wall=())))
         rows = [self._row(wall, k) for k, wall in enumerate(case.wall)]
-        if len(self.read) > 2 * len(rows) + MOST:
+        if len(self.read) > 2 * len(rows) + MAX_SPARE_WALLS:
             self.accepted, self.read = {}, {id(row[0]): row for row in rows}
         given = {("wall", k, key) for k, (_, _, keys) in enumerate(rows) for key in keys}
         walls = [wall for _, wall, _ in rows]

@@ -12,7 +12,7 @@ from core.case.drawing_outlines import Gap, Point
 from core.errors import InputError
 from core.wall.body import holds
 
-MOST_SEGMENTS = 20_000
+MAX_SEGMENTS = 20_000
 """Segments of the lines among which an outline is sought, at most: each is compared with each."""
 
 Line = tuple[str, Sequence[Point]]
@@ -32,8 +32,8 @@ def around(lines: Sequence[Line], point: Point, close: float, same: float) -> En
     """The outline around a point. close : how far a loose end may be from the line it should meet; same : how far two
     corners that are one, both in the unit of the drawing. Raises InputError where no outline closes around it."""
     layers, segments, ends = _segments(lines, same)
-    if len(segments) > MOST_SEGMENTS:
-        raise InputError("drawing_too_many_lines", n=len(segments), most=MOST_SEGMENTS)
+    if len(segments) > MAX_SEGMENTS:
+        raise InputError("drawing_too_many_lines", n=len(segments), most=MAX_SEGMENTS)
     bridges, closed = _bridges(segments, ends, close, same)
     layers += [layers[k] for k, _ in bridges]
     if bridges:

@@ -8,7 +8,7 @@ from core.case.keys import choice_key, number_key, text_key
 from core.case.site import Demand, HazardRow, Spectrum
 from core.codes.limits import EXCEEDANCE, SAME_PERIOD, return_period
 from core.codes.national_hazard import (
-    LEAST_REFERENCE,
+    MIN_REFERENCE_PERIOD,
     RETURN_PERIODS,
     USE_CLASSES,
     SiteHazard,
@@ -22,7 +22,7 @@ from core.text.sentence import Key, Sentence, notice
 
 HERE = section("[site]")
 
-FARTHEST = 40.0
+MAX_SEAT_DISTANCE = 40.0
 """No place of a municipality is farther from its seat [km]."""
 
 DERIVED = ("ag_g", "nominal_life_years", "use_class_factor", "hazard")
@@ -65,8 +65,8 @@ class Site:
         except InputError:  # a name of the engineer's own
             return
         km = distance(self.point, (seat.latitude, seat.longitude))
-        if km > FARTHEST:
-            raise InputError("site_elsewhere", place=(HERE,), name=seat.name, km=km, most=FARTHEST)
+        if km > MAX_SEAT_DISTANCE:
+            raise InputError("site_elsewhere", place=(HERE,), name=seat.name, km=km, most=MAX_SEAT_DISTANCE)
 
     @property
     def reference_life(self) -> float:
@@ -202,8 +202,8 @@ def notices(site: Site, limit_state: str) -> list[Sentence]:
     if not RETURN_PERIODS[0] <= years <= RETURN_PERIODS[-1]:
         end = RETURN_PERIODS[0] if years < RETURN_PERIODS[0] else RETURN_PERIODS[-1]
         sentences.append(notice("site_beyond_the_table", years=years, end=end, state=limit_state))
-    if site.reference_life == LEAST_REFERENCE > site.nominal_life_years * USE_CLASSES[site.use_class]:
-        sentences.append(notice("site_least_life", least=LEAST_REFERENCE))
+    if site.reference_life == MIN_REFERENCE_PERIOD > site.nominal_life_years * USE_CLASSES[site.use_class]:
+        sentences.append(notice("site_least_life", least=MIN_REFERENCE_PERIOD))
     if site.hazard.island:
         sentences.append(notice("site_on_an_island", group=site.hazard.island))
     return sentences

@@ -55,7 +55,7 @@ class WallJustification:
     d_m: str = text_key()
 
 
-MOST_INERTIA = 2.0
+MAX_INERTIA = 2.0
 """Largest I0/m over R^2 of a block: 4/3 of a slender rectangle, 3/2 of a triangle on its base. A block rocks the more
 slowly the larger it is."""
 
@@ -210,14 +210,14 @@ class Wall(Shaped):
                 raise InputError("general_keys", place=here)
             if self.radius_m is None or self.inertia_over_mass_m2 is None:
                 raise InputError("general_needs", place=here)
-            if self.inertia_over_mass_m2 > MOST_INERTIA * self.radius_m**2:
+            if self.inertia_over_mass_m2 > MAX_INERTIA * self.radius_m**2:
                 raise InputError(
                     "inertia_too_large",
                     place=here,
                     key="inertia_over_mass_m2",
                     given=self.inertia_over_mass_m2,
-                    most=MOST_INERTIA * self.radius_m**2,
-                    ratio=MOST_INERTIA,
+                    most=MAX_INERTIA * self.radius_m**2,
+                    ratio=MAX_INERTIA,
                 )
             return Block(math.radians(self.slenderness_deg), self.radius_m, self.inertia_over_mass_m2)
         if self.height_m is None or len(given) != 1:

@@ -16,7 +16,7 @@ from core.quantities import WRITTEN, factor_to, unit_of
 from core.text.catalogue import CATALOGUE
 from core.text.sentence import Sentence
 
-MOST_LOADS = 4
+MAX_LOADS = 4
 
 _LATER = re.compile(r"[a-z]+[2-9]_")
 """Columns of the second and of later loads and solids, which a sentence leaves out."""
@@ -39,7 +39,7 @@ def columns() -> dict[str, Column]:
             by_name[entry.name] = Column(
                 entry, frozenset((entry.name, *_titles(entry.name, 0), *_titles(entry.name, 1)))
             )
-        for n in range(1, MOST_LOADS + 1) if "columns" in entry.metadata else ():
+        for n in range(1, MAX_LOADS + 1) if "columns" in entry.metadata else ():
             inside = [inner for inner in fields(entry.metadata["of"]) if inner.metadata["kind"] not in NESTED]
             for k, inner in enumerate(inside):
                 name = entry.metadata["columns"].format(n=n) + inner.name
@@ -189,7 +189,7 @@ def _gather(table: dict) -> None:
     for entry in fields(Wall):
         if "columns" not in entry.metadata:
             continue
-        starts = dict.fromkeys(entry.metadata["columns"].format(n=n) for n in range(1, MOST_LOADS + 1))
+        starts = dict.fromkeys(entry.metadata["columns"].format(n=n) for n in range(1, MAX_LOADS + 1))
         parts = [{key.removeprefix(at): table.pop(key) for key in list(table) if key.startswith(at)} for at in starts]
         if given := [part for part in parts if part]:
             table[entry.name] = given if entry.metadata["kind"] == "tables" else given[0]

@@ -14,7 +14,7 @@ CURVE_PERIODS = np.concatenate([np.linspace(0.0, 0.5, 51), np.linspace(0.52, 4.0
 POINTS = 41
 """Points of the curve of a wall held at its top, which is not straight."""
 
-BEYOND = 1.25
+CURVE_END_FACTOR = 1.25
 """How far the curve of the demand is drawn: times the largest displacement of the check."""
 
 
@@ -43,7 +43,7 @@ def capacity_curve(mechanism: Kinematic, demand: DemandResult) -> CapacityCurve 
     if mechanism.d_limit is None or mechanism.s_de is None or target is None:
         return None
     damping = STATE_DAMPING[demand.limit_state]
-    most = BEYOND * max(mechanism.d0, mechanism.s_de)
+    most = CURVE_END_FACTOR * max(mechanism.d0, mechanism.s_de)
 
     def shown(d, a) -> tuple[np.ndarray, np.ndarray]:
         inside = d <= most

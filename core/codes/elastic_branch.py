@@ -19,13 +19,13 @@ ELASTIC, AUTO = "elastic", "auto"
 WEIGHTS = 13e3, 22e3
 """Unit weights of Table C8.5.I [N/m3], where none is given."""
 
-MOST_LIMIT = 0.4
+MAX_LIMIT = 0.4
 """D from which a wall is elastic up to d_SLV: it does not rock."""
 
-LEAST_LIMIT = 1e-4
+MIN_LIMIT = 1e-4
 """Least D: below it the branch is over before the motion of a common wall is seen on it."""
 
-ROUNDS = 60
+MAX_BISECTIONS = 60
 
 
 @dataclass(frozen=True)
@@ -83,8 +83,8 @@ def branches_of(wall: Masonry, mechanism: str, model: RockingModel) -> tuple[Bra
         if given is not None:
             limits.append(_by_motion(model, stiffness, limits[0]))
         for limit in limits:
-            kept = max(limit, LEAST_LIMIT)
-            if kept < MOST_LIMIT:
+            kept = max(limit, MIN_LIMIT)
+            if kept < MAX_LIMIT:
                 own = 2.0 * math.pi * math.sqrt(kept * model.collapse_rotation / _moment(model, kept))
                 branches.append(Branch(modulus, given is None, period, kept, own))
     return tuple(branches)
@@ -93,7 +93,7 @@ def branches_of(wall: Masonry, mechanism: str, model: RockingModel) -> tuple[Bra
 def _by_motion(model: RockingModel, stiffness: float, limit: float) -> float:
     """D = p2 M(D) / (theta_c omega^2), a small part of which depends on D. stiffness : omega^2 [1/s2]; limit : where it
     begins"""
-    for _ in range(ROUNDS):
+    for _ in range(MAX_BISECTIONS):
         before, limit = limit, _moment(model, limit) / (model.collapse_rotation * stiffness)
         if limit == before:
             break

@@ -14,7 +14,7 @@ from core.codes.vertical_bending import Bending, bending
 from core.known import known
 from core.units import G
 from core.wall.bars import TieBar
-from core.wall.masonry import MOST_COLLAPSE, Masonry, as_force, base_length, inner_of
+from core.wall.masonry import MAX_COLLAPSE, Masonry, as_force, base_length, inner_of
 from core.wall.wall_loads import restoring_with_ties, start_multiplier
 
 DRAGGED = 0.4
@@ -23,7 +23,7 @@ DRAGGED = 0.4
 LOST = 0.5
 """Share of the largest capacity of whose loss d_SLV is the end (C8.7.1.2.1.6)."""
 
-FARTHEST = math.sin(MOST_COLLAPSE)
+SINE_OF_MAX_COLLAPSE = math.sin(MAX_COLLAPSE)
 """Sine of the largest rotation a wall comes to."""
 
 HEIGHTS = 2000
@@ -103,7 +103,7 @@ class Chain:
     def ends_of_ties(self) -> list[float]:
         """d at which a tie is taut, yields and breaks [m], in order; those no wall comes to left out."""
         reached = ((end, tie.bar.height) for tie in self.ties for end in tie.bar.ends)
-        return sorted(float(self.displacement(math.asin(u / h))) for u, h in reached if u < h * FARTHEST)
+        return sorted(float(self.displacement(math.asin(u / h))) for u, h in reached if u < h * SINE_OF_MAX_COLLAPSE)
 
     def limit_of_ties(self, d: float) -> float:
         """d, or less where ties break before it that reduce the capacity by more than half of its largest value: "lo
@@ -113,7 +113,7 @@ class Chain:
         if not self.ties:
             return d
         most = max(self.alpha(end) for end in (0.0, *self.ends_of_ties()))
-        breaking = [tie for tie in self.ties if tie.bar.breaks_at < tie.bar.height * FARTHEST]
+        breaking = [tie for tie in self.ties if tie.bar.breaks_at < tie.bar.height * SINE_OF_MAX_COLLAPSE]
         lost = 0.0
         for tie in sorted(breaking, key=lambda tie: tie.bar.breaks_at / tie.bar.height):
             theta = math.asin(tie.bar.breaks_at / tie.bar.height)

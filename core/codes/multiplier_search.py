@@ -43,7 +43,7 @@ AT_ONCE = 128
 MAX_MULTIPLIER = 100.0
 """Multiplier of the demand up to which zeta is searched."""
 
-LEAST_SHARE = 1e-3
+MIN_MULTIPLIER_SHARE = 1e-3
 """Share of the multiplier from which the search starts below which no run without a number is followed down."""
 
 
@@ -129,7 +129,9 @@ def search_zeta(failures, rest: float, target: float, every: int = 1) -> Zeta:
         return Zeta(most, most, most, (most, most), 0.0, *at_target)
     while (below := grid.fails_at(range(edge - window, edge))).any():
         edge += int(np.argmax(below)) - window
-        if grid.multiplier(edge) < LEAST_SHARE * rest:  # runs that never have a number, however weak the motion
+        if (
+            grid.multiplier(edge) < MIN_MULTIPLIER_SHARE * rest
+        ):  # runs that never have a number, however weak the motion
             return Zeta(None, None, None, None, float(below.mean()), *at_target)
     low = edge - window
     fails, last = below, None

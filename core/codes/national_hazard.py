@@ -19,16 +19,16 @@ RETURN_PERIODS = (30.0, 50.0, 72.0, 101.0, 140.0, 201.0, 475.0, 975.0, 2475.0)
 USE_CLASSES = {"I": 0.7, "II": 1.0, "III": 1.5, "IV": 2.0}
 """C_U (NTC 2018 Tab. 2.4.II)."""
 
-LEAST_REFERENCE = 35.0
+MIN_REFERENCE_PERIOD = 35.0
 """V_R is at least 35 years (NTC 2008 2.4.3; NTC 2018 lets it go lower: the safe side is kept)."""
 
 EARTH = 6371.0088
 """Mean radius [km]."""
 
 MILLION = 1_000_000
-DATA = Path(__file__).resolve().parents[2] / "resources" / "hazard" / "italy.npz"
+HAZARD_FILE = Path(__file__).resolve().parents[2] / "resources" / "hazard" / "italy.npz"
 
-NEAR = 0.2
+MAX_NODE_DISTANCE = 0.2
 """Degrees within which nodes of the cell of a point are looked for; cells are about 0.05 by 0.07."""
 
 
@@ -122,7 +122,7 @@ class Municipality(NamedTuple):
 @cache
 def grid() -> Grid:
     """The nodes of Annex B, read when first asked for."""
-    with np.load(DATA) as data:
+    with np.load(HAZARD_FILE) as data:
         ids = data["ids"]
         row_of = {int(node): k for k, node in enumerate(ids)}
         return Grid(ids, data["nodes"] / MILLION, data["values"] / MILLION, row_of)
@@ -131,7 +131,7 @@ def grid() -> Grid:
 @cache
 def municipalities() -> tuple[Municipality, ...]:
     """All that are known, by name."""
-    with np.load(DATA) as data:
+    with np.load(HAZARD_FILE) as data:
         lines = data["names"].tobytes().decode().split("\n")
         seats = (data["seats"] / MILLION).tolist()
     return tuple(Municipality(*line.split("\t"), *seat) for line, seat in zip(lines, seats, strict=True))
@@ -283,7 +283,7 @@ def _inside(corners: np.ndarray, point: tuple[float, float]) -> bool:
 def hazard_at(latitude: float, longitude: float) -> SiteHazard:
     """The hazard of a point of Italy. Raises InputError outside the grid and its islands, with the nearest node."""
     known, point = grid(), (latitude, longitude)
-    near = np.nonzero(np.abs(known.nodes - point).max(axis=1) < NEAR)[0]
+    near = np.nonzero(np.abs(known.nodes - point).max(axis=1) < MAX_NODE_DISTANCE)[0]
     for k in near:
         node = int(known.ids[k])
         around = (node, node + 1, node + 223, node + 222)
@@ -323,5 +323,5 @@ def _islands(name: str) -> np.ndarray:
 
 
 def reference_life(nominal_life: float, use_class: str) -> float:
-    """V_R [years] = V_N C_U (NTC 2018 2.4.3), at least LEAST_REFERENCE."""
-    return max(nominal_life * USE_CLASSES[use_class], LEAST_REFERENCE)
+    """V_R [years] = V_N C_U (NTC 2018 2.4.3), at least MIN_REFERENCE_PERIOD."""
+    return max(nominal_life * USE_CLASSES[use_class], MIN_REFERENCE_PERIOD)

@@ -16,7 +16,7 @@ from core.ground.provenance import unnamed
 from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
 from core.units import G
 
-RANGE = (0.15, 2.0)
+PERIOD_RANGE = (0.15, 2.0)
 """Periods of the rules [s]: a rigid block has no period T that could narrow them. With natural records, whose
 range of interest is that of the structure, they go on to the longest T_SLV or T_SLC of the walls."""
 
@@ -68,9 +68,9 @@ class Compliance:
     rules: tuple[Rule, ...]
     stations: int
     compatible: bool
-    period_range: tuple[float, float] = RANGE
+    period_range: tuple[float, float] = PERIOD_RANGE
     unnamed: int = 0
-    full_range: tuple[float, float] = RANGE
+    full_range: tuple[float, float] = PERIOD_RANGE
     longest: float = 0.0
 
     @property
@@ -88,8 +88,8 @@ def strong_duration(motion: GroundMotion) -> float:
 
 
 def full_range(kinds: list[str], longest: float) -> tuple[float, float]:
-    """Periods that matter [s]: `RANGE`, with natural records up to the longest T_SLV or T_SLC of the walls."""
-    return RANGE[0], max(RANGE[1], longest) if "natural" in kinds else RANGE[1]
+    """Periods that matter [s]: `PERIOD_RANGE`, with natural records up to the longest T_SLV or T_SLC of the walls."""
+    return PERIOD_RANGE[0], max(PERIOD_RANGE[1], longest) if "natural" in kinds else PERIOD_RANGE[1]
 
 
 def period_range(kinds: list[str], longest: float, demand: DemandResult) -> tuple[float, float]:
@@ -135,7 +135,7 @@ def common_factor(motions: list[GroundMotion], demand: DemandResult) -> float:
     """The one factor of all records for which their mean 5 % spectrum is nearest to the target, by the mean of the
     logarithms of their ratio over the periods of the rules."""
     assert demand.target is not None
-    low, high = demand.period_range or RANGE
+    low, high = demand.period_range or PERIOD_RANGE
     count = math.ceil(math.log(high / low) / math.log1p(PERIOD_STEP)) + 1
     periods = np.geomspace(low, high, count)
     spectra = [demand.scaling(m) * kept_spectrum(m.acceleration, m.time_step, periods) for m in motions]
@@ -143,7 +143,7 @@ def common_factor(motions: list[GroundMotion], demand: DemandResult) -> float:
     return float(np.exp(np.log(ratio).mean()))
 
 
-KEPT = 128
+CACHED_SPECTRA = 128
 """Spectra that are kept: those of a generated set serve all walls of a case, and all that is changed in them."""
 
 
@@ -157,14 +157,14 @@ class _Samples:
 
 
 def kept_spectrum(ground: np.ndarray, dt: float, periods: np.ndarray) -> np.ndarray:
-    """`pseudo_acceleration_spectrum` [m/s2] of 5 % damping; of the last KEPT motions and periods it is not made again,
-    and none may change it. ground [m/s2], dt, periods [s]"""
+    """`pseudo_acceleration_spectrum` [m/s2] of 5 % damping; of the last CACHED_SPECTRA motions and periods it is not
+    made again, and none may change it. ground [m/s2], dt, periods [s]"""
     samples = np.ascontiguousarray(ground)
     key = _Samples(hashlib.blake2b(samples.tobytes(), digest_size=20).digest(), dt, samples)
     return _spectrum(key, tuple(periods.tolist()))
 
 
-@functools.lru_cache(KEPT)
+@functools.lru_cache(CACHED_SPECTRA)
 def _spectrum(samples: _Samples, periods: tuple[float, ...]) -> np.ndarray:
     spectrum = pseudo_acceleration_spectrum(samples.acceleration, samples.time_step, np.array(periods))
     spectrum.flags.writeable = False

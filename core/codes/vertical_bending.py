@@ -17,13 +17,13 @@ from core.wall.masonry import Masonry
 from core.wall.rocking_model import RockingModel, bending_model
 from core.wall.solids import changes, faces_at
 
-LEAST_SLENDERNESS = 3.0
+MIN_SLENDERNESS = 3.0
 """Smallest H/t: both blocks are at least as high as thick, and stockier walls do not bend."""
 
 HEIGHTS = 400
 """Heights of the hinge among which the lowest multiplier is looked for, before its bracket is narrowed."""
 
-BESIDE = 1e-4
+STEP_OFFSET = 1e-4
 """How far below and above a step a hinge is looked for too [m]."""
 
 SEARCHED, SECTIONS, GOLDEN = 16, 12, 0.5 * (math.sqrt(5.0) - 1.0)
@@ -89,7 +89,7 @@ def heights_of(strip: Strip, count: int) -> list[float]:
     above those at which the wall changes or carries something."""
     low, high = strip.thickness, strip.height - strip.thickness
     levels = [*(changes(strip.parts) if strip.parts else ()), *(load.z for load in strip.below)]
-    beside = (z + side for z in levels for side in (-BESIDE, 0.0, BESIDE))
+    beside = (z + side for z in levels for side in (-STEP_OFFSET, 0.0, STEP_OFFSET))
     return sorted({*(low + (high - low) * n / count for n in range(count + 1)), *(z for z in beside if low < z < high)})
 
 
@@ -243,8 +243,8 @@ def bending(wall: Masonry) -> Bending:
     """The mechanism of a wall with the lowest alpha_0. Raises InputError for one that does not stand, or is
     too stocky."""
     here, ratio = (place("wall", name=wall.name),), known(wall.height) / known(wall.thickness)
-    if not ratio >= LEAST_SLENDERNESS * (1.0 - 1e-9):
-        raise InputError("bending_too_stocky", place=here, found=ratio, least=LEAST_SLENDERNESS)
+    if not ratio >= MIN_SLENDERNESS * (1.0 - 1e-9):
+        raise InputError("bending_too_stocky", place=here, found=ratio, least=MIN_SLENDERNESS)
     try:
         return mechanism(strip_of(wall))
     except ValueError:
@@ -277,7 +277,7 @@ class HingeAt:
         return model_of_bending(held.outward, held.inward, self.h1)
 
 
-ALIKE = 1e-2
+MIN_HINGE_DISTANCE = 1e-2
 """Distance of two hinges that are taken as one [of H]: near the lowest, zeta differs by its square."""
 
 
@@ -290,7 +290,7 @@ def hinges_in_histories(model: RockingModel, displacement: Bending | None) -> tu
         heights += [displacement.h1, 0.5 * (held.h1 + displacement.h1)]
     distinct: list[float] = []
     for h1 in heights:
-        if all(abs(h1 - other) > ALIKE * held.outward.height for other in distinct):
+        if all(abs(h1 - other) > MIN_HINGE_DISTANCE * held.outward.height for other in distinct):
             distinct.append(h1)
     return tuple(HingeAt(h1) for h1 in distinct)
 

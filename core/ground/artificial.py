@@ -24,7 +24,7 @@ MATCHED_CUT = 0.22
 AIM = 1.02
 """Spectrum the motions are matched to, over the target: the rules are stricter below it than above."""
 
-ROUNDS = 14
+MATCHING_ROUNDS = 14
 
 WAVELET, WAVELET_REACH = 0.012, 39.0
 """Width of the wavelets by which peaks are cut [s], and how far they reach [of it]: beyond, exp(-x^2 / 2) is zero."""
@@ -76,7 +76,9 @@ def filtered_noise(seed: int, pga: float, duration: float = 25.0, time_step: flo
     return np.round(motion * (pga / np.abs(motion).max()), 6)
 
 
-def compatible_motion(target, seed: int, duration: float = 26.0, time_step: float = 0.01, rounds: int = ROUNDS):
+def compatible_motion(
+    target, seed: int, duration: float = 26.0, time_step: float = 0.01, rounds: int = MATCHING_ROUNDS
+):
     """A seeded accelerogram [m/s2], shape (n,), whose 5 % spectrum follows the target, PGA = a_g S.
 
     Fourier amplitudes of enveloped noise are scaled by target over response until they agree (SIMQKE,

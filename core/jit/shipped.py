@@ -49,7 +49,7 @@ class Library(NamedTuple):
     self_test: list[str]
 
 
-NOTHING = Library(FOLDER, {}, [])
+NO_LIBRARY = Library(FOLDER, {}, [])
 
 
 def only_own(path: Path, *others: int) -> bool:
@@ -89,7 +89,7 @@ def library() -> Library:
     """The library of this program: without levels where there is none, or one for something else or damaged, or
     where somebody else can write; and where nothing would try it, as in a process that calls kernels by itself."""
     if not trial.self_test:
-        return NOTHING
+        return NO_LIBRARY
     try:
         if FOLDER.is_dir():  # a part of the program
             return read(FOLDER)[0]
@@ -98,10 +98,10 @@ def library() -> Library:
         folder = Path(llvmlite.__file__).resolve().parents[1] / PACKAGE
         if folder.is_dir() and only_own(folder, ROOT) and only_own(folder / INDEX, ROOT):
             shipped, purpose = read(folder)
-            return shipped if purpose == made_for() else NOTHING
+            return shipped if purpose == made_for() else NO_LIBRARY
     except (OSError, ValueError, LookupError, TypeError, RecursionError, ImportError):
         pass
-    return NOTHING
+    return NO_LIBRARY
 
 
 def best_of(levels: Collection[str]) -> str:

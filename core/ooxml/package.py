@@ -29,7 +29,7 @@ MAX_TEXT = 200_000
 MAX_TAG = 1_000_000
 """Bytes of a tag or a comment, which the parser looks at anew with each piece until it ends."""
 
-PIECE = 1 << 16
+PART_CHUNK = 1 << 16
 """Bytes handed to the parser at a time."""
 
 MAX_RELATIONS = 2_000_000
@@ -105,7 +105,7 @@ class Package:
         end(parent, name, text) : the text of the element, behind the last one within it
         """
         parser = expat.ParserCreate(namespace_separator=" ")
-        parser.buffer_text, parser.buffer_size = True, PIECE
+        parser.buffer_text, parser.buffer_size = True, PART_CHUNK
         local: dict[str, str] = {}
         stack, text = [""], ""
 
@@ -140,7 +140,7 @@ class Package:
         if entry.compress_type not in COMPRESSED:
             raise ValueError("compression")
         with self.folder.open(entry) as stream:
-            while piece := stream.read(PIECE):
+            while piece := stream.read(PART_CHUNK):
                 self.left -= len(piece)
                 if self.left < 0:
                     raise InputError("workbook_unpacked", mb=self.max_bytes / 1e6)

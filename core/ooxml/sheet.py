@@ -20,7 +20,7 @@ MAX_SPOKEN = 12
 MAX_NAME = 31
 """Characters of the name of a sheet."""
 
-LAST_ROW, LAST_COLUMN = 1_048_576, 16_384
+MAX_ROW_OF_SHEET, MAX_COLUMN_OF_SHEET = 1_048_576, 16_384
 """Last row and column of a sheet of Excel, from 1."""
 
 MAX_AREAS = 20_000
@@ -249,7 +249,7 @@ class _Reader:
             self.formula = True
         elif name == "row" and parent == "sheetData":
             self.row, self.column = int(attributes.get("r") or self.row + 1), 0
-            if not 0 < self.row <= LAST_ROW:
+            if not 0 < self.row <= MAX_ROW_OF_SHEET:
                 raise ValueError("row")
             if _is_hidden(attributes, "ht", self.all_hidden):
                 self.rows_hidden.add(self.row)
@@ -354,7 +354,7 @@ def _place(reference: str) -> tuple[int, int]:
     column = 0
     for letter in match[1]:
         column = 26 * column + ord(letter) - 64
-    if not (0 < int(match[2]) <= LAST_ROW and column <= LAST_COLUMN):
+    if not (0 < int(match[2]) <= MAX_ROW_OF_SHEET and column <= MAX_COLUMN_OF_SHEET):
         raise ValueError("cell")
     return int(match[2]), column
 

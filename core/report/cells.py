@@ -49,7 +49,7 @@ _NO_ROWS = re.compile(rb"<sheetData ?/>|<sheetData></sheetData>")
 _LOOKS: WeakKeyDictionary[Workbook, dict] = WeakKeyDictionary()
 """Styles already made, by workbook: openpyxl spends a third of a large report on finding them again."""
 
-PIECE = 1 << 18
+TEXT_CHUNK = 1 << 18
 """Letters of a sheet handled at a time."""
 
 
@@ -178,12 +178,12 @@ class _Writer(ExcelWriter):
 
 
 def _joined(texts: Iterable[str]) -> Iterator[str]:
-    """Join texts into pieces of about PIECE letters."""
+    """Join texts into pieces of about TEXT_CHUNK letters."""
     held, size = [], 0
     for text in texts:
         held.append(text)
         size += len(text)
-        if size >= PIECE:
+        if size >= TEXT_CHUNK:
             yield "".join(held)
             held, size = [], 0
     yield "".join(held)

@@ -10,7 +10,7 @@ from core.text.sentence import word
 
 SIZE = "0.000"
 
-LONGEST = 42
+MAX_FORMULA_LETTERS = 42
 """Characters of a line in symbols that the first column has room for; a longer one shows its symbol alone."""
 
 
@@ -47,7 +47,7 @@ class Rows:
             write = input_row if line.source == INPUT else found_row
             row = write(book, sheet, row, said.title, line.value, said.unit, name, of.shape)
         else:
-            fits = said.title == said.symbol and 0 < len(said.written) <= LONGEST
+            fits = said.title == said.symbol and 0 < len(said.written) <= MAX_FORMULA_LETTERS
             label = said.written if fits else said.title
             cells = self.cells | {one: self.cells[other] for one, other in line.other.items()}
             live, run = formula(line.quantity, cells), line.run_name and self.prefix + line.run_name

@@ -14,7 +14,7 @@ OF_THE_RUN = ("started_utc", "seconds", "commit")
 WHEN_WRITTEN = "docProps/core.xml"
 """Part of a workbook that says when it was written."""
 
-SHOWN = 80
+MAX_LETTERS_SHOWN = 80
 """Letters of a value that are quoted."""
 
 
@@ -55,7 +55,7 @@ def _same(reported: Any, rerun: Any) -> bool:
 
 
 def _text(value: Any) -> str:
-    return "" if value is ... else str(value)[:SHOWN]
+    return "" if value is ... else str(value)[:MAX_LETTERS_SHOWN]
 
 
 def case_of_workbook(content: bytes) -> str:
@@ -136,4 +136,8 @@ def of_lines(reported: list[str], rerun: list[str]) -> Iterator[Difference]:
     for kind, start, end, first, last in matcher.get_opcodes():
         if kind != "equal":
             place = f"{start + 1}" if end <= start + 1 else f"{start + 1}-{end}"
-            yield Difference(place, " / ".join(reported[start:end])[:SHOWN], " / ".join(rerun[first:last])[:SHOWN])
+            yield Difference(
+                place,
+                " / ".join(reported[start:end])[:MAX_LETTERS_SHOWN],
+                " / ".join(rerun[first:last])[:MAX_LETTERS_SHOWN],
+            )

@@ -48,7 +48,7 @@ MAP_ROWS = 200
 MAP_BIN = 0.02
 """Width of a column of the survival map in ln q."""
 
-DATA = 16
+DATA_COLUMN = 16
 """First column of the data behind the charts, right of what is printed."""
 
 
@@ -125,7 +125,7 @@ def q_against_si(book: Book, result: StudyResult) -> None:
     drawn = walls[:CHART_WALLS]
     abreast = len(drawn) >= ABREAST_FROM
     for index, wall in enumerate(book.steps.each(drawn)):
-        column = DATA + 8 * index
+        column = DATA_COLUMN + 8 * index
         last_point, last_curve = _si_data(book, sheet, wall, column)
         label = f"{wall.name} – {word(wall.mechanism, book.language)}"
         chart = new_chart(label, "SI [cm]", "q_eff [-]", *(SMALL if abreast else WIDE))
@@ -205,7 +205,7 @@ def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -
     row = 3
     abreast = len(drawn) >= ABREAST_FROM
     for index, entry in enumerate(book.steps.each(drawn[:CHART_WALLS])):
-        column = DATA + 5 * index
+        column = DATA_COLUMN + 5 * index
         last = _history_data(book, sheet, entry, column)
         sign = "+" if entry.polarity > 0 else "−"
         label = f"{entry.wall.name} – {word(entry.wall.mechanism, book.language)}: {entry.motion.name} ({sign})"

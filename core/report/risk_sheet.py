@@ -12,7 +12,7 @@ from core.units import G
 from core.variation.limit_states import STATES
 from core.variation.tie_design import FORCE_NAMES
 
-LAST = 11
+LAST_COLUMN = 11
 
 
 def has_risk(result: StudyResult) -> bool:
@@ -35,7 +35,7 @@ def risk(book: Book, result: StudyResult) -> None:
             "building asks for a global analysis (D.M. 65/2017, Annex A). Limit states by the hazard of the site and "
             "the kinematic check, or by time histories where they are asked for."
         ),
-        LAST,
+        LAST_COLUMN,
         150,
         color=QUIET,
     )
@@ -74,7 +74,7 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
         states = [one for wall in result.walls for one in (wall.assessed.states if wall.assessment else ())]
         if there := [one.zeta for one in states if one.state == state]:
             number(sheet, row, column, least(there), RATIO)
-    rule(sheet, row, 1, LAST)
+    rule(sheet, row, 1, LAST_COLUMN)
     return row + 1
 
 
@@ -83,7 +83,7 @@ def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
     text(sheet, row, 1, wall.name, wrap=True)
     text(sheet, row, 2, word(wall.mechanism, language))
     heighten(sheet, row, (wall.name, 26))
-    rule(sheet, row, 1, LAST)
+    rule(sheet, row, 1, LAST_COLUMN)
     if assessment is None:
         return
     verdict = assessment.verdict
@@ -124,7 +124,7 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
         number(sheet, row, 8, None if tie.force is None else 1e-3 * tie.force, RATIO, bold=True)
         number(sheet, row, 9, None if tie.stands is None else 1e3 * tie.stands, "0")
         rule(sheet, row, 1, 9)
-        row = paragraph(sheet, row + 1, tie_words(say, wall, book.language), LAST, 150, color=QUIET) - 1
+        row = paragraph(sheet, row + 1, tie_words(say, wall, book.language), LAST_COLUMN, 150, color=QUIET) - 1
     return row + 1
 
 
@@ -148,5 +148,5 @@ def _variants(book: Book, sheet, result: StudyResult, row: int) -> int:
         keys = ", ".join(word(f"key_{key}", language) for key in one.changed) or say("nothing")
         text(sheet, row, 11, keys)
         heighten(sheet, row, (one.name, 26))
-        rule(sheet, row, 1, LAST)
+        rule(sheet, row, 1, LAST_COLUMN)
     return row + 1

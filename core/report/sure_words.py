@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-from core.codes.collapse_rate import BEYOND, StateRate
+from core.codes.collapse_rate import SHARE_THAT_IS_SAID, StateRate
 from core.codes.risk import Risk
 from core.known import known
 from core.report.verdict_words import names_in
@@ -95,13 +95,13 @@ def still_lines(say: Say, result: StudyResult, verdict: WallVerdict, language: s
     return lines
 
 
-REACH = {"thickness_m": (100.0, 1), "tie_kn_m": (1.0, 2), "ag_g": (1.0, 3)}
+REACH_FORMATS = {"thickness_m": (100.0, 1), "tie_kn_m": (1.0, 2), "ag_g": (1.0, 3)}
 """Key -> what its value is multiplied with for the unit of its words, and its decimals."""
 
 
 def reach_written(key: str, value: float | None, language: str) -> str:
     """A value of what is turned round in its unit, rounded to the safe side: of a_g down, else up."""
-    factor, decimals = REACH[key]
+    factor, decimals = REACH_FORMATS[key]
     if value is None:
         return numeral(None, "", language)
     whole = factor * value * 10.0**decimals
@@ -129,7 +129,7 @@ def reach_row(say: Say, reach: Reach, labels: list[str], language: str) -> list[
     """Row of an input of inverse design: its value now, and the value each check needs."""
     values = [reach_written(reach.key, reach.by_check.get(label), language) for label in labels]
     by_check = [say("any") if label in reach.throughout else value for label, value in zip(labels, values, strict=True)]
-    factor, decimals = REACH[reach.key]
+    factor, decimals = REACH_FORMATS[reach.key]
     return [reach_names(say)[reach.key], numeral(factor * reach.given, f".{decimals}f", language), *by_check]
 
 
@@ -187,14 +187,14 @@ def rate_lines(say: Say, result: StudyResult, rates: tuple[StateRate, ...]) -> l
         )
     if "artificial" in result.kinds:
         lines.append(say("Generated motions scatter less than natural ones: the frequencies may be too low."))
-    if states := _states(say, [rate for rate in rates if rate.beyond > BEYOND]):
+    if states := _states(say, [rate for rate in rates if rate.beyond > SHARE_THAT_IS_SAID]):
         lines.append(
             say(
                 "Beyond the hazard's rows by more than one step the wall is taken to fail: a part of {states}.",
                 states=states,
             )
         )
-    if states := _states(say, [rate for rate in rates if rate.weaker > BEYOND]):
+    if states := _states(say, [rate for rate in rates if rate.weaker > SHARE_THAT_IS_SAID]):
         lines.append(
             say("Also under motions weaker than the hazard tells, which are not counted: {states}.", states=states)
         )

@@ -28,7 +28,7 @@ from core.wall.moment_rotation import RIGID
 from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
 
-MOST_BYTES = {"tests.csv": 20_000_000, "records.npz": 1_000_000_000, "bodies.csv": 100_000}
+MAX_FILE_BYTES = {"tests.csv": 20_000_000, "records.npz": 1_000_000_000, "bodies.csv": 100_000}
 SECONDS, MEGABYTES = 60.0, 4000
 """That unpacking the motions may take."""
 
@@ -38,7 +38,7 @@ UNITS = 1.5
 RADII = 0.05, 60.0
 """Least and greatest R of a body [m], as of a wall that is given by its radius."""
 
-LEAST_EVENTS = 4
+MIN_EVENTS = 4
 """Events that halves and intervals need."""
 
 TIME_STEP = 0.005
@@ -54,7 +54,7 @@ SETBACKS = np.arange(0.0, 0.4501, 0.005)
 LOSSES = np.arange(0.3, 1.0001, 0.01)
 """Velocity ratios over Housner's."""
 
-DRAWS, SHARE = 2000, 0.90
+EVENT_DRAWS, INTERVAL_SHARE = 2000, 0.90
 """Sets of events that are drawn, and the share of them an interval holds."""
 
 RULE = (0.1, 0.4)
@@ -144,8 +144,8 @@ def read_tests(folder: Path) -> TableTests:
     if twice := next((name for name in names if names.count(name) > 1), None):
         raise InputError("validation_twice", test=twice, place=(place,))
     kept = [row for row in table if _agrees(row, place)]
-    if len({row["event"] for row in kept}) < LEAST_EVENTS:
-        raise InputError("validation_events", least=LEAST_EVENTS, place=(place,))
+    if len({row["event"] for row in kept}) < MIN_EVENTS:
+        raise InputError("validation_events", least=MIN_EVENTS, place=(place,))
     motions = _motions(folder, [row["test"] for row in kept])
     for row, motion in zip(kept, motions, strict=True):
         peak, measured = float(np.abs(motion).max()), _number(row, "measured_pga_g", place)
@@ -182,7 +182,7 @@ def _rows(folder: Path, name: str, needed: tuple[str, ...]) -> list[dict[str, st
     """The rows of a table that has these columns, each as long as its head."""
     path = folder / name
     try:
-        text = read_regular(path, MOST_BYTES[name]).decode("utf-8-sig")
+        text = read_regular(path, MAX_FILE_BYTES[name]).decode("utf-8-sig")
         head, *rows = [row for row in csv.reader(io.StringIO(text), strict=True) if row]
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
@@ -241,7 +241,7 @@ def _motions(folder: Path, names: list[str]) -> list[np.ndarray]:
     """Motions of these tests [g]; they are unpacked in a process of their own."""
     path = folder / "records.npz"
     try:
-        content = read_regular(path, MOST_BYTES["records.npz"])
+        content = read_regular(path, MAX_FILE_BYTES["records.npz"])
         return bounded(unpacked, content, tuple(names), seconds=SECONDS, megabytes=MEGABYTES)
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
@@ -299,8 +299,10 @@ def scored(
     right = said == overturned
     names, place = np.unique(events, return_inverse=True)
     count, good = np.bincount(place), np.bincount(place, right)
-    drawn = np.random.default_rng(1).integers(names.size, size=(DRAWS, names.size))
-    low, high = np.quantile(good[drawn].sum(axis=1) / count[drawn].sum(axis=1), (0.5 - SHARE / 2, 0.5 + SHARE / 2))
+    drawn = np.random.default_rng(1).integers(names.size, size=(EVENT_DRAWS, names.size))
+    low, high = np.quantile(
+        good[drawn].sum(axis=1) / count[drawn].sum(axis=1), (0.5 - INTERVAL_SHARE / 2, 0.5 + INTERVAL_SHARE / 2)
+    )
     return Score(
         method,
         float(right.mean()),
@@ -367,17 +369,17 @@ def compared(tests: TableTests, seed: int = 1, told: Callable[[float], None] = l
 
 
 def _interval_of_fit(computed: np.ndarray, values: np.ndarray, overturned, events) -> tuple[float, float]:
-    """Between what values a fit lies for SHARE of the drawn sets of events."""
+    """Between what values a fit lies for INTERVAL_SHARE of the drawn sets of events."""
     names, place = np.unique(events, return_inverse=True)
     right = (computed == overturned).astype(float)
     by_event = np.stack([np.bincount(place, row) for row in right])
-    drawn = np.random.default_rng(2).integers(names.size, size=(DRAWS, names.size))
+    drawn = np.random.default_rng(2).integers(names.size, size=(EVENT_DRAWS, names.size))
     fitted = []
     for one in drawn:
         total = by_event[:, one].sum(axis=1)
         equal = np.flatnonzero(total == total.max())
         fitted.append(values[equal[equal.size // 2]])
-    low, high = np.quantile(fitted, (0.5 - SHARE / 2, 0.5 + SHARE / 2))
+    low, high = np.quantile(fitted, (0.5 - INTERVAL_SHARE / 2, 0.5 + INTERVAL_SHARE / 2))
     return float(low), float(high)
 
 

@@ -19,7 +19,7 @@ from core.codes.kinematic import Kinematic, kinematic
 from core.codes.record_compatibility import Compliance, period_range
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
-from core.packages import MOST_WALLS
+from core.packages import MAX_WALLS_IN_WORKBOOK
 from core.rocking.methods import AUTO, METHODS, Method
 from core.setting.demand_input import demand_of, generated
 from core.setting.floors import Floor, floor_of
@@ -87,7 +87,7 @@ class Plan:
             self.method,
             by_default=self.case.default_histories,
             histories_off=not self.case.analysis.histories,
-            many=max(self.walls, len(self.case.wall)) > MANY,
+            many=max(self.walls, len(self.case.wall)) > MANY_WALLS,
             histories=histories,
         )
 
@@ -154,7 +154,7 @@ def with_chosen(
     return replace(case, select=None, record=selection.chosen.records), selection
 
 
-MANY = 50
+MANY_WALLS = 50
 """Walls of a case beyond which the table of assumptions is made only of walls it can bring to another outcome: a wall
 without histories costs 4 ms, its table some 100 to 400 ms."""
 
@@ -244,10 +244,10 @@ def results_in(case: Case) -> int:
 
 def is_large(case: Case) -> bool:
     """Whether a case has more results than a workbook holds."""
-    return results_in(case) > MOST_WALLS
+    return results_in(case) > MAX_WALLS_IN_WORKBOOK
 
 
 def refuse_large(case: Case) -> None:
     """Raise InputError for a case no workbook holds."""
     if is_large(case):
-        raise InputError("too_many_walls", found=results_in(case), most=MOST_WALLS)
+        raise InputError("too_many_walls", found=results_in(case), most=MAX_WALLS_IN_WORKBOOK)

@@ -21,7 +21,7 @@ from core.setting.record_input import named
 from core.text.sentence import Sentence
 from core.threads import Threads
 
-MOST_CANDIDATES = 3000
+MAX_CANDIDATES = 3000
 """Records that a search takes: it keeps the product of each two of them."""
 
 MARGIN = 1e-9
@@ -130,8 +130,8 @@ def select_records(
         if not why:
             raise InputError("select_few_files", place=(here,), **stated)
         raise InputError("select_too_few", place=(here,), why=why, **stated)
-    if len(candidates) > MOST_CANDIDATES:
-        raise InputError("select_too_many", place=(here,), found=len(candidates), most=MOST_CANDIDATES)
+    if len(candidates) > MAX_CANDIDATES:
+        raise InputError("select_too_many", place=(here,), found=len(candidates), most=MAX_CANDIDATES)
     pga = np.array([one.pga for one in candidates]) / demand.pga
     ratios = np.column_stack([np.array([one.spectrum for one in candidates]) / target, pga])
     factors, common = _factors(ratios[:, :-1], asked)

@@ -30,7 +30,7 @@ from core.version import NAME, VERSION, commit, line
 
 NAME_OF_PDF, NAME_OF_JSON = "solved.pdf", "solved.json"
 
-MOST_TOGETHER = 20
+MAX_ROWS_TOGETHER = 20
 """Answers of a table that is not parted between pages, fewer than these."""
 
 KINDS: dict[Kind, Sentence] = {
@@ -260,7 +260,7 @@ def _case(case: Solved, number: int, say: _Say) -> list[Part]:
     return [
         Heading(f"{number}. {say(case.title)}", 3),
         Beside(about, _figure(case.drawing, say(case.title))),
-        Table(heads, rows, (4.2, 1.0, 1.9, 2.1, 1.5, 1.5, 1.2), tones, together=len(rows) < MOST_TOGETHER),
+        Table(heads, rows, (4.2, 1.0, 1.9, 2.1, 1.5, 1.5, 1.2), tones, together=len(rows) < MAX_ROWS_TOGETHER),
     ]
 
 

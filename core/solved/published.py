@@ -29,7 +29,7 @@ THRUST = {"kind": "thrust", "kn_m": 3.0, "h_m": THRUST_HEIGHT}
 
 STONE = {"height_m": 5.4, "thickness_m": 0.6}
 PARAPET = {"height_m": 1.2, "thickness_m": 0.25, "unit_weight_kn_m3": 18.0}
-THIN = {"height_m": 3.0, "thickness_m": 0.30, "unit_weight_kn_m3": 18.0}
+THIN_WALL = {"height_m": 3.0, "thickness_m": 0.30, "unit_weight_kn_m3": 18.0}
 ON_TOP = {"kind": "vertical", "kn_m": 5.0, "d_m": 0.15, "h_m": 3.0, "mass": "horizontal"}
 TIE = {"kind": "tie", "kn_m": 1.9526786, "h_m": 2.8, "bar_length_m": 8.0, "elongation_m": 0.4}
 
@@ -65,11 +65,11 @@ def _of_one_body() -> tuple[Solved, ...]:
             Kind.PRINTED,
             "RD2229, test_cinematica.py (dancarloni/RD2229)",
             (
-                answer("published_alpha0", 0.1, lambda: mechanism_of(THIN).alpha0),
-                answer("published_alpha0_loaded", 0.080916, lambda: mechanism_of(THIN, ON_TOP).alpha0),
-                answer("published_e_star", 1.0, lambda: mechanism_of(THIN).e_star),
-                answer("published_d0", 0.15, lambda: mechanism_of(THIN).d0, unit="m"),
-                answer("published_a0", 0.074074, lambda: mechanism_of(THIN).a0 / G, unit="g"),
+                answer("published_alpha0", 0.1, lambda: mechanism_of(THIN_WALL).alpha0),
+                answer("published_alpha0_loaded", 0.080916, lambda: mechanism_of(THIN_WALL, ON_TOP).alpha0),
+                answer("published_e_star", 1.0, lambda: mechanism_of(THIN_WALL).e_star),
+                answer("published_d0", 0.15, lambda: mechanism_of(THIN_WALL).d0, unit="m"),
+                answer("published_a0", 0.074074, lambda: mechanism_of(THIN_WALL).a0 / G, unit="g"),
             ),
             formula="e^* = (sum P delta)^2 / (sum P sum P delta^2)",
             sketch=Sketch(section(3.0, 0.30)),
@@ -145,7 +145,7 @@ READING = 0.012
 SOLID = {"height_m": 3.0, "thickness_m": 0.30, "unit_weight_kn_m3": 2200.0 * 9.81 / 1e3}
 """The wall of the examples of the macro-element: 2200 kg/m3."""
 
-MOST = 1e4
+HEAVY_LOAD = 1e4
 """Load [kN/m] beside which a wall of LIGHT weighs next to nothing."""
 
 LIGHT = {**SOLID, "unit_weight_kn_m3": 5.0}
@@ -166,18 +166,18 @@ def _end(wall: dict, *loads: dict) -> float:
 
 
 def _spanning(depth: float, h1: float | None = None) -> Bending:
-    """The wall held at its top without a weight of its own, under MOST at a depth [m]."""
-    return mechanism(Strip(3.0, 0.30, 0.0, 1.0, ((MOST, depth),)), h1)
+    """The wall held at its top without a weight of its own, under HEAVY_LOAD at a depth [m]."""
+    return mechanism(Strip(3.0, 0.30, 0.0, 1.0, ((HEAVY_LOAD, depth),)), h1)
 
 
 def _pushed_over_load(depth: float, h1: float | None = None) -> float:
     """Horizontal force over the load on the top, over t/H."""
-    return _spanning(depth, h1).alpha0 / MOST / ASPECT
+    return _spanning(depth, h1).alpha0 / HEAVY_LOAD / ASPECT
 
 
 def _of_macroelement() -> tuple[Solved, ...]:
     source = "Vanin, Penna, Beyer (2019), examples 2a to 2d and figure of Macroelement3d (eesd-epfl/OpenSees)"
-    on_top = {"kind": "vertical", "kn_m": MOST, "d_m": 0.15, "h_m": 3.0, "mass": "horizontal"}
+    on_top = {"kind": "vertical", "kn_m": HEAVY_LOAD, "d_m": 0.15, "h_m": 3.0, "mass": "horizontal"}
     gable = {**SOLID, "gable_m": 3.0, "length_m": 6.0}
     return (
         told(

@@ -10,7 +10,7 @@ from typing import BinaryIO
 from core.case.schema import Case
 from core.errors import InputError
 from core.regular_file import open_regular
-from core.study.journal import HEAD, SYNC_SECONDS, Journal, Memory, Place, ours, parsed, read_at, scanned
+from core.study.journal import HEAD_KEY, SYNC_SECONDS, Journal, Memory, Place, ours, parsed, read_at, scanned
 from core.study.run import EVERYTHING
 
 FINISHED = "finished"
@@ -74,7 +74,7 @@ class MergedParts:
             raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
         self.streams.append(stream)
         head, _, lines = scanned(stream) if ours(stream) else (b"", 0, [])
-        if parsed(head) != {HEAD: key}:
+        if parsed(head) != {HEAD_KEY: key}:
             raise InputError("part_of_another", path=path)
         places = {name: (stream, place) for name, place in lines}
         if FINISHED not in places:

@@ -27,10 +27,10 @@ from core.wall.rocking_model import RockingModel, seen_from
 
 TEMPLATE = Path(__file__).resolve().parents[2] / "resources" / "templates" / "check_wall.py"
 
-NOISE, DRAWS = 1e-12, 8
+NOISE, NOISE_DRAWS = 1e-12, 8
 """Noise on the samples, of each, and how often it is drawn, for the tolerance of a rotation."""
 
-LEAST, TIMES_NOISE, MOST = 1e-9, 30.0, 1e-4
+MIN_TOLERANCE, TIMES_NOISE, MAX_TOLERANCE = 1e-9, 30.0, 1e-4
 """The tolerance over theta_c is the larger of the first and so many times the effect of the noise: of 110 random walls
 of every kind none differed by more (resources/docs/validation.md). Beyond the last the next history is taken."""
 
@@ -121,7 +121,7 @@ def _chosen(plan: Plan, k: int, demand: DemandResult | None) -> Chosen:
         chosen = f"no record moves the wall: PGA {MOVES} a_RM"
     for n, (motion, scale, model, answer) in enumerate(runs):
         tolerance = _tolerance(motion, scale, model, answer)
-        if tolerance <= MOST * model.collapse_rotation:
+        if tolerance <= MAX_TOLERANCE * model.collapse_rotation:
             words = chosen if n == 0 else f"{chosen}, after {n} that the last digits of the samples decide"
             return Chosen(motion, scale, model, words, answer, tolerance)
     raise NoCheck("too_sensitive")
@@ -144,13 +144,13 @@ def _tolerance(motion: GroundMotion, scale: float, model: RockingModel, answer: 
     """Tolerance of a rotation [rad]: what noise in the last digits of the samples does to it, infinite where it
     decides whether the wall stands."""
     draw, effect = np.random.default_rng(1), 0.0
-    for _ in range(DRAWS):
+    for _ in range(NOISE_DRAWS):
         noise = 1.0 + NOISE * draw.uniform(-1.0, 1.0, motion.acceleration.size)
         moved = _answer(motion, scale, model, motion.acceleration * noise, answer.last)
         if moved is None or moved.overturns != answer.overturns:
             return np.inf
         effect = max(effect, abs(moved.rotation - answer.rotation))
-    return max(LEAST * model.collapse_rotation, TIMES_NOISE * effect)
+    return max(MIN_TOLERANCE * model.collapse_rotation, TIMES_NOISE * effect)
 
 
 def _of(entry: Entry, one: Chosen) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
 from core.codes.outcomes import least
 from core.codes.record_sample import RecordPeaks, SampleInterval, record_peaks, sample_interval
-from core.ground.provenance import LEAST_STATIONS, station_of
+from core.ground.provenance import MIN_STATIONS, station_of
 from core.setting.demand_input import pga_with_ag
 from core.setting.plan import Floors, Plan
 from core.study.journal import rebuilt
@@ -33,7 +33,7 @@ from core.variation.whole_wall import setting_of
 AG_RANGE = 0.01, 100.0
 """Least and largest multiple of a_g between which S follows it."""
 
-MOST_INTERVALS = 50
+MAX_WALLS_WITH_INTERVAL = 50
 """Walls of a case up to which the interval is made without being asked for: a tenth of the time of a wall."""
 
 
@@ -67,7 +67,7 @@ def _with_interval(
 ) -> Work:
     """Add to a verdict the interval of its records, that of the worst hinge; kept in the journal."""
     worst = results[verdict.governing]
-    if _zeta(worst) is None or (len(plan.case.wall) > MOST_INTERVALS and plan.case.sensitivity is None):
+    if _zeta(worst) is None or (len(plan.case.wall) > MAX_WALLS_WITH_INTERVAL and plan.case.sensitivity is None):
         return verdict
     by_name = yield Batch({"interval": lambda stop: _interval(plan, worst, demand, journal, stop)})
     return replace(verdict, interval=by_name["interval"])
@@ -205,7 +205,7 @@ def _worst_rates(
     by_hinge = [capacities(one, _felt(plan, one), demand, plan.search.q_limit, ag) for one in hinges]
     known = [one for one in by_hinge if one is not None]
     names = [station_of(motion, k) for k, motion in enumerate(_felt(plan, hinges[0]))]
-    if len(known) < len(by_hinge) or len(set(names)) < LEAST_STATIONS:
+    if len(known) < len(by_hinge) or len(set(names)) < MIN_STATIONS:
         return ()
     asked = plan.case.demand
     life = asked.nominal_life_years if asked else None

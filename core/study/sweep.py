@@ -28,7 +28,7 @@ NOT_SWEPT = ("zeta_target", "q_code")
 GENERAL, RECTANGLE = ("radius_m", "inertia_over_mass_m2"), ("height_m", "thickness_m", "height_over_thickness")
 """Sizes of a general block and of a rectangle, of which the other has none."""
 
-MOST_VALUES = 200
+MAX_VALUES = 200
 
 
 @dataclass(frozen=True)

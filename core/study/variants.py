@@ -61,12 +61,12 @@ def wall_comparisons(verdicts: tuple[WallVerdict, ...]) -> tuple[WallComparison,
     return tuple(WallComparison(a.wall.name, a, b, changed_keys(a.wall, b.wall)) for a, b in pairs)
 
 
-OTHER = {AS_IS: DESIGNED, DESIGNED: AS_IS}
+OTHER_VARIANT = {AS_IS: DESIGNED, DESIGNED: AS_IS}
 
 
 def with_variant_alone(wall: WallResult, known: Container) -> WallResult:
     """A result; with a notice where it is a variant whose counterpart is missing. known : of `Plan.variants`"""
     variant = wall.wall.variant
-    if variant is None or (wall.pair, OTHER[variant]) in known:
+    if variant is None or (wall.pair, OTHER_VARIANT[variant]) in known:
         return wall
     return replace(wall, warnings=(notice("variant_alone"), *wall.warnings))

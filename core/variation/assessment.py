@@ -16,7 +16,7 @@ from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
 from core.ground.record_folder import DOUBTED, ELSEWHERE
 from core.setting.floors import LOW_CODE, building_notes
-from core.setting.plan import MANY
+from core.setting.plan import MANY_WALLS
 from core.setting.scene import Scene
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.units import G
@@ -129,7 +129,7 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
     limits += _of_ties_that_lower(evaluation, cancelled)
     limits += _of_a_thicker_wall(evaluation)
     if evaluation.zeta is not None and not made:
-        limits.append(sentence("reason", "assumptions_not_made", n=MANY))
+        limits.append(sentence("reason", "assumptions_not_made", n=MANY_WALLS))
     free = unheld or _overturning(scene, cancelled)
     bound, passes = (free.zeta, free.satisfied) if free else (None, None)
     if free is not None and bound is not None:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 
-from core.codes.demand import LEAST_OF_DEMAND
+from core.codes.demand import MIN_SHARE_OF_DEMAND
 from core.codes.dynamic_check import DemandCheck
 from core.codes.elastic_branch import can_have_branch, wants_branch
 from core.codes.kinematic import Check, Kinematic, checks_of, linear
@@ -165,7 +165,7 @@ def _with_histories(made: tuple[Check, ...], dynamic: DemandCheck | None, scene:
     if dynamic is None:
         return made
     check, share = dynamic.as_check(scene.demand.zeta_target), scene.demand.weak_share
-    if share is None or share >= LEAST_OF_DEMAND or check.passed is False:
+    if share is None or share >= MIN_SHARE_OF_DEMAND or check.passed is False:
         return (check, *made)
     return (*made, replace(check, zeta=None, passed=None))
 

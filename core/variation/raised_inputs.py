@@ -48,11 +48,11 @@ LOWER = 0.999
 RECTANGLE = 4.0 / 3.0
 """I_0/m over R^2 of a rectangle."""
 
-LEAST_SETBACK = 0.01
+MIN_SETBACK = 0.01
 """Hinge setback [m] of any masonry: its edge is not sharp."""
 
 
-ALIKE = 0.5
+MIN_SPREAD_SHARE = 0.5
 """Share of the spread of natural motions about a spectrum below which given records are said to be too much alike."""
 
 MORE_RATIO = 0.1
@@ -170,7 +170,7 @@ def _of_records_alike(scene: Scene) -> Iterator[Raised]:
     if seen is None or len(seen.spectra) < MINIMUM_FROM:
         return
     spread = float(np.log(seen.spectra).std(axis=0, ddof=1).mean())
-    if spread < ALIKE * SPREAD:
+    if spread < MIN_SPREAD_SHARE * SPREAD:
         reasons = scene.asked.justification
         end = End(lambda scene: scene.generated_as(demand_input.DEFAULT_SET), SPREAD)
         yield one_end("scatter", "lift_alike", reasons, spread, end, given=spread, usual=SPREAD)
@@ -214,7 +214,7 @@ def _histories_left_out(evaluation: Evaluation) -> bool:
 
 
 def _of_the_edge(scene: Scene) -> Iterator[Raised]:
-    """A hinge nearer to the edge than the weakest masonry of its type lets it be, or than LEAST_SETBACK: FC 1.35 lets
+    """A hinge nearer to the edge than the weakest masonry of its type lets it be, or than MIN_SETBACK: FC 1.35 lets
     one leave the strength out (C8.7.1.2.1.3), and alpha_0 then counts on more than there is."""
     wall = scene.wall
     weakest, least = least_strength(wall.masonry), _setback_at(wall, wall.masonry)
@@ -245,16 +245,16 @@ def _of_the_edge(scene: Scene) -> Iterator[Raised]:
 
 def _setback_at(wall: Wall, masonry: str | None) -> float:
     """Hinge setback [m] by the lowest f of a masonry and, where it is not given, its greatest unit weight, of the table
-    where none is named; LEAST_SETBACK at least."""
+    where none is named; MIN_SETBACK at least."""
     weight = wall.unit_weight_kn_m3 or weights(masonry)[1]
     if wall.thickness is None:
         block = wall.block()
         area = 2.0 * block.radius**2 * math.sin(2.0 * block.slenderness)  # t H
-        return max(LEAST_SETBACK, 2e3 * weight * area / (3e6 * least_strength(masonry)))
+        return max(MIN_SETBACK, 2e3 * weight * area / (3e6 * least_strength(masonry)))
     weighed = replace(wall, unit_weight_kn_m3=weight, hinge_setback_m=0.0)
     with contextlib.suppress(InputError):  # nothing stands just above the base of oblique solids
-        return max(LEAST_SETBACK, replace(weighed, compressive_strength_mpa=least_strength(masonry)).setback)
-    return LEAST_SETBACK
+        return max(MIN_SETBACK, replace(weighed, compressive_strength_mpa=least_strength(masonry)).setback)
+    return MIN_SETBACK
 
 
 def _turning_inside(given: Wall, setback: float, **values: Any) -> Change:

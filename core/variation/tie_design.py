@@ -31,10 +31,10 @@ FORCE_NAMES = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code", "linear_
 """Names of the forces of a tie: those of the checks, with q = 1 in place of that of the code, and of the thrust at
 rest."""
 
-CLOSE, CLOSE_BY_HISTORIES = 1e-4, 0.01
+FORCE_TOLERANCE, FORCE_TOLERANCE_BY_HISTORIES = 1e-4, 0.01
 """Width of the bracket of a force, of the force [-]."""
 
-RAISED = 1.01
+FORCE_MARGIN = 1.01
 """More of the force at which histories must hold as well: their rule is not monotone."""
 
 UNIT = 10.0
@@ -294,7 +294,7 @@ def _least(name: str, hinge: Hinge, above: float, target: float) -> float | None
 
     if holds(0.0):
         return 0.0
-    return edge(holds, 1e3, (UNIT, MAX_FORCE), True, 2.0, CLOSE).good
+    return edge(holds, 1e3, (UNIT, MAX_FORCE), True, 2.0, FORCE_TOLERANCE).good
 
 
 def _held(hinge: Hinge, force: float, height: float, precision: Precision, cancelled) -> Evaluation:
@@ -321,10 +321,10 @@ def _of_histories(
         return all(_held(hinge, force, height, precision, cancelled).satisfied for hinge in below)
 
     start = min(others["linear_q_code"] or 1e4, largest)
-    candidate = edge(holds, start, (UNIT, largest), True, 2.0, CLOSE_BY_HISTORIES).good
+    candidate = edge(holds, start, (UNIT, largest), True, 2.0, FORCE_TOLERANCE_BY_HISTORIES).good
     while candidate is not None:
         candidate = written_up(candidate, UNIT)
-        more = written_up(RAISED * candidate, UNIT)
+        more = written_up(FORCE_MARGIN * candidate, UNIT)
         if candidate > largest:
             return None
         if holds(candidate, RUN) and (more > largest or holds(more, RUN)):

@@ -16,19 +16,19 @@ from core.variation.evaluate import GLANCE, RUN, Precision
 from core.variation.swings import Reach
 from core.variation.whole_wall import NONE, Setting, WholeWall, evaluate_wall, with_demand, with_wall
 
-CLOSE = 0.002
+SEARCH_TOLERANCE = 0.002
 """Width of the bracket of a value, of the value [-]."""
 
-RAISED = 1.02
+VALUE_MARGIN = 1.02
 """More of the value at which histories must hold as well: their rule is not monotone."""
 
 STRONGER = (1.05, 1.1, 1.2, 1.3, 1.5)
 """More of the value at which a check of the clauses must hold too: a tie that breaks early makes a step."""
 
-BEYOND, TRIES = 0.01, 30
+RETRY_STEP, TRIES = 0.01, 30
 """Step and count by which a value of the histories is moved on until the run itself is satisfied."""
 
-STEP = 1.25
+SEARCH_FACTOR = 1.25
 """Factor by which a search goes on until its outcome changes."""
 
 WIDEST = {"thickness_m": 4.0, "tie_kn_m": 64.0, "ag_g": 16.0}
@@ -118,7 +118,7 @@ def with_values(setting: Setting, values: dict[str, float]) -> Setting:
 
 def reach_of(setting: Setting, key: str, given: float, cancelled: Callable[[], bool] = lambda: False) -> Reach:
     """The value of a key from which on zeta of each check reaches what is required, nearest to the value now: of a_g
-    up to which, in the digits it is written with. How far beyond it is looked: STRONGER, of histories RAISED.
+    up to which, in the digits it is written with. How far beyond it is looked: STRONGER, of histories VALUE_MARGIN.
 
     given : its value now
     Raises Cancelled.
@@ -162,15 +162,17 @@ def _searched(holds: Callable[[float, Precision | None], bool | None], key: str,
 
     def fine(value: float, precision: Precision | None) -> bool | None:
         held = holds(value, precision)
-        beyond = (RAISED,) if dynamic else STRONGER
+        beyond = (VALUE_MARGIN,) if dynamic else STRONGER
         # where it is refused it fails for another reason
         return held and all(holds(value * factor**sign, precision) is not False for factor in beyond)
 
-    boundary = edge(lambda value: fine(value, GLANCE if dynamic else None), given, ends, not falls, STEP, CLOSE)
+    boundary = edge(
+        lambda value: fine(value, GLANCE if dynamic else None), given, ends, not falls, SEARCH_FACTOR, SEARCH_TOLERANCE
+    )
     if boundary.good is None or boundary.bad is None or boundary.refused:
         return boundary
     for k in range(TRIES if dynamic else 1):
-        value = _written(key, boundary.good * (1.0 + BEYOND) ** (sign * k))
+        value = _written(key, boundary.good * (1.0 + RETRY_STEP) ** (sign * k))
         if holds(value, RUN if dynamic else None):
             return boundary._replace(good=value)
     return Edge(None, boundary.bad)

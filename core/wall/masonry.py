@@ -13,22 +13,22 @@ from core.units import G
 from core.wall.bars import Bar
 from core.wall.block import Block
 from core.wall.body import Body
-from core.wall.loads import BARE, Force, PointMass, RestoringMoment, composite, restoring_moment
+from core.wall.loads import UNLOADED, Force, PointMass, RestoringMoment, composite, restoring_moment
 from core.wall.moment_rotation import RIGID, MomentLaw
 from core.wall.restitution import Contact
-from core.wall.solids import LEAST_BASE, Part, Section, section_area, sections_of, sum_of, top_of
+from core.wall.solids import MIN_BASE, Part, Section, section_area, sections_of, sum_of, top_of
 from core.wall.ties import Tie
 
 BENDS = "vertical_bending"
 """Mechanism of a wall held at its top: kinematic checks, no time histories."""
 
-MOST_COLLAPSE = math.radians(60.0)
+MAX_COLLAPSE = math.radians(60.0)
 """Largest collapse rotation: beyond it a wall is no wall that overturns."""
 
 CENTRED = 1e-6
 """Distance from the middle of the wall up to which moving masses are centred [of t]."""
 
-ALIKE = 1e-9
+SYMMETRY_TOLERANCE = 1e-9
 """What a and c of both sides may differ by and still be the same [-]."""
 
 COUNTED = 0.40
@@ -204,13 +204,13 @@ class Masonry:
         """What its loads add to its moment, for outward and for inward rotations; its ties add `bars`."""
         held = [load for load in self.loads if not load.pushes and load.tie is None]
         if not held or self.bends:
-            return BARE, BARE
+            return UNLOADED, UNLOADED
         outward, inward = (
             restoring_moment(about, self.moving_weight, [as_force(load, self, side) for load in held])
             for about, side in ((self.block, 1.0), (self.inner_block or self.block, -1.0))
         )
         # alike but for rounding: alike
-        same = max(abs(one - other) for one, other in zip(outward, inward, strict=True)) < ALIKE
+        same = max(abs(one - other) for one, other in zip(outward, inward, strict=True)) < SYMMETRY_TOLERANCE
         return outward, outward if same else inward
 
     @cached_property
@@ -299,7 +299,7 @@ def base_length(parts: tuple[Part, ...], length: float, thickness: float) -> flo
     if not parts:
         return length
     area = section_area(parts, 0.0, 0.0, thickness)
-    return area / thickness if area > LEAST_BASE else 0.0
+    return area / thickness if area > MIN_BASE else 0.0
 
 
 def period_share(wall: Masonry) -> float:

@@ -15,7 +15,7 @@ from core.units import G
 from core.wall.body import Body, cut_above, directions, extruded, polygon_sums, spans, together
 from core.wall.plan import area_of, cells_of, edge_reached, length_of, pieces_at, section_at
 
-LEAST_BASE = 1e-6
+MIN_BASE = 1e-6
 """Area of a base on which something stands [m2]."""
 
 
@@ -193,7 +193,7 @@ def reached_at(placed: tuple[Part, ...], z: float) -> tuple[float, float] | None
     """x of the outer and of the inner face just above a height [m] as half of the length of the wall has them, of
     oblique solids the extremes: a pilaster or a foot alone is none."""
     cells = section_at(placed, z)
-    if area_of(cells) <= LEAST_BASE:
+    if area_of(cells) <= MIN_BASE:
         return None
     share = 0.0 if any(part.plane == "oblique" for part in placed) else CARRIED
     return edge_reached(cells, share), edge_reached(cells, share, inner=True)
@@ -212,7 +212,7 @@ def contact_at(parts: tuple[Part, ...], z: float) -> tuple[float, float] | None:
     above = pieces_at(placed, z) or pieces_at(placed, z + OPEN_JOINT)
     below = pieces_at(placed, z, below=True) or pieces_at(placed, z - OPEN_JOINT) if z > 0.0 else above
     shared = cells_of(above, below)
-    if area_of(shared) <= LEAST_BASE:
+    if area_of(shared) <= MIN_BASE:
         return None
     share = 0.0 if any(part.plane == "oblique" for part in placed) else CARRIED
     outer, inner = edge_reached(shared, share), edge_reached(shared, share, inner=True)
@@ -223,7 +223,7 @@ def contact_at(parts: tuple[Part, ...], z: float) -> tuple[float, float] | None:
     return (outer, inner) if inner > outer else None
 
 
-JUMP, KINK = 0.01, 0.25
+MIN_STEP_AREA, MIN_KINK = 0.01, 0.25
 """Area of a section that is on one side of a height alone [m2], and how much faster a wall becomes shorter above it,
 or thinner below it [m/m], where it is said to change there."""
 
@@ -236,7 +236,7 @@ def changes(parts: tuple[Part, ...]) -> tuple[float, ...]:
     weights = {abs(part.weight) for part in placed}
     alike = [[part for part in placed if abs(part.weight) == weight] for weight in weights]
     flat = {z for part in placed for z in _level_edges(part.polygon) if z > 0.0}
-    heights = {z for z in flat if math.fsum(_only_on_one_side(group, z) for group in alike) > JUMP}
+    heights = {z for z in flat if math.fsum(_only_on_one_side(group, z) for group in alike) > MIN_STEP_AREA}
     solids = [part for part in placed if part.weight > 0.0]
     levels = sorted({z for part in solids for _, z in part.polygon})
     heights |= {
@@ -278,7 +278,7 @@ def _bends(solids: list[Part], below: float, z: float, above: float) -> bool:
         length = length_of(here)
         rates.append([(of(here) - of(there)) / half for of in (length_of, area_of)])
     (shorter, thinner), (on_shorter, on_thinner) = rates
-    return shorter - on_shorter > KINK or on_thinner - thinner > KINK * length
+    return shorter - on_shorter > MIN_KINK or on_thinner - thinner > MIN_KINK * length
 
 
 @lru_cache(maxsize=256)

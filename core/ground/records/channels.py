@@ -11,7 +11,7 @@ from core.text.sentence import sentence
 MAX_CHANNELS = 200
 """Channels of a file that are looked at; real files have up to some dozens."""
 
-MOST_LISTED = 24
+MAX_LISTED = 24
 """Names in a sentence; more are counted."""
 
 _VERTICAL = re.compile(r"\b(up|down|dwn|dn|ver|vert\w*|u-d|ud|v|z|[a-z]{2}z)\b", re.IGNORECASE)
@@ -57,10 +57,10 @@ def refuse_unchosen(names: list[str], verticals: list[bool], asked: str | None) 
         return same[0]
     listed = tuple(
         sentence("accepted", "vertical_channel" if vertical else "channel", name=name[:SHOWN_LETTERS])
-        for name, vertical in list(zip(names, verticals, strict=True))[:MOST_LISTED]
+        for name, vertical in list(zip(names, verticals, strict=True))[:MAX_LISTED]
     )
-    if len(names) > MOST_LISTED:
-        listed += (sentence("accepted", "more_channels", n=len(names) - MOST_LISTED),)
+    if len(names) > MAX_LISTED:
+        listed += (sentence("accepted", "more_channels", n=len(names) - MAX_LISTED),)
     if asked is None:
         raise RecordError("which_channel", key="channel", n=len(names), channels=listed, names=names)
     raise RecordError("no_such_channel", given=quoted(asked), channels=listed, names=names)

@@ -19,7 +19,7 @@ _TOKEN = re.compile(NUMBER)
 _NUMBERS_ONLY = re.compile(rf"\s*+(?:{NUMBER}(?=[\s+-]|\Z)\s*+)*+")
 _NAN = re.compile(r"[+-]?nan", re.IGNORECASE)
 
-EMPTY = "∅"
+EMPTY_CELL = "∅"
 """An empty cell of a workbook, in its place."""
 
 HEAD_LINE = 500

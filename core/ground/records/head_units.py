@@ -18,7 +18,7 @@ _VALUE = re.compile(r"[0-9]\.?[ \t]*\Z|[0-9][ed][+-]?[0-9]+[ \t]*\Z")
 _NUMBER_AFTER = re.compile(r"[ \t]*+[:=]?[ \t]*+[+-]?[.0-9]")
 _BRACKETS = re.compile(r"[\[(]([^\[\]()]{1,40})[\])]")
 _FIELD = re.compile(r"[;,\t|]| {2,}")
-_EDGE = re.compile(r"\A[\s#%!/*'\"\[(<:]++|[\s'\"\])>:]++\Z")
+_FIELD_EDGE = re.compile(r"\A[\s#%!/*'\"\[(<:]++|[\s'\"\])>:]++\Z")
 _CONVERTED = re.compile(r"\b(?:convert\w*|trasformat\w*|changed) +(?:to|into|in) +(?=\S)")
 _TIME_FIELD = re.compile(rf"(?:t|time|tempo)?[ _.]*{any_of(wordings.TIME_UNITS)}\.?")
 _TIME_NAME = re.compile(r"\W*(?:t|time|tempo)\b")
@@ -37,7 +37,7 @@ _OF_A_TARGET = re.compile(
     r"\b(target|match|compatib|return|ritorno|corner|filter|sampl|campion)|\b(?:d|di) campionamento"
 )
 _MOTION = re.compile(rf"\b(?:{wordings.MOTION})")
-_OTHER = re.compile(rf"\b(?:{wordings.OTHER})")
+_OTHER_QUANTITY = re.compile(rf"\b(?:{wordings.OTHER_QUANTITY})")
 
 
 @dataclass(frozen=True)
@@ -167,7 +167,7 @@ def _in_words(line: str) -> Iterator[re.Match]:
     """Units of a line that says of none that it is one: alone in a field, after `acc`, or one of acceleration only."""
     fields = [line.strip()]  # "%g" is no comment
     if not wordings.UNIT.fullmatch(fields[0]):
-        fields = [_EDGE.sub("", field) for field in _FIELD.split(line)]
+        fields = [_FIELD_EDGE.sub("", field) for field in _FIELD.split(line)]
     timed = len(fields) > 1 and any(map(_TIME_FIELD.fullmatch, fields))
     for field in fields:
         match = wordings.UNIT.fullmatch(field)
@@ -253,7 +253,7 @@ def _other_of(line: str) -> str | None:
 def _words_of_other(line: str) -> str | None:
     """A word of another quantity."""
     match = _MOTION.search(line)
-    if not match and not _ACCELERATION_WORD.search(line) and (other := _OTHER.search(line)):
+    if not match and not _ACCELERATION_WORD.search(line) and (other := _OTHER_QUANTITY.search(line)):
         valued = _NUMBER_AFTER.match(line, other.end()) or _VALUE.search(line[: other.start()])
         match = None if valued else other
     return match[0] if match else None

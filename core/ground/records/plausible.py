@@ -13,7 +13,7 @@ CODES = (
 )
 """Codes of the warnings given here."""
 
-LEAST = 80
+MIN_SAMPLES = 80
 """Samples below which nothing is told."""
 
 FROZEN, FROZEN_SHARE = 50, 0.02
@@ -48,7 +48,7 @@ columns read as one; 1.1 and 0.46 at most on the shelf."""
 LEVELS = 40
 """Values below which the samples are rounded until the motion is lost; 62 at least on the shelf."""
 
-SPIKE, BESIDE = 4.5, 8
+SPIKE, SPIKE_RANK = 4.5, 8
 """Largest second difference over that of this rank; 3.6 at most on the shelf."""
 
 LATE = 0.75
@@ -64,7 +64,7 @@ PEAK_TIME, NEAR_PEAK = 0.1, 0.02
 def refuse_sorted(values: np.ndarray) -> None:
     """Raise RecordError where the samples only rise or only fall: a column that was sorted, or no acceleration.
     values : shape (n,)"""
-    if values.size < LEAST or not values.any():
+    if values.size < MIN_SAMPLES or not values.any():
         return
     steps = np.diff(values)
     if (steps >= 0.0).all() or (steps <= 0.0).all():
@@ -74,7 +74,7 @@ def refuse_sorted(values: np.ndarray) -> None:
 def doubts(values: np.ndarray, time_step: float) -> list[Sentence]:
     """Warnings of samples that are no motion of a ground, though they are numbers.
     values : in the unit of the file, shape (n,); time_step [s]"""
-    if values.size < LEAST or not np.abs(values).max() > 0.0:
+    if values.size < MIN_SAMPLES or not np.abs(values).max() > 0.0:
         return []
     values = values / np.abs(values).max()
     strong = np.searchsorted(np.cumsum(values**2), np.array(STRONG) * np.sum(values**2))
@@ -168,7 +168,7 @@ def _torn(values: np.ndarray) -> Iterator[Sentence]:
         yield notice("rough")
         return
     bend = np.abs(np.diff(values, 2))
-    if bend.max() > SPIKE * np.partition(bend, -BESIDE)[-BESIDE]:
+    if bend.max() > SPIKE * np.partition(bend, -SPIKE_RANK)[-SPIKE_RANK]:
         yield notice("spike", sample=int(bend.argmax()) + 2)
 
 

@@ -11,7 +11,7 @@ _KIND = re.compile(r"\s?([0-9]) ([A-Z]+)")
 _PEAK = re.compile(rf"\bpk(?:\s+\w+)?\s*=\s*({NUMBER})")
 _WHEN = re.compile(r"\s*([0-9]{4} +[0-9]{1,2} +[0-9]{1,2} +[0-9]{1,6}) (.*)")
 _STATION = re.compile(r"station\s*=\s*(.*?)\s*(?:component\s*=\s*(.*?))?\s*$")
-TEXTS, INTEGERS, REALS = 11, 6, 10
+TEXT_LINES, INTEGERS, REALS = 11, 6, 10
 """Lines of each part of the head."""
 
 EXTREMES = 28
@@ -22,9 +22,9 @@ WIDTHS = (10, 14)
 
 
 def recognises(lines: list[str]) -> bool:
-    if len(lines) < TEXTS + INTEGERS + REALS or not _KIND.match(lines[0]):
+    if len(lines) < TEXT_LINES + INTEGERS + REALS or not _KIND.match(lines[0]):
         return False
-    rows = [fixed_width(line, 10) for line in lines[TEXTS : TEXTS + INTEGERS]]
+    rows = [fixed_width(line, 10) for line in lines[TEXT_LINES : TEXT_LINES + INTEGERS]]
     return all(row is not None and len(row) == 8 for row in rows)
 
 
@@ -40,7 +40,7 @@ def read(lines: list[str], options: Options) -> Parsed:
     parsed = block(lines[start:], start + 1, declared, width)
     parsed.time_step = 1.0 / rate
     parsed.unit = "cm/s2" if kind != "UNKNOWN" else None
-    head = [line[:500] for line in lines[:TEXTS]]
+    head = [line[:500] for line in lines[:TEXT_LINES]]
     peak = _PEAK.search(" ".join(head))
     if parsed.unit:
         agree_with_peak(parsed, to_float(peak[1]) if peak else None)
@@ -53,8 +53,8 @@ def read(lines: list[str], options: Options) -> Parsed:
 
 def _layout(lines: list[str]) -> tuple[int, int, float, list[float]]:
     """(line of the first sample from 0, count of samples, samples a second, all reals) by the numbers of the head."""
-    start = TEXTS + INTEGERS
-    integers = [n for line in lines[TEXTS:start] for n in numbers(line) or ()]
+    start = TEXT_LINES + INTEGERS
+    integers = [n for line in lines[TEXT_LINES:start] for n in numbers(line) or ()]
     reals = [n for line in lines[start : start + REALS] for n in numbers(line) or ()]
     comments, declared, rate = integers[15], integers[16], reals[1] if len(reals) > 1 else 0.0
     start += REALS

@@ -194,7 +194,7 @@ class Note:
             case Figures():
                 return given | {"figures": [laid_out(one, self.words, len(part.figures)) for one in part.figures]}
             case Beside():
-                drawn = None if part.figure is None else laid_out(part.figure, self.words, BESIDE)
+                drawn = None if part.figure is None else laid_out(part.figure, self.words, ABREAST_OF_TEXT)
                 return given | {"parts": [self._part(one) for one in part.parts], "figure": drawn}
             case Blanks():
                 return given | {"height": SIGNATURE}
@@ -207,7 +207,7 @@ class Note:
         return {"math": equation, "alt": alt, "label": step.label, "clause": step.clause}
 
 
-BESIDE = 4
+ABREAST_OF_TEXT = 4
 """A drawing beside parts has the size of one of so many figures."""
 
 WORDS = {"page": "page", "fig": "Fig."}

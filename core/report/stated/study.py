@@ -11,7 +11,7 @@ from core.study.results import StudyResult
 from core.study.variants import comparisons, wall_comparisons
 from core.version import NAME, VERSION, commit
 
-HEAD = (
+OF_STUDY = (
     one(
         "program",
         "what made the results",
@@ -83,5 +83,5 @@ def _pairs(result: StudyResult) -> list[Pair] | None:
 
 PAIRS = (many("variants", "walls as they are beside as they are designed", PAIR, _pairs).optional(),)
 
-RESULTS = (*HEAD, *VERDICTS, *WALLS, *PAIRS)
+RESULTS = (*OF_STUDY, *VERDICTS, *WALLS, *PAIRS)
 """Quantities read from StudyResult: the whole file."""

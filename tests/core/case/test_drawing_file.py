@@ -531,9 +531,9 @@ def church_of(folder) -> bytes:
     return sheets.church(folder / "church.dxf")[0].read_bytes()
 
 
-@pytest.mark.parametrize("most", [2_000, pytest.param(drawing_file.MOST_ENTITIES, marks=pytest.mark.long)])
+@pytest.mark.parametrize("most", [2_000, pytest.param(drawing_file.MAX_ENTITIES, marks=pytest.mark.long)])
 def test_that_blocks_without_an_end_are_refused(tmp_path, monkeypatch, most):
-    monkeypatch.setattr(drawing_file, "MOST_ENTITIES", most)
+    monkeypatch.setattr(drawing_file, "MAX_ENTITIES", most)
     document = ezdxf.new("R2010", units=6)
     one, other = document.blocks.new("ONE"), document.blocks.new("OTHER")
     for block, name in ((one, "OTHER"), (other, "ONE")):
@@ -810,8 +810,8 @@ HOSTILE = {
 @pytest.mark.parametrize("most", [4_000, pytest.param(10_000, marks=pytest.mark.long)])
 def test_that_a_hostile_drawing_takes_no_more_than_its_size(kind, most, tmp_path, monkeypatch):
     random.seed(1)
-    monkeypatch.setattr(drawing_file, "MOST_POINTS", most)
-    monkeypatch.setattr(drawing_outlines, "MOST_POINTS", most)
+    monkeypatch.setattr(drawing_file, "MAX_POINTS", most)
+    monkeypatch.setattr(drawing_outlines, "MAX_POINTS", most)
     document = ezdxf.new()
     HOSTILE[kind](document.modelspace(), lambda: (1e3 * random.random(), 1e3 * random.random()))
     document.saveas(tmp_path / "a.dxf")

@@ -150,7 +150,7 @@ def test_that_a_damaged_index_is_not_used(places, place):
     for content in (b"", b"\n", good[:-1], *flipped, *signed):
         index.write_bytes(content)
         shipped.library.cache_clear()
-        assert shipped.library() == shipped.NOTHING and shipped.level() == ""
+        assert shipped.library() == shipped.NO_LIBRARY and shipped.level() == ""
 
 
 @pytest.mark.long
