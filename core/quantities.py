@@ -89,7 +89,7 @@ BASES = {
 """Word -> unit, in small letters. A kilogram is one of force, as loads and unit weights are given in them; g alone is
 that of an acceleration. MN, and what small letters would confuse with something else, is in no list."""
 
-WRITTEN = {
+UNITS_WRITTEN = {
     "": "-, %",
     "kN/m3": "kN/m3, kg/m3, t/m3",
     "MPa": "MPa, N/mm2, GPa, kg/cm2",

@@ -19,7 +19,7 @@ ROLES = (BODY, OPENING, NO_PART)
 CLICK_TOLERANCE = 6.0
 """Pixels from the hinge line, and of a movement that is still a click."""
 
-MARGIN = 18.0
+DRAWING_MARGIN = 18.0
 """Around the drawing [pixels]."""
 
 
@@ -79,7 +79,7 @@ class DrawingCanvas(QWidget):
     def _frame(self) -> tuple[float, float, float]:
         """(pixels a unit of the drawing, x and y of the drawing in the middle of the widget)."""
         low_x, low_y, high_x, high_y = self.extent
-        room_x, room_y = self.width() - 2 * MARGIN, self.height() - 2 * MARGIN
+        room_x, room_y = self.width() - 2 * DRAWING_MARGIN, self.height() - 2 * DRAWING_MARGIN
         scale = min(room_x / max(high_x - low_x, 1e-9), room_y / max(high_y - low_y, 1e-9))
         return scale * self.zoom, 0.5 * (low_x + high_x), 0.5 * (low_y + high_y)
 

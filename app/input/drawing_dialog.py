@@ -27,7 +27,7 @@ from app.look.dialogs import once
 from app.look.labels import Plain
 from app.look.language import described, number, tr
 from app.work.session import Session
-from core.case.drawing_file import DRAWING_UNITS, TOLERANCE, DxfFile, Shape, Sheet
+from core.case.drawing_file import DRAWING_TOLERANCE, DRAWING_UNITS, DxfFile, Shape, Sheet
 from core.case.drawn_solids import made_solids, origin_of, sum_of_solids, with_solids
 from core.case.outline_inside import around
 from core.case.shape_rules import check_shape
@@ -43,7 +43,7 @@ MAX_GAP = 0.02
 MAX_UNREAD_SHOWN = 8
 """Kinds of entities that are not read, named in the dialog."""
 
-WEIGHT = 18.0
+DEFAULT_UNIT_WEIGHT = 18.0
 """What a wall without a unit weight is taken to weigh, for the mass that is shown [kN/m3]."""
 
 MAX_SHAPES = 2000
@@ -187,7 +187,7 @@ class DrawingDialog(QDialog):
 
     def _around(self, x: float, y: float) -> None:
         """The outline around a place between lines becomes a shape of the wall, what stands apart in it openings."""
-        close, same = MAX_GAP / self.scale, TOLERANCE / self.scale
+        close, same = MAX_GAP / self.scale, DRAWING_TOLERANCE / self.scale
         try:
             region = around(self.sheet.lines, (x, y), close, same)
         except InputError as error:
@@ -265,7 +265,7 @@ class DrawingDialog(QDialog):
     @property
     def weight(self) -> float:
         """[kN/m3]"""
-        return self.wall.unit_weight_kn_m3 or WEIGHT
+        return self.wall.unit_weight_kn_m3 or DEFAULT_UNIT_WEIGHT
 
     def _wall(self) -> Wall:
         """The wall of the shapes chosen. Raises InputError."""

@@ -22,7 +22,7 @@ CELL = 0.052
 OF_475 = 6
 """Place of 475 years among the return periods of the grid."""
 
-HEIGHT = 300
+MAP_HEIGHT = 300
 """Height that the map keeps, which a layout cannot take from it [px]."""
 
 MIN_OPACITY, MAX_AG = 0.06, 0.28
@@ -52,7 +52,7 @@ class PlaceMap(QWidget):
         self.point: tuple[float, float] | None = None
         self.picture: QPixmap | None = None
         self.setMinimumWidth(180)
-        self.setFixedHeight(HEIGHT)
+        self.setFixedHeight(MAP_HEIGHT)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(tr("Map of a_g, 475 years; arrows move the point"))
 

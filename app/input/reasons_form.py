@@ -21,7 +21,7 @@ from core.setting.floors import MAX_STOREY, MIN_STOREY
 from core.text.sentence import capital
 from core.wall.restitution import MODELS
 
-USUAL = Generate().count
+DEFAULT_COUNT = Generate().count
 """Motions of a generated set."""
 
 Reasons = WallJustification | DemandJustification
@@ -67,7 +67,7 @@ def raised_by_demand(case: Case) -> set[str]:
         "histories": not case.analysis.histories,
         "scatter": any(record.kind == "artificial" for record in case.record)
         or (case.generate is not None and case.generate.scatter < SPREAD),
-        "count": case.generate is not None and is_number(case.generate.count) and case.generate.count > USUAL,
+        "count": case.generate is not None and is_number(case.generate.count) and case.generate.count > DEFAULT_COUNT,
         "limit_state": demand.limit_state == "SLC" and demand.return_period is None,
         "zeta_target": is_number(demand.zeta_target) and demand.zeta_target < 1.0,
         "soil_factor": is_number(demand.soil_factor) and demand.soil_factor < 1.0,

@@ -54,7 +54,7 @@ def choose_for(session: Session, parent: QWidget) -> str:
     return ""
 
 
-REASONS = 3
+MAX_REASONS_SHOWN = 3
 """Reasons for which files were left out that are shown, the most frequent first; all are in the tool tip."""
 
 
@@ -178,7 +178,7 @@ class SelectionDialog(QDialog):
     def _arrived(self, selection: Selection) -> None:
         self.found = selection
         language = current_language()
-        for most, show in ((REASONS, self.words.setText), (None, self.words.setToolTip)):
+        for most, show in ((MAX_REASONS_SHOWN, self.words.setText), (None, self.words.setToolTip)):
             lines = lines_of(
                 selection, lambda text, **values: localized("report", text, language, **values), language, most
             )

@@ -14,7 +14,7 @@ from app.look.language import tr
 from app.work.worker import Job
 from core import atomic_write
 
-LARGEST, COLOURS = 960, 48
+MAX_FRAME_SIDE, COLOURS = 960, 48
 """Longest side of a frame [px], and its colours."""
 
 PICTURES_AHEAD = 4
@@ -28,7 +28,7 @@ def frame_of(picture: QImage):
     image = picture.convertToFormat(QImage.Format.Format_RGB888)
     wide, high, line = image.width(), image.height(), image.bytesPerLine()
     frame = Image.frombuffer("RGB", (wide, high), bytes(image.constBits()), "raw", "RGB", line, 1)
-    frame.thumbnail((LARGEST, LARGEST))
+    frame.thumbnail((MAX_FRAME_SIDE, MAX_FRAME_SIDE))
     return frame.quantize(COLOURS)
 
 

@@ -29,7 +29,7 @@ from core.known import known
 from core.report.verdict_words import tone_of
 from core.study.results import StudyResult, WallResult
 
-TREE_WIDTH, WIDE = 216, 280
+TREE_WIDTH, WIDE_TREE_WIDTH = 216, 280
 """Width of the tree in a window of 1280 and of 1920 [px]."""
 
 MAX_SHARE_OF_WINDOW = 0.20
@@ -38,7 +38,7 @@ MAX_SHARE_OF_WINDOW = 0.20
 WIDE_FROM = 1600
 """Width of the window from which the tree is wide [px]."""
 
-RUNNING, BETWEEN = "…", "  "
+RUNNING, ROW_SEPARATOR = "…", "  "
 """In the place of a number to come; between the name of a row and what it says."""
 
 
@@ -94,7 +94,7 @@ def rows_of(state: State) -> list[Row]:
     def mark(*names: str) -> tuple[str, str]:
         return ("!", "amber") if any(one.startswith(name) for one in sections for name in names) else ("", "quiet")
 
-    demand = f"{tr('Demand')}{BETWEEN}{case.demand.limit_state}" if case.demand else tr("Demand: none")
+    demand = f"{tr('Demand')}{ROW_SEPARATOR}{case.demand.limit_state}" if case.demand else tr("Demand: none")
     compliance = state.result.compliance if state.result and not state.stale else None
     records, tone = ("✓", "good") if compliance and compliance.compatible else ("", "quiet")
     if state.unread:
@@ -102,14 +102,14 @@ def rows_of(state: State) -> list[Row]:
     building = tr("storeys: {n}", n=case.building.storeys) if case.building else tr("none")
     rows = [
         Row(0, "demand", demand, *mark("[demand")),
-        Row(0, "records", f"{tr('Records')}{BETWEEN}{state.motions}", records, tone),
-        Row(0, "building", f"{tr('Building')}{BETWEEN}{building}", *mark("[building")),
+        Row(0, "records", f"{tr('Records')}{ROW_SEPARATOR}{state.motions}", records, tone),
+        Row(0, "building", f"{tr('Building')}{ROW_SEPARATOR}{building}", *mark("[building")),
         Row(0, "walls", tr("Walls"), "" if case.wall else "!", "amber"),
         *_walls(state, walls),
     ]
     if case.report.author:
         return [*rows, Row(0, "report", tr("Report"))]
-    return [*rows, Row(0, "report", f"{tr('Report')}{BETWEEN}{tr('author missing')}", "!", "amber")]
+    return [*rows, Row(0, "report", f"{tr('Report')}{ROW_SEPARATOR}{tr('author missing')}", "!", "amber")]
 
 
 def _walls(state: State, broken: set[int | None]) -> Iterable[Row]:
@@ -227,7 +227,7 @@ class Chips(QStyledItemDelegate):
         room = right - area.left() - 4
         metrics, text = QFontMetricsF(font), row.text
         if metrics.horizontalAdvance(text) > room and row.depth == 0:  # without what follows the name, not with half
-            text = text.split(BETWEEN)[0]
+            text = text.split(ROW_SEPARATOR)[0]
         text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, room)
         painter.drawText(QRectF(area.left() + 4, area.top(), room, area.height()), Qt.AlignmentFlag.AlignVCenter, text)
         painter.restore()
@@ -316,7 +316,7 @@ class ProjectTree(QFrame):
         words = max((QFontMetricsF(font).horizontalAdvance(text) for text in first), default=0.0)
         around = self.tree.indentation() + chip_width(font, "✓") + 16  # edges, and the chip that may come
         wanted = min(math.ceil(words + around), round(MAX_SHARE_OF_WINDOW * window))
-        self.setFixedWidth(max(self.least, WIDE if window >= WIDE_FROM else TREE_WIDTH, wanted))
+        self.setFixedWidth(max(self.least, WIDE_TREE_WIDTH if window >= WIDE_FROM else TREE_WIDTH, wanted))
 
     def show_rows(self, rows: list[Row]) -> None:
         """The rows in place of those before; the chosen one stays chosen, what was open stays open."""

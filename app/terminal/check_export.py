@@ -14,7 +14,7 @@ from core.regular_file import first_bytes
 from core.setting.plan import plan_of, read_inputs
 from core.study.check_script import TEMPLATE, NoCheck, check_script
 
-REASONS = {
+REASON_WORDS = {
     "held_at_top": "it is held at its top: the script has the equation of one block, it moves as two",
     "no_records": "no record moves it: give [[record]], [select] or [generate]",
     "too_sensitive": "the last digits of the samples decide each of its histories: another solver finds another one",
@@ -49,7 +49,7 @@ def run(case_path: Path, output: Path | None) -> int:
     for path in files:
         say(shown(str(path)))
     for wall, code in refused:
-        tell("{wall}: no check is written: {reason}", wall=wall, reason=terminal(REASONS[code]))
+        tell("{wall}: no check is written: {reason}", wall=wall, reason=terminal(REASON_WORDS[code]))
     return WITHOUT_NUMBER if refused else DONE
 
 

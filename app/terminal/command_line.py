@@ -248,7 +248,7 @@ def _states(case: Path, asked: Callable[[dict], bool]) -> bool:
 MAX_CASE_BYTES, LONGEST_HEAD, MAX_SHEET_BYTES = 2_000_000, 1_000_000, 500_000_000
 """Bytes looked at before packages are there: of a case, of the first row of a table, of a sheet."""
 
-HINGES, LISTED, MECHANISMS = 6, 14, 2
+HINGES_OF_ROW, MAX_HINGES_LISTED, MECHANISMS_OF_HINGE = 6, 14, 2
 """A row of a table has hinges at its base, its loads and its tie, beside those of the storeys; most that are listed;
 mechanisms of each."""
 
@@ -264,9 +264,9 @@ def _may_be_large(case: Path) -> bool:
             table = case.parent / content["walls"].replace("\\", "/")
             rows, first = _rows_of_workbook(table) if table.suffix.lower() == ".xlsx" else _rows_of_text(table)
             walls, head = walls + rows, head + first
-        hinges = HINGES + content.get("building", {}).get("storeys", 0)
-        hinges += LISTED if "hinge" in head or "cernier" in head else 0
-        return MECHANISMS * walls * hinges > MAX_WALLS_IN_WORKBOOK
+        hinges = HINGES_OF_ROW + content.get("building", {}).get("storeys", 0)
+        hinges += MAX_HINGES_LISTED if "hinge" in head or "cernier" in head else 0
+        return MECHANISMS_OF_HINGE * walls * hinges > MAX_WALLS_IN_WORKBOOK
     except (*DAMAGED, AttributeError, RecursionError):
         return False
 

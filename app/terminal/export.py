@@ -36,7 +36,7 @@ HEAD_BYTES = 1 << 20
 MAX_SUBJECT_LETTERS = 255
 """Letters that a docx can say of its subject."""
 
-WALLS, NOTE = 53, 90
+WALL_STEPS, NOTE_STEPS = 53, 90
 """Hundredths of the writing of what is made a wall at a time; the note as a document is beyond the hundred."""
 
 
@@ -219,7 +219,7 @@ class Report:
             raise OutputError("workbook_not_made", reason=error.strerror, folder=tempfile.gettempdir()) from None
         files = {folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text.content(result)}
         if note is not None:
-            steps.take(NOTE)
+            steps.take(NOTE_STEPS)
             files[note] = note_content(result, note, case_path, steps)
         ready()
         atomic_write.write(files)
@@ -240,7 +240,7 @@ def write(
     Raises as `Report.write`.
     """
     report, steps = Report(result.case, check), Steps(check, tell)
-    steps.take(WALLS)
+    steps.take(WALL_STEPS)
     for wall in steps.each(result.by_wall()):
         report.add(wall)
     report.write(result, folder, stem, ready, steps=steps)

@@ -94,7 +94,7 @@ def number_axes(plot, on: bool) -> None:
         plot.getAxis(side).setStyle(showValues=on)
 
 
-SPARE: list[pg.PlotWidget] = []
+SPARE_PLOTS: list[pg.PlotWidget] = []
 """Made ahead for the charts to come."""
 
 

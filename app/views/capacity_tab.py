@@ -26,7 +26,7 @@ from core.study.results import Run, StudyResult, WallResult
 OVERTURNED_AT = 1.25
 """Where a point that overturned is drawn, at the upper edge: it has no number."""
 
-MARKS = (0.5, 0.7, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 40, 60, 100)
+Q_TICKS = (0.5, 0.7, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 40, 60, 100)
 """Ticks of q of the survival map."""
 
 
@@ -202,7 +202,7 @@ class CapacityTab(ResultTab):
             self.strips.data.append((run_name(run), grid[searched], image[k][searched]))
         names = [(float(k), run_name(run)) for k, run in enumerate(wall.runs)]
         self.strips.names_beside(names)
-        marks = [q for q in MARKS if math.log(q) >= low - 0.1]
+        marks = [q for q in Q_TICKS if math.log(q) >= low - 0.1]
         self.strips.ticks("bottom", [(math.log(q), f"{number(q, 'g')}") for q in marks])
         self.strips.reset()
 

@@ -12,7 +12,7 @@ from app.look.charting import pg
 from app.look.dialogs import once
 from app.look.labels import Plain
 from app.look.language import current_language, tr
-from app.views.axis import LEGEND_LETTERS, SPARE, elided, ends_of, number_axes, numbers, plot_widget
+from app.views.axis import LEGEND_LETTERS, SPARE_PLOTS, elided, ends_of, number_axes, numbers, plot_widget
 from app.views.axis_names import show_names
 from app.views.chart_output import ChartOutput
 from app.views.edge_marks import EdgeMarks
@@ -40,7 +40,7 @@ class Chart(ChartOutput):
         super().__init__()
         self.labels, self.name = (x, y), name
         self.setAccessibleName(name)
-        self.view = SPARE.pop() if SPARE else plot_widget()
+        self.view = SPARE_PLOTS.pop() if SPARE_PLOTS else plot_widget()
         self.view.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the keys reach the chart by its menu
         self.plot = self.view.getPlotItem()
         self.plot.showGrid(x=True, y=True, alpha=0.25)

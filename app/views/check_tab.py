@@ -41,13 +41,13 @@ from core.study.wall_verdict import zetas_of
 from core.text.sentence import word
 from core.units import G
 
-TOP, ABOVE = 1.2, 1.15
+MAX_PEAK_SHOWN, PEAK_AXIS_FACTOR = 1.2, 1.15
 """Largest peak over theta_c that bars show, and room above the largest bar and the limit that decides [of them]."""
 
 MAX_LIMITS_SHOWN = 3
 """Lines of limits that are always shown; what makes a verdict indicative is among them, however much it is."""
 
-MIN_HEIGHT = 340
+MIN_LADDER_HEIGHT = 340
 """Least height of ladder and peaks together [px]: below it the page scrolls."""
 
 OF_THE_LAW = ("no_power_law", "narrow_si")
@@ -218,7 +218,7 @@ class CheckTab(ResultTab):
         self._fold(others)
         rungs = [rung_of(check, check.name == verdict.governing, assessment.dynamic) for check in assessment.checks]
         self.ladder.show_rungs(rungs, verdict.zeta_target)
-        self.split.setMinimumHeight(max(MIN_HEIGHT, self.split.minimumSizeHint().height()))
+        self.split.setMinimumHeight(max(MIN_LADDER_HEIGHT, self.split.minimumSizeHint().height()))
         self.facts.setText(self._facts(result, wall))
         self.table.show_rows(*self._rows(result, wall))
         self.peaks.caption = title_of(wall)
@@ -378,7 +378,7 @@ class CheckTab(ResultTab):
     def _bars(self, check) -> None:
         values = np.array([np.nan if run.peak_ratio is None else run.peak_ratio for run in check.runs])
         limit = LIMIT_FRACTION.get(check.limit_state, 1.0)
-        top = min(TOP, ABOVE * max(limit, *np.nan_to_num(values, nan=TOP)))
+        top = min(MAX_PEAK_SHOWN, PEAK_AXIS_FACTOR * max(limit, *np.nan_to_num(values, nan=MAX_PEAK_SHOWN)))
         drawn = np.minimum(np.nan_to_num(values, nan=top), top)  # to the edge: no number of its own
         places, exceeds = (np.arange(values.size, dtype=float), np.array([run.exceeded for run in check.runs]))
         for chosen, name, color in ((~exceeds, tr("within θc"), 0), (exceeds, tr("exceeds θc or overturns"), 1)):

@@ -42,7 +42,7 @@ PAGE_WIDTH = 595.3
 RESIZED_MS, TYPED_MS = 250, 800
 """Rest after which pages follow the width of the tab, and what is typed beside them [ms]."""
 
-DOTS, POINTS = 96.0, 72.0
+DOTS_PER_INCH, POINTS_PER_INCH = 96.0, 72.0
 """Dots of an inch on the screen at 100 %, and points of one in a PDF."""
 
 GAP = 12
@@ -204,7 +204,7 @@ class NoteTab(ResultTab):
             for image in images:
                 image.setDevicePixelRatio(ratio)
             job.check()
-            return Pages(images, made.places(), made, dots / POINTS)
+            return Pages(images, made.places(), made, dots / POINTS_PER_INCH)
 
         job = self.job = Job(work)
         job.done.connect(self._arrived)
@@ -216,9 +216,9 @@ class NoteTab(ResultTab):
         """Count the dots of an inch on the screen."""
         percent = self.zoom.currentData()
         if percent is not None:
-            return DOTS * percent / 100.0
+            return DOTS_PER_INCH * percent / 100.0
         room = self.view.width() - self.view.verticalScrollBar().sizeHint().width() - 2 * GAP - 4
-        return POINTS * max(room, 200) / PAGE_WIDTH
+        return POINTS_PER_INCH * max(room, 200) / PAGE_WIDTH
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)

@@ -44,7 +44,7 @@ def with_choice(table: dict) -> dict:
 
 
 _GONE = re.compile(r"\b(?:crollat|demolit|rimoss|inesistent|collapsed|demolished|removed)\w*", re.IGNORECASE)
-SHORT = 3
+MAX_SHORT_WORDS = 3
 """Words of a note that are too few to speak of anything else than what holds the wall."""
 
 _CITED = re.compile(
@@ -79,7 +79,7 @@ def names_something(text: str) -> bool:
 
 def says_gone(note: str) -> bool:
     """Whether a note says no more than that what holds the wall is not there."""
-    return len(_words(note)) <= SHORT and bool(_GONE.search(note))
+    return len(_words(note)) <= MAX_SHORT_WORDS and bool(_GONE.search(note))
 
 
 def _words(text: str) -> list[str]:

@@ -32,14 +32,14 @@ DRAWING_UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}
 INSUNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
 """$INSUNITS of the header -> unit."""
 
-TOLERANCE = 1e-3
+DRAWING_TOLERANCE = 1e-3
 """What a chord may be off its arc, and the ends of two lines apart that are to meet [m]: a tenth of what a survey of
 masonry is good for. Of a rose window of 4 m it leaves out 0.07 % of the area."""
 
 MIN_CORNER_DISTANCE = 1e-6
 """Corners nearer than this are one [m]."""
 
-MAX_BYTES = 20_000_000
+MAX_DRAWING_BYTES = 20_000_000
 """Largest size of a file [bytes]: sheets of a building have a quarter; ezdxf takes a second and some 20 times the
 memory for each MB."""
 
@@ -53,7 +53,7 @@ MAX_RADIUS = 1e7
 DEEPEST = 20
 """Blocks inside one another: one that holds itself has no end."""
 
-LARGEST, SMALLEST = 300.0, 0.05
+MAX_WALL_SIZE, MIN_WALL_SIZE = 300.0, 0.05
 """Size of a wall beyond which the unit is another one, and below which [m]."""
 
 USUAL_SIZE, MAX_SIZE_FACTOR = 8.0, 10.0
@@ -229,7 +229,7 @@ class DxfFile:
         if unit is None:
             shapes = self._shapes(0.1)[0]  # of any unit good enough for its size
             unit = likely_unit(largest(shapes)) or "m"
-        shapes, gaps, unread, lines = self._shapes(TOLERANCE / DRAWING_UNITS[unit])
+        shapes, gaps, unread, lines = self._shapes(DRAWING_TOLERANCE / DRAWING_UNITS[unit])
         ledger = tuple(Unread(layer, kind, unread[layer, kind]) for layer, kind in sorted(unread))
         return Sheet(tuple(shapes), tuple(gaps), ledger, self.layers, self.stated, unit, lines)
 
@@ -259,7 +259,7 @@ class DxfFile:
             raise error.at(self.path) from None
         except (*DAMAGED, ezdxf.DXFError) as error:
             raise InputError("drawing_damaged", reason=str(error)[:120], place=(self.path,)) from None
-        shapes, gaps, least = [], [], tolerance * MIN_CORNER_DISTANCE / TOLERANCE
+        shapes, gaps, least = [], [], tolerance * MIN_CORNER_DISTANCE / DRAWING_TOLERANCE
         for layer, lines in pieces.items():
             closed, loose = joined(distinct(lines), tolerance)
             seen = set()
@@ -293,9 +293,11 @@ def _content(path: Path) -> bytes:
     try:
         if not path.is_file():
             raise InputError("no_drawing", place=(path,))
-        return read_regular(path, MAX_BYTES)
+        return read_regular(path, MAX_DRAWING_BYTES)
     except TooLarge as error:
-        raise InputError("drawing_too_large", mb=error.size / 1e6, most=MAX_BYTES / 1e6, place=(path,)) from None
+        raise InputError(
+            "drawing_too_large", mb=error.size / 1e6, most=MAX_DRAWING_BYTES / 1e6, place=(path,)
+        ) from None
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
 

@@ -8,9 +8,9 @@ from typing import Any, NamedTuple
 
 from core.case.drawing_file import (
     DRAWING_UNITS,
-    LARGEST,
+    MAX_WALL_SIZE,
     MIN_CORNER_DISTANCE,
-    SMALLEST,
+    MIN_WALL_SIZE,
     DxfFile,
     Shape,
     Sheet,
@@ -28,7 +28,7 @@ from core.text.sentence import Sentence, notice
 from core.wall.body import Body, crossing, holds, polygon_sums
 from core.wall.solids import Part, sum_of
 
-DIGITS = 6
+CORNER_DECIMALS = 6
 """Decimals of a corner [m]: corners drawn at one place are at one place."""
 
 MAX_LAYERS_NAMED = 20
@@ -181,7 +181,7 @@ def made_solids(
     return [
         {
             "plane": plane,
-            "polygon_m": [[round(x - left, DIGITS), y] for x, y in part],
+            "polygon_m": [[round(x - left, CORNER_DECIMALS), y] for x, y in part],
             **({"from_m": ends[0]} if ends[0] else {}),
             "to_m": ends[1],
             **({"opening": True} if is_opening else {}),
@@ -194,7 +194,7 @@ def made_solids(
 def _check_size(body: Sequence[Shape], unit: str) -> None:
     size = largest(body)
     metres = size * DRAWING_UNITS[unit]
-    if not SMALLEST <= metres <= LARGEST:
+    if not MIN_WALL_SIZE <= metres <= MAX_WALL_SIZE:
         likely = likely_unit(size)
         if likely is None:
             raise InputError("drawing_size_of_none", key="unit", found=metres, unit=unit)
@@ -203,7 +203,7 @@ def _check_size(body: Sequence[Shape], unit: str) -> None:
 
 def _above(shape: Shape, scale: float, base: float) -> list[list[Point]]:
     """A shape in metres above the hinge, none of what is below it."""
-    corners = [(round(scale * x, DIGITS), round(scale * y - base, DIGITS)) for x, y in shape.corners]
+    corners = [(round(scale * x, CORNER_DECIMALS), round(scale * y - base, CORNER_DECIMALS)) for x, y in shape.corners]
     x, y = shape.corners[0]
     here = {"layer": shape.layer, "x": scale * x, "y": scale * y}
     if len(corners) > MAX_CORNERS:
@@ -216,7 +216,7 @@ def _above(shape: Shape, scale: float, base: float) -> list[list[Point]]:
 
 
 def _rounded(part: list[Point]) -> list[Point]:
-    corners = [(round(x, DIGITS), round(y, DIGITS)) for x, y in part]
+    corners = [(round(x, CORNER_DECIMALS), round(y, CORNER_DECIMALS)) for x, y in part]
     return [corner for k, corner in enumerate(corners) if corner != corners[k - 1]]
 
 
@@ -238,7 +238,9 @@ def with_solids(wall: Wall, made: Sequence[dict], sizes: bool) -> Wall:
     widths = (depth, max(along) - min(along)) if body[0].plane == "elevation" else (max(across) - min(across), depth)
     extents = {"height_m": max(z for _, z in corners), "thickness_m": widths[0], "length_m": widths[1]}
     given = {"height_m": wall.height_m, "thickness_m": wall.thickness, "length_m": wall.length_m}
-    values: dict[str, Any] = {k: round(value, DIGITS) for k, value in extents.items() if sizes or given[k] is None}
+    values: dict[str, Any] = {
+        k: round(value, CORNER_DECIMALS) for k, value in extents.items() if sizes or given[k] is None
+    }
     if "thickness_m" in values:
         others = ("slenderness_deg", "height_over_thickness", "radius_m", "inertia_over_mass_m2")
         values |= dict.fromkeys(others)

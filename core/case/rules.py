@@ -19,7 +19,7 @@ from core.case.sensitivity import Ranges
 from core.case.shape_memory import check_known_shape
 from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
 from core.case.values import (
-    SHOWN_LETTERS,
+    MAX_VALUE_SHOWN,
     are_ends,
     corners_of,
     field_of,
@@ -439,7 +439,7 @@ def _name(entry, index: int):
     if not isinstance(name, str):
         return index + 1
     return (
-        f"{name[:SHOWN_LETTERS]} ({variant})"
-        if isinstance(variant, str) and len(variant) <= SHOWN_LETTERS
-        else name[:SHOWN_LETTERS]
+        f"{name[:MAX_VALUE_SHOWN]} ({variant})"
+        if isinstance(variant, str) and len(variant) <= MAX_VALUE_SHOWN
+        else name[:MAX_VALUE_SHOWN]
     )

@@ -25,7 +25,7 @@ MAX_TEXT, MAX_PARAGRAPHS, MAX_PATH = 500, 4_000, 12_000
 MAX_CORNERS = 2000
 """Corners of a polygon, at most."""
 
-SHOWN_LETTERS = 100
+MAX_VALUE_SHOWN = 100
 """Characters of a value repeated in a sentence."""
 
 PERIOD_LIMITS = (0.02, 10.0)
@@ -307,4 +307,4 @@ def repeated(value) -> str:
         words = repr(value)
     except (ValueError, RecursionError):  # an integer of thousands of digits
         words = f"{type(value).__name__} …"
-    return words if len(words) <= SHOWN_LETTERS else words[:SHOWN_LETTERS] + "…"
+    return words if len(words) <= MAX_VALUE_SHOWN else words[:MAX_VALUE_SHOWN] + "…"

@@ -12,7 +12,7 @@ from core.case.rules import parse_wall
 from core.case.values import field_of
 from core.case.wall import Wall
 from core.errors import InputError, place
-from core.quantities import WRITTEN, factor_to, unit_of
+from core.quantities import UNITS_WRITTEN, factor_to, unit_of
 from core.text.catalogue import CATALOGUE
 from core.text.sentence import Sentence
 
@@ -92,7 +92,7 @@ MECHANISMS = {
     "both": "both",
     "vertical bending": "vertical_bending",
 }
-CHOICES = {"mechanism": MECHANISMS, "kind": LOAD_KINDS, "mass": LOAD_MASSES}
+WORDS_OF_CHOICE = {"mechanism": MECHANISMS, "kind": LOAD_KINDS, "mass": LOAD_MASSES}
 """Key -> its words in a table; another choice is written as in the case file."""
 
 UNIT_WORDS = ("u.m.", "u.m", "unità", "unita", "unit", "units")
@@ -259,7 +259,7 @@ def _beside_unit(head: str) -> str:
 
 def _unknown_unit(text: str, head: str, unit: str, alone: bool = False) -> InputError:
     """A text where the unit of a column stands, or should. alone : no other one is taken"""
-    known = unit if alone else WRITTEN.get(unit, unit)
+    known = unit if alone else UNITS_WRITTEN.get(unit, unit)
     return InputError("unknown_unit", unit=text[:40], column=head[:60], known=known)
 
 
@@ -267,9 +267,9 @@ def _cell(key: str, factor: float, cell: str, here: Sentence):
     """Read the value of a cell. here : its place, for an error"""
     entry = columns()[key].entry
     kind = entry.metadata["kind"]
-    if entry.name in CHOICES:
+    if entry.name in WORDS_OF_CHOICE:
         return _one_of(
-            cell.replace("_", "-") if key == "mechanism" and cell.isascii() else cell, CHOICES[entry.name], here
+            cell.replace("_", "-") if key == "mechanism" and cell.isascii() else cell, WORDS_OF_CHOICE[entry.name], here
         )
     if kind in ("text", "choice", "law", "polygon"):
         return cell

@@ -16,7 +16,7 @@ from core.wall.rocking_model import RockingModel, with_branch
 ELASTIC, AUTO = "elastic", "auto"
 """Laws with the branch: always, and of an element free to vibrate alone."""
 
-WEIGHTS = 13e3, 22e3
+TABLE_WEIGHTS = 13e3, 22e3
 """Unit weights of Table C8.5.I [N/m3], where none is given."""
 
 MAX_LIMIT = 0.4
@@ -70,7 +70,7 @@ def branches_of(wall: Masonry, mechanism: str, model: RockingModel) -> tuple[Bra
         return ()
     given, weight = wall.modulus, wall.unit_weight
     ends = tuple(1e6 * end for end in moduli(wall.kind)) if given is None else (given, given)
-    heavy, light = (WEIGHTS[1], WEIGHTS[0]) if weight is None else (weight, weight)
+    heavy, light = (TABLE_WEIGHTS[1], TABLE_WEIGHTS[0]) if weight is None else (weight, weight)
     branches = []
     for modulus, heaviness in dict.fromkeys(((ends[0], heavy), (ends[1], light))):
         there = replace(wall, modulus=modulus, unit_weight=heaviness)

@@ -26,7 +26,7 @@ LOST = 0.5
 SINE_OF_MAX_COLLAPSE = math.sin(MAX_COLLAPSE)
 """Sine of the largest rotation a wall comes to."""
 
-HEIGHTS = 2000
+HEIGHTS_TRIED = 2000
 """Heights of the part that turns, tried for the smallest alpha_0 with friction."""
 
 
@@ -193,10 +193,10 @@ def friction(wall: Masonry, height):
 
 def multipliers_with_friction(wall: Masonry) -> tuple[np.ndarray, ...]:
     """(alpha_0 with the friction of the return walls at a third of its height [-], e* [-], sum of (P + Q) / g [kg/m],
-    height [m]) of every part of the wall from its top down; shape (HEIGHTS,) each. The friction acts on the length of
-    the wall."""
+    height [m]) of every part of the wall from its top down; shape (HEIGHTS_TRIED,) each. The friction acts on the
+    length of the wall."""
     height, across = known(wall.height), known(wall.across)
-    heights = height * np.arange(1, HEIGHTS + 1) / HEIGHTS
+    heights = height * np.arange(1, HEIGHTS_TRIED + 1) / HEIGHTS_TRIED
     weight = wall.weight * heights / height
     x = 0.5 * known(wall.thickness) - wall.setback
     dragged = across.number * friction(wall, heights) / known(wall.length)

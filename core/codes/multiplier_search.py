@@ -37,7 +37,7 @@ ends stay below ROCKS: no zeta of 130 sets, searched point by point at 8 places 
 ROCKS = 0.20
 """Largest rotation over theta_c from which a wall may overturn at a multiplier close by."""
 
-AT_ONCE = 128
+POINTS_PER_SEARCH = 128
 """Points of the grid searched before the next check for a failure."""
 
 MAX_MULTIPLIER = 100.0
@@ -92,7 +92,7 @@ class _Grid:
 
     def first_failure(self, start: int, top: int) -> int | None:
         """Lowest point at which the rule fails, from start to top; None without one."""
-        sparse, together = max(1, SPARSE // self.every), max(1, AT_ONCE // self.every)
+        sparse, together = max(1, SPARSE // self.every), max(1, POINTS_PER_SEARCH // self.every)
         for low in range(start // sparse * sparse, top + 1, together):
             ends = range(low, low + together + 1, sparse)
             fails, _, rocks = self.at(ends)

@@ -24,7 +24,7 @@ PERIOD_STEP = 0.01
 """Ratio less 1 between neighbouring periods at which the mean is compared with the target; both ends of the range are
 among them. A step of 0.001 moves no extreme of sets of the shelf by 0.5 % of the target (test_record_compatibility)."""
 
-LOWER = {"artificial": -0.10, "simulated": -0.20, "natural": -0.10}
+LOWER_BOUND = {"artificial": -0.10, "simulated": -0.20, "natural": -0.10}
 UPPER = {"natural": 0.30}
 """Mean 5 % spectrum against the target (NTC 2018 3.2.3.6)."""
 
@@ -128,7 +128,7 @@ def natural_bounds(demand: DemandResult) -> tuple[float, float, float]:
     """(least, most mean spectrum over the target, least mean PGA over a_g S) of natural records [-]; inf and 0 where
     the code asks for nothing."""
     codes = deciding_codes(demand)
-    return 1.0 + LOWER["natural"], 1.0 + UPPER["natural"] if "NTC" in codes else math.inf, float("EN" in codes)
+    return 1.0 + LOWER_BOUND["natural"], 1.0 + UPPER["natural"] if "NTC" in codes else math.inf, float("EN" in codes)
 
 
 def common_factor(motions: list[GroundMotion], demand: DemandResult) -> float:
@@ -198,7 +198,7 @@ def compliance(
     low, high = extremes(asked_range)
     count = float(len(counted_stations(motions, demand)))
     pga = float(np.mean([f * m.pga for m, f in zip(motions, factors, strict=True)]))
-    lower = max(LOWER[kind] for kind in kinds)
+    lower = max(LOWER_BOUND[kind] for kind in kinds)
     upper = UPPER["natural"] if "natural" in kinds else None
     ntc = "NTC 2018 3.2.3.6"
     en = "EN 1998-1 3.2.3.1.2"

@@ -23,7 +23,7 @@ from core.wall.rocking_model import RockingModel
 EVERY = 4
 """Every how many points of the grid of zeta_E the peaks are known, by 1 %."""
 
-SPAN = (0.5, 1.5)
+SEARCHED_RANGE = (0.5, 1.5)
 """Multipliers over zeta_E from which on, unless a record alone breaks the rule there, and up to which peaks are found;
 a set that fails nowhere below is said to reach the last."""
 
@@ -70,7 +70,7 @@ def record_peaks(
     zeta: float,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> RecordPeaks:
-    """The peaks of every record, from rest to SPAN times zeta_E.
+    """The peaks of every record, from rest to SEARCHED_RANGE times zeta_E.
 
     model, motions, polarities, demand, method, cancelled : as `demand_check` takes them
     zeta : zeta_E [-]
@@ -78,11 +78,11 @@ def record_peaks(
     """
     runs = DemandRuns(model, motions, polarities, demand, demand.confidence_on, method, cancelled)
     step = EVERY * math.log1p(MULTIPLIER_STEP)
-    low, high = runs.rest, min(SPAN[1] * zeta, MAX_MULTIPLIER)
-    if SPAN[0] * zeta > low:
-        fails = [runs.analyse(batch, np.array([SPAN[0] * zeta])) for batch in runs.together]
+    low, high = runs.rest, min(SEARCHED_RANGE[1] * zeta, MAX_MULTIPLIER)
+    if SEARCHED_RANGE[0] * zeta > low:
+        fails = [runs.analyse(batch, np.array([SEARCHED_RANGE[0] * zeta])) for batch in runs.together]
         if all((outcomes == STABLE).all() and (peaks < runs.limit).all() for outcomes, peaks in fails):
-            low = SPAN[0] * zeta
+            low = SEARCHED_RANGE[0] * zeta
     first, last = (math.floor(math.log(end / demand.zeta_target) / step) for end in (low, high))
     count = max(1, last - first) + 2
     multipliers = demand.zeta_target * np.exp(step * (first + np.arange(count)))

@@ -20,13 +20,13 @@ from core.wall.solids import changes, faces_at
 MIN_SLENDERNESS = 3.0
 """Smallest H/t: both blocks are at least as high as thick, and stockier walls do not bend."""
 
-HEIGHTS = 400
+HINGES_TRIED = 400
 """Heights of the hinge among which the lowest multiplier is looked for, before its bracket is narrowed."""
 
 STEP_OFFSET = 1e-4
 """How far below and above a step a hinge is looked for too [m]."""
 
-SEARCHED, SECTIONS, GOLDEN = 16, 12, 0.5 * (math.sqrt(5.0) - 1.0)
+SEARCHED, GOLDEN_SECTIONS, GOLDEN = 16, 12, 0.5 * (math.sqrt(5.0) - 1.0)
 """Heights among which the least zeta of a check is looked for, and sections of the bracket around it: to 0.04 % of
 H."""
 
@@ -95,10 +95,10 @@ def heights_of(strip: Strip, count: int) -> list[float]:
 
 @functools.lru_cache(maxsize=256)
 def lowest_hinge(strip: Strip) -> float:
-    """h1 [m] of the lowest alpha_0: the best of HEIGHTS, then bisections of the bracket around it, of a wall that is no
-    rectangle the golden section. Without a load on the top, or with one near the inner face, it is as high as it may
-    be."""
-    heights = heights_of(strip, HEIGHTS)
+    """h1 [m] of the lowest alpha_0: the best of HINGES_TRIED, then bisections of the bracket around it, of a wall that
+    is no rectangle the golden section. Without a load on the top, or with one near the inner face, it is as high as it
+    may be."""
+    heights = heights_of(strip, HINGES_TRIED)
     values = [start_multiplier(strip, h1) for h1 in heights]
     best = min(range(len(heights)), key=lambda n: values[n])
     low, high = heights[max(best - 1, 0)], heights[min(best + 1, len(heights) - 1)]
@@ -235,7 +235,9 @@ def weakest(strip: Strip, zeta: Callable[[Bending], float]) -> Bending:
     heights = sorted({*heights_of(strip, SEARCHED), lowest_hinge(strip)})
     lowest = min((zeta(mechanism(strip, h1)), n) for n, h1 in enumerate(heights))
     low, high = heights[max(lowest[1] - 1, 0)], heights[min(lowest[1] + 1, len(heights) - 1)]
-    best = min(_golden(lambda h1: zeta(mechanism(strip, h1)), low, high, SECTIONS), (lowest[0], heights[lowest[1]]))
+    best = min(
+        _golden(lambda h1: zeta(mechanism(strip, h1)), low, high, GOLDEN_SECTIONS), (lowest[0], heights[lowest[1]])
+    )
     return mechanism(strip, best[1])
 
 

@@ -38,7 +38,7 @@ EXCEL = {
 }
 """Functions of a spreadsheet, by those of a derivation."""
 
-CONSTANTS = {"CANTILEVER": "κ", "pi": "π"}
+CONSTANTS = {"CANTILEVER_KAPPA": "κ", "pi": "π"}
 """Constants that have a symbol; the others are written as numbers."""
 
 SUPERSCRIPTS = {2: "²", 3: "³"}

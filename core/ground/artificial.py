@@ -14,7 +14,7 @@ LOW_CUT = 0.15
 """Corner of the high-pass that keeps velocity and displacement bounded [Hz]."""
 
 
-RISE, STRONG_END = 2.0, 14.0
+RISE_TIME, STRONG_END = 2.0, 14.0
 """Compatible motions: rise and end of the strong part [s]; at least 10 s stationary (NTC 2018 3.2.3.6)."""
 
 MATCHED_PERIODS = np.geomspace(0.03, 4.0, 70)
@@ -86,7 +86,7 @@ def compatible_motion(
     displacement. target : of target_spectrum; duration, time_step [s]; rounds : of the scaling.
     """
     times = np.arange(round(duration / time_step) + 1) * time_step
-    envelope = _envelope(times, RISE, STRONG_END)
+    envelope = _envelope(times, RISE_TIME, STRONG_END)
     motion = _noise(seed, times, envelope)
     motion *= target.pga / np.abs(motion).max()
     frequency = np.fft.rfftfreq(times.size, time_step)

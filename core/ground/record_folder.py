@@ -30,7 +30,7 @@ DOUBTED = {
 }
 """Notices that doubt the samples of a record: a person may know better of one record, a search does not."""
 
-ELSEWHERE = {"in_structure", "borehole", "vertical"}
+NOT_HORIZONTAL = {"in_structure", "borehole", "vertical"}
 """Notices of records that are no horizontal motion of the ground's surface."""
 
 _NUMBER = re.compile(r"\d+(?:\.\d+)?")

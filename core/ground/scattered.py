@@ -29,7 +29,7 @@ PERIOD_OF_PGA = 0.01
 
 TIME_STEP = 0.01
 
-ROUGH = 5
+SCALING_ROUNDS = 5
 """Rounds of the scaling: a motion that is to scatter need not be near to its own goal."""
 
 
@@ -96,7 +96,7 @@ def scattered_set(target, count: int, seed: int, spread: float, band: tuple[floa
     factors = np.exp(spread * deviations(count, seed, periods))
     goals = [Goal(target, periods, one, float(target.pga * one[0])) for one in factors]
     with ThreadPoolExecutor() as pool:  # the kernel, most of the time, holds no lock
-        matched = functools.partial(compatible_motion, rounds=ROUGH)
+        matched = functools.partial(compatible_motion, rounds=SCALING_ROUNDS)
         motions = list(pool.map(matched, goals, range(seed, seed + count)))
     compared = np.geomspace(*band, 120)
     mean = np.mean([pseudo_acceleration_spectrum(one, TIME_STEP, compared) for one in motions], axis=0)

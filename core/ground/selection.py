@@ -9,13 +9,13 @@ import numpy as np
 
 from core.jit.decorators import kernel, subkernel
 
-LISTED = 10
+MAX_SETS_LISTED = 10
 """Sets that are told."""
 
 MAX_SETS = 10_000_000
 """Combinations up to which every one is looked at."""
 
-CHANGED, UNIMPROVED = 3, 200
+RECORDS_REDRAWN, UNIMPROVED = 3, 200
 """Records of the best set that a new start draws anew; starts without a better one after which all are."""
 
 MAX_STARTS, MAX_WORK, EXCHANGE, SPECTRUM = 20_000, 3_000_000_000, 4, 200
@@ -365,7 +365,7 @@ def nearest_sets(
     if n < size:
         return [], True
     if math.comb(n, size) <= MAX_SETS:
-        best, values = np.zeros((LISTED, size), np.int64), np.full((LISTED, 2), np.inf)
+        best, values = np.zeros((MAX_SETS_LISTED, size), np.int64), np.full((MAX_SETS_LISTED, 2), np.inf)
         members, totals = np.full(size, -1), np.zeros((size + 1, width + 2))
         every_set(ratios, products, means, stations, events, spans, limits, asked, members, totals, best, values)
         return _ordered(ratios, best[np.isfinite(values[:, 0])], spans, asked), True
@@ -375,7 +375,7 @@ def nearest_sets(
     for start in range(MAX_STARTS):
         if work > MAX_WORK or told(max(start / MAX_STARTS, work / MAX_WORK)):
             break
-        kept = random.choice(best, size - CHANGED, replace=False) if best and size > CHANGED else ()
+        kept = random.choice(best, size - RECORDS_REDRAWN, replace=False) if best and size > RECORDS_REDRAWN else ()
         members, known = np.full(size, -1), 0
         for one in (*kept, *random.choice(n, 1 if best else min(2, size - 1), replace=False)):
             if allowed_beside(members, known, one, stations, events, spans, *limits):
@@ -414,7 +414,7 @@ def _ordered(ratios: np.ndarray, sets: np.ndarray, spans: np.ndarray, asked) -> 
     """Judge some sets and return the best, the best first; of two alike that of the lower indices."""
     values = np.empty((len(sets), 3))
     judge(ratios, sets, spans, asked, np.empty(ratios.shape[1]), values)
-    order = np.lexsort((*sets.T[::-1], values[:, 1], values[:, 0]))[:LISTED]
+    order = np.lexsort((*sets.T[::-1], values[:, 1], values[:, 0]))[:MAX_SETS_LISTED]
     return [
         Found(tuple(sets[k].tolist()), float(values[k, 2]), float(values[k, 0]), float(values[k, 1])) for k in order
     ]

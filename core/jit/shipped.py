@@ -28,7 +28,7 @@ ROOT = 0
 """Who installs packages for all users of a machine."""
 
 _V3 = {"avx", "avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe"}
-LEVELS = {
+PROCESSOR_LEVELS = {
     "x86-64-v4": _V3 | {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"},
     "znver3": _V3 | {"adx", "aes", "pclmul", "sha", "sse4a", "vaes", "vpclmulqdq"},
     "x86-64-v3": _V3,
@@ -111,7 +111,7 @@ def best_of(levels: Collection[str]) -> str:
     from llvmlite.binding import get_host_cpu_features
 
     has = {name for name, there in get_host_cpu_features().items() if there}
-    return next((name for name in LEVELS if name in levels and has >= LEVELS[name]), "")
+    return next((name for name in PROCESSOR_LEVELS if name in levels and has >= PROCESSOR_LEVELS[name]), "")
 
 
 def level() -> str:

@@ -33,7 +33,7 @@ GOOD = "1B6E4B"
 BAD = "A6192E"
 AMBER = "8A5A00"
 QUIET = "6B7785"
-LINE = "C9D1D9"
+LINE_COLOR = "C9D1D9"
 
 ROW_HEIGHT = 12.6
 """Height of a row of one line [points]."""
@@ -271,7 +271,7 @@ def header(sheet: Worksheet, row: int, labels: list[str], column: int = 1, heigh
 def rule(sheet: Worksheet, row: int, first: int, last: int) -> None:
     """A thin line below a row of a table."""
     for column in range(first, last + 1):
-        frame(sheet.cell(row, column), LINE, "bottom")
+        frame(sheet.cell(row, column), LINE_COLOR, "bottom")
 
 
 def heighten(sheet: Worksheet, row: int, *texts: tuple[str, float]) -> None:

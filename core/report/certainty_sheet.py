@@ -10,10 +10,10 @@ from core.report.plots import DATA_COLUMN, rows_below
 from core.report.xml_text import for_xml
 from core.study.results import StudyResult, WallVerdict
 
-LAST_COLUMN, LINE = 8, 150
+LAST_COLUMN, LINE_LETTERS = 8, 150
 """Columns of a sentence, and the letters they hold."""
 
-CHARTS = 20
+MAX_CHARTS = 20
 """Walls whose chart is drawn."""
 
 
@@ -28,7 +28,7 @@ def certainty(book: Book, result: StudyResult) -> None:
         2,
         say("Each input is moved on its own, the others stay. Beside the verdict, not part of it."),
         LAST_COLUMN,
-        LINE,
+        LINE_LETTERS,
         color=QUIET,
     )
     for n, verdict in enumerate(book.steps.each(result.verdicts)):
@@ -42,7 +42,7 @@ def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, 
     title(sheet, row, f"{verdict.title}: ζ_E {zeta}", 12)
     row += 1
     if line := sure_words.interval_line(say, verdict, language):
-        row = paragraph(sheet, row, line, LAST_COLUMN, LINE)
+        row = paragraph(sheet, row, line, LAST_COLUMN, LINE_LETTERS)
     if verdict.sensitivity and verdict.sensitivity.swings:
         row = _moved(book, sheet, result, verdict, n, row)
     if verdict.rates:
@@ -54,7 +54,7 @@ def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, 
             rule(sheet, row, 1, LAST_COLUMN)
         row += 1
         for line in sure_words.rate_lines(say, result, verdict.rates):
-            row = paragraph(sheet, row, line, LAST_COLUMN, LINE, color=QUIET)
+            row = paragraph(sheet, row, line, LAST_COLUMN, LINE_LETTERS, color=QUIET)
     return row
 
 
@@ -78,12 +78,12 @@ def _moved(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int,
         text(sheet, row, data, moved.name, size=8)
         sheet.cell(row, data + 1, min(zetas) - zetas[0])
         sheet.cell(row, data + 2, max(zetas) - zetas[0])
-    if n < CHARTS:
+    if n < MAX_CHARTS:
         chart = _chart(sheet, say("Δζ_E of each input moved on its own"), data, first, row)
         sheet.add_chart(chart, f"A{row + 2}")
         row += 2 + rows_below(chart.height)
     for line in sure_words.still_lines(say, result, verdict, language):
-        row = paragraph(sheet, row + 1, line, LAST_COLUMN, LINE, color=QUIET) - 1
+        row = paragraph(sheet, row + 1, line, LAST_COLUMN, LINE_LETTERS, color=QUIET) - 1
     row += 1
     if labels := sure_words.reach_labels(sensitivity):
         heads = [say("For the ζ required"), say("now"), *sure_words.check_names(result, labels, language)]

@@ -4,7 +4,7 @@ from core.derivation.faces import formula
 from core.derivation.line import INPUT, Columns, Line, Section
 from core.report.cells import BAD, GOOD, Book, fill, header, number, rule, style, text
 from core.report.phrases import Phrases
-from core.report.rows import CHANGED, INPUT_FILL, found_row, input_row, live_row, mark_changed
+from core.report.rows import CHANGED_COLUMN, INPUT_FILL, found_row, input_row, live_row, mark_changed
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
 
@@ -76,11 +76,11 @@ class Rows:
                 cell = number(sheet, row, column, value, SIZE)
                 if of_case:
                     fill(cell, INPUT_FILL)
-                    number(sheet, row, CHANGED + column - 1, value, SIZE)
+                    number(sheet, row, CHANGED_COLUMN + column - 1, value, SIZE)
             if of_case:
                 last = 1 + len(values)
                 now = f"{sheet.cell(row, 2).coordinate}:{sheet.cell(row, last).coordinate}"
-                then = (sheet.cell(row, CHANGED + column - 1).coordinate for column in (2, last))
+                then = (sheet.cell(row, CHANGED_COLUMN + column - 1).coordinate for column in (2, last))
                 mark_changed(book, sheet, row, now, ":".join(then))
             rule(sheet, row, 1, 1 + len(values))
         for column, key in enumerate(columns.symbols, start=2):

@@ -22,7 +22,7 @@ CODE_Q = 2.0
 PAPER_RANGE = ((3.0, 12.0), (3.0, 12.0))
 """Slenderness [deg] and H [m] of the cells nearest to those Eq. 15 and 16 were fitted on."""
 
-INTERVAL = 1.645
+STANDARD_ERRORS = 1.645
 """Standard errors of an interval that holds nine cases of ten."""
 
 
@@ -31,7 +31,7 @@ def _law_table(fits: dict, say: Say) -> Table:
     for (mechanism, law, quantity), fit in fits.items():
         cells: list = [say(MECHANISM[mechanism]), law, quantity]
         for value, error in zip(fit.law.coefficients, fit.errors, strict=True):
-            cells.append(f"{value:.2f} ± {INTERVAL * error:.2f}")
+            cells.append(f"{value:.2f} ± {STANDARD_ERRORS * error:.2f}")
         natural = fit.natural
         rows.append(
             (

@@ -27,7 +27,7 @@ from core.units import G
 from core.version import VERSION
 from core.wall.rocking_model import RockingModel, rocking_model
 
-ROUNDED = 1e-4
+COPY_TOLERANCE = 1e-4
 """Largest difference of two copies of a motion that files round differently [of its peak]."""
 
 
@@ -132,7 +132,7 @@ def one_motion(first: GroundMotion, second: GroundMotion) -> bool:
     if (first.time_step, first.acceleration.size) != (second.time_step, second.acceleration.size):
         return False
     apart = first.acceleration / first.pga - second.acceleration / second.pga
-    return float(np.abs(apart).max()) <= ROUNDED
+    return float(np.abs(apart).max()) <= COPY_TOLERANCE
 
 
 def natural_motions(

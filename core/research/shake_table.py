@@ -32,7 +32,7 @@ MAX_FILE_BYTES = {"tests.csv": 20_000_000, "records.npz": 1_000_000_000, "bodies
 SECONDS, MEGABYTES = 60.0, 4000
 """That unpacking the motions may take."""
 
-UNITS = 1.5
+MAX_PGA_FACTOR = 1.5
 """Factor by which the PGA of a motion may differ from the measured one: beyond it the unit or the motion is another."""
 
 RADII = 0.05, 60.0
@@ -57,7 +57,7 @@ LOSSES = np.arange(0.3, 1.0001, 0.01)
 EVENT_DRAWS, INTERVAL_SHARE = 2000, 0.90
 """Sets of events that are drawn, and the share of them an interval holds."""
 
-RULE = (0.1, 0.4)
+COUNTED_PEAKS = (0.1, 0.4)
 """Computed peaks over theta_c that are counted: below the limit of C8.7.1.2.1.9, and not at rest."""
 
 
@@ -122,7 +122,7 @@ class Score:
 class Found:
     """What was found of a body.
 
-    below_rule : (tests, overturned) whose computed peak lies in RULE
+    below_rule : (tests, overturned) whose computed peak lies in COUNTED_PEAKS
     setback : share of the width fitted on all its tests, and its interval
     tried : with the setback of the first body; None of that one
     """
@@ -149,7 +149,7 @@ def read_tests(folder: Path) -> TableTests:
     motions = _motions(folder, [row["test"] for row in kept])
     for row, motion in zip(kept, motions, strict=True):
         peak, measured = float(np.abs(motion).max()), _number(row, "measured_pga_g", place)
-        if not measured / UNITS < peak < measured * UNITS:
+        if not measured / MAX_PGA_FACTOR < peak < measured * MAX_PGA_FACTOR:
             raise InputError("validation_unit", test=row["test"], found=peak, stated=measured, place=(place,))
     others = tuple(
         {
@@ -353,7 +353,7 @@ def compared(tests: TableTests, seed: int = 1, told: Callable[[float], None] = l
             scores.append(_fitted("distinct_elements", said, names, *alike))
         whole = np.ones(overturned.size, bool)
         peaks = by_slenderness[best(leaning, overturned, whole)][1]
-        inside = (peaks >= RULE[0]) & (peaks < RULE[1])
+        inside = (peaks >= COUNTED_PEAKS[0]) & (peaks < COUNTED_PEAKS[1])
         own = float(SETBACKS[best(set_back, overturned, whole)])
         ends = _interval_of_fit(set_back, SETBACKS, overturned, tests.events)
         tried = None

@@ -21,7 +21,7 @@ ZETA_DISPLACEMENT: Head = (worded("ζ of the displacement check"), "")
 FREE = {"free_element": True, "elastic_modulus_mpa": 600.0}
 HELD = {"free_element": False}
 
-GROUND = (
+WALLS_ON_GROUND = (
     # key, H, t, kind, then a_0*/g, zeta linear, T_SLV, S_De, zeta displacement
     ("tall", 7.0, 0.83, HELD, "0.08783 0.5630 2.99126 0.16994 0.9768"),
     ("storey", 3.0, 0.45, HELD, "0.11111 0.7123 1.95824 0.16639 0.5409"),
@@ -114,7 +114,7 @@ ROOF = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.30, "h_m": 3.0, "mass": "none
 PUSHING = {**ROOF, "mass": "horizontal"}
 INWARD = {"kind": "thrust", "kn_m": -5.0, "h_m": 2.8}
 THRUST = {"kind": "thrust", "kn_m": 2.0, "h_m": 2.5}
-STOREY = {"height_m": 3.0, "thickness_m": 0.45, "velocity_ratio": 0.6}
+STOREY_WALL = {"height_m": 3.0, "thickness_m": 0.45, "velocity_ratio": 0.6}
 
 LOADED = (
     # a, c, uplift/g, theta_c, alpha_0, e*, d_0, zeta linear, zeta displacement
@@ -165,7 +165,7 @@ LOAD_HEADS: tuple[Head, ...] = (
 
 def loaded(*loads: dict, **changes: object) -> Asked:
     """The wall of 3.0 x 0.45 m and 24.3 kN/m with loads."""
-    return Asked({**STOREY, **changes} | ({"load": list(loads)} if loads else {}))
+    return Asked({**STOREY_WALL, **changes} | ({"load": list(loads)} if loads else {}))
 
 
 def with_loads(key: str, title, loads: tuple[dict, ...], values: str) -> Solved:
@@ -281,7 +281,7 @@ def facade() -> tuple[Answer, ...]:
 
 
 CASES: tuple[Solved, ...] = (
-    *(on_the_ground(*one) for one in GROUND),
+    *(on_the_ground(*one) for one in WALLS_ON_GROUND),
     Solved(
         "ground_slc",
         Kind.HAND,

@@ -194,7 +194,7 @@ def of_zeta(zeta: float) -> Risk:
     return risk(zeta, DEMAND)
 
 
-LETTERS = ["F", "E", "D", "C", "B", "A", "A+"]
+RISK_CLASSES = ["F", "E", "D", "C", "B", "A", "A+"]
 MIN_IS_V = {"A+": 1.01, "A": 0.80, "B": 0.60, "C": 0.45, "D": 0.30, "E": 0.15, "F": 0.0}
 """Lower bounds of IS-V of the guidelines; of A+ a value above 1.00."""
 
@@ -331,7 +331,10 @@ CASES: tuple[Solved, ...] = (
         Kind.PRINTED,
         worded("Letters of IS-V"),
         "D.M. 65/2017, A",
-        tuple(Answer(f"IS-V ({letter})", "", MIN_IS_V[letter], 1e-12, partial(least_of, letter)) for letter in LETTERS),
+        tuple(
+            Answer(f"IS-V ({letter})", "", MIN_IS_V[letter], 1e-12, partial(least_of, letter))
+            for letter in RISK_CLASSES
+        ),
         comment=worded("The lowest hundredth of IS-V that has the letter."),
     ),
     Solved("grounds_en_1", Kind.PRINTED, worded("Grounds of EN 1998-1, type 1"), "EN 1998-1, Tab. 3.2", of_grounds(1)),

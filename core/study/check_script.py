@@ -27,7 +27,7 @@ from core.wall.rocking_model import RockingModel, seen_from
 
 TEMPLATE = Path(__file__).resolve().parents[2] / "resources" / "templates" / "check_wall.py"
 
-NOISE, NOISE_DRAWS = 1e-12, 8
+SAMPLE_NOISE, NOISE_DRAWS = 1e-12, 8
 """Noise on the samples, of each, and how often it is drawn, for the tolerance of a rotation."""
 
 MIN_TOLERANCE, TIMES_NOISE, MAX_TOLERANCE = 1e-9, 30.0, 1e-4
@@ -37,7 +37,7 @@ of every kind none differed by more (resources/docs/validation.md). Beyond the l
 BY_HAND = 1e-9
 """Tolerance of what is worked by hand, of each number."""
 
-MOVES = 1.5
+Q_THAT_MOVES = 1.5
 """q at which a motion is taken that does not move the wall at the demand."""
 
 
@@ -115,10 +115,10 @@ def _chosen(plan: Plan, k: int, demand: DemandResult | None) -> Chosen:
         chosen += f"; the records as given are {demand.weak_share:.0%} of a_g S, NOT at the demand"
     motion, scale, model, most = runs[0]
     if most.rotation == 0.0:
-        scale = float(np.sign(scale) * multiplier_of(MOVES, motion.pga, threshold_of(model)))
+        scale = float(np.sign(scale) * multiplier_of(Q_THAT_MOVES, motion.pga, threshold_of(model)))
         moved = _answer(motion, scale, model)
         runs = [] if moved is None else [(motion, scale, model, moved)]
-        chosen = f"no record moves the wall: PGA {MOVES} a_RM"
+        chosen = f"no record moves the wall: PGA {Q_THAT_MOVES} a_RM"
     for n, (motion, scale, model, answer) in enumerate(runs):
         tolerance = _tolerance(motion, scale, model, answer)
         if tolerance <= MAX_TOLERANCE * model.collapse_rotation:
@@ -145,7 +145,7 @@ def _tolerance(motion: GroundMotion, scale: float, model: RockingModel, answer: 
     decides whether the wall stands."""
     draw, effect = np.random.default_rng(1), 0.0
     for _ in range(NOISE_DRAWS):
-        noise = 1.0 + NOISE * draw.uniform(-1.0, 1.0, motion.acceleration.size)
+        noise = 1.0 + SAMPLE_NOISE * draw.uniform(-1.0, 1.0, motion.acceleration.size)
         moved = _answer(motion, scale, model, motion.acceleration * noise, answer.last)
         if moved is None or moved.overturns != answer.overturns:
             return np.inf

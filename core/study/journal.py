@@ -174,7 +174,7 @@ class Journal:
         self._stream.close()
 
 
-LONGEST_LINE = 200_000_000
+MAX_JOURNAL_LINE = 200_000_000
 """Bytes of a line; what is longer has no end."""
 
 
@@ -183,9 +183,9 @@ def scanned(file: BinaryIO) -> tuple[bytes, int, list[tuple[str, Place]]]:
     os.lseek(file.fileno(), 0, os.SEEK_SET)
     lines = []
     with open(file.fileno(), "rb", 1 << 20, closefd=False) as stream:
-        head = stream.readline(LONGEST_LINE)
+        head = stream.readline(MAX_JOURNAL_LINE)
         place = end = len(head) if head.endswith(b"\n") else 0
-        for line in iter(lambda: stream.readline(LONGEST_LINE), b""):
+        for line in iter(lambda: stream.readline(MAX_JOURNAL_LINE), b""):
             if not line.endswith(b"\n"):  # what a kill cut off
                 break
             entry = parsed(line)

@@ -25,7 +25,10 @@ OF_A_TIE_TO_DESIGN = "tie_"
 NOT_SWEPT = ("zeta_target", "q_code")
 """Keys of the demand that name what is shown, the line required and a check."""
 
-GENERAL, RECTANGLE = ("radius_m", "inertia_over_mass_m2"), ("height_m", "thickness_m", "height_over_thickness")
+OF_GENERAL_BLOCK, OF_RECTANGLE = (
+    ("radius_m", "inertia_over_mass_m2"),
+    ("height_m", "thickness_m", "height_over_thickness"),
+)
 """Sizes of a general block and of a rectangle, of which the other has none."""
 
 MAX_VALUES = 200
@@ -62,7 +65,7 @@ class SweepPoint:
 def sweep_keys(case: Case, k: int) -> list[SweepKey]:
     """The numbers of the k-th wall, and of the case as far as it is given, that can be swept."""
     wall = case.wall[k]
-    other = GENERAL if wall.radius_m is None else RECTANGLE
+    other = OF_GENERAL_BLOCK if wall.radius_m is None else OF_RECTANGLE
     keys = [key for key in _keys(Wall) if not key.name.startswith(OF_A_TIE_TO_DESIGN) and key.name not in other]
     for n, load in enumerate(wall.load):
         keys += _given(load, n)

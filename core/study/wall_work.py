@@ -26,7 +26,7 @@ from core.variation.assessment import assess
 from core.variation.limit_states import at_states
 from core.variation.tie_design import Hinge, tie_design
 
-TASKS, SAMPLES = 8, 40_000
+MIN_TASKS, MAX_SAMPLES = 8, 40_000
 """Least tasks for a thread where runs of a wall are searched side by side; most samples of them, for a quick cancel."""
 
 
@@ -67,7 +67,7 @@ def works(given: Given, jobs: int, wait_for: Callable[[int], None] | None = None
         if ida is not None:
             known[one] = ida
     given.progress.known(known)
-    most = (len(plan.runs) - len(known)) // (TASKS * jobs)
+    most = (len(plan.runs) - len(known)) // (MIN_TASKS * jobs)
     for span in plan.spans:
         if wait_for:
             wait_for(plan.entries[span[0]].part.origin)
@@ -144,7 +144,7 @@ class _Wall:
             runs = [one for one in plan.runs_of(k) if one not in idas]
             longest = max((motion.acceleration.size for motion in entry.felt), default=1)
             lanes = in_lanes(plan.method, entry.model)
-            together = max(1, min(self.most, SAMPLES // longest)) if lanes else 1
+            together = max(1, min(self.most, MAX_SAMPLES // longest)) if lanes else 1
             groups += [tuple(runs[n : n + together]) for n in range(0, len(runs), together)]
         yield Batch({group: search_of(group) for group in groups}, keep)
         for k, (part, mechanism, model, _, floor, felt, _) in self.entries.items():

@@ -14,7 +14,7 @@ from core.codes.verdict import Verdict, passes_with_q2, verdict
 from core.codes.verdict_sentence import declared
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
-from core.ground.record_folder import DOUBTED, ELSEWHERE
+from core.ground.record_folder import DOUBTED, NOT_HORIZONTAL
 from core.setting.floors import LOW_CODE, building_notes
 from core.setting.plan import MANY_WALLS
 from core.setting.scene import Scene
@@ -166,7 +166,7 @@ def _of_life_and_records(evaluation: Evaluation) -> list[Sentence]:
 
 def _is_doubted(motion: GroundMotion) -> bool:
     """Whether a notice of a record says that its samples are no motion of the ground in the open, or may not be."""
-    return any(notice.code in DOUBTED or notice.code in ELSEWHERE for notice in motion.warnings)
+    return any(notice.code in DOUBTED or notice.code in NOT_HORIZONTAL for notice in motion.warnings)
 
 
 def _by_default(evaluation: Evaluation) -> Sentence:

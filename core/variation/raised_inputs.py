@@ -41,11 +41,11 @@ from core.variation.raised_site import of_the_building, of_what_is_required
 from core.wall.restitution import MODELS
 from core.wall.solids import clipped
 
-LOWER = 0.999
+MAX_RESTRAINT_SHARE = 0.999
 """Height of the restraint, of the top of the body, below which what it lifts is shown."""
 
 
-RECTANGLE = 4.0 / 3.0
+RECTANGLE_INERTIA = 4.0 / 3.0
 """I_0/m over R^2 of a rectangle."""
 
 MIN_SETBACK = 0.01
@@ -315,7 +315,11 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
         end = End(of_wall(return_wedges=None, solid=solids), NONE_WORD)
         yield one_end("return_wedges", "lift_return_wedges", wall.justification, GIVEN_WORD, end)
     top = known(wall.top)
-    if mechanism == "one_sided" and MODELS[wall.restitution_model(mechanism)].one_sided and wall.height_m < LOWER * top:
+    if (
+        mechanism == "one_sided"
+        and MODELS[wall.restitution_model(mechanism)].one_sided
+        and wall.height_m < MAX_RESTRAINT_SHARE * top
+    ):
         end = End(of_wall(height_m=top), top)
         yield one_end("contact", "lift_contact", wall.justification, wall.height_m, end, h=wall.height_m, top=top)
 
@@ -325,8 +329,8 @@ def _of_the_body(scene: Scene) -> Iterator[Raised]:
     the lowest of the masonry."""
     wall = scene.wall
     given, radius = wall.inertia_over_mass_m2, wall.radius_m
-    if given is not None and radius is not None and given > RECTANGLE * radius**2 * (1.0 + 1e-9):
-        end = End(of_wall(inertia_over_mass_m2=RECTANGLE * radius**2), RECTANGLE * radius**2)
+    if given is not None and radius is not None and given > RECTANGLE_INERTIA * radius**2 * (1.0 + 1e-9):
+        end = End(of_wall(inertia_over_mass_m2=RECTANGLE_INERTIA * radius**2), RECTANGLE_INERTIA * radius**2)
         yield one_end("inertia_over_mass_m2", "lift_inertia", None, given, end, given=given, least=end.value)
     modulus, (least, most) = wall.elastic_modulus_mpa, moduli(wall.masonry)
     if modulus is not None and wall.in_si.is_free(scene.mechanism) and modulus > least:

@@ -37,7 +37,7 @@ FORCE_TOLERANCE, FORCE_TOLERANCE_BY_HISTORIES = 1e-4, 0.01
 FORCE_MARGIN = 1.01
 """More of the force at which histories must hold as well: their rule is not monotone."""
 
-UNIT = 10.0
+FORCE_DIGIT = 10.0
 """Last digit a force is written with [N/m]: it is rounded up."""
 
 MAX_FORCE = 1e7
@@ -155,7 +155,7 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
     force = check = None
     largest, strongest = _as_it_bends(below[0], most, height, (largest, strongest), cancelled)
     if most is not None and most <= strongest:
-        force, check = written_up(most, UNIT), max(known, key=lambda name: known[name])
+        force, check = written_up(most, FORCE_DIGIT), max(known, key=lambda name: known[name])
     zeta, elongation, bars = {}, dict.fromkeys(("demand", "d_slv", "d_0")), (None, None)
     stands, more = None, False
     if force is not None:
@@ -204,7 +204,7 @@ def _as_it_bends(
     fails as it bends. Raises Cancelled."""
     if force is None or force > most[0] or _bending(base, force, height, cancelled)[0] is not False:
         return most
-    return force - UNIT, force - UNIT
+    return force - FORCE_DIGIT, force - FORCE_DIGIT
 
 
 def _bending(base: Hinge, force: float, height: float, cancelled: Callable[[], bool]) -> tuple[bool | None, Any]:
@@ -245,7 +245,9 @@ def _largest(hinge: Hinge, height: float) -> float:
     """Force [N/m] up to which the part above a hinge turns about it as one block."""
     wall, above = hinge.scene.wall, hinge.raised(height)
     weight = wall.in_si.weight + wall.in_si.vertical_loads
-    limit = edge(lambda force: carries(with_tie(wall, force, above)), weight, (UNIT, MAX_FORCE), False, 2.0, 1e-9)
+    limit = edge(
+        lambda force: carries(with_tie(wall, force, above)), weight, (FORCE_DIGIT, MAX_FORCE), False, 2.0, 1e-9
+    )
     return limit.good or 0.0
 
 
@@ -294,7 +296,7 @@ def _least(name: str, hinge: Hinge, above: float, target: float) -> float | None
 
     if holds(0.0):
         return 0.0
-    return edge(holds, 1e3, (UNIT, MAX_FORCE), True, 2.0, FORCE_TOLERANCE).good
+    return edge(holds, 1e3, (FORCE_DIGIT, MAX_FORCE), True, 2.0, FORCE_TOLERANCE).good
 
 
 def _held(hinge: Hinge, force: float, height: float, precision: Precision, cancelled) -> Evaluation:
@@ -321,10 +323,10 @@ def _of_histories(
         return all(_held(hinge, force, height, precision, cancelled).satisfied for hinge in below)
 
     start = min(others["linear_q_code"] or 1e4, largest)
-    candidate = edge(holds, start, (UNIT, largest), True, 2.0, FORCE_TOLERANCE_BY_HISTORIES).good
+    candidate = edge(holds, start, (FORCE_DIGIT, largest), True, 2.0, FORCE_TOLERANCE_BY_HISTORIES).good
     while candidate is not None:
-        candidate = written_up(candidate, UNIT)
-        more = written_up(FORCE_MARGIN * candidate, UNIT)
+        candidate = written_up(candidate, FORCE_DIGIT)
+        more = written_up(FORCE_MARGIN * candidate, FORCE_DIGIT)
         if candidate > largest:
             return None
         if holds(candidate, RUN) and (more > largest or holds(more, RUN)):

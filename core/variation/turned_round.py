@@ -34,7 +34,7 @@ SEARCH_FACTOR = 1.25
 WIDEST = {"thickness_m": 4.0, "tie_kn_m": 64.0, "ag_g": 16.0}
 """Factor of the value given up to which, and share of it down to which, it is searched."""
 
-WRITTEN = {"thickness_m": 1e-3, "tie_kn_m": 1e-2, "ag_g": 1e-3}
+DIGIT_OF_KEY = {"thickness_m": 1e-3, "tie_kn_m": 1e-2, "ag_g": 1e-3}
 """Last digit a value is written with; it is rounded to the safe side."""
 
 Change = Callable[[Setting, float], Setting]
@@ -180,6 +180,6 @@ def _searched(holds: Callable[[float, Precision | None], bool | None], key: str,
 
 def _written(key: str, value: float) -> float:
     """A value rounded to the safe side, of a_g down, else up."""
-    unit = WRITTEN[key]
+    unit = DIGIT_OF_KEY[key]
     rounded = math.floor(value / unit + 1e-9) if key == "ag_g" else math.ceil(value / unit - 1e-9)
     return round(rounded * unit, 6)

@@ -22,7 +22,7 @@ from core.wall.body import Body, cut_above, together
 from core.wall.masonry import Masonry
 from core.wall.solids import Part, contact_at, faces_at, sum_of
 
-ON_TOP = 1e-6
+TOP_TOLERANCE = 1e-6
 """How near to the top of the wall a load is on it [of H]."""
 
 
@@ -162,7 +162,7 @@ class Turning(NamedTuple):
 def strip_of(wall: Masonry) -> Strip:
     """A metre of a wall."""
     height, thickness = known(wall.height), known(wall.thickness)
-    on_top = [load for load in wall.loads if abs(load.height - height) <= ON_TOP * height]
+    on_top = [load for load in wall.loads if abs(load.height - height) <= TOP_TOLERANCE * height]
     loads = tuple((load.force, load.depth) for load in on_top)
     below = tuple(Weight(load.force, load.depth, load.height, load.pushes) for load in wall.loads if load not in on_top)
     length = known(wall.length) if wall.parts else 1.0

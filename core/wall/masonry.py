@@ -35,7 +35,7 @@ COUNTED = 0.40
 """Share of theta_c up to which alpha_0 counts what the ties hold: that of d_SLV (C8.7.1.2.1.6)."""
 
 GAUSS = np.polynomial.legendre.leggauss(5)
-CANTILEVER = 104.0 / 405.0
+CANTILEVER_MEAN_SQUARE = 104.0 / 405.0
 """Points and weights between -1 and 1; mean square of the deflection of a cantilever under a constant load, over that
 of its end."""
 
@@ -315,7 +315,7 @@ def period_share(wall: Masonry) -> float:
     deflection = eta**2 * (6.0 - 4.0 * eta + eta**2) / 3.0
     mass = sum(part.weight * (part.ends[1] - part.ends[0]) * part.widths_at(z) for part in parts)
     base = wall.unit_weight * wall.thickness * base_length(parts, wall.length, wall.thickness)
-    return float((mass * deflection**2 * step).sum() / (base * top * CANTILEVER))
+    return float((mass * deflection**2 * step).sum() / (base * top * CANTILEVER_MEAN_SQUARE))
 
 
 def inner_of(wall: Masonry, block: Block) -> Block | None:

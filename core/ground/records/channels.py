@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from core.errors import RecordError
-from core.ground.records.grammar import SHOWN_LETTERS, Options, Parsed, quoted
+from core.ground.records.grammar import MAX_QUOTED, Options, Parsed, quoted
 from core.text.sentence import sentence
 
 MAX_CHANNELS = 200
@@ -56,7 +56,7 @@ def refuse_unchosen(names: list[str], verticals: list[bool], asked: str | None) 
     if len(same) == 1:
         return same[0]
     listed = tuple(
-        sentence("accepted", "vertical_channel" if vertical else "channel", name=name[:SHOWN_LETTERS])
+        sentence("accepted", "vertical_channel" if vertical else "channel", name=name[:MAX_QUOTED])
         for name, vertical in list(zip(names, verticals, strict=True))[:MAX_LISTED]
     )
     if len(names) > MAX_LISTED:

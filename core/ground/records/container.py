@@ -18,7 +18,7 @@ MAX_UNPACKED = 20_000_000
 MAX_MEMBERS = 500
 SHEET_LIMITS = Limits(rows=50_000, columns=100, cells=150_000, size=2 * MAX_UNPACKED)
 
-BETWEEN = ": "
+MEMBER_SEPARATOR = ": "
 """Mark between the name of a member and that of a channel in it."""
 
 _ACCELERATION = re.compile(r"\.ACC\.", re.IGNORECASE)
@@ -106,8 +106,8 @@ def _split(asked: str | None, names: list[str]) -> tuple[str | None, str | None]
     if asked is None or asked in names:
         return asked, None
     for name in names:
-        if asked.startswith(name + BETWEEN):
-            return name, asked.removeprefix(name + BETWEEN)
+        if asked.startswith(name + MEMBER_SEPARATOR):
+            return name, asked.removeprefix(name + MEMBER_SEPARATOR)
     return (names[0], asked) if len(names) == 1 else (asked, None)
 
 

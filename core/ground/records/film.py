@@ -19,7 +19,7 @@ _CHANNEL = re.compile(r"\s*CHAN\s+(\d{1,3}):\s*(.*?)\s*(?:\(|$)", re.IGNORECASE)
 TEXT_LINES, DATA_LINE, FIELD_WIDTH = 13, 27, 7
 """Lines of text of a channel, the line from 0 at which its pairs begin, and the width of a number."""
 
-ROUNDED = 0.0006
+PEAK_ROUNDING = 0.0006
 """Peaks are printed to three decimals of g."""
 
 
@@ -68,7 +68,7 @@ def _pairs(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
     stated = next((match for line in head if (match := _PEAK.search(line))), None)
     peak, read = to_float(stated[1]) if stated else None, float(np.abs(samples).max()) * 0.1
     if peak is not None:
-        agree_with_peak(parsed, read if abs(abs(peak) - read) <= ROUNDED else peak)
+        agree_with_peak(parsed, read if abs(abs(peak) - read) <= PEAK_ROUNDING else peak)
     parsed.warnings.append(notice("unprocessed"))
     titles = [line.strip() for line in head]
     parsed.details = (("event", titles[1]), ("station", titles[5]), ("date", titles[2]), ("processing", "none"))

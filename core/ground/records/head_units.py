@@ -143,7 +143,7 @@ def take_unit(parsed: Parsed, unit: Unit | None) -> None:
 
 def _bare(match: re.Match) -> bool:
     """Whether a unit could be something else where nobody says that it is one: V, m."""
-    return match["named"] in wordings.SHORT or bool(match["length"] and not _power(match))
+    return match["named"] in wordings.AMBIGUOUS_UNITS or bool(match["length"] and not _power(match))
 
 
 def _said(line: str) -> Iterator[tuple[re.Match, bool, bool]]:
@@ -153,7 +153,7 @@ def _said(line: str) -> Iterator[tuple[re.Match, bool, bool]]:
         unit = wordings.UNIT.match(line, start, match.end(1))
         if not unit or not _BRACKET_END.match(line, unit.end()):
             continue
-        if unit["named"] in wordings.SHORT and not _ACCELERATION_WORD.search(line):
+        if unit["named"] in wordings.AMBIGUOUS_UNITS and not _ACCELERATION_WORD.search(line):
             continue
         before = line[max(0, match.start() - 40) : match.start()]
         yield unit, bool(_VALUE.search(before)), bool(_NUMBER_AFTER.match(line, match.end()))

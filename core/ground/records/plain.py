@@ -21,7 +21,7 @@ _EMPTY_FIELD = re.compile(r"\t[ ]*\t|^[ ]*\t")
 _EXCEL_ERROR = re.compile(r"#(?:N/?[AD]|DIV/0!|VAL\w+!|R[EI]F!|NUM!|N[AO]ME\?|NULL\w*!)", re.IGNORECASE)
 
 
-LONGEST_LINE = 20_000
+MAX_LINE_LETTERS = 20_000
 """Characters of a line of plain text."""
 
 MAX_HEAD = 200
@@ -150,7 +150,7 @@ def _told_apart(lines: list[str], skip: int) -> _Content:
             content.rest = _rest(lines[k - 1 :], len(rows[-1]))
             if content.rest is not None:
                 break
-        if len(line) > LONGEST_LINE:
+        if len(line) > MAX_LINE_LETTERS:
             raise RecordError("line_too_long", n=len(line), place=(place("line", n=k),))
         if len(head) > MAX_HEAD:
             raise RecordError("head_too_long", n=MAX_HEAD)

@@ -41,11 +41,11 @@ ONE_SIDED = 0.7
 VELOCITY_LEFT = 0.2
 """Share of its peak that the velocity keeps at the end; 0.08 at most on the shelf but where the mean is not removed."""
 
-ROUGH, WOVEN = 1.5, 0.8
+MAX_ROUGHNESS, WOVEN = 1.5, 0.8
 """Squared steps over squared samples, 2 of noise, and over squared steps across two samples, 1 of noise and more of two
 columns read as one; 1.1 and 0.46 at most on the shelf."""
 
-LEVELS = 40
+MIN_LEVELS = 40
 """Values below which the samples are rounded until the motion is lost; 62 at least on the shelf."""
 
 SPIKE, SPIKE_RANK = 4.5, 8
@@ -137,7 +137,7 @@ def _held(values: np.ndarray, begin: int, end: int) -> Iterator[Sentence]:
     if frozen.size:
         k = int(frozen[0])
         yield notice("frozen", n=int(lengths[k]), sample=int(begins[k]) + 1)
-    elif np.unique(values).size < LEVELS:
+    elif np.unique(values).size < MIN_LEVELS:
         yield notice("coarse", n=int(np.unique(values).size))
     elif (tops := np.flatnonzero((size > 1.0 - 1e-9) & (lengths >= TOPS))).size:
         k = int(tops[0])
@@ -164,7 +164,7 @@ def _one_sided(values: np.ndarray) -> Iterator[Sentence]:
 def _torn(values: np.ndarray) -> Iterator[Sentence]:
     """That neighbours do not belong together: noise, two columns in one, one number with its point out of place."""
     steps = np.sum(np.diff(values) ** 2)
-    if steps > ROUGH * np.sum(values**2) or steps > WOVEN * np.sum((values[2:] - values[:-2]) ** 2):
+    if steps > MAX_ROUGHNESS * np.sum(values**2) or steps > WOVEN * np.sum((values[2:] - values[:-2]) ** 2):
         yield notice("rough")
         return
     bend = np.abs(np.diff(values, 2))

@@ -8,7 +8,7 @@ from core.errors import RecordError, place
 from core.ground.records.grammar import NUMBER_LETTERS, quoted
 from core.text.sentence import Sentence, notice
 
-APART = 3.0
+MIN_EXTREME_RATIO = 3.0
 """How many times all other samples equal extreme ones must be to be marks of gaps; in the records tried the largest
 sample is up to 1.5 times the next one."""
 
@@ -40,7 +40,7 @@ def refuse_marks(values: np.ndarray) -> None:
     others = float(size[~marks].max(initial=0.0))
     usual = bool(_MARK.fullmatch(f"{top:.12g}"))
     several = marks.sum() > 1 and values.size >= ENOUGH
-    if others and top >= APART * others and (usual or several):
+    if others and top >= MIN_EXTREME_RATIO * others and (usual or several):
         _refuse(values, marks)
     steps = np.abs(np.diff(values))
     for mark in _MARKS_INSIDE:

@@ -220,7 +220,7 @@ NAMED_UNITS: dict[str, tuple[str, float | None]] = {
 } | {word: (quantity, None) for quantity, written in _OF_OTHERS.items() for word in written}
 """Unit -> (quantity, of an acceleration m/s2 of one)."""
 
-SHORT = words("v | % | pa | bit | m | ue | bar | gs | kn")
+AMBIGUOUS_UNITS = words("v | % | pa | bit | m | ue | bar | gs | kn")
 """Units that could be something else: they count where they are said to be units, or beside an acceleration."""
 
 _LENGTH = any_of(LENGTHS)

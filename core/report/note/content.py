@@ -47,7 +47,7 @@ CONTENTS_FROM = 4
 TOLD = 6
 """Walls whose verdict is told on the first page."""
 
-REASONS = 3
+MAX_REASON_LINES = 3
 """Lines that stand below a verdict; the others end the section of the wall."""
 
 
@@ -299,7 +299,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
         held = say("wall at {z:g} m, {kind}", z=float(known(wall.wall.felt_z_m)), kind=held)
     parts.append(Paragraph(sentence_of(wall, language), tone_of(result, wall)))
     reasons = lines_of(result, wall, language)
-    parts += [Item(line) for line in reasons[:REASONS]]
+    parts += [Item(line) for line in reasons[:MAX_REASON_LINES]]
     parts += [_checks(result, wall, words), Paragraph(held, "quiet")]
     parts += _side_by_side([*first, wall_figures.capacity(result, wall, words)])
     parts += site.solids(wall, words) + site.loads(wall, words)
@@ -312,7 +312,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     tabled = assumption_table.tabled(wall, language)
     rest = [
         *certainty_line(result, wall, words),
-        *(line for line in reasons[REASONS:] if line not in tabled),
+        *(line for line in reasons[MAX_REASON_LINES:] if line not in tabled),
         *tie_lines(wall, language),
         *(one.text(language) for one in wall.warnings),
     ]

@@ -26,7 +26,7 @@ COLORS = {
 TEXT_WIDTH_CM = 17.0
 """Width of the text of an A4 page [cm]."""
 
-LETTER, MARGINS = 0.21, 0.4
+CELL_LETTER_WIDTH, MARGINS = 0.21, 0.4
 """Width of a bold letter of a cell, and of both margins of a cell [cm]."""
 
 BLANKS = 105
@@ -59,7 +59,7 @@ def widths_of(part: Table) -> list[float]:
     words = (
         [len(word) for row in (part.heads, *part.rows) if row for word in row[k].split()] for k in range(len(asked))
     )
-    least = [MARGINS + LETTER * max(lengths, default=0) for lengths in words]
+    least = [MARGINS + CELL_LETTER_WIDTH * max(lengths, default=0) for lengths in words]
     lacking = sum(max(0.0, need - size) for need, size in zip(least, asked, strict=True))
     room = sum(max(0.0, size - need) for need, size in zip(least, asked, strict=True))
     taken = min(1.0, lacking / room) if room > 0.0 else 0.0

@@ -15,7 +15,7 @@ SIZES = {1: (8.1, 4.9), 2: (8.1, 4.9), 3: (5.5, 4.5), 4: (4.4, 3.0)}
 TICKS = 5
 """Marks of an axis, about."""
 
-LETTER = 0.15
+FIGURE_LETTER_WIDTH = 0.15
 """Width of a letter of a figure, about [cm]."""
 
 
@@ -45,7 +45,7 @@ def laid_out(figure: Figure, words: Words, side_by_side: int = 2) -> dict[str, A
     (y0, y1) = _range(figure.y_range, [np.asarray(curve.y, float) for curve in figure.curves])
     left, top, right, bottom = 0.0, 0.0, width, height
     if not figure.is_drawing:
-        below = 0.75 if not figure.names else 0.35 + 0.75 * LETTER * max(map(len, figure.names))
+        below = 0.75 if not figure.names else 0.35 + 0.75 * FIGURE_LETTER_WIDTH * max(map(len, figure.names))
         top = 0.15 + 0.36 * len(rows)
         height = max(height, top + figure.least_area + below)
         left, right, bottom = 1.2, width - 0.2, height - below
@@ -91,7 +91,7 @@ def _legend_rows(names: Sequence[str], width: float) -> list[list[int]]:
     rows: list[list[int]] = []
     room = 0.0
     for k, name in enumerate(names):
-        need = 0.8 + LETTER * len(name)
+        need = 0.8 + FIGURE_LETTER_WIDTH * len(name)
         if not rows or need > room:
             rows.append([])
             room = width

@@ -39,7 +39,9 @@ SIGNATURE = 52.0
 
 NUMERIC = re.compile(r"[-−+]?[0-9][0-9.,  ]*(e[-+][0-9]+)?|–")
 
-USUAL = re.compile("[\u0020-\u007e\u00a0-\u017f\u0391-\u03c9\u2009\u2013\u2014\u2018-\u201e\u2022\u2026\u2032]*")
+USUAL_LETTERS = re.compile(
+    "[\u0020-\u007e\u00a0-\u017f\u0391-\u03c9\u2009\u2013\u2014\u2018-\u201e\u2022\u2026\u2032]*"
+)
 """Letters FONT surely has."""
 
 
@@ -138,7 +140,7 @@ class Note:
 
     def _given(self, attachments) -> dict[str, Any]:
         data = json.dumps(self.data | {"attachments": attachments}, ensure_ascii=False)
-        own = self.data["font"] == FONT and USUAL.fullmatch(_texts(self.data)) is not None
+        own = self.data["font"] == FONT and USUAL_LETTERS.fullmatch(_texts(self.data)) is not None
         return {"sys_inputs": {"data": data}, "ignore_system_fonts": own}
 
     @functools.cached_property
@@ -264,7 +266,7 @@ def _texts(value: Any) -> str:
 def legible(value: Any) -> Any:
     """Replace each letter that no font shows by its code, as U+0001, in every text of a value: PDF/A takes no letter
     without a shape."""
-    strange = sorted(set(USUAL.sub("", _texts(value))))
+    strange = sorted(set(USUAL_LETTERS.sub("", _texts(value))))
     codes = {letter: f"U+{ord(letter):04X}" for letter in strange if not _is_shown(letter)}
     return _replaced(value, str.maketrans(codes)) if codes else value
 

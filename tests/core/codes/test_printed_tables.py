@@ -54,12 +54,12 @@ def test_that_periods_and_dampings_are_those_of_c8_7_1_2_1_8():
         {"SLV": 1.68, "SLC": 1.56}, rel=1e-15
     )
     assert kinematic.STATE_DAMPING == {"SLV": 0.08, "SLC": 0.10}
-    assert (kinematic.FREE_DAMPING, kinematic.CANTILEVER) == (0.05, 6.2)
+    assert (kinematic.FREE_DAMPING, kinematic.CANTILEVER_KAPPA) == (0.05, 6.2)
 
 
 @pytest.mark.shows("demand.artificial")
 def test_that_records_are_compared_by_the_bounds_of_3_2_3_6():
-    assert record_compatibility.LOWER == {"artificial": -0.10, "simulated": -0.20, "natural": -0.10}
+    assert record_compatibility.LOWER_BOUND == {"artificial": -0.10, "simulated": -0.20, "natural": -0.10}
     assert record_compatibility.UPPER == {"natural": 0.30}
     assert record_compatibility.PERIOD_RANGE == (0.15, 2.0)
     assert (record_compatibility.STRONG_PART, record_compatibility.WHOLE_LENGTH) == (10.0, 25.0)

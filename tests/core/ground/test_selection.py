@@ -66,7 +66,7 @@ def test_that_every_set_of_a_small_folder_is_compared(seed, strong, bounds):
     ]
     ranked = sorted((by_hand(ratios, members, bounds), members) for members in allowed)
     ranked = [one for one in ranked if one[0][0] < math.inf]
-    assert every and len(found) == min(selection.LISTED, len(ranked))
+    assert every and len(found) == min(selection.MAX_SETS_LISTED, len(ranked))
     for one, ((miss, deviation), members) in zip(found, ranked, strict=False):
         assert one.members == members
         assert (one.miss, one.deviation) == (pytest.approx(miss, abs=1e-9), pytest.approx(deviation, abs=1e-9))
@@ -114,7 +114,7 @@ def test_that_a_set_that_cannot_be_met_is_the_nearest_with_what_it_misses():
     ratios = np.full((6, 21), 0.5)
     bounds = Bounds(0.9, 1.3, 0.0, (0.5, 1.5))
     found, every = nearest_sets(ratios, 3, alone(6), alone(6), (1, 1), bounds)
-    assert every and len(found) == selection.LISTED
+    assert every and len(found) == selection.MAX_SETS_LISTED
     assert found[0].factor == 1.5 and found[0].miss == pytest.approx(0.9 / 0.75 - 1.0)
 
 

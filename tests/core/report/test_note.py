@@ -477,7 +477,9 @@ def test_that_no_word_of_a_table_for_word_is_parted_where_there_is_room():
         rows = [["x" * int(n) for n in rng.integers(0, 12, columns)] for _ in range(3)]
         part = Table(rows[0], rows[1:], rng.uniform(0.3, 5.0, columns).tolist())
         sizes = document.widths_of(part)
-        least = [document.MARGINS + document.LETTER * max(len(row[k]) for row in rows) for k in range(columns)]
+        least = [
+            document.MARGINS + document.CELL_LETTER_WIDTH * max(len(row[k]) for row in rows) for k in range(columns)
+        ]
         assert sum(sizes) == pytest.approx(document.TEXT_WIDTH_CM)
         if sum(least) <= document.TEXT_WIDTH_CM:
             assert all(size >= need - 1e-9 for size, need in zip(sizes, least, strict=True))
