@@ -24,7 +24,7 @@ from core.errors import InputError
 from core.text.sentence import choice
 from core.units import CM
 
-SIZES = ("width_m", "height_m", "diameter_m")
+OPENING_SIZES = ("width_m", "height_m", "diameter_m")
 """What an opening is given by."""
 
 
@@ -74,8 +74,8 @@ def solid_words(solid: Solid) -> str:
 
 def _opening_has(opening: Opening, key: str) -> bool:
     """Whether an opening of this shape has this key; one without a size may have any."""
-    given = [size for size in SIZES if getattr(opening, size) is not None]
-    if key not in SIZES or not given:
+    given = [size for size in OPENING_SIZES if getattr(opening, size) is not None]
+    if key not in OPENING_SIZES or not given:
         return True
     return (key == "diameter_m") == ("diameter_m" in given) or key in given
 

@@ -35,7 +35,7 @@ SARDINIA = (
 )
 """Outline of the island, which the grid leaves out: Table 2 gives it one hazard (latitude, longitude)."""
 
-SCALE = (4.0, 90.0, 10.0)
+SCALE_BOX = (4.0, 90.0, 10.0)
 """Left edge, width and height of the scale of shades [px]."""
 
 KEY_STEP = 0.01
@@ -101,7 +101,7 @@ class PlaceMap(QWidget):
 
     def _draw_scale(self, painter: QPainter) -> None:
         """What the shades mean, below the south-west, where only sea is."""
-        left, width, height = SCALE
+        left, width, height = SCALE_BOX
         bottom = self.height() - 6.0 - height
         shades = QLinearGradient(left, 0.0, left + width, 0.0)
         for place, share in ((0.0, MIN_OPACITY), (1.0, 1.0)):

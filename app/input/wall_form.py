@@ -51,7 +51,7 @@ from core.wall.restitution import MODELS
 IN_A_ROW = 400
 """Width that buttons of a row may take together [px]: larger letters have two rows."""
 
-BASE = ("base_z_m", "back_restraint", "restraint_evidence", "restraint_note", "free_element")
+BASE_KEYS = ("base_z_m", "back_restraint", "restraint_evidence", "restraint_note", "free_element")
 """Keys beside the mechanism."""
 
 
@@ -80,7 +80,7 @@ class WallForm(WallEditor):
         self.body = BodyForm(session, lambda: self.current)
         self.reasons = reasons_of_wall(session, lambda: self.current)
         self.shape_fields = make_fields(Wall, "shape")
-        check_fields = make_fields(Wall, "checks", first=BASE)
+        check_fields = make_fields(Wall, "checks", first=BASE_KEYS)
         held = make_fields(Wall, "held", first=("tie_height_m",))
         every = (make_field(Wall, "name"), *self.shape_fields, *check_fields, *held)
         self.fields = {field.key: field for field in every}
@@ -90,8 +90,8 @@ class WallForm(WallEditor):
         empty = ReturnWalls(TO_BE_GIVEN, TO_BE_GIVEN, TO_BE_GIVEN, TO_BE_GIVEN)
         title = tr("Friction of return walls (in α0 only)")
         self.across = OptionalGroup(title, "return_walls", empty, lambda: self.wall, self.edit)
-        base = [self.fields[key] for key in BASE]
-        notes = [field for field in check_fields if field.key not in (*BASE, "unloaded_confirmed")]
+        base = [self.fields[key] for key in BASE_KEYS]
+        notes = [field for field in check_fields if field.key not in (*BASE_KEYS, "unloaded_confirmed")]
         self.sections = {
             "geometry": Section(tr("Geometry"), [self.fields["name"], self.shape, *self.shape_fields], open=True),
             "body": Section(tr("Shape"), [self.body]),

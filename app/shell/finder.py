@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 MAX_ENTRIES = 60
 """Entries that are listed."""
 
-PLACES, MIN_LETTERS = 3, 3
+MAX_PLACES, MIN_LETTERS_TYPED = 3, 3
 """Municipalities that are listed, and letters typed from which they are."""
 
 
@@ -100,7 +100,7 @@ def places_of(window: "MainWindow", text: str) -> list[Entry]:
         point_at(window.navigator, place.municipality)
         window.missing.lead_in("demand")
 
-    names = names_beginning_with(text, PLACES) if len(text.strip()) >= MIN_LETTERS else []
+    names = names_beginning_with(text, MAX_PLACES) if len(text.strip()) >= MIN_LETTERS_TYPED else []
     return [Entry(tr("{name}: the demand from this place", name=name), partial(take, name)) for name in names]
 
 

@@ -32,7 +32,7 @@ from core.variation.evaluate import Evaluation
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
 
-KINDS = ("wall", "demand", "building")
+LIVE_FORMS = ("wall", "demand", "building")
 """Forms whose input moves zeta of the wall."""
 
 AT_ONCE_MS, RESTED_MS = 0, 400
@@ -143,7 +143,7 @@ class LiveAnswer(Section):
         window, session = self.window_of, self.window_of.session
         given = window.stages.input
         case = session.checked() if given.missing.can_run() else None
-        self.setVisible(given.kind in KINDS and bool(session.case.wall) and session.case.demand is not None)
+        self.setVisible(given.kind in LIVE_FORMS and bool(session.case.wall) and session.case.demand is not None)
         runs = self.head.isChecked() and self.isVisible() and window.runner.job is None
         row = window.walls.current
         at = (case, session.base_dir, row, (session.samples, _files_of(case, session.base_dir))) if runs else None

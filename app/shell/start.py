@@ -21,7 +21,7 @@ from app.shell import menus
 from app.shell.files import EXAMPLE
 from app.shell.window import MainWindow
 from app.work import recovery
-from app.work.worker import RUNNING, write_log
+from app.work.worker import RUNNING_JOBS, write_log
 from core.errors import InputError
 from core.text.sentence import LANGUAGES
 from core.text.start import system_language
@@ -177,7 +177,7 @@ def main(path: Path | None) -> int:
             word = tr("The program crashed last time; please send {path}", path=crashes[-1])
             window.show_word(word)
         code = application.exec()
-    if any(not job.isFinished() for job in RUNNING):
+    if any(not job.isFinished() for job in RUNNING_JOBS):
         # a thread that compiles cannot be stopped, and nobody is to wait for it
         from core.jit import cache
         from core.study import precompile

@@ -38,7 +38,7 @@ MAX_SHARE_OF_WINDOW = 0.20
 WIDE_FROM = 1600
 """Width of the window from which the tree is wide [px]."""
 
-RUNNING, ROW_SEPARATOR = "…", "  "
+TO_COME, ROW_SEPARATOR = "…", "  "
 """In the place of a number to come; between the name of a row and what it says."""
 
 
@@ -144,7 +144,7 @@ def _zeta(state: State, k: int) -> float | None:
 def _wall(state: State, k: int, text: str, depth: int, broken: set[int | None]) -> Row:
     if state.finished is not None:
         zeta, whole = state.finished.get(k, (None, False))
-        chip = number(zeta, ".2f") if whole else RUNNING if zeta is None else f"≤ {number(zeta, '.2f')}"
+        chip = number(zeta, ".2f") if whole else TO_COME if zeta is None else f"≤ {number(zeta, '.2f')}"
         return Row(depth, "wall", text, chip, "quiet", k)
     if k in broken:
         return Row(depth, "wall", text, "!", "amber", k)

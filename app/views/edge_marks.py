@@ -10,7 +10,7 @@ from core.text.sentence import numeral
 if TYPE_CHECKING:
     from app.views.chart import Chart
 
-SIDES = {"top": ("↑", 1.0, 1.0), "bottom": ("↓", 1.0, 0.0), "left": ("←", 0.0, 0.5), "right": ("→", 1.0, 0.5)}
+EDGE_ARROWS = {"top": ("↑", 1.0, 1.0), "bottom": ("↓", 1.0, 0.0), "left": ("←", 0.0, 0.5), "right": ("→", 1.0, 0.5)}
 """Arrow of each edge, and where its words stand: shares of width and height of the axes."""
 
 
@@ -58,14 +58,14 @@ class EdgeMarks:
         """Set the marks at the edges of what is shown now."""
         beyond = self.beyond()
         for side in beyond.keys() - self.items.keys():
-            _, across, up = SIDES[side]
+            _, across, up = EDGE_ARROWS[side]
             item = self.items[side] = pg.TextItem(anchor=(across, 1.0 - up))
             item.setZValue(60)
             self.chart.plot.addItem(item, ignoreBounds=True)
             self.paint(theme.current)
         (left, right), (low, high) = self.chart.plot.viewRange()
         for side, item in self.items.items():
-            arrow, across, up = SIDES[side]
+            arrow, across, up = EDGE_ARROWS[side]
             item.setVisible(side in beyond)
             if side in beyond:
                 item.setPlainText(f"{arrow} {', '.join(beyond[side])}")

@@ -103,7 +103,7 @@ MAY_BE_EMPTY = ("", "kN/m3", "kN/m", "deg", "m2")
 
 NO_UNIT = ("", "-", "–")
 
-LENGTHS, WORDS = ("hinges", "polygon"), ("text", "choice", "flag", "law")
+LENGTH_KINDS, WORD_KINDS = ("hinges", "polygon"), ("text", "choice", "flag", "law")
 """Kinds of keys that hold several lengths in metres, and those that hold words."""
 
 FLAGS = {
@@ -226,22 +226,22 @@ def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
     factors = []
     for k, key in enumerate(keys):
         kind, metadata = columns()[key].entry.metadata["kind"], columns()[key].entry.metadata
-        unit = "m" if kind in LENGTHS else metadata.get("unit", "")
+        unit = "m" if kind in LENGTH_KINDS else metadata.get("unit", "")
         below = (cells[k] if k < len(cells) else "").strip()
         below = "" if below.lower() in UNIT_WORDS else below
         named = [one.strip() for one in (below, *_BRACKETS.findall(heads[k])) if one.strip("[]() ") not in NO_UNIT]
         units = [one for one in named if unit_of(one) is not None]
-        if kind in WORDS or (units and all(_REMARK.fullmatch(one) for one in named if one not in units)):
+        if kind in WORD_KINDS or (units and all(_REMARK.fullmatch(one) for one in named if one not in units)):
             named = units
         if beside := _beside_unit(heads[k]):
             raise _unknown_unit(beside, heads[k], unit)
         unit_factors = []
         for text in named:
             factor = factor_to(text, unit)
-            if factor is None or (kind in (*WORDS, "polygon") and factor != 1.0):
+            if factor is None or (kind in (*WORD_KINDS, "polygon") and factor != 1.0):
                 raise _unknown_unit(text, heads[k], unit, kind == "polygon")
             unit_factors.append(factor)
-        if not unit_factors and kind not in LENGTHS and unit not in MAY_BE_EMPTY:
+        if not unit_factors and kind not in LENGTH_KINDS and unit not in MAY_BE_EMPTY:
             raise _unknown_unit("", heads[k], unit)
         if len(set(unit_factors)) > 1:
             raise InputError("two_units_of_column", column=heads[k][:60], named=named[1][:20], unit=named[0][:20])

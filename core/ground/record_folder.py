@@ -26,7 +26,7 @@ DOUBTED = {
     "peak_differs",
     "partial_last_line",
     "ends_moving",
-    *plausible.CODES,
+    *plausible.WARNING_CODES,
 }
 """Notices that doubt the samples of a record: a person may know better of one record, a search does not."""
 

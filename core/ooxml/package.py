@@ -23,7 +23,7 @@ MAX_PARTS = 2000
 MAX_ELEMENTS = 600_000
 """Elements of all the parts that are read: three for a cell, and as many for each text or format."""
 
-MAX_TEXT = 200_000
+MAX_CELL_TEXT = 200_000
 """Characters of a text; a cell of Excel holds 32 767."""
 
 MAX_TAG = 1_000_000
@@ -128,7 +128,7 @@ class Package:
         def written(piece: str) -> None:
             nonlocal text
             text += piece
-            if len(text) > MAX_TEXT:
+            if len(text) > MAX_CELL_TEXT:
                 raise InputError("workbook_too_large")
 
         def refused(*_) -> None:  # entities that grow, files outside

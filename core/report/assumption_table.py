@@ -8,7 +8,7 @@ from core.study.results import StudyResult, WallResult
 from core.study.wall_verdict import assumptions_of
 from core.text.sentence import numeral, word
 
-WIDTHS = 2.4, 2.0, 1.3, 2.0, 0.9, 1.9, 2.2
+COLUMN_SHARES = 2.4, 2.0, 1.3, 2.0, 0.9, 1.9, 2.2
 """Relative widths of the columns."""
 
 

@@ -114,7 +114,7 @@ def _tie(row: Row) -> float | None:
     return None if tie is None or tie.force is None else 1e-3 * tie.force
 
 
-SIZES = ("slenderness_deg", "radius_m", "frequency_parameter_rad_s", "threshold_acceleration_g")
+SIZE_KEYS = ("slenderness_deg", "radius_m", "frequency_parameter_rad_s", "threshold_acceleration_g")
 Q_SLV = ("q_slv_set", "q_slv_low_set", "q_slv_robust_set", "q_slv_safe_set")
 SETS = ("set_rule", "q_set", "q_min", "q_robust_set", *Q_SLV)
 
@@ -144,7 +144,7 @@ COLUMNS = (
     *_taken(KINEMATIC, _kinematic, "alpha0", "e_star", "a0_star_g", "d0_m", "period_s"),
     *_taken(WALL, _result, "height_m", "thickness_m"),
     number("base_z_m", "m", "height of its base above the ground", "wall.wall.base_z_m"),
-    *_taken(WALL, _result, *SIZES, "restitution", "velocity_ratio", *SETS),
+    *_taken(WALL, _result, *SIZE_KEYS, "restitution", "velocity_ratio", *SETS),
     *_taken(FRAGILITY, lambda row: row.wall.fragility, "q_05", "q_16", "q_50"),
     number("closed_form_q", "-", "q of Eq. 15 or 16", "wall.closed_form_q"),
     number("closed_form_q_eff", "-", "Eq. 15 or 16", "wall.closed_form_q_eff"),

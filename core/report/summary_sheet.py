@@ -39,8 +39,8 @@ from core.units import G
 SUMMARY_WALLS = 8
 """Walls listed on the Summary, which is one page; all are on the Overview."""
 
-WIDTHS = [30, 12, 8, 9, 9, 7, 8, 14, 9, 8, 9, 9, 26]
-LAST_COLUMN = len(WIDTHS)
+COLUMN_WIDTHS = [30, 12, 8, 9, 9, 7, 8, 14, 9, 8, 9, 9, 26]
+LAST_COLUMN = len(COLUMN_WIDTHS)
 ASSUMED = 1, 2, 5, 6, 9, 10, 13
 """Columns of the table of assumptions."""
 
@@ -55,7 +55,7 @@ def verdict_color(result: StudyResult, wall: WallResult) -> str:
 def summary(book: Book, result: StudyResult) -> None:
     """Write one page: title block, demand, walls, the governing wall's checks, its verdict, warnings."""
     say, case = book.say, result.case
-    sheet = book.sheet("Summary", WIDTHS, landscape=True)
+    sheet = book.sheet("Summary", COLUMN_WIDTHS, landscape=True)
     sheet.page_setup.fitToHeight = 1
     title(sheet, 1, case.title, 16)
     paragraph(
@@ -109,7 +109,7 @@ def lists_all(result: StudyResult) -> bool:
 
 def overview(book: Book, result: StudyResult) -> None:
     """All walls, the lowest zeta first."""
-    sheet = book.sheet("Overview", WIDTHS, landscape=True)
+    sheet = book.sheet("Overview", COLUMN_WIDTHS, landscape=True)
     title(sheet, 1, book.say("Overview of the walls"))
     last = _walls_table(book, sheet, result, [wall for wall, _ in in_order(result)], 3)
     sheet.auto_filter.ref = f"A3:M{last - 1}"

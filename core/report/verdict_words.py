@@ -46,11 +46,11 @@ def outcome_of(result: StudyResult, verdict: WallVerdict) -> tuple[str, str | No
     return assessment.verdict.code, decides
 
 
-KINDS = ("to_do", "limits", "note")
+LINE_KINDS = ("to_do", "limits", "note")
 
 
 def lines_of(
-    result: StudyResult, wall: WallResult, language: str, kinds: tuple[str, ...] = (*KINDS, "reason")
+    result: StudyResult, wall: WallResult, language: str, kinds: tuple[str, ...] = (*LINE_KINDS, "reason")
 ) -> list[str]:
     """Lines that follow the sentence, each kind with its word: what to do, what limits the result, notes, reasons
     given."""
@@ -59,7 +59,7 @@ def lines_of(
     said = (verdict.to_do, (*verdict.limits, *(extra[0] if extra else ())), verdict.notes)
     lines = [
         f"{word(kind, language)}: {one.text(language, names_in(language))}"
-        for kind, sentences in zip(KINDS, said, strict=True)
+        for kind, sentences in zip(LINE_KINDS, said, strict=True)
         for one in sentences
         if kind in kinds
     ]

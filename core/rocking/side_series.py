@@ -4,7 +4,7 @@ from core.jit.decorators import inner_kernel, subkernel
 from core.jit.fma import fma
 from core.rocking.side_functions import DEGREE, OVERLAP, PIECES, V, X
 
-SERIES_TOLERANCE = 1e-14
+SIDE_TOLERANCE = 1e-14
 """Largest last term of a step, over y of collapse [-]."""
 
 NEAREST, TINIEST = 1e-15, 1e-300
@@ -76,7 +76,7 @@ def surely_holds(last, h, top):
     """
     square = h * h
     fourth = square * square
-    return abs(last) * (fourth * fourth) <= 0.99 * SERIES_TOLERANCE * top
+    return abs(last) * (fourth * fourth) <= 0.99 * SIDE_TOLERANCE * top
 
 
 @subkernel
@@ -97,7 +97,7 @@ def series(y, speed, beta, slope, p2, side, h):
     v, x = about(s, side.values[piece, V]), about(s, side.values[piece, X])
     terms = terms_of(speed, beta, slope, p2, per, v, x)
     if not surely_holds(terms[7], h, side.top):
-        h = min(h, (SERIES_TOLERANCE * side.top / max(abs(terms[7]), TINIEST)) ** 0.125)
+        h = min(h, (SIDE_TOLERANCE * side.top / max(abs(terms[7]), TINIEST)) ** 0.125)
     return terms, h, s, per
 
 

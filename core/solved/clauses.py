@@ -19,14 +19,14 @@ from core.units import G
 ZETA_LINEAR: Head = (worded("ζ linear, q = 2"), "")
 ZETA_DISPLACEMENT: Head = (worded("ζ of the displacement check"), "")
 FREE = {"free_element": True, "elastic_modulus_mpa": 600.0}
-HELD = {"free_element": False}
+NOT_FREE = {"free_element": False}
 
 WALLS_ON_GROUND = (
     # key, H, t, kind, then a_0*/g, zeta linear, T_SLV, S_De, zeta displacement
-    ("tall", 7.0, 0.83, HELD, "0.08783 0.5630 2.99126 0.16994 0.9768"),
-    ("storey", 3.0, 0.45, HELD, "0.11111 0.7123 1.95824 0.16639 0.5409"),
+    ("tall", 7.0, 0.83, NOT_FREE, "0.08783 0.5630 2.99126 0.16994 0.9768"),
+    ("storey", 3.0, 0.45, NOT_FREE, "0.11111 0.7123 1.95824 0.16639 0.5409"),
     ("free", 3.0, 0.45, FREE, "0.11111 0.2849 1.95824 0.16639 0.5409"),
-    ("low", 1.0, 0.20, HELD, "0.14815 0.9497 1.13059 0.09606 0.4164"),
+    ("low", 1.0, 0.20, NOT_FREE, "0.14815 0.9497 1.13059 0.09606 0.4164"),
 )
 
 KINEMATIC = (
@@ -66,7 +66,7 @@ def on_the_ground(key: str, height: float, thickness: float, kind: dict, values:
 
 
 SOIL_C = (
-    ("12.5 × 0.90 m", {"height_m": 12.5, "thickness_m": 0.90, **HELD}, "- 0.3073 0.7371"),
+    ("12.5 × 0.90 m", {"height_m": 12.5, "thickness_m": 0.90, **NOT_FREE}, "- 0.3073 0.7371"),
     (
         "3.0 × 0.40 m",
         {"height_m": 3.0, "thickness_m": 0.40, "free_element": True, "elastic_modulus_mpa": 1e3},
@@ -208,7 +208,7 @@ ACROSS = {"number": 2, "thickness_m": 0.5, "brick_height_m": 0.25, "brick_length
 
 def slc() -> tuple[Answer, ...]:
     asked = Asked(
-        {"height_m": 7.0, "thickness_m": 0.83, "mechanism": "two_sided", **HELD}, {**EN_B, "limit_state": "SLC"}
+        {"height_m": 7.0, "thickness_m": 0.83, "mechanism": "two_sided", **NOT_FREE}, {**EN_B, "limit_state": "SLC"}
     )
     a0 = 0.83 / 7.0 / 1.35 * 9.80665
     period = 1.56 * math.pi * math.sqrt(0.249 / (0.4 * a0))
@@ -292,7 +292,7 @@ CASES: tuple[Solved, ...] = (
         Asked({"height_m": 7.0, "thickness_m": 0.83}, None).sketch,
         worded("The wall of the first case: 60 % of d_0 and 10 % of damping."),
         Asked(
-            {"height_m": 7.0, "thickness_m": 0.83, "mechanism": "two_sided", **HELD}, {**EN_B, "limit_state": "SLC"}
+            {"height_m": 7.0, "thickness_m": 0.83, "mechanism": "two_sided", **NOT_FREE}, {**EN_B, "limit_state": "SLC"}
         ).table,
     ),
     Solved(

@@ -33,7 +33,7 @@ NAME_OF_PDF, NAME_OF_JSON = "solved.pdf", "solved.json"
 MAX_ROWS_TOGETHER = 20
 """Answers of a table that is not parted between pages, fewer than these."""
 
-KINDS: dict[Kind, Sentence] = {
+KIND_TITLES: dict[Kind, Sentence] = {
     Kind.CLOSED_FORM: worded("closed form"),
     Kind.REFERENCE: worded("reference solution"),
     Kind.HAND: worded("calculation by hand"),
@@ -177,7 +177,7 @@ def _parts(chosen: Sequence[Subject], say: _Say) -> list[Part]:
         ),
         Table((), program, (1, 4)),
         Paragraph(say(summary(cases)), "good" if good else "bad"),
-        Table((), [(say(KINDS[kind]), str(counts[kind])) for kind in Kind if counts[kind]], (2, 3)),
+        Table((), [(say(KIND_TITLES[kind]), str(counts[kind])) for kind in Kind if counts[kind]], (2, 3)),
         Paragraph(
             say(
                 worded(
@@ -219,7 +219,7 @@ def _summary(cases: Sequence[Solved], say: _Say) -> Table:
             (
                 str(k + 1),
                 say(case.title),
-                say(KINDS[case.kind]),
+                say(KIND_TITLES[case.kind]),
                 str(len(case.answers)),
                 written(least, say.language)[2],
                 numeral(least.tolerance, ".0e", say.language),
@@ -231,7 +231,7 @@ def _summary(cases: Sequence[Solved], say: _Say) -> Table:
 
 
 def _case(case: Solved, number: int, say: _Say) -> list[Part]:
-    about: list[Part] = [Paragraph(f"{say(KINDS[case.kind])}: {case.source}", "quiet")]
+    about: list[Part] = [Paragraph(f"{say(KIND_TITLES[case.kind])}: {case.source}", "quiet")]
     if case.formula:
         about.append(Mathematics(case.formula))
     if case.comment:

@@ -22,7 +22,7 @@ WALL = {"height_m": 3.0, "thickness_m": 0.45, "unit_weight_kn_m3": 18.0}
 ROOF = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.30, "h_m": 3.0, "mass": "none"}
 
 FACADE = {"height_m": 9.0, "thickness_m": 0.50, "unit_weight_kn_m3": 18.0}
-FLOORS = ((6.0, 0.30, 3.0), (6.0, 0.30, 6.0), (4.0, 0.30, 9.0), (15.0, 0.35, 3.0))
+FLOOR_LOADS = ((6.0, 0.30, 3.0), (6.0, 0.30, 6.0), (4.0, 0.30, 9.0), (15.0, 0.35, 3.0))
 """A facade of three storeys: N [kN/m], d, h [m] of two floors, the roof and a vault, whose masses push it."""
 THRUST_HEIGHT = 3.0
 THRUST = {"kind": "thrust", "kn_m": 3.0, "h_m": THRUST_HEIGHT}
@@ -48,7 +48,7 @@ def mechanism_of(wall: dict, *loads: dict, **more) -> Kinematic:
 
 def _of_one_body() -> tuple[Solved, ...]:
     facade = (
-        *({"kind": "vertical", "kn_m": n, "d_m": d, "h_m": z, "mass": "horizontal"} for n, d, z in FLOORS),
+        *({"kind": "vertical", "kn_m": n, "d_m": d, "h_m": z, "mass": "horizontal"} for n, d, z in FLOOR_LOADS),
         THRUST,
     )
     return (
@@ -86,7 +86,7 @@ def _of_one_body() -> tuple[Solved, ...]:
                 ),
             ),
             sketch=Sketch(
-                section(9.0, 0.50), (*((d, z, 0.0, -1.0) for _, d, z in FLOORS), (0.0, THRUST_HEIGHT, -1.0, 0.0))
+                section(9.0, 0.50), (*((d, z, 0.0, -1.0) for _, d, z in FLOOR_LOADS), (0.0, THRUST_HEIGHT, -1.0, 0.0))
             ),
         ),
     )
@@ -146,9 +146,9 @@ SOLID = {"height_m": 3.0, "thickness_m": 0.30, "unit_weight_kn_m3": 2200.0 * 9.8
 """The wall of the examples of the macro-element: 2200 kg/m3."""
 
 HEAVY_LOAD = 1e4
-"""Load [kN/m] beside which a wall of LIGHT weighs next to nothing."""
+"""Load [kN/m] beside which a wall of LIGHT_WALL weighs next to nothing."""
 
-LIGHT = {**SOLID, "unit_weight_kn_m3": 5.0}
+LIGHT_WALL = {**SOLID, "unit_weight_kn_m3": 5.0}
 
 ASPECT = 0.1
 """t/H of all of them."""
@@ -187,8 +187,8 @@ def _of_macroelement() -> tuple[Solved, ...]:
             (
                 answer("published_start_weight", 1.0, lambda: _start(SOLID), READING),
                 answer("published_end_weight", 1.0, lambda: _end(SOLID), READING),
-                answer("published_start_load", 0.5, lambda: _start(LIGHT, on_top), READING),
-                answer("published_end_load", 0.5, lambda: _end(LIGHT, on_top), READING),
+                answer("published_start_load", 0.5, lambda: _start(LIGHT_WALL, on_top), READING),
+                answer("published_end_load", 0.5, lambda: _end(LIGHT_WALL, on_top), READING),
                 answer("published_start_gable", 1.5, lambda: _start(gable), READING),
                 answer("published_end_gable", 1.5, lambda: _end(gable), READING),
             ),

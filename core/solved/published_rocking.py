@@ -27,7 +27,7 @@ LINEAR_ALPHA = 1e-3
 PULSE_ALPHA, PULSE = 0.2, 0.5
 """alpha [rad] of the blocks of "Under this pulse", and the length of its full sine [s]."""
 
-SIZES = ((0.25, "1.26189"), (0.5, "1.45844"), (1.0, "2.16378"), (2.0, "5.15493"))
+OVERTURNING_PEAKS = ((0.25, "1.26189"), (0.5, "1.45844"), (1.0, "2.16378"), (2.0, "5.15493"))
 """R [m], and the peak over g tan alpha from which that sine overturns."""
 
 ENERGIES = (
@@ -200,7 +200,7 @@ def _of_open_programs() -> tuple[Solved, ...]:
             blocks,
             tuple(
                 printed((sentence("solved", "published_least_sine", radius=r), ""), a, partial(_least_sine, r), 1.0)
-                for r, a in SIZES
+                for r, a in OVERTURNING_PEAKS
             ),
             formula="p = sqrt(3 g / (4 R)), quad e = 1 - 3 / 2 sin^2 alpha",
             sketch=Sketch(shape, motion=_drawn(_sine())),

@@ -17,13 +17,13 @@ METHODS: dict[str, Sentence] = {
 }
 """Method of a score -> its words."""
 
-FIRST = worded("setback of the first body")
+OF_FIRST_BODY = worded("setback of the first body")
 
 
 def _scores(one: Found) -> Iterator[tuple[Sentence, Score]]:
     yield from ((METHODS[score.method], score) for score in one.scores)
     if one.tried:
-        yield FIRST, one.tried
+        yield OF_FIRST_BODY, one.tried
 
 
 def _title(one: Found) -> Sentence:

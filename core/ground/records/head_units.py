@@ -106,7 +106,7 @@ def units_of(match: re.Match, line: str) -> Iterator[Unit]:
     else:
         power = _power(match)
         quantity = wordings.OF_POWER.get(power, "other")
-        si = wordings.LENGTHS[match["length"]] if power == 2 else None
+        si = wordings.LENGTH_UNITS[match["length"]] if power == 2 else None
     for name, sign in (("before", 1), ("after", -1 if match["how"] in ("/", "per") else 1)):
         if match[name] and si is not None:
             factor = factor_of(match[name])

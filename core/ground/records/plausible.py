@@ -7,7 +7,7 @@ import numpy as np
 from core.errors import RecordError
 from core.text.sentence import Sentence, notice
 
-CODES = (
+WARNING_CODES = (
     *("repeats", "frozen", "coarse", "clipped", "one_sided_samples", "velocity_left", "rough", "spike"),
     *("late", "pace", "peak_elsewhere", "beyond_nyquist"),
 )

@@ -17,7 +17,7 @@ TEXT_LINES, INTEGERS, REALS = 11, 6, 10
 EXTREMES = 28
 """Place from 0 among the reals of the time of the largest sample, that sample, and both of the smallest one."""
 
-WIDTHS = (10, 14)
+FIELD_WIDTHS = (10, 14)
 """Widths of a sample [characters]: eight or five samples in a line."""
 
 
@@ -36,7 +36,7 @@ def read(lines: list[str], options: Options) -> Parsed:
     if kind not in ("CORRECTED", "UNCORRECTED", "UNKNOWN"):
         raise RecordError("peer_quantity", quantity=kind.lower())
     start, declared, rate, reals = _layout(lines)
-    width = next((w for w in WIDTHS if fixed_width(lines[start], w)), None)
+    width = next((w for w in FIELD_WIDTHS if fixed_width(lines[start], w)), None)
     parsed = block(lines[start:], start + 1, declared, width)
     parsed.time_step = 1.0 / rate
     parsed.unit = "cm/s2" if kind != "UNKNOWN" else None

@@ -173,7 +173,7 @@ _OTHER_FACTORS = words("""
 NO_FACTOR = re.compile(rf"\b{any_of(_OTHER_FACTORS)}\b")
 """Words of a line whose factor or scale is not that of the samples."""
 
-LENGTHS = words_of(length=1)
+LENGTH_UNITS = words_of(length=1)
 BARE_LENGTHS = words("m | cm | mm | in | inch | inches")
 """Lengths that alone are the unit of a displacement."""
 
@@ -223,7 +223,7 @@ NAMED_UNITS: dict[str, tuple[str, float | None]] = {
 AMBIGUOUS_UNITS = words("v | % | pa | bit | m | ue | bar | gs | kn")
 """Units that could be something else: they count where they are said to be units, or beside an acceleration."""
 
-_LENGTH = any_of(LENGTHS)
+_LENGTH = any_of(LENGTH_UNITS)
 _FACTOR_BEFORE = rf"(?:(?:(?:x|\*|times) *+)?(?P<before>{FACTOR}) *+(?:x|\*|times)? *+)?"
 _FACTOR_AFTER = rf"(?: *+(?P<how>x|\*|times|/|per) *+(?P<after>{FACTOR}))?"
 UNIT = re.compile(

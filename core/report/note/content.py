@@ -107,7 +107,9 @@ def _assumed(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
     if not rows:
         return []
     tones = {(k, column): "bad" for k, (_, turns) in enumerate(rows) if turns for column in (4, 5)}
-    return [Table(assumption_table.heads(words.say), [cells for cells, _ in rows], assumption_table.WIDTHS, tones)]
+    return [
+        Table(assumption_table.heads(words.say), [cells for cells, _ in rows], assumption_table.COLUMN_SHARES, tones)
+    ]
 
 
 def _limiting(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:

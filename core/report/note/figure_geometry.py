@@ -9,7 +9,7 @@ import numpy as np
 from core.report.note.parts import Figure
 from core.report.note.words import Words
 
-SIZES = {1: (8.1, 4.9), 2: (8.1, 4.9), 3: (5.5, 4.5), 4: (4.4, 3.0)}
+FIGURE_SIZES = {1: (8.1, 4.9), 2: (8.1, 4.9), 3: (5.5, 4.5), 4: (4.4, 3.0)}
 """Width and height of a figure by how many stand side by side [cm]."""
 
 TICKS = 5
@@ -38,7 +38,7 @@ def _range(given: tuple[float, float] | None, values: Sequence[np.ndarray]) -> t
 
 def laid_out(figure: Figure, words: Words, side_by_side: int = 2) -> dict[str, Any]:
     """Lay out a figure, lengths in cm from its upper left corner; lines go beyond the area and are cut."""
-    width, height = SIZES[side_by_side]
+    width, height = FIGURE_SIZES[side_by_side]
     named = [curve for curve in figure.curves if curve.name]
     rows = _legend_rows([curve.name for curve in named], width - 1.4)
     (x0, x1) = _range(figure.x_range, [np.asarray(curve.x, float) for curve in figure.curves])

@@ -95,7 +95,7 @@ class Note:
             "office": self.words.say("Mark of the office"),
             "letterhead": list(self.office.letterhead),
             "logo": list(self.office.logo) if self.office.logo else None,
-            "words": {name: self.words.say(text) for name, text in WORDS.items()},
+            "words": {name: self.words.say(text) for name, text in NOTE_WORDS.items()},
             "parts": [self._part(part) for part in parts],
             "alone": False,
         }
@@ -115,7 +115,7 @@ class Note:
 
     def places(self) -> list[dict[str, Any]]:
         """Places of the marks: page from 1, y from the top [pt], and what each leads to."""
-        return json.loads(self._again(lambda made: made.eval(LEADS)))
+        return json.loads(self._again(lambda made: made.eval(LEADS_QUERY)))
 
     def lines(self) -> list[tuple[int, float, str]]:
         """Lines of the pages: page from 1, y of the line from the top [pt], its text."""
@@ -212,9 +212,9 @@ class Note:
 ABREAST_OF_TEXT = 4
 """A drawing beside parts has the size of one of so many figures."""
 
-WORDS = {"page": "page", "fig": "Fig."}
+NOTE_WORDS = {"page": "page", "fig": "Fig."}
 
-LEADS = "query(<leads>).map(m => (..m.value, page: m.location().page(), y: m.location().position().y.pt()))"
+LEADS_QUERY = "query(<leads>).map(m => (..m.value, page: m.location().page(), y: m.location().position().y.pt()))"
 """Query by which the template is asked for its marks."""
 
 BOXES = {"☑": "ticked", "☐": "open"}

@@ -6,7 +6,7 @@ import pytest
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 
-from core.solved.published_rocking import CASES, ENERGIES, PULSE, PULSE_ALPHA, PUSH, SIZES, edges_of_sine
+from core.solved.published_rocking import CASES, ENERGIES, OVERTURNING_PEAKS, PULSE, PULSE_ALPHA, PUSH, edges_of_sine
 
 
 def expected(key: str, first: int = 0) -> list[float]:
@@ -51,7 +51,7 @@ def energy_of_sine(amplitude, radius, share=1.0):
     return energy_at_end(PULSE_ALPHA, p2, ratio, lambda t: peak * math.sin(omega * t), PULSE, uplift)
 
 
-@pytest.mark.parametrize(("radius", "printed"), SIZES)
+@pytest.mark.parametrize(("radius", "printed"), OVERTURNING_PEAKS)
 def test_that_a_full_sine_overturns_each_size_from_the_peak_printed(radius, printed):
     peak = float(printed)
     assert energy_of_sine(peak - 2e-5, radius) < 1.0 <= energy_of_sine(peak + 2e-5, radius)
