@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 Holds = Callable[[float], bool | None]
 
-MOST_STEPS = 200
+MAX_STEPS = 200
 """Halvings after which a bracket is as narrow as its numbers allow."""
 
 
@@ -30,7 +30,7 @@ class Bracket(NamedTuple):
     refused: bool
 
 
-def narrowed(holds: Holds, good: float, bad: float, close: float = 0.0, steps: int = MOST_STEPS) -> Bracket:
+def narrowed(holds: Holds, good: float, bad: float, close: float = 0.0, steps: int = MAX_STEPS) -> Bracket:
     """Narrow by bisection the boundary between a value at which something holds and one at which it does not.
 
     close : difference of both sides, over the larger one, at which it stops; steps : halvings at the most
@@ -40,11 +40,11 @@ def narrowed(holds: Holds, good: float, bad: float, close: float = 0.0, steps: i
         middle = 0.5 * (good + bad)
         if abs(good - bad) <= close * max(abs(good), abs(bad)) or middle in (good, bad):
             break
-        found = holds(middle)
-        if found:
+        held = holds(middle)
+        if held:
             good = middle
         else:
-            bad, refused = middle, found is None
+            bad, refused = middle, held is None
     return Bracket(good, bad, refused)
 
 
@@ -61,10 +61,10 @@ def edge(holds: Holds, start: float, ends: tuple[float, float], rises: bool, ste
     while value != last:
         before = value
         value = min(step * value, last) if upwards else max(value / step, last)
-        found = holds(value)
-        if bool(found) != inside:
+        held = holds(value)
+        if bool(held) != inside:
             sides = (before, value) if inside else (value, before)
-            refused = inside and found is None
+            refused = inside and held is None
             good, bad, last_refused = narrowed(holds, *sides, close)
             return Edge(good, bad, last_refused or (refused and bad == sides[1]))
     return Edge(value, None) if inside else Edge(None, value)

@@ -45,14 +45,14 @@ def bounded(work: Callable, *given: Any, seconds: float, megabytes: int) -> Any:
             )
             if done.returncode != 0:
                 raise Refused
-            found, reason = pickle.loads((Path(folder) / "answer").read_bytes())
+            result, reason = pickle.loads((Path(folder) / "answer").read_bytes())
         except subprocess.TimeoutExpired:
             raise Refused from None
         except OSError as error:
             raise Refused(error.strerror or type(error).__name__) from None
     if reason is not None:
         raise Refused(reason)
-    return found
+    return result
 
 
 def main() -> None:

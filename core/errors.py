@@ -46,9 +46,9 @@ class InputError(ValueError):
     def _scaled(self, factor: float, unit: str) -> dict:
         """Value and accepted range in the unit of a field, as values of the sentence."""
         shown: dict[str, object] = {}
-        found = self.values.get("found", self.value)
-        if isinstance(found, (int, float)):
-            shown["value"] = f"{found * factor:g} {unit}"
+        value = self.values.get("found", self.value)
+        if isinstance(value, (int, float)):
+            shown["value"] = f"{value * factor:g} {unit}"
         if isinstance(self.accepted, Sentence) and self.accepted.code in RANGES:
             ends: dict[str, Any] = dict(self.accepted.values)
             ends |= {end: factor * ends[end] for end in ("low", "high")}

@@ -43,11 +43,11 @@ def shown(name: str) -> str:
     )
 
 
-LONGEST = 120
+MAX_NAME_BYTES = 120
 """Bytes of a name of a file that is made of a name of a wall."""
 
 
 def file_name(name: str) -> str:
     """A name that every system takes for a file: letters and digits, _ for what lies between."""
     letters = "".join(letter if letter.isalnum() else " " for letter in unicodedata.normalize("NFC", name))
-    return "_".join(letters.split()).encode()[:LONGEST].decode(errors="ignore") or "_"
+    return "_".join(letters.split()).encode()[:MAX_NAME_BYTES].decode(errors="ignore") or "_"

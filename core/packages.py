@@ -17,7 +17,7 @@ PACKAGES = {
 }
 """Extra -> module asked for and the package it is of."""
 
-MOST_WALLS = 10_000
+MAX_WALLS_IN_WORKBOOK = 10_000
 """Walls about all their hinges beyond which a case needs `parquet`: of each some 60 rows of the sheet Check, of the
 million a workbook has."""
 

@@ -89,7 +89,7 @@ BASES = {
 """Word -> unit, in small letters. A kilogram is one of force, as loads and unit weights are given in them; g alone is
 that of an acceleration. MN, and what small letters would confuse with something else, is in no list."""
 
-WRITTEN = {
+UNITS_WRITTEN = {
     "": "-, %",
     "kN/m3": "kN/m3, kg/m3, t/m3",
     "MPa": "MPa, N/mm2, GPa, kg/cm2",
@@ -128,11 +128,11 @@ def unit_of(text: str) -> Unit | None:
             base = BASES.get(token)  # whole first: cm2 is no word, mmq and ° are
             power = 1
             if base is None:
-                found = _TOKEN.fullmatch(token)
-                base = BASES.get(found[1]) if found else None
-                if found is None or base is None or found[2] is None:
+                match = _TOKEN.fullmatch(token)
+                base = BASES.get(match[1]) if match else None
+                if match is None or base is None or match[2] is None:
                     return None
-                power = int(found[2])
+                power = int(match[2])
             power *= sign
             factor *= base.factor**power
             exponents = [have + power * one for have, one in zip(exponents, base[1:], strict=True)]
@@ -148,7 +148,7 @@ def factor_to(text: str, unit: str) -> float | None:
     return given.factor / wanted.factor
 
 
-_BARE = re.compile(r"(?<![\w/])(%g|ms|mg|hz|gal|g ?/ ?[0-9]+|c?m ?s-2|[a-z]+/[a-z]+[\^]?[0-9²³]?)(?![\w/])")
+_UNBRACKETED_UNIT = re.compile(r"(?<![\w/])(%g|ms|mg|hz|gal|g ?/ ?[0-9]+|c?m ?s-2|[a-z]+/[a-z]+[\^]?[0-9²³]?)(?![\w/])")
 _REMARK = re.compile(r"[^\W\d_]+([ '-][^\W\d_]+)*|[0-9.,]+ ?%")
 
 
@@ -159,5 +159,8 @@ def foreign_unit(head: str, known: tuple[str, ...]) -> str | None:
         word = text.strip().lower()
         if word not in known and (unit_of(word) is not None or not _REMARK.fullmatch(word)) and word:
             return text.strip()
-    bare = next((one for one in _BARE.findall(re.sub(r"[\[(].*?[\])]", " ", head.lower())) if one not in known), None)
+    bare = next(
+        (one for one in _UNBRACKETED_UNIT.findall(re.sub(r"[\[(].*?[\])]", " ", head.lower())) if one not in known),
+        None,
+    )
     return bare

@@ -6,7 +6,7 @@ import stat
 from pathlib import Path
 from typing import BinaryIO
 
-PIECE = 1 << 20
+FILE_CHUNK = 1 << 20
 """Bytes read at a time of a file that has more than it says."""
 
 
@@ -20,10 +20,10 @@ class TooLarge(OSError):
 
 def refuse_irregular(stream: BinaryIO) -> os.stat_result:
     """Return what the system says of an open file. Raises OSError for a device, a pipe, a socket: they have no end."""
-    found = os.fstat(stream.fileno())
-    if not stat.S_ISREG(found.st_mode):
+    status = os.fstat(stream.fileno())
+    if not stat.S_ISREG(status.st_mode):
         raise OSError(errno.EINVAL, "not a regular file")
-    return found
+    return status
 
 
 def read_regular(path: Path, most: int) -> bytes:
@@ -37,7 +37,7 @@ def read_regular(path: Path, most: int) -> bytes:
         if size > most:
             raise TooLarge(size)
         content = stream.read(size + 1)
-        while size < len(content) <= most and (more := stream.read(PIECE)):  # it grows, or says that it is empty
+        while size < len(content) <= most and (more := stream.read(FILE_CHUNK)):  # it grows, or says that it is empty
             content += more
     if len(content) > most:
         raise TooLarge(len(content))

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from core.errors import Cancelled
 
-AHEAD = 2
+TASKS_PER_THREAD = 2
 """Tasks of a thread that it is handed: the one it does, and the next."""
 
 
@@ -48,9 +48,9 @@ class Threads:
         def work() -> Work:
             return (yield Batch(tasks, on_result))
 
-        found: list[dict] = []
-        self.run_works([work()], found.append)
-        return found[0]
+        results: list[dict] = []
+        self.run_works([work()], results.append)
+        return results[0]
 
     def run_works(self, works: Iterable[Work], on_end: Callable[[Any], None]) -> None:
         """Carry works out side by side, the tasks of the first ones first, each begun when threads would be idle.
@@ -65,8 +65,10 @@ class Threads:
             flying: dict[Future, tuple[int, Any]] = {}
             try:
                 while True:
-                    while len(flying) < AHEAD * self.jobs and (found := under_way.next_task()) is not None:
-                        number, key, task = found
+                    while (
+                        len(flying) < TASKS_PER_THREAD * self.jobs and (upcoming := under_way.next_task()) is not None
+                    ):
+                        number, key, task = upcoming
                         future = pool.submit(task, lambda: ended.is_set() or self.cancelled())
                         flying[future] = number, key
                         future.add_done_callback(done.put)

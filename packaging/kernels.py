@@ -44,7 +44,7 @@ WHEEL = "Wheel-Version: 1.0\nGenerator: ribalta\nRoot-Is-Purelib: false\nTag: {t
 def listed(folder: Path) -> Path:
     """The cache of a user, in a folder, who ran the examples by batch and in the window."""
     path = os.pathsep.join(map(str, (ROOT, ROOT / "packaging")))
-    own = {shipped.FORCED_LEVEL: shipped.best_of(shipped.LEVELS), "PYTHONPATH": path}
+    own = {shipped.FORCED_LEVEL: shipped.best_of(shipped.PROCESSOR_LEVELS), "PYTHONPATH": path}
     variables = smoke.variables(folder, **own)
     for case in smoke.CASES:
         smoke.batch([sys.executable, "-P", "-m", "app"], case, folder / "results", variables)
@@ -101,13 +101,13 @@ def write(target: Path, caches: dict[str, Path], numbers: list[str]) -> None:
 
 def make(target: Path) -> bool:
     """A library of all levels in a folder; False where there are none for processors of this kind."""
-    if not shipped.best_of(shipped.LEVELS):
+    if not shipped.best_of(shipped.PROCESSOR_LEVELS):
         return False
     from core.study import self_test
 
     with tempfile.TemporaryDirectory() as name:
         user = listed(Path(name))
-        caches = {level: compiled_again(user, level, Path(name) / level) for level in shipped.LEVELS}
+        caches = {level: compiled_again(user, level, Path(name) / level) for level in shipped.PROCESSOR_LEVELS}
         write(target, caches, self_test.numbers())
     return True
 

@@ -24,7 +24,7 @@ from core.errors import InputError
 from core.text.sentence import choice
 from core.units import CM
 
-SIZES = ("width_m", "height_m", "diameter_m")
+OPENING_SIZES = ("width_m", "height_m", "diameter_m")
 """What an opening is given by."""
 
 
@@ -74,8 +74,8 @@ def solid_words(solid: Solid) -> str:
 
 def _opening_has(opening: Opening, key: str) -> bool:
     """Whether an opening of this shape has this key; one without a size may have any."""
-    given = [size for size in SIZES if getattr(opening, size) is not None]
-    if key not in SIZES or not given:
+    given = [size for size in OPENING_SIZES if getattr(opening, size) is not None]
+    if key not in OPENING_SIZES or not given:
         return True
     return (key == "diameter_m") == ("diameter_m" in given) or key in given
 
@@ -190,10 +190,10 @@ class BodyForm(WallEditor):
         try:
             length, height = (parse_number(line.text()) for line in (self.brick_length, self.brick_height))
             crack = self.wall.shoulder - wedges.from_z_m
-            found = crack * length / (2.0 * height)
+            wedge_length = crack * length / (2.0 * height)
         except (InputError, TypeError, ZeroDivisionError):
             return None
-        return round(found, 3) if 0.0 < found <= 30.0 else None
+        return round(wedge_length, 3) if 0.0 < wedge_length <= 30.0 else None
 
     def _show_offer(self) -> None:
         offered = self.offered

@@ -5,7 +5,7 @@ import re
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QPlainTextEdit
 
-from app.input.number_fields import FIGURES
+from app.input.number_fields import SIGNIFICANT_DIGITS
 from app.input.paragraphs_field import ParagraphsField
 from app.look.language import number, tr
 from core.case.number import parse_number
@@ -25,17 +25,17 @@ class CornersField(ParagraphsField):
 
     def offer(self, value: str) -> None:
         """Corners as text into the case; a line that is none is named, and the corners before it stay."""
-        found = []
+        points = []
         for n, line in enumerate(value.splitlines(), start=1):
             parts = re.split(r"[\s;]+", line.strip(" \t;"))
             try:
                 if line.strip():
                     s, z = map(parse_number, parts)
-                    found.append((s, z))
+                    points.append((s, z))
             except ValueError:  # an InputError too
                 self.show_error(tr("line {n}: not s and z", n=n))
                 return
-        corners = corners_of(found)
+        corners = corners_of(points)
         if corners is None:
             self.show_error(tr("too many corners"))
             return
@@ -49,7 +49,7 @@ class CornersField(ParagraphsField):
         if self.holds_invalid_text(corners):
             return
         if corners != self.value or not self.editor.hasFocus():
-            lines = ("\t".join(number(one, f".{FIGURES}g") for one in corner) for corner in corners)
+            lines = ("\t".join(number(one, f".{SIGNIFICANT_DIGITS}g") for one in corner) for corner in corners)
             with QSignalBlocker(self.editor):
                 self.editor.setPlainText("\n".join(lines))
         self.value = corners

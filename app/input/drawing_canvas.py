@@ -12,14 +12,14 @@ from core.case.drawing_file import Shape, Sheet
 from core.case.drawing_outlines import Gap, Point
 from core.wall.body import holds, polygon_sums
 
-BODY, OPENING, NOTHING = "body", "opening", "nothing"
-ROLES = (BODY, OPENING, NOTHING)
+BODY, OPENING, NO_PART = "body", "opening", "nothing"
+ROLES = (BODY, OPENING, NO_PART)
 """What a shape can be, in the order of clicks."""
 
-NEAR = 6.0
+CLICK_TOLERANCE = 6.0
 """Pixels from the hinge line, and of a movement that is still a click."""
 
-MARGIN = 18.0
+DRAWING_MARGIN = 18.0
 """Around the drawing [pixels]."""
 
 
@@ -79,7 +79,7 @@ class DrawingCanvas(QWidget):
     def _frame(self) -> tuple[float, float, float]:
         """(pixels a unit of the drawing, x and y of the drawing in the middle of the widget)."""
         low_x, low_y, high_x, high_y = self.extent
-        room_x, room_y = self.width() - 2 * MARGIN, self.height() - 2 * MARGIN
+        room_x, room_y = self.width() - 2 * DRAWING_MARGIN, self.height() - 2 * DRAWING_MARGIN
         scale = min(room_x / max(high_x - low_x, 1e-9), room_y / max(high_y - low_y, 1e-9))
         return scale * self.zoom, 0.5 * (low_x + high_x), 0.5 * (low_y + high_y)
 
@@ -107,11 +107,11 @@ class DrawingCanvas(QWidget):
         painter.setPen(QPen(quiet, 0.8))
         for _, line in self.lines:
             painter.drawPolyline(QPolygonF([self.at(x, y) for x, y in line]))
-        order = {BODY: 0, OPENING: 1, NOTHING: 2}
+        order = {BODY: 0, OPENING: 1, NO_PART: 2}
         for k in sorted(range(len(self.roles)), key=lambda k: order[self.roles[k]]):
             role = self.roles[k]
-            edge = QColor(theme.current.ink) if role != NOTHING else quiet
-            style = Qt.PenStyle.DotLine if role == NOTHING else Qt.PenStyle.SolidLine
+            edge = QColor(theme.current.ink) if role != NO_PART else quiet
+            style = Qt.PenStyle.DotLine if role == NO_PART else Qt.PenStyle.SolidLine
             painter.setPen(QPen(edge, 3.0 if k in self.chosen else 1.2, style))
             fill = {BODY: shade, OPENING: back}.get(role, Qt.BrushStyle.NoBrush)
             painter.setBrush(fill)
@@ -127,13 +127,13 @@ class DrawingCanvas(QWidget):
             painter.drawLine(QPointF(0.0, level), QPointF(self.width(), level))
 
     def _on_hinge(self, position: QPointF) -> bool:
-        return self.hinge is not None and abs(self.at(0.0, self.hinge).y() - position.y()) <= NEAR
+        return self.hinge is not None and abs(self.at(0.0, self.hinge).y() - position.y()) <= CLICK_TOLERANCE
 
     def shape_at(self, position: QPointF) -> int | None:
         """The smallest shape at a place of the widget."""
         point = self._point(position)
-        found = [k for k, shape in enumerate(self.shapes) if holds(shape.corners, point)]
-        return min(found, key=lambda k: polygon_sums(self.shapes[k].corners).area, default=None)
+        hits = [k for k, shape in enumerate(self.shapes) if holds(shape.corners, point)]
+        return min(hits, key=lambda k: polygon_sums(self.shapes[k].corners).area, default=None)
 
     def mousePressEvent(self, event) -> None:
         self.press, self.drags_hinge = event.position(), self._on_hinge(event.position())
@@ -150,7 +150,7 @@ class DrawingCanvas(QWidget):
         if press is None or self.drags_hinge:
             return
         way = event.position() - press
-        if way.manhattanLength() > NEAR:
+        if way.manhattanLength() > CLICK_TOLERANCE:
             self.shift += way
             self.update()
         elif (k := self.shape_at(press)) is not None:

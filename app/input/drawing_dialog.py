@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.input.drawing_canvas import BODY, NOTHING, OPENING, ROLES, DrawingCanvas
+from app.input.drawing_canvas import BODY, NO_PART, OPENING, ROLES, DrawingCanvas
 from app.input.fields import LineField, connect
 from app.input.made_fields import make_field
 from app.look import theme
@@ -27,7 +27,7 @@ from app.look.dialogs import once
 from app.look.labels import Plain
 from app.look.language import described, number, tr
 from app.work.session import Session
-from core.case.drawing_file import DRAWING_UNITS, TOLERANCE, DxfFile, Shape, Sheet
+from core.case.drawing_file import DRAWING_TOLERANCE, DRAWING_UNITS, DxfFile, Shape, Sheet
 from core.case.drawn_solids import made_solids, origin_of, sum_of_solids, with_solids
 from core.case.outline_inside import around
 from core.case.shape_rules import check_shape
@@ -37,25 +37,25 @@ from core.errors import InputError
 from core.known import known
 from core.wall.body import holds, point_within, polygon_sums
 
-CLOSE = 0.02
+MAX_GAP = 0.02
 """How far the end of a line may be from the line it should meet, in an outline around a click [m]."""
 
-SHOWN = 8
+MAX_UNREAD_SHOWN = 8
 """Kinds of entities that are not read, named in the dialog."""
 
-WEIGHT = 18.0
+DEFAULT_UNIT_WEIGHT = 18.0
 """What a wall without a unit weight is taken to weigh, for the mass that is shown [kN/m3]."""
 
-MOST_ROWS = 2000
+MAX_SHAPES = 2000
 """Shapes of a drawing that are looked at for what they may be: of more none is."""
 
 
 def likely_roles(shapes: tuple[Shape, ...]) -> list[str]:
     """The largest shape is the body, what lies in it an opening unless it lies in another one, the rest nothing."""
     areas = [polygon_sums(shape.corners).area for shape in shapes]
-    if not shapes or len(shapes) > MOST_ROWS:
-        return [NOTHING] * len(shapes)
-    roles, largest = [NOTHING] * len(shapes), max(range(len(shapes)), key=lambda k: areas[k])
+    if not shapes or len(shapes) > MAX_SHAPES:
+        return [NO_PART] * len(shapes)
+    roles, largest = [NO_PART] * len(shapes), max(range(len(shapes)), key=lambda k: areas[k])
     roles[largest], openings = BODY, []
     for k in sorted(range(len(shapes)), key=lambda k: -areas[k]):
         if k == largest or areas[k] > 0.9 * areas[largest]:  # a hatch of the wall
@@ -91,7 +91,7 @@ class DrawingDialog(QDialog):
         self.list.setAccessibleName(tr("Shapes"))
         self.list.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.list.itemSelectionChanged.connect(self._show_roles)
-        self.names = {BODY: tr("Body"), OPENING: tr("Opening"), NOTHING: tr("Nothing")}
+        self.names = {BODY: tr("Body"), OPENING: tr("Opening"), NO_PART: tr("Nothing")}
         self.buttons_of_roles = {role: QPushButton(name) for role, name in self.names.items()}
         choices = QHBoxLayout()
         for role, button in self.buttons_of_roles.items():
@@ -187,18 +187,18 @@ class DrawingDialog(QDialog):
 
     def _around(self, x: float, y: float) -> None:
         """The outline around a place between lines becomes a shape of the wall, what stands apart in it openings."""
-        close, same = CLOSE / self.scale, TOLERANCE / self.scale
+        close, same = MAX_GAP / self.scale, DRAWING_TOLERANCE / self.scale
         try:
-            found = around(self.sheet.lines, (x, y), close, same)
+            region = around(self.sheet.lines, (x, y), close, same)
         except InputError as error:
             self.words.setText(described(error))
             return
-        made = [Shape(found.layer, corners) for corners in (found.outline, *found.holes)]
-        left = [gap for gap in self.sheet.gaps if gap.at not in {one.at for one in found.closed}]
+        made = [Shape(region.layer, corners) for corners in (region.outline, *region.holes)]
+        left = [gap for gap in self.sheet.gaps if gap.at not in {one.at for one in region.closed}]
         self.sheet = self.sheet._replace(shapes=(*self.sheet.shapes, *made), gaps=tuple(left))
-        self.roles += [BODY, *(OPENING for _ in found.holes)]
+        self.roles += [BODY, *(OPENING for _ in region.holes)]
         self.areas += [self.scale**2 * polygon_sums(shape.corners).area for shape in made]
-        self.closed += [self.scale * gap.size for gap in found.closed]
+        self.closed += [self.scale * gap.size for gap in region.closed]
         with QSignalBlocker(self.list):
             self.list.addItems([""] * len(made))
         self.canvas.show_shapes(self.sheet)
@@ -265,7 +265,7 @@ class DrawingDialog(QDialog):
     @property
     def weight(self) -> float:
         """[kN/m3]"""
-        return self.wall.unit_weight_kn_m3 or WEIGHT
+        return self.wall.unit_weight_kn_m3 or DEFAULT_UNIT_WEIGHT
 
     def _wall(self) -> Wall:
         """The wall of the shapes chosen. Raises InputError."""
@@ -279,14 +279,14 @@ class DrawingDialog(QDialog):
     def _preview(self, wall: Wall) -> str:
         area, body = sum_of_solids(wall.solid, self.weight)
         x, z = body.centroid
-        found = [
+        properties = [
             tr("area {area} m²", area=number(area, ".2f")),
             f"M {number(body.mass / 1000.0, '.2f')} t ({number(self.weight, 'g')} kN/m³)",
             f"x_G {number(x, '.3f')} m, z_G {number(z, '.3f')} m",
             f"H {number(wall.height_m, '.2f')} m, t {number(100.0 * known(wall.thickness), '.1f')} cm, "
             f"L {number(wall.length_m, '.2f')} m",
         ]
-        return "   ".join(found)
+        return "   ".join(properties)
 
     def _gaps_closed(self) -> str:
         """The gaps that outlines between lines have closed."""
@@ -294,15 +294,15 @@ class DrawingDialog(QDialog):
             return ""
         return tr(
             "Gaps closed between lines, up to {most} mm: {n}, the largest {mm} mm.",
-            most=number(1e3 * CLOSE, "g"),
+            most=number(1e3 * MAX_GAP, "g"),
             n=len(self.closed),
             mm=number(1e3 * max(self.closed), ".1f"),
         )
 
     def _not_read(self) -> str:
         """What the drawing holds besides and is not read: areas and references first."""
-        found = sorted(self.sheet.unread, key=lambda one: not one.is_ground)
-        return tr("Not read: {left}.", left=", ".join(map(str, found[:SHOWN]))) if found else ""
+        unread = sorted(self.sheet.unread, key=lambda one: not one.is_ground)
+        return tr("Not read: {left}.", left=", ".join(map(str, unread[:MAX_UNREAD_SHOWN]))) if unread else ""
 
     def _open_outlines(self) -> str:
         if not self.sheet.gaps:

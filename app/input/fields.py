@@ -24,7 +24,7 @@ from core.case.wall import Wall
 from core.errors import InputError
 from core.text.sentence import Sentence, choice
 
-SECTIONS = {
+SECTION_NAMES = {
     Demand: "[demand]",
     Spectrum: "[demand.spectrum]",
     Building: "[building]",
@@ -34,7 +34,7 @@ SECTIONS = {
 }
 """Sections of a case; errors of a wall name the wall."""
 
-OF_WALL: dict[type, str] = {Wall: "", Bars: ".bar]", ReturnWalls: ".return_walls]"}
+WALL_SECTIONS: dict[type, str] = {Wall: "", Bars: ".bar]", ReturnWalls: ".return_walls]"}
 """Sections of a wall, and how the place of an error inside one ends."""
 
 OF_A_PART = r"\[\[\w+\]\] \d+|\[wall\.\w+\]"
@@ -59,7 +59,7 @@ class Field(QWidget):
         unit, self.factor = unit_in_form(self.entry)
         self.unit = tr("years") if unit == "years" else unit
         label, tip = self.text_of(".caption"), self.text_of(".tip")
-        FORM_NAMES.add(self.key_in_errors(), label, SECTIONS.get(section, ""))
+        FORM_NAMES.add(self.key_in_errors(), label, SECTION_NAMES.get(section, ""))
         self.value: Any = None
         self.value_before: Any = None
         self.error = self.rule = self.doubt = self.reading = ""
@@ -192,15 +192,17 @@ class Field(QWidget):
             return problem.wall == wall and self.inside(problem)
         if self.key_in_errors() not in problem.keys:
             return False
-        if self.section in OF_WALL:
+        if self.section in WALL_SECTIONS:
             said = [str(dict(part.values).get("name", "")) for part in problem.place if isinstance(part, Sentence)]
-            inside = next((end for end in OF_WALL.values() if end and any(name.endswith(end) for name in said)), "")
+            inside = next(
+                (end for end in WALL_SECTIONS.values() if end and any(name.endswith(end) for name in said)), ""
+            )
             if any(re.fullmatch(OF_A_PART, name) for name in said) and self.section is Wall:
                 return False  # of an opening or of the wedges, say, whose keys have the names of the wall's
             if not inside and self.section is not Wall and self.key in Wall.__dataclass_fields__:
                 return False  # a thickness, say, of the wall itself
-            return problem.wall == wall and inside in ("", OF_WALL[self.section])
-        return problem.section is not None and problem.section == SECTIONS.get(self.section)
+            return problem.wall == wall and inside in ("", WALL_SECTIONS[self.section])
+        return problem.section is not None and problem.section == SECTION_NAMES.get(self.section)
 
     def offer(self, value) -> None:
         """A value from the editor: into the case if it is accepted, else an error at the field."""

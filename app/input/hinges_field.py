@@ -8,7 +8,7 @@ from core.case.hinges import BASE, FLOORS, usual_hinges
 from core.case.number import parse_number
 from core.errors import InputError
 
-CODES = {FLOORS: FLOORS, BASE: BASE}
+HINGE_WORDS = {FLOORS: FLOORS, BASE: BASE}
 """Words of a case file that stand for hinges."""
 
 
@@ -35,7 +35,7 @@ class HingesField(LineField):
             self.show_error("")
             self.value = None
             self.edited.emit(None)
-        elif text.lower() in (codes := {word: code for code, word in hinge_words().items()} | CODES):
+        elif text.lower() in (codes := {word: code for code, word in hinge_words().items()} | HINGE_WORDS):
             self.offer(codes[text.lower()])
         else:
             try:

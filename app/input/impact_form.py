@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from app.input.law_curve import LawCurve
 
 
-HEIGHT = 120
+CURVE_HEIGHT = 120
 """Height that the curve of the law takes [px]."""
 
 
@@ -137,7 +137,7 @@ class ImpactForm(WallEditor):
         ends.addStretch(1)
         row.addLayout(ends, 1)
         self.room = QWidget()  # of one size, with a curve or without: what is shown moves nothing
-        self.room.setFixedHeight(HEIGHT)
+        self.room.setFixedHeight(CURVE_HEIGHT)
         inside = QVBoxLayout(self.room)
         inside.setContentsMargins(0, 0, 0, 0)
         row.addWidget(self.room, 1)

@@ -177,11 +177,11 @@ class ImportDialog(QDialog):
         if isinstance(motion, str):
             self.words.setText(motion)
             return
-        found = (
+        summary = (
             f"{motion.format}: {motion.acceleration.size} × {number(motion.time_step, 'g')} s, {motion.unit}, "
             f"PGA {number(motion.pga / G, '.3f')} g"
         )
-        self.words.setText("\n".join([found, *told_of(motion)]))
+        self.words.setText("\n".join([summary, *told_of(motion)]))
         times = np.arange(motion.acceleration.size) * motion.time_step
         self.chart.curve(motion.name, times, motion.acceleration / G, 0, 1.0)
         self.chart.reset()

@@ -11,7 +11,7 @@ from app.input.paragraphs_field import ParagraphsField
 from core.case.keys import NESTED
 from core.case.values import field_of
 
-KINDS: dict[str, type[Field]] = {
+FIELD_OF_KIND: dict[str, type[Field]] = {
     "float": NumberField,
     "int": NumberField,
     "range": RangeField,
@@ -30,7 +30,7 @@ def make_field(section: type, key: str) -> Field:
     entry = field_of(section, key)
     kind = entry.metadata["kind"]
     in_a_list = entry.metadata.get("listed") or (kind == "flag" and entry.default is None)
-    return ChoiceField(section, key) if in_a_list else KINDS[kind](section, key)
+    return ChoiceField(section, key) if in_a_list else FIELD_OF_KIND[kind](section, key)
 
 
 def make_fields(section: type, group: str | None = None, first: Sequence[str] = ()) -> list[Field]:

@@ -9,7 +9,7 @@ from app.input.fields import Field
 from app.look import theme
 from app.look.labels import Plain, plain
 
-LINES = 2
+LINES_OF_BAR = 2
 """Room that it has; more is in its tip."""
 
 
@@ -32,7 +32,7 @@ class MessageBar(Plain):
         application.focusChanged.connect(self.follow)
 
     def sizeHint(self) -> QSize:
-        return QSize(200, LINES * self.fontMetrics().lineSpacing() + 6)
+        return QSize(200, LINES_OF_BAR * self.fontMetrics().lineSpacing() + 6)
 
     def follow(self, *_) -> None:
         """Say what there is to say."""

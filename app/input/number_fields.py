@@ -11,7 +11,7 @@ from app.look.language import FORM_NAMES, current_language, number, tr
 from core.case.number import parse_formula, parse_number, parse_quantity
 from core.errors import InputError
 
-FIGURES = 12
+SIGNIFICANT_DIGITS = 12
 
 OF_THOUSANDS = ("m", "cm", "mm", "m2", "MPa", "kN", "kN/m", "kN/m3")
 """Units of keys of which a thousand may be meant, of the key or of a smaller unit."""
@@ -38,7 +38,7 @@ class NumberField(LineField):
         if self.value and not self.error:
             shown = self.value * self.factor
             step = 1.0 if self.whole else 10.0 ** (math.floor(math.log10(abs(shown)) + 1e-9) - 1)
-            self.type_again(number(round(shown + by * step, 12), f".{FIGURES}g"))
+            self.type_again(number(round(shown + by * step, 12), f".{SIGNIFICANT_DIGITS}g"))
 
     def _typed(self, text: str) -> None:
         self.reading = ""
@@ -79,7 +79,7 @@ class NumberField(LineField):
         """How a sum or product was read, or a number that may be one with a separator of thousands, "" for others: both
         marks are decimal ones. Angles, seconds and ratios are never thousands."""
         if re.search(r"[0-9.,)]\s*[-+*/×·÷−]\s*[0-9.,(]", re.sub("[eE][-+]", "", text)):
-            return f"{text} = {number(value, f'.{FIGURES}g')} {self.unit}".rstrip()
+            return f"{text} = {number(value, f'.{SIGNIFICANT_DIGITS}g')} {self.unit}".rstrip()
         mark = "," if current_language() == "en" else "[.,]"  # in English the point alone is the usual one
         grouped = re.fullmatch(rf"[1-9]\d{{0,2}}{mark}\d{{3}}", text)
         if self.entry.metadata.get("unit") not in OF_THOUSANDS or not grouped:
@@ -90,7 +90,7 @@ class NumberField(LineField):
     def write(self, value: float | None) -> None:
         if self.editor.hasFocus() and self._means(value):
             return
-        shown = "" if value is None or value == "" else number(value * self.factor, f".{FIGURES}g")
+        shown = "" if value is None or value == "" else number(value * self.factor, f".{SIGNIFICANT_DIGITS}g")
         if self.editor.text() != shown:
             self.editor.setText(shown)
 

@@ -4,7 +4,7 @@ from PySide6.QtWidgets import QPlainTextEdit
 
 from app.input.fields import Field
 
-LINES = 8
+LINES_SEEN = 8
 """That are seen at once."""
 
 
@@ -22,7 +22,7 @@ class ParagraphsField(Field):
     def make_editor(self) -> QPlainTextEdit:
         editor = QPlainTextEdit()
         editor.setTabChangesFocus(True)
-        editor.setMinimumHeight(LINES * editor.fontMetrics().lineSpacing())
+        editor.setMinimumHeight(LINES_SEEN * editor.fontMetrics().lineSpacing())
         editor.textChanged.connect(lambda: self.offer(editor.toPlainText()))
         return editor
 

@@ -13,7 +13,7 @@ from core.errors import InputError
 OFFERED = 12
 """Municipalities the list of a search shows."""
 
-SAME = 1e-9
+COORDINATE_TOLERANCE = 1e-9
 """Degrees."""
 
 
@@ -106,7 +106,7 @@ class CoordinatesField(LineField):
         if value is None or not text.strip():
             return value is None and not text.strip()
         try:
-            return all(abs(a - b) < SAME for a, b in zip(parse_coordinates(text), value, strict=True))
+            return all(abs(a - b) < COORDINATE_TOLERANCE for a, b in zip(parse_coordinates(text), value, strict=True))
         except InputError:
             return False
 

@@ -21,7 +21,7 @@ from core.case.site import Demand, Spectrum
 from core.codes.limits import EXCEEDANCE
 from core.errors import InputError
 
-ELSEWHERE: dict[str, Any] = {"site": "", "coordinates": "", "return_period_years": None, "hazard_file": None}
+GIVEN_BY_PLACE: dict[str, Any] = {"site": "", "coordinates": "", "return_period_years": None, "hazard_file": None}
 """Keys of a demand that a place takes the place of."""
 
 
@@ -152,7 +152,7 @@ class PlaceForm(QWidget):
     def _begin(self, demand: Demand | None, site: Site) -> None:
         """From now on the demand follows from the place."""
         self.before = demand
-        demand = replace(demand, **ELSEWHERE) if demand else None
+        demand = replace(demand, **GIVEN_BY_PLACE) if demand else None
         if demand and not (demand.spectrum or demand.spectrum_file or demand.soil_factor):
             # a place without a spectrum and S would be a demand on rock: soil and topography are asked for
             demand = replace(demand, spectrum=Spectrum("NTC2018", ""), housner_intensity_cm=None)

@@ -22,10 +22,10 @@ CELL = 0.052
 OF_475 = 6
 """Place of 475 years among the return periods of the grid."""
 
-HEIGHT = 300
+MAP_HEIGHT = 300
 """Height that the map keeps, which a layout cannot take from it [px]."""
 
-LEAST, MOST = 0.06, 0.28
+MIN_OPACITY, MAX_AG = 0.06, 0.28
 """Shade of the weakest place, and a_g of the strongest shade [g]."""
 
 SARDINIA = (
@@ -35,10 +35,10 @@ SARDINIA = (
 )
 """Outline of the island, which the grid leaves out: Table 2 gives it one hazard (latitude, longitude)."""
 
-SCALE = (4.0, 90.0, 10.0)
+SCALE_BOX = (4.0, 90.0, 10.0)
 """Left edge, width and height of the scale of shades [px]."""
 
-STEP = 0.01
+KEY_STEP = 0.01
 """Degrees an arrow key moves the point."""
 
 
@@ -52,7 +52,7 @@ class PlaceMap(QWidget):
         self.point: tuple[float, float] | None = None
         self.picture: QPixmap | None = None
         self.setMinimumWidth(180)
-        self.setFixedHeight(HEIGHT)
+        self.setFixedHeight(MAP_HEIGHT)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(tr("Map of a_g, 475 years; arrows move the point"))
 
@@ -85,14 +85,14 @@ class PlaceMap(QWidget):
         known, painter = grid(), QPainter(image)
         painter.setPen(Qt.PenStyle.NoPen)
         size = max(1.5, CELL * self._frame()[0])
-        strength = np.clip(known.values[:, OF_475, 0] / (10.0 * MOST), LEAST, 1.0)
+        strength = np.clip(known.values[:, OF_475, 0] / (10.0 * MAX_AG), MIN_OPACITY, 1.0)
         color = QColor(theme.current.curves[1])
         for (latitude, longitude), share in zip(known.nodes.tolist(), strength.tolist(), strict=True):
             color.setAlphaF(share)
             at = self._at(latitude, longitude)
             painter.fillRect(QRectF(at.x() - 0.5 * size, at.y() - 0.5 * size, size, size), color)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        color.setAlphaF(ISLANDS[0].ag[OF_475] / (10.0 * MOST))
+        color.setAlphaF(ISLANDS[0].ag[OF_475] / (10.0 * MAX_AG))
         painter.setBrush(color)
         painter.drawPolygon(QPolygonF([self._at(*corner) for corner in SARDINIA]))
         self._draw_scale(painter)
@@ -101,16 +101,16 @@ class PlaceMap(QWidget):
 
     def _draw_scale(self, painter: QPainter) -> None:
         """What the shades mean, below the south-west, where only sea is."""
-        left, width, height = SCALE
+        left, width, height = SCALE_BOX
         bottom = self.height() - 6.0 - height
         shades = QLinearGradient(left, 0.0, left + width, 0.0)
-        for place, share in ((0.0, LEAST), (1.0, 1.0)):
+        for place, share in ((0.0, MIN_OPACITY), (1.0, 1.0)):
             color = QColor(theme.current.curves[1])
             color.setAlphaF(share)
             shades.setColorAt(place, color)
         painter.fillRect(QRectF(left, bottom, width, height), shades)
         painter.setPen(QColor(theme.current.ink))
-        ends = number(LEAST * MOST, ".2f"), f"{number(MOST, '.2f')} g"
+        ends = number(MIN_OPACITY * MAX_AG, ".2f"), f"{number(MAX_AG, '.2f')} g"
         painter.drawText(QPointF(left, bottom - 4.0), ends[0])
         room = painter.fontMetrics().horizontalAdvance(ends[1])
         painter.drawText(QPointF(left + width - room, bottom - 4.0), ends[1])
@@ -153,4 +153,4 @@ class PlaceMap(QWidget):
         if way is None or self.point is None:
             super().keyPressEvent(event)
             return
-        self._choose(self.point[0] + STEP * way[0], self.point[1] + STEP * way[1])
+        self._choose(self.point[0] + KEY_STEP * way[0], self.point[1] + KEY_STEP * way[1])

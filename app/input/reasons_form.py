@@ -17,11 +17,11 @@ from core.codes.limits import ORDINARY_LIFE
 from core.codes.national_hazard import national_range
 from core.codes.verdict import CODE_Q
 from core.ground.scattered import SPREAD
-from core.setting.floors import GREATEST_STOREY, LEAST_STOREY
+from core.setting.floors import MAX_STOREY, MIN_STOREY
 from core.text.sentence import capital
 from core.wall.restitution import MODELS
 
-USUAL = Generate().count
+DEFAULT_COUNT = Generate().count
 """Motions of a generated set."""
 
 Reasons = WallJustification | DemandJustification
@@ -67,7 +67,7 @@ def raised_by_demand(case: Case) -> set[str]:
         "histories": not case.analysis.histories,
         "scatter": any(record.kind == "artificial" for record in case.record)
         or (case.generate is not None and case.generate.scatter < SPREAD),
-        "count": case.generate is not None and is_number(case.generate.count) and case.generate.count > USUAL,
+        "count": case.generate is not None and is_number(case.generate.count) and case.generate.count > DEFAULT_COUNT,
         "limit_state": demand.limit_state == "SLC" and demand.return_period is None,
         "zeta_target": is_number(demand.zeta_target) and demand.zeta_target < 1.0,
         "soil_factor": is_number(demand.soil_factor) and demand.soil_factor < 1.0,
@@ -103,7 +103,7 @@ def is_number(value: object) -> TypeGuard[float]:
 def _odd_storeys(building: Building) -> bool:
     """Whether the storeys of a building, as far as it is given, are of an odd height."""
     known = is_number(building.height_m) and is_number(building.storeys) and building.storeys > 0
-    return known and not LEAST_STOREY <= building.height_m / building.storeys <= GREATEST_STOREY
+    return known and not MIN_STOREY <= building.height_m / building.storeys <= MAX_STOREY
 
 
 class ReasonField(TextField):

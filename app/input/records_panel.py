@@ -327,8 +327,8 @@ class RecordsPanel(QWidget):
         with once(ImportDialog(list(entries), self, entries)) as dialog:
             if dialog.exec() != QDialog.DialogCode.Accepted:
                 return
-            found = dialog.entries  # two rows may be of one file, and the dialog shows not all of very many
-            changed = {row: found[path] for row, path in path_of.items() if path in found}
+            edited = dialog.entries  # two rows may be of one file, and the dialog shows not all of very many
+            changed = {row: edited[path] for row, path in path_of.items() if path in edited}
         keys = ("unit", "time_step_s", "column", "skip_lines", "kind", "scale")
 
         def change(record: Record, row: int) -> Record:

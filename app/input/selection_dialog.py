@@ -54,7 +54,7 @@ def choose_for(session: Session, parent: QWidget) -> str:
     return ""
 
 
-REASONS = 3
+MAX_REASONS_SHOWN = 3
 """Reasons for which files were left out that are shown, the most frequent first; all are in the tool tip."""
 
 
@@ -175,16 +175,16 @@ class SelectionDialog(QDialog):
         self.bar.setValue(0)
         self.ok.setEnabled(bool(self.taken))
 
-    def _arrived(self, found: Selection) -> None:
-        self.found = found
+    def _arrived(self, selection: Selection) -> None:
+        self.found = selection
         language = current_language()
-        for most, show in ((REASONS, self.words.setText), (None, self.words.setToolTip)):
+        for most, show in ((MAX_REASONS_SHOWN, self.words.setText), (None, self.words.setToolTip)):
             lines = lines_of(
-                found, lambda text, **values: localized("report", text, language, **values), language, most
+                selection, lambda text, **values: localized("report", text, language, **values), language, most
             )
             show("\n".join(lines))
         rows, colors = [], []
-        for one in found.sets:
+        for one in selection.sets:
             named = ", ".join(f"{Path(r.file).name} {r.channel} × {number(r.scale, 'g')}" for r in one.records)
             rows.append(
                 [

@@ -52,7 +52,7 @@ from core.wall.restitution import MODELS
 IN_A_ROW = 400
 """Width that buttons of a row may take together [px]: larger letters have two rows."""
 
-BASE = ("base_z_m", "back_restraint", "restraint_evidence", "restraint_note", "free_element")
+BASE_KEYS = ("base_z_m", "back_restraint", "restraint_evidence", "restraint_note", "free_element")
 """Keys beside the mechanism."""
 
 
@@ -81,7 +81,7 @@ class WallForm(WallEditor):
         self.body = BodyForm(session, lambda: self.current)
         self.reasons = reasons_of_wall(session, lambda: self.current)
         self.shape_fields = make_fields(Wall, "shape")
-        check_fields = make_fields(Wall, "checks", first=BASE)
+        check_fields = make_fields(Wall, "checks", first=BASE_KEYS)
         held = make_fields(Wall, "held", first=("tie_height_m",))
         every = (make_field(Wall, "name"), *self.shape_fields, *check_fields, *held)
         self.fields = {field.key: field for field in every}
@@ -93,8 +93,8 @@ class WallForm(WallEditor):
         self.across = OptionalGroup(title, "return_walls", empty, lambda: self.wall, self.edit)
         title = tr("Span between the transverse walls (horizontal bending)")
         self.arch = OptionalGroup(title, "arch", Between(TO_BE_GIVEN), lambda: self.wall, self.edit)
-        base = [self.fields[key] for key in BASE]
-        notes = [field for field in check_fields if field.key not in (*BASE, "unloaded_confirmed")]
+        base = [self.fields[key] for key in BASE_KEYS]
+        notes = [field for field in check_fields if field.key not in (*BASE_KEYS, "unloaded_confirmed")]
         self.sections = {
             "geometry": Section(tr("Geometry"), [self.fields["name"], self.shape, *self.shape_fields], open=True),
             "body": Section(tr("Shape"), [self.body]),
@@ -215,7 +215,7 @@ class WallForm(WallEditor):
         if known is not None and len(walls) != count:  # the same wall, in another place
             ways = (lambda one: one == known, lambda one: one.title == known.title, lambda one: one.name == known.name)
             alike = ((k for k, one in enumerate(walls) if way(one)) for way in ways)
-            self.row = next((k for found in alike for k in found), self.row)
+            self.row = next((k for matches in alike for k in matches), self.row)
         self.row = self.current
         self.shown = (self.wall, len(walls))
         for section in self.sections.values():

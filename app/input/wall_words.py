@@ -58,7 +58,7 @@ def estimate_lines(session: Session, wall: Wall) -> list[str]:
 def hinge_zetas(session: Session, k: int) -> list[tuple[float, float | None]]:
     """Every hinge of the k-th wall above its base [m], with the smallest zeta found there, None where none is."""
     case, result = session.case, None if session.stale else session.result
-    found = []
+    by_hinge = []
     try:
         heights = [0.0, *hinges_of(case.wall[k], case.building)]
         for hinge in heights if len(heights) > 1 else ():
@@ -67,10 +67,10 @@ def hinge_zetas(session: Session, k: int) -> list[tuple[float, float | None]]:
                 for one in (result.walls if result else ())
                 if (one.part.origin, one.part.hinge) == (k, hinge) and one.assessment and one.assessment.verdict.zeta_e
             ]
-            found.append((hinge, min(zetas) if zetas else None))
+            by_hinge.append((hinge, min(zetas) if zetas else None))
     except (InputError, TypeError, ZeroDivisionError):  # work in progress
         return []
-    return found
+    return by_hinge
 
 
 SHAPE_KEYS = ("height_m", "thickness_m", "slenderness_deg", "height_over_thickness", "radius_m", "inertia_over_mass_m2")

@@ -5,6 +5,6 @@ from PySide6.QtWidgets import QApplication
 
 def application() -> QApplication:
     """There is one as soon as there is a widget."""
-    found = QApplication.instance()
-    assert isinstance(found, QApplication)
-    return found
+    instance = QApplication.instance()
+    assert isinstance(instance, QApplication)
+    return instance

@@ -19,7 +19,7 @@ from core.case.wall import ARCHES, BENDS, Wall
 from core.codes.vertical_bending import Bending, bending, outlines, shown_rotation
 from core.errors import InputError
 from core.known import known
-from core.report.load_arrows import SHORTEST, arrows
+from core.report.load_arrows import MIN_ARROW, arrows
 from core.rocking.bar_state import BROKEN, SLACK, YIELDING
 from core.wall.bending import HeldTop, Strip, hinges_of, strip_of
 
@@ -39,11 +39,11 @@ class Bent(NamedTuple):
     hinges: tuple[QPointF, ...] = ()
 
 
-def bent_blocks(found: Bending) -> Bent:
+def bent_blocks(mechanism: Bending) -> Bent:
     """A wall held at its top."""
-    strip, half, at = found.strip, 0.5 * found.strip.thickness, hinges_of(found.strip, found.h1)
-    blocks = outlines(strip, found.h1, shown_rotation(found))
-    hinges = ((at.base, 0.0), (at.between, found.h1), (at.top, strip.height))
+    strip, half, at = mechanism.strip, 0.5 * mechanism.strip.thickness, hinges_of(mechanism.strip, mechanism.h1)
+    blocks = outlines(strip, mechanism.h1, shown_rotation(mechanism))
+    hinges = ((at.base, 0.0), (at.between, mechanism.h1), (at.top, strip.height))
     return Bent(
         tuple([QPointF(half - x, z) for x, z in block] for block in blocks),
         tuple(QPointF(half - x, z) for x, z in hinges),
@@ -92,28 +92,28 @@ def arrows_of(wall: Wall, all_loads: Sequence[Load], height: float, thickness: f
     wall : with the loads that are given
     all_loads : of the wall of the form
     """
-    lines, found = iter(arrows(wall, height, thickness)), []
+    lines, drawn = iter(arrows(wall, height, thickness)), []
     sizes = iter(wall.in_si.loads)
     for k, load in enumerate(all_loads):
         if load in wall.load:
             size = f"{number(abs(next(sizes).force) / 1e3, '.3g')} kN/m"
-            found.append(Arrow(k, next(lines), size))
+            drawn.append(Arrow(k, next(lines), size))
             continue
         at = load.h_m if isinstance(load.h_m, float) else height
         x = thickness - load.d_m if isinstance(load.d_m, float) else 0.5 * thickness
-        size = SHORTEST * height
+        size = MIN_ARROW * height
         line = [(x, at + size), (x, at)] if load.is_weight else [(x - size, at), (x, at)]
-        found.append(Arrow(k, line, ""))
-    return found
+        drawn.append(Arrow(k, line, ""))
+    return drawn
 
 
-NEAR = 7.0
+CLICK_MARGIN = 7.0
 """How close to a mark a click belongs to it [px]."""
 
-BESIDE = 420
+MIN_WIDTH_OF_ELEVATION = 420
 """Width from which on the elevation of a body stands beside its section [px]."""
 
-STEP = 0.05
+HEIGHT_STEP = 0.05
 """Heights a load is dragged to are multiples of it [m]."""
 
 
@@ -173,8 +173,8 @@ class WallDrawing(QWidget):
                 self.arrows = arrows_of(wall, all_loads, height, thickness)
                 self.plan = plan_of(wall) if self.with_sizes else None
                 if wall.mechanism == BENDS:
-                    self.bent = bent_blocks(found := bending(wall.in_si))
-                    self.held = HeldTop(found.strip, strip_of(bent_inward(wall).in_si), found.h1)
+                    self.bent = bent_blocks(mechanism := bending(wall.in_si))
+                    self.held = HeldTop(mechanism.strip, strip_of(bent_inward(wall).in_si), mechanism.h1)
             except (InputError, TypeError):
                 pass
         self.update()
@@ -268,14 +268,14 @@ class WallDrawing(QWidget):
     @property
     def has_elevation(self) -> bool:
         """Whether there is room for one beside the section of a body."""
-        return self.with_sizes and bool(self.body.elevation) and self.width() >= BESIDE
+        return self.with_sizes and bool(self.body.elevation) and self.width() >= MIN_WIDTH_OF_ELEVATION
 
     def _mark_spots(self, place, height, thickness, setback) -> None:
         """Where a click leads to a field: loads first, for a tie may stand at a hinge."""
 
         def around(points, kind: str, k: int = 0) -> None:
             area = QPolygonF([place(QPointF(x, y)) for x, y in points]).boundingRect()
-            self.spots.append((area.adjusted(-NEAR, -NEAR, NEAR, NEAR), kind, k))
+            self.spots.append((area.adjusted(-CLICK_MARGIN, -CLICK_MARGIN, CLICK_MARGIN, CLICK_MARGIN), kind, k))
 
         half = 0.5 * thickness
         for one in self.arrows:
@@ -292,8 +292,8 @@ class WallDrawing(QWidget):
     def mouseMoveEvent(self, event) -> None:
         spot = self._spot_at(event.position())
         if self.dragged is not None and event.buttons() & Qt.MouseButton.LeftButton:
-            height = STEP * round((self.base_y - event.position().y()) / self.scale / STEP)
-            self.moved.emit(self.dragged, round(max(STEP, min(height, known(self.size_of)[0])), 3))
+            height = HEIGHT_STEP * round((self.base_y - event.position().y()) / self.scale / HEIGHT_STEP)
+            self.moved.emit(self.dragged, round(max(HEIGHT_STEP, min(height, known(self.size_of)[0])), 3))
         elif spot is None:
             self.unsetCursor()
         else:
@@ -309,10 +309,10 @@ class WallDrawing(QWidget):
 
     def mouseDoubleClickEvent(self, event) -> None:
         at = event.position()
-        found = next((spot for spot in self.spots if spot[0].contains(at)), None) if self.with_sizes else None
-        if found is not None:
+        hit = next((spot for spot in self.spots if spot[0].contains(at)), None) if self.with_sizes else None
+        if hit is not None:
             self.dragged = None
-            area, kind, k = found
+            area, kind, k = hit
             self.asked.emit(kind, k, area)
 
     def mouseReleaseEvent(self, event) -> None:

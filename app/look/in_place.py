@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QLineEdit, QWidget
 from app.look import theme
 from app.look.labels import Plain
 
-WIDTH = 70
+TEXT_WIDTH = 70
 """Width of its text [px]."""
 
 
@@ -29,7 +29,7 @@ class InPlace(QLineEdit):
         middle, high = area.center().toPoint(), self.sizeHint().height()
         before, behind = Plain(name, self), Plain(unit, self)
         sides = [label.sizeHint().width() + 6 for label in (before, behind)]
-        wide = min(sum(sides) + WIDTH, over.width())
+        wide = min(sum(sides) + TEXT_WIDTH, over.width())
         self.setTextMargins(sides[0], 0, sides[1], 0)
         left = max(0, min(middle.x() - wide // 2, over.width() - wide))
         top = max(0, min(middle.y() - high // 2, over.height() - high))

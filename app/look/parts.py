@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from PySide6.QtCore import QElapsedTimer, QObject, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
-REST_MS, MOST_MS = 120, 1000
+REST_MS, MAX_REST_MS = 120, 1000
 """How long no key comes before the parts that wait for it show the case, and how long they wait for that at most."""
 
 _typing = False
@@ -54,7 +54,7 @@ class Parts(QObject):
         if _typing:
             if not self._rest.isActive():
                 self._typed.start()
-            if self._typed.elapsed() < MOST_MS:
+            if self._typed.elapsed() < MAX_REST_MS:
                 self._rest.start()
         else:
             self._rest.stop()

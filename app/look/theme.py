@@ -60,7 +60,7 @@ DARK = Theme(
 )
 THEMES = {theme.name: theme for theme in (LIGHT, DARK)}
 
-MARKS = {"good": "✓", "amber": "!", "bad": "✗"}
+VERDICT_MARKS = {"good": "✓", "amber": "!", "bad": "✗"}
 """Beside a number in the colour of a verdict, which is never told by its colour alone."""
 
 current = LIGHT
@@ -73,8 +73,8 @@ def points(times: float) -> str:
 
 def marked(tone: str, words: str) -> str:
     """Words of this tone after its mark, alone where they are it or the tone has none."""
-    mark = MARKS.get(tone, "")
-    return words if words in ("", mark, *MARKS.values()) else f"{mark} {words}".strip()
+    mark = VERDICT_MARKS.get(tone, "")
+    return words if words in ("", mark, *VERDICT_MARKS.values()) else f"{mark} {words}".strip()
 
 
 def set_theme(name: str) -> None:

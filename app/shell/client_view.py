@@ -27,15 +27,15 @@ from core.known import known
 from core.report.verdict_words import tone_of
 from core.study.demand_histories import history_at_demand
 from core.study.results import StudyResult, WallResult, WallVerdict
-from core.study.variants import OTHER
+from core.study.variants import OTHER_VARIANT
 
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
 
-FRAME_MS, FILM_FPS, MOST_SECONDS = 33, 20, 20.0
+FRAME_MS, FILM_FPS, MAX_SECONDS = 33, 20, 20.0
 """Time of a frame on the screen [ms], frames of a film [1/s], and the longest of both [s]."""
 
-ROOM = 1.2
+SHARE_AXIS_FACTOR = 1.2
 """Length of the axis over the longest bar."""
 
 
@@ -59,7 +59,7 @@ def sides_of(result: StudyResult, wall: WallResult) -> list[Side]:
     """Before and after, or the wall alone, each with the outcome of the wall and the lowest share of its hinges, and as
     the hinge that decides moves; under the record at the demand that turns the first one most."""
     verdicts = walls_beside(result, wall)
-    found = []
+    sides = []
     run = None
     for of_wall in verdicts:
         one = result.walls[of_wall.governing]
@@ -74,8 +74,8 @@ def sides_of(result: StudyResult, wall: WallResult) -> list[Side]:
         share = None if of_wall.zeta_least is None else of_wall.zeta_least / known(one.assessment).verdict.zeta_target
         alone, before = len(verdicts) == 1, of_wall.wall.variant == AS_IS
         title = tr("The wall") if alone else tr("As it is") if before else tr("As designed")
-        found.append(Side(title, one, share, tone_of(result, one), moved.rotation, motion.time_step))
-    return found
+        sides.append(Side(title, one, share, tone_of(result, one), moved.rotation, motion.time_step))
+    return sides
 
 
 def walls_beside(result: StudyResult, wall: WallResult) -> list[WallVerdict]:
@@ -83,7 +83,7 @@ def walls_beside(result: StudyResult, wall: WallResult) -> list[WallVerdict]:
     shown = next((one for one in result.verdicts if result.walls[one.governing].part.origin == wall.part.origin), None)
     if shown is None:
         return []
-    other = OTHER.get(shown.wall.variant or "")
+    other = OTHER_VARIANT.get(shown.wall.variant or "")
     pair = [one for one in result.verdicts if one.wall.name == shown.wall.name and one.wall.variant == other]
     return sorted([shown, *pair[: other is not None]], key=lambda one: one.wall.variant != AS_IS)
 
@@ -105,7 +105,7 @@ class Bars(QWidget):
         font.setPointSizeF(1.25 * font.pointSizeF())
         painter.setFont(font)
         left, right = 170.0, self.width() - 470.0
-        longest = ROOM * max(1.0, *(side.share or 0.0 for side in self.sides))
+        longest = SHARE_AXIS_FACTOR * max(1.0, *(side.share or 0.0 for side in self.sides))
         required = left + (right - left) / longest
         for k, side in enumerate(self.sides):
             y = 8.0 + 52.0 * k
@@ -202,7 +202,7 @@ class ClientView(QDialog):
     def seconds(self) -> float:
         """Length of the motion that is shown."""
         last = max(side.rotation.size * side.time_step for side in self.sides)
-        return min(MOST_SECONDS, last - self.begin)
+        return min(MAX_SECONDS, last - self.begin)
 
     def _moment(self) -> float:
         """When the first wall turns most [s]."""

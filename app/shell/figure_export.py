@@ -14,7 +14,7 @@ from app.look.labels import Plain
 from app.look.language import named, tr
 from app.shell.pages import Page, delete
 from app.shell.stages import stage_of
-from app.views.axis import SPARE, plot_widget
+from app.views.axis import SPARE_PLOTS, plot_widget
 from app.views.chart import Chart
 from app.views.figure_file import FigureSize, png, raster
 from app.views.histories_tab import HistoriesTab
@@ -24,7 +24,7 @@ from core.known import known
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
 
-CHARTS = 5
+MAX_CHARTS_OF_PAGE = 5
 """The most of a page: their plots are made ahead, one in a turn."""
 
 
@@ -51,12 +51,12 @@ class FigureExport(QObject):
             while True:
                 job.check()
                 try:
-                    found = self.figures.get(timeout=0.05)
+                    figure = self.figures.get(timeout=0.05)
                 except queue.Empty:
                     continue
-                if found is None:
+                if figure is None:
                     break
-                files[folder / f"{start}{plain_name(found[0])}.png"] = png(found[1])
+                files[folder / f"{start}{plain_name(figure[0])}.png"] = png(figure[1])
                 self.figures.task_done()
             job.commit()
             atomic_write.write(files)
@@ -100,8 +100,8 @@ class FigureExport(QObject):
     @staticmethod
     def _make(page: Page) -> Iterator[None]:
         """A page that is not made yet, its plots one by one before it."""
-        while page.made is None and len(SPARE) < CHARTS:
-            SPARE.append(plot_widget())
+        while page.made is None and len(SPARE_PLOTS) < MAX_CHARTS_OF_PAGE:
+            SPARE_PLOTS.append(plot_widget())
             yield None
         page.content  # noqa: B018
         yield None
@@ -145,8 +145,8 @@ class FigureExport(QObject):
                         yield None
                 known(self.job).progress(k + 1, len(drawn))
         finally:
-            while SPARE:
-                delete(SPARE.pop())
+            while SPARE_PLOTS:
+                delete(SPARE_PLOTS.pop())
             if self.window.navigator is navigator:
                 for part in frozen:
                     part.setEnabled(True)

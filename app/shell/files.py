@@ -22,7 +22,7 @@ RECENT = 8
 
 CASE_ENDS = (".toml", ".ribalta")
 """Endings of a case file; the second is the one that opens the installed program."""
-KINDS = f" ({' '.join(f'*{end}' for end in CASE_ENDS)})"
+CASE_FILTER = f" ({' '.join(f'*{end}' for end in CASE_ENDS)})"
 OPENED = f" ({' '.join(f'*{end}' for end in (*CASE_ENDS, '.pdf'))})"
 """A calculation note has its case within it."""
 
@@ -97,7 +97,7 @@ class Files:
         proposal = str(
             self.session.path if self.session.path and not self._is_example else self.proposed(".toml", "case")
         )
-        kinds = tr("Cases") + KINDS
+        kinds = tr("Cases") + CASE_FILTER
         path = path_to_write(self.window, tr("Save the case"), proposal, kinds, CASE_ENDS)
         return self._save(path) if path else False
 

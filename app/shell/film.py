@@ -14,10 +14,10 @@ from app.look.language import tr
 from app.work.worker import Job
 from core import atomic_write
 
-LARGEST, COLOURS = 960, 48
+MAX_FRAME_SIDE, COLOURS = 960, 48
 """Longest side of a frame [px], and its colours."""
 
-AHEAD = 4
+PICTURES_AHEAD = 4
 """Frames that wait to be made into the film."""
 
 
@@ -28,7 +28,7 @@ def frame_of(picture: QImage):
     image = picture.convertToFormat(QImage.Format.Format_RGB888)
     wide, high, line = image.width(), image.height(), image.bytesPerLine()
     frame = Image.frombuffer("RGB", (wide, high), bytes(image.constBits()), "raw", "RGB", line, 1)
-    frame.thumbnail((LARGEST, LARGEST))
+    frame.thumbnail((MAX_FRAME_SIDE, MAX_FRAME_SIDE))
     return frame.quantize(COLOURS)
 
 
@@ -68,12 +68,12 @@ class Film(QObject):
             while True:
                 job.check()
                 try:
-                    found = self.pictures.get(timeout=0.05)
+                    image = self.pictures.get(timeout=0.05)
                 except queue.Empty:
                     continue
-                if found is None:
+                if image is None:
                     break
-                frames.append(frame_of(found))
+                frames.append(frame_of(image))
                 self.pictures.task_done()
                 job.progress(len(frames), count)
             content = gif_of(frames, per_second)
@@ -93,7 +93,7 @@ class Film(QObject):
         """A frame, unless enough of them wait."""
         if self.job.cancelled():
             self.timer.stop()
-        elif self.pictures.unfinished_tasks < AHEAD:
+        elif self.pictures.unfinished_tasks < PICTURES_AHEAD:
             if self.painted == self.count:
                 self.timer.stop()
                 self.pictures.put(None)

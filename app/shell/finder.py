@@ -19,10 +19,10 @@ from core.known import known
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
 
-MOST = 60
+MAX_ENTRIES = 60
 """Entries that are listed."""
 
-PLACES, LETTERS = 3, 3
+MAX_PLACES, MIN_LETTERS_TYPED = 3, 3
 """Municipalities that are listed, and letters typed from which they are."""
 
 
@@ -61,23 +61,23 @@ def synonyms() -> dict[str, str]:
 
 def entries_of(window: "MainWindow") -> list[Entry]:
     """All that can be found: fields first, then walls and their hinges, pages, actions."""
-    found, others = [], synonyms()
+    entries, others = [], synonyms()
     for field in {(one.section, one.key, type(one)): one for one in window.stages.fields}.values():  # the title once
         section = field.parentWidget()
         words = f"{field.caption.text()}  {field.editor.toolTip().splitlines()[0] if field.editor.toolTip() else ''}"
         if section is not None and not (isinstance(field, ReasonField) and field.isHidden()):
             also = others.get(field.caption.text(), "")
-            found.append(Entry(words.strip(), partial(point_at, window.navigator, field), also))
+            entries.append(Entry(words.strip(), partial(point_at, window.navigator, field), also))
     for row in window.tree.rows:
         if row.kind in ("wall", "hinge"):
             words = f"{called(window.session.case.wall[row.wall].title)}  {row.text if row.kind == 'hinge' else ''}"
-            found.append(Entry(words.strip(), partial(window.navigator.choose_row, row)))
+            entries.append(Entry(words.strip(), partial(window.navigator.choose_row, row)))
     for section in window.stages.input.forms.findChildren(Section):
         words = f"{section.head.title.text()}  {section.head.words}"
-        found.append(Entry(words.strip(), partial(point_at, window.navigator, section.head)))
+        entries.append(Entry(words.strip(), partial(point_at, window.navigator, section.head)))
     for group in window.stages.input.forms.findChildren(QGroupBox):
         if group.isCheckable() and not group.isHidden():
-            found.append(Entry(group.title(), partial(point_at, window.navigator, group)))
+            entries.append(Entry(group.title(), partial(point_at, window.navigator, group)))
     seen = set()
     for action in every_action(window.header.menu):
         label, keys, menu = action.text().replace("&", ""), action.shortcut().toString(), action.parent()
@@ -86,8 +86,8 @@ def entries_of(window: "MainWindow") -> list[Entry]:
         if label and action.isEnabled() and label not in seen:
             seen.add(label)
             also = " ".join(words for name, words in others.items() if name in label)
-            found.append(Entry(f"{label}  {keys}".strip(), action.trigger, also))
-    return found
+            entries.append(Entry(f"{label}  {keys}".strip(), action.trigger, also))
+    return entries
 
 
 def places_of(window: "MainWindow", text: str) -> list[Entry]:
@@ -100,7 +100,7 @@ def places_of(window: "MainWindow", text: str) -> list[Entry]:
         point_at(window.navigator, place.municipality)
         window.missing.lead_in("demand")
 
-    names = names_beginning_with(text, PLACES) if len(text.strip()) >= LETTERS else []
+    names = names_beginning_with(text, MAX_PLACES) if len(text.strip()) >= MIN_LETTERS_TYPED else []
     return [Entry(tr("{name}: the demand from this place", name=name), partial(take, name)) for name in names]
 
 
@@ -147,7 +147,7 @@ class Finder(QDialog):
         words = _plain(text).split()
         self.fitting = [one for one in self.entries if _holds(one, words)]
         self.fitting.sort(key=lambda one: _rank(one, _plain(text), words))
-        del self.fitting[MOST:]
+        del self.fitting[MAX_ENTRIES:]
         self.fitting += places_of(self.owner, text)
         self.list.clear()
         self.list.addItems([one.words for one in self.fitting])

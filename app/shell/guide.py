@@ -113,8 +113,8 @@ def show_validation(window: "MainWindow") -> None:
 
     def work(job: Job) -> list[str]:
         tests = read_tests(Path(name))
-        found = compared(tests, told=lambda share: job.progress(round(100 * share), 100, None))
-        return lines(found, len(tests.left_out), language)
+        bodies = compared(tests, told=lambda share: job.progress(round(100 * share), 100, None))
+        return lines(bodies, len(tests.left_out), language)
 
     def arrived(said: list[str]) -> None:
         window.show_word("")
@@ -163,9 +163,9 @@ def show_verification(window: "MainWindow") -> None:
         return
     from app.terminal.verification import compared
 
-    def arrived(found: tuple[int, list[str]]) -> None:
+    def arrived(verified: tuple[int, list[str]]) -> None:
         window.show_word("")
-        QMessageBox.information(window, title, plain("\n".join(found[1])))
+        QMessageBox.information(window, title, plain("\n".join(verified[1])))
 
     window.runner.start(lambda job: compared(Path(name), on_progress=job.progress, cancelled=job.cancelled), arrived)
 

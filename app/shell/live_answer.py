@@ -32,20 +32,20 @@ from core.variation.evaluate import Evaluation
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
 
-KINDS = ("wall", "demand", "building")
+LIVE_FORMS = ("wall", "demand", "building")
 """Forms whose input moves zeta of the wall."""
 
 AT_ONCE_MS, RESTED_MS = 0, 400
 """Pauses after a key: before the checks of the clauses, for which no letter waits, and before the wall runs."""
 
-MOST_ROWS, MOST_LINES = 5, 2
+MAX_ROWS_SHOWN, MAX_LINES_SHOWN = 5, 2
 """Rows of assumptions, and lines of what limits the verdict; all are on the page Answer."""
 
 
 WAITING = "…"
 """Stands for what is on its way."""
 
-MOST_WALLS = 500
+MAX_WALLS_AT_REST = 500
 """Walls of a case up to which the one of the form is run beside them."""
 
 
@@ -53,12 +53,12 @@ def _files_of(case: Case | None, base_dir: Path) -> tuple:
     """State of the files that the demand is read from, which another program may change."""
     demand = case.demand if case else None
     names = [name for name in (demand.spectrum_file, demand.hazard_file) if name] if demand else []
-    found = []
+    states = []
     for name in names:
         with contextlib.suppress(OSError):
             status = (base_dir / name).stat()
-            found.append((status.st_mtime_ns, status.st_size))
-    return tuple(found)
+            states.append((status.st_mtime_ns, status.st_size))
+    return tuple(states)
 
 
 class Swing(QWidget):
@@ -143,7 +143,7 @@ class LiveAnswer(Section):
         window, session = self.window_of, self.window_of.session
         given = window.stages.input
         case = session.checked() if given.missing.can_run() else None
-        self.setVisible(given.kind in KINDS and bool(session.case.wall) and session.case.demand is not None)
+        self.setVisible(given.kind in LIVE_FORMS and bool(session.case.wall) and session.case.demand is not None)
         runs = self.head.isChecked() and self.isVisible() and window.runner.job is None
         row = window.walls.current
         at = (case, session.base_dir, row, (session.samples, _files_of(case, session.base_dir))) if runs else None
@@ -204,15 +204,15 @@ class LiveAnswer(Section):
         try:
             demand = known(demand_of(case, base))
             setting = Setting(case, base, (demand, [], []))
-            found = evaluate_wall(setting, None)
+            evaluated = evaluate_wall(setting, None)
         except InputError as error:
             self.ladder.hide()
             self.say(described(error))
             return
         asked = case.record or case.generate or case.select or case.default_histories
         awaited = bool(asked) and demand.limit_state in LIMIT_FRACTION
-        self._show_checks(rungs_of(found, demand.q_code, None, {}, False, awaited), demand.zeta_target)
-        if case.select is not None or len(whole.wall) > MOST_WALLS:
+        self._show_checks(rungs_of(evaluated, demand.q_code, None, {}, False, awaited), demand.zeta_target)
+        if case.select is not None or len(whole.wall) > MAX_WALLS_AT_REST:
             self.say(tr("histories with a run (F5)"))
             return
         self.rested.start()
@@ -231,7 +231,7 @@ class LiveAnswer(Section):
 
     def _start(self, work, arrived) -> None:
         job = self.job = Job(work)
-        job.done.connect(lambda found: arrived(found) if self.job is job else None)
+        job.done.connect(lambda answer: arrived(answer) if self.job is job else None)
         job.failed.connect(lambda words, log: self.say(f"{words} {log}".strip()) if self.job is job else None)
         job.start()
 
@@ -246,8 +246,8 @@ class LiveAnswer(Section):
         said = [*to_do(result, wall, language), *limits(result, wall, language, warnings)]
         if known(self.at)[0].sensitivity is not None:
             said.insert(0, tr("[sensitivity] is not in this answer: F5."))
-        more = [tr("{n} more", n=len(said) - MOST_LINES)] if len(said) > MOST_LINES else []
-        self.lines.setText("<br>".join([*said[:MOST_LINES], *more]))
+        more = [tr("{n} more", n=len(said) - MAX_LINES_SHOWN)] if len(said) > MAX_LINES_SHOWN else []
+        self.lines.setText("<br>".join([*said[:MAX_LINES_SHOWN], *more]))
         self._keep_height()
 
     def _show_run(self) -> None:
@@ -286,7 +286,7 @@ class LiveAnswer(Section):
         here, target, language = verdict.zeta_e or 0.0, verdict.zeta_target, current_language()
         end = 1.1 * max(here, target, *(row.zeta or 0.0 for row in known_zetas))
         self.heading.setText(tr("What raises ζ; ticked, it is at its other end:"))
-        for k, row in enumerate(sorted(known_zetas, key=lambda row: row.zeta or 0.0)[:MOST_ROWS]):
+        for k, row in enumerate(sorted(known_zetas, key=lambda row: row.zeta or 0.0)[:MAX_ROWS_SHOWN]):
             taken, other = shown(row, row.value, language), shown(row, row.other_end, language)
             text = f"{word(f'key_{row.key}', language)}: {taken} → {other}"
             name = Switch(text)
@@ -315,13 +315,14 @@ class LiveAnswer(Section):
         self.say(WAITING)
         self._start(lambda job: turned(result, chosen, memory, job.cancelled), self._show_turned)
 
-    def _show_turned(self, found: Evaluation | None) -> None:
-        if found is None:
+    def _show_turned(self, evaluation: Evaluation | None) -> None:
+        if evaluation is None:
             self._say(tr("so it does not stand"), None, theme.current.bad)
             return
-        decides = found.decides
+        decides = evaluation.decides
         self.ladder.show_rungs(
-            [rung_of(check, check is decides, found.dynamic) for check in found.checks], found.scene.demand.zeta_target
+            [rung_of(check, check is decides, evaluation.dynamic) for check in evaluation.checks],
+            evaluation.scene.demand.zeta_target,
         )
-        shade = theme.current.ink if found.satisfied else theme.current.bad
-        self._say(tr("so: {outcome}", outcome=word(found.outcome, current_language())), found.zeta, shade)
+        shade = theme.current.ink if evaluation.satisfied else theme.current.bad
+        self._say(tr("so: {outcome}", outcome=word(evaluation.outcome, current_language())), evaluation.zeta, shade)

@@ -21,10 +21,10 @@ from core.errors import InputError
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
 
-MOST = 8
+MAX_PROBLEMS = 8
 """Lines that are shown."""
 
-MOST_LETTERS = 700
+MAX_LETTERS = 700
 """Letters of a line: a longer sentence is whole in the tip of the notice."""
 
 
@@ -77,37 +77,37 @@ class Missing(QFrame):
         for field in fields if told else (one for one in fields if one.rule):
             here = next((error for error, place in told if self._is_named(field, error, place)), None)
             field.show_rule(described(here) if here else "")
-        found = [Problem(described(error), partial(self._lead_to, error)) for error in errors]
+        problems = [Problem(described(error), partial(self._lead_to, error)) for error in errors]
         for field in fields:
             if field.wrong:
                 words = f"{field.caption.text()}: {field.error}"
-                found.append(Problem(words, partial(point_at, window.navigator, field)))
+                problems.append(Problem(words, partial(point_at, window.navigator, field)))
         row = window.records.unreadable_row()
         if row is not None:
             words = str(window.records.rows[row][1])
-            found.append(Problem(words, lambda: self._record(row), False))
+            problems.append(Problem(words, lambda: self._record(row), False))
         if logo:
-            found.append(Problem(described(logo), lambda: self._lead_to(logo), False))
-        if refused and not found:
-            found.append(Problem(described(refused), lambda: self._lead_to(refused), False))
+            problems.append(Problem(described(logo), lambda: self._lead_to(logo), False))
+        if refused and not problems:
+            problems.append(Problem(described(refused), lambda: self._lead_to(refused), False))
         if above := self._without_building():
             words = tr(
                 "{walls}: the motion above the ground follows from the building; no verdict without it", walls=above
             )
-            found.append(Problem(words, lambda: window.navigator.ask("building"), False))
-        self.problems = found
+            problems.append(Problem(words, lambda: window.navigator.ask("building"), False))
+        self.problems = problems
         self._write()
 
     def _write(self) -> None:
         colour = theme.current.curves[0]
         lines = []
-        for k, problem in enumerate(self.problems[:MOST]):
+        for k, problem in enumerate(self.problems[:MAX_PROBLEMS]):
             words = problem.words
-            words = words if len(words) < MOST_LETTERS else words[: MOST_LETTERS - 1] + "…"
+            words = words if len(words) < MAX_LETTERS else words[: MAX_LETTERS - 1] + "…"
             words = html.escape(words, quote=False)
             lines.append(f"<a href='{k}' style='color:{colour}; text-decoration:none'>→ {words}</a>")
-        if len(self.problems) > MOST:
-            lines.append(tr("{n} more", n=len(self.problems) - MOST))
+        if len(self.problems) > MAX_PROBLEMS:
+            lines.append(tr("{n} more", n=len(self.problems) - MAX_PROBLEMS))
         count = len(self.problems)
         one, many = tr("Before F5: one thing to give or mend"), tr("Before F5: {n} things to give or mend", n=count)
         self.heading.setText(one if count == 1 else many)

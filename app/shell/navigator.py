@@ -199,12 +199,12 @@ class Navigator(QObject):
             return {}
         if self._known_rows[0] is not result or self._known_rows[1] is not walls:
             ordered = [k for one in result.verdicts for k in one.results] or range(len(result.walls))
-            found: dict[int, list[int]] = {}
+            by_row: dict[int, list[int]] = {}
             for k in ordered:
                 row = row_of(result, result.walls[k], walls)
                 if row is not None:
-                    found.setdefault(row, []).append(k)
-            self._known_rows = (result, walls, found)
+                    by_row.setdefault(row, []).append(k)
+            self._known_rows = (result, walls, by_row)
         return self._known_rows[2]
 
     def show_spectra(self, page: Page | None = None) -> None:

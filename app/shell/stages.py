@@ -42,16 +42,16 @@ from core.known import known
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
 
-BESIDE_FROM = 1250
+MIN_WIDTH_FOR_MOTION = 1250
 """Width of the stage [px] from which the rocking wall stands beside the answer."""
 
 ANSWER, WHY = ("walls", "check"), ("histories", "sure", "capacity", "intensity", "spectra", "validation")
 """Pages of these stages; the pages of the report are one."""
 
-CHOICES = 300
+CHOICES_WIDTH = 300
 """Width of what stands beside the pages of the note [px]."""
 
-SHARES = {"wall": (44, 56), "demand": (44, 56), "building": (44, 56), "records": (62, 38), "report": (56, 44)}
+WIDTH_SHARES = {"wall": (44, 56), "demand": (44, 56), "building": (44, 56), "records": (62, 38), "report": (56, 44)}
 """Shares of the width of the stage that forms and what stands beside them take."""
 
 
@@ -173,7 +173,7 @@ class InputStage(QSplitter):
 
     def _share(self) -> None:
         kind = self.kind or "wall"
-        forms, views = (self.width() * share // 100 for share in SHARES[kind])
+        forms, views = (self.width() * share // 100 for share in WIDTH_SHARES[kind])
         bar = self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent)
         needed = known(self.areas[kind].widget()).minimumSizeHint().width() + bar
         self.setSizes([max(forms, needed), min(views, self.width() - needed)])
@@ -204,7 +204,7 @@ class AnswerStage(QWidget):
 
     def show_beside(self, on: bool) -> None:
         """on : there is a wall to show"""
-        wide = on and self.width() >= BESIDE_FROM
+        wide = on and self.width() >= MIN_WIDTH_FOR_MOTION
         if wide != self.has_beside():
             self.beside.setVisible(wide)
 
@@ -230,7 +230,7 @@ class Stages(QWidget):
         for part in (made["note"], self.note_form):
             report.addWidget(part)
         report.setStretchFactor(0, 1)
-        report.setSizes([1000, CHOICES])
+        report.setSizes([1000, CHOICES_WIDTH])
         self.stack = QStackedWidget()
         self.first: QWidget | None = None
         for stage in (self.input, self.answer, self.why, report):

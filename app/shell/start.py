@@ -21,7 +21,7 @@ from app.shell import menus
 from app.shell.files import EXAMPLE
 from app.shell.window import MainWindow
 from app.work import recovery
-from app.work.worker import RUNNING, write_log
+from app.work.worker import RUNNING_JOBS, write_log
 from core.errors import InputError
 from core.text.sentence import LANGUAGES
 from core.text.start import system_language
@@ -103,14 +103,14 @@ def data_folder() -> Path:
 def logged_crash(folder: Path):
     """Where the process ends by a fault of a library, what it was doing goes to a file of this folder. Yields the
     files of earlier starts, each once."""
-    found = []
+    crash_logs = []
     with contextlib.suppress(OSError):
         for file in sorted(folder.glob("crash-*.log")):
             if file.stat().st_size:
-                found.append(file.replace(file.with_suffix(".txt")))
+                crash_logs.append(file.replace(file.with_suffix(".txt")))
     with tempfile.NamedTemporaryFile("w", dir=folder, prefix=f"crash-{VERSION}-", suffix=".log", delete=False) as log:
         faulthandler.enable(log)
-        yield found
+        yield crash_logs
         faulthandler.disable()
     Path(log.name).unlink(missing_ok=True)
 
@@ -129,8 +129,8 @@ class Application(QApplication):
 
 def make(arguments: list[str] | None = None) -> tuple[QApplication, MainWindow]:
     """The application and its window, not shown yet."""
-    found = QApplication.instance()
-    application = found if isinstance(found, QApplication) else Application(arguments or sys.argv[:1])
+    instance = QApplication.instance()
+    application = instance if isinstance(instance, QApplication) else Application(arguments or sys.argv[:1])
     application.setApplicationName(NAME)
     application.setOrganizationName(NAME)
     application.setWindowIcon(QIcon(str(ICON)))
@@ -177,7 +177,7 @@ def main(path: Path | None) -> int:
             word = tr("The program crashed last time; please send {path}", path=crashes[-1])
             window.show_word(word)
         code = application.exec()
-    if any(not job.isFinished() for job in RUNNING):
+    if any(not job.isFinished() for job in RUNNING_JOBS):
         # a thread that compiles cannot be stopped, and nobody is to wait for it
         from core.jit import cache
         from core.study import precompile

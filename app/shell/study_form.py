@@ -20,7 +20,7 @@ LISTS: dict[str, tuple[float, ...]] = {"slenderness_deg": (3.1, 6.8, 10.0), "hei
 """Keys of [[grid]] that are lists of numbers, and what stands there at first."""
 
 NUMBERS = {"pga_g": (Group, 0.2), "count": (Study, 7)}
-CHOICES = {"mechanism": Grid, "restitution": Grid, "law": Grid, "soil": Shape, "type": Shape}
+SECTION_OF_CHOICE = {"mechanism": Grid, "restitution": Grid, "law": Grid, "soil": Shape, "type": Shape}
 SEED = 1
 
 
@@ -58,13 +58,15 @@ class StudyForm(QDialog):
         self.title = QLineEdit(tr("Parametric study"))
         self.lines = {key: QLineEdit("; ".join(number(one, "g") for one in ones)) for key, ones in LISTS.items()}
         self.lines |= {key: QLineEdit(number(one, "g")) for key, (_, one) in NUMBERS.items()}
-        self.choices = {key: self._choice(section, key) for key, section in CHOICES.items()}
+        self.choices = {key: self._choice(section, key) for key, section in SECTION_OF_CHOICE.items()}
         self.records = QCheckBox(tr("Natural records beside the generated ones"))
         self.word = Plain()
         self.word.setWordWrap(True)
         form = QFormLayout(self)
         form.addRow(tr("Title"), self.title)
-        sections = dict.fromkeys(LISTS, Grid) | {key: section for key, (section, _) in NUMBERS.items()} | CHOICES
+        sections = (
+            dict.fromkeys(LISTS, Grid) | {key: section for key, (section, _) in NUMBERS.items()} | SECTION_OF_CHOICE
+        )
         for key, editor in (self.lines | self.choices).items():
             words = caption(sections[key], key)
             editor.setAccessibleName(words)

@@ -155,7 +155,7 @@ class StudyWindow(QDialog):
             return made.result, report, folder
 
         job = self.job = Job(work)
-        job.done.connect(lambda found: self._arrived(*found))
+        job.done.connect(lambda outcome: self._arrived(*outcome))
         job.failed.connect(self._failed)
         job.progressed.connect(self._progressed)
         job.finished.connect(self._ended)

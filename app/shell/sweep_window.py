@@ -37,13 +37,13 @@ from core.case.wall import Wall
 from core.errors import InputError
 from core.known import known
 from core.research.figures import DASHED, LINE_POINTS, Figure, Series, Table
-from core.study.sweep import MOST_VALUES, SweepKey, SweepPoint, sweep, sweep_keys, value_at
+from core.study.sweep import MAX_VALUES, SweepKey, SweepPoint, sweep, sweep_keys, value_at
 from core.text.sentence import Number, sentence
 
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
 
-SHARE = 100
+PROGRESS_PARTS = 100
 """Parts of a value that the progress bar tells apart."""
 
 FIRST_RANGE = (0.7, 1.3)
@@ -66,7 +66,7 @@ def key_words(case: Case, k: int, key: SweepKey) -> str:
 def figures_of(points: list[SweepPoint], x: str, factor: float, case: Case) -> list[Figure]:
     """Zeta of each check and q against the key. x : label of its axis; factor : to the unit there"""
     demand = case.demand
-    found = []
+    figures = []
     labels = list(dict.fromkeys(label for point in points for label in point.zeta))
     if demand and labels:
         curves = [
@@ -75,9 +75,9 @@ def figures_of(points: list[SweepPoint], x: str, factor: float, case: Case) -> l
         ]
         ends = tuple(factor * one.value for one in (points[0], points[-1]))
         target = Series(tr("ζ required"), ends, (demand.zeta_target,) * 2, DASHED, len(labels))
-        found.append(Figure("sweep_zeta", tr("ζ of each check"), x, "ζ [-]", (*curves, target)))
+        figures.append(Figure("sweep_zeta", tr("ζ of each check"), x, "ζ [-]", (*curves, target)))
     q = _series("q", points, factor, lambda point: point.q, 0)
-    return [*found, Figure("sweep_q", tr("q of the set"), x, "q [-]", (q,))]
+    return [*figures, Figure("sweep_q", tr("q of the set"), x, "q [-]", (q,))]
 
 
 def check_words(case: Case, label: str) -> str:
@@ -119,7 +119,7 @@ class SweepWindow(QDialog):
         self.shown: tuple = ()
         self.wall, self.key = Choice(), Choice()
         self.low, self.high, self.count = QLineEdit(), QLineEdit(), QSpinBox()
-        self.count.setRange(2, MOST_VALUES)
+        self.count.setRange(2, MAX_VALUES)
         self.count.setValue(9)
         self.run_button, self.cancel_button = QPushButton(tr("&Run")), QPushButton(tr("Cancel"))
         self.run_button.setDefault(True)
@@ -228,7 +228,7 @@ class SweepWindow(QDialog):
 
         def work(job: Job) -> None:
             def tell(n: int, share: float) -> None:
-                job.progress(round(SHARE * (n + share)), SHARE * len(values))
+                job.progress(round(PROGRESS_PARTS * (n + share)), PROGRESS_PARTS * len(values))
 
             jobs = os.cpu_count() or 1
             for point in sweep(
@@ -269,7 +269,9 @@ class SweepWindow(QDialog):
     def _progressed(self, done: int, planned: int, left: float | None) -> None:
         self.bar.setRange(0, planned)
         self.bar.setValue(done)
-        self.word.setText(progress_word(done // SHARE, planned // SHARE, time.monotonic() - self.began, left))
+        self.word.setText(
+            progress_word(done // PROGRESS_PARTS, planned // PROGRESS_PARTS, time.monotonic() - self.began, left)
+        )
 
     def cancel(self) -> None:
         """Stop between two analyses; what is finished is shown."""

@@ -29,16 +29,16 @@ from core.known import known
 from core.report.verdict_words import tone_of
 from core.study.results import StudyResult, WallResult
 
-WIDTH, WIDE = 216, 280
+TREE_WIDTH, WIDE_TREE_WIDTH = 216, 280
 """Width of the tree in a window of 1280 and of 1920 [px]."""
 
-MOST = 0.20
+MAX_SHARE_OF_WINDOW = 0.20
 """Share of the width of the window that the tree takes for the words of its first level."""
 
 WIDE_FROM = 1600
 """Width of the window from which the tree is wide [px]."""
 
-RUNNING, BETWEEN = "…", "  "
+TO_COME, ROW_SEPARATOR = "…", "  "
 """In the place of a number to come; between the name of a row and what it says."""
 
 
@@ -94,7 +94,7 @@ def rows_of(state: State) -> list[Row]:
     def mark(*names: str) -> tuple[str, str]:
         return ("!", "amber") if any(one.startswith(name) for one in sections for name in names) else ("", "quiet")
 
-    demand = f"{tr('Demand')}{BETWEEN}{case.demand.limit_state}" if case.demand else tr("Demand: none")
+    demand = f"{tr('Demand')}{ROW_SEPARATOR}{case.demand.limit_state}" if case.demand else tr("Demand: none")
     compliance = state.result.compliance if state.result and not state.stale else None
     records, tone = ("✓", "good") if compliance and compliance.compatible else ("", "quiet")
     if state.unread:
@@ -102,14 +102,14 @@ def rows_of(state: State) -> list[Row]:
     building = tr("storeys: {n}", n=case.building.storeys) if case.building else tr("none")
     rows = [
         Row(0, "demand", demand, *mark("[demand")),
-        Row(0, "records", f"{tr('Records')}{BETWEEN}{state.motions}", records, tone),
-        Row(0, "building", f"{tr('Building')}{BETWEEN}{building}", *mark("[building")),
+        Row(0, "records", f"{tr('Records')}{ROW_SEPARATOR}{state.motions}", records, tone),
+        Row(0, "building", f"{tr('Building')}{ROW_SEPARATOR}{building}", *mark("[building")),
         Row(0, "walls", tr("Walls"), "" if case.wall else "!", "amber"),
         *_walls(state, walls),
     ]
     if case.report.author:
         return [*rows, Row(0, "report", tr("Report"))]
-    return [*rows, Row(0, "report", f"{tr('Report')}{BETWEEN}{tr('author missing')}", "!", "amber")]
+    return [*rows, Row(0, "report", f"{tr('Report')}{ROW_SEPARATOR}{tr('author missing')}", "!", "amber")]
 
 
 def _walls(state: State, broken: set[int | None]) -> Iterable[Row]:
@@ -137,14 +137,14 @@ def _zeta(state: State, k: int) -> float | None:
     if state.finished is not None:
         return state.finished.get(k, (None, False))[0]
     results = state.of_row.get(k, [])
-    found = state.result.walls[results[0]].assessment if state.result and results else None
-    return found.verdict.zeta_e if found else None
+    assessment = state.result.walls[results[0]].assessment if state.result and results else None
+    return assessment.verdict.zeta_e if assessment else None
 
 
 def _wall(state: State, k: int, text: str, depth: int, broken: set[int | None]) -> Row:
     if state.finished is not None:
         zeta, whole = state.finished.get(k, (None, False))
-        chip = number(zeta, ".2f") if whole else RUNNING if zeta is None else f"≤ {number(zeta, '.2f')}"
+        chip = number(zeta, ".2f") if whole else TO_COME if zeta is None else f"≤ {number(zeta, '.2f')}"
         return Row(depth, "wall", text, chip, "quiet", k)
     if k in broken:
         return Row(depth, "wall", text, "!", "amber", k)
@@ -227,7 +227,7 @@ class Chips(QStyledItemDelegate):
         room = right - area.left() - 4
         metrics, text = QFontMetricsF(font), row.text
         if metrics.horizontalAdvance(text) > room and row.depth == 0:  # without what follows the name, not with half
-            text = text.split(BETWEEN)[0]
+            text = text.split(ROW_SEPARATOR)[0]
         text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, room)
         painter.drawText(QRectF(area.left() + 4, area.top(), room, area.height()), Qt.AlignmentFlag.AlignVCenter, text)
         painter.restore()
@@ -277,7 +277,7 @@ class ProjectTree(QFrame):
         layout.setSpacing(0)
         layout.addWidget(self.tree, 1)
         layout.addWidget(self.buttons)
-        self.least, self.window_width = WIDTH, 0
+        self.least, self.window_width = TREE_WIDTH, 0
         self.filling = False
 
     def set_buttons(self, buttons: Sequence[tuple]) -> None:
@@ -296,7 +296,7 @@ class ProjectTree(QFrame):
         for count in (3, 2):
             lines = [made[k : k + count] for k in range(0, len(made), count)]
             wide = max(sum(button.sizeHint().width() + 2 for button in line) for line in lines) + 8
-            if wide <= WIDTH:
+            if wide <= TREE_WIDTH:
                 break
         for line in lines:
             row = QHBoxLayout()
@@ -315,8 +315,8 @@ class ProjectTree(QFrame):
         first = [row.text for row in self.rows if row.depth == 0 and row.kind != "report"]
         words = max((QFontMetricsF(font).horizontalAdvance(text) for text in first), default=0.0)
         around = self.tree.indentation() + chip_width(font, "✓") + 16  # edges, and the chip that may come
-        wanted = min(math.ceil(words + around), round(MOST * window))
-        self.setFixedWidth(max(self.least, WIDE if window >= WIDE_FROM else WIDTH, wanted))
+        wanted = min(math.ceil(words + around), round(MAX_SHARE_OF_WINDOW * window))
+        self.setFixedWidth(max(self.least, WIDE_TREE_WIDTH if window >= WIDE_FROM else TREE_WIDTH, wanted))
 
     def show_rows(self, rows: list[Row]) -> None:
         """The rows in place of those before; the chosen one stays chosen, what was open stays open."""

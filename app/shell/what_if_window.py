@@ -26,7 +26,7 @@ from core.variation.whole_wall import NONE, Setting, WholeWall, evaluate_wall, s
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
 
-STEPS, RANGE = 200, 2.0
+STEPS, SLIDER_FACTOR = 200, 2.0
 """Places of a slider, and the factor of the value at hand at its upper end; its inverse is at the lower."""
 
 SETTLED_MS = 120
@@ -35,7 +35,7 @@ SETTLED_MS = 120
 OWN_Q = "linear_q_slv"
 """The check that asks for a search of q, which is not made here."""
 
-SHOWN = {
+VALUE_FORMATS = {
     "thickness_m": (100.0, ".1f", 3),
     "height_m": (1.0, ".2f", 2),
     "tie_kn_m": (1.0, ".2f", 2),
@@ -219,16 +219,16 @@ class WhatIfWindow(QDialog):
                 return False
             return True
 
-        found = moved_keys(setting)
+        movable = moved_keys(setting)
         if why_ag_stays(known(self.case)):
-            found.pop("ag_g", None)
-        return {key: now for key, now in found.items() if any(stands(key, share * now) for share in TRIED)}
+            movable.pop("ag_g", None)
+        return {key: now for key, now in movable.items() if any(stands(key, share * now) for share in TRIED)}
 
     @property
     def values(self) -> dict[str, float]:
         """By key, of the sliders that are moved, as they are shown."""
         return {
-            key: round(self.given[key] * RANGE ** (slider.value() / STEPS), SHOWN[key][2])
+            key: round(self.given[key] * SLIDER_FACTOR ** (slider.value() / STEPS), VALUE_FORMATS[key][2])
             for key, slider in self.sliders.items()
             if slider.value()
         }
@@ -236,7 +236,7 @@ class WhatIfWindow(QDialog):
     def _say_values(self) -> None:
         values = self.values
         for key, label in self.values_shown.items():
-            factor, form, _ = SHOWN[key]
+            factor, form, _ = VALUE_FORMATS[key]
             given = number(factor * self.given[key], form)
             label.setText(given if key not in values else f"{number(factor * values[key], form)} ({given})")
 
@@ -251,11 +251,11 @@ class WhatIfWindow(QDialog):
         if moved is None:
             return
         try:
-            found = evaluate_wall(moved, None)
+            evaluated = evaluate_wall(moved, None)
         except InputError as error:
             self.word.setText(described(error))
-            found = NONE
-        self._show(found, None)
+            evaluated = NONE
+        self._show(evaluated, None)
         self.timer.start()
 
     def _setting(self) -> Setting | None:
@@ -295,11 +295,11 @@ class WhatIfWindow(QDialog):
             at = replace(moved, inputs=read_inputs(taken, base)) if taken else moved  # motions made for that spectrum
             return evaluate_wall(at, precision, cancelled=job.cancelled)
 
-        def arrived(found: WholeWall) -> None:
+        def arrived(whole: WholeWall) -> None:
             if first:
-                self.zetas = dict(found.by_check) | self._of_the_run()
-            again = precision is GLANCE and "dynamic" in found.by_check
-            self._show(found, GLANCE if again else RUN)
+                self.zetas = dict(whole.by_check) | self._of_the_run()
+            again = precision is GLANCE and "dynamic" in whole.by_check
+            self._show(whole, GLANCE if again else RUN)
             if again:
                 self._search_zeta(moved, RUN)
 
@@ -311,8 +311,8 @@ class WhatIfWindow(QDialog):
         if result is None or self.owner.session.stale:
             return {}
         assessed = [wall.assessment for wall in result.walls if wall.part.origin == self.row and wall.assessment]
-        found = [(check.label, check.zeta) for one in assessed for check in one.checks]
-        return {label: least(zeta for name, zeta in found if name == label) for label, _ in found if label != OWN_Q}
+        zetas = [(check.label, check.zeta) for one in assessed for check in one.checks]
+        return {label: least(zeta for name, zeta in zetas if name == label) for label, _ in zetas if label != OWN_Q}
 
     def search(self) -> None:
         """The answer turned round, of each slider alone."""
@@ -341,7 +341,7 @@ class WhatIfWindow(QDialog):
 
     def _start(self, name: str, work, arrived) -> None:
         job = self.jobs[name] = Job(work)
-        job.done.connect(lambda found: arrived(found) if self.jobs.get(name) is job else None)
+        job.done.connect(lambda answer: arrived(answer) if self.jobs.get(name) is job else None)
         job.failed.connect(lambda words, _: self.word.setText(words) if self.jobs.get(name) is job else None)
         job.start()
 
@@ -355,11 +355,11 @@ class WhatIfWindow(QDialog):
     def _check(self, label: str) -> str:
         return check_words(label, known(known(self.case).demand).q_code)
 
-    def _show(self, found: WholeWall, precision: Precision | None = RUN) -> None:
+    def _show(self, whole: WholeWall, precision: Precision | None = RUN) -> None:
         """The ladder; zeta as it is beside each. precision : of the histories, None while none are made; those of a
         run follow"""
         setting, moved = known(self.setting), bool(self.values)
-        rungs = rungs_of(found, setting.demand.q_code, precision, self.zetas, moved, setting.has_histories)
+        rungs = rungs_of(whole, setting.demand.q_code, precision, self.zetas, moved, setting.has_histories)
         self.ladder.show_rungs(rungs, setting.demand.zeta_target)
 
     # what becomes of it

@@ -34,7 +34,7 @@ from core.version import NAME
 
 AUTOSAVE_MS = 4000
 
-FEW, BETWEEN_FINISHED = 20, 250
+FINISHED_AT_ONCE, BETWEEN_FINISHED = 20, 250
 """Least time between two tables of more finished walls than these [ms]: of 200 each takes 50 ms."""
 
 FIRST_SIZE, FRAME = QSize(1280, 800), QSize(8, 40)
@@ -277,7 +277,7 @@ class MainWindow(QMainWindow):
 
     def _found(self) -> None:
         """Another wall is finished: of many, those that come within a moment are shown together."""
-        if len(self.runner.finished_walls) <= FEW:
+        if len(self.runner.finished_walls) <= FINISHED_AT_ONCE:
             self._show_finished()
         elif not self.finished_timer.isActive():
             self.finished_timer.start(BETWEEN_FINISHED)

@@ -91,7 +91,9 @@ def run(
                 on_finished=made_so_far.add,
                 executor=executor,
             )
-            steps = Steps(raise_if(cancel), show.writing, 100 - export.WALLS + (export.NOTE if report else 0))
+            steps = Steps(
+                raise_if(cancel), show.writing, 100 - export.WALL_STEPS + (export.NOTE_STEPS if report else 0)
+            )
             made_so_far.write(result, folder, stem, note=report, case_path=case_path, steps=steps)
         except Cancelled:
             place = folder / f"{stem}.journal"

@@ -14,14 +14,14 @@ from core.regular_file import first_bytes
 from core.setting.plan import plan_of, read_inputs
 from core.study.check_script import TEMPLATE, NoCheck, check_script
 
-REASONS = {
+REASON_WORDS = {
     "held_at_top": "it is held at its top: the script has the equation of one block, it moves as two",
     "no_records": "no record moves it: give [[record]], [select] or [generate]",
     "too_sensitive": "the last digits of the samples decide each of its histories: another solver finds another one",
 }
 """Why a wall has no script -> the text of the terminal."""
 
-HEAD = 60
+COMPARED_BYTES = 60
 """Bytes by which a script of ours is known."""
 
 
@@ -49,7 +49,7 @@ def run(case_path: Path, output: Path | None) -> int:
     for path in files:
         say(shown(str(path)))
     for wall, code in refused:
-        tell("{wall}: no check is written: {reason}", wall=wall, reason=terminal(REASONS[code]))
+        tell("{wall}: no check is written: {reason}", wall=wall, reason=terminal(REASON_WORDS[code]))
     return WITHOUT_NUMBER if refused else DONE
 
 
@@ -57,5 +57,5 @@ def _refuse_overwriting(files: set[Path], sources: set[Path]) -> None:
     """Raise InputError where a script would take the place of a source, or of a file that is no such script."""
     refuse_taking({path.resolve() for path in files}, sources)
     for path in files:
-        if path.exists() and first_bytes(path, HEAD) != TEMPLATE.read_bytes()[:HEAD]:
+        if path.exists() and first_bytes(path, COMPARED_BYTES) != TEMPLATE.read_bytes()[:COMPARED_BYTES]:
             raise InputError("would_overwrite", path=path)

@@ -12,7 +12,7 @@ from pathlib import Path
 from app.look.language import terminal
 from core.errors import InputError
 from core.ooxml.package import DAMAGED
-from core.packages import MOST_WALLS
+from core.packages import MAX_WALLS_IN_WORKBOOK
 from core.regular_file import open_regular, read_regular
 
 STUDIES = Path(__file__).resolve().parents[2] / "resources" / "studies"
@@ -43,9 +43,9 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str):
         for pattern, text in REFUSED:
-            found = pattern.fullmatch(message)
-            if found:
-                message = terminal(text, words=found["words"]) + self._nearest(found["words"])
+            match = pattern.fullmatch(message)
+            if match:
+                message = terminal(text, words=match["words"]) + self._nearest(match["words"])
                 break
         words = terminal("error: {error}", error=message.removeprefix("argument "))
         self.exit(2, f"{self.format_usage()}{words}\n")
@@ -121,10 +121,10 @@ def _jobs(word: str) -> int:
 
 
 def _part(word: str) -> tuple[int, int]:
-    found = re.fullmatch(r"([0-9]{1,6})/([0-9]{1,6})", word)
-    if not found or not 1 <= int(found[1]) <= int(found[2]):
+    match = re.fullmatch(r"([0-9]{1,6})/([0-9]{1,6})", word)
+    if not match or not 1 <= int(match[1]) <= int(match[2]):
         raise argparse.ArgumentTypeError(terminal("{word!r} is not a part such as 2/8", word=word))
-    return int(found[1]), int(found[2])
+    return int(match[1]), int(match[2])
 
 
 def _scheduler(word: str) -> str:
@@ -240,15 +240,15 @@ def is_drawing(path: Path) -> bool:
 def _states(case: Path, asked: Callable[[dict], bool]) -> bool:
     """Whether a case asks for something; False also for one that cannot be read."""
     try:
-        return asked(tomllib.loads(read_regular(case, MOST_OF_CASE).decode("utf-8-sig")))
+        return asked(tomllib.loads(read_regular(case, MAX_CASE_BYTES).decode("utf-8-sig")))
     except (OSError, ValueError, LookupError, TypeError, RecursionError):
         return False
 
 
-MOST_OF_CASE, LONGEST_HEAD, MOST_OF_SHEET = 2_000_000, 1_000_000, 500_000_000
+MAX_CASE_BYTES, LONGEST_HEAD, MAX_SHEET_BYTES = 2_000_000, 1_000_000, 500_000_000
 """Bytes looked at before packages are there: of a case, of the first row of a table, of a sheet."""
 
-HINGES, LISTED, MECHANISMS = 6, 14, 2
+HINGES_OF_ROW, MAX_HINGES_LISTED, MECHANISMS_OF_HINGE = 6, 14, 2
 """A row of a table has hinges at its base, its loads and its tie, beside those of the storeys; most that are listed;
 mechanisms of each."""
 
@@ -257,16 +257,16 @@ def _may_be_large(case: Path) -> bool:
     """Whether a case can have more results than a workbook holds, by the rows of its files alone; False also for one
     that cannot be read."""
     try:
-        text = read_regular(case, MOST_OF_CASE).decode("utf-8-sig")
+        text = read_regular(case, MAX_CASE_BYTES).decode("utf-8-sig")
         content = tomllib.loads(text)
         walls, head = text.count("[[wall]]"), text
         if "walls" in content:
             table = case.parent / content["walls"].replace("\\", "/")
             rows, first = _rows_of_workbook(table) if table.suffix.lower() == ".xlsx" else _rows_of_text(table)
             walls, head = walls + rows, head + first
-        hinges = HINGES + content.get("building", {}).get("storeys", 0)
-        hinges += LISTED if "hinge" in head or "cernier" in head else 0
-        return MECHANISMS * walls * hinges > MOST_WALLS
+        hinges = HINGES_OF_ROW + content.get("building", {}).get("storeys", 0)
+        hinges += MAX_HINGES_LISTED if "hinge" in head or "cernier" in head else 0
+        return MECHANISMS_OF_HINGE * walls * hinges > MAX_WALLS_IN_WORKBOOK
     except (*DAMAGED, AttributeError, RecursionError):
         return False
 
@@ -288,8 +288,8 @@ def _rows_of_workbook(table: Path) -> tuple[int, str]:
             if "sheet" not in name.lower() or not name.lower().endswith(".xml"):
                 continue
             with package.open(name) as part:
-                end, left = b"", MOST_OF_SHEET
-                while rows <= MOST_WALLS and left > 0 and (piece := part.read(1 << 16)):
+                end, left = b"", MAX_SHEET_BYTES
+                while rows <= MAX_WALLS_IN_WORKBOOK and left > 0 and (piece := part.read(1 << 16)):
                     left -= len(piece)
                     rows += len(re.findall(rb"<(?:\w+:)?row[\s>]", end + piece))
                     end = piece[-8:]  # of a tag cut in two; one that is whole there counts twice, on the safe side

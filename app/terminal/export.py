@@ -30,13 +30,13 @@ from core.study.results import CollapseHistories, StudyResult
 HISTORY_WALLS = 20
 """Walls whose histories and charts are drawn; the rest are listed."""
 
-HEAD = 1 << 20
+HEAD_BYTES = 1 << 20
 """Bytes of results, and of what a workbook says of itself, that are looked at."""
 
-MOST_SUBJECT = 255
+MAX_SUBJECT_LETTERS = 255
 """Letters that a docx can say of its subject."""
 
-WALLS, NOTE = 53, 90
+WALL_STEPS, NOTE_STEPS = 53, 90
 """Hundredths of the writing of what is made a wall at a time; the note as a document is beyond the hundred."""
 
 
@@ -106,7 +106,7 @@ def _results_of(case: Case, path: Path) -> bool:
     none."""
     if not _ours(path):
         return False
-    head, decode = first_bytes(path, HEAD).decode("utf-8", "ignore"), json.JSONDecoder().raw_decode
+    head, decode = first_bytes(path, HEAD_BYTES).decode("utf-8", "ignore"), json.JSONDecoder().raw_decode
     title, wall = (re.search(pattern, head) for pattern in (r'"case": \{\s*"title": ', r'"wall": \[\s*\{\s*"name": '))
     try:
         alike = title is not None and decode(head, title.end())[0] == case.title
@@ -121,7 +121,7 @@ def _saved_since(path: Path) -> bool:
         return False
     try:
         with open_regular(path) as stream, zipfile.ZipFile(stream) as book, book.open("docProps/core.xml") as about:
-            return b"lastModifiedBy" in about.read(HEAD)
+            return b"lastModifiedBy" in about.read(HEAD_BYTES)
     except (OSError, ValueError, LookupError, NotImplementedError, RuntimeError, zlib.error, zipfile.BadZipFile):
         return True
 
@@ -144,7 +144,7 @@ def _subject(case: dict) -> str:
     """What a note is told by. case : by its keys"""
     from core.report.xml_text import for_xml
 
-    return for_xml(f"{case['title']} – {case['wall'][0]['name']}")[:MOST_SUBJECT]
+    return for_xml(f"{case['title']} – {case['wall'][0]['name']}")[:MAX_SUBJECT_LETTERS]
 
 
 def check_note(path: Path | None, case_path: Path, case: Case | None = None) -> None:
@@ -190,8 +190,8 @@ class Report:
             book.add(result)
         for wall in result.walls:
             self.check()
-            if len(self._histories) < HISTORY_WALLS and (found := collapse_histories(result, wall)):
-                self._histories.append(found)
+            if len(self._histories) < HISTORY_WALLS and (histories := collapse_histories(result, wall)):
+                self._histories.append(histories)
 
     def write(
         self,
@@ -219,7 +219,7 @@ class Report:
             raise OutputError("workbook_not_made", reason=error.strerror, folder=tempfile.gettempdir()) from None
         files = {folder / f"{stem}.xlsx": book, folder / f"{stem}.json": text.content(result)}
         if note is not None:
-            steps.take(NOTE)
+            steps.take(NOTE_STEPS)
             files[note] = note_content(result, note, case_path, steps)
         ready()
         atomic_write.write(files)
@@ -240,7 +240,7 @@ def write(
     Raises as `Report.write`.
     """
     report, steps = Report(result.case, check), Steps(check, tell)
-    steps.take(WALLS)
+    steps.take(WALL_STEPS)
     for wall in steps.each(result.by_wall()):
         report.add(wall)
     report.write(result, folder, stem, ready, steps=steps)

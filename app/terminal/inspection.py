@@ -14,7 +14,7 @@ from core.ground.records.grammar import Options
 from core.units import CM, G
 from core.wall.body import polygon_sums
 
-MOST_GAPS = 5
+MAX_GAPS_SHOWN = 5
 """Open outlines of a layer that are listed."""
 
 
@@ -52,11 +52,11 @@ def _drawing_refused(path: Path) -> int:
                 to_y=scale * max(ends_y),
             )
             print(words)
-        for gap in sorted(gaps, key=lambda one: one.size)[:MOST_GAPS]:
+        for gap in sorted(gaps, key=lambda one: one.size)[:MAX_GAPS_SHOWN]:
             x, y = (scale * number for number in gap.at)
             text = "  {layer}: an outline open by {mm:.0f} mm at x = {x:.5g} m, y = {y:.5g} m"
             print(terminal(text, layer=layer, mm=1e3 * scale * gap.size, x=x, y=y))
-        if len(gaps) > MOST_GAPS:
+        if len(gaps) > MAX_GAPS_SHOWN:
             print(terminal("  {layer}: open outlines {n}", layer=layer, n=len(gaps)))
     for one in sheet.unread:
         print(terminal("  {layer}: not read {n} {kind}", layer=one.layer, n=one.n, kind=one.kind))

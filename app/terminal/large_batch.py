@@ -39,7 +39,7 @@ from core.study.journal import Journal, journal_key
 from core.study.large_case import LargeCase, group_results, groups_elsewhere, in_order, without_walls
 from core.version import NAME, VERSION
 
-SHOWN = 20
+MAX_WALLS_SHOWN = 20
 """Walls a terminal shows, the worst."""
 
 
@@ -175,13 +175,13 @@ def _write(
         worked = False
         for g in range(count):
             raise_if(cancel)()
-            while (found := book.get(g)) is None:
+            while (group_rows := book.get(g)) is None:
                 next(work)
                 worked = True
             if not worked:
                 show.writing(g, count)
-            tally.add(found)
-            yield found
+            tally.add(group_rows)
+            yield group_rows
 
     def put_table(stream: BinaryIO) -> None:
         parquet_file.write(stream, rows(), {"program": f"{NAME} {VERSION}", "case_sha256": large.case.sha256})
@@ -201,7 +201,7 @@ def summary(tally: Tally, folder: Path, stem: str) -> str:
     if with_demand:
         columns += ["zeta", "verdict", "by"]
     table = [[terminal(head) for head in columns]]
-    for row in tally.worst[:SHOWN]:
+    for row in tally.worst[:MAX_WALLS_SHOWN]:
         cells = [row["name"][:48], coded(row["mechanism"]), short(row["q_set"])]
         if with_demand:
             cells += [short(row["zeta_e"]), coded(row["verdict"]), coded(row["check"])]

@@ -22,7 +22,7 @@ NAME_OF_TESTS = "validation.json"
 SEED = 1
 """Seed that draws the halves of the events."""
 
-DIFFERS = 5
+EXIT_DIFFERS = 5
 """Exit code where a case does not agree with its source, as of --verify."""
 
 BEGINS = b'{\n "program": "Ribalta"'
@@ -42,9 +42,9 @@ def run(output: Path | None, records: Path | None, data: Path | None = None) -> 
         if data is not None and (output / NAME_OF_TESTS).resolve() in {file.resolve() for file in data.iterdir()}:
             raise InputError("would_overwrite", path=output / NAME_OF_TESTS)
         atomic_write.check_folder(output)
-    found, language = subjects(records), current_language()
+    chosen, language = subjects(records), current_language()
     tests = read_tests(data) if data is not None else None
-    cases = cases_of(found)
+    cases = cases_of(chosen)
     differing = solve(cases)
     for line in lines(cases):
         say(line)
@@ -57,11 +57,11 @@ def run(output: Path | None, records: Path | None, data: Path | None = None) -> 
         content = json.dumps(as_json_of_tests(tests, bodies, SEED), indent=1, allow_nan=False, ensure_ascii=False)
         files = {NAME_OF_TESTS: f"{content}\n".encode()}
     if output is not None:
-        files = {NAME_OF_PDF: pdf(found, language, more), NAME_OF_JSON: as_json(cases), **files}
+        files = {NAME_OF_PDF: pdf(chosen, language, more), NAME_OF_JSON: as_json(cases), **files}
         atomic_write.write({output / name: content for name, content in files.items()})
         for name in files:
             say(str(output / name))
-    return DIFFERS if differing else 0
+    return EXIT_DIFFERS if differing else 0
 
 
 def _refuse_overwriting(output: Path) -> None:

@@ -29,7 +29,7 @@ from core.study.journal import Journal
 MAX_NAMED = 20
 """Runs without a number that are named on the terminal."""
 
-FIGURES = 50
+FIGURE_STEPS = 50
 """Hundredths of the writing that the figures take."""
 
 FIGURE_NAME = re.compile(r"(fig\d\d|q|q_eff|eq14|law)_\w[\w.]*\.(png|svg)")
@@ -199,7 +199,7 @@ def write(
         folder / f"{stem}.csv": runs,
     }
     drawn: dict[Path, bytes] = {}
-    steps.take(FIGURES)
+    steps.take(FIGURE_STEPS)
     fault = None
     try:
         for figure in steps.each(report.figures):

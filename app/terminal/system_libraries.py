@@ -53,13 +53,13 @@ def needed(variables: dict[str, str]) -> dict[str, Package]:
 
 def missing(libraries: dict[str, Package]) -> dict[str, Package]:
     """Those that cannot be loaded."""
-    found = {}
+    unloadable = {}
     for name, package in libraries.items():
         try:
             ctypes.CDLL(name)
         except OSError:
-            found[name] = package
-    return found
+            unloadable[name] = package
+    return unloadable
 
 
 def refuse_without() -> None:

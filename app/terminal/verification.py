@@ -23,10 +23,10 @@ from core.study.results import StudyResult
 from core.study.run import run as run_study
 from core.version import VERSION
 
-EQUAL, DIFFERS, CANNOT = 0, 5, 6
+EXIT_EQUAL, EXIT_DIFFERS, EXIT_CANNOT = 0, 5, 6
 """Exit codes."""
 
-MOST_LINES = 40
+MAX_DIFFERENCES_SHOWN = 40
 """Differences that are listed."""
 
 SECONDS, MEGABYTES = 60.0, 2000
@@ -68,15 +68,15 @@ def compared(report: Path, records: Path | None = None, **how: Any) -> tuple[int
             raise Unverifiable(described(error)) from None
         if changed := _other_records(reported, result):
             raise Unverifiable(terminal("these records are not those of the report: {names}", names=", ".join(changed)))
-        found = list(itertools.islice(_compared(report, content, reported, result, folder), 10_000))
+        differences = list(itertools.islice(_compared(report, content, reported, result, folder), 10_000))
     except Unverifiable as reason:
-        return CANNOT, [terminal("{path}: cannot be verified: {reason}", path=report, reason=str(reason))]
-    lines = [_line(one) for one in found[:MOST_LINES]]
-    if len(found) > MOST_LINES:
-        lines.append(terminal("… and {n} more", n=len(found) - MOST_LINES))
-    if found:
-        return DIFFERS, [*lines, terminal("{path}: {n} differences", path=report, n=len(found))]
-    return EQUAL, [terminal("{path}: equal, run again by version {version}", path=report, version=VERSION)]
+        return EXIT_CANNOT, [terminal("{path}: cannot be verified: {reason}", path=report, reason=str(reason))]
+    lines = [_line(one) for one in differences[:MAX_DIFFERENCES_SHOWN]]
+    if len(differences) > MAX_DIFFERENCES_SHOWN:
+        lines.append(terminal("… and {n} more", n=len(differences) - MAX_DIFFERENCES_SHOWN))
+    if differences:
+        return EXIT_DIFFERS, [*lines, terminal("{path}: {n} differences", path=report, n=len(differences))]
+    return EXIT_EQUAL, [terminal("{path}: equal, run again by version {version}", path=report, version=VERSION)]
 
 
 def _line(one: Difference) -> str:
@@ -122,16 +122,16 @@ def _reported(report: Path, content: bytes) -> tuple[dict, str]:
 
 def _loaded(content: bytes, place: Path) -> dict:
     try:
-        found = json.loads(content)
+        report = json.loads(content)
     except (ValueError, RecursionError):
-        found = None
-    text = found.get("case_toml") if isinstance(found, dict) else None
+        report = None
+    text = report.get("case_toml") if isinstance(report, dict) else None
     kinds = {"program": dict, "records": list}
-    if not isinstance(found, dict) or not all(isinstance(found.get(key), kind) for key, kind in kinds.items()):
+    if not isinstance(report, dict) or not all(isinstance(report.get(key), kind) for key, kind in kinds.items()):
         raise InputError("not_a_report", place=(place,))
-    if not isinstance(text, (str, type(None))) or not all(isinstance(one, dict) for one in found["records"]):
+    if not isinstance(text, (str, type(None))) or not all(isinstance(one, dict) for one in report["records"]):
         raise InputError("not_a_report", place=(place,))
-    return found
+    return report
 
 
 def _bounded(report: Path, work: Callable, *given: Any) -> Any:

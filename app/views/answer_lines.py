@@ -16,7 +16,7 @@ def verdict_color(result: StudyResult, wall: WallResult) -> str:
     return getattr(theme.current, tone_of(result, wall))
 
 
-LEADS = {
+PLACE_OF_CODE = {
     "strengthen": "variant",
     "to_no_check": "demand",
     "to_no_restraint": "key:back_restraint",
@@ -66,7 +66,7 @@ def _target(one: Sentence) -> str | None:
     """Where a sentence leads."""
     if one.code == "give_reason":
         return f"reason:{dict(one.values)['key']}"
-    return LEADS.get(one.code)
+    return PLACE_OF_CODE.get(one.code)
 
 
 def _linked(words: list[str], sentences: tuple[Sentence, ...], kind: str, language: str) -> list[str]:

@@ -12,7 +12,7 @@ def numbers(values) -> np.ndarray:
     return np.ascontiguousarray(np.asarray(values, dtype=np.float64).ravel())
 
 
-LEAST_TICK = 26
+MIN_TICK_DISTANCE = 26
 """Room [px] below which the labels of neighbouring ticks of a bottom axis touch."""
 
 
@@ -34,13 +34,13 @@ def elided(name: str, most: int = LEGEND_LETTERS) -> str:
 def ends_of(values: list[np.ndarray], log: bool) -> tuple[float, float] | None:
     """Least and largest place of an axis among these values, None where there is no number. log : whether places are
     their logarithms"""
-    found = np.concatenate([np.empty(0), *values])
+    places = np.concatenate([np.empty(0), *values])
     if log:
-        found = np.log10(found[found > 0.0])
-    found = found[np.isfinite(found)]
-    if not found.size:
+        places = np.log10(places[places > 0.0])
+    places = places[np.isfinite(places)]
+    if not places.size:
         return None
-    low, high = float(found.min()), float(found.max())
+    low, high = float(places.min()), float(places.max())
     half = 0.0 if high > low else 0.5 * abs(low) or 0.5
     return low - half, high + half
 
@@ -79,7 +79,7 @@ class Axis(pg.AxisItem):
         span = abs(maxVal - minVal)
         if self.orientation != "bottom" or not span:
             return levels
-        return [level for level in levels if level[0] * size >= LEAST_TICK * span] or levels[:1]
+        return [level for level in levels if level[0] * size >= MIN_TICK_DISTANCE * span] or levels[:1]
 
     def tickStrings(self, values, scale, spacing):
         words = super().tickStrings(values, scale, spacing)
@@ -94,7 +94,7 @@ def number_axes(plot, on: bool) -> None:
         plot.getAxis(side).setStyle(showValues=on)
 
 
-SPARE: list[pg.PlotWidget] = []
+SPARE_PLOTS: list[pg.PlotWidget] = []
 """Made ahead for the charts to come."""
 
 

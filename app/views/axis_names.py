@@ -7,7 +7,7 @@ from PySide6.QtCore import QSize
 from app.look.language import tr
 from app.views.axis import TICK_LETTERS, elided
 
-BESIDE, BELOW = 0.6, 0.85
+HEIGHT_SHARE, WIDTH_SHARE = 0.6, 0.85
 """Shares of the height and of the width of a view that its axes take."""
 
 
@@ -16,14 +16,14 @@ def show_names(chart) -> None:
     if chart.names:
         _show_below(chart)
     if chart.lines:
-        room = BESIDE * chart.view.height() / chart.fontMetrics().height()
+        room = HEIGHT_SHARE * chart.view.height() / chart.fontMetrics().height()
         step = max(1, math.ceil(len(chart.lines) / max(1.0, room)))
         chart.ticks("left", [(at, elided(name, TICK_LETTERS + 4)) for at, name in chart.lines[::step]])
 
 
 def _show_below(chart) -> None:
     shown, axis = _below(chart), chart.plot.getAxis("bottom")
-    room = BELOW * chart.view.width()
+    room = WIDTH_SHARE * chart.view.width()
     across = room / (_widest(chart, shown) + 12)
     upright = chart.is_figure and len(shown) > across
     step = _step_upright(chart, room) if upright else max(1, math.ceil(len(shown) / max(1.0, across)))
@@ -48,12 +48,12 @@ def _step_upright(chart, room: float) -> int:
 def with_all_names(chart, whole: QSize) -> QSize:
     """The size of a figure, as high as its names want it. whole : without them"""
     height, names = whole.height(), _below(chart)
-    if BELOW * whole.width() < len(names) * (_widest(chart, names) + 12):
+    if WIDTH_SHARE * whole.width() < len(names) * (_widest(chart, names) + 12):
         height += _widest(chart, names)
-    return QSize(whole.width(), max(height, math.ceil(len(chart.lines) * chart.fontMetrics().height() / BESIDE)))
+    return QSize(whole.width(), max(height, math.ceil(len(chart.lines) * chart.fontMetrics().height() / HEIGHT_SHARE)))
 
 
 def unnamed_line(chart, whole: QSize) -> list[str]:
     """What stands below a figure that is too narrow for all names, even upright."""
-    step = _step_upright(chart, BELOW * whole.width())
+    step = _step_upright(chart, WIDTH_SHARE * whole.width())
     return [tr("Of {n} names one in {step} is shown; the data have all.", n=len(chart.names), step=step)] * (step > 1)

@@ -33,9 +33,9 @@ class CapacityCurveChart(Chart):
         """Draw the curves; says why where the displacement check is not made."""
         self.clear()
         self.caption = title_of(wall)
-        found, demand = wall.assessment.kinematic if wall.assessment else None, result.demand
-        curve = capacity_curve(found, demand) if found and demand else None
-        if found is None or demand is None or curve is None:
+        kinematic, demand = wall.assessment.kinematic if wall.assessment else None, result.demand
+        curve = capacity_curve(kinematic, demand) if kinematic and demand else None
+        if kinematic is None or demand is None or curve is None:
             self.say_why(tr("No displacement check: it needs a spectrum and a demand at SLV or SLC."))
             return
         percent = number(100.0 * curve.damping, "g")
@@ -45,11 +45,11 @@ class CapacityCurveChart(Chart):
             self.curve(name, curve.floor_d / CM, curve.floor_a / G, 2, path=True)
         along, across = (np.array(values) for values in zip(*curve.capacity, strict=True))
         self.curve(tr("capacity"), along / CM, across / G, 0, 2.4)
-        state, slope = demand.limit_state, (2.0 * math.pi / known(found.period)) ** 2
-        d_limit, a_limit, s_de = known(found.d_limit), known(found.a_limit), known(found.s_de)
+        state, slope = demand.limit_state, (2.0 * math.pi / known(kinematic.period)) ** 2
+        d_limit, a_limit, s_de = known(kinematic.d_limit), known(kinematic.a_limit), known(kinematic.s_de)
         self.points(f"d_{state}", [d_limit / CM], [a_limit / G], 0)
         self.points("S_De", [s_de / CM], [slope * s_de / G], 1)
         end = max(1.15 * d_limit, s_de)
         self.curve(f"T_{state}", [0.0, end / CM], [0.0, slope * end / G], "quiet", 1.0, dash=True)
         high = 1.1 * max(across[0], *curve.demand_a, *curve.floor_a) / G
-        self.set_range((0.0, 1.05 * max(known(found.d0), s_de) / CM), (0.0, high))
+        self.set_range((0.0, 1.05 * max(known(kinematic.d0), s_de) / CM), (0.0, high))

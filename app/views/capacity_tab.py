@@ -23,10 +23,10 @@ from core.rocking.history import scan
 from core.rocking.outcome import COLLAPSED, STABLE
 from core.study.results import Run, StudyResult, WallResult
 
-EDGE = 1.25
+OVERTURNED_AT = 1.25
 """Where a point that overturned is drawn, at the upper edge: it has no number."""
 
-MARKS = (0.5, 0.7, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 40, 60, 100)
+Q_TICKS = (0.5, 0.7, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 40, 60, 100)
 """Ticks of q of the survival map."""
 
 
@@ -129,7 +129,7 @@ class CapacityTab(ResultTab):
             self.peaks.curve(run_name(run), q, ratio, 0)
             fell = q[np.isnan(ratio)]
             none = np.full(fell.size, np.nan)
-            self.peaks.points(named("overturned"), fell, np.full(fell.size, EDGE), 1, 4, values=none)
+            self.peaks.points(named("overturned"), fell, np.full(fell.size, OVERTURNED_AT), 1, 4, values=none)
             if run.ida.q:
                 self.peaks.level(run.ida.q, "q", "bad", vertical=True, place=0.75)
             self.peaks.caption = f"{title_of(wall)}, {run_name(run)}"
@@ -140,13 +140,13 @@ class CapacityTab(ResultTab):
 
     def _overlay(self, result: StudyResult, wall: WallResult) -> None:
         """All records, with mean and scatter as long as none has overturned."""
-        found = [_peaks(result, wall, run) for run in wall.runs]
-        self.peaks.bundle([run_name(run) for run in wall.runs], found)
-        first = min((q[np.isnan(ratio)][0] if np.isnan(ratio).any() else q[-1]) for q, ratio in found)
-        low = max(q[0] for q, _ in found)
+        curves = [_peaks(result, wall, run) for run in wall.runs]
+        self.peaks.bundle([run_name(run) for run in wall.runs], curves)
+        first = min((q[np.isnan(ratio)][0] if np.isnan(ratio).any() else q[-1]) for q, ratio in curves)
+        low = max(q[0] for q, _ in curves)
         if first > low:
             grid = np.geomspace(low, 0.999 * first, 200)
-            values = np.array([np.interp(grid, q, ratio) for q, ratio in found])
+            values = np.array([np.interp(grid, q, ratio) for q, ratio in curves])
             mean, scatter = values.mean(axis=0), values.std(axis=0)
             self.peaks.band(grid, np.maximum(mean - scatter, 0.0), mean + scatter, 0)
             name = tr("mean and standard deviation, until a record overturns")
@@ -202,7 +202,7 @@ class CapacityTab(ResultTab):
             self.strips.data.append((run_name(run), grid[searched], image[k][searched]))
         names = [(float(k), run_name(run)) for k, run in enumerate(wall.runs)]
         self.strips.names_beside(names)
-        marks = [q for q in MARKS if math.log(q) >= low - 0.1]
+        marks = [q for q in Q_TICKS if math.log(q) >= low - 0.1]
         self.strips.ticks("bottom", [(math.log(q), f"{number(q, 'g')}") for q in marks])
         self.strips.reset()
 

@@ -12,17 +12,17 @@ from app.look.charting import pg
 from app.look.dialogs import once
 from app.look.labels import Plain
 from app.look.language import current_language, tr
-from app.views.axis import LEGEND_LETTERS, SPARE, elided, ends_of, number_axes, numbers, plot_widget
+from app.views.axis import LEGEND_LETTERS, SPARE_PLOTS, elided, ends_of, number_axes, numbers, plot_widget
 from app.views.axis_names import show_names
 from app.views.chart_output import ChartOutput
 from app.views.edge_marks import EdgeMarks
 from core.text.sentence import numeral
 
-NEAR = 0.04
+MAX_POINT_DISTANCE = 0.04
 """How close the cursor must be to a data point to be read there, over the size of the axes."""
 
 
-ROOM = 0.06
+AXIS_PADDING = 0.06
 """Beside the data that `Chart.reset` shows, of the length of an axis."""
 
 
@@ -40,7 +40,7 @@ class Chart(ChartOutput):
         super().__init__()
         self.labels, self.name = (x, y), name
         self.setAccessibleName(name)
-        self.view = SPARE.pop() if SPARE else plot_widget()
+        self.view = SPARE_PLOTS.pop() if SPARE_PLOTS else plot_widget()
         self.view.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the keys reach the chart by its menu
         self.plot = self.view.getPlotItem()
         self.plot.showGrid(x=True, y=True, alpha=0.25)
@@ -280,7 +280,7 @@ class Chart(ChartOutput):
             if name in self.ranges:
                 show(*self.ranges[name], padding=(0.01, 0.0)[k])
             elif (ends := ends_of([extent[k] for extent in self.extents], log)) is not None:
-                show(*ends, padding=ROOM)
+                show(*ends, padding=AXIS_PADDING)
 
     # colours
 
@@ -358,7 +358,7 @@ class Chart(ChartOutput):
     def _nearest(self, x: float, y: float, log: bool) -> tuple[str, float, float] | None:
         """(curve, x, y) of the data point close to a place of the axes; None where none is."""
         (left, right), (low, high) = self.plot.viewRange()
-        best, found = NEAR, None
+        best, nearest = MAX_POINT_DISTANCE, None
         for name, xs, ys in self.data:
             if not xs.size or xs.size != ys.size:
                 continue
@@ -370,8 +370,8 @@ class Chart(ChartOutput):
                 continue
             k = int(np.nanargmin(away))
             if away[k] < best:
-                best, found = float(away[k]), (name, float(xs[k]), float(ys[k]))
-        return found
+                best, nearest = float(away[k]), (name, float(xs[k]), float(ys[k]))
+        return nearest
 
     # menu
 
@@ -413,7 +413,7 @@ class Chart(ChartOutput):
         from app.views.figure_dialogs import axis_limits
 
         (left, right), (low, high) = self.plot.viewRange()
-        found = axis_limits(self, self.labels, (left, right, low, high))
-        if found is not None:
-            self.plot.setXRange(*found[:2], padding=0)
-            self.plot.setYRange(*found[2:], padding=0)
+        limits = axis_limits(self, self.labels, (left, right, low, high))
+        if limits is not None:
+            self.plot.setXRange(*limits[:2], padding=0)
+            self.plot.setYRange(*limits[2:], padding=0)

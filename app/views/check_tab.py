@@ -41,13 +41,13 @@ from core.study.wall_verdict import zetas_of
 from core.text.sentence import word
 from core.units import G
 
-TOP, ABOVE = 1.2, 1.15
+MAX_PEAK_SHOWN, PEAK_AXIS_FACTOR = 1.2, 1.15
 """Largest peak over theta_c that bars show, and room above the largest bar and the limit that decides [of them]."""
 
-MOST_LIMITS = 3
+MAX_LIMITS_SHOWN = 3
 """Lines of limits that are always shown; what makes a verdict indicative is among them, however much it is."""
 
-MIN_HEIGHT = 340
+MIN_LADDER_HEIGHT = 340
 """Least height of ladder and peaks together [px]: below it the page scrolls."""
 
 OF_THE_LAW = ("no_power_law", "narrow_si")
@@ -203,7 +203,7 @@ class CheckTab(ResultTab):
         self.heading.setStyleSheet(f"{theme.points(1.75)} font-weight: 700; color: {shade};")
         self.sentence.setText(called(sentence_of(wall, self.language)))
         lines = limits(result, wall, self.language, self._warnings(result, wall))
-        shown = max(MOST_LIMITS, verdict.blocking) if len(lines) > MOST_LIMITS + 1 else len(lines)
+        shown = max(MAX_LIMITS_SHOWN, verdict.blocking) if len(lines) > MAX_LIMITS_SHOWN + 1 else len(lines)
         self.important.setText("<br>\n".join([*to_do(result, wall, self.language), *lines[:shown]]))
         self.others.setText("<br>\n".join(lines[shown:]))
         self.assumed.setText(assumption_rows(result, wall, self.language))
@@ -218,7 +218,7 @@ class CheckTab(ResultTab):
         self._fold(others)
         rungs = [rung_of(check, check.name == verdict.governing, assessment.dynamic) for check in assessment.checks]
         self.ladder.show_rungs(rungs, verdict.zeta_target)
-        self.split.setMinimumHeight(max(MIN_HEIGHT, self.split.minimumSizeHint().height()))
+        self.split.setMinimumHeight(max(MIN_LADDER_HEIGHT, self.split.minimumSizeHint().height()))
         self.facts.setText(self._facts(result, wall))
         self.table.show_rows(*self._rows(result, wall))
         self.peaks.caption = title_of(wall)
@@ -344,8 +344,8 @@ class CheckTab(ResultTab):
 
     def _facts(self, result: StudyResult, wall: WallResult) -> str:
         """Five facts by which a reader judges how far the verdict goes."""
-        found = known(wall.assessment)
-        dynamic, facts = found.dynamic, []
+        assessment = known(wall.assessment)
+        dynamic, facts = assessment.dynamic, []
         if dynamic and dynamic.zeta is not None:
             other = f"ζ {digits(dynamic.zeta_16)} – {digits(dynamic.zeta)}"
             facts.append((tr("Scatter: one multiplier in six fails"), other))
@@ -356,15 +356,15 @@ class CheckTab(ResultTab):
         if verdict and (interval := verdict.interval):
             ends = digits(interval.low), "…" if interval.open_end else digits(interval.high)
             facts.append((tr("Other stations, nine of ten"), f"ζ {ends[0]} – {ends[1]}"))
-        if found.lower_bound is not None:
-            facts.append((tr("If the restraint behind fails"), f"ζ {digits(found.lower_bound.zeta)}"))
-        elif found.verdict.lower_bound is not None:
-            facts.append((tr("If what holds the top fails"), f"ζ {digits(found.verdict.lower_bound)}"))
+        if assessment.lower_bound is not None:
+            facts.append((tr("If the restraint behind fails"), f"ζ {digits(assessment.lower_bound.zeta)}"))
+        elif assessment.verdict.lower_bound is not None:
+            facts.append((tr("If what holds the top fails"), f"ζ {digits(assessment.verdict.lower_bound)}"))
         elif dynamic and dynamic.zeta_other:
             side = word(f"confidence_{dynamic.zeta_other.confidence_on}", self.language)
             facts.append((side, f"ζ {digits(dynamic.zeta_other.zeta)}"))
-        if found.sensitivity:
-            facts.append((tr("Other building or height"), f"ζ {digits(least(found.sensitivity.values()))}"))
+        if assessment.sensitivity:
+            facts.append((tr("Other building or height"), f"ζ {digits(least(assessment.sensitivity.values()))}"))
         elif risk := risk_of(result, wall):
             facts.append(("PGA_C", f"{number(risk.pga / G, '.3f')} g"))
         quiet = theme.current.quiet
@@ -378,7 +378,7 @@ class CheckTab(ResultTab):
     def _bars(self, check) -> None:
         values = np.array([np.nan if run.peak_ratio is None else run.peak_ratio for run in check.runs])
         limit = LIMIT_FRACTION.get(check.limit_state, 1.0)
-        top = min(TOP, ABOVE * max(limit, *np.nan_to_num(values, nan=TOP)))
+        top = min(MAX_PEAK_SHOWN, PEAK_AXIS_FACTOR * max(limit, *np.nan_to_num(values, nan=MAX_PEAK_SHOWN)))
         drawn = np.minimum(np.nan_to_num(values, nan=top), top)  # to the edge: no number of its own
         places, exceeds = (np.arange(values.size, dtype=float), np.array([run.exceeded for run in check.runs]))
         for chosen, name, color in ((~exceeds, tr("within θc"), 0), (exceeds, tr("exceeds θc or overturns"), 1)):

@@ -10,7 +10,7 @@ from core.text.sentence import numeral
 if TYPE_CHECKING:
     from app.views.chart import Chart
 
-SIDES = {"top": ("↑", 1.0, 1.0), "bottom": ("↓", 1.0, 0.0), "left": ("←", 0.0, 0.5), "right": ("→", 1.0, 0.5)}
+EDGE_ARROWS = {"top": ("↑", 1.0, 1.0), "bottom": ("↓", 1.0, 0.0), "left": ("←", 0.0, 0.5), "right": ("→", 1.0, 0.5)}
 """Arrow of each edge, and where its words stand: shares of width and height of the axes."""
 
 
@@ -38,15 +38,15 @@ class EdgeMarks:
     def beyond(self) -> dict[str, list[str]]:
         """Names of the limits beyond each edge, with their values where the name has none."""
         (left, right), (low, high) = self.chart.plot.viewRange()
-        found: dict[str, list[str]] = {}
+        by_edge: dict[str, list[str]] = {}
         for line, label in self.lines:
             value, upright = line.value(), line.angle % 180 == 90
             first, last = (left, right) if upright else (low, high)
             if first <= value <= last:
                 continue
             sides = ("left", "right") if upright else ("bottom", "top")
-            found.setdefault(sides[int(value > last)], []).append(self._named(label, value))
-        return found
+            by_edge.setdefault(sides[int(value > last)], []).append(self._named(label, value))
+        return by_edge
 
     def _named(self, label: str, value: float) -> str:
         if any(letter.isdigit() for letter in label):
@@ -58,14 +58,14 @@ class EdgeMarks:
         """Set the marks at the edges of what is shown now."""
         beyond = self.beyond()
         for side in beyond.keys() - self.items.keys():
-            _, across, up = SIDES[side]
+            _, across, up = EDGE_ARROWS[side]
             item = self.items[side] = pg.TextItem(anchor=(across, 1.0 - up))
             item.setZValue(60)
             self.chart.plot.addItem(item, ignoreBounds=True)
             self.paint(theme.current)
         (left, right), (low, high) = self.chart.plot.viewRange()
         for side, item in self.items.items():
-            arrow, across, up = SIDES[side]
+            arrow, across, up = EDGE_ARROWS[side]
             item.setVisible(side in beyond)
             if side in beyond:
                 item.setPlainText(f"{arrow} {', '.join(beyond[side])}")

@@ -7,7 +7,7 @@ from app.look.language import current_language, tr
 from app.views.figure_file import FigureSize
 from core.text.sentence import numeral
 
-WIDTHS = (80.0, 120.0, 160.0)
+FIGURE_WIDTHS = (80.0, 120.0, 160.0)
 RESOLUTIONS = (300, 600)
 
 _last = [FigureSize()]
@@ -23,8 +23,8 @@ def ask_size(parent) -> FigureSize | None:
     dialog = QDialog(parent)
     dialog.setWindowTitle(tr("Figure for a report"))
     width, dpi, caption = QComboBox(), QComboBox(), QCheckBox(tr("with a caption"))
-    width.addItems([f"{value:g} mm" for value in WIDTHS])
-    width.setCurrentIndex(WIDTHS.index(last_size().width))
+    width.addItems([f"{value:g} mm" for value in FIGURE_WIDTHS])
+    width.setCurrentIndex(FIGURE_WIDTHS.index(last_size().width))
     dpi.addItems([f"{value} dpi" for value in RESOLUTIONS])
     dpi.setCurrentIndex(RESOLUTIONS.index(last_size().dpi))
     caption.setChecked(last_size().caption)
@@ -34,7 +34,7 @@ def ask_size(parent) -> FigureSize | None:
     form.addRow("", caption)
     if not _accepted(dialog, form):
         return None
-    _last[0] = FigureSize(WIDTHS[width.currentIndex()], RESOLUTIONS[dpi.currentIndex()], caption.isChecked())
+    _last[0] = FigureSize(FIGURE_WIDTHS[width.currentIndex()], RESOLUTIONS[dpi.currentIndex()], caption.isChecked())
     return _last[0]
 
 
@@ -58,7 +58,7 @@ def axis_limits(parent, labels, now) -> tuple[float, float, float, float] | None
     return (left, right, low, high) if left < right and low < high else None
 
 
-MOST_ROWS = 20_000
+MAX_TABLE_ROWS = 20_000
 """Rows of a table of data that are shown: more nobody reads; the CSV has them all."""
 
 
@@ -78,7 +78,7 @@ def data_table(chart) -> QDialog:
         for name, xs, ys in chart.data
         for x, y in zip(xs.tolist(), ys.tolist(), strict=True)
     ]
-    table.show_rows(rows[:MOST_ROWS])
+    table.show_rows(rows[:MAX_TABLE_ROWS])
     table.live = chart.live
     layout = QVBoxLayout(dialog)
     layout.addWidget(table)

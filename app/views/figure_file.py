@@ -25,13 +25,13 @@ SCREEN, NARROW = 96, 120.0
 """Pixels an inch of the layout: text and lines keep the size they have on the screen; in figures below that width [mm]
 they shrink with it."""
 
-SHAPE = 0.62
+AXES_ASPECT = 0.62
 """Height of the axes over the width."""
 
-LINE = 15
+CAPTION_LINE_HEIGHT = 15
 """Height of a line of the caption [px of the layout]."""
 
-LENGTH, ROW = 2000.0, 4
+STRIP_CURVE_LENGTH, MIN_STRIP_HEIGHT = 2000.0, 4
 """Length of the curves in a strip of a figure painted at once, and least height of a strip [px of the layout]: at
 300 dpi 1000 px of a curve take some 5 ms, a strip without a curve 4 ms."""
 
@@ -83,8 +83,8 @@ def raster(chart, size: FigureSize) -> Iterator[QImage]:
 
 
 def _strips(chart, page: QSize) -> list[QRect]:
-    """A page from above to below: in none are curves longer than LENGTH, which are what takes time to paint."""
-    rows, above = np.arange(0, page.height(), ROW), 0.0
+    """A page from above to below: in none are curves longer than STRIP_CURVE_LENGTH: they take the time."""
+    rows, above = np.arange(0, page.height(), MIN_STRIP_HEIGHT), 0.0
     box = chart.plot.vb
     (across, up), low, bottom = box.viewPixelSize(), box.viewRange()[1][0], box.sceneBoundingRect().bottom()
     for item, _, _, dash, _ in chart.items:
@@ -98,7 +98,7 @@ def _strips(chart, page: QSize) -> list[QRect]:
         first, last = np.minimum(at[1:], at[:-1]), np.maximum(at[1:], at[:-1])
         shares = np.clip((rows[:, None] - first) / np.maximum(last - first, 1.0), 0.0, 1.0)
         above = above + np.nansum(shares * lengths, axis=1)
-    cuts = rows[np.flatnonzero(np.diff(above // LENGTH)) + 1] if np.ndim(above) else ()
+    cuts = rows[np.flatnonzero(np.diff(above // STRIP_CURVE_LENGTH)) + 1] if np.ndim(above) else ()
     edges = [0, *(int(row) for row in cuts), page.height()]
     return [QRect(0, top, page.width(), end - top) for top, end in pairwise(edges)]
 
@@ -117,7 +117,7 @@ def _laid_out(chart, size: FigureSize) -> Iterator[tuple[QSize, list[str], float
     """The chart in the size of a figure, and back: size of its view, lines below it, pixels an inch of the layout."""
     density = SCREEN * max(1.0, NARROW / size.width)
     wide = round(size.width / MM_PER_INCH * density)
-    whole, lines = with_all_names(chart, QSize(wide, round(SHAPE * wide))), []
+    whole, lines = with_all_names(chart, QSize(wide, round(AXES_ASPECT * wide))), []
     if size.caption:
         lines = [f"{chart.name}. {chart.caption}" if chart.caption else chart.name]
     lines += [*unnamed_line(chart, whole), *stale_line(chart)]
@@ -163,7 +163,7 @@ def stale_line(chart) -> list[str]:
 
 def _page(whole: QSize, lines: list[str]) -> QSize:
     """Size of a view with these lines below it [px of the layout]."""
-    return QSize(whole.width(), whole.height() + 2 * LINE * len(lines))
+    return QSize(whole.width(), whole.height() + 2 * CAPTION_LINE_HEIGHT * len(lines))
 
 
 def picture(chart, whole: QSize, lines: list[str], ratio: float) -> QImage:
@@ -202,9 +202,9 @@ def _paint(chart, device, whole: QSize, lines: list[str], part: QRect | None = N
     font = QFont(chart.font())
     font.setPixelSize(12)
     painter.setFont(font)
-    place = QRect(6, whole.height(), whole.width() - 12, 2 * LINE)
+    place = QRect(6, whole.height(), whole.width() - 12, 2 * CAPTION_LINE_HEIGHT)
     for k, line in enumerate(lines):
         if line in stale_line(chart):
             painter.setPen(QColor(theme.LIGHT.bad))
-        painter.drawText(place.translated(0, 2 * LINE * k), Qt.TextFlag.TextWordWrap, line)
+        painter.drawText(place.translated(0, 2 * CAPTION_LINE_HEIGHT * k), Qt.TextFlag.TextWordWrap, line)
     painter.end()

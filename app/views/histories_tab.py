@@ -27,20 +27,20 @@ from core.units import G
 from core.wall.rocking_model import weakened
 
 SLIDER = 2000
-PAUSE = 5.0
+REPEAT_PAUSE = 5.0
 """Rest between a motion and the same motion again [s]."""
 
-GROUND, AXIS = 200, 3.6
+GROUND_HEIGHT, AXIS = 200, 3.6
 """Height of the ground with its axis in a window of 800 [px], 120 of it the motion; width of all axes [lines]."""
 
-MOST_ROTATION, LEAST_ROTATION, ROOM, EMPTIED = 1.4, 0.01, 1.15, 0.4
+MAX_RATIO_SHOWN, MIN_RATIO_SHOWN, ROTATION_AXIS_FACTOR, EMPTIED = 1.4, 0.01, 1.15, 0.4
 """Largest and smallest rotation over theta_c that the axis ends at, its room above the peak, and the share of it below
 which a peak lets it shrink."""
 
 AFTER_FALL, OTHER_FALL = 1.03, 0.1
 """Time shown of a motion over that of the fall, and by how much another fall differs for the axis to follow."""
 
-SPAN = (0.5, 2.0)
+SLIDER_RANGE = (0.5, 2.0)
 """Range of the multiplier slider about q [-]."""
 
 
@@ -116,7 +116,7 @@ class HistoriesTab(ResultTab):
             self.below.addTab(chart, chart.name)
         for part in (self.ground, self.rotation, self.below):
             charts.addWidget(part)
-        charts.setSizes([GROUND, 260, 200])
+        charts.setSizes([GROUND_HEIGHT, 260, 200])
         for chart in (self.ground, self.rotation, self.energy):  # a time stands at one place in all of them
             chart.plot.getAxis("left").setWidth(round(AXIS * self.fontMetrics().height()))
         row = QSplitter(Qt.Orientation.Horizontal)
@@ -178,7 +178,7 @@ class HistoriesTab(ResultTab):
         self.motion = result.motion_of(wall, self.run.motion)
         self.acceleration = self.motion.acceleration
         if self.again.isChecked():
-            rest = np.zeros(round(PAUSE / self.motion.time_step))
+            rest = np.zeros(round(REPEAT_PAUSE / self.motion.time_step))
             self.acceleration = np.concatenate([self.acceleration, rest, self.acceleration])
         self.times = np.arange(self.acceleration.size) * self.motion.time_step
         name, self.ground.name = tr("ground"), tr("Ground motion")
@@ -202,7 +202,7 @@ class HistoriesTab(ResultTab):
             line.setMovable(True)
             line.sigDragged.connect(lambda line: self.set_time(line.value()))
         self.below_rest = -1.0 if both_ways else -0.14
-        self.rotation.set_range((0.0, float(self.times[-1])), (self.below_rest * MOST_ROTATION, MOST_ROTATION))
+        self.rotation.set_range((0.0, float(self.times[-1])), (self.below_rest * MAX_RATIO_SHOWN, MAX_RATIO_SHOWN))
         self.energy.set_range((0.0, float(self.times[-1])), (0.0, 1.3))
         self._show_until(float(self.times[-1]))
         self._set_q(self.middle)
@@ -228,7 +228,7 @@ class HistoriesTab(ResultTab):
     def _follow_peak(self) -> None:
         """The axis of rotations ends above the peak: it grows with it, and shrinks only where much of it is empty."""
         shown = [float(np.abs(ratio).max(initial=0.0)) for _, _, ratio in self.rotation.data]
-        end = min(max(ROOM * max(shown), LEAST_ROTATION), MOST_ROTATION)
+        end = min(max(ROTATION_AXIS_FACTOR * max(shown), MIN_RATIO_SHOWN), MAX_RATIO_SHOWN)
         if not EMPTIED * self.rotation.ranges["y"][1] <= end <= self.rotation.ranges["y"][1]:
             self.rotation.ranges["y"] = (self.below_rest * end, end)
             self.rotation.plot.setYRange(*self.rotation.ranges["y"], padding=0.0)  # times are shared, and stay
@@ -242,7 +242,7 @@ class HistoriesTab(ResultTab):
     def q(self) -> float:
         if self.chosen_q is not None:
             return self.chosen_q
-        low, high = (math.log(end) for end in SPAN)
+        low, high = (math.log(end) for end in SLIDER_RANGE)
         return self.middle * math.exp(low + (high - low) * self.slider.value() / SLIDER)
 
     def _slid(self) -> None:
@@ -252,7 +252,7 @@ class HistoriesTab(ResultTab):
     def _set_q(self, q: float, strength_factor: float = 1.0) -> None:
         """This q exactly, the slider as near to it as it goes. strength_factor : FC on the strength of the wall"""
         self.strength_factor = strength_factor
-        low, high = (math.log(end) for end in SPAN)
+        low, high = (math.log(end) for end in SLIDER_RANGE)
         at = (math.log(q / self.middle) - low) / (high - low)
         self.slider.blockSignals(True)
         self.slider.setValue(round(SLIDER * min(1.0, max(0.0, at))))

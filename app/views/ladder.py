@@ -23,13 +23,13 @@ class Rung(NamedTuple):
     decides: bool
 
 
-ROOM = 1.25
+ZETA_AXIS_FACTOR = 1.25
 """Length of the axis over the zeta required or the largest bar."""
 
-LEAST_BARS = 60.0
+MIN_BAR_WIDTH = 60.0
 """Room that bars need beside what is compared [px]."""
 
-MOST = 2.5
+MAX_ZETA_OVER_TARGET = 2.5
 """Times the zeta required that the axis shows: beyond it a bar ends at the edge, and its number says more."""
 
 
@@ -88,11 +88,11 @@ class Ladder(QWidget):
         small, bold = self._fonts()
         names, zetas, values = self._columns()
         left, right = names + 22.0, self.width() - values - 8.0
-        with_values = right - left - zetas >= LEAST_BARS
+        with_values = right - left - zetas >= MIN_BAR_WIDTH
         if not with_values:  # the tip has them
             right = self.width() - 8.0
         known = [rung.zeta for rung in self.rungs if rung.zeta is not None]
-        end = ROOM * max(self.target, min(max(known, default=0.0), MOST * self.target))
+        end = ZETA_AXIS_FACTOR * max(self.target, min(max(known, default=0.0), MAX_ZETA_OVER_TARGET * self.target))
         per_zeta = max(right - left - zetas, 10.0) / end
         top, line = 1.6 * metrics.height(), left + self.target * per_zeta
         for k, rung in enumerate(self.rungs):

@@ -17,7 +17,7 @@ from core.study.results import WallResult
 EVERY_MS = 33
 """Time between two pictures of a wall that rocks [ms]."""
 
-MOST_SHOWN = 1.5
+MAX_ROTATION_SHOWN = 1.5
 """Largest rotation drawn, also of a wall that has fallen [rad]."""
 
 
@@ -96,7 +96,7 @@ class MovingWalls(QWidget):
             sample = film.at(time)
             if drawing is self.drawings[0]:
                 drawing.bars = [(one.bar.height, int(one.phase[sample])) for one in self.bars]
-            drawing.set_rotation(float(np.clip(film.rotation[sample], -MOST_SHOWN, MOST_SHOWN)))
+            drawing.set_rotation(float(np.clip(film.rotation[sample], -MAX_ROTATION_SHOWN, MAX_ROTATION_SHOWN)))
 
     def _again_from_here(self) -> None:
         """Another speed, from the moment that is shown."""

@@ -42,13 +42,13 @@ PAGE_WIDTH = 595.3
 RESIZED_MS, TYPED_MS = 250, 800
 """Rest after which pages follow the width of the tab, and what is typed beside them [ms]."""
 
-DOTS, POINTS = 96.0, 72.0
+DOTS_PER_INCH, POINTS_PER_INCH = 96.0, 72.0
 """Dots of an inch on the screen at 100 %, and points of one in a PDF."""
 
 GAP = 12
 """Between two pages [px]."""
 
-REACH = 30.0
+MAX_CLICK_DISTANCE = 30.0
 """How far below a mark a click still belongs to it [pt]."""
 
 
@@ -204,7 +204,7 @@ class NoteTab(ResultTab):
             for image in images:
                 image.setDevicePixelRatio(ratio)
             job.check()
-            return Pages(images, made.places(), made, dots / POINTS)
+            return Pages(images, made.places(), made, dots / POINTS_PER_INCH)
 
         job = self.job = Job(work)
         job.done.connect(self._arrived)
@@ -216,9 +216,9 @@ class NoteTab(ResultTab):
         """Count the dots of an inch on the screen."""
         percent = self.zoom.currentData()
         if percent is not None:
-            return DOTS * percent / 100.0
+            return DOTS_PER_INCH * percent / 100.0
         room = self.view.width() - self.view.verticalScrollBar().sizeHint().width() - 2 * GAP - 4
-        return POINTS * max(room, 200) / PAGE_WIDTH
+        return POINTS_PER_INCH * max(room, 200) / PAGE_WIDTH
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
@@ -257,15 +257,15 @@ class NoteTab(ResultTab):
 
     def _clicked(self, page: int, y: float) -> None:
         """A number leads to its check, a heading or a row of the first page to its wall."""
-        wall, found = None, None
+        wall, nearest = None, None
         for place in self.pages.places:  # in the order of the text
             if (place["page"], place["y"]) > (page, y + 4.0):
                 break
             wall = place.get("wall", wall)
-            found = place
-        if wall is None or found is None or found["page"] != page or y - found["y"] > REACH:
+            nearest = place
+        if wall is None or nearest is None or nearest["page"] != page or y - nearest["y"] > MAX_CLICK_DISTANCE:
             return
-        (self.picked if "wall" in found else self.checked).emit(wall)
+        (self.picked if "wall" in nearest else self.checked).emit(wall)
 
     def find_next(self) -> None:
         """Go to the next line that holds what is asked for, from the first again after the last."""

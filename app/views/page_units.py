@@ -6,7 +6,7 @@ units of the axes (a bar of 0.23 stands as high as 0.73); where it is honoured i
 
 import re
 
-ASKED = 'vector-effect="non-scaling-stroke"'
+FIXED_STROKE = 'vector-effect="non-scaling-stroke"'
 
 _NUMBER = r"-?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?"
 _GROUP = re.compile(r'transform="matrix\(([^)]*)\)"([^>]*>)((?:(?!<g\b).)*?)</g>', re.DOTALL)
@@ -21,12 +21,12 @@ QUARTER = 4.0 / 3.0 * (2.0**0.5 - 1.0)
 def in_page_units(drawing: str) -> str:
     """The drawing without strokes that do not scale: the matrix of such a group moves the points of its shapes."""
     moved = _GROUP.sub(_moved, drawing)
-    return moved.replace(ASKED, 'vector-effect="none"')  # of what has no matrix: a clip
+    return moved.replace(FIXED_STROKE, 'vector-effect="none"')  # of what has no matrix: a clip
 
 
 def _moved(group: re.Match) -> str:
     text, rest, inside = group.groups()
-    if ASKED not in inside:
+    if FIXED_STROKE not in inside:
         return group[0]
     matrix = [float(number) for number in text.split(",")]
 
@@ -46,8 +46,8 @@ def _shape(name: str, written: str, matrix: list[float]) -> str | None:
     """A shape whose points a matrix has moved, None where it is none. written : its attributes"""
 
     def value(key: str) -> float:
-        found = re.search(rf'\b{key}="({_NUMBER})"', written)
-        return float(found[1]) if found else 0.0
+        match = re.search(rf'\b{key}="({_NUMBER})"', written)
+        return float(match[1]) if match else 0.0
 
     def points(*places: tuple[float, float]) -> str:
         return " ".join(_at(matrix, *place) for place in places)
@@ -55,8 +55,8 @@ def _shape(name: str, written: str, matrix: list[float]) -> str | None:
     others = re.sub(rf' ?\b(?:x|y|width|height|[xyr][12xy]|c[xy]|r)="{_NUMBER}"', "", written)
     if name in ("polyline", "polygon", "path"):
 
-        def place(found: re.Match) -> str:
-            return _PAIR.sub(lambda pair: points((float(pair[1]), float(pair[2]))), found[0])
+        def place(match: re.Match) -> str:
+            return _PAIR.sub(lambda pair: points((float(pair[1]), float(pair[2]))), match[0])
 
         return f"<{name}{_POINTS.sub(place, written)}/>"
     if name == "rect":

@@ -21,7 +21,7 @@ from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
 from core.units import CM, G
 
-PERIODS = np.linspace(0.0, 4.0, 401)
+DRAWN_PERIODS = np.linspace(0.0, 4.0, 401)
 """At which a target is drawn [s]."""
 
 
@@ -164,7 +164,7 @@ class SpectraTab(QWidget):
         floor : Floor of a wall above the ground
         of : index of the wall shown; another one shows the curves whole
         """
-        wanted = target and (target.name, target.acceleration(PERIODS).tobytes())
+        wanted = target and (target.name, target.acceleration(DRAWN_PERIODS).tobytes())
         drawn = [(motion.name, motion.samples_sha256) for motion in motions], wanted
         if floor is not self.floor_shown:
             self._show_floor(floor)
@@ -194,7 +194,9 @@ class SpectraTab(QWidget):
         if spectra:
             self.chart.curve(tr("mean of the records"), HOUSNER_PERIODS, np.mean(spectra, axis=0), 0, 2.4)
         if target is not None:
-            self.chart.curve(tr("target: {name}", name=target.name), PERIODS, target.acceleration(PERIODS) / G, 1, 2.4)
+            self.chart.curve(
+                tr("target: {name}", name=target.name), DRAWN_PERIODS, target.acceleration(DRAWN_PERIODS) / G, 1, 2.4
+            )
         self.words.setText(tr("SI is the area under the pseudo-velocity from 0.1 to 2.5 s (shaded)."))
         self.chart.reset()
 
@@ -206,8 +208,8 @@ class SpectraTab(QWidget):
             color = None if rule.passed is None else theme.current.good if rule.passed else theme.current.bad
             value = f"{number(percent * rule.value, '.3g')} {rule.unit}"
             limit = "–" if rule.limit is None else f"{number(percent * rule.limit, '.3g')} {rule.unit}"
-            name, found = word(rule.name, self.language), word(outcome, self.language)
-            rows.append([name, rule.clause, value, limit, found])
+            name, outcome_word = word(rule.name, self.language), word(outcome, self.language)
+            rows.append([name, rule.clause, value, limit, outcome_word])
             colors.append([None, None, None, None, color])
         self.table.show_rows(rows, colors)
         self.table.setVisible(bool(rows))

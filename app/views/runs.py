@@ -7,7 +7,7 @@ import numpy as np
 from app.look.language import called, named, number, tr
 from core.study.results import Run, WallResult
 
-BEFORE = 0.5
+SECONDS_BEFORE_MOTION = 0.5
 """Time at rest that an animation shows before the wall moves [s]."""
 
 
@@ -40,4 +40,4 @@ def governing_run(wall: WallResult) -> int:
 def before_motion(rotation: np.ndarray, time_step: float) -> float:
     """Shortly before a wall first leaves the ground [s]; the beginning where it never does."""
     moves = np.flatnonzero(rotation)
-    return max(0.0, moves[0] * time_step - BEFORE) if moves.size else 0.0
+    return max(0.0, moves[0] * time_step - SECONDS_BEFORE_MOTION) if moves.size else 0.0

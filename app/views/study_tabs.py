@@ -10,13 +10,13 @@ from core.research.figures import DASHED, LINE_POINTS, POINTS, Claim, Figure, ma
 from core.research.figures import Table as StudyTable
 
 SYMBOLS = ("o", "s", "t", "d")
-BESIDE_FROM = 7
+MIN_SERIES_BESIDE = 7
 """Named series from which the legend stands beside the chart."""
 
 
 def figure_chart(figure: Figure) -> QWidget:
     """A figure as a chart, its note below."""
-    many = sum(bool(series.name) for series in figure.series) >= BESIDE_FROM
+    many = sum(bool(series.name) for series in figure.series) >= MIN_SERIES_BESIDE
     chart = Chart(figure.x, figure.y, figure.title, "beside" if many else "above", live=True)
     chart.plot.setLogMode(figure.log_x, figure.log_y)
     for k, series in enumerate(figure.series):

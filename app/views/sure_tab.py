@@ -63,38 +63,38 @@ class SureTab(ResultTab):
         """Fill the tab from the verdict of the wall a result is of."""
         self.chart.clear()
         verdict = next((one for one in result.verdicts if result.walls.index(wall) in one.results), None)
-        found = verdict.sensitivity if verdict else None
-        self.button.setVisible(verdict is not None and found is None)
+        sensitivity = verdict.sensitivity if verdict else None
+        self.button.setVisible(verdict is not None and sensitivity is None)
         self.chart.caption = verdict.title if verdict else wall.name
         lines = []
         if verdict:
             lines.append(sure_words.interval_line(self._say, verdict, self.language))
-            lines += sure_words.still_lines(self._say, result, verdict, self.language) if found else []
+            lines += sure_words.still_lines(self._say, result, verdict, self.language) if sensitivity else []
             lines += sure_words.rate_lines(self._say, result, verdict.rates)
             if not verdict.rates and result.demand and not result.demand.hazard:
                 lines.append(tr("The rates need the hazard of the site: give the place, or the rows of the hazard."))
         none = tr("No interval: too few stations, or no histories.")
         empty = none if verdict else tr("No demand: nothing to be sure of.")
         self.words.setText("\n".join(line for line in lines if line) or empty)
-        self._show_moves(found, result)
-        self._show_reach(found, result)
+        self._show_moves(sensitivity, result)
+        self._show_reach(sensitivity, result)
         self.rates.setVisible(bool(verdict and verdict.rates))
         self.rates.show_rows(
             [sure_words.rate_row(self._say, rate, self.language) for rate in (verdict.rates if verdict else ())]
         )
 
-    def _show_moves(self, found: Sensitivity | None, result: StudyResult) -> None:
+    def _show_moves(self, sensitivity: Sensitivity | None, result: StudyResult) -> None:
         """The chart, the widest on top, and its numbers."""
-        self.moves.setVisible(bool(found and found.swings))
-        if not found or not found.swings:
-            why = tr("No input moves ζ.") if found else tr("Press “Move each input”: ζ with each input moved.")
+        self.moves.setVisible(bool(sensitivity and sensitivity.swings))
+        if not sensitivity or not sensitivity.swings:
+            why = tr("No input moves ζ.") if sensitivity else tr("Press “Move each input”: ζ with each input moved.")
             self.chart.say_why(why)
             self.moves.show_rows([])
             return
-        base, bad = found.base or 0.0, theme.current.bad
-        count = len(found.swings)
+        base, bad = sensitivity.base or 0.0, theme.current.bad
+        count = len(sensitivity.swings)
         lines, below, above = [], [], []
-        for k, swing in enumerate(found.swings):
+        for k, swing in enumerate(sensitivity.swings):
             at = float(count - 1 - k)
             zetas = [0.0 if end.zeta is None else end.zeta for end in swing.ends]
             below += [(min(base, *zetas), at), (base, at), (np.nan, np.nan)]
@@ -112,20 +112,20 @@ class SureTab(ResultTab):
         self.chart.reset()
         self.chart.set_range(x=(min(drawn) - room, max(drawn) + room))  # ζ required in sight
         rows, colors = [], []
-        for row in sure_words.moved_rows(found, self.language):
+        for row in sure_words.moved_rows(sensitivity, self.language):
             ends = [part for said, zeta, _ in row.ends for part in (said, number(zeta, ".2f"))]
             marks = [mark for _, _, sure in row.ends for mark in (None, None if sure else bad)]
             rows.append([row.name, *ends, *[""] * (4 - len(ends))])
             colors.append([None, *marks, *[None] * (4 - len(marks))])
         self.moves.show_rows(rows, colors)
 
-    def _show_reach(self, found: Sensitivity | None, result: StudyResult) -> None:
+    def _show_reach(self, sensitivity: Sensitivity | None, result: StudyResult) -> None:
         """What the zeta required asks of thickness, ties and a_g, by every check."""
-        labels = sure_words.reach_labels(found) if found else []
+        labels = sure_words.reach_labels(sensitivity) if sensitivity else []
         self.reach.setVisible(bool(labels))
-        if found is None or not labels:
+        if sensitivity is None or not labels:
             return
         heads = [tr("For the ζ required"), tr("now"), *sure_words.check_names(result, labels, self.language)]
         self.reach.setColumnCount(len(heads))
         self.reach.setHorizontalHeaderLabels(heads)
-        self.reach.show_rows([sure_words.reach_row(self._say, one, labels, self.language) for one in found.reach])
+        self.reach.show_rows([sure_words.reach_row(self._say, one, labels, self.language) for one in sensitivity.reach])

@@ -9,7 +9,7 @@ from app.look.language import tr
 from core.known import known
 from core.report.plain_cell import plain_cell
 
-SPARE = 24
+SCROLL_BAR_ROOM = 24
 """What the widest column gives at last, for no scroll bar [px]."""
 
 MAX_WRAPPED_ROWS = 400
@@ -76,7 +76,7 @@ class Table(QTableWidget):
             for c in columns:
                 wanted[c] -= math.ceil(share * (wanted[c] - least[c]))
             widest = max(columns, key=lambda c: wanted[c])
-            wanted[widest] -= max(0, min(SPARE, sum(wanted.values()) - room + 2))
+            wanted[widest] -= max(0, min(SCROLL_BAR_ROOM, sum(wanted.values()) - room + 2))
         for c, width in wanted.items():
             self.setColumnWidth(c, width)
         if self.rowCount() <= MAX_WRAPPED_ROWS:

@@ -39,19 +39,19 @@ def steps() -> list[str]:
 def values_of(wall: WallResult, verdict: WallVerdict | None, result: StudyResult | None) -> dict[str, Any]:
     """The quantities of a row, as the results have them. verdict, result : None while the study runs"""
     row = Row(wall, wall.part.origin + 1, verdict, True, result)
-    found = {key: BY_KEY[key].of(row) for key in OF_HINGE}
+    values = {key: BY_KEY[key].of(row) for key in OF_HINGE}
     if verdict is not None and result is not None:
-        found |= stated(of_keys(VERDICT, *OF_WALL, "is_v_letter"), OfWall(verdict, result))
-        found |= {state: one.zeta for state, one in verdict.states.items()}
-    return found
+        values |= stated(of_keys(VERDICT, *OF_WALL, "is_v_letter"), OfWall(verdict, result))
+        values |= {state: one.zeta for state, one in verdict.states.items()}
+    return values
 
 
 def method_of(wall: WallResult, language: str) -> str:
     """The check that decides, in words."""
-    found = wall.assessment
-    if found is None:
+    assessment = wall.assessment
+    if assessment is None:
         return "–"
-    labels = [check.label for check in found.checks if check.name == found.verdict.governing]
+    labels = [check.label for check in assessment.checks if check.name == assessment.verdict.governing]
     return word(labels[0], language) if labels else "–"
 
 
@@ -135,27 +135,27 @@ class WallsTab(ResultTab):
         shown = next((k for k in self.order if result.walls[k].part.origin == wall.part.origin), None)
         if shown is not None:
             self.table.selectRow(self.order.index(shown))
-        found = wall_comparisons(result.verdicts)
-        self.below.setVisible(bool(found))
-        self.pairs.show_rows([self._pair(result, one) for one in found])
+        pairs = wall_comparisons(result.verdicts)
+        self.below.setVisible(bool(pairs))
+        self.pairs.show_rows([self._pair(result, one) for one in pairs])
 
     def _row(
         self, wall: WallResult, verdict: WallVerdict | None = None, result: StudyResult | None = None
     ) -> list[str]:
         """A wall by the hinge that decides about it. verdict, result : None before all its hinges are known"""
-        found, language = values_of(wall, verdict, result), self.language
-        risk, index = verdict.risk if verdict else None, found.get("is_v")
+        values, language = values_of(wall, verdict, result), self.language
+        risk, index = verdict.risk if verdict else None, values.get("is_v")
         return [
-            called(found["name"]),
-            word(found["mechanism"], language),
-            digits(found["zeta_e"]),
-            word(found["verdict"], language) if found["verdict"] else "–",
+            called(values["name"]),
+            word(values["mechanism"], language),
+            digits(values["zeta_e"]),
+            word(values["verdict"], language) if values["verdict"] else "–",
             method_of(wall, language),
-            digits(found["q_set"]),
-            digits(found.get("pga_c_g"), 3),
+            digits(values["q_set"]),
+            digits(values.get("pga_c_g"), 3),
             (risk.years if risk else None) or "–",
-            "–" if index is None else f"{number(index, '.2f')} {found['is_v_letter']}",
-            *(digits(found.get(state)) for state in STATES),
+            "–" if index is None else f"{number(index, '.2f')} {values['is_v_letter']}",
+            *(digits(values.get(state)) for state in STATES),
         ]
 
     def _pair(self, result: StudyResult, one: WallComparison) -> list[str]:

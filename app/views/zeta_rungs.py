@@ -35,7 +35,7 @@ def rung_of(check: Check, decides: bool, dynamic: DemandCheck | None) -> Rung:
 
 
 def rungs_of(
-    found: WholeWall,
+    whole: WholeWall,
     q_code: float,
     precision: Precision | None,
     given: Mapping[str, float | None],
@@ -50,19 +50,19 @@ def rungs_of(
     moved : the wall is another one than the wall as it is
     awaited : histories decide, also while they are not made
     """
-    rungs, labels = [], list(given) or list(found.by_check)
+    rungs, labels = [], list(given) or list(whole.by_check)
     if precision is None and awaited and "dynamic" not in labels:
         labels.insert(0, "dynamic")
     for k, label in enumerate(labels):
-        zeta, as_it_is = found.by_check.get(label), given.get(label)
+        zeta, as_it_is = whole.by_check.get(label), given.get(label)
         said = "" if precision is RUN or label != "dynamic" else "…" if precision is None else tr("about")
         values = tr("as it is {zeta}", zeta=number(as_it_is, ".2f")) if as_it_is is not None and moved else said
-        rungs.append(Rung(check_words(label, q_code), said, zeta, values, _tone(found, label, precision), k == 0))
+        rungs.append(Rung(check_words(label, q_code), said, zeta, values, _tone(whole, label, precision), k == 0))
     return rungs
 
 
-def _tone(found: WholeWall, label: str, precision: Precision | None) -> str:
+def _tone(whole: WholeWall, label: str, precision: Precision | None) -> str:
     """Green where a check is surely satisfied; a glance of the histories says no outcome."""
-    if found.by_check.get(label) is None or (label == "dynamic" and precision is not RUN):
+    if whole.by_check.get(label) is None or (label == "dynamic" and precision is not RUN):
         return "amber"
-    return {True: "good", False: "bad", None: "amber"}[found.satisfied.get(label)]
+    return {True: "good", False: "bad", None: "amber"}[whole.satisfied.get(label)]

@@ -8,7 +8,7 @@ from core.case.schema import Case
 from core.case.site import Demand, HazardRow, Spectrum
 from core.errors import InputError
 
-DIGITS = 3
+DEMAND_DECIMALS = 3
 """Decimals of a_g [g], F_0 and T_C* [s] that stay where a place goes."""
 
 
@@ -31,7 +31,7 @@ def released(demand: Demand) -> Demand:
     """A demand that follows from a place no more, with the digits a person would write."""
     rows: list[HazardRow] = []
     for row in demand.hazard:
-        years = round(row.return_period_years, DIGITS)
+        years = round(row.return_period_years, DEMAND_DECIMALS)
         made = HazardRow(years, *(_rounded(value) for value in (row.ag_g, row.f0, row.tc_star_s)))
         if not rows or (made.ag_g > rows[-1].ag_g and years > rows[-1].return_period_years):
             rows.append(made)
@@ -51,4 +51,4 @@ def restored(demand: Demand, before: Demand) -> Demand:
 
 
 def _rounded(value):
-    return round(value, DIGITS) if isinstance(value, float) else value
+    return round(value, DEMAND_DECIMALS) if isinstance(value, float) else value

@@ -13,7 +13,7 @@ from core.case.rules import draft_case
 from core.case.schema import Case
 from core.errors import InputError
 
-STATES = (".new", "", ".1", ".2")
+STATE_ENDS = (".new", "", ".1", ".2")
 """Ends of the names of the last states, the newest first; .new while it takes its place."""
 
 FAULTS = (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError, OverflowError)
@@ -30,7 +30,7 @@ class Draft:
 
 def states(file: Path) -> list[Path]:
     """The states a recovery file stands for, the newest first, whether there or not."""
-    return [file.with_name(file.name + end) for end in STATES]
+    return [file.with_name(file.name + end) for end in STATE_ENDS]
 
 
 def read(state: Path) -> Draft:
@@ -102,11 +102,11 @@ def _when(state: Path) -> str:
 
 def files(folder: Path) -> list[Path]:
     """The recovery files of a folder, the newest first."""
-    found: dict[Path, float] = {}
+    modified: dict[Path, float] = {}
     with contextlib.suppress(OSError):
-        for end in STATES:
+        for end in STATE_ENDS:
             for state in folder.glob(f"*.swap{end}"):
                 if state.is_file():
                     file = state.with_name(state.name.removesuffix(end))
-                    found[file] = max(found.get(file, 0.0), state.stat().st_mtime)
-    return sorted(found, key=lambda file: -found[file])
+                    modified[file] = max(modified.get(file, 0.0), state.stat().st_mtime)
+    return sorted(modified, key=lambda file: -modified[file])

@@ -147,10 +147,10 @@ class Runner(QObject):
             of_row.setdefault(wall.part.origin, []).append(wall.assessment.verdict.zeta_e if wall.assessment else None)
         return {
             row: (
-                min((zeta for zeta in found if zeta is not None), default=None),
-                len(found) >= self.planned_results[row],
+                min((zeta for zeta in zetas if zeta is not None), default=None),
+                len(zetas) >= self.planned_results[row],
             )
-            for row, found in of_row.items()
+            for row, zetas in of_row.items()
         }
 
     def _found(self, part: WallResult | StudyResult) -> None:

@@ -32,7 +32,7 @@ from core.study.journal import lock
 from core.study.results import StudyResult
 from core.text.sentence import Sentence
 
-PAUSE = 1.0
+UNDO_PAUSE = 1.0
 """A pause [s] that ends a step of undo."""
 
 MAX_UNDO = 500
@@ -88,7 +88,7 @@ class Session:
         if case == self.case:
             return
         now = time.monotonic()
-        if place is None or place != self.last_place or now - self.last_edit > PAUSE:
+        if place is None or place != self.last_place or now - self.last_edit > UNDO_PAUSE:
             self.past = [*self.past[-MAX_UNDO:], self.case]
         self.future = []
         self.last_place, self.last_edit = place, now

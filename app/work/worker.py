@@ -14,14 +14,14 @@ from app.look.language import described
 from core.errors import Cancelled, InputError
 from core.known import known
 
-RUNNING: set["Job"] = set()
+RUNNING_JOBS: set["Job"] = set()
 """Jobs whose threads have not ended: a thread's object must outlive it."""
 
 
 @atexit.register
 def end_jobs() -> None:
     """Wait for the threads: Qt aborts where one outlives Python."""
-    for job in list(RUNNING):
+    for job in list(RUNNING_JOBS):
         job.cancel()
         job.wait()
 
@@ -48,13 +48,13 @@ class Job(QThread):
         self.error: InputError | None = None
 
     def start(self, priority: QThread.Priority = QThread.Priority.InheritPriority) -> None:
-        RUNNING.add(self)
+        RUNNING_JOBS.add(self)
         self.finished.connect(self._ended)
         super().start(priority)
 
     def _ended(self) -> None:
         """Nothing is kept of it, its result least of all."""
-        RUNNING.discard(self)
+        RUNNING_JOBS.discard(self)
         self._work = None
         self.deleteLater()
 

@@ -33,8 +33,8 @@ def halvings(brackets: list) -> list[np.ndarray]:
 def all_narrowed(brackets: list, points: list[np.ndarray], flags) -> list:
     """The brackets after `points` of `halvings`, with the flags of their midpoints."""
     return [
-        _narrowed(part, *found) if part.size > 2 else bracket
-        for bracket, part, found in zip(brackets, points, flags, strict=True)
+        _narrowed(part, *part_flags) if part.size > 2 else bracket
+        for bracket, part, part_flags in zip(brackets, points, flags, strict=True)
     ]
 
 

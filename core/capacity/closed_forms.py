@@ -74,21 +74,21 @@ class PowerLaw:
         return self.c1 * (100.0 * intensity) ** self.c2
 
 
-LEAST_SPREAD, LARGEST_LOG = 0.02, 600.0
+MIN_SPREAD, MAX_LOG = 0.02, 600.0
 """Ratio minus 1 of the largest to the smallest SI below which points give no slope; logarithm of C1 beyond which it is
 no number anyone can use (and no double)."""
 
 
 def fit_power_law(intensities: list[float], q_eff: list[float]) -> PowerLaw | None:
     """Least squares of the logarithms; None below three points or where SI [m] hardly differs between them."""
-    if len(intensities) < 3 or max(intensities) <= min(intensities) * (1.0 + LEAST_SPREAD):
+    if len(intensities) < 3 or max(intensities) <= min(intensities) * (1.0 + MIN_SPREAD):
         return None
     x = np.log(100.0 * np.asarray(intensities))
     y = np.log(np.asarray(q_eff))
     dx, dy = x - x.mean(), y - y.mean()
     c2 = float((dx * dy).sum() / (dx * dx).sum())
     log_c1 = float(y.mean() - c2 * x.mean())
-    if not abs(log_c1) < LARGEST_LOG:
+    if not abs(log_c1) < MAX_LOG:
         return None
     spread = float((dy * dy).sum())
     residual = float(((dy - c2 * dx) ** 2).sum())

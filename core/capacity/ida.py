@@ -28,7 +28,7 @@ LOWER_SHARE = 0.9
 """Share of the rotation of SLV whose first peak is the lower end of the spread of q_slv [-]
 (resources/docs/physics.md, section 11)."""
 
-LEAST_SLV_WINDOW = 0.10
+MIN_SLV_WINDOW = 0.10
 """Least half width of the window of q_slv_robust, in ln q."""
 
 TRILINEAR_START = 0.5
@@ -58,7 +58,7 @@ class Search:
     @property
     def half_slv_window(self) -> int:
         """The same of q_slv_robust, which a check takes: a window narrower than the usual one would raise it."""
-        return round(max(self.robust_window, LEAST_SLV_WINDOW) / math.log1p(self.q_step))
+        return round(max(self.robust_window, MIN_SLV_WINDOW) / math.log1p(self.q_step))
 
 
 @dataclass(frozen=True)
@@ -203,8 +203,8 @@ class _Map:
             middles = [part[1:-1] for part in points]
             outcomes, peaks, _ = yield from self.analyse(np.concatenate(middles))
             cuts = np.cumsum([part.size for part in middles])[:-1]
-            found = zip(wanted, np.split(outcomes, cuts), np.split(peaks, cuts), strict=True)
-            flags = [(self.reaches(codes, most, fractions[k]), codes == IMPACT_LIMIT) for k, codes, most in found]
+            by_fraction = zip(wanted, np.split(outcomes, cuts), np.split(peaks, cuts), strict=True)
+            flags = [(self.reaches(codes, most, fractions[k]), codes == IMPACT_LIMIT) for k, codes, most in by_fraction]
             edges = all_narrowed(edges, points, flags)
         for k, bracket in zip(wanted, edges, strict=True):
             pairs[k] = bracket

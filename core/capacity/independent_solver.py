@@ -10,7 +10,7 @@ import numpy as np
 from core.errors import Cancelled
 from core.units import G
 
-BARE = ((1.0, 0.0), (1.0, 0.0))
+NO_LOADS = ((1.0, 0.0), (1.0, 0.0))
 """(a, c) of both sides of a wall without loads."""
 
 
@@ -22,7 +22,7 @@ def law(phi, alpha, kinks, a=1.0, c=0.0):
     return plateau * min(phi / kinks[0], 1.0)
 
 
-def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, cancelled=lambda: False, loads=BARE):
+def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, cancelled=lambda: False, loads=NO_LOADS):
     """Rocking history (Coccia et al. 2016, Eq. 1); returns theta at the samples [rad], impact count.
 
     ground : [m/s2], shape (n,)

@@ -23,10 +23,10 @@ def least_squares(columns, values) -> Fit:
     matrix, values = np.asarray(columns, float), np.asarray(values, float)
     if values.size < matrix.shape[1]:
         raise ValueError("underdetermined")
-    found, _, rank, _ = np.linalg.lstsq(matrix, values, rcond=None)
+    coefficients, _, rank, _ = np.linalg.lstsq(matrix, values, rcond=None)
     if rank < matrix.shape[1]:
         raise ValueError("dependent columns")
-    return Fit(tuple(map(float, found)), r_squared(values, matrix @ found), values.size)
+    return Fit(tuple(map(float, coefficients)), r_squared(values, matrix @ coefficients), values.size)
 
 
 def r_squared(values, fitted) -> float:

@@ -69,16 +69,16 @@ def estimates(
 ) -> tuple[Estimate, ...]:
     """q and q_slv of the law; none for a moment law it was not fitted on. intensity : SI [m]; pga [m/s2]."""
     pi, ratio = dimensionless_intensity(block.p2, intensity, pga), loss_ratio(block, restitution)
-    found: list[Estimate] = []
+    estimated: list[Estimate] = []
     for quantity in ("q", "q_slv"):
         fitted = law_of(one_sided, law, quantity)
         if fitted is not None:
             within = fitted.holds(pi, ratio)
             q, (low, high) = float(fitted.q(pi, ratio)), fitted.interval(pi, ratio)
-            for one in found:  # q_slv: the two fits may cross by 2 %, the quantities cannot
+            for one in estimated:  # q_slv: the two fits may cross by 2 %, the quantities cannot
                 q, low, high = min(q, one.q), min(low, one.low), min(high, one.high)
-            found.append(Estimate(quantity, q, low, high, pi, within))
-    return tuple(found)
+            estimated.append(Estimate(quantity, q, low, high, pi, within))
+    return tuple(estimated)
 
 
 def law_value(coefficients, limit: float, pi, loss):

@@ -12,7 +12,7 @@ from core.known import known
 from core.wall.body import cut_above
 from core.wall.solids import Part, contact_at, is_dragged, snapped
 
-LEAST_HEIGHT = 0.1
+MIN_HEIGHT_ABOVE = 0.1
 """Least height of the part of a wall above a hinge [m]: that of any wall."""
 
 
@@ -58,7 +58,7 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
         load=loads,
         unloaded_confirmed=wall.unloaded_confirmed or (bool(wall.load) and not loads),
         tie_height_m=None
-        if wall.tie_height_m is None or wall.tie_height_m < hinge + LEAST_HEIGHT
+        if wall.tie_height_m is None or wall.tie_height_m < hinge + MIN_HEIGHT_ABOVE
         else wall.tie_height_m - hinge,
     )
     if part.parts and fault_of(part.parts, known(part.thickness)) is not None:
@@ -126,10 +126,10 @@ def above_cracks(parts: Sequence[Part], hinge: float, face: float) -> list[tuple
     if min(z for _, z in behind) <= foot + 1e-9:  # it stands on something, or is a block
         return [tuple(cut) for cut in cuts]
     flat = max(x / (z - foot) for x, z in behind)
-    found = []
+    polygons = []
     for part, cut in zip(parts, cuts, strict=True):
         if part in dragged and cut:
             turned = cut_above([(z, face - part.start - s + flat * z) for s, z in cut], 0.0)
             cut = [(face - part.start + flat * z - left, z) for z, left in turned]
-        found.append(tuple(cut))
-    return found
+        polygons.append(tuple(cut))
+    return polygons

@@ -39,12 +39,12 @@ def with_choice(table: dict) -> dict:
     parts = "".join(letter if letter.isalnum() else " " for letter in words).split()
     if set(parts) & set(DENIALS) or not names_something(said):
         return table
-    found = next((name for name, known in OLD_WORDS.items() if any(one in words for one in known)), "other")
-    return {"restraint_note": said, **table, "back_restraint": found}
+    choice = next((name for name, known in OLD_WORDS.items() if any(one in words for one in known)), "other")
+    return {"restraint_note": said, **table, "back_restraint": choice}
 
 
 _GONE = re.compile(r"\b(?:crollat|demolit|rimoss|inesistent|collapsed|demolished|removed)\w*", re.IGNORECASE)
-SHORT = 3
+MAX_SHORT_WORDS = 3
 """Words of a note that are too few to speak of anything else than what holds the wall."""
 
 _CITED = re.compile(
@@ -79,7 +79,7 @@ def names_something(text: str) -> bool:
 
 def says_gone(note: str) -> bool:
     """Whether a note says no more than that what holds the wall is not there."""
-    return len(_words(note)) <= SHORT and bool(_GONE.search(note))
+    return len(_words(note)) <= MAX_SHORT_WORDS and bool(_GONE.search(note))
 
 
 def _words(text: str) -> list[str]:

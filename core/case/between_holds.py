@@ -6,12 +6,12 @@ from dataclasses import replace
 
 from core.case.loads import Load
 from core.case.wall import BENDS, Wall
-from core.codes.vertical_bending import LEAST_SLENDERNESS, bending
+from core.codes.vertical_bending import MIN_SLENDERNESS, bending
 from core.known import known
 from core.units import G
 from core.wall.wall_loads import hinge_inside, restoring_with_ties
 
-NEAR = 0.8
+MIN_SHARE_OF_BENDING = 0.8
 """Share of the multiplier by which a wall bends from which it is looked at: where turning about the base with its ties
 at yield starts at less, that governs."""
 
@@ -19,7 +19,7 @@ at yield starts at less, that governs."""
 def spans_of(wall: Wall) -> tuple[tuple[float, float], ...]:
     """Stretches (from, to) above the base [m] in which a rectangle on one side bends below its ties, where these hold
     about as much as one block takes, or more: from its base, each tie and each weight (which holds only what is below
-    it) to each tie above, over ties too weak for what the stretches beside them push with; at least LEAST_SLENDERNESS
+    it) to each tie above, over ties too weak for what the stretches beside them push with; at least MIN_SLENDERNESS
     times as high as thick. Empty of any other wall, and where more than weights acts below the highest tie (a thrust
     there goes into it), or a tie has slack."""
     ties = sorted({load.h_m for load in wall.load if load.is_tie})
@@ -28,7 +28,7 @@ def spans_of(wall: Wall) -> tuple[tuple[float, float], ...]:
     if wall.mechanism != "one_sided" or wall.has_shape or wall.return_walls is not None:
         return ()
     others = [load.h_m for load in wall.load if load.kind not in ("vertical", "tie")]
-    least = LEAST_SLENDERNESS * wall.thickness
+    least = MIN_SLENDERNESS * wall.thickness
     if any(height < ties[-1] for height in others):
         return ()
     holds = _holds(wall, ties)
@@ -42,24 +42,24 @@ def spans_of(wall: Wall) -> tuple[tuple[float, float], ...]:
     if not pairs or hinge_inside(wall.in_si) is not None:
         return pairs
     turning = _at_yield(wall)
-    return tuple(pair for pair in pairs if turning >= NEAR * bending(between(wall, *pair).in_si).alpha0)
+    return tuple(pair for pair in pairs if turning >= MIN_SHARE_OF_BENDING * bending(between(wall, *pair).in_si).alpha0)
 
 
 def _holds(wall: Wall, ties: Sequence[float]) -> list[float]:
     """Heights of the ties that stand what the stretches below and above push on them with as they bend [m]."""
-    found, strength = [], {}
+    heights, strength = [], {}
     for load, one in zip(wall.load, wall.in_si.loads, strict=True):
         if load.is_tie:
             strength[load.h_m] = strength.get(load.h_m, 0.0) + one.force
     for below, height, above in zip([0.0, *ties], ties, ties[1:], strict=False):
-        least = LEAST_SLENDERNESS * known(wall.thickness)
+        least = MIN_SLENDERNESS * known(wall.thickness)
         if min(height - below, above - height) < least:
             continue
         lower, upper = (bending(between(wall, *pair).in_si) for pair in ((below, height), (height, above)))
         pushes = lower.top_force + upper.alpha0 * upper.mass * G - upper.top_force
         if strength[height] >= pushes:
-            found.append(height)
-    return found
+            heights.append(height)
+    return heights
 
 
 def _at_yield(wall: Wall) -> float:

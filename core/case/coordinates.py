@@ -11,11 +11,13 @@ _NUMBER = r"""
     (?:(?P<seconds>\d+(?:[.,]\d+)?)\s*(?:["″”]|''|′′)\s*)?
 """
 _LETTER = r"(?P<letter>[NSEWO])?\s*"
-_BEFORE = re.compile(_LETTER + _NUMBER, re.VERBOSE | re.IGNORECASE)
-_AFTER = re.compile(_NUMBER + _LETTER, re.VERBOSE | re.IGNORECASE)
+_LETTER_FIRST = re.compile(_LETTER + _NUMBER, re.VERBOSE | re.IGNORECASE)
+_LETTER_LAST = re.compile(_NUMBER + _LETTER, re.VERBOSE | re.IGNORECASE)
 """One coordinate with its letter before it or after it; O is the Italian west."""
 
-_BARE = re.compile(r"(?<![\d.,])(\d+)\s+(\d+(?:[.,]\d+)?)(?:\s+(\d+(?:[.,]\d+)?))?(?=\s*[NSEWO]\b)", re.IGNORECASE)
+_WITHOUT_SIGNS = re.compile(
+    r"(?<![\d.,])(\d+)\s+(\d+(?:[.,]\d+)?)(?:\s+(\d+(?:[.,]\d+)?))?(?=\s*[NSEWO]\b)", re.IGNORECASE
+)
 """Degrees, minutes and seconds before a letter, with no sign between them."""
 
 
@@ -27,8 +29,8 @@ def parse_coordinates(text: str) -> tuple[float, float]:
     plain = re.sub(r",\s", " ", plain)
     if plain.startswith("(") and plain.endswith(")"):
         plain = plain[1:-1].strip()
-    plain = _BARE.sub(lambda part: f"{part[1]}°{part[2]}'" + (f'{part[3]}"' if part[3] else ""), plain)
-    pattern = _BEFORE if plain[:1].isalpha() else _AFTER
+    plain = _WITHOUT_SIGNS.sub(lambda part: f"{part[1]}°{part[2]}'" + (f'{part[3]}"' if part[3] else ""), plain)
+    pattern = _LETTER_FIRST if plain[:1].isalpha() else _LETTER_LAST
     parts, rest = list(pattern.finditer(plain)), pattern.sub(" ", plain).strip()
     if len(parts) != 2 or rest:
         raise InputError("coordinates_unread", text=text.strip()[:60])

@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from core.case.drawing_outlines import (
-    MOST_CHORDS,
-    MOST_POINTS,
+    MAX_CHORDS,
+    MAX_POINTS,
     Gap,
     Point,
     distinct,
@@ -32,31 +32,31 @@ DRAWING_UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}
 INSUNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
 """$INSUNITS of the header -> unit."""
 
-TOLERANCE = 1e-3
+DRAWING_TOLERANCE = 1e-3
 """What a chord may be off its arc, and the ends of two lines apart that are to meet [m]: a tenth of what a survey of
 masonry is good for. Of a rose window of 4 m it leaves out 0.07 % of the area."""
 
-SAME = 1e-6
+MIN_CORNER_DISTANCE = 1e-6
 """Corners nearer than this are one [m]."""
 
-MAX_BYTES = 20_000_000
+MAX_DRAWING_BYTES = 20_000_000
 """Largest size of a file [bytes]: sheets of a building have a quarter; ezdxf takes a second and some 20 times the
 memory for each MB."""
 
-MOST_ENTITIES, INSERTED, IN_BLOCK = 100_000, 5, 20_000
+MAX_ENTITIES, INSERTED, IN_BLOCK = 100_000, 5, 20_000
 """Entities of a drawing with its blocks opened; for how many an inserted block counts, which takes as long to place;
 corners of one line of a block, which ezdxf places in the square of their number."""
 
-MOST_RADIUS = 1e7
+MAX_RADIUS = 1e7
 """Largest radius of a circle, in tolerances: 10 km."""
 
 DEEPEST = 20
 """Blocks inside one another: one that holds itself has no end."""
 
-LARGEST, SMALLEST = 300.0, 0.05
+MAX_WALL_SIZE, MIN_WALL_SIZE = 300.0, 0.05
 """Size of a wall beyond which the unit is another one, and below which [m]."""
 
-USUAL, FARTHEST = 8.0, 10.0
+USUAL_SIZE, MAX_SIZE_FACTOR = 8.0, 10.0
 """Size of a wall by which a unit is guessed [m], and the factor beyond which none is."""
 
 BINARY = b"AutoCAD Binary DXF"
@@ -165,8 +165,8 @@ class DxfFile:
         def counted(entity: Any) -> None:
             nonlocal entities_seen, corners_seen
             entities_seen += INSERTED if entity.dxftype() == "INSERT" else 1
-            if entities_seen > MOST_ENTITIES:
-                raise InputError("drawing_too_much", most=MOST_ENTITIES)
+            if entities_seen > MAX_ENTITIES:
+                raise InputError("drawing_too_much", most=MAX_ENTITIES)
             corners_seen += _corners(entity)
             refuse_many(corners_seen)
             if entity.dxftype() == "INSERT" and (block := entity.block()) is not None and block.name not in placed:
@@ -186,8 +186,8 @@ class DxfFile:
                     else:
                         yield own, entity
                 elif depth < DEEPEST and why != "XREF":
-                    if entity.mcount > MOST_ENTITIES:
-                        raise InputError("drawing_too_much", most=MOST_ENTITIES)
+                    if entity.mcount > MAX_ENTITIES:
+                        raise InputError("drawing_too_much", most=MAX_ENTITIES)
                     if entity.dxf.get("zscale", 1.0) == 0.0:
                         entity.dxf.zscale = 1.0  # flattened to the plane of the drawing
                     for one in entity.multi_insert() if entity.mcount > 1 else (entity,):
@@ -229,7 +229,7 @@ class DxfFile:
         if unit is None:
             shapes = self._shapes(0.1)[0]  # of any unit good enough for its size
             unit = likely_unit(largest(shapes)) or "m"
-        shapes, gaps, unread, lines = self._shapes(TOLERANCE / DRAWING_UNITS[unit])
+        shapes, gaps, unread, lines = self._shapes(DRAWING_TOLERANCE / DRAWING_UNITS[unit])
         ledger = tuple(Unread(layer, kind, unread[layer, kind]) for layer, kind in sorted(unread))
         return Sheet(tuple(shapes), tuple(gaps), ledger, self.layers, self.stated, unit, lines)
 
@@ -259,7 +259,7 @@ class DxfFile:
             raise error.at(self.path) from None
         except (*DAMAGED, ezdxf.DXFError) as error:
             raise InputError("drawing_damaged", reason=str(error)[:120], place=(self.path,)) from None
-        shapes, gaps, least = [], [], tolerance * SAME / TOLERANCE
+        shapes, gaps, least = [], [], tolerance * MIN_CORNER_DISTANCE / DRAWING_TOLERANCE
         for layer, lines in pieces.items():
             closed, loose = joined(distinct(lines), tolerance)
             seen = set()
@@ -293,9 +293,11 @@ def _content(path: Path) -> bytes:
     try:
         if not path.is_file():
             raise InputError("no_drawing", place=(path,))
-        return read_regular(path, MAX_BYTES)
+        return read_regular(path, MAX_DRAWING_BYTES)
     except TooLarge as error:
-        raise InputError("drawing_too_large", mb=error.size / 1e6, most=MAX_BYTES / 1e6, place=(path,)) from None
+        raise InputError(
+            "drawing_too_large", mb=error.size / 1e6, most=MAX_DRAWING_BYTES / 1e6, place=(path,)
+        ) from None
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
 
@@ -306,7 +308,7 @@ def _lines(entity: Any, tolerance: float) -> Iterator[list[Point]]:
     if kind == "LINE":
         yield _flat((entity.dxf.start, entity.dxf.end), tolerance)
     elif kind in ("CIRCLE", "ARC"):
-        if not tolerance < entity.dxf.radius < MOST_RADIUS * tolerance:  # a mark, or nothing of a wall
+        if not tolerance < entity.dxf.radius < MAX_RADIUS * tolerance:  # a mark, or nothing of a wall
             return
         yield _flat(entity.flattening(tolerance), tolerance)
     elif kind == "ELLIPSE":
@@ -344,14 +346,14 @@ def _spline(entity: Any, tolerance: float) -> list:
         off = max(a.lerp(b).distance(m) for a, m, b in zip(points[::2], points[1::2], points[2::2], strict=False))
         if off <= tolerance:
             return points
-        if parts > MOST_CHORDS:
+        if parts > MAX_CHORDS:
             raise ValueError("spline")
         parts *= 2
 
 
 def _few(points: Iterable) -> list:
     """Points of a curve, no more of them than a drawing may have."""
-    few = list(itertools.islice(points, MOST_POINTS + 1))
+    few = list(itertools.islice(points, MAX_POINTS + 1))
     refuse_many(len(few))
     return few
 
@@ -414,6 +416,10 @@ def largest(shapes: Iterable[Shape]) -> float:
 
 def likely_unit(size: float) -> str | None:
     """The metric unit by which a size [of the drawing] is nearest to that of a wall; None where none is near."""
-    off = {unit: abs(math.log(size * DRAWING_UNITS[unit] / USUAL)) for unit in ("m", "cm", "mm")} if size > 0.0 else {}
+    off = (
+        {unit: abs(math.log(size * DRAWING_UNITS[unit] / USUAL_SIZE)) for unit in ("m", "cm", "mm")}
+        if size > 0.0
+        else {}
+    )
     best = min(off, key=lambda unit: off[unit], default=None)
-    return best if best and off[best] <= math.log(FARTHEST) else None
+    return best if best and off[best] <= math.log(MAX_SIZE_FACTOR) else None

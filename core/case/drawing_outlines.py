@@ -17,10 +17,10 @@ LOOSE = 200
 CROWD = 32
 """Ends around a point within three gaps: of more none goes on, as of three that meet."""
 
-MOST_POINTS = 400_000
+MAX_POINTS = 400_000
 """Points of all lines of a drawing once they are divided, at most."""
 
-MOST_CHORDS = 20_000
+MAX_CHORDS = 20_000
 """Chords of an arc, at most: a circle with a radius of 80 km has as many."""
 
 
@@ -47,7 +47,7 @@ def arc(start: Point, end: Point, bulge: float, tolerance: float) -> list[Point]
     y = 0.5 * (start[1] + end[1]) + to_centre * (end[0] - start[0])
     first = math.atan2(start[1] - y, start[0] - x)
     count = math.ceil(abs(angle) / (2.0 * math.acos(max(0.0, 1.0 - tolerance / radius))))
-    if count > MOST_CHORDS:
+    if count > MAX_CHORDS:
         raise ValueError("bulge")
     turns = (first + angle * k / count for k in range(1, count))
     return [*((x + radius * math.cos(turn), y + radius * math.sin(turn)) for turn in turns), end]
@@ -66,8 +66,8 @@ def with_bulges(corners: Sequence[tuple[float, float, float]], closed: bool, tol
 
 def refuse_many(points: int) -> None:
     """Raise InputError for more points than a drawing may have."""
-    if points > MOST_POINTS:
-        raise InputError("drawing_too_many_points", most=MOST_POINTS)
+    if points > MAX_POINTS:
+        raise InputError("drawing_too_many_points", most=MAX_POINTS)
 
 
 def distinct(lines: Sequence[list[Point]]) -> list[list[Point]]:
@@ -92,7 +92,7 @@ def joined(pieces: Sequence[list[Point]], join: float) -> tuple[list[list[Point]
         else:
             for end in (0, -1):
                 ends.setdefault(cell(piece[end]), []).append((k, end))
-    free = {k for found in ends.values() for k, _ in found}
+    free = {k for of_cell in ends.values() for k, _ in of_cell}
 
     def following(line: list[Point], last: tuple[int, int]) -> list[tuple[int, int]]:
         (i, j), tip = cell(line[-1]), line[-1]
@@ -106,8 +106,8 @@ def joined(pieces: Sequence[list[Point]], join: float) -> tuple[list[list[Point]
         first = free.pop()
         line, last = list(pieces[first]), [(first, 0), (first, -1)]
         for _ in range(2):
-            while len(found := following(line, last[-1])) == 1 and found[0][0] in free:
-                k, end = found[0]
+            while len(next_ends := following(line, last[-1])) == 1 and next_ends[0][0] in free:
+                k, end = next_ends[0]
                 free.discard(k)
                 line += pieces[k][1:] if end == 0 else pieces[k][-2::-1]
                 last[-1] = (k, -1 - end)
@@ -123,14 +123,14 @@ def joined(pieces: Sequence[list[Point]], join: float) -> tuple[list[list[Point]
 def gaps_of(layer: str, loose: list[list[Point]]) -> list[Gap]:
     """Gaps at which the lines of a layer do not close."""
     ends = [(k, line[end]) for k, line in enumerate(loose) for end in (0, -1)]
-    found = []
+    gaps = []
     for k, line in enumerate(loose):
         best = Gap(layer, line[-1], math.dist(line[0], line[-1]))
         for end in (0, -1) if len(ends) <= LOOSE else ():
             near = min((math.dist(point, line[end]) for n, point in ends if n != k), default=math.inf)
             best = min(best, Gap(layer, line[end], near), key=lambda gap: gap.size)
-        found.append(best)
-    return found
+        gaps.append(best)
+    return gaps
 
 
 def simple(points: Sequence[Point], least: float) -> list[Point]:
@@ -166,13 +166,13 @@ def parts_above(polygon: Sequence[Point], y: float) -> list[list[Point]]:
     leaving = sorted(range(len(chains)), key=lambda k: chains[k][-1][0])
     entering = sorted(range(len(chains)), key=lambda k: chains[k][0][0])
     after = dict(zip(leaving, entering, strict=True))
-    found = []
+    parts = []
     while after:
         first = k = next(iter(after))
         part: list[Point] = []
         while k in after:
             part += chains[k]
             k = after.pop(k)
-        found.append(part)
+        parts.append(part)
         assert k == first
-    return found
+    return parts

@@ -6,11 +6,21 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from core.case.drawing_file import DRAWING_UNITS, LARGEST, SAME, SMALLEST, DxfFile, Shape, Sheet, largest, likely_unit
+from core.case.drawing_file import (
+    DRAWING_UNITS,
+    MAX_WALL_SIZE,
+    MIN_CORNER_DISTANCE,
+    MIN_WALL_SIZE,
+    DxfFile,
+    Shape,
+    Sheet,
+    largest,
+    likely_unit,
+)
 from core.case.drawing_outlines import Point, parts_above
 from core.case.shape import ANGLES
 from core.case.solids import Drawing, Solid
-from core.case.values import MOST_CORNERS, section_of
+from core.case.values import MAX_CORNERS, section_of
 from core.case.wall import Wall
 from core.errors import InputError, place, section
 from core.file_names import name_of, shown
@@ -18,10 +28,10 @@ from core.text.sentence import Sentence, notice
 from core.wall.body import Body, crossing, holds, polygon_sums
 from core.wall.solids import Part, sum_of
 
-DIGITS = 6
+CORNER_DECIMALS = 6
 """Decimals of a corner [m]: corners drawn at one place are at one place."""
 
-MOST_NAMES = 20
+MAX_LAYERS_NAMED = 20
 """Layers repeated in a sentence."""
 
 
@@ -104,7 +114,7 @@ def _said(wall: str, view: View, made: list[dict]) -> Drawn:
     told |= {"solids": len(made) - openings, "openings": openings}
     if not view.sheet.unread:
         return Drawn(view.drawing.file, view.file.sha256, notice("drawing_read", **told))
-    left = ", ".join(map(str, view.sheet.unread[:MOST_NAMES]))
+    left = ", ".join(map(str, view.sheet.unread[:MAX_LAYERS_NAMED]))
     return Drawn(view.drawing.file, view.file.sha256, notice("drawing_read_in_part", left=left, **told))
 
 
@@ -113,7 +123,7 @@ def chosen_of(sheet: Sheet, drawing: Drawing) -> tuple[list[Shape], list[Shape]]
     names = {layer.casefold(): layer for layer in sheet.layers}
     for layer in (*drawing.layers, *drawing.opening_layers):
         if layer.casefold() not in names:
-            known = tuple(sheet.layers[:MOST_NAMES])
+            known = tuple(sheet.layers[:MAX_LAYERS_NAMED])
             raise InputError("drawing_layer", layer=layer, known=known)
     body, openings = ({layer.casefold() for layer in layers} for layers in (drawing.layers, drawing.opening_layers))
     if both := body & openings:
@@ -148,9 +158,9 @@ def origin_of(body: Sequence[Shape], unit: str, plane: str, hinge: float | None)
     if not solid:
         top = max(shape.extent[3] for shape in body) * scale
         raise InputError("drawing_hinge", key="hinge_y_m", found=base, top=top)
-    if plane == "section" and all(y > SAME for part in solid for _, y in part):
+    if plane == "section" and all(y > MIN_CORNER_DISTANCE for part in solid for _, y in part):
         raise InputError("drawing_section_floats", key="hinge_y_m")
-    low = SAME if plane == "section" else math.inf
+    low = MIN_CORNER_DISTANCE if plane == "section" else math.inf
     leftmost = min(x for part in solid for x, _ in part)
     return min((x for part in solid for x, y in part if y <= low), default=leftmost), base
 
@@ -171,7 +181,7 @@ def made_solids(
     return [
         {
             "plane": plane,
-            "polygon_m": [[round(x - left, DIGITS), y] for x, y in part],
+            "polygon_m": [[round(x - left, CORNER_DECIMALS), y] for x, y in part],
             **({"from_m": ends[0]} if ends[0] else {}),
             "to_m": ends[1],
             **({"opening": True} if is_opening else {}),
@@ -184,7 +194,7 @@ def made_solids(
 def _check_size(body: Sequence[Shape], unit: str) -> None:
     size = largest(body)
     metres = size * DRAWING_UNITS[unit]
-    if not SMALLEST <= metres <= LARGEST:
+    if not MIN_WALL_SIZE <= metres <= MAX_WALL_SIZE:
         likely = likely_unit(size)
         if likely is None:
             raise InputError("drawing_size_of_none", key="unit", found=metres, unit=unit)
@@ -193,20 +203,20 @@ def _check_size(body: Sequence[Shape], unit: str) -> None:
 
 def _above(shape: Shape, scale: float, base: float) -> list[list[Point]]:
     """A shape in metres above the hinge, none of what is below it."""
-    corners = [(round(scale * x, DIGITS), round(scale * y - base, DIGITS)) for x, y in shape.corners]
+    corners = [(round(scale * x, CORNER_DECIMALS), round(scale * y - base, CORNER_DECIMALS)) for x, y in shape.corners]
     x, y = shape.corners[0]
     here = {"layer": shape.layer, "x": scale * x, "y": scale * y}
-    if len(corners) > MOST_CORNERS:
-        raise InputError("drawing_corners", n=len(corners), most=MOST_CORNERS, **here)
+    if len(corners) > MAX_CORNERS:
+        raise InputError("drawing_corners", n=len(corners), most=MAX_CORNERS, **here)
     if (edges := crossing(corners)) is not None:
         x, y = shape.corners[edges[0] - 1]
         raise InputError("drawing_crosses", layer=shape.layer, x=scale * x, y=scale * y)
     parts = parts_above(corners, 0.0)
-    return [rounded for part in parts if polygon_sums(rounded := _rounded(part)).area > SAME]
+    return [rounded for part in parts if polygon_sums(rounded := _rounded(part)).area > MIN_CORNER_DISTANCE]
 
 
 def _rounded(part: list[Point]) -> list[Point]:
-    corners = [(round(x, DIGITS), round(y, DIGITS)) for x, y in part]
+    corners = [(round(x, CORNER_DECIMALS), round(y, CORNER_DECIMALS)) for x, y in part]
     return [corner for k, corner in enumerate(corners) if corner != corners[k - 1]]
 
 
@@ -226,9 +236,11 @@ def with_solids(wall: Wall, made: Sequence[dict], sizes: bool) -> Wall:
     across = [s for s, z in corners if z == 0.0] or along
     depth = body[0].to_m - body[0].from_m
     widths = (depth, max(along) - min(along)) if body[0].plane == "elevation" else (max(across) - min(across), depth)
-    found = {"height_m": max(z for _, z in corners), "thickness_m": widths[0], "length_m": widths[1]}
+    extents = {"height_m": max(z for _, z in corners), "thickness_m": widths[0], "length_m": widths[1]}
     given = {"height_m": wall.height_m, "thickness_m": wall.thickness, "length_m": wall.length_m}
-    values: dict[str, Any] = {k: round(value, DIGITS) for k, value in found.items() if sizes or given[k] is None}
+    values: dict[str, Any] = {
+        k: round(value, CORNER_DECIMALS) for k, value in extents.items() if sizes or given[k] is None
+    }
     if "thickness_m" in values:
         others = ("slenderness_deg", "height_over_thickness", "radius_m", "inertia_over_mass_m2")
         values |= dict.fromkeys(others)

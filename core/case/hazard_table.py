@@ -12,7 +12,7 @@ from core.quantities import foreign_unit
 from core.regular_file import TooLarge, read_regular
 
 KEYS = ("return_period_years", "ag_g", "f0", "tc_star_s")
-UNITS = ("anni", "years", "yr", "g", "ag/g", "s", "sec", "-", "–")
+COLUMN_UNITS = ("anni", "years", "yr", "g", "ag/g", "s", "sec", "-", "–")
 """Units of its columns, as they are written."""
 
 MAX_BYTES, MAX_ROWS = 100_000, 100
@@ -36,7 +36,7 @@ def parse_hazard(text: str) -> tuple[HazardRow, ...]:
         except InputError:
             if rows or _NUMBER_FIRST.match(parts[0]):
                 raise InputError("hazard_line", text=line.strip()[:60], place=(here,)) from None
-            if foreign := foreign_unit(line, UNITS):
+            if foreign := foreign_unit(line, COLUMN_UNITS):
                 raise InputError("hazard_units", unit=foreign[:40], place=(here,)) from None
             continue
         if len(values) not in (2, 4) or len(rows) == MAX_ROWS:

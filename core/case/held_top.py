@@ -6,7 +6,7 @@ from core.case.wall import BENDS, Wall
 from core.codes.vertical_bending import bending
 from core.errors import InputError, place
 from core.known import known
-from core.wall.bending import ON_TOP
+from core.wall.bending import TOP_TOLERANCE
 
 OF_HISTORIES = ("restitution", "velocity_ratio")
 """Keys of what it has not."""
@@ -42,7 +42,7 @@ def check_held_top(wall: Wall) -> None:
             raise InputError("bending_tie", place=on, key="kind")
         if load.kind != "vertical":
             raise InputError("bending_load", place=on, key="kind")
-        if load.h_m > known(wall.height_m) * (1.0 + ON_TOP):
+        if load.h_m > known(wall.height_m) * (1.0 + TOP_TOLERANCE):
             raise InputError("bending_load_height", place=on, key="h_m", found=load.h_m, height=wall.height_m)
     for moving in (wall, bent_inward(wall)):
         bending(moving.in_si)
@@ -60,6 +60,6 @@ def with_top_loads(was: Wall, wall: Wall) -> Wall:
     """A wall held at its top whose height changed: what stood on the top of the wall as it was stands on its top."""
     if not wall.bends or was.height_m is None or wall.height_m is None or was.height_m == wall.height_m:
         return wall
-    near = ON_TOP * was.height_m
+    near = TOP_TOLERANCE * was.height_m
     on = (replace(load, h_m=wall.height_m) if abs(load.h_m - was.height_m) <= near else load for load in wall.load)
     return replace(wall, load=tuple(on))

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from core.case.above_hinge import LEAST_HEIGHT, above_hinge, named_above
+from core.case.above_hinge import MIN_HEIGHT_ABOVE, above_hinge, named_above
 from core.case.between_holds import between, named_between, spans_of
 from core.case.schema import Case
 from core.case.site import Building
@@ -71,7 +71,7 @@ def storey_ends(wall: Wall, building: Building) -> tuple[float, ...]:
         return ()
     storey, base = building.height_m / building.storeys, wall.base_z_m or 0.0
     heights = (storey * floor - base for floor in range(1, building.storeys + 1))
-    return tuple(h for h in heights if LEAST_HEIGHT <= h <= wall.height_m - LEAST_HEIGHT)
+    return tuple(h for h in heights if MIN_HEIGHT_ABOVE <= h <= wall.height_m - MIN_HEIGHT_ABOVE)
 
 
 def usual_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
@@ -84,15 +84,15 @@ def usual_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
     shape = changes(wall.parts) if wall.parts else ()
     others = [*loads, *(storey_ends(wall, building) if building else ())]
     apart = [height for height in others if all(abs(height - z) > SAME_HINGE + SNAP for z in shape)]
-    found: list[float] = []
+    heights: list[float] = []
     for height in sorted({*shape, *apart}):
         faces = contact_at(wall.parts, height) if wall.parts else None
         thickness = min(faces[1] - faces[0], wall.thickness) if faces else wall.thickness
-        highest = wall.height_m - max(SLENDER_ABOVE * thickness, LEAST_HEIGHT)
-        near = bool(found) and height - found[-1] <= SAME_HINGE + SNAP and height not in shape
-        if LEAST_HEIGHT <= height <= highest + 1e-9 and not near:
-            found.append(height)
-    return tuple(found)
+        highest = wall.height_m - max(SLENDER_ABOVE * thickness, MIN_HEIGHT_ABOVE)
+        near = bool(heights) and height - heights[-1] <= SAME_HINGE + SNAP and height not in shape
+        if MIN_HEIGHT_ABOVE <= height <= highest + 1e-9 and not near:
+            heights.append(height)
+    return tuple(heights)
 
 
 def check_hinges(wall: Wall, building: Building | None) -> None:
@@ -109,9 +109,9 @@ def check_hinges(wall: Wall, building: Building | None) -> None:
             raise InputError("hinges_need_building", place=here, key="hinge_heights")
         return
     highest = max(wall.hinge_heights)
-    if highest > wall.height_m - LEAST_HEIGHT:
+    if highest > wall.height_m - MIN_HEIGHT_ABOVE:
         raise InputError(
-            "hinge_above_wall", place=here, key="hinge_heights", hinge=highest, most=wall.height_m - LEAST_HEIGHT
+            "hinge_above_wall", place=here, key="hinge_heights", hinge=highest, most=wall.height_m - MIN_HEIGHT_ABOVE
         )
 
 

@@ -8,7 +8,7 @@ from core.case.schema import Case
 from core.case.wall import Wall
 from core.case.writer import table_of
 
-MOST = 1000
+MAX_SPARE_WALLS = 1000
 """Walls kept beside those of the case while it cannot be accepted."""
 
 
@@ -28,16 +28,16 @@ class Judge:
         """The case as the batch would read it. Raises InputError."""
         if case.walls is not None:
             return parse_case(table_of(case))
-        found = parse_sections(table_of(replace(case, wall=())))
+        judged = parse_sections(table_of(replace(case, wall=())))
         rows = [self._row(wall, k) for k, wall in enumerate(case.wall)]
-        if len(self.read) > 2 * len(rows) + MOST:
+        if len(self.read) > 2 * len(rows) + MAX_SPARE_WALLS:
             self.accepted, self.read = {}, {id(row[0]): row for row in rows}
         given = {("wall", k, key) for k, (_, _, keys) in enumerate(rows) for key in keys}
         walls = [wall for _, wall, _ in rows]
-        found = with_walls(replace(found, given=found.given | given), walls, self.accepted)
+        judged = with_walls(replace(judged, given=judged.given | given), walls, self.accepted)
         self.read = {id(row[0]): row for row in rows}
         self.accepted = {id(wall): self.accepted[id(wall)] for wall in walls}
-        return found
+        return judged
 
     def _row(self, wall: Wall, k: int) -> tuple[Wall, Wall, tuple[str, ...]]:
         """Read a wall that is not known yet. Raises InputError."""

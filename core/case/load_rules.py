@@ -9,7 +9,7 @@ from core.errors import InputError, place
 from core.known import known
 from core.text.sentence import Key
 from core.wall import ties
-from core.wall.masonry import MOST_COLLAPSE, Masonry, as_force, is_stable
+from core.wall.masonry import MAX_COLLAPSE, Masonry, as_force, is_stable
 from core.wall.solids import faces_at
 from core.wall.wall_loads import hinge_inside, largest_tie_share
 
@@ -19,10 +19,10 @@ COMBINED = "g_kn_m", "q_kn_m", "psi_2"
 OF_A_TIE = ("bar_length_m", "fy_mpa", "elongation_m", "elongation", "slack_mm", "prestress", "bar")
 """Keys of a load that only a tie has."""
 
-MOST_STRAIN = 0.30
+MAX_STRAIN = 0.30
 """Largest elongation of a bar before it breaks, of its length."""
 
-MOST_THREAD = 1.5
+MAX_THREAD = 1.5
 """Largest thread at the ends of a bar, of its diameter: upset ends."""
 
 
@@ -47,8 +47,8 @@ def check_given(wall: Wall) -> None:
     if across is not None:
         if wall.length_m is None:
             raise InputError("return_walls_need_length", place=here, key="length_m")
-        if (found := across.number * across.thickness_m) > wall.length_m:
-            raise InputError("return_walls_too_many", place=here, found=found, length=wall.length_m)
+        if (total_thickness := across.number * across.thickness_m) > wall.length_m:
+            raise InputError("return_walls_too_many", place=here, found=total_thickness, length=wall.length_m)
     for key, given in (("return_walls", across), ("tie_height_m", tie)):
         if given is not None and wall.mechanism == "two_sided":
             raise InputError("holds_one_side", place=here, key=key)
@@ -84,9 +84,9 @@ def _check_elongation(stated: float, at_yield: float, length: float, here, key: 
     """Refuse an elongation [m] a bar of this length [m] cannot have."""
     if stated < at_yield:
         raise InputError("tie_elongation_below_yield", place=here, key=key, found=stated, least=at_yield)
-    if stated > MOST_STRAIN * length:
+    if stated > MAX_STRAIN * length:
         raise InputError(
-            "tie_elongation_too_large", place=here, key=key, found=stated, most=MOST_STRAIN * length, share=MOST_STRAIN
+            "tie_elongation_too_large", place=here, key=key, found=stated, most=MAX_STRAIN * length, share=MAX_STRAIN
         )
 
 
@@ -113,12 +113,12 @@ def _check_stands(wall: Wall) -> None:
         if not is_stable(block, side):
             threshold = side.sine * math.tan(block.slenderness) + side.cosine
             raise InputError("unstable_under_loads", place=here, threshold=threshold)
-        if block.slenderness + side.lean > MOST_COLLAPSE:
+        if block.slenderness + side.lean > MAX_COLLAPSE:
             raise InputError(
                 "collapse_too_far",
                 place=here,
                 found=math.degrees(block.slenderness + side.lean),
-                most=math.degrees(MOST_COLLAPSE),
+                most=math.degrees(MAX_COLLAPSE),
             )
     if two_sided and (masonry.restoring[0] != masonry.restoring[1] or unlike) and not masonry.law.is_rigid:
         raise InputError("two_sided_loads_rigid", place=here, key="law")
@@ -192,7 +192,7 @@ def _check_bar(wall: Wall, load: Load, here) -> None:
         raise InputError("tie_existing_steel", place=here, key="fy_mpa" if load.bar.fy_mpa is None else "fu_mpa")
     if load.bar is not None and load.bar.tensile < load.bar.strength:
         raise InputError("tie_fu_below_fy", place=here, key="fu_mpa", found=load.bar.tensile, least=load.bar.strength)
-    if load.bar is not None and (load.bar.thread_mm or 0.0) > (most := MOST_THREAD * load.bar.diameter_mm):
+    if load.bar is not None and (load.bar.thread_mm or 0.0) > (most := MAX_THREAD * load.bar.diameter_mm):
         raise InputError("tie_thread_too_large", place=here, key="thread_mm", found=load.bar.thread_mm, most=most)
     if load.elongation_m is not None and load.elongation is not None:
         raise InputError("tie_two_elongations", place=here, key="elongation")
@@ -220,9 +220,9 @@ def _held_inward(wall: Masonry) -> float:
 def _check_inward(wall: Wall, here, numbers: tuple[int, ...]) -> None:
     """Raise InputError for ties, or other forces inward, under which the wall opens a hinge above its base.
     numbers : of the loads, the strongest of which is named"""
-    found = wall.in_si
-    forces, held = _forces_inward(found), _held_inward(found)
-    if not held or (hinge := hinge_inside(found)) is None:
+    masonry = wall.in_si
+    forces, held = _forces_inward(masonry), _held_inward(masonry)
+    if not held or (hinge := hinge_inside(masonry)) is None:
         return
     k = forces.index(max(forces))
     raise InputError(
@@ -231,5 +231,5 @@ def _check_inward(wall: Wall, here, numbers: tuple[int, ...]) -> None:
         key="kn_m" if wall.load[k].bar is None else "diameter_mm",
         found=1e-3 * held,
         hinge=hinge,
-        most=1e-3 * held * largest_tie_share(found),
+        most=1e-3 * held * largest_tie_share(masonry),
     )

@@ -33,7 +33,7 @@ def files_within(path: Path, names: Collection[str] = NOTE_FILES) -> dict[str, b
     require("report")
     try:
         content = read_regular(path, MAX_NOTE_BYTES)
-        found = bounded(unpacked, content, tuple(names), seconds=SECONDS, megabytes=MEGABYTES)
+        files = bounded(unpacked, content, tuple(names), seconds=SECONDS, megabytes=MEGABYTES)
     except FileNotFoundError:
         raise InputError("no_case_file", place=(path,)) from None
     except TooLarge as error:
@@ -44,9 +44,9 @@ def files_within(path: Path, names: Collection[str] = NOTE_FILES) -> dict[str, b
         if not error.reason:
             raise InputError("note_too_much", seconds=SECONDS, gb=1e-3 * MEGABYTES, place=(path,)) from None
         raise InputError("not_a_note", reason=error.reason[:100], place=(path,)) from None
-    if CASE not in found:
+    if CASE not in files:
         raise InputError("note_without_case", place=(path,))
-    return found
+    return files
 
 
 def unpacked(content: bytes, names: Collection[str]) -> dict[str, bytes]:
@@ -59,16 +59,16 @@ def unpacked(content: bytes, names: Collection[str]) -> dict[str, bytes]:
     reader = pypdf.PdfReader(io.BytesIO(content), strict=True)
     if reader.is_encrypted:
         raise ValueError("encrypted")
-    found: dict[str, bytes] = {}
+    contents: dict[str, bytes] = {}
     files: Any = reader.attachment_list
     for file in files:
-        if file.name in found:
+        if file.name in contents:
             raise ValueError(f"two files {file.name}")
         if file.name in names:
-            found[file.name] = file.content
-            if file.size is not None and file.size != len(found[file.name]):  # pypdf takes what is left of it
+            contents[file.name] = file.content
+            if file.size is not None and file.size != len(contents[file.name]):  # pypdf takes what is left of it
                 raise ValueError(f"{file.name} is damaged")
-    return found
+    return contents
 
 
 def extract(path: Path, folder: Path) -> list[Path]:

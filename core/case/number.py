@@ -5,12 +5,12 @@ import math
 import re
 
 from core.errors import InputError
-from core.quantities import WRITTEN, factor_to
+from core.quantities import UNITS_WRITTEN, factor_to
 
 _NUMBER = re.compile(r"[+-]?([0-9]+([.,][0-9]*)?|[.,][0-9]+)([eE][+-]?[0-9]{1,3})?", re.ASCII)
 
 
-SHOWN_LETTERS = 60
+MAX_TEXT_SHOWN = 60
 """Characters of a text repeated in a sentence."""
 
 
@@ -18,7 +18,7 @@ def parse_number(text: str) -> float:
     """`0.312` and `0,312` both mean 0.312. Raises InputError for both marks at once, for a mark used twice,
     and for anything that is not a finite number."""
     bare = text.strip().replace("−", "-")
-    text = bare if len(bare) <= SHOWN_LETTERS else bare[:SHOWN_LETTERS] + "…"
+    text = bare if len(bare) <= MAX_TEXT_SHOWN else bare[:MAX_TEXT_SHOWN] + "…"
     if "." in bare and "," in bare:
         raise InputError("two_decimal_marks", text=text)
     if not _NUMBER.fullmatch(bare):
@@ -38,12 +38,12 @@ def parse_quantity(text: str, unit: str, bare: float = 1.0) -> float:
 
     unit : of the key, empty for a number without one; bare : what a number without a unit is multiplied with
     """
-    found = _WITH_UNIT.fullmatch(text.strip())
-    if found is None:
+    match = _WITH_UNIT.fullmatch(text.strip())
+    if match is None:
         return parse_number(text) * bare
-    value, factor = parse_number(found[1]), factor_to(found[2], unit)
+    value, factor = parse_number(match[1]), factor_to(match[2], unit)
     if factor is None:
-        raise InputError("unit_of_number", text=text.strip()[:SHOWN_LETTERS], known=WRITTEN.get(unit, unit))
+        raise InputError("unit_of_number", text=text.strip()[:MAX_TEXT_SHOWN], known=UNITS_WRITTEN.get(unit, unit))
     return value * factor
 
 
@@ -56,15 +56,15 @@ def parse_formula(text: str, unit: str, bare: float = 1.0) -> float:
     """A sum or product of numbers as one types it into a form, with brackets, a unit at its end: `(30+40)/2 cm`. Raises
     InputError as `parse_quantity`. unit, bare : as there"""
     rest, tokens = text.strip().translate(_MARKS), []
-    while (found := _TOKEN.match(rest)) and len(tokens) <= MAX_TOKENS:
-        tokens.append(found[1])
-        rest = rest[found.end() :]
-    wrong = InputError("not_a_number", text=text.strip()[:SHOWN_LETTERS])
+    while (match := _TOKEN.match(rest)) and len(tokens) <= MAX_TOKENS:
+        tokens.append(match[1])
+        rest = rest[match.end() :]
+    wrong = InputError("not_a_number", text=text.strip()[:MAX_TEXT_SHOWN])
     if not 1 < len(tokens) <= MAX_TOKENS:
         raise wrong
     factor = factor_to(rest, unit) if rest.strip() else bare
     if factor is None:
-        raise InputError("unit_of_number", text=text.strip()[:SHOWN_LETTERS], known=WRITTEN.get(unit, unit))
+        raise InputError("unit_of_number", text=text.strip()[:MAX_TEXT_SHOWN], known=UNITS_WRITTEN.get(unit, unit))
     tokens.reverse()
     try:
         value = _sum_of(tokens)

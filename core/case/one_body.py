@@ -13,7 +13,7 @@ from core.wall.solids import (
     CARRIED,
     FOOT,
     FOOT_HEIGHT,
-    LEAST_BASE,
+    MIN_BASE,
     Part,
     aligned,
     is_dragged,
@@ -28,16 +28,16 @@ TOUCH = 1e-6
 INTO = 1e-3
 """How far a section may reach into an elevation, and what two solids may be apart and still touch [m]."""
 
-LEAST_TOUCH = 0.01
+MIN_TOUCH = 0.01
 """Length along which two solids touch to be one body [m]."""
 
 LEAVES = 0.25
 """Share of the length of a wall over which a cavity from its foot to its top makes leaves of it: a flue does not."""
 
-SHARES = (0.02, 0.25, 0.5, 0.75, 0.98)
+HEIGHT_SHARES = (0.02, 0.25, 0.5, 0.75, 0.98)
 """Shares of the height between corners at which oblique solids are looked at."""
 
-DRIFT, MOST_HEIGHTS, ROUND_FROM = 0.02, 200, 12
+DRIFT, MAX_HEIGHTS, ROUND_FROM = 0.02, 200, 12
 """How far an edge may move between two sections [m], so many at most between two corners; an opening with as many
 corners is round, and parts nothing between its lowest, widest and highest."""
 
@@ -58,8 +58,8 @@ def check_short_forms(wall: Wall, here) -> None:
     if wedges is None:
         return
     if wedges.number * wedges.thickness_m > length + TOUCH:
-        found = wedges.number * wedges.thickness_m
-        raise InputError("wedges_too_long", place=here, key="return_wedges", found=found, most=length)
+        total_thickness = wedges.number * wedges.thickness_m
+        raise InputError("wedges_too_long", place=here, key="return_wedges", found=total_thickness, most=length)
     high = wall.shoulder - wedges.from_z_m
     if wedges.length_at_top_m > STEEPEST * high + TOUCH:
         raise InputError("crack_too_flat", place=here, key="length_at_top_m", found=wedges.length_at_top_m, most=high)
@@ -97,7 +97,7 @@ def _heights(parts) -> list[tuple[float, bool]]:
         wide = [min(part.polygon)[1], max(part.polygon)[1]]
         levels |= {*zs} if part.weight > 0.0 or len(zs) < ROUND_FROM else {min(zs), max(zs), *wide}
     ordered = sorted(levels)
-    found: list[tuple[float, bool]] = []
+    heights: list[tuple[float, bool]] = []
     for low, high in itertools.pairwise(ordered):
         if high - low <= 2.0 * INTO:
             continue
@@ -106,10 +106,10 @@ def _heights(parts) -> list[tuple[float, bool]]:
             for (s0, z0), (s1, z1) in zip(part.polygon, (*part.polygon[1:], part.polygon[0]), strict=True):
                 if part.weight > 0.0 and min(z0, z1) < high and max(z0, z1) > low and z0 != z1:
                     moves.append(abs((s1 - s0) / (z1 - z0)) * (high - low))
-        count = min(2 + math.ceil(max(moves) / DRIFT), MOST_HEIGHTS)
-        found += [(low + (high - low) * k / count, False) for k in range(count)]
-        found.append((high, True))
-    return found
+        count = min(2 + math.ceil(max(moves) / DRIFT), MAX_HEIGHTS)
+        heights += [(low + (high - low) * k / count, False) for k in range(count)]
+        heights.append((high, True))
+    return heights
 
 
 def _check_pieces(wall: Wall, parts: tuple[Part, ...], here) -> None:
@@ -135,10 +135,10 @@ def fault_of(parts: tuple[Part, ...], thickness: float) -> tuple[str, float] | N
         sections = [cells_of(pieces_at(kept, z, below, 0.5 * INTO), same=2.0 * INTO) for z, below in heights]
         middles = zip(heights, sections, strict=True)
         inside = ((z, cells) for k, ((z, _), cells) in enumerate(middles) if 0 < k < len(heights) - 1)
-        empty = next((z for z, cells in inside if area_of(cells) <= LEAST_BASE), None)
+        empty = next((z for z, cells in inside if area_of(cells) <= MIN_BASE), None)
         if empty is not None and kept == borne:
             return "cut", empty
-        if Bodies(sections, LEAST_TOUCH, 2.0 * INTO).count > 1:
+        if Bodies(sections, MIN_TOUCH, 2.0 * INTO).count > 1:
             return "pieces", 0.0
     cavity: list[tuple[float, float]] = []
     for n, cells in enumerate(sections):
@@ -163,10 +163,10 @@ def _share(one: Part, other: Part) -> bool:
     """Whether two solids, of which one is oblique, have mass in common."""
     levels = sorted({z for part in (one, other) for _, z in part.polygon})
     for low, high in itertools.pairwise(levels):
-        for share in SHARES if high - low > 2.0 * INTO else ():
+        for share in HEIGHT_SHARES if high - low > 2.0 * INTO else ():
             z = low + share * (high - low)
             first, second = (pieces_at([part], z, grown=-INTO) for part in (one, other))
-            if area_of(cells_of(first, second)) > LEAST_BASE:
+            if area_of(cells_of(first, second)) > MIN_BASE:
                 return True
     return False
 
@@ -192,9 +192,9 @@ def _check_behind(wall: Wall, parts: tuple[Part, ...], here) -> None:
     seen = [s for part in rest if part.plane == "elevation" for s, _ in part.polygon]
     seen += [end for part in rest if part.plane == "section" for end in part.ends]
     most = max(length, max(seen) - min(seen)) if seen else length
-    found = max(length_of(cells_of(pieces_at(behind, z))) for z in _middles(behind))
-    if found > most + TOUCH:
-        raise InputError("wedges_too_long", place=here, key="solid", found=found, most=most)
+    longest = max(length_of(cells_of(pieces_at(behind, z))) for z in _middles(behind))
+    if longest > most + TOUCH:
+        raise InputError("wedges_too_long", place=here, key="solid", found=longest, most=most)
 
 
 def _box(part: Part) -> list[tuple[float, float]]:
@@ -229,7 +229,7 @@ def _check_foot(wall: Wall, parts: tuple[Part, ...], here) -> None:
     if carried < CARRIED * length_of(base) and all(part.plane != "oblique" for part in placed):
         raise InputError("foot_short", place=here, found=carried, whole=length_of(base))
     if faces is None or faces[0] > most + TOUCH:
-        found = math.inf if faces is None else faces[0]
-        raise InputError("foot_alone", place=here, found=found, z=low, most=most)
+        outer_face = math.inf if faces is None else faces[0]
+        raise InputError("foot_alone", place=here, found=outer_face, z=low, most=most)
     if "two_sided" in wall.mechanisms() and faces[1] < thickness - most - TOUCH:
         raise InputError("inner_foot_alone", place=here, found=thickness - faces[1], z=low, most=most)

@@ -12,7 +12,7 @@ from core.case.drawing_outlines import Gap, Point
 from core.errors import InputError
 from core.wall.body import holds
 
-MOST_SEGMENTS = 20_000
+MAX_SEGMENTS = 20_000
 """Segments of the lines among which an outline is sought, at most: each is compared with each."""
 
 Line = tuple[str, Sequence[Point]]
@@ -32,8 +32,8 @@ def around(lines: Sequence[Line], point: Point, close: float, same: float) -> En
     """The outline around a point. close : how far a loose end may be from the line it should meet; same : how far two
     corners that are one, both in the unit of the drawing. Raises InputError where no outline closes around it."""
     layers, segments, ends = _segments(lines, same)
-    if len(segments) > MOST_SEGMENTS:
-        raise InputError("drawing_too_many_lines", n=len(segments), most=MOST_SEGMENTS)
+    if len(segments) > MAX_SEGMENTS:
+        raise InputError("drawing_too_many_lines", n=len(segments), most=MAX_SEGMENTS)
     bridges, closed = _bridges(segments, ends, close, same)
     layers += [layers[k] for k, _ in bridges]
     if bridges:
@@ -62,23 +62,23 @@ def around(lines: Sequence[Line], point: Point, close: float, same: float) -> En
 
 def _segments(lines: Sequence[Line], same: float) -> tuple[list[str], np.ndarray, list[tuple[int, Point]]]:
     """(layer of each segment, x0, y0, x1, y1 of each, (number of the segment, point) of the ends of open lines)."""
-    layers, found, ends = list[str](), [], []
+    layers, segments, ends = list[str](), [], []
     for layer, points in lines:
-        first = len(found)
+        first = len(segments)
         for a, b in itertools.pairwise(points):
             if math.dist(a, b) > 0.0:
                 layers.append(layer)
-                found.append((*a, *b))
-        if len(found) > first and math.dist(points[0], points[-1]) > same:
-            ends += [(first, points[0]), (len(found) - 1, points[-1])]
-    return layers, np.array(found).reshape(-1, 4), ends
+                segments.append((*a, *b))
+        if len(segments) > first and math.dist(points[0], points[-1]) > same:
+            ends += [(first, points[0]), (len(segments) - 1, points[-1])]
+    return layers, np.array(segments).reshape(-1, 4), ends
 
 
 def _bridges(segments: np.ndarray, ends, close: float, same: float) -> tuple[list, list[Gap]]:
     """((number of the segment of a loose end, the segment from it to the nearest line), ...), and these gaps."""
     start, way = segments[:, :2], segments[:, 2:] - segments[:, :2]
     square = (way**2).sum(axis=1)
-    found, gaps, middles = [], [], set()
+    bridges, gaps, middles = [], [], set()
     for k, end in ends:
         share = np.clip(((np.array(end) - start) * way).sum(axis=1) / square, 0.0, 1.0)
         foot = start + share[:, None] * way
@@ -86,12 +86,12 @@ def _bridges(segments: np.ndarray, ends, close: float, same: float) -> tuple[lis
         off[k] = np.inf
         near = int(off.argmin())
         if 1e-3 * same < off[near] <= close:
-            found.append((k, (*end, *foot[near])))
+            bridges.append((k, (*end, *foot[near])))
             middle = tuple(np.round(0.5 * (foot[near] + end) / same).tolist())
             if middle not in middles:  # two ends that face each other are one gap
                 middles.add(middle)
                 gaps.append(Gap("", end, float(off[near])))
-    return found, [gap for gap in gaps if gap.size > same]
+    return bridges, [gap for gap in gaps if gap.size > same]
 
 
 def _split(segments: np.ndarray, same: float) -> list[list[Point]]:
@@ -178,12 +178,12 @@ class _Graph:
 
     def cycle(self, a: int, b: int) -> list[int]:
         """Nodes of the face to the left of the edge from a to b."""
-        found, here = [a], (a, b)
+        nodes, here = [a], (a, b)
         while True:
             here = here[1], self._after(*here)
             if here == (a, b):
-                return found
-            found.append(here[0])
+                return nodes
+            nodes.append(here[0])
 
     def _area(self, cycle: list[int]) -> float:
         corners = [self.points[node] for node in cycle]
@@ -207,7 +207,7 @@ class _Graph:
     def holes(self, cycle: list[int]) -> tuple[tuple[Point, ...], ...]:
         """Outlines of what stands apart within a face."""
         outline = [self.points[node] for node in cycle]
-        left, found = set(self.beside) - self._joined(cycle[0]), []
+        left, outlines = set(self.beside) - self._joined(cycle[0]), []
         while left:
             own = self._joined(next(iter(left)))
             left -= own
@@ -218,14 +218,16 @@ class _Graph:
             after = min(self.beside[first], key=lambda n: math.atan2(self.points[n][1] - y, self.points[n][0] - x))
             around = self.cycle(after, first)
             around = around if self._area(around) < 0.0 else self.cycle(first, after)
-            found.append(tuple(self.points[node] for node in reversed(around)))
-        return tuple(one for one in found if not any(one is not other and holds(other, one[0]) for other in found))
+            outlines.append(tuple(self.points[node] for node in reversed(around)))
+        return tuple(
+            one for one in outlines if not any(one is not other and holds(other, one[0]) for other in outlines)
+        )
 
     def _joined(self, node: int) -> set[int]:
         """All nodes connected with this one by lines."""
-        found, new = {node}, [node]
+        reached, new = {node}, [node]
         while new:
-            fresh = self.beside[new.pop()] - found
-            found |= fresh
+            fresh = self.beside[new.pop()] - reached
+            reached |= fresh
             new += fresh
-        return found
+        return reached

@@ -8,7 +8,7 @@ from core.case.keys import choice_key, number_key, text_key
 from core.case.site import Demand, HazardRow, Spectrum
 from core.codes.limits import EXCEEDANCE, SAME_PERIOD, return_period
 from core.codes.national_hazard import (
-    LEAST_REFERENCE,
+    MIN_REFERENCE_PERIOD,
     RETURN_PERIODS,
     USE_CLASSES,
     SiteHazard,
@@ -22,7 +22,7 @@ from core.text.sentence import Key, Sentence, notice
 
 HERE = section("[site]")
 
-FARTHEST = 40.0
+MAX_SEAT_DISTANCE = 40.0
 """No place of a municipality is farther from its seat [km]."""
 
 DERIVED = ("ag_g", "nominal_life_years", "use_class_factor", "hazard")
@@ -53,8 +53,8 @@ class Site:
             raise InputError("site_half_a_point", place=(HERE,))
         if not self.municipality:
             raise InputError("site_nowhere", place=(HERE,))
-        found = municipality(self.municipality, self.province)
-        return found.latitude, found.longitude
+        seat = municipality(self.municipality, self.province)
+        return seat.latitude, seat.longitude
 
     def _check_name(self) -> None:
         """Refuse a point that is not in the municipality it is called by."""
@@ -65,8 +65,8 @@ class Site:
         except InputError:  # a name of the engineer's own
             return
         km = distance(self.point, (seat.latitude, seat.longitude))
-        if km > FARTHEST:
-            raise InputError("site_elsewhere", place=(HERE,), name=seat.name, km=km, most=FARTHEST)
+        if km > MAX_SEAT_DISTANCE:
+            raise InputError("site_elsewhere", place=(HERE,), name=seat.name, km=km, most=MAX_SEAT_DISTANCE)
 
     @property
     def reference_life(self) -> float:
@@ -175,13 +175,13 @@ def placed(site: Site | None, demand: Demand | None) -> Demand | None:
     if site is None or demand is None:
         return demand
     try:
-        found = derived(site, demand.limit_state)
+        values = derived(site, demand.limit_state)
     except (InputError, TypeError):
         return demand
     spectrum = demand.spectrum
     if isinstance(spectrum, Spectrum) and spectrum.code == "NTC2018":
-        spectrum = replace(spectrum, **{key: found[key] for key in OF_SPECTRUM})
-    return replace(demand, spectrum=spectrum, **{key: found[key] for key in DERIVED})
+        spectrum = replace(spectrum, **{key: values[key] for key in OF_SPECTRUM})
+    return replace(demand, spectrum=spectrum, **{key: values[key] for key in DERIVED})
 
 
 def without_derived(site: Site | None, demand: dict) -> dict:
@@ -196,14 +196,14 @@ def without_derived(site: Site | None, demand: dict) -> dict:
 
 def notices(site: Site, limit_state: str) -> list[Sentence]:
     """Notices on the demand of a place."""
-    found, years = [], site.return_period(limit_state)
+    sentences, years = [], site.return_period(limit_state)
     if site.latitude is None:
-        found.append(notice("site_of_a_seat", name=site.municipality))
+        sentences.append(notice("site_of_a_seat", name=site.municipality))
     if not RETURN_PERIODS[0] <= years <= RETURN_PERIODS[-1]:
         end = RETURN_PERIODS[0] if years < RETURN_PERIODS[0] else RETURN_PERIODS[-1]
-        found.append(notice("site_beyond_the_table", years=years, end=end, state=limit_state))
-    if site.reference_life == LEAST_REFERENCE > site.nominal_life_years * USE_CLASSES[site.use_class]:
-        found.append(notice("site_least_life", least=LEAST_REFERENCE))
+        sentences.append(notice("site_beyond_the_table", years=years, end=end, state=limit_state))
+    if site.reference_life == MIN_REFERENCE_PERIOD > site.nominal_life_years * USE_CLASSES[site.use_class]:
+        sentences.append(notice("site_least_life", least=MIN_REFERENCE_PERIOD))
     if site.hazard.island:
-        found.append(notice("site_on_an_island", group=site.hazard.island))
-    return found
+        sentences.append(notice("site_on_an_island", group=site.hazard.island))
+    return sentences

@@ -76,7 +76,7 @@ def _filled(case: Case, error: InputError, key: str) -> Case | None:
     return None
 
 
-TALL, SLENDER = 60.0, 10.0
+ASSUMED_HEIGHT, ASSUMED_SLENDERNESS = 60.0, 10.0
 """H [m] and H/t of sizes that are assumed: nothing that is within a wall is above its top."""
 
 
@@ -85,8 +85,14 @@ def _with_sizes(wall: Wall) -> Wall | None:
     given = [one for one in (wall.thickness_m, wall.slenderness_deg, wall.height_over_thickness) if one is not None]
     if len(given) > 1 or (given and wall.height_m is not None):
         return None
-    height = wall.height_m or (TALL if wall.thickness_m is None else min(TALL, SLENDER * wall.thickness_m))
-    return replace(wall, height_m=height) if given else replace(wall, height_m=height, thickness_m=height / SLENDER)
+    height = wall.height_m or (
+        ASSUMED_HEIGHT if wall.thickness_m is None else min(ASSUMED_HEIGHT, ASSUMED_SLENDERNESS * wall.thickness_m)
+    )
+    return (
+        replace(wall, height_m=height)
+        if given
+        else replace(wall, height_m=height, thickness_m=height / ASSUMED_SLENDERNESS)
+    )
 
 
 def wall_of(case: Case, error: InputError) -> int | None:
@@ -105,8 +111,8 @@ def load_of(error: InputError) -> int | None:
         values = dict(getattr(part, "values", ()))
         if getattr(part, "code", "") == "load":
             return values["n"] - 1
-        if found := re.match(r"\[\[load\]\] (\d+)", str(values.get("name", ""))):
-            return int(found[1]) - 1
+        if match := re.match(r"\[\[load\]\] (\d+)", str(values.get("name", ""))):
+            return int(match[1]) - 1
     return None
 
 

@@ -20,7 +20,7 @@ from core.case.shape_memory import check_known_shape
 from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
 from core.case.spanning import check_arch
 from core.case.values import (
-    SHOWN_LETTERS,
+    MAX_VALUE_SHOWN,
     are_ends,
     corners_of,
     field_of,
@@ -202,8 +202,8 @@ def with_walls(case: Case, walls: list[Wall], accepted: dict[int, Accepted] | No
 
 def _accepted(k: int, wall: Wall, building: Building | None, names: set[str], beside: tuple) -> Accepted:
     """Check the parts of a wall above its hinges. Raises InputError. names : of the walls of the case"""
-    found = parts_of(k, wall, building)
-    for part in found:
+    parts = parts_of(k, wall, building)
+    for part in parts:
         if (part.hinge or part.top) and part.wall.name in names:
             raise InputError("same_name", key="name", wall=part.wall.name)
         check_loads(part.wall, numbers_above(part.asked, part.hinge), bends=bool(spans_of(wall)))
@@ -213,9 +213,9 @@ def _accepted(k: int, wall: Wall, building: Building | None, names: set[str], be
             check_given(part.wall)
             for mechanism in part.wall.mechanisms():
                 part.wall.restitution_of(mechanism)
-    heights = (part.wall.felt_z_m for part in found if part.wall.above_ground)
-    above = tuple(part.wall.name for part in found if part.hinge or part.top)
-    hinges = tuple(part.hinge for part in found[1:] if part.top is None)
+    heights = (part.wall.felt_z_m for part in parts if part.wall.above_ground)
+    above = tuple(part.wall.name for part in parts if part.hinge or part.top)
+    hinges = tuple(part.hinge for part in parts[1:] if part.top is None)
     return Accepted(wall, beside, hinges, above, frozenset(z for z in heights if z is not None))
 
 
@@ -442,7 +442,7 @@ def _name(entry, index: int):
     if not isinstance(name, str):
         return index + 1
     return (
-        f"{name[:SHOWN_LETTERS]} ({variant})"
-        if isinstance(variant, str) and len(variant) <= SHOWN_LETTERS
-        else name[:SHOWN_LETTERS]
+        f"{name[:MAX_VALUE_SHOWN]} ({variant})"
+        if isinstance(variant, str) and len(variant) <= MAX_VALUE_SHOWN
+        else name[:MAX_VALUE_SHOWN]
     )

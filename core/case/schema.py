@@ -93,8 +93,8 @@ def sections() -> dict[str, type]:
                 yield from inside(f"{name}.{entry.name}", of, entry.metadata["kind"] == "tables")
 
     outer = (Report, Wall, Record, Generate, Select, Analysis, Site, Demand, Building)
-    found = [one for of in outer for one in inside(of.__name__.lower(), of, of in (Wall, Record))]
-    return dict([*found, *inside("sensitivity", Ranges, False)])
+    named = [one for of in outer for one in inside(of.__name__.lower(), of, of in (Wall, Record))]
+    return dict([*named, *inside("sensitivity", Ranges, False)])
 
 
 OWN_FIELDS = ("sha256", "given", "table", "table_notes", "drawings", "drawn_from", "source")

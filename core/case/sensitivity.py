@@ -10,10 +10,10 @@ def factors_key(low: float, high: float):
     return key("factors", (low, high))
 
 
-LEAST_FACTOR, GREATEST_FACTOR = 0.1, 10.0
+MIN_FACTOR, MAX_FACTOR = 0.1, 10.0
 """Factors accepted."""
 
-MOST_ADDED = 0.3
+MAX_ADDED = 0.3
 """Largest length added to a hinge setback [m]."""
 
 

@@ -95,19 +95,19 @@ class Shaped:
         if self.gable_m:
             outline.insert(3, (0.5 * length, top))
         steps = [(0.0, base, "outer"), *((s.from_z_m, s.thickness_m, s.flush) for s in self.steps)]
-        found = []
+        layers = []
         for k, (low, thickness, flush) in enumerate(steps):
             high = steps[k + 1][0] if k + 1 < len(steps) else top
             start = FLUSH[flush] * (base - thickness)
             if self.out_of_plumb_m:
                 corners = self._leaning(start, thickness, low, high)
-                found.append(Part(corners, (0.0, length), 0.0, 0.0, weight, "section"))
+                layers.append(Part(corners, (0.0, length), 0.0, 0.0, weight, "section"))
                 continue
             for corners, sign in [(outline, 1.0), *((opening.corners, -1.0) for opening in self.openings)]:
                 if polygon := _between(corners, low, high):
                     angle = ANGLES["elevation"]
-                    found.append(Part(polygon, (0.0, thickness), angle, start, sign * weight, "elevation"))
-        return found
+                    layers.append(Part(polygon, (0.0, thickness), angle, start, sign * weight, "elevation"))
+        return layers
 
     def _leaning(self, start: float, thickness: float, low: float, high: float) -> tuple[tuple[float, float], ...]:
         """Section between two heights of a wall whose top is out of plumb, outward [m]."""

@@ -9,7 +9,7 @@ from core.case.shape_rules import check_shape
 from core.case.wall import Wall
 from core.errors import InputError, place
 
-BESIDE: dict[str, Any] = {
+WITHOUT_SHAPE: dict[str, Any] = {
     "name": "",
     "variant": None,
     "floor": "",
@@ -33,13 +33,13 @@ def check_known_shape(wall: Wall) -> None:
     if not wall.has_shape:
         return
     try:
-        found = _found(replace(wall, **BESIDE))
+        refusal = _found(replace(wall, **WITHOUT_SHAPE))
     except TypeError:  # a value that is no key of a memory
         check_shape(wall)
         return
-    if found is not None:
-        error = copy.copy(found)
-        error.place = (place("wall", name=wall.title), *found.place[1:])
+    if refusal is not None:
+        error = copy.copy(refusal)
+        error.place = (place("wall", name=wall.title), *refusal.place[1:])
         raise error
 
 

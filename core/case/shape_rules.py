@@ -20,7 +20,7 @@ outer hinge carries a wall along it is judged of elevations."""
 LENGTH_SLIP = 0.01
 """Share by which length_m may be less than the body with loads, which act on length_m."""
 
-LEAST_CONTACT = 0.5
+MIN_CONTACT = 0.5
 """Least height of the point that meets the restraint, of the height of the body."""
 
 
@@ -44,8 +44,8 @@ def check_shape(wall: Wall) -> None:
     _check_overlap(parts, here, "openings" if wall.openings else "solid")
     _check_openings(parts, here, "openings" if wall.openings else "solid")
     top = top_of(parts)
-    if not LEAST_CONTACT * top <= height <= top * (1.0 + 1e-9):
-        raise InputError("contact_outside", place=here, key="height_m", found=height, low=LEAST_CONTACT * top, top=top)
+    if not MIN_CONTACT * top <= height <= top * (1.0 + 1e-9):
+        raise InputError("contact_outside", place=here, key="height_m", found=height, low=MIN_CONTACT * top, top=top)
     _check_base(wall, parts, thickness, length, here)
     check_one_body(wall, parts, here)
     wall.bare_block()  # the setback, then a body that does not stand on it
@@ -100,8 +100,8 @@ def _along(part: Part, s: float, n: float) -> float:
 
 def _reach(part: Part, of) -> tuple[float, float]:
     """Least and largest coordinate of a solid [m]. of : the coordinate, _inward or _along"""
-    found = [of(part, s, n) for s, _ in part.polygon for n in part.ends]
-    return min(found), max(found)
+    coordinates = [of(part, s, n) for s, _ in part.polygon for n in part.ends]
+    return min(coordinates), max(coordinates)
 
 
 def _extent(parts: tuple[Part, ...]) -> float:

@@ -200,10 +200,10 @@ def read_record_list(path: Path) -> RecordList:
         raise InputError("study_no_records", place=(path,))
     table, _ = read_toml(path)
     try:
-        found = section_of(RecordList, table, "records", "records")
-        if not found.record:
+        record_list = section_of(RecordList, table, "records", "records")
+        if not record_list.record:
             raise InputError("study_without", key="record")
-        return found
+        return record_list
     except InputError as error:
         raise error.at(path) from None
 

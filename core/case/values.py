@@ -11,7 +11,7 @@ from core.case.hinges import BASE, FLOORS
 from core.case.keys import is_required
 from core.case.number import parse_number
 from core.case.schema import OWN_FIELDS
-from core.case.sensitivity import GREATEST_FACTOR, LEAST_FACTOR, MOST_ADDED
+from core.case.sensitivity import MAX_ADDED, MAX_FACTOR, MIN_FACTOR
 from core.case.wall import MIN_ELASTIC
 from core.errors import InputError, section
 from core.file_names import is_text, name_of
@@ -22,10 +22,10 @@ MAX_TEXT, MAX_PARAGRAPHS, MAX_PATH = 500, 4_000, 12_000
 """Characters of a text, of one of several lines and of a name of a file, each byte of which may take three
 (`names.key_of`)."""
 
-MOST_CORNERS = 2000
+MAX_CORNERS = 2000
 """Corners of a polygon, at most."""
 
-SHOWN_LETTERS = 100
+MAX_VALUE_SHOWN = 100
 """Characters of a value repeated in a sentence."""
 
 PERIOD_LIMITS = (0.02, 10.0)
@@ -150,16 +150,16 @@ def _pair(value, least: float, most: float) -> tuple[float, float] | None:
 
 
 def _range(entry, value, here):
-    found = _pair(value, *PERIOD_LIMITS)
-    return found if found and found[0] < found[1] else None
+    pair = _pair(value, *PERIOD_LIMITS)
+    return pair if pair and pair[0] < pair[1] else None
 
 
 def _factors(entry, value, here):
-    return _pair(value, LEAST_FACTOR, GREATEST_FACTOR)
+    return _pair(value, MIN_FACTOR, MAX_FACTOR)
 
 
 def _setbacks(entry, value, here):
-    return _pair(value, 0.0, MOST_ADDED)
+    return _pair(value, 0.0, MAX_ADDED)
 
 
 def _list(entry, value, here):
@@ -171,9 +171,9 @@ def _list(entry, value, here):
 
 def _texts(entry, value, here):
     """Read one text or several as a tuple; None for anything else."""
-    found = [value] if isinstance(value, str) else value
-    fits = isinstance(found, (list, tuple)) and all(_is_short_text(text) and text for text in found)
-    return tuple(found) if fits and (found or entry.default == ()) else None
+    texts = [value] if isinstance(value, str) else value
+    fits = isinstance(texts, (list, tuple)) and all(_is_short_text(text) and text for text in texts)
+    return tuple(texts) if fits and (texts or entry.default == ()) else None
 
 
 def _tables(entry, value, here):
@@ -215,7 +215,7 @@ def corners_of(value) -> tuple[tuple[float, float], ...] | None:
             value = [[parse_number(part) for part in corner.split()] for corner in value.split(";") if corner.strip()]
         except InputError:
             return None
-    if not isinstance(value, (list, tuple)) or len(value) > MOST_CORNERS:
+    if not isinstance(value, (list, tuple)) or len(value) > MAX_CORNERS:
         return None
     fits = all(isinstance(c, (list, tuple)) and len(c) == 2 and _are_numbers(c) for c in value)
     return tuple((float(s), float(z)) for s, z in value) if fits else None
@@ -268,8 +268,8 @@ KINDS: dict[str, tuple[Callable, Callable]] = {
     "path": (_path, _said("path")),
     "flag": (_flag, _said("flag")),
     "range": (_range, _said("periods", low=PERIOD_LIMITS[0], high=PERIOD_LIMITS[1])),
-    "factors": (_factors, _said("factors", low=LEAST_FACTOR, high=GREATEST_FACTOR)),
-    "setbacks": (_setbacks, _said("setbacks", high=MOST_ADDED)),
+    "factors": (_factors, _said("factors", low=MIN_FACTOR, high=MAX_FACTOR)),
+    "setbacks": (_setbacks, _said("setbacks", high=MAX_ADDED)),
     "limits": (_limits, _said_of_limits),
     "list": (_list, lambda entry: sentence("accepted", "list", items=accepted_by(entry.metadata["of"]))),
     "texts": (_texts, _said("texts", most=MAX_TEXT)),
@@ -280,7 +280,7 @@ KINDS: dict[str, tuple[Callable, Callable]] = {
     ),
     "spectrum": (_spectrum, _said("table")),
     "hinges": (_hinges, _said("hinges", floors=FLOORS, base=BASE)),
-    "polygon": (_polygon, _said("polygon", most=MOST_CORNERS)),
+    "polygon": (_polygon, _said("polygon", most=MAX_CORNERS)),
     "law": (_law, _said("law", names=(*WITH_BRANCH, *LAWS))),
 }
 """Kind of a key -> what reads its value (field, value, place), None where it is not accepted, and its words."""
@@ -294,11 +294,11 @@ def accepted_by(entry) -> Sentence:
 def value_of(entry, value, *here):
     """Check one value against its field; raises InputError with place, value, accepted. here : the place."""
     read, accepted = KINDS[entry.metadata["kind"]]
-    found = read(entry, value, here)
-    if found is None:
+    converted = read(entry, value, here)
+    if converted is None:
         shown = repeated(value)
         raise InputError("not_accepted", place=here, key=entry.name, value=shown, accepted=accepted(entry), found=value)
-    return found
+    return converted
 
 
 def repeated(value) -> str:
@@ -307,4 +307,4 @@ def repeated(value) -> str:
         words = repr(value)
     except (ValueError, RecursionError):  # an integer of thousands of digits
         words = f"{type(value).__name__} …"
-    return words if len(words) <= SHOWN_LETTERS else words[:SHOWN_LETTERS] + "…"
+    return words if len(words) <= MAX_VALUE_SHOWN else words[:MAX_VALUE_SHOWN] + "…"

@@ -7,10 +7,10 @@ from core.errors import InputError, place
 KEY = "variant_of"
 """Key of a [[wall]] in the file alone: a Wall is whole."""
 
-MOST_NAMES = 20
+MAX_NAMES_SHOWN = 20
 """Names of walls repeated in a sentence."""
 
-EMPTY = ("", [])
+EMPTY_VALUES = ("", [])
 """Values that take a key of the named wall away."""
 
 ALTERNATIVES = (
@@ -37,7 +37,7 @@ def expanded(table: dict) -> dict:
         if not isinstance(name, str) or name not in known:
             if isinstance(name, str) and name in variants:
                 raise InputError("variant_of_variant", place=(here,), key=KEY, named=repeated(name))
-            names = ", ".join(repeated(one) for one in list(known)[::-1][:MOST_NAMES])
+            names = ", ".join(repeated(one) for one in list(known)[::-1][:MAX_NAMES_SHOWN])
             raise InputError("variant_of_unknown", place=(here,), key=KEY, named=repeated(name), known=names)
         whole[known[name]].setdefault("variant", AS_IS)
         whole[k] = _copy(walls[known[name]], wall)
@@ -61,7 +61,7 @@ def _copy(original: dict, wall: dict) -> dict:
     if own.get("name", original["name"]) != original["name"]:
         here = place("wall", name=original["name"])
         raise InputError("variant_name", place=(here,), key="name", named=repeated(own["name"]))
-    gone = {key for key, value in own.items() if value in EMPTY}
+    gone = {key for key, value in own.items() if value in EMPTY_VALUES}
     for keys in ALTERNATIVES:
         if any(key in own and key not in gone for key in keys):
             gone |= {key for key in keys if key not in own}
@@ -76,7 +76,7 @@ def contracted(walls: list[dict], stated) -> list[dict]:
     originals = {
         wall.get("name"): wall for wall, old in reversed(list(zip(walls, stated, strict=True))) if KEY not in old
     }
-    found = list(walls)
+    written = list(walls)
     for k, old in enumerate(stated):
         original = originals.get(str(old[KEY])) if KEY in old else None
         if original is not None:
@@ -85,5 +85,5 @@ def contracted(walls: list[dict], stated) -> list[dict]:
                 del own["variant"]
             replaced = {key for keys in ALTERNATIVES if any(key in own for key in keys) for key in keys}
             gone = dict.fromkeys(original.keys() - walls[k].keys() - replaced, "")
-            found[k] = {KEY: old[KEY], **own, **gone}
-    return found
+            written[k] = {KEY: old[KEY], **own, **gone}
+    return written

@@ -58,7 +58,7 @@ class WallJustification:
     d_m: str = text_key()
 
 
-MOST_INERTIA = 2.0
+MAX_INERTIA = 2.0
 """Largest I0/m over R^2 of a block: 4/3 of a slender rectangle, 3/2 of a triangle on its base. A block rocks the more
 slowly the larger it is."""
 
@@ -136,15 +136,15 @@ class Wall(Shaped):
         if self.compressive_strength_mpa is None or self.thickness is None:
             return self.hinge_setback_m
         parts, weight = self.parts, known(self.unit_weight_kn_m3)
-        found = weight_per_metre(parts, self.length_m, 1e3 * weight, self.thickness, self.height_m)
+        vertical_force = weight_per_metre(parts, self.length_m, 1e3 * weight, self.thickness, self.height_m)
         if self.load:
-            found += self._vertical_loads()
+            vertical_force += self._vertical_loads()
         if parts:
             whole = base_length(parts, known(self.length_m), self.thickness)
             if not whole:
                 raise InputError("nothing_at_base", place=(place("wall", name=self.title),), key="solid")
-            found *= known(self.length_m) / whole
-        return 2.0 * found / (3.0 * 1e6 * self.compressive_strength_mpa)
+            vertical_force *= known(self.length_m) / whole
+        return 2.0 * vertical_force / (3.0 * 1e6 * self.compressive_strength_mpa)
 
     def _vertical_loads(self) -> float:
         """Sum of the vertical loads [N/m]. Raises InputError where one has no size yet."""
@@ -237,14 +237,14 @@ class Wall(Shaped):
                 raise InputError("general_keys", place=here)
             if self.radius_m is None or self.inertia_over_mass_m2 is None:
                 raise InputError("general_needs", place=here)
-            if self.inertia_over_mass_m2 > MOST_INERTIA * self.radius_m**2:
+            if self.inertia_over_mass_m2 > MAX_INERTIA * self.radius_m**2:
                 raise InputError(
                     "inertia_too_large",
                     place=here,
                     key="inertia_over_mass_m2",
                     given=self.inertia_over_mass_m2,
-                    most=MOST_INERTIA * self.radius_m**2,
-                    ratio=MOST_INERTIA,
+                    most=MAX_INERTIA * self.radius_m**2,
+                    ratio=MAX_INERTIA,
                 )
             return Block(math.radians(self.slenderness_deg), self.radius_m, self.inertia_over_mass_m2)
         if self.height_m is None or len(given) != 1:

@@ -12,11 +12,11 @@ from core.case.rules import parse_wall
 from core.case.values import field_of
 from core.case.wall import Wall
 from core.errors import InputError, place
-from core.quantities import WRITTEN, factor_to, unit_of
+from core.quantities import UNITS_WRITTEN, factor_to, unit_of
 from core.text.catalogue import CATALOGUE
 from core.text.sentence import Sentence
 
-MOST_LOADS = 4
+MAX_LOADS = 4
 
 _LATER = re.compile(r"[a-z]+[2-9]_")
 """Columns of the second and of later loads and solids, which a sentence leaves out."""
@@ -33,11 +33,13 @@ class Column(NamedTuple):
 def columns() -> dict[str, Column]:
     """Name of a column -> column, of every key of a wall, also of those of its loads and return walls: "load1_kn_m",
     "across_friction". One of these is called by the title of the load and by its own, the first by the former alone."""
-    found = {}
+    by_name = {}
     for entry in fields(Wall):
         if entry.metadata["kind"] not in NESTED:
-            found[entry.name] = Column(entry, frozenset((entry.name, *_titles(entry.name, 0), *_titles(entry.name, 1))))
-        for n in range(1, MOST_LOADS + 1) if "columns" in entry.metadata else ():
+            by_name[entry.name] = Column(
+                entry, frozenset((entry.name, *_titles(entry.name, 0), *_titles(entry.name, 1)))
+            )
+        for n in range(1, MAX_LOADS + 1) if "columns" in entry.metadata else ():
             inside = [inner for inner in fields(entry.metadata["of"]) if inner.metadata["kind"] not in NESTED]
             for k, inner in enumerate(inside):
                 name = entry.metadata["columns"].format(n=n) + inner.name
@@ -46,8 +48,8 @@ def columns() -> dict[str, Column]:
                     before = whole.format(n=n)
                     ends = [f" {title}" for title in _titles(inner.name, language)]
                     titles |= {before + end for end in (*ends, *([""] if k == 0 else []))}
-                found[name] = Column(inner, frozenset(titles))
-    return found
+                by_name[name] = Column(inner, frozenset(titles))
+    return by_name
 
 
 def _titles(key: str, language: int) -> list[str]:
@@ -92,7 +94,7 @@ MECHANISMS = {
     "vertical bending": "vertical_bending",
     "horizontal bending": "horizontal_bending",
 }
-CHOICES = {"mechanism": MECHANISMS, "kind": LOAD_KINDS, "mass": LOAD_MASSES}
+WORDS_OF_CHOICE = {"mechanism": MECHANISMS, "kind": LOAD_KINDS, "mass": LOAD_MASSES}
 """Key -> its words in a table; another choice is written as in the case file."""
 
 UNIT_WORDS = ("u.m.", "u.m", "unità", "unita", "unit", "units")
@@ -103,7 +105,7 @@ MAY_BE_EMPTY = ("", "kN/m3", "kN/m", "deg", "m2")
 
 NO_UNIT = ("", "-", "–")
 
-LENGTHS, WORDS = ("hinges", "polygon"), ("text", "choice", "flag", "law")
+LENGTH_KINDS, WORD_KINDS = ("hinges", "polygon"), ("text", "choice", "flag", "law")
 """Kinds of keys that hold several lengths in metres, and those that hold words."""
 
 FLAGS = {
@@ -189,7 +191,7 @@ def _gather(table: dict) -> None:
     for entry in fields(Wall):
         if "columns" not in entry.metadata:
             continue
-        starts = dict.fromkeys(entry.metadata["columns"].format(n=n) for n in range(1, MOST_LOADS + 1))
+        starts = dict.fromkeys(entry.metadata["columns"].format(n=n) for n in range(1, MAX_LOADS + 1))
         parts = [{key.removeprefix(at): table.pop(key) for key in list(table) if key.startswith(at)} for at in starts]
         if given := [part for part in parts if part]:
             table[entry.name] = given if entry.metadata["kind"] == "tables" else given[0]
@@ -226,26 +228,26 @@ def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
     factors = []
     for k, key in enumerate(keys):
         kind, metadata = columns()[key].entry.metadata["kind"], columns()[key].entry.metadata
-        unit = "m" if kind in LENGTHS else metadata.get("unit", "")
+        unit = "m" if kind in LENGTH_KINDS else metadata.get("unit", "")
         below = (cells[k] if k < len(cells) else "").strip()
         below = "" if below.lower() in UNIT_WORDS else below
         named = [one.strip() for one in (below, *_BRACKETS.findall(heads[k])) if one.strip("[]() ") not in NO_UNIT]
         units = [one for one in named if unit_of(one) is not None]
-        if kind in WORDS or (units and all(_REMARK.fullmatch(one) for one in named if one not in units)):
+        if kind in WORD_KINDS or (units and all(_REMARK.fullmatch(one) for one in named if one not in units)):
             named = units
         if beside := _beside_unit(heads[k]):
             raise _unknown_unit(beside, heads[k], unit)
-        found = []
+        unit_factors = []
         for text in named:
             factor = factor_to(text, unit)
-            if factor is None or (kind in (*WORDS, "polygon") and factor != 1.0):
+            if factor is None or (kind in (*WORD_KINDS, "polygon") and factor != 1.0):
                 raise _unknown_unit(text, heads[k], unit, kind == "polygon")
-            found.append(factor)
-        if not found and kind not in LENGTHS and unit not in MAY_BE_EMPTY:
+            unit_factors.append(factor)
+        if not unit_factors and kind not in LENGTH_KINDS and unit not in MAY_BE_EMPTY:
             raise _unknown_unit("", heads[k], unit)
-        if len(set(found)) > 1:
+        if len(set(unit_factors)) > 1:
             raise InputError("two_units_of_column", column=heads[k][:60], named=named[1][:20], unit=named[0][:20])
-        factors.append(found[0] if found else 1.0)
+        factors.append(unit_factors[0] if unit_factors else 1.0)
     return factors
 
 
@@ -259,7 +261,7 @@ def _beside_unit(head: str) -> str:
 
 def _unknown_unit(text: str, head: str, unit: str, alone: bool = False) -> InputError:
     """A text where the unit of a column stands, or should. alone : no other one is taken"""
-    known = unit if alone else WRITTEN.get(unit, unit)
+    known = unit if alone else UNITS_WRITTEN.get(unit, unit)
     return InputError("unknown_unit", unit=text[:40], column=head[:60], known=known)
 
 
@@ -267,9 +269,9 @@ def _cell(key: str, factor: float, cell: str, here: Sentence):
     """Read the value of a cell. here : its place, for an error"""
     entry = columns()[key].entry
     kind = entry.metadata["kind"]
-    if entry.name in CHOICES:
+    if entry.name in WORDS_OF_CHOICE:
         return _one_of(
-            cell.replace("_", "-") if key == "mechanism" and cell.isascii() else cell, CHOICES[entry.name], here
+            cell.replace("_", "-") if key == "mechanism" and cell.isascii() else cell, WORDS_OF_CHOICE[entry.name], here
         )
     if kind in ("text", "choice", "law", "polygon"):
         return cell

@@ -140,8 +140,8 @@ def _xlsx_rows(content: bytes) -> tuple[list[list[str]], list[Sentence]]:
     whole = read_sheet(content, limits, lambda names: 0)
     name, sheet = whole.name[:MAX_NAME], whole.as_shown()
     try:
-        found = {"formula_cells": sheet.formulas, "error_cells": sheet.errors}
-        refuse_cells({"merged_cells": sheet.merged, **found})
+        refused_cells = {"formula_cells": sheet.formulas, "error_cells": sheet.errors}
+        refuse_cells({"merged_cells": sheet.merged, **refused_cells})
     except InputError as error:
         raise error.at(place("sheet", name=name)) from None
     rows = [_shown_cells(sheet, row) for row in range(1, sheet.last_row + 1)]

@@ -8,7 +8,18 @@ from core.case.schema import Case
 from core.case.variant_of import contracted
 from core.errors import InputError
 
-SECTIONS = ("report", "wall", "record", "generate", "select", "analysis", "site", "demand", "building", "sensitivity")
+SECTION_ORDER = (
+    "report",
+    "wall",
+    "record",
+    "generate",
+    "select",
+    "analysis",
+    "site",
+    "demand",
+    "building",
+    "sensitivity",
+)
 """Sections of a case file, in the order they are written."""
 
 STATED = ("generate", "select", "site", "demand", "building", "sensitivity")
@@ -26,7 +37,7 @@ def table_of(case: Case) -> dict:
     content = case.as_dict()
     if case.walls is not None:
         table["walls"] = case.walls
-    for section in SECTIONS:
+    for section in SECTION_ORDER:
         items = content[section]
         items = items if isinstance(items, tuple) else [items] if items is not None else []
         tables = [

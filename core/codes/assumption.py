@@ -16,10 +16,10 @@ RESTRAINT = "back_restraint"
 ARCH = "arch"
 """Key of what the ends of a wall between its transverse walls push against."""
 
-EDGE = "hinge_setback_m"
+SETBACK_KEY = "hinge_setback_m"
 """Key of the hinge at the edge: every wall has one, and its row is enough where it turns nothing."""
 
-SHOWN_ALONE = (EDGE, "unit_weight_kn_m3", "masonry")
+SHOWN_ALONE = (SETBACK_KEY, "unit_weight_kn_m3", "masonry")
 """Keys whose row is enough where it turns nothing: no limit repeats it."""
 
 TOGETHER = "together"
@@ -31,7 +31,7 @@ def digits_of(value: float) -> str:
     return ".0f" if abs(value) >= 999.5 else ".3g"
 
 
-ASKED = (
+KEYS_WITHOUT_LIMIT = (
     *("mass", "d_m", "h_m", "load", "count", "scatter", "seed", "elastic_modulus_mpa", "inertia_over_mass_m2"),
     *("unit_weight_kn_m3", "masonry"),
 )

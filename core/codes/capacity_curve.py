@@ -11,10 +11,10 @@ from core.codes.target_spectrum import displacement
 CURVE_PERIODS = np.concatenate([np.linspace(0.0, 0.5, 51), np.linspace(0.52, 4.0, 175)])
 """Periods of the curve of the demand [s]."""
 
-POINTS = 41
+CAPACITY_POINTS = 41
 """Points of the curve of a wall held at its top, which is not straight."""
 
-BEYOND = 1.25
+CURVE_END_FACTOR = 1.25
 """How far the curve of the demand is drawn: times the largest displacement of the check."""
 
 
@@ -43,7 +43,7 @@ def capacity_curve(mechanism: Kinematic, demand: DemandResult) -> CapacityCurve 
     if mechanism.d_limit is None or mechanism.s_de is None or target is None:
         return None
     damping = STATE_DAMPING[demand.limit_state]
-    most = BEYOND * max(mechanism.d0, mechanism.s_de)
+    most = CURVE_END_FACTOR * max(mechanism.d0, mechanism.s_de)
 
     def shown(d, a) -> tuple[np.ndarray, np.ndarray]:
         inside = d <= most
@@ -59,6 +59,6 @@ def capacity_curve(mechanism: Kinematic, demand: DemandResult) -> CapacityCurve 
     inside = [end for end in sums.ends_of_ties() if 0.0 < end < sums.d0]
     ends = [0.0, *(d for end in inside for d in (end, end * (1.0 + 1e-9))), sums.d0]
     if sums.bending is not None:
-        ends = np.linspace(0.0, sums.d0, POINTS).tolist()
+        ends = np.linspace(0.0, sums.d0, CAPACITY_POINTS).tolist()
     line = tuple((float(d), capacity_at(sums, d, confidence)) for d in ends)
     return CapacityCurve(line, ground[0], ground[1], floor[0], floor[1], damping)

@@ -11,22 +11,22 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.ground.provenance import LEAST_STATIONS, SHARE, draws
+from core.ground.provenance import INTERVAL_SHARE, MIN_STATIONS, draws
 
 RATE_STATES = ("SLD", "SLV", "SLC", "collapse")
 """SLD is the first uplift; SLV and SLC the rotations of C8.7.1.2.1.6; collapse that of the first multiplier."""
 
-DRAWS = 400
+STATION_DRAWS = 400
 """Sets of stations drawn for the interval."""
 
-LEAST_DEVIATION, MOST_DEVIATION = 1e-6, 2.0
+MIN_DEVIATION, MAX_DEVIATION = 1e-6, 2.0
 """Bounds of the deviation of ln a_g [-]: records that all give the same are given the lower one, so that they too make
 a lognormal; records at the upper one tell nothing."""
 
 STEEP = 15.0
 """Slope of a line of the hazard above which it is a step: rows of nearly one a_g."""
 
-BEYOND = 0.05
+SHARE_THAT_IS_SAID = 0.05
 """Share of a rate, and of walls that fail below the hazard, above which it is said."""
 
 
@@ -44,7 +44,7 @@ class StateRate:
     """Rate of one limit state. collapse is one of them.
 
     fragility : of a_g on rock, FC included
-    rate : exceedances a year [1/year]; low, high : for SHARE of the drawn sets of stations
+    rate : exceedances a year [1/year]; low, high : for INTERVAL_SHARE of the drawn sets of stations
     in_life : probability in the nominal life, None without it
     without_factor : rate without FC
     beyond : share of the rate from motions stronger than the hazard tells by more than one step, F = 1
@@ -93,7 +93,7 @@ def mean_rate(median, deviation, hazard: Sequence[tuple[float, float]]) -> tuple
     under stronger ones the wall is taken to fail, F = 1.
     """
     years, ags = np.array(hazard).T
-    median, deviation = np.asarray(median), np.minimum(deviation, MOST_DEVIATION)
+    median, deviation = np.asarray(median), np.minimum(deviation, MAX_DEVIATION)
     slopes = -np.diff(np.log(1.0 / years)) / np.diff(np.log(ags))
     edges = [ags[0] * ags[0] / ags[1], *ags[1:-1], ags[-1] * ags[-1] / ags[-2]]
     total = np.zeros(median.size)
@@ -113,7 +113,7 @@ def mean_rate(median, deviation, hazard: Sequence[tuple[float, float]]) -> tuple
 def typical_rate(capacities: Sequence[float], hazard: Sequence[tuple[float, float]]) -> float:
     """Mean annual frequency by the lognormal of these capacities [m/s2], without FC and interval."""
     logs = np.log(np.asarray(capacities))
-    deviation = max(float(logs.std(ddof=1)), LEAST_DEVIATION)
+    deviation = max(float(logs.std(ddof=1)), MIN_DEVIATION)
     return float(mean_rate(np.exp(logs.mean(keepdims=True)), np.array([deviation]), hazard)[0][0])
 
 
@@ -130,24 +130,24 @@ def state_rate(
     confidence: float,
     life: float | None,
 ) -> StateRate | None:
-    """The rate of one limit state; None below LEAST_STATIONS stations.
+    """The rate of one limit state; None below MIN_STATIONS stations.
 
     capacities : a_g on rock at which each record reaches it, without FC [m/s2]
     stations : of each record
     hazard : as `mean_rate` takes it
     confidence : FC; life : nominal, None where not given [years]
     """
-    if len(set(stations)) < LEAST_STATIONS or not hazard:
+    if len(set(stations)) < MIN_STATIONS or not hazard:
         return None
     logs = np.log(np.asarray(capacities) / confidence)
-    times = draws(list(stations), DRAWS)
+    times = draws(list(stations), STATION_DRAWS)
     n = times.sum(axis=1)
     means = times @ logs / n
     spread = np.sqrt((times * (logs - means[:, None]) ** 2).sum(axis=1) / np.maximum(n - 1, 1))
     medians = np.array([np.exp(logs.mean()), confidence * np.exp(logs.mean()), *np.exp(means)])
     own = logs.std(ddof=1)
-    rates, beyond, weaker = mean_rate(medians, np.maximum([own, own, *spread], LEAST_DEVIATION), hazard)
-    low, high = np.quantile(rates[2:], (0.5 - SHARE / 2, 0.5 + SHARE / 2))
+    rates, beyond, weaker = mean_rate(medians, np.maximum([own, own, *spread], MIN_DEVIATION), hazard)
+    low, high = np.quantile(rates[2:], (0.5 - INTERVAL_SHARE / 2, 0.5 + INTERVAL_SHARE / 2))
     rate = float(rates[0])
     in_life = None if life is None else in_years(rate, life)
     fragility = Lognormal(float(medians[0]), float(own), logs.size)

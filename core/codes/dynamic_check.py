@@ -35,7 +35,7 @@ from core.wall.rocking_model import RockingModel, weakened
 ONE_BY_ONE = 2
 """Records, the worst at the demand, that are analysed alone: most failures need no other."""
 
-FEW = 16
+MIN_BATCHED = 16
 """Multipliers below which all records are analysed at once: a lane more costs less than another pass."""
 
 CLAUSE = "C8.7.1.2.1.9"
@@ -238,7 +238,7 @@ class DemandRuns:
         other."""
         fails, unknown, rocks = np.zeros((3, multipliers.size), bool)
         total = np.zeros(multipliers.size)
-        for batch in self.batches if multipliers.size >= FEW else self.together:
+        for batch in self.batches if multipliers.size >= MIN_BATCHED else self.together:
             here = np.nonzero(~fails | unknown)[0]
             if here.size == 0:
                 break

@@ -16,16 +16,16 @@ from core.wall.rocking_model import RockingModel, with_branch
 ELASTIC, AUTO = "elastic", "auto"
 """Laws with the branch: always, and of an element free to vibrate alone."""
 
-WEIGHTS = 13e3, 22e3
+TABLE_WEIGHTS = 13e3, 22e3
 """Unit weights of Table C8.5.I [N/m3], where none is given."""
 
-MOST_LIMIT = 0.4
+MAX_LIMIT = 0.4
 """D from which a wall is elastic up to d_SLV: it does not rock."""
 
-LEAST_LIMIT = 1e-4
+MIN_LIMIT = 1e-4
 """Least D: below it the branch is over before the motion of a common wall is seen on it."""
 
-ROUNDS = 60
+MAX_BISECTIONS = 60
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ def branches_of(wall: Masonry, mechanism: str, model: RockingModel) -> tuple[Bra
         return ()
     given, weight = wall.modulus, wall.unit_weight
     ends = tuple(1e6 * end for end in moduli(wall.kind)) if given is None else (given, given)
-    heavy, light = (WEIGHTS[1], WEIGHTS[0]) if weight is None else (weight, weight)
+    heavy, light = (TABLE_WEIGHTS[1], TABLE_WEIGHTS[0]) if weight is None else (weight, weight)
     branches = []
     for modulus, heaviness in dict.fromkeys(((ends[0], heavy), (ends[1], light))):
         there = replace(wall, modulus=modulus, unit_weight=heaviness)
@@ -83,8 +83,8 @@ def branches_of(wall: Masonry, mechanism: str, model: RockingModel) -> tuple[Bra
         if given is not None:
             limits.append(_by_motion(model, stiffness, limits[0]))
         for limit in limits:
-            kept = max(limit, LEAST_LIMIT)
-            if kept < MOST_LIMIT:
+            kept = max(limit, MIN_LIMIT)
+            if kept < MAX_LIMIT:
                 own = 2.0 * math.pi * math.sqrt(kept * model.collapse_rotation / _moment(model, kept))
                 branches.append(Branch(modulus, given is None, period, kept, own))
     return tuple(branches)
@@ -93,7 +93,7 @@ def branches_of(wall: Masonry, mechanism: str, model: RockingModel) -> tuple[Bra
 def _by_motion(model: RockingModel, stiffness: float, limit: float) -> float:
     """D = p2 M(D) / (theta_c omega^2), a small part of which depends on D. stiffness : omega^2 [1/s2]; limit : where it
     begins"""
-    for _ in range(ROUNDS):
+    for _ in range(MAX_BISECTIONS):
         before, limit = limit, _moment(model, limit) / (model.collapse_rotation * stiffness)
         if limit == before:
             break

@@ -32,7 +32,7 @@ STATE_DAMPING = {"SLV": 0.08, "SLC": 0.10}
 FREE_DAMPING = 0.05
 """Damping of an element before it moves (C8.7.1.9)."""
 
-CANTILEVER = 6.2
+CANTILEVER_KAPPA = 6.2
 """kappa of C8.7.1.7 for a cantilever (beam theory: 6.190)."""
 
 SLD_CLAUSE = "C8.7.1.2.1.5"
@@ -166,7 +166,7 @@ def elastic_period(wall: Masonry) -> float | None:
     height, thickness = wall.top, wall.thickness
     if wall.modulus is None or wall.unit_weight is None or height is None or thickness is None:
         return None
-    alone = CANTILEVER * height / thickness * height * math.sqrt(wall.unit_weight / (wall.modulus * G))
+    alone = CANTILEVER_KAPPA * height / thickness * height * math.sqrt(wall.unit_weight / (wall.modulus * G))
     if wall.parts:
         alone *= math.sqrt(period_share(wall))
     return math.sqrt(alone**2 + elastic_period_of_loads(wall)) if wall.loads else alone

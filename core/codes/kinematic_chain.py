@@ -14,7 +14,7 @@ from core.codes.vertical_bending import Bending, bending
 from core.known import known
 from core.units import G
 from core.wall.bars import TieBar
-from core.wall.masonry import MOST_COLLAPSE, Masonry, as_force, base_length, inner_of
+from core.wall.masonry import MAX_COLLAPSE, Masonry, as_force, base_length, inner_of
 from core.wall.wall_loads import restoring_with_ties, start_multiplier
 
 DRAGGED = 0.4
@@ -23,10 +23,10 @@ DRAGGED = 0.4
 LOST = 0.5
 """Share of the largest capacity of whose loss d_SLV is the end (C8.7.1.2.1.6)."""
 
-FARTHEST = math.sin(MOST_COLLAPSE)
+SINE_OF_MAX_COLLAPSE = math.sin(MAX_COLLAPSE)
 """Sine of the largest rotation a wall comes to."""
 
-HEIGHTS = 2000
+HEIGHTS_TRIED = 2000
 """Heights of the part that turns, tried for the smallest alpha_0 with friction."""
 
 
@@ -103,7 +103,7 @@ class Chain:
     def ends_of_ties(self) -> list[float]:
         """d at which a tie is taut, yields and breaks [m], in order; those no wall comes to left out."""
         reached = ((end, tie.bar.height) for tie in self.ties for end in tie.bar.ends)
-        return sorted(float(self.displacement(math.asin(u / h))) for u, h in reached if u < h * FARTHEST)
+        return sorted(float(self.displacement(math.asin(u / h))) for u, h in reached if u < h * SINE_OF_MAX_COLLAPSE)
 
     def limit_of_ties(self, d: float) -> float:
         """d, or less where ties break before it that reduce the capacity by more than half of its largest value: "lo
@@ -115,7 +115,7 @@ class Chain:
         if not self.ties:
             return d
         most = max(self.alpha(end) for end in (0.0, *self.ends_of_ties()))
-        breaking = [tie for tie in self.ties if tie.bar.breaks_at < tie.bar.height * FARTHEST]
+        breaking = [tie for tie in self.ties if tie.bar.breaks_at < tie.bar.height * SINE_OF_MAX_COLLAPSE]
         lost = 0.0
         for tie in sorted(breaking, key=lambda tie: tie.bar.breaks_at / tie.bar.height):
             theta = math.asin(tie.bar.breaks_at / tie.bar.height)
@@ -130,9 +130,9 @@ def chain(wall: Masonry, two_sided: bool) -> Chain:
     """Sums of the chain; of a two-sided wall the smaller alpha_0 and d_0 of its two sides."""
     if wall.bends:
         return of_bending(wall, bending(wall))
-    found = [of_side(wall, side) for side in ((1.0, -1.0) if two_sided else (1.0,))]
-    weaker = min(found, key=lambda side: side.d0)
-    alpha0, bare = (min(getattr(side, name) for side in found) for name in ("alpha0", "alpha0_bare"))
+    sides = [of_side(wall, side) for side in ((1.0, -1.0) if two_sided else (1.0,))]
+    weaker = min(sides, key=lambda side: side.d0)
+    alpha0, bare = (min(getattr(side, name) for side in sides) for name in ("alpha0", "alpha0_bare"))
     # the side that no tie holds decides
     sums = replace(weaker, alpha0=alpha0, alpha0_bare=bare, ties=()) if two_sided else weaker
     if wall.across is None or two_sided:  # they hold a wall that turns outward
@@ -169,16 +169,16 @@ def of_side(wall: Masonry, side: float) -> Chain:
     alpha0, alpha0_bare = (start_multiplier(weight, x, y, all_of, pushed) for all_of in (forces, own))
     block, restoring = wall.sides[0 if side > 0.0 else 1]
     e_star, reach = first**2 / (total * second), bare.radius * second / (y * first)
-    found = Chain(bare.slenderness, reach, alpha0, e_star, total / G, 0.0, alpha0_bare)
-    found = replace(found, d0=float(found.displacement(block.slenderness + restoring.lean)))
+    sums = Chain(bare.slenderness, reach, alpha0, e_star, total / G, 0.0, alpha0_bare)
+    sums = replace(sums, d0=float(sums.displacement(block.slenderness + restoring.lean)))
     bars = [tie.bar for tie in wall.ties if not tie.is_slack]
     if not bars or side < 0.0:
-        return found
+        return sums
     with_ties = block.slenderness + restoring_with_ties(wall).lean
     return replace(
-        found,
+        sums,
         ties=tuple(HeldBy(bar.height / first, bar) for bar in bars),
-        d0_with_ties=float(found.displacement(with_ties)),
+        d0_with_ties=float(sums.displacement(with_ties)),
     )
 
 
@@ -195,10 +195,10 @@ def friction(wall: Masonry, height):
 
 def multipliers_with_friction(wall: Masonry) -> tuple[np.ndarray, ...]:
     """(alpha_0 with the friction of the return walls at a third of its height [-], e* [-], sum of (P + Q) / g [kg/m],
-    height [m]) of every part of the wall from its top down; shape (HEIGHTS,) each. The friction acts on the length of
-    the wall."""
+    height [m]) of every part of the wall from its top down; shape (HEIGHTS_TRIED,) each. The friction acts on the
+    length of the wall."""
     height, across = known(wall.height), known(wall.across)
-    heights = height * np.arange(1, HEIGHTS + 1) / HEIGHTS
+    heights = height * np.arange(1, HEIGHTS_TRIED + 1) / HEIGHTS_TRIED
     weight = wall.weight * heights / height
     x = 0.5 * known(wall.thickness) - wall.setback
     dragged = across.number * friction(wall, heights) / known(wall.length)

@@ -13,7 +13,7 @@ MEAN_FROM = 7
 MINIMUM_FROM = 3
 """Stations from which a set takes the mean, and from which the most unfavourable (EN 1998-1 4.3.3.4.3(3))."""
 
-LEAST_SHARE = 0.2
+MIN_PGA_SHARE = 0.2
 """PGA of a record at the demand over the mean PGA of its set from which its station counts: a record far below the
 others hardly moves a wall, yet as a seventh station it would put the mean in the place of the most unfavourable, and
 lower that mean. Records of sets that follow a spectrum keep above it."""
@@ -45,7 +45,7 @@ def set_rule(stations: set[str]) -> str:
 def are_counted(motions: Sequence[GroundMotion], demand: DemandResult) -> list[bool]:
     """Which records count for the rule of their set, by their PGA on the ground at the demand."""
     peaks = [demand.scaling(motion) * (motion.ground_pga or motion.pga) for motion in motions]
-    least = LEAST_SHARE * fmean(peaks) if peaks else 0.0
+    least = MIN_PGA_SHARE * fmean(peaks) if peaks else 0.0
     return [peak >= least for peak in peaks]
 
 

@@ -28,16 +28,16 @@ TYPES = {
 }
 """In the order of the table; hollow_brick is "mattoni semipieni con malta cementizia", holes to 40 %."""
 
-LEAST_STRENGTH = min(row.strength[0] for row in TYPES.values())
+MIN_STRENGTH = min(row.strength[0] for row in TYPES.values())
 """f [MPa] of the weakest masonry of the table."""
 
-MODULI = min(row.modulus[0] for row in TYPES.values()), max(row.modulus[1] for row in TYPES.values())
+TABLE_MODULI = min(row.modulus[0] for row in TYPES.values()), max(row.modulus[1] for row in TYPES.values())
 """E [MPa] of the table."""
 
 
 def least_strength(masonry: str | None) -> float:
     """Lowest f of a type, of the table where none is named [MPa]."""
-    return TYPES[masonry].strength[0] if masonry else LEAST_STRENGTH
+    return TYPES[masonry].strength[0] if masonry else MIN_STRENGTH
 
 
 def weights(masonry: str | None) -> tuple[float, float]:
@@ -48,4 +48,4 @@ def weights(masonry: str | None) -> tuple[float, float]:
 
 def moduli(masonry: str | None) -> tuple[float, float]:
     """Range of E of a type, of the table where none is named [MPa]."""
-    return TYPES[masonry].modulus if masonry else MODULI
+    return TYPES[masonry].modulus if masonry else TABLE_MODULI

@@ -37,13 +37,13 @@ ends stay below ROCKS: no zeta of 130 sets, searched point by point at 8 places 
 ROCKS = 0.20
 """Largest rotation over theta_c from which a wall may overturn at a multiplier close by."""
 
-AT_ONCE = 128
+POINTS_PER_SEARCH = 128
 """Points of the grid searched before the next check for a failure."""
 
 MAX_MULTIPLIER = 100.0
 """Multiplier of the demand up to which zeta is searched."""
 
-LEAST_SHARE = 1e-3
+MIN_MULTIPLIER_SHARE = 1e-3
 """Share of the multiplier from which the search starts below which no run without a number is followed down."""
 
 
@@ -92,7 +92,7 @@ class _Grid:
 
     def first_failure(self, start: int, top: int) -> int | None:
         """Lowest point at which the rule fails, from start to top; None without one."""
-        sparse, together = max(1, SPARSE // self.every), max(1, AT_ONCE // self.every)
+        sparse, together = max(1, SPARSE // self.every), max(1, POINTS_PER_SEARCH // self.every)
         for low in range(start // sparse * sparse, top + 1, together):
             ends = range(low, low + together + 1, sparse)
             fails, _, rocks = self.at(ends)
@@ -129,7 +129,9 @@ def search_zeta(failures, rest: float, target: float, every: int = 1) -> Zeta:
         return Zeta(most, most, most, (most, most), 0.0, *at_target)
     while (below := grid.fails_at(range(edge - window, edge))).any():
         edge += int(np.argmax(below)) - window
-        if grid.multiplier(edge) < LEAST_SHARE * rest:  # runs that never have a number, however weak the motion
+        if (
+            grid.multiplier(edge) < MIN_MULTIPLIER_SHARE * rest
+        ):  # runs that never have a number, however weak the motion
             return Zeta(None, None, None, None, float(below.mean()), *at_target)
     low = edge - window
     fails, last = below, None

@@ -19,16 +19,16 @@ RETURN_PERIODS = (30.0, 50.0, 72.0, 101.0, 140.0, 201.0, 475.0, 975.0, 2475.0)
 USE_CLASSES = {"I": 0.7, "II": 1.0, "III": 1.5, "IV": 2.0}
 """C_U (NTC 2018 Tab. 2.4.II)."""
 
-LEAST_REFERENCE = 35.0
+MIN_REFERENCE_PERIOD = 35.0
 """V_R is at least 35 years (NTC 2008 2.4.3; NTC 2018 lets it go lower: the safe side is kept)."""
 
 EARTH = 6371.0088
 """Mean radius [km]."""
 
 MILLION = 1_000_000
-DATA = Path(__file__).resolve().parents[2] / "resources" / "hazard" / "italy.npz"
+HAZARD_FILE = Path(__file__).resolve().parents[2] / "resources" / "hazard" / "italy.npz"
 
-NEAR = 0.2
+MAX_NODE_DISTANCE = 0.2
 """Degrees within which nodes of the cell of a point are looked for; cells are about 0.05 by 0.07."""
 
 
@@ -122,7 +122,7 @@ class Municipality(NamedTuple):
 @cache
 def grid() -> Grid:
     """The nodes of Annex B, read when first asked for."""
-    with np.load(DATA) as data:
+    with np.load(HAZARD_FILE) as data:
         ids = data["ids"]
         row_of = {int(node): k for k, node in enumerate(ids)}
         return Grid(ids, data["nodes"] / MILLION, data["values"] / MILLION, row_of)
@@ -131,7 +131,7 @@ def grid() -> Grid:
 @cache
 def municipalities() -> tuple[Municipality, ...]:
     """All that are known, by name."""
-    with np.load(DATA) as data:
+    with np.load(HAZARD_FILE) as data:
         lines = data["names"].tobytes().decode().split("\n")
         seats = (data["seats"] / MILLION).tolist()
     return tuple(Municipality(*line.split("\t"), *seat) for line, seat in zip(lines, seats, strict=True))
@@ -145,10 +145,10 @@ def folded(name: str) -> str:
 
 @cache
 def _by_name() -> dict[str, list[Municipality]]:
-    found: dict[str, list[Municipality]] = {}
+    by_name: dict[str, list[Municipality]] = {}
     for one in municipalities():
-        found.setdefault(folded(one.name), []).append(one)
-    return found
+        by_name.setdefault(folded(one.name), []).append(one)
+    return by_name
 
 
 def _joined(name: str) -> str:
@@ -158,10 +158,10 @@ def _joined(name: str) -> str:
 
 @cache
 def _by_letters() -> dict[str, list[Municipality]]:
-    found: dict[str, list[Municipality]] = {}
+    by_letters: dict[str, list[Municipality]] = {}
     for name, ones in _by_name().items():
-        found.setdefault(_joined(name), []).extend(ones)
-    return found
+        by_letters.setdefault(_joined(name), []).extend(ones)
+    return by_letters
 
 
 @cache
@@ -181,12 +181,12 @@ def _begins_of(lines: str) -> list[int]:
 
 def _lines_with(lines: str, wanted: str, most: int) -> list[int]:
     """Numbers of the first lines that hold a text, which may begin with the break before the line."""
-    found: list[int] = []
+    line_numbers: list[int] = []
     begins, at = _begins_of(lines), lines.find(wanted)
-    while at >= 0 and len(found) < most:
-        found.append(bisect.bisect_right(begins, at) - 1)
-        at = lines.find(wanted, begins[found[-1] + 1]) if found[-1] + 1 < len(begins) else -1
-    return found
+    while at >= 0 and len(line_numbers) < most:
+        line_numbers.append(bisect.bisect_right(begins, at) - 1)
+        at = lines.find(wanted, begins[line_numbers[-1] + 1]) if line_numbers[-1] + 1 < len(begins) else -1
+    return line_numbers
 
 
 def beginning_with(text: str, most: int = 20) -> list[Municipality]:
@@ -198,22 +198,22 @@ def beginning_with(text: str, most: int = 20) -> list[Municipality]:
     order, letters, names = _in_order()
     first = _lines_with(letters, "\n" + joined, most)
     rows = first if len(first) >= most else [*first, *_lines_with(names, wanted, most + len(first))]
-    found = [one for row in dict.fromkeys(rows) for one in order[row]]
-    return found[:most]
+    matches = [one for row in dict.fromkeys(rows) for one in order[row]]
+    return matches[:most]
 
 
 def municipality(name: str, province: str = "") -> Municipality:
     """The one of a name, and of a province where it is not unique. Raises InputError."""
-    found = _by_name().get(folded(name)) or _by_letters().get(_joined(folded(name)), [])
+    namesakes = _by_name().get(folded(name)) or _by_letters().get(_joined(folded(name)), [])
     letters = province.strip().upper()
-    kept = [one for one in found if not letters or letters in (one.province, one.province_name.upper())]
+    kept = [one for one in namesakes if not letters or letters in (one.province, one.province_name.upper())]
     if len(kept) == 1:
         return kept[0]
     if kept:
         provinces = ", ".join(one.province for one in kept)
         raise InputError("municipality_of_two", key="municipality", name=name, provinces=provinces)
-    if found:
-        provinces = ", ".join(one.province for one in found)
+    if namesakes:
+        provinces = ", ".join(one.province for one in namesakes)
         raise InputError("municipality_elsewhere", key="province", name=name, found=province, provinces=provinces)
     if near := ", ".join(one.name for one in beginning_with(name[:4], 3)):
         raise InputError("municipality_near", key="municipality", name=name, near=near)
@@ -283,7 +283,7 @@ def _inside(corners: np.ndarray, point: tuple[float, float]) -> bool:
 def hazard_at(latitude: float, longitude: float) -> SiteHazard:
     """The hazard of a point of Italy. Raises InputError outside the grid and its islands, with the nearest node."""
     known, point = grid(), (latitude, longitude)
-    near = np.nonzero(np.abs(known.nodes - point).max(axis=1) < NEAR)[0]
+    near = np.nonzero(np.abs(known.nodes - point).max(axis=1) < MAX_NODE_DISTANCE)[0]
     for k in near:
         node = int(known.ids[k])
         around = (node, node + 1, node + 223, node + 222)
@@ -323,5 +323,5 @@ def _islands(name: str) -> np.ndarray:
 
 
 def reference_life(nominal_life: float, use_class: str) -> float:
-    """V_R [years] = V_N C_U (NTC 2018 2.4.3), at least LEAST_REFERENCE."""
-    return max(nominal_life * USE_CLASSES[use_class], LEAST_REFERENCE)
+    """V_R [years] = V_N C_U (NTC 2018 2.4.3), at least MIN_REFERENCE_PERIOD."""
+    return max(nominal_life * USE_CLASSES[use_class], MIN_REFERENCE_PERIOD)

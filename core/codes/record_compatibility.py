@@ -16,7 +16,7 @@ from core.ground.provenance import unnamed
 from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
 from core.units import G
 
-RANGE = (0.15, 2.0)
+PERIOD_RANGE = (0.15, 2.0)
 """Periods of the rules [s]: a rigid block has no period T that could narrow them. With natural records, whose
 range of interest is that of the structure, they go on to the longest T_SLV or T_SLC of the walls."""
 
@@ -24,7 +24,7 @@ PERIOD_STEP = 0.01
 """Ratio less 1 between neighbouring periods at which the mean is compared with the target; both ends of the range are
 among them. A step of 0.001 moves no extreme of sets of the shelf by 0.5 % of the target (test_record_compatibility)."""
 
-LOWER = {"artificial": -0.10, "simulated": -0.20, "natural": -0.10}
+LOWER_BOUND = {"artificial": -0.10, "simulated": -0.20, "natural": -0.10}
 UPPER = {"natural": 0.30}
 """Mean 5 % spectrum against the target (NTC 2018 3.2.3.6)."""
 
@@ -68,9 +68,9 @@ class Compliance:
     rules: tuple[Rule, ...]
     stations: int
     compatible: bool
-    period_range: tuple[float, float] = RANGE
+    period_range: tuple[float, float] = PERIOD_RANGE
     unnamed: int = 0
-    full_range: tuple[float, float] = RANGE
+    full_range: tuple[float, float] = PERIOD_RANGE
     longest: float = 0.0
 
     @property
@@ -88,8 +88,8 @@ def strong_duration(motion: GroundMotion) -> float:
 
 
 def full_range(kinds: list[str], longest: float) -> tuple[float, float]:
-    """Periods that matter [s]: `RANGE`, with natural records up to the longest T_SLV or T_SLC of the walls."""
-    return RANGE[0], max(RANGE[1], longest) if "natural" in kinds else RANGE[1]
+    """Periods that matter [s]: `PERIOD_RANGE`, with natural records up to the longest T_SLV or T_SLC of the walls."""
+    return PERIOD_RANGE[0], max(PERIOD_RANGE[1], longest) if "natural" in kinds else PERIOD_RANGE[1]
 
 
 def period_range(kinds: list[str], longest: float, demand: DemandResult) -> tuple[float, float]:
@@ -128,14 +128,14 @@ def natural_bounds(demand: DemandResult) -> tuple[float, float, float]:
     """(least, most mean spectrum over the target, least mean PGA over a_g S) of natural records [-]; inf and 0 where
     the code asks for nothing."""
     codes = deciding_codes(demand)
-    return 1.0 + LOWER["natural"], 1.0 + UPPER["natural"] if "NTC" in codes else math.inf, float("EN" in codes)
+    return 1.0 + LOWER_BOUND["natural"], 1.0 + UPPER["natural"] if "NTC" in codes else math.inf, float("EN" in codes)
 
 
 def common_factor(motions: list[GroundMotion], demand: DemandResult) -> float:
     """The one factor of all records for which their mean 5 % spectrum is nearest to the target, by the mean of the
     logarithms of their ratio over the periods of the rules."""
     assert demand.target is not None
-    low, high = demand.period_range or RANGE
+    low, high = demand.period_range or PERIOD_RANGE
     count = math.ceil(math.log(high / low) / math.log1p(PERIOD_STEP)) + 1
     periods = np.geomspace(low, high, count)
     spectra = [demand.scaling(m) * kept_spectrum(m.acceleration, m.time_step, periods) for m in motions]
@@ -143,7 +143,7 @@ def common_factor(motions: list[GroundMotion], demand: DemandResult) -> float:
     return float(np.exp(np.log(ratio).mean()))
 
 
-KEPT = 128
+CACHED_SPECTRA = 128
 """Spectra that are kept: those of a generated set serve all walls of a case, and all that is changed in them."""
 
 
@@ -157,18 +157,18 @@ class _Samples:
 
 
 def kept_spectrum(ground: np.ndarray, dt: float, periods: np.ndarray) -> np.ndarray:
-    """`pseudo_acceleration_spectrum` [m/s2] of 5 % damping; of the last KEPT motions and periods it is not made again,
-    and none may change it. ground [m/s2], dt, periods [s]"""
+    """`pseudo_acceleration_spectrum` [m/s2] of 5 % damping; of the last CACHED_SPECTRA motions and periods it is not
+    made again, and none may change it. ground [m/s2], dt, periods [s]"""
     samples = np.ascontiguousarray(ground)
     key = _Samples(hashlib.blake2b(samples.tobytes(), digest_size=20).digest(), dt, samples)
     return _spectrum(key, tuple(periods.tolist()))
 
 
-@functools.lru_cache(KEPT)
+@functools.lru_cache(CACHED_SPECTRA)
 def _spectrum(samples: _Samples, periods: tuple[float, ...]) -> np.ndarray:
-    found = pseudo_acceleration_spectrum(samples.acceleration, samples.time_step, np.array(periods))
-    found.flags.writeable = False
-    return found
+    spectrum = pseudo_acceleration_spectrum(samples.acceleration, samples.time_step, np.array(periods))
+    spectrum.flags.writeable = False
+    return spectrum
 
 
 def compliance(
@@ -198,7 +198,7 @@ def compliance(
     low, high = extremes(asked_range)
     count = float(len(counted_stations(motions, demand)))
     pga = float(np.mean([f * m.pga for m, f in zip(motions, factors, strict=True)]))
-    lower = max(LOWER[kind] for kind in kinds)
+    lower = max(LOWER_BOUND[kind] for kind in kinds)
     upper = UPPER["natural"] if "natural" in kinds else None
     ntc = "NTC 2018 3.2.3.6"
     en = "EN 1998-1 3.2.3.1.2"

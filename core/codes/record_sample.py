@@ -15,7 +15,7 @@ from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandRuns
 from core.codes.multiplier_search import FAILURE_WINDOW, HALF_FAIL, MAX_MULTIPLIER, MULTIPLIER_STEP
 from core.ground.ground_motion import GroundMotion
-from core.ground.provenance import LEAST_STATIONS, SHARE, draws, station_of
+from core.ground.provenance import INTERVAL_SHARE, MIN_STATIONS, draws, station_of
 from core.rocking.methods import Method
 from core.rocking.outcome import STABLE
 from core.wall.rocking_model import RockingModel
@@ -23,11 +23,11 @@ from core.wall.rocking_model import RockingModel
 EVERY = 4
 """Every how many points of the grid of zeta_E the peaks are known, by 1 %."""
 
-SPAN = (0.5, 1.5)
+SEARCHED_RANGE = (0.5, 1.5)
 """Multipliers over zeta_E from which on, unless a record alone breaks the rule there, and up to which peaks are found;
 a set that fails nowhere below is said to reach the last."""
 
-DRAWS = 1000
+SET_DRAWS = 1000
 """Sets that are drawn."""
 
 
@@ -70,7 +70,7 @@ def record_peaks(
     zeta: float,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> RecordPeaks:
-    """The peaks of every record, from rest to SPAN times zeta_E.
+    """The peaks of every record, from rest to SEARCHED_RANGE times zeta_E.
 
     model, motions, polarities, demand, method, cancelled : as `demand_check` takes them
     zeta : zeta_E [-]
@@ -78,11 +78,11 @@ def record_peaks(
     """
     runs = DemandRuns(model, motions, polarities, demand, demand.confidence_on, method, cancelled)
     step = EVERY * math.log1p(MULTIPLIER_STEP)
-    low, high = runs.rest, min(SPAN[1] * zeta, MAX_MULTIPLIER)
-    if SPAN[0] * zeta > low:
-        fails = [runs.analyse(batch, np.array([SPAN[0] * zeta])) for batch in runs.together]
+    low, high = runs.rest, min(SEARCHED_RANGE[1] * zeta, MAX_MULTIPLIER)
+    if SEARCHED_RANGE[0] * zeta > low:
+        fails = [runs.analyse(batch, np.array([SEARCHED_RANGE[0] * zeta])) for batch in runs.together]
         if all((outcomes == STABLE).all() and (peaks < runs.limit).all() for outcomes, peaks in fails):
-            low = SPAN[0] * zeta
+            low = SEARCHED_RANGE[0] * zeta
     first, last = (math.floor(math.log(end / demand.zeta_target) / step) for end in (low, high))
     count = max(1, last - first) + 2
     multipliers = demand.zeta_target * np.exp(step * (first + np.arange(count)))
@@ -114,16 +114,16 @@ def zeta_of_sets(per_record: RecordPeaks, counts: np.ndarray) -> np.ndarray:
 
 
 def sample_interval(per_record: RecordPeaks, motions: list[GroundMotion], zeta: float) -> SampleInterval | None:
-    """The interval of zeta_E; None below LEAST_STATIONS stations.
+    """The interval of zeta_E; None below MIN_STATIONS stations.
 
     motions : those of `record_peaks`, in their order
     zeta : zeta_E on its own, finer grid, in proportion to which the interval is given
     """
     names = [station_of(motion, k) for k, motion in enumerate(motions)]
-    if len(set(names)) < LEAST_STATIONS:
+    if len(set(names)) < MIN_STATIONS:
         return None
-    zetas = zeta_of_sets(per_record, np.vstack([np.ones(len(names), np.int64), draws(names, DRAWS)]))
-    low, high = np.quantile(zetas[1:], (0.5 - SHARE / 2, 0.5 + SHARE / 2), method="inverted_cdf")
+    zetas = zeta_of_sets(per_record, np.vstack([np.ones(len(names), np.int64), draws(names, SET_DRAWS)]))
+    low, high = np.quantile(zetas[1:], (0.5 - INTERVAL_SHARE / 2, 0.5 + INTERVAL_SHARE / 2), method="inverted_cdf")
     top, whole = float(per_record.multipliers[-1]), float(zetas[0])
     share = zeta / whole if math.isfinite(whole) else 1.0
     low, high, open_end = share * min(float(low), top), share * min(float(high), top), not math.isfinite(high)

@@ -19,7 +19,7 @@ EXPONENT = 1.0 / 0.41
 EXPONENT_BY_AG = ((0.25 * G, 1.0 / 0.49), (0.15 * G, 1.0 / 0.43), (0.05 * G, 1.0 / 0.356), (0.0, 1.0 / 0.34))
 """Exponent eta by a_g on rock [m/s2]: each holds from its a_g on."""
 
-SHORTEST, LONGEST = 30.0, 2475.0
+MIN_RETURN_PERIOD, MAX_RETURN_PERIOD = 30.0, 2475.0
 """Return periods of the hazard of NTC [years]: beyond them the formula is not read."""
 
 CLASSES = ((1.00, "A+"), (0.80, "A"), (0.60, "B"), (0.45, "C"), (0.30, "D"), (0.15, "E"), (0.0, "F"))
@@ -58,10 +58,10 @@ class Risk:
         return f"> {high:.0f}" if self.return_period > high else f"{self.return_period:.0f}"
 
 
-def least_risk(found: Sequence[Risk | None]) -> Risk | None:
+def least_risk(risks: Sequence[Risk | None]) -> Risk | None:
     """The capacity of a wall: the smallest of all its mechanisms, with the worst letter; None where one is unknown."""
-    known = [one for one in found if one is not None]
-    if not known or len(known) < len(found):
+    known = [one for one in risks if one is not None]
+    if not known or len(known) < len(risks):
         return None
     letters = [letter for _, letter in CLASSES]
     weakest = min(known, key=lambda one: one.pga)
@@ -111,7 +111,7 @@ def risk(zeta: float, demand: DemandResult, sure: float | None = None) -> Risk:
         index=zeta if slv else None,
         letter=letter_of(min(zeta, sure or zeta)) if slv else None,
         by_hazard=bool(demand.hazard),
-        known_years=(max(SHORTEST, demand.hazard[0][0]), min(LONGEST, demand.hazard[-1][0]))
+        known_years=(max(MIN_RETURN_PERIOD, demand.hazard[0][0]), min(MAX_RETURN_PERIOD, demand.hazard[-1][0]))
         if demand.hazard
-        else (SHORTEST, LONGEST),
+        else (MIN_RETURN_PERIOD, MAX_RETURN_PERIOD),
     )

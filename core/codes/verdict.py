@@ -6,11 +6,20 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from core.capacity.bisection import BRACKET
-from core.codes.assumption import ASKED, DECLARED, RESTRAINT, SHOWN_ALONE, TOGETHER, WORDLESS, Assumption, table
+from core.codes.assumption import (
+    DECLARED,
+    KEYS_WITHOUT_LIMIT,
+    RESTRAINT,
+    SHOWN_ALONE,
+    TOGETHER,
+    WORDLESS,
+    Assumption,
+    table,
+)
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import ZETA_ROUNDING, Check, Kinematic
-from core.codes.limits import LEAST_SHARE, MEAN_FROM, MINIMUM_FROM
+from core.codes.limits import MEAN_FROM, MIN_PGA_SHARE, MINIMUM_FROM
 from core.codes.outcomes import OUTCOMES, PASSES
 from core.codes.record_compatibility import Compliance
 from core.codes.target_spectrum import displacement_fall
@@ -204,7 +213,7 @@ def verdict(
     code = outcome_of(seen, unfounded, bool(rests_on))
     limits = [*blocking, *own_limits]
     quiet = [row for row in assumed if row.key == TOGETHER or (row.key in SHOWN_ALONE and not row.turns)]
-    quiet += [row for row in assumed if row.key in ASKED and not row.raises]
+    quiet += [row for row in assumed if row.key in KEYS_WITHOUT_LIMIT and not row.raises]
     limits += [row.words for row in assumed if row.words not in limits and row not in quiet]
     if rests_on:
         limits.append(_reason("q_rests_on", q=Number(CODE_Q, "g"), keys=tuple(rests_on)))
@@ -416,7 +425,7 @@ def _limits(seen: Evidence) -> list[Sentence]:
         if stations < MINIMUM_FROM:
             reasons.append(_reason("few_records", n=stations))
         if weak := seen.dynamic.not_counted:
-            reasons.append(_reason("too_weak", n=len(weak), names=weak[:3], share=LEAST_SHARE))
+            reasons.append(_reason("too_weak", n=len(weak), names=weak[:3], share=MIN_PGA_SHARE))
         if circumstances.bundled:
             reasons.append(_reason("bundled"))
         if not circumstances.both_signs:

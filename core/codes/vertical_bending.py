@@ -17,20 +17,20 @@ from core.wall.masonry import Masonry
 from core.wall.rocking_model import RockingModel, bending_model
 from core.wall.solids import changes, faces_at
 
-LEAST_SLENDERNESS = 3.0
+MIN_SLENDERNESS = 3.0
 """Smallest H/t: both blocks are at least as high as thick, and stockier walls do not bend."""
 
 MAX_ARCH_SLENDERNESS = 25.0
 """Largest L/t of a wall that spans between transverse walls: a more slender arch shortens under its thrust by as much
 as it rises (a rule of ours; EN 1996-1-1, 6.3.2, has the same number, from memory)."""
 
-HEIGHTS = 400
+HINGES_TRIED = 400
 """Heights of the hinge among which the lowest multiplier is looked for, before its bracket is narrowed."""
 
-BESIDE = 1e-4
+STEP_OFFSET = 1e-4
 """How far below and above a step a hinge is looked for too [m]."""
 
-SEARCHED, SECTIONS, GOLDEN = 16, 12, 0.5 * (math.sqrt(5.0) - 1.0)
+SEARCHED, GOLDEN_SECTIONS, GOLDEN = 16, 12, 0.5 * (math.sqrt(5.0) - 1.0)
 """Heights among which the least zeta of a check is looked for, and sections of the bracket around it: to 0.04 % of
 H."""
 
@@ -64,9 +64,9 @@ def virtual(strip: Strip, h1: float) -> list[tuple[Weight, float, float]]:
     """(weight, its rise, its way outward) by a unit of the rotation of the lower block, at the start."""
     lower, upper = blocks_of(strip, h1)
     at, k = hinges_of(strip, h1), h1 / (strip.height - h1)
-    found = [(one, one.x - at.base, one.z) for one in lower]
+    of_lower = [(one, one.x - at.base, one.z) for one in lower]
     rise = at.between - at.base
-    return found + [(one, rise + k * (at.between - one.x), h1 - k * (one.z - h1)) for one in upper]
+    return of_lower + [(one, rise + k * (at.between - one.x), h1 - k * (one.z - h1)) for one in upper]
 
 
 def start_multiplier(strip: Strip, h1: float) -> float:
@@ -93,18 +93,18 @@ def heights_of(strip: Strip, count: int) -> list[float]:
     above those at which the wall changes or carries something."""
     low, high = strip.thickness, strip.height - strip.thickness
     levels = [*(changes(strip.parts) if strip.parts else ()), *(load.z for load in strip.below)]
-    beside = (z + side for z in levels for side in (-BESIDE, 0.0, BESIDE))
+    beside = (z + side for z in levels for side in (-STEP_OFFSET, 0.0, STEP_OFFSET))
     return sorted({*(low + (high - low) * n / count for n in range(count + 1)), *(z for z in beside if low < z < high)})
 
 
 @functools.lru_cache(maxsize=256)
 def lowest_hinge(strip: Strip) -> float:
-    """h1 [m] of the lowest alpha_0, of a strip that lies its middle: the best of HEIGHTS, then bisections of the
+    """h1 [m] of the lowest alpha_0, of a strip that lies its middle: the best of HINGES_TRIED, then bisections of the
     bracket around it, of a wall that is no rectangle the golden section. Without a load on the top, or with one near
     the inner face, it is as high as it may be."""
     if strip.lies:
         return 0.5 * strip.height
-    heights = heights_of(strip, HEIGHTS)
+    heights = heights_of(strip, HINGES_TRIED)
     values = [start_multiplier(strip, h1) for h1 in heights]
     best = min(range(len(heights)), key=lambda n: values[n])
     low, high = heights[max(best - 1, 0)], heights[min(best + 1, len(heights) - 1)]
@@ -120,9 +120,9 @@ def _golden(value: Callable[[float], float], low: float, high: float, steps: int
     best = (math.inf, low)
     for _ in range(steps):
         inside = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-        found = [(value(place), place) for place in inside]
-        best = min(best, *found)
-        low, high = (low, inside[1]) if found[0] <= found[1] else (inside[0], high)
+        points = [(value(place), place) for place in inside]
+        best = min(best, *points)
+        low, high = (low, inside[1]) if points[0] <= points[1] else (inside[0], high)
     return best
 
 
@@ -255,9 +255,11 @@ def weakest(strip: Strip, zeta: Callable[[Bending], float]) -> Bending:
     if strip.lies:
         return mechanism(strip)
     heights = sorted({*heights_of(strip, SEARCHED), lowest_hinge(strip)})
-    found = min((zeta(mechanism(strip, h1)), n) for n, h1 in enumerate(heights))
-    low, high = heights[max(found[1] - 1, 0)], heights[min(found[1] + 1, len(heights) - 1)]
-    best = min(_golden(lambda h1: zeta(mechanism(strip, h1)), low, high, SECTIONS), (found[0], heights[found[1]]))
+    lowest = min((zeta(mechanism(strip, h1)), n) for n, h1 in enumerate(heights))
+    low, high = heights[max(lowest[1] - 1, 0)], heights[min(lowest[1] + 1, len(heights) - 1)]
+    best = min(
+        _golden(lambda h1: zeta(mechanism(strip, h1)), low, high, GOLDEN_SECTIONS), (lowest[0], heights[lowest[1]])
+    )
     return mechanism(strip, best[1])
 
 
@@ -267,17 +269,17 @@ def bending(wall: Masonry) -> Bending:
     here = (place("wall", name=wall.name),)
     if wall.arch is not None:
         slender = wall.arch.spacing / known(wall.thickness)
-        if not LEAST_SLENDERNESS * (1.0 - 1e-9) <= slender <= MAX_ARCH_SLENDERNESS * (1.0 + 1e-9):
+        if not MIN_SLENDERNESS * (1.0 - 1e-9) <= slender <= MAX_ARCH_SLENDERNESS * (1.0 + 1e-9):
             at = (*here, place("arch"))
-            bounds = {"least": LEAST_SLENDERNESS, "most": MAX_ARCH_SLENDERNESS}
+            bounds = {"least": MIN_SLENDERNESS, "most": MAX_ARCH_SLENDERNESS}
             raise InputError("arch_slender", place=at, key="spacing_m", found=slender, **bounds)
         try:
             return mechanism(strip_of(wall))
         except ValueError:
             raise InputError("arch_unstable", place=(*here, place("arch"))) from None
     ratio = known(wall.height) / known(wall.thickness)
-    if not ratio >= LEAST_SLENDERNESS * (1.0 - 1e-9):
-        raise InputError("bending_too_stocky", place=here, found=ratio, least=LEAST_SLENDERNESS)
+    if not ratio >= MIN_SLENDERNESS * (1.0 - 1e-9):
+        raise InputError("bending_too_stocky", place=here, found=ratio, least=MIN_SLENDERNESS)
     try:
         return mechanism(strip_of(wall))
     except ValueError:
@@ -310,7 +312,7 @@ class HingeAt:
         return model_of_bending(held.outward, held.inward, self.h1)
 
 
-ALIKE = 1e-2
+MIN_HINGE_DISTANCE = 1e-2
 """Distance of two hinges that are taken as one [of H]: near the lowest, zeta differs by its square."""
 
 
@@ -321,11 +323,11 @@ def hinges_in_histories(model: RockingModel, displacement: Bending | None) -> tu
     heights = [held.h1, lowest_hinge(held.inward)]
     if displacement:
         heights += [displacement.h1, 0.5 * (held.h1 + displacement.h1)]
-    found: list[float] = []
+    distinct: list[float] = []
     for h1 in heights:
-        if all(abs(h1 - other) > ALIKE * held.outward.height for other in found):
-            found.append(h1)
-    return tuple(HingeAt(h1) for h1 in found)
+        if all(abs(h1 - other) > MIN_HINGE_DISTANCE * held.outward.height for other in distinct):
+            distinct.append(h1)
+    return tuple(HingeAt(h1) for h1 in distinct)
 
 
 def shown_rotation(mechanism: Bending) -> float:

@@ -22,7 +22,9 @@ LOADS = {"load.n": "N", "load.d": "d"}
 
 THETA_0 = Given("theta_0", "θ_0", "°", 3, label="θ_0 of the lower block, where α = 0")
 
-KEPT = Given("velocity_ratio", "e", "–", 4, label="velocity ratio of an impact: momentum of both blocks, projected")
+IMPACT_RATIO = Given(
+    "velocity_ratio", "e", "–", 4, label="velocity ratio of an impact: momentum of both blocks, projected"
+)
 
 A_START = Given("a_rm_run", "a_RM", "g", 3, label="acceleration that starts the motion, outward or inward")
 
@@ -101,7 +103,7 @@ def top_force_alone(alpha0, w, width, height):
 
 WEIGHT = Given("w", "W", "kN/m", 2, "0.000", label="W of the wall, its openings left out")
 H1 = Given("h1", "h_1", "m", 3, "0.000", label="height h_1 of the hinge, of the lowest α0")
-WIDTH = Given("width", "b", "m", 3, "0.000", label="b between the hinges of the lower block")
+HINGE_WIDTH = Given("width", "b", "m", 3, "0.000", label="b between the hinges of the lower block")
 W1 = Given("w1", "W_1", "kN/m", 2, "0.000", label="W_1 of the lower block")
 W2 = Given("w2", "W_2", "kN/m", 2, "0.000", label="W_2 of the upper block")
 X1 = Given("x1", "x_1", "m", 4, label="x_1 of its centroid, from the outer face")
@@ -245,7 +247,7 @@ def geometry(wall: WallResult) -> Section:
         rows = [(Word(f"choice_{load.kind}"), (known(load.kn_m), known(load.d_m))) for load in asked.load]
         lines.append(Columns("Loads on the top, from the outer face", LOADS, ("kN/m", "m"), rows, INPUT))
     lines.append(Line(A_START, wall.model.threshold / G, RUN, VALUE))
-    lines.append(Line(KEPT, wall.model.ratio_at_rest, RUN, VALUE))
+    lines.append(Line(IMPACT_RATIO, wall.model.ratio_at_rest, RUN, VALUE))
     return Section("The wall, held at its top", lines)
 
 
@@ -280,7 +282,7 @@ def _of_blocks(mechanism: Bending) -> list[Line]:
     h1, (lower, upper) = mechanism.h1, blocks_of(mechanism.strip, mechanism.h1)
     own = ((W1, X1, Z1, lower[0]), (W2, X2, Z2, upper[0]))
     of_loads = [one for one in virtual(mechanism.strip, h1) if one[0] not in (lower[0], upper[0])]
-    lines = [Line(H1, h1, RUN, VALUE, "where α0 is lowest"), Line(WIDTH, mechanism.width, RUN, VALUE)]
+    lines = [Line(H1, h1, RUN, VALUE, "where α0 is lowest"), Line(HINGE_WIDTH, mechanism.width, RUN, VALUE)]
     lines.append(Line(k, h1 / (mechanism.strip.height - h1), note=FULL))
     for weight, x, z, one in own:
         lines += [Line(weight, 1e-3 * one.force, RUN, VALUE), Line(x, one.x, RUN, VALUE), Line(z, one.z, RUN, VALUE)]
@@ -323,14 +325,14 @@ def at_limit(wall: WallResult) -> list[Line]:
     """Lines of alpha at the limit of the displacement check, by the finite geometry: it lies below the straight line to
     d_0."""
     kinematic = wall.mechanics
-    found, limit = known(kinematic.moved.bending), known(kinematic.d_limit)
-    if not found.strip.is_plain:
-        alpha = found.alpha(limit)
+    mechanism, limit = known(kinematic.moved.bending), known(kinematic.d_limit)
+    if not mechanism.strip.is_plain:
+        alpha = mechanism.alpha(limit)
         return [
             Line(ALPHA_D, alpha, RUN, VALUE, "finite geometry, below the straight line to d_0"),
-            Line(E_STAR_D, found.e_star, RUN, VALUE),
+            Line(E_STAR_D, mechanism.e_star, RUN, VALUE),
         ]
-    strip, h1, theta = found.strip, found.h1, found.rotation(limit)
+    strip, h1, theta = mechanism.strip, mechanism.h1, mechanism.rotation(limit)
     at = turned(strip, h1, theta)
     degrees = math.degrees(theta)
     rise, way = strip.width * cos(degrees) - h1 * sin(degrees), strip.width * sin(degrees) + h1 * cos(degrees)

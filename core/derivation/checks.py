@@ -4,7 +4,7 @@ kN, m, s, degrees, accelerations in g unless said; per metre of wall. A mode of 
 and se, the elastic spectrum at both [g].
 """
 
-from core.codes.kinematic import CANTILEVER
+from core.codes.kinematic import CANTILEVER_KAPPA
 from core.derivation.functions import arctan, kilo, pi, sin, sqrt, tan
 from core.derivation.quantity import Given, quantity
 
@@ -138,18 +138,18 @@ def a_z(modes):
 
 @quantity("T_0", "s", "C8.7.1.7")
 def period_0(height, thickness, weight, modulus, gravity):
-    return CANTILEVER * (height / thickness) * height * sqrt(weight / (kilo(modulus) * gravity))
+    return CANTILEVER_KAPPA * (height / thickness) * height * sqrt(weight / (kilo(modulus) * gravity))
 
 
 @quantity("T_0", "s", "C8.7.1.7", name="period_0")
 def period_0_of_slenderness(height, slenderness, weight, modulus, gravity):
-    return CANTILEVER / tan(slenderness) * height * sqrt(weight / (kilo(modulus) * gravity))
+    return CANTILEVER_KAPPA / tan(slenderness) * height * sqrt(weight / (kilo(modulus) * gravity))
 
 
 @quantity("T_0", "s", "C8.7.1.7", name="period_0")
 def period_0_with_loads(height, thickness, weight, modulus, gravity, loads):
     return sqrt(
-        (CANTILEVER * (height / thickness) * height) ** 2 * weight / (kilo(modulus) * gravity)
+        (CANTILEVER_KAPPA * (height / thickness) * height) ** 2 * weight / (kilo(modulus) * gravity)
         + 16 * pi**2 * sum(load.q * load.h**3 for load in loads) / (kilo(modulus) * gravity * thickness**3)
     )
 

@@ -38,7 +38,7 @@ EXCEL = {
 }
 """Functions of a spreadsheet, by those of a derivation."""
 
-CONSTANTS = {"CANTILEVER": "κ", "pi": "π"}
+CONSTANTS = {"CANTILEVER_KAPPA": "κ", "pi": "π"}
 """Constants that have a symbol; the others are written as numbers."""
 
 SUPERSCRIPTS = {2: "²", 3: "³"}
@@ -224,10 +224,10 @@ class Written(Face):
         return [head, "(", *pieces, ")"], ATOM
 
     def name(self, name):
-        if (found := self.leaf(name)) is not None:
+        if (leaf := self.leaf(name)) is not None:
             if self.in_angle and name.endswith("_degrees") and self.point != " ":
-                return [*found[0], "°"], found[1]
-            return found
+                return [*leaf[0], "°"], leaf[1]
+            return leaf
         if name in CONSTANTS and (self.point == " " or name == "pi"):
             return [CONSTANTS[name]], ATOM
         return self.constant(self.known(name))

@@ -56,10 +56,10 @@ class Quantity(Given):
 def expression(function: Callable) -> ast.expr:
     """The expression a function returns. Raises ValueError where its body is anything else."""
     body = ast.parse(textwrap.dedent(inspect.getsource(function))).body[0].body  # type: ignore[attr-defined]
-    found = body[-1]
-    if not isinstance(found, ast.Return) or any(not isinstance(line, ast.Expr) for line in body[:-1]):
+    last = body[-1]
+    if not isinstance(last, ast.Return) or any(not isinstance(line, ast.Expr) for line in body[:-1]):
         raise ValueError(f"{function.__name__} is more than one expression")
-    return known(found.value)
+    return known(last.value)
 
 
 def quantity(

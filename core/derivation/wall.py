@@ -40,8 +40,8 @@ def chain(wall: WallResult) -> Section:
         moments = start_moments(asked, governing_side(wall))
         parts = (checks.wx, checks.nd, checks.fh, checks.th, checks.wy, checks.qh)
         tied = bool(asked.ties)
-        found = zip(parts, moments, strict=True)
-        lines = [Line(of, 1e-3 * moment) for of, moment in found if tied or of is not checks.th]
+        pairs = zip(parts, moments, strict=True)
+        lines = [Line(of, 1e-3 * moment) for of, moment in pairs if tied or of is not checks.th]
         if tied:
             lines.append(Line(checks.alpha0_bare, sums.alpha0_bare, LIVE, FULL, "without its ties"))
             lines.append(Line(checks.alpha0_with_ties, sums.alpha0, LIVE, FULL, where))

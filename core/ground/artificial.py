@@ -14,7 +14,7 @@ LOW_CUT = 0.15
 """Corner of the high-pass that keeps velocity and displacement bounded [Hz]."""
 
 
-RISE, STRONG_END = 2.0, 14.0
+RISE_TIME, STRONG_END = 2.0, 14.0
 """Compatible motions: rise and end of the strong part [s]; at least 10 s stationary (NTC 2018 3.2.3.6)."""
 
 MATCHED_PERIODS = np.geomspace(0.03, 4.0, 70)
@@ -24,7 +24,7 @@ MATCHED_CUT = 0.22
 AIM = 1.02
 """Spectrum the motions are matched to, over the target: the rules are stricter below it than above."""
 
-ROUNDS = 14
+MATCHING_ROUNDS = 14
 
 WAVELET, WAVELET_REACH = 0.012, 39.0
 """Width of the wavelets by which peaks are cut [s], and how far they reach [of it]: beyond, exp(-x^2 / 2) is zero."""
@@ -76,7 +76,9 @@ def filtered_noise(seed: int, pga: float, duration: float = 25.0, time_step: flo
     return np.round(motion * (pga / np.abs(motion).max()), 6)
 
 
-def compatible_motion(target, seed: int, duration: float = 26.0, time_step: float = 0.01, rounds: int = ROUNDS):
+def compatible_motion(
+    target, seed: int, duration: float = 26.0, time_step: float = 0.01, rounds: int = MATCHING_ROUNDS
+):
     """A seeded accelerogram [m/s2], shape (n,), whose 5 % spectrum follows the target, PGA = a_g S.
 
     Fourier amplitudes of enveloped noise are scaled by target over response until they agree (SIMQKE,
@@ -84,7 +86,7 @@ def compatible_motion(target, seed: int, duration: float = 26.0, time_step: floa
     displacement. target : of target_spectrum; duration, time_step [s]; rounds : of the scaling.
     """
     times = np.arange(round(duration / time_step) + 1) * time_step
-    envelope = _envelope(times, RISE, STRONG_END)
+    envelope = _envelope(times, RISE_TIME, STRONG_END)
     motion = _noise(seed, times, envelope)
     motion *= target.pga / np.abs(motion).max()
     frequency = np.fft.rfftfreq(times.size, time_step)

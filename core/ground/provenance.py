@@ -9,10 +9,10 @@ from core.ground.ground_motion import GroundMotion
 SEED = 1
 """Seed of the sets of stations that are drawn, the same in every run."""
 
-SHARE = 0.90
+INTERVAL_SHARE = 0.90
 """Share of the drawn sets within an interval."""
 
-LEAST_STATIONS = 3
+MIN_STATIONS = 3
 """Stations below which nothing is drawn."""
 
 

@@ -26,11 +26,11 @@ DOUBTED = {
     "peak_differs",
     "partial_last_line",
     "ends_moving",
-    *plausible.CODES,
+    *plausible.WARNING_CODES,
 }
 """Notices that doubt the samples of a record: a person may know better of one record, a search does not."""
 
-ELSEWHERE = {"in_structure", "borehole", "vertical"}
+NOT_HORIZONTAL = {"in_structure", "borehole", "vertical"}
 """Notices of records that are no horizontal motion of the ground's surface."""
 
 _NUMBER = re.compile(r"\d+(?:\.\d+)?")
@@ -102,18 +102,18 @@ def files_in(folder: Path) -> list[Path]:
 
 def read_file(path: Path, periods: np.ndarray, limits: Limits) -> list[Candidate | LeftOut]:
     """Every record of one file, all channels of it and all members of a zip. periods [s]"""
-    found: list[Candidate | LeftOut] = []
+    results: list[Candidate | LeftOut] = []
     asked: list[str | None] = [None]
     while asked:
         channel = asked.pop(0)
         try:
-            found.append(_read(path, channel, periods, limits))
+            results.append(_read(path, channel, periods, limits))
         except RecordError as error:
             if error.code == "which_channel":
                 asked = [*error.values["names"], *asked]
             else:
-                found.append(LeftOut(path, channel or "", error.without_place))
-    return found
+                results.append(LeftOut(path, channel or "", error.without_place))
+    return results
 
 
 def _read(path: Path, channel: str | None, periods: np.ndarray, limits: Limits) -> Candidate:

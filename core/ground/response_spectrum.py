@@ -22,8 +22,8 @@ LANES = 32
 UNLIKE = 8
 """Oscillators that follow it side by side where they are looked at unlike often between two samples."""
 
-ROOM = 14 * LANES
-A11, A12, A21, A22, STIFFNESS, VISCOUS, LOOKS, LOOK, V_PART, U, V, U_NEXT, V_NEXT, PEAK = range(0, ROOM, LANES)
+WORK_SIZE = 14 * LANES
+A11, A12, A21, A22, STIFFNESS, VISCOUS, LOOKS, LOOK, V_PART, U, V, U_NEXT, V_NEXT, PEAK = range(0, WORK_SIZE, LANES)
 """Where the rows of the oscillators begin in their room: their recursion, w^2, 2 z w, looks a sample and from one to
 the next [s], the particular solution, where they are and where they are next, and their largest displacement."""
 
@@ -33,7 +33,7 @@ def _fill_peaks(ground, dt, periods, damping, per_period, rows, peaks):
     """Largest |relative displacement| of oscillators at rest under a ground motion [m], each as if alone.
 
     ground, dt, periods, damping, per_period : of `displacement_spectrum`, periods in any order, shape (m,)
-    rows : room for the oscillators, shape (ROOM,)
+    rows : room for the oscillators, shape (WORK_SIZE,)
     peaks : results, shape (m,)
 
     Exact recursion of Nigam and Jennings (1969). With one look a sample, as is the custom, few samples a period give a
@@ -111,7 +111,7 @@ def _fill_spectrum(ground, dt, periods, damping, per_period, rows, spectrum):
     """`displacement_spectrum` of neighbours: LANES with the same number of looks a sample, or UNLIKE ones.
 
     ground, dt, periods, damping, per_period : of `displacement_spectrum`
-    rows : room, shape (ROOM,)
+    rows : room, shape (WORK_SIZE,)
     spectrum : results, shape of periods
     """
     first = 0
@@ -126,7 +126,7 @@ def _fill_spectrum(ground, dt, periods, damping, per_period, rows, spectrum):
 def displacement_spectrum(ground, dt, periods, damping, per_period):
     """Relative displacement spectrum [m], shape of periods [s]; per_period : least number of times a period the
     response is looked at, 0 for the samples alone; the rest as `_fill_peaks`."""
-    spectrum, rows = np.empty(periods.size), np.empty(ROOM)
+    spectrum, rows = np.empty(periods.size), np.empty(WORK_SIZE)
     _fill_spectrum(ground, dt, periods, damping, per_period, rows, spectrum)
     return spectrum
 

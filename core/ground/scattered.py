@@ -21,15 +21,15 @@ SPREAD = 0.65
 """s: standard deviation of ln S_a of natural records over the mean of their set, that of sets of one half of the events
 of a shelf, the mean over twelve partings by lot, 0.51 to 0.76 (tests/validation/scatter_of_records.py)."""
 
-LEAST_MEAN = 0.9
+MIN_MEAN = 0.9
 """Least mean S_a over the target within the band (NTC 2018 3.2.3.6, EN 1998-1 3.2.3.1.2(4)c)."""
 
-SHORTEST = 0.01
+PERIOD_OF_PGA = 0.01
 """Period [s] whose eps is that of the PGA."""
 
 TIME_STEP = 0.01
 
-ROUGH = 5
+SCALING_ROUNDS = 5
 """Rounds of the scaling: a motion that is to scatter need not be near to its own goal."""
 
 
@@ -92,15 +92,15 @@ def scattered_set(target, count: int, seed: int, spread: float, band: tuple[floa
 
     target : of target_spectrum; count, seed : of the set; spread : s; band : periods of the rules [s]
     """
-    periods = np.array([SHORTEST, *MATCHED_PERIODS])
+    periods = np.array([PERIOD_OF_PGA, *MATCHED_PERIODS])
     factors = np.exp(spread * deviations(count, seed, periods))
     goals = [Goal(target, periods, one, float(target.pga * one[0])) for one in factors]
     with ThreadPoolExecutor() as pool:  # the kernel, most of the time, holds no lock
-        matched = functools.partial(compatible_motion, rounds=ROUGH)
+        matched = functools.partial(compatible_motion, rounds=SCALING_ROUNDS)
         motions = list(pool.map(matched, goals, range(seed, seed + count)))
     compared = np.geomspace(*band, 120)
     mean = np.mean([pseudo_acceleration_spectrum(one, TIME_STEP, compared) for one in motions], axis=0)
     ratio = mean / target.acceleration(compared)
     start = float(np.mean([np.abs(one).max() for one in motions])) / target.pga
-    factor = max(1.0 / float(ratio.mean()), LEAST_MEAN / float(ratio.min()), 1.0 / start) * (1.0 + 1e-6)
+    factor = max(1.0 / float(ratio.mean()), MIN_MEAN / float(ratio.min()), 1.0 / start) * (1.0 + 1e-6)
     return [factor * one for one in motions]

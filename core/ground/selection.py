@@ -9,16 +9,16 @@ import numpy as np
 
 from core.jit.decorators import kernel, subkernel
 
-LISTED = 10
+MAX_SETS_LISTED = 10
 """Sets that are told."""
 
-MOST_SETS = 10_000_000
+MAX_SETS = 10_000_000
 """Combinations up to which every one is looked at."""
 
-CHANGED, UNIMPROVED = 3, 200
+RECORDS_REDRAWN, UNIMPROVED = 3, 200
 """Records of the best set that a new start draws anew; starts without a better one after which all are."""
 
-MOST_STARTS, MOST_WORK, EXCHANGE, SPECTRUM = 20_000, 3_000_000_000, 4, 200
+MAX_STARTS, MAX_WORK, EXCHANGE, SPECTRUM = 20_000, 3_000_000_000, 4, 200
 """Starts of the search beyond, and its work: an exchange of one record counts as so many for each record of a set, a
 mean spectrum as so many. A count, not a time, decides when it ends, so that the same records give the same sets on
 every computer."""
@@ -351,7 +351,7 @@ def nearest_sets(
     bounds : what is asked of the mean, and the factors, with which each record of a set keeps `OWN_FIT` and `OWN_PGA`
     told : called with the share done; true ends the search with what was found
 
-    The same ratios in the same order give the same sets. Up to `MOST_SETS` combinations every one is looked at. Beyond,
+    The same ratios in the same order give the same sets. Up to `MAX_SETS` combinations every one is looked at. Beyond,
     sets begun by records drawn from a fixed seed, two or the most of the best set so far, are completed by the record
     that brings the mean nearest, and improved by the best exchange of one record until there is none (iterated local
     search, many starts); then every exchange of the best ones is looked at once more, for the sets beside them.
@@ -364,18 +364,18 @@ def nearest_sets(
     asked = (bounds.low, bounds.high, bounds.start, *bounds.factors)
     if n < size:
         return [], True
-    if math.comb(n, size) <= MOST_SETS:
-        best, values = np.zeros((LISTED, size), np.int64), np.full((LISTED, 2), np.inf)
+    if math.comb(n, size) <= MAX_SETS:
+        best, values = np.zeros((MAX_SETS_LISTED, size), np.int64), np.full((MAX_SETS_LISTED, 2), np.inf)
         members, totals = np.full(size, -1), np.zeros((size + 1, width + 2))
         every_set(ratios, products, means, stations, events, spans, limits, asked, members, totals, best, values)
         return _ordered(ratios, best[np.isfinite(values[:, 0])], spans, asked), True
     random, nearest, work = np.random.Generator(np.random.PCG64(1)), set(), 0
     total, trial, values = np.empty(width), np.empty(width), np.empty((1, 3))
     best, last, unimproved = (), (math.inf, math.inf), 0
-    for start in range(MOST_STARTS):
-        if work > MOST_WORK or told(max(start / MOST_STARTS, work / MOST_WORK)):
+    for start in range(MAX_STARTS):
+        if work > MAX_WORK or told(max(start / MAX_STARTS, work / MAX_WORK)):
             break
-        kept = random.choice(best, size - CHANGED, replace=False) if best and size > CHANGED else ()
+        kept = random.choice(best, size - RECORDS_REDRAWN, replace=False) if best and size > RECORDS_REDRAWN else ()
         members, known = np.full(size, -1), 0
         for one in (*kept, *random.choice(n, 1 if best else min(2, size - 1), replace=False)):
             if allowed_beside(members, known, one, stations, events, spans, *limits):
@@ -414,7 +414,7 @@ def _ordered(ratios: np.ndarray, sets: np.ndarray, spans: np.ndarray, asked) -> 
     """Judge some sets and return the best, the best first; of two alike that of the lower indices."""
     values = np.empty((len(sets), 3))
     judge(ratios, sets, spans, asked, np.empty(ratios.shape[1]), values)
-    order = np.lexsort((*sets.T[::-1], values[:, 1], values[:, 0]))[:LISTED]
+    order = np.lexsort((*sets.T[::-1], values[:, 1], values[:, 0]))[:MAX_SETS_LISTED]
     return [
         Found(tuple(sets[k].tolist()), float(values[k, 2]), float(values[k, 0]), float(values[k, 1])) for k in order
     ]

@@ -55,7 +55,7 @@ def private(folder: Path) -> bool:
 
 def _left_by_this_program(folder: Path) -> bool:
     """Whether a folder is of a version long unused, and nothing else, by its name, its files and its time."""
-    levels = "|".join(shipped.LEVELS)
+    levels = "|".join(shipped.PROCESSOR_LEVELS)
     named = re.fullmatch(rf"kernels-[0-9a-f]{{16}}(-({levels}))?(-own)?", folder.name)
     unused = time.time() - folder.lstat().st_mtime > KEEP_SECONDS
     return bool(named and unused and private(folder)) and all(

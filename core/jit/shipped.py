@@ -28,7 +28,7 @@ ROOT = 0
 """Who installs packages for all users of a machine."""
 
 _V3 = {"avx", "avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe"}
-LEVELS = {
+PROCESSOR_LEVELS = {
     "x86-64-v4": _V3 | {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"},
     "znver3": _V3 | {"adx", "aes", "pclmul", "sha", "sse4a", "vaes", "vpclmulqdq"},
     "x86-64-v3": _V3,
@@ -49,7 +49,7 @@ class Library(NamedTuple):
     self_test: list[str]
 
 
-NOTHING = Library(FOLDER, {}, [])
+NO_LIBRARY = Library(FOLDER, {}, [])
 
 
 def only_own(path: Path, *others: int) -> bool:
@@ -89,7 +89,7 @@ def library() -> Library:
     """The library of this program: without levels where there is none, or one for something else or damaged, or
     where somebody else can write; and where nothing would try it, as in a process that calls kernels by itself."""
     if not trial.self_test:
-        return NOTHING
+        return NO_LIBRARY
     try:
         if FOLDER.is_dir():  # a part of the program
             return read(FOLDER)[0]
@@ -97,11 +97,11 @@ def library() -> Library:
 
         folder = Path(llvmlite.__file__).resolve().parents[1] / PACKAGE
         if folder.is_dir() and only_own(folder, ROOT) and only_own(folder / INDEX, ROOT):
-            found, purpose = read(folder)
-            return found if purpose == made_for() else NOTHING
+            shipped, purpose = read(folder)
+            return shipped if purpose == made_for() else NO_LIBRARY
     except (OSError, ValueError, LookupError, TypeError, RecursionError, ImportError):
         pass
-    return NOTHING
+    return NO_LIBRARY
 
 
 def best_of(levels: Collection[str]) -> str:
@@ -111,7 +111,7 @@ def best_of(levels: Collection[str]) -> str:
     from llvmlite.binding import get_host_cpu_features
 
     has = {name for name, there in get_host_cpu_features().items() if there}
-    return next((name for name in LEVELS if name in levels and has >= LEVELS[name]), "")
+    return next((name for name in PROCESSOR_LEVELS if name in levels and has >= PROCESSOR_LEVELS[name]), "")
 
 
 def level() -> str:

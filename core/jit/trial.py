@@ -16,7 +16,7 @@ from core.jit.kernel import COMPILING
 
 TRIAL = "trial"
 WRONG = "wrong"
-MOST_ENDED = 2
+MAX_ENDED = 2
 
 self_test: list[Callable[[], bool]] = []
 """Computes what is known and says whether it is right; set by app.__main__, asked before the first kernel is used."""
@@ -38,7 +38,7 @@ def given_up(folder: Path) -> bool:
     except OSError:
         return False
     ended = [one for one in processes if not (one.isdigit() and atomic_write.alive(int(one)))]
-    return WRONG in ended or len(ended) >= MOST_ENDED
+    return WRONG in ended or len(ended) >= MAX_ENDED
 
 
 def claimed(folder: Path) -> bool:

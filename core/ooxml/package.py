@@ -23,13 +23,13 @@ MAX_PARTS = 2000
 MAX_ELEMENTS = 600_000
 """Elements of all the parts that are read: three for a cell, and as many for each text or format."""
 
-MAX_TEXT = 200_000
+MAX_CELL_TEXT = 200_000
 """Characters of a text; a cell of Excel holds 32 767."""
 
 MAX_TAG = 1_000_000
 """Bytes of a tag or a comment, which the parser looks at anew with each piece until it ends."""
 
-PIECE = 1 << 16
+PART_CHUNK = 1 << 16
 """Bytes handed to the parser at a time."""
 
 MAX_RELATIONS = 2_000_000
@@ -82,16 +82,16 @@ class Package:
         itself; a part without relations has none, and what lies outside the package is left out."""
         folder, _, name = _key(source).rpartition("/")
         held = posixpath.join(folder, "_rels", f"{name}.rels")
-        found = {}
+        relations = {}
 
         def start(parent: str, name: str, attributes: dict[str, str]) -> None:
             if name == "Relationship" and attributes.get("TargetMode") != "External":
                 target = _key(posixpath.join("/", folder, attributes["Target"].replace("\\", "/")))
-                found[attributes["Id"]] = (attributes["Type"].rpartition("/")[2], target)
+                relations[attributes["Id"]] = (attributes["Type"].rpartition("/")[2], target)
 
         if held in self.parts:
             self.parse(held, start)
-        return found
+        return relations
 
     def one(self, source: str, kind: str) -> str | None:
         """The part a relation of this type leads to from another, None without one."""
@@ -105,7 +105,7 @@ class Package:
         end(parent, name, text) : the text of the element, behind the last one within it
         """
         parser = expat.ParserCreate(namespace_separator=" ")
-        parser.buffer_text, parser.buffer_size = True, PIECE
+        parser.buffer_text, parser.buffer_size = True, PART_CHUNK
         local: dict[str, str] = {}
         stack, text = [""], ""
 
@@ -128,7 +128,7 @@ class Package:
         def written(piece: str) -> None:
             nonlocal text
             text += piece
-            if len(text) > MAX_TEXT:
+            if len(text) > MAX_CELL_TEXT:
                 raise InputError("workbook_too_large")
 
         def refused(*_) -> None:  # entities that grow, files outside
@@ -140,7 +140,7 @@ class Package:
         if entry.compress_type not in COMPRESSED:
             raise ValueError("compression")
         with self.folder.open(entry) as stream:
-            while piece := stream.read(PIECE):
+            while piece := stream.read(PART_CHUNK):
                 self.left -= len(piece)
                 if self.left < 0:
                     raise InputError("workbook_unpacked", mb=self.max_bytes / 1e6)

@@ -20,7 +20,7 @@ MAX_SPOKEN = 12
 MAX_NAME = 31
 """Characters of the name of a sheet."""
 
-LAST_ROW, LAST_COLUMN = 1_048_576, 16_384
+MAX_ROW_OF_SHEET, MAX_COLUMN_OF_SHEET = 1_048_576, 16_384
 """Last row and column of a sheet of Excel, from 1."""
 
 MAX_AREAS = 20_000
@@ -249,7 +249,7 @@ class _Reader:
             self.formula = True
         elif name == "row" and parent == "sheetData":
             self.row, self.column = int(attributes.get("r") or self.row + 1), 0
-            if not 0 < self.row <= LAST_ROW:
+            if not 0 < self.row <= MAX_ROW_OF_SHEET:
                 raise ValueError("row")
             if _is_hidden(attributes, "ht", self.all_hidden):
                 self.rows_hidden.add(self.row)
@@ -354,7 +354,7 @@ def _place(reference: str) -> tuple[int, int]:
     column = 0
     for letter in match[1]:
         column = 26 * column + ord(letter) - 64
-    if not (0 < int(match[2]) <= LAST_ROW and column <= LAST_COLUMN):
+    if not (0 < int(match[2]) <= MAX_ROW_OF_SHEET and column <= MAX_COLUMN_OF_SHEET):
         raise ValueError("cell")
     return int(match[2]), column
 
@@ -368,7 +368,7 @@ def letters(column: int) -> str:
     return name
 
 
-def spoken(found: Sequence) -> str:
+def spoken(items: Sequence) -> str:
     """Cells (row, column), merged areas, rows, or names in a sentence."""
 
     def one(item) -> str:
@@ -377,14 +377,14 @@ def spoken(found: Sequence) -> str:
             return ":".join(ends)
         return str(item)
 
-    named = ", ".join(one(item) for item in found[:MAX_SPOKEN])
-    return named if len(found) <= MAX_SPOKEN else f"{named}, … ({len(found)})"
+    named = ", ".join(one(item) for item in items[:MAX_SPOKEN])
+    return named if len(items) <= MAX_SPOKEN else f"{named}, … ({len(items)})"
 
 
-def refuse_cells(found: dict[str, Sequence]) -> None:
-    """Raise InputError that names all cells which hold no value of their own, if there are any. found : by their kind,
-    a code of what is accepted"""
-    kinds = tuple(sentence("accepted", kind, cells=spoken(cells)) for kind, cells in found.items() if cells)
+def refuse_cells(cells_by_kind: dict[str, Sequence]) -> None:
+    """Raise InputError that names all cells which hold no value of their own, if there are any. cells_by_kind : the
+    kind is a code of what is accepted"""
+    kinds = tuple(sentence("accepted", kind, cells=spoken(cells)) for kind, cells in cells_by_kind.items() if cells)
     if kinds:
         raise InputError("cells_without_value", cells=kinds)
 

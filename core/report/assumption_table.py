@@ -8,7 +8,7 @@ from core.study.results import StudyResult, WallResult
 from core.study.wall_verdict import assumptions_of
 from core.text.sentence import numeral, word
 
-WIDTHS = 2.4, 2.0, 1.3, 2.0, 0.9, 1.9, 2.2
+COLUMN_SHARES = 2.4, 2.0, 1.3, 2.0, 0.9, 1.9, 2.2
 """Relative widths of the columns."""
 
 
@@ -29,7 +29,7 @@ def rows_of(result: StudyResult, wall: WallResult, language: str) -> list[tuple[
     """(cells of a row, whether its other end turns the outcome) of the wall that a result decides about; none of a
     result that does not."""
     verdict = next((one for one in result.verdicts if result.walls[one.governing] is wall), None)
-    found = []
+    rows = []
     for row in assumptions_of(result, verdict) if verdict else ():
         last = row.key == TOGETHER
         cells = [
@@ -41,8 +41,8 @@ def rows_of(result: StudyResult, wall: WallResult, language: str) -> list[tuple[
             word(row.outcome, language),
             shown(row, row.reason, language),
         ]
-        found.append((cells, row.turns))
-    return found
+        rows.append((cells, row.turns))
+    return rows
 
 
 def tabled(wall: WallResult, language: str) -> set[str]:

@@ -11,7 +11,7 @@ from core.study.results import StudyResult, WallResult
 from core.units import G
 from core.wall.solids import Part
 
-LENGTH, CROSS = "0.0000", "0.000000"
+LENGTH_FORMAT, CROSS = "0.0000", "0.000000"
 
 
 def has_bodies(result: StudyResult) -> bool:
@@ -46,8 +46,8 @@ def _solid(book: Book, sheet, result: StudyResult, wall: WallResult, part: Part,
     corners = (*part.polygon, part.polygon[0])
     for s, z in corners:
         row += 1
-        number(sheet, row, 2, s, LENGTH)
-        number(sheet, row, 3, z, LENGTH)
+        number(sheet, row, 2, s, LENGTH_FORMAT)
+        number(sheet, row, 3, z, LENGTH_FORMAT)
     for j, ((s0, z0), (s1, z1)) in enumerate(itertools.pairwise(corners)):
         at, cross = first + j, s0 * z1 - s1 * z0
         a, b = f"B{at}", f"B{at + 1}"

@@ -33,7 +33,7 @@ GOOD = "1B6E4B"
 BAD = "A6192E"
 AMBER = "8A5A00"
 QUIET = "6B7785"
-LINE = "C9D1D9"
+LINE_COLOR = "C9D1D9"
 
 ROW_HEIGHT = 12.6
 """Height of a row of one line [points]."""
@@ -49,7 +49,7 @@ _NO_ROWS = re.compile(rb"<sheetData ?/>|<sheetData></sheetData>")
 _LOOKS: WeakKeyDictionary[Workbook, dict] = WeakKeyDictionary()
 """Styles already made, by workbook: openpyxl spends a third of a large report on finding them again."""
 
-PIECE = 1 << 18
+TEXT_CHUNK = 1 << 18
 """Letters of a sheet handled at a time."""
 
 
@@ -178,12 +178,12 @@ class _Writer(ExcelWriter):
 
 
 def _joined(texts: Iterable[str]) -> Iterator[str]:
-    """Join texts into pieces of about PIECE letters."""
+    """Join texts into pieces of about TEXT_CHUNK letters."""
     held, size = [], 0
     for text in texts:
         held.append(text)
         size += len(text)
-        if size >= PIECE:
+        if size >= TEXT_CHUNK:
             yield "".join(held)
             held, size = [], 0
     yield "".join(held)
@@ -271,7 +271,7 @@ def header(sheet: Worksheet, row: int, labels: list[str], column: int = 1, heigh
 def rule(sheet: Worksheet, row: int, first: int, last: int) -> None:
     """A thin line below a row of a table."""
     for column in range(first, last + 1):
-        frame(sheet.cell(row, column), LINE, "bottom")
+        frame(sheet.cell(row, column), LINE_COLOR, "bottom")
 
 
 def heighten(sheet: Worksheet, row: int, *texts: tuple[str, float]) -> None:

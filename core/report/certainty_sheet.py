@@ -6,14 +6,14 @@ from openpyxl.chart.shapes import GraphicalProperties
 from core.known import known
 from core.report import sure_words
 from core.report.cells import ACCENT, BAD, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text, title
-from core.report.plots import DATA, rows_below
+from core.report.plots import DATA_COLUMN, rows_below
 from core.report.xml_text import for_xml
 from core.study.results import StudyResult, WallVerdict
 
-LAST, LINE = 8, 150
+LAST_COLUMN, LINE_LETTERS = 8, 150
 """Columns of a sentence, and the letters they hold."""
 
-CHARTS = 20
+MAX_CHARTS = 20
 """Walls whose chart is drawn."""
 
 
@@ -27,8 +27,8 @@ def certainty(book: Book, result: StudyResult) -> None:
         sheet,
         2,
         say("Each input is moved on its own, the others stay. Beside the verdict, not part of it."),
-        LAST,
-        LINE,
+        LAST_COLUMN,
+        LINE_LETTERS,
         color=QUIET,
     )
     for n, verdict in enumerate(book.steps.each(result.verdicts)):
@@ -42,7 +42,7 @@ def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, 
     title(sheet, row, f"{verdict.title}: ζ_E {zeta}", 12)
     row += 1
     if line := sure_words.interval_line(say, verdict, language):
-        row = paragraph(sheet, row, line, LAST, LINE)
+        row = paragraph(sheet, row, line, LAST_COLUMN, LINE_LETTERS)
     if verdict.sensitivity and verdict.sensitivity.swings:
         row = _moved(book, sheet, result, verdict, n, row)
     if verdict.rates:
@@ -51,10 +51,10 @@ def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, 
             row += 1
             for column, cell in enumerate(sure_words.rate_row(say, rate, language), start=1):
                 text(sheet, row, column, cell, align="left" if column == 1 else "right")
-            rule(sheet, row, 1, LAST)
+            rule(sheet, row, 1, LAST_COLUMN)
         row += 1
         for line in sure_words.rate_lines(say, result, verdict.rates):
-            row = paragraph(sheet, row, line, LAST, LINE, color=QUIET)
+            row = paragraph(sheet, row, line, LAST_COLUMN, LINE_LETTERS, color=QUIET)
     return row
 
 
@@ -63,7 +63,7 @@ def _moved(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int,
     say, language, sensitivity = book.say, book.language, known(verdict.sensitivity)
     header(sheet, row, [say("Input"), say("moved to"), "ζ_E", say("moved to"), "ζ_E"], 1, 18)
     first, rows = row + 1, sure_words.moved_rows(sensitivity, language)
-    data = DATA + 4 * n
+    data = DATA_COLUMN + 4 * n
     for column, name in enumerate((say("lowest"), say("highest")), start=1):
         text(sheet, row, data + column, name, size=8)
     for swing, moved in zip(sensitivity.swings, rows, strict=True):
@@ -78,12 +78,12 @@ def _moved(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int,
         text(sheet, row, data, moved.name, size=8)
         sheet.cell(row, data + 1, min(zetas) - zetas[0])
         sheet.cell(row, data + 2, max(zetas) - zetas[0])
-    if n < CHARTS:
+    if n < MAX_CHARTS:
         chart = _chart(sheet, say("Δζ_E of each input moved on its own"), data, first, row)
         sheet.add_chart(chart, f"A{row + 2}")
         row += 2 + rows_below(chart.height)
     for line in sure_words.still_lines(say, result, verdict, language):
-        row = paragraph(sheet, row + 1, line, LAST, LINE, color=QUIET) - 1
+        row = paragraph(sheet, row + 1, line, LAST_COLUMN, LINE_LETTERS, color=QUIET) - 1
     row += 1
     if labels := sure_words.reach_labels(sensitivity):
         heads = [say("For the ζ required"), say("now"), *sure_words.check_names(result, labels, language)]

@@ -45,13 +45,13 @@ def _verdict(row: Row) -> Any:
 
 def _kinematic(row: Row) -> Any:
     """Assessment of a wall with closed forms, None of any other."""
-    found = row.wall.assessment
-    return found if found is not None and found.kinematic is not None else None
+    assessment = row.wall.assessment
+    return assessment if assessment is not None and assessment.kinematic is not None else None
 
 
 def _risk(row: Row) -> Any:
-    found = row.wall.assessment
-    return found if found is not None and found.risk is not None else None
+    assessment = row.wall.assessment
+    return assessment if assessment is not None and assessment.risk is not None else None
 
 
 def _dynamic(row: Row) -> Any:
@@ -87,8 +87,8 @@ def _zeta_at(state: str) -> Quantity:
 
 def _eq9(k: int, source: str) -> Quantity:
     def value(row: Row) -> float | None:
-        found = row.wall.code_check[k] if k < len(row.wall.code_check) else None
-        return found.ratio if found else None
+        check = row.wall.code_check[k] if k < len(row.wall.code_check) else None
+        return check.ratio if check else None
 
     return number(f"eq9_{source}", "-", f"capacity over demand of Eq. 9 by {source}", value)
 
@@ -106,7 +106,7 @@ def _limits(row: Row) -> list[str] | None:
 
 def _of(source: Callable[[Row], Any], name: str) -> Callable[[Row], Any]:
     """An attribute of a source, None where there is none."""
-    return lambda row: None if (found := source(row)) is None else getattr(found, name)
+    return lambda row: None if (owner := source(row)) is None else getattr(owner, name)
 
 
 def _tie(row: Row) -> float | None:
@@ -114,7 +114,7 @@ def _tie(row: Row) -> float | None:
     return None if tie is None or tie.force is None else 1e-3 * tie.force
 
 
-SIZES = ("slenderness_deg", "radius_m", "frequency_parameter_rad_s", "threshold_acceleration_g")
+SIZE_KEYS = ("slenderness_deg", "radius_m", "frequency_parameter_rad_s", "threshold_acceleration_g")
 Q_SLV = ("q_slv_set", "q_slv_low_set", "q_slv_robust_set", "q_slv_safe_set")
 SETS = ("set_rule", "q_set", "q_min", "q_robust_set", *Q_SLV)
 
@@ -144,7 +144,7 @@ COLUMNS = (
     *_taken(KINEMATIC, _kinematic, "alpha0", "e_star", "a0_star_g", "d0_m", "period_s"),
     *_taken(WALL, _result, "height_m", "thickness_m"),
     number("base_z_m", "m", "height of its base above the ground", "wall.wall.base_z_m"),
-    *_taken(WALL, _result, *SIZES, "restitution", "velocity_ratio", *SETS),
+    *_taken(WALL, _result, *SIZE_KEYS, "restitution", "velocity_ratio", *SETS),
     *_taken(FRAGILITY, lambda row: row.wall.fragility, "q_05", "q_16", "q_50"),
     number("closed_form_q", "-", "q of Eq. 15 or 16", "wall.closed_form_q"),
     number("closed_form_q_eff", "-", "Eq. 15 or 16", "wall.closed_form_q_eff"),

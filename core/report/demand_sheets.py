@@ -26,13 +26,12 @@ from core.report.cells import (
     text,
     title,
 )
-from core.report.plots import add_series, new_chart
+from core.report.plots import DATA_COLUMN, add_series, new_chart
 from core.report.sure_words import interval_line, verdict_of
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
 from core.units import G
 
-DATA = 16
 DRAWN_SPECTRA = 30
 
 
@@ -223,20 +222,20 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
 
 def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:
     compliance, say = known(result.compliance), book.say
-    text(sheet, 2, DATA, "T [s]", size=8)
+    text(sheet, 2, DATA_COLUMN, "T [s]", size=8)
     names = [say("target"), say("mean"), *(motion.name for motion in result.motions[:DRAWN_SPECTRA])]
     curves = [compliance.target, compliance.mean, *compliance.spectra[:DRAWN_SPECTRA]]
     for k, label in enumerate(names):
-        text(sheet, 2, DATA + 1 + k, label, size=8)
+        text(sheet, 2, DATA_COLUMN + 1 + k, label, size=8)
     for n, period in enumerate(compliance.periods):
-        sheet.cell(3 + n, DATA, float(period))
+        sheet.cell(3 + n, DATA_COLUMN, float(period))
         for k, curve in enumerate(curves):
-            sheet.cell(3 + n, DATA + 1 + k, float(curve[n]) / G)
+            sheet.cell(3 + n, DATA_COLUMN + 1 + k, float(curve[n]) / G)
     chart = new_chart(say("5 % acceleration spectra"), "T [s]", "S_a [g]", 24.0, 10.0)
     last = 2 + compliance.periods.size
     for k in range(len(curves) - 1, -1, -1):
         color, width = ((BAD, 25000), (ACCENT, 25000))[k] if k < 2 else ("B8C2CC", 6000)
-        add_series(chart, sheet, (DATA, DATA + 1 + k), (2, last), color, width=width)
+        add_series(chart, sheet, (DATA_COLUMN, DATA_COLUMN + 1 + k), (2, last), color, width=width)
     chart.x_axis.scaling.min, chart.x_axis.scaling.max = (0, math.ceil(2.0 * compliance.periods[-1]) / 2.0)
     chart.y_axis.scaling.min = 0
     records = range(len(curves) - 2)  # drawn first, alike in grey: the legend names mean and target

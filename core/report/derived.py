@@ -4,13 +4,13 @@ from core.derivation.faces import formula
 from core.derivation.line import INPUT, Columns, Line, Section
 from core.report.cells import BAD, GOOD, Book, fill, header, number, rule, style, text
 from core.report.phrases import Phrases
-from core.report.rows import CHANGED, INPUT_FILL, found_row, input_row, live_row, mark_changed
+from core.report.rows import CHANGED_COLUMN, INPUT_FILL, found_row, input_row, live_row, mark_changed
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
 
 SIZE = "0.000"
 
-LONGEST = 42
+MAX_FORMULA_LETTERS = 42
 """Characters of a line in symbols that the first column has room for; a longer one shows its symbol alone."""
 
 
@@ -47,7 +47,7 @@ class Rows:
             write = input_row if line.source == INPUT else found_row
             row = write(book, sheet, row, said.title, line.value, said.unit, name, of.shape)
         else:
-            fits = said.title == said.symbol and 0 < len(said.written) <= LONGEST
+            fits = said.title == said.symbol and 0 < len(said.written) <= MAX_FORMULA_LETTERS
             label = said.written if fits else said.title
             cells = self.cells | {one: self.cells[other] for one, other in line.other.items()}
             live, run = formula(line.quantity, cells), line.run_name and self.prefix + line.run_name
@@ -76,11 +76,11 @@ class Rows:
                 cell = number(sheet, row, column, value, SIZE)
                 if of_case:
                     fill(cell, INPUT_FILL)
-                    number(sheet, row, CHANGED + column - 1, value, SIZE)
+                    number(sheet, row, CHANGED_COLUMN + column - 1, value, SIZE)
             if of_case:
                 last = 1 + len(values)
                 now = f"{sheet.cell(row, 2).coordinate}:{sheet.cell(row, last).coordinate}"
-                then = (sheet.cell(row, CHANGED + column - 1).coordinate for column in (2, last))
+                then = (sheet.cell(row, CHANGED_COLUMN + column - 1).coordinate for column in (2, last))
                 mark_changed(book, sheet, row, now, ":".join(then))
             rule(sheet, row, 1, 1 + len(values))
         for column, key in enumerate(columns.symbols, start=2):

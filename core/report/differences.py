@@ -14,7 +14,7 @@ OF_THE_RUN = ("started_utc", "seconds", "commit")
 WHEN_WRITTEN = "docProps/core.xml"
 """Part of a workbook that says when it was written."""
 
-SHOWN = 80
+MAX_LETTERS_SHOWN = 80
 """Letters of a value that are quoted."""
 
 
@@ -27,35 +27,35 @@ class Difference(NamedTuple):
     share: float | None = None
 
 
-def of_results(reported: Any, found: Any, place: str = "") -> Iterator[Difference]:
+def of_results(reported: Any, rerun: Any, place: str = "") -> Iterator[Difference]:
     """Compare two results as read from their JSON, key by key."""
-    if isinstance(reported, dict) and isinstance(found, dict):
-        for key in [*reported, *(key for key in found if key not in reported)]:
+    if isinstance(reported, dict) and isinstance(rerun, dict):
+        for key in [*reported, *(key for key in rerun if key not in reported)]:
             if key not in OF_THE_RUN:
                 path = f"{place}.{key}" if place else key
-                yield from of_results(reported.get(key, ...), found.get(key, ...), path)
-    elif isinstance(reported, list) and isinstance(found, list) and len(reported) == len(found):
-        for n, (one, other) in enumerate(zip(reported, found, strict=True)):
+                yield from of_results(reported.get(key, ...), rerun.get(key, ...), path)
+    elif isinstance(reported, list) and isinstance(rerun, list) and len(reported) == len(rerun):
+        for n, (one, other) in enumerate(zip(reported, rerun, strict=True)):
             yield from of_results(one, other, f"{place}[{n}]")
-    elif not _same(reported, found):
+    elif not _same(reported, rerun):
         share = None
-        if _is_number(reported) and _is_number(found):
-            share = abs(found - reported) / max(abs(found), abs(reported))
-        yield Difference(place, _text(reported), _text(found), share)
+        if _is_number(reported) and _is_number(rerun):
+            share = abs(rerun - reported) / max(abs(rerun), abs(reported))
+        yield Difference(place, _text(reported), _text(rerun), share)
 
 
 def _is_number(value: Any) -> bool:
     return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
-def _same(reported: Any, found: Any) -> bool:
-    if _is_number(reported) and _is_number(found):
-        return reported == found
-    return type(reported) is type(found) and reported == found
+def _same(reported: Any, rerun: Any) -> bool:
+    if _is_number(reported) and _is_number(rerun):
+        return reported == rerun
+    return type(reported) is type(rerun) and reported == rerun
 
 
 def _text(value: Any) -> str:
-    return "" if value is ... else str(value)[:SHOWN]
+    return "" if value is ... else str(value)[:MAX_LETTERS_SHOWN]
 
 
 def case_of_workbook(content: bytes) -> str:
@@ -78,23 +78,23 @@ def case_of_workbook(content: bytes) -> str:
     return ""
 
 
-def of_workbooks(reported: bytes, found: bytes) -> list[Difference]:
+def of_workbooks(reported: bytes, rerun: bytes) -> list[Difference]:
     """The differences of two workbooks, cell by cell: formulas, and the values that are kept beside them; none of two
     whose parts are the same byte by byte. Raises what openpyxl raises of a file that is none."""
-    if _parts(reported) == _parts(found):
+    if _parts(reported) == _parts(rerun):
         return []
     import openpyxl
 
     differences: list[Difference] = []
     for live in (True, False):  # values, then formulas
-        books = [openpyxl.load_workbook(io.BytesIO(one), data_only=live) for one in (reported, found)]
+        books = [openpyxl.load_workbook(io.BytesIO(one), data_only=live) for one in (reported, rerun)]
         names = [book.sheetnames for book in books]
         if live and names[0] != names[1]:
             differences.append(Difference("", ", ".join(names[0]), ", ".join(names[1])))
         for name in [name for name in names[0] if name in names[1]]:
             cells = [_cells(book[name]) for book in books]
             for place in [*cells[0], *(place for place in cells[1] if place not in cells[0])]:
-                one, other = (_of_cell(found.get(place)) for found in cells)
+                one, other = (_of_cell(sheet_cells.get(place)) for sheet_cells in cells)
                 if one != other and not (live is False and not _is_formula(one) and not _is_formula(other)):
                     differences += of_results(one, other, f"{name}!{place}")
     return differences
@@ -130,10 +130,14 @@ def words_of_notes(contents: list[bytes]) -> list[list[str]]:
     return [[line for page in reader.pages for line in page.extract_text().splitlines()] for reader in readers]
 
 
-def of_lines(reported: list[str], found: list[str]) -> Iterator[Difference]:
+def of_lines(reported: list[str], rerun: list[str]) -> Iterator[Difference]:
     """Compare the lines of two notes; places are numbers of lines of the reported one, from 1."""
-    matcher = difflib.SequenceMatcher(None, reported, found, autojunk=False)
+    matcher = difflib.SequenceMatcher(None, reported, rerun, autojunk=False)
     for kind, start, end, first, last in matcher.get_opcodes():
         if kind != "equal":
             place = f"{start + 1}" if end <= start + 1 else f"{start + 1}-{end}"
-            yield Difference(place, " / ".join(reported[start:end])[:SHOWN], " / ".join(found[first:last])[:SHOWN])
+            yield Difference(
+                place,
+                " / ".join(reported[start:end])[:MAX_LETTERS_SHOWN],
+                " / ".join(rerun[first:last])[:MAX_LETTERS_SHOWN],
+            )

@@ -1,7 +1,7 @@
 """The sheet of the floors: what moves the walls above the ground, the code beside the records."""
 
 from core.report.cells import ACCELERATION, ACCENT, BAD, QUIET, RATIO, Book, header, number, paragraph, text, title
-from core.report.plots import DATA, add_series, new_chart, rows_below
+from core.report.plots import DATA_COLUMN, add_series, new_chart, rows_below
 from core.setting.floors import CHART_PERIODS, Floor
 from core.study.results import StudyResult
 from core.units import G
@@ -14,7 +14,7 @@ def floors_of(result: StudyResult) -> dict[float, Floor]:
 
 def floors(book: Book, result: StudyResult) -> None:
     """A table of the modes and the floor motions, and a chart of the spectra, for each height."""
-    say, found = book.say, floors_of(result)
+    say, by_height = book.say, floors_of(result)
     sheet = book.sheet("Floors", [22, 12, 12, 12, 12, 12, 12, 12])
     title(sheet, 1, say("Motion of the floors"))
     row = paragraph(
@@ -29,7 +29,7 @@ def floors(book: Book, result: StudyResult) -> None:
         105,
         color=QUIET,
     )
-    for index, (z, floor) in enumerate(sorted(found.items())):
+    for index, (z, floor) in enumerate(sorted(by_height.items())):
         row = _floor(book, sheet, floor, z, index, row + 1)
 
 
@@ -60,7 +60,7 @@ def _floor(book: Book, sheet, floor: Floor, z: float, index: int, row: int) -> i
         curves.append((say("mean of the floor motions"), floor.mean_spectrum, ACCENT))
     if not curves:
         return row
-    first = DATA + 4 * index
+    first = DATA_COLUMN + 4 * index
     text(sheet, 2, first, "T [s]", size=8)
     label = say("Floor spectra, z = {z:g} m, ξ = {damping:.0f} %", z=z, damping=100.0 * floor.damping)
     chart = new_chart(label, "T [s]", "S_a [g]", 17.5, 8.5)

@@ -9,7 +9,7 @@ from core.report.cells import QUIET, Book, header, heighten, number, paragraph, 
 from core.study.results import StudyResult
 from core.text.sentence import capital, choice, word
 
-UNITS = {
+UNIT_OF_KEY = {
     entry.name: entry.metadata["unit"]
     for section in sections().values()
     for entry in fields(section)
@@ -58,7 +58,7 @@ def _line(book: Book, sheet, row: int, key: str, value, source: str | None) -> i
         heighten(sheet, row, (shown, 50))
     else:
         number(sheet, row, 2, value, "General", align="left")
-        text(sheet, row, 3, pretty(UNITS.get(key, "")), color=QUIET)
+        text(sheet, row, 3, pretty(UNIT_OF_KEY.get(key, "")), color=QUIET)
     if source:
         text(sheet, row, 4, source, color=QUIET, italic=True)
     rule(sheet, row, 1, 4)

@@ -6,7 +6,7 @@ import json
 from typing import Any
 
 from core.report.stated.quantity import stated
-from core.report.stated.study import HEAD, PAIRS, RESULTS, VERDICTS, WALLS
+from core.report.stated.study import OF_STUDY, PAIRS, RESULTS, VERDICTS, WALLS
 from core.study.results import StudyResult
 
 _ENCODER = json.JSONEncoder(indent=1, allow_nan=False, ensure_ascii=False)
@@ -45,7 +45,7 @@ class JsonReport:
     def content(self, result: StudyResult) -> bytes:
         """The file, once all walls are there. Raises ValueError should a number not be finite."""
         parts = {
-            **{key: [_text(value, 1)] for key, value in stated(HEAD, result).items()},
+            **{key: [_text(value, 1)] for key, value in stated(OF_STUDY, result).items()},
             "verdicts": _listed(self._verdicts),
             "walls": _listed(self._walls),
             **{key: [_text(value, 1)] for key, value in stated(PAIRS, result).items()},

@@ -3,13 +3,13 @@
 from core.case.wall import Wall
 from core.known import known
 
-LONGEST, SHORTEST = 0.22, 0.08
+MAX_ARROW, MIN_ARROW = 0.22, 0.08
 """Length of the arrow of the strongest load and of a vanishing one, of the height of the wall."""
 
 PLATE = 0.02
 """Half of the plate of a tie, of the height of the wall."""
 
-HEAD = 0.2
+ARROW_HEAD = 0.2
 """Length of the head of an arrow, of that of the arrow [-]."""
 
 
@@ -18,19 +18,19 @@ def arrows(wall: Wall, height: float, thickness: float) -> list[list[tuple[float
     outward, y up. height, thickness : of the wall [m]."""
     sizes = [abs(load.force) for load in wall.in_si.loads]
     strongest = max(sizes, default=0.0)
-    found = []
+    lines = []
     for load, one in zip(wall.load, sizes, strict=True):
-        size = height * (SHORTEST + (LONGEST - SHORTEST) * one / strongest)
-        x, y, head = thickness - (load.d_m or 0.0), load.h_m, HEAD * size
+        size = height * (MIN_ARROW + (MAX_ARROW - MIN_ARROW) * one / strongest)
+        x, y, head = thickness - (load.d_m or 0.0), load.h_m, ARROW_HEAD * size
         if load.is_weight:
-            found.append([(x, y + size), (x, y), (x - head, y + head), (x, y), (x + head, y + head)])
+            lines.append([(x, y + size), (x, y), (x - head, y + head), (x, y), (x + head, y + head)])
             continue
         if load.is_tie:  # its bar, and the plate on the outer face
-            found.append([(-LONGEST * height, y), (x, y), (x, y + PLATE * height), (x, y - PLATE * height)])
+            lines.append([(-MAX_ARROW * height, y), (x, y), (x, y + PLATE * height), (x, y - PLATE * height)])
             continue
         # a thrust ends where it pushes outward
         outward = load.kind == "thrust" and known(load.kn_m) > 0.0
         start, end = (x - size, x) if outward else (x, x - size)
         back = end - head if outward else end + head
-        found.append([(start, y), (end, y), (back, y + head), (end, y), (back, y - head)])
-    return found
+        lines.append([(start, y), (end, y), (back, y + head), (end, y), (back, y - head)])
+    return lines

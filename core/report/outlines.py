@@ -21,14 +21,14 @@ def _kind(part: Part) -> str:
 def in_section(wall) -> list[Outline]:
     """The outline of each solid seen along the wall: x inward from the outer face of the base [m]; of one that is not
     extruded along the wall the hull of what is seen."""
-    found = []
+    outlines = []
     for part in wall.parts:
         if part.plane == "section":
             points = [(part.x_of(s, 0.0), z) for s, z in part.polygon]
         else:
             points = _hull([(part.x_of(s, n), z) for s, z in part.polygon for n in part.ends])
-        found.append(Outline(points, _kind(part)))
-    return found
+        outlines.append(Outline(points, _kind(part)))
+    return outlines
 
 
 def _hull(points: Points) -> Points:
@@ -51,15 +51,15 @@ def _hull(points: Points) -> Points:
 
 def in_elevation(wall) -> list[Outline]:
     """The outline of each solid seen from outside: s along the wall [m]; of one in another plane its extent."""
-    found = []
+    outlines = []
     for part in wall.parts:
         if part.plane == "elevation":
             points = list(part.polygon)
         else:
             heights = [z for _, z in part.polygon]
             points = _box(part.ends, (min(heights), max(heights)))
-        found.append(Outline(points, _kind(part)))
-    return found
+        outlines.append(Outline(points, _kind(part)))
+    return outlines
 
 
 def _box(across: tuple[float, float], up: tuple[float, float]) -> Points:

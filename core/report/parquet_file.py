@@ -5,7 +5,7 @@ from typing import Any, BinaryIO
 
 from core.report.columns import COLUMNS
 
-ROWS = 2048
+GROUP_ROWS = 2048
 """Rows of a row group: the file keeps some hundred bytes of each column of each of them until its end."""
 
 
@@ -41,7 +41,7 @@ def write(stream: BinaryIO, groups: Iterable[dict[str, list]], metadata: dict[st
         for rows in groups:
             for name, values in held.items():
                 values += rows[name]
-            while len(held["wall"]) >= ROWS:
-                put(ROWS)
+            while len(held["wall"]) >= GROUP_ROWS:
+                put(GROUP_ROWS)
         if held["wall"]:
-            put(ROWS)
+            put(GROUP_ROWS)

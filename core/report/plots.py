@@ -38,7 +38,7 @@ CM_PER_POINT = 2.54 / 72.0
 CHART_WALLS = 20
 ABREAST_FROM = 4
 """Charts from which two stand side by side."""
-WIDE, SMALL = (17.5, 9.0), (9.4, 6.3)
+SINGLE_CHART, DOUBLE_CHART = (17.5, 9.0), (9.4, 6.3)
 """Sizes of a chart alone and beside another [cm]."""
 CURVE_POINTS = 25
 WIDE_SPREAD = 8.0
@@ -48,7 +48,7 @@ MAP_ROWS = 200
 MAP_BIN = 0.02
 """Width of a column of the survival map in ln q."""
 
-DATA = 16
+DATA_COLUMN = 16
 """First column of the data behind the charts, right of what is printed."""
 
 
@@ -125,10 +125,10 @@ def q_against_si(book: Book, result: StudyResult) -> None:
     drawn = walls[:CHART_WALLS]
     abreast = len(drawn) >= ABREAST_FROM
     for index, wall in enumerate(book.steps.each(drawn)):
-        column = DATA + 8 * index
+        column = DATA_COLUMN + 8 * index
         last_point, last_curve = _si_data(book, sheet, wall, column)
         label = f"{wall.name} – {word(wall.mechanism, book.language)}"
-        chart = new_chart(label, "SI [cm]", "q_eff [-]", *(SMALL if abreast else WIDE))
+        chart = new_chart(label, "SI [cm]", "q_eff [-]", *(DOUBLE_CHART if abreast else SINGLE_CHART))
         add_series(chart, sheet, (column, column + 1), (2, last_point), ACCENT, points=True)
         if wall.power_law:
             add_series(chart, sheet, (column + 2, column + 3), (2, last_curve), ACCENT)
@@ -205,11 +205,11 @@ def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -
     row = 3
     abreast = len(drawn) >= ABREAST_FROM
     for index, entry in enumerate(book.steps.each(drawn[:CHART_WALLS])):
-        column = DATA + 5 * index
+        column = DATA_COLUMN + 5 * index
         last = _history_data(book, sheet, entry, column)
         sign = "+" if entry.polarity > 0 else "−"
         label = f"{entry.wall.name} – {word(entry.wall.mechanism, book.language)}: {entry.motion.name} ({sign})"
-        chart = new_chart(label, "t [s]", "θ/θc [-]", *(SMALL if abreast else WIDE))
+        chart = new_chart(label, "t [s]", "θ/θc [-]", *(DOUBLE_CHART if abreast else SINGLE_CHART))
         add_series(chart, sheet, (column, column + 1), (2, last[0]), GOOD, width=12000)
         add_series(chart, sheet, (column + 2, column + 3), (2, last[1]), BAD, width=12000)
         one_sided = entry.wall.mechanism == "one_sided"

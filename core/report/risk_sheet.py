@@ -12,14 +12,14 @@ from core.units import G
 from core.variation.limit_states import STATES
 from core.variation.tie_design import FORCE_NAMES
 
-LAST = 11
+LAST_COLUMN = 11
 
 
 def has_risk(result: StudyResult) -> bool:
     """Whether a wall has a zeta, and something beside it that the Summary does not show."""
-    found = [wall.assessment for wall in result.walls if wall.assessment]
-    beside = any(one.states or one.tie for one in found) or bool(wall_comparisons(result.verdicts))
-    return beside and any(one.risk for one in found)
+    assessments = [wall.assessment for wall in result.walls if wall.assessment]
+    beside = any(one.states or one.tie for one in assessments) or bool(wall_comparisons(result.verdicts))
+    return beside and any(one.risk for one in assessments)
 
 
 def risk(book: Book, result: StudyResult) -> None:
@@ -35,7 +35,7 @@ def risk(book: Book, result: StudyResult) -> None:
             "building asks for a global analysis (D.M. 65/2017, Annex A). Limit states by the hazard of the site and "
             "the kinematic check, or by time histories where they are asked for."
         ),
-        LAST,
+        LAST_COLUMN,
         150,
         color=QUIET,
     )
@@ -74,7 +74,7 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
         states = [one for wall in result.walls for one in (wall.assessed.states if wall.assessment else ())]
         if there := [one.zeta for one in states if one.state == state]:
             number(sheet, row, column, least(there), RATIO)
-    rule(sheet, row, 1, LAST)
+    rule(sheet, row, 1, LAST_COLUMN)
     return row + 1
 
 
@@ -83,7 +83,7 @@ def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
     text(sheet, row, 1, wall.name, wrap=True)
     text(sheet, row, 2, word(wall.mechanism, language))
     heighten(sheet, row, (wall.name, 26))
-    rule(sheet, row, 1, LAST)
+    rule(sheet, row, 1, LAST_COLUMN)
     if assessment is None:
         return
     verdict = assessment.verdict
@@ -124,20 +124,20 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
         number(sheet, row, 8, None if tie.force is None else 1e-3 * tie.force, RATIO, bold=True)
         number(sheet, row, 9, None if tie.stands is None else 1e3 * tie.stands, "0")
         rule(sheet, row, 1, 9)
-        row = paragraph(sheet, row + 1, tie_words(say, wall, book.language), LAST, 150, color=QUIET) - 1
+        row = paragraph(sheet, row + 1, tie_words(say, wall, book.language), LAST_COLUMN, 150, color=QUIET) - 1
     return row + 1
 
 
 def _variants(book: Book, sheet, result: StudyResult, row: int) -> int:
     """The walls as they are beside the walls as they are designed."""
-    say, found, language = book.say, wall_comparisons(result.verdicts), book.language
-    if not found:
+    say, pairs, language = book.say, wall_comparisons(result.verdicts), book.language
+    if not pairs:
         return row
     title(sheet, row, say("Before and after"), 12)
     heads = [say("Wall"), say("before"), "", "ζ", say("by"), say("after"), "", "ζ", say("by"), "", say("changed")]
     header(sheet, row + 1, heads, 1, 30)
     row += 1
-    for one in found:
+    for one in pairs:
         row += 1
         text(sheet, row, 1, one.name, wrap=True)
         for column, verdict in ((2, one.before), (6, one.after)):
@@ -148,5 +148,5 @@ def _variants(book: Book, sheet, result: StudyResult, row: int) -> int:
         keys = ", ".join(word(f"key_{key}", language) for key in one.changed) or say("nothing")
         text(sheet, row, 11, keys)
         heighten(sheet, row, (one.name, 26))
-        rule(sheet, row, 1, LAST)
+        rule(sheet, row, 1, LAST_COLUMN)
     return row + 1

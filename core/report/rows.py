@@ -12,7 +12,7 @@ from core.report.cells import BAD, EXACT, QUIET, Book, fill, header, number, rul
 LIVE_COLUMN, ENGINE_COLUMN = 3, 4
 """Columns of the live value and of the program's value."""
 
-CHANGED = 15
+CHANGED_COLUMN = 15
 """Hidden column of the sheet Check: 1 in the row of an input that differs from that of the run."""
 
 OLD = "A9B2BB"
@@ -49,21 +49,21 @@ def found_row(book: Book, sheet, row, label, value, unit, name=None, shape=EXACT
 def mark_changed(book: Book, sheet, row: int, now: str, then: str) -> None:
     """The hidden mark of a row whose inputs are the cells `now`, in the run the cells `then`."""
     formula = f"=IF(IFERROR(SUMPRODUCT(ABS({now}-{then})),1)>1E-9,1,0)"
-    book.formula(sheet.cell(row, CHANGED), formula, 0.0, "0")
+    book.formula(sheet.cell(row, CHANGED_COLUMN), formula, 0.0, "0")
 
 
 def close_inputs(book: Book, sheet) -> None:
     """After the last row: the cell `inputs_changed` counts the inputs that differ from those of the run; what does not
     follow turns grey."""
-    letter = sheet.cell(1, CHANGED).column_letter
+    letter = sheet.cell(1, CHANGED_COLUMN).column_letter
     last = sheet.max_row
     _when_changed(sheet, f"C4:C{last}", f'$B4="{book.say("of the run")}"', OLD)
     own = "AND(NOT(_xlfn.ISFORMULA(D4)),ISNUMBER(D4),NOT(ISNUMBER($P4)))"
     _when_changed(sheet, f"D4:M{last}", own, OLD)  # P holds what loads were: theirs are inputs
-    cell = sheet.cell(1, CHANGED)
+    cell = sheet.cell(1, CHANGED_COLUMN)
     book.formula(cell, f"=SUM({letter}2:{letter}{sheet.max_row})", 0.0, "0")
     book.name("inputs_changed", cell)
-    for column in range(CHANGED, CHANGED + 7):
+    for column in range(CHANGED_COLUMN, CHANGED_COLUMN + 7):
         sheet.column_dimensions[sheet.cell(1, column).column_letter].hidden = True
 
 

@@ -13,7 +13,7 @@ from openpyxl.worksheet.worksheet import Worksheet
 
 from core.report.xml_text import for_cell
 
-ROWS = 400
+PACKED_ROWS = 400
 """Rows of a piece that is kept packed."""
 
 
@@ -45,7 +45,7 @@ class SheetRows:
         sheet stays, for what asks how long it is."""
         if self._ends is not None:
             first = self._ends[1]
-        if end - first < ROWS:
+        if end - first < PACKED_ROWS:
             return
         end = min(end, self.sheet.max_row)
         cells = {place: cell for place, cell in self.sheet._cells.items() if first <= place[0] < end}

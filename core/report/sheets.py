@@ -91,14 +91,14 @@ def records(book: Book, result: StudyResult) -> None:
     header(sheet, 3, [heading for heading, _, _, _ in columns], 1, 32)
     row = 4
     for pair in zip(result.motions, result.kinds, strict=True):
-        found = stated(RECORD, pair)
+        values = stated(RECORD, pair)
         for column, (_, _, key, shape) in enumerate(columns[:-1], start=1):
             if shape:
-                number(sheet, row, column, found[key], shape)
+                number(sheet, row, column, values[key], shape)
             else:
-                text(sheet, row, column, found[key], wrap=column < 3, align="center" if key == "unit" else "left")
-        heighten(sheet, row, (found["name"], 24), (found["file"], 34))
-        text(sheet, row, 13, found["file_sha256"][:16], size=8, color=QUIET)
+                text(sheet, row, column, values[key], wrap=column < 3, align="center" if key == "unit" else "left")
+        heighten(sheet, row, (values["name"], 24), (values["file"], 34))
+        text(sheet, row, 13, values["file_sha256"][:16], size=8, color=QUIET)
         rule(sheet, row, 1, len(widths))
         row += 1
     row += 1
@@ -205,17 +205,17 @@ def results(book: Book, result: StudyResult) -> None:
     for wall in book.steps.each(result.walls):
         for run in wall.runs:
             row += 1
-            found = stated(RUN, OfRun(run, wall, result))
+            values = stated(RUN, OfRun(run, wall, result))
             text(sheet, row, 1, wall.name, wrap=True)
             text(sheet, row, 2, word(wall.mechanism, book.language))
             text(sheet, row, 3, run.record, wrap=True)
             heighten(sheet, row, (wall.name, 20), (run.record, 24))
             text(sheet, row, 4, "+" if run.polarity > 0 else "−", align="center")
-            text(sheet, row, 5, status_word(book, found["status"]), color=INK if run.ida.q else BAD)
-            low, high = found["bracket"] or (None, None)
-            found |= {"survival_windows": len(found["survival_windows"])}
+            text(sheet, row, 5, status_word(book, values["status"]), color=INK if run.ida.q else BAD)
+            low, high = values["bracket"] or (None, None)
+            values |= {"survival_windows": len(values["survival_windows"])}
             for column, (heading, _, key, shape) in enumerate(columns, start=6):
-                value = {7: low, 8: high}.get(column, found[key])
+                value = {7: low, 8: high}.get(column, values[key])
                 number(sheet, row, column, value, shape, bold=heading == "q" and value is not None)
             rule(sheet, row, 1, len(widths))
     if row > 3:

@@ -39,8 +39,8 @@ from core.units import G
 SUMMARY_WALLS = 8
 """Walls listed on the Summary, which is one page; all are on the Overview."""
 
-WIDTHS = [30, 12, 8, 9, 9, 7, 8, 14, 9, 8, 9, 9, 26]
-LAST = len(WIDTHS)
+COLUMN_WIDTHS = [30, 12, 8, 9, 9, 7, 8, 14, 9, 8, 9, 9, 26]
+LAST_COLUMN = len(COLUMN_WIDTHS)
 ASSUMED = 1, 2, 5, 6, 9, 10, 13
 """Columns of the table of assumptions."""
 
@@ -55,7 +55,7 @@ def verdict_color(result: StudyResult, wall: WallResult) -> str:
 def summary(book: Book, result: StudyResult) -> None:
     """Write one page: title block, demand, walls, the governing wall's checks, its verdict, warnings."""
     say, case = book.say, result.case
-    sheet = book.sheet("Summary", WIDTHS, landscape=True)
+    sheet = book.sheet("Summary", COLUMN_WIDTHS, landscape=True)
     sheet.page_setup.fitToHeight = 1
     title(sheet, 1, case.title, 16)
     paragraph(
@@ -65,7 +65,7 @@ def summary(book: Book, result: StudyResult) -> None:
             "Out-of-plane overturning of masonry walls: rocking analysis, force reduction factor q "
             "(Coccia, Di Carlo, Imperatore 2016) and checks of the Circolare 7/2019, C8.7.1.2.1"
         ),
-        LAST,
+        LAST_COLUMN,
         160,
         color=QUIET,
     )
@@ -87,16 +87,18 @@ def summary(book: Book, result: StudyResult) -> None:
                 SUMMARY_WALLS=SUMMARY_WALLS,
                 n=len(ordered),
             ),
-            LAST,
+            LAST_COLUMN,
             150,
             color=QUIET,
         )
     if ordered[0].assessment:
         row = _governing(book, sheet, result, ordered[0], row + 1)
-    _warnings(book, sheet, result, row + 1, LAST)
+    _warnings(book, sheet, result, row + 1, LAST_COLUMN)
 
 
-SHOWN = of_keys(WALL, "height_m", "thickness_m", "slenderness_deg", "threshold_acceleration_g", "q_set", "q_robust_set")
+QUANTITIES_SHOWN = of_keys(
+    WALL, "height_m", "thickness_m", "slenderness_deg", "threshold_acceleration_g", "q_set", "q_robust_set"
+)
 """Quantities of the results that the table of the walls shows."""
 
 
@@ -107,7 +109,7 @@ def lists_all(result: StudyResult) -> bool:
 
 def overview(book: Book, result: StudyResult) -> None:
     """All walls, the lowest zeta first."""
-    sheet = book.sheet("Overview", WIDTHS, landscape=True)
+    sheet = book.sheet("Overview", COLUMN_WIDTHS, landscape=True)
     title(sheet, 1, book.say("Overview of the walls"))
     last = _walls_table(book, sheet, result, [wall for wall, _ in in_order(result)], 3)
     sheet.auto_filter.ref = f"A3:M{last - 1}"
@@ -145,24 +147,24 @@ def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult]
         heighten(sheet, row, (wall.name, 24), (label, 26))
         weight = wall.wall.weight
         setback = wall.wall.setback if wall.wall.height_m else None
-        found = stated(SHOWN, OfWallResult(wall, result))
+        values = stated(QUANTITIES_SHOWN, OfWallResult(wall, result))
         for column, value, shape in (
-            (3, found["height_m"], RATIO),
-            (4, found["thickness_m"], RATIO),
+            (3, values["height_m"], RATIO),
+            (4, values["thickness_m"], RATIO),
             (5, setback, ACCELERATION),
             (6, wall.height / wall.thickness, "0.0"),
-            (7, found["slenderness_deg"], RATIO),
-            (8, found["threshold_acceleration_g"], ACCELERATION),
+            (7, values["slenderness_deg"], RATIO),
+            (8, values["threshold_acceleration_g"], ACCELERATION),
             (9, weight / 1000.0 if weight else None, "0.0"),
-            (10, found["q_set"], RATIO),
-            (11, found["q_robust_set"], RATIO),
+            (10, values["q_set"], RATIO),
+            (11, values["q_robust_set"], RATIO),
         ):
             number(sheet, row, column, value, shape)
         color = verdict_color(result, wall)
         number(sheet, row, 12, verdict.zeta_e if verdict else None, RATIO, bold=True, color=color)
         _link(book, sheet, result, wall, row)
         text(sheet, row, 13, label, bold=True, color=color, wrap=True)
-        rule(sheet, row, 1, LAST)
+        rule(sheet, row, 1, LAST_COLUMN)
     return row + 1
 
 
@@ -191,8 +193,8 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
     say, assessment = book.say, wall.assessed
     label = f"{wall.name} – {word(wall.mechanism, book.language)}"
     title(sheet, row, label, 12)
-    if found := risk_of(result, wall):
-        row = paragraph(sheet, row + 1, _risk_line(book, found), LAST, 150, color=QUIET) - 1
+    if risk := risk_of(result, wall):
+        row = paragraph(sheet, row + 1, _risk_line(book, risk), LAST_COLUMN, 150, color=QUIET) - 1
     top = row + 1
     header(
         sheet,
@@ -219,7 +221,7 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
         sheet,
         row + 2,
         sentence_of(wall, book.language),
-        LAST,
+        LAST_COLUMN,
         120,
         bold=True,
         size=12,
@@ -227,7 +229,7 @@ def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: in
     )
     row = _assumed(book, sheet, result, wall, row)
     for line in (*lines_of(result, wall, book.language), *tie_lines(wall, book.language)):
-        row = paragraph(sheet, row, f"• {line}", LAST, 150)
+        row = paragraph(sheet, row, f"• {line}", LAST_COLUMN, 150)
     return row
 
 
@@ -238,12 +240,12 @@ def _assumed(book: Book, sheet, result: StudyResult, wall: WallResult, row: int)
         return row
     for column, words in zip(ASSUMED, heads(book.say), strict=True):
         text(sheet, row, column, words, color=QUIET, bold=True, size=9)
-    rule(sheet, row, 1, LAST)
+    rule(sheet, row, 1, LAST_COLUMN)
     for cells, turns in rows:
         row += 1
         for column, words in zip(ASSUMED, cells, strict=True):
             text(sheet, row, column, words, color=BAD if turns and column in (9, 10) else INK, bold=turns, size=9)
-        rule(sheet, row, 1, LAST)
+        rule(sheet, row, 1, LAST_COLUMN)
     return row + 1
 
 

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-from core.codes.collapse_rate import BEYOND, StateRate
+from core.codes.collapse_rate import SHARE_THAT_IS_SAID, StateRate
 from core.codes.risk import Risk
 from core.known import known
 from core.report.verdict_words import names_in
@@ -44,15 +44,15 @@ def has_certainty(result: StudyResult) -> bool:
 
 def interval_line(say: Say, verdict: WallVerdict, language: str) -> str:
     """Sentence on what another sample of records would give; "" without an interval."""
-    found = verdict.interval
-    if found is None:
+    interval = verdict.interval
+    if interval is None:
         return ""
     values = {
-        "n": found.stations,
-        "low": numeral(found.low, ".2f", language),
-        "high": numeral(found.high, ".2f", language),
+        "n": interval.stations,
+        "low": numeral(interval.low, ".2f", language),
+        "high": numeral(interval.high, ".2f", language),
     }
-    if found.open_end:
+    if interval.open_end:
         return say(
             "With {n} other stations of the same kind ζ_E lies above {low} in 19 of 20 cases (bootstrap).", **values
         )
@@ -62,14 +62,14 @@ def interval_line(say: Say, verdict: WallVerdict, language: str) -> str:
     )
 
 
-def moved_rows(found: Sensitivity, language: str) -> list[Moved]:
+def moved_rows(sensitivity: Sensitivity, language: str) -> list[Moved]:
     """The inputs that move zeta, the one that moves it most first."""
     return [
         Moved(
             swing_name(swing, language),
             [(move_words(swing, end).text(language), end.zeta, end.sure) for end in swing.ends],
         )
-        for swing in found.swings
+        for swing in sensitivity.swings
     ]
 
 
@@ -81,27 +81,27 @@ def swing_name(swing: Swing, language: str) -> str:
 def still_lines(say: Say, result: StudyResult, verdict: WallVerdict, language: str) -> list[str]:
     """Sentences with which the moves are to be read: whether the verdict is one, the inputs that do not move zeta,
     those that cannot be moved so."""
-    found, lines = known(verdict.sensitivity), []
+    sensitivity, lines = known(verdict.sensitivity), []
     code = result.walls[verdict.governing].assessed.verdict.code
     if code in ("indicative", "undetermined"):
         lines.append(say("The verdict is indicative, and so are these values: none of them verifies the wall."))
-    if found.still:
+    if sensitivity.still:
         lines.append(
-            say("Without effect on ζ: {names}.", names=", ".join(word(f"key_{k}", language) for k in found.still))
+            say("Without effect on ζ: {names}.", names=", ".join(word(f"key_{k}", language) for k in sensitivity.still))
         )
-    for key, error in found.refused:
+    for key, error in sensitivity.refused:
         why = error.text(language, names_in(language))
         lines.append(say("Not moved, {name}: {why}", name=word(f"key_{key}", language), why=why))
     return lines
 
 
-REACH = {"thickness_m": (100.0, 1), "tie_kn_m": (1.0, 2), "ag_g": (1.0, 3)}
+REACH_FORMATS = {"thickness_m": (100.0, 1), "tie_kn_m": (1.0, 2), "ag_g": (1.0, 3)}
 """Key -> what its value is multiplied with for the unit of its words, and its decimals."""
 
 
 def reach_written(key: str, value: float | None, language: str) -> str:
     """A value of what is turned round in its unit, rounded to the safe side: of a_g down, else up."""
-    factor, decimals = REACH[key]
+    factor, decimals = REACH_FORMATS[key]
     if value is None:
         return numeral(None, "", language)
     whole = factor * value * 10.0**decimals
@@ -109,9 +109,9 @@ def reach_written(key: str, value: float | None, language: str) -> str:
     return numeral(whole / 10.0**decimals, f".{decimals}f", language)
 
 
-def reach_labels(found: Sensitivity) -> list[str]:
+def reach_labels(sensitivity: Sensitivity) -> list[str]:
     """The checks of what is turned round, the most refined first."""
-    return list(dict.fromkeys(label for one in found.reach for label in one.by_check))
+    return list(dict.fromkeys(label for one in sensitivity.reach for label in one.by_check))
 
 
 def check_names(result: StudyResult, labels: list[str], language: str) -> list[str]:
@@ -127,9 +127,9 @@ def reach_names(say: Say) -> dict[str, str]:
 
 def reach_row(say: Say, reach: Reach, labels: list[str], language: str) -> list[str]:
     """Row of an input of inverse design: its value now, and the value each check needs."""
-    found = [reach_written(reach.key, reach.by_check.get(label), language) for label in labels]
-    by_check = [say("any") if label in reach.throughout else value for label, value in zip(labels, found, strict=True)]
-    factor, decimals = REACH[reach.key]
+    values = [reach_written(reach.key, reach.by_check.get(label), language) for label in labels]
+    by_check = [say("any") if label in reach.throughout else value for label, value in zip(labels, values, strict=True)]
+    factor, decimals = REACH_FORMATS[reach.key]
     return [reach_names(say)[reach.key], numeral(factor * reach.given, f".{decimals}f", language), *by_check]
 
 
@@ -187,14 +187,14 @@ def rate_lines(say: Say, result: StudyResult, rates: tuple[StateRate, ...]) -> l
         )
     if "artificial" in result.kinds:
         lines.append(say("Generated motions scatter less than natural ones: the frequencies may be too low."))
-    if states := _states(say, [rate for rate in rates if rate.beyond > BEYOND]):
+    if states := _states(say, [rate for rate in rates if rate.beyond > SHARE_THAT_IS_SAID]):
         lines.append(
             say(
                 "Beyond the hazard's rows by more than one step the wall is taken to fail: a part of {states}.",
                 states=states,
             )
         )
-    if states := _states(say, [rate for rate in rates if rate.weaker > BEYOND]):
+    if states := _states(say, [rate for rate in rates if rate.weaker > SHARE_THAT_IS_SAID]):
         lines.append(
             say("Also under motions weaker than the hazard tells, which are not counted: {states}.", states=states)
         )

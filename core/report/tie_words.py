@@ -19,8 +19,8 @@ def force_words(tie: TieDesign, name: str, language: str) -> str:
 def tie_words(say: Callable[..., str], wall: WallResult, language: str) -> str:
     """Sentences on what a tie must hold, for a wall for which one is designed."""
     tie = known(wall.assessed.tie)
-    found = [name for name in FORCE_NAMES if tie.forces[name] is not None]
-    forces = "; ".join(f"{word(f'tie_{name}', language)} {force_words(tie, name, language)}" for name in found)
+    names = [name for name in FORCE_NAMES if tie.forces[name] is not None]
+    forces = "; ".join(f"{word(f'tie_{name}', language)} {force_words(tie, name, language)}" for name in names)
     values = {"h": tie.height, "forces": forces, "largest": 1e-3 * tie.largest}
     if tie.at_least is not None:
         words = [

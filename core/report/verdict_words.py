@@ -26,10 +26,10 @@ def names_in(language: str) -> FormNames:
 def in_order(result: StudyResult) -> list[tuple[WallResult, bool]]:
     """(result, whether it is the one that decides about its wall): the worst wall first, of each its worst hinge first;
     without a demand all as they are."""
-    found = by_severity(result.verdicts, result.walls)
-    if not found:
+    ordered = by_severity(result.verdicts, result.walls)
+    if not ordered:
         return [(wall, True) for wall in result.walls]
-    return [(result.walls[k], k == one.governing) for one in found for k in one.results]
+    return [(result.walls[k], k == one.governing) for one in ordered for k in one.results]
 
 
 def sentence_of(wall: WallResult, language: str) -> str:
@@ -39,18 +39,18 @@ def sentence_of(wall: WallResult, language: str) -> str:
 
 def outcome_of(result: StudyResult, verdict: WallVerdict) -> tuple[str, str | None]:
     """(code of the outcome of a wall, label of the check that decides)."""
-    found = result.walls[verdict.governing].assessment
-    if found is None:
+    assessment = result.walls[verdict.governing].assessment
+    if assessment is None:
         return "undetermined", None
-    decides = next((check.label for check in found.checks if check.name == found.verdict.governing), None)
-    return found.verdict.code, decides
+    decides = next((check.label for check in assessment.checks if check.name == assessment.verdict.governing), None)
+    return assessment.verdict.code, decides
 
 
-KINDS = ("to_do", "limits", "note")
+LINE_KINDS = ("to_do", "limits", "note")
 
 
 def lines_of(
-    result: StudyResult, wall: WallResult, language: str, kinds: tuple[str, ...] = (*KINDS, "reason")
+    result: StudyResult, wall: WallResult, language: str, kinds: tuple[str, ...] = (*LINE_KINDS, "reason")
 ) -> list[str]:
     """Lines that follow the sentence, each kind with its word: what to do, what limits the result, notes, reasons
     given."""
@@ -59,7 +59,7 @@ def lines_of(
     said = (verdict.to_do, (*verdict.limits, *(extra[0] if extra else ())), verdict.notes)
     lines = [
         f"{word(kind, language)}: {one.text(language, names_in(language))}"
-        for kind, sentences in zip(KINDS, said, strict=True)
+        for kind, sentences in zip(LINE_KINDS, said, strict=True)
         for one in sentences
         if kind in kinds
     ]

@@ -25,7 +25,7 @@ from core.study.results import CollapseHistories, StudyResult
 FIRST_PACKED = 5
 """Row from which on the rows of a sheet are packed: those before are changed to the last."""
 
-SHARES, SAVING = (0, 0, 1, 0, 0, 0, 1, 10, 5, 0, 0, 1, 12, 3, 1), 13
+SHEET_STEPS, SAVING_STEPS = (0, 0, 1, 0, 0, 0, 1, 10, 5, 0, 0, 1, 12, 3, 1), 13
 """Hundredths of the writing that each sheet after Check in its order, and the file, take with 300 walls."""
 
 
@@ -54,14 +54,14 @@ class WorkbookReport:
         steps : how far it is
         """
         book = self.build(result, histories, steps)
-        steps.take(SAVING)
+        steps.take(SAVING_STEPS)
         return book.content()
 
     def build(self, result: StudyResult, histories: list[CollapseHistories], steps: Steps) -> Book:
         """The workbook before it is saved; the parameters are those of `content`."""
         book, check = self.book, self._check or check_sheet.CheckSheet(self.book, result)
         book.steps = steps
-        steps.take(sum(SHARES))
+        steps.take(sum(SHEET_STEPS))
         _finish(book, check.close())
         sheets_in_order = (
             body_sheet.bodies,
@@ -80,7 +80,7 @@ class WorkbookReport:
             plots.survival_map,
             sheets.method,
         )
-        for sheet in steps.each(sheets_in_order, SHARES):
+        for sheet in steps.each(sheets_in_order, SHEET_STEPS):
             if sheet is summary_sheet.overview and summary_sheet.lists_all(result):
                 continue
             if sheet is body_sheet.bodies and not body_sheet.has_bodies(result):

@@ -111,12 +111,12 @@ def left_out(sets: Columns, variable: np.ndarray, limit: float) -> tuple[np.ndar
     """Leave out each shape in turn: (coefficients without each shape, law of every set by the fit without its
     shape)."""
     shapes = list(dict.fromkeys(sets.spectrum))
-    found, predicted = [], np.empty(sets.q.size)
+    coefficients, predicted = [], np.empty(sets.q.size)
     for shape in shapes:
         own = sets.spectrum == shape
-        found.append(fit_law(variable[~own], sets.loss[~own], sets.q[~own], limit))
-        predicted[own] = law_value(found[-1], limit, variable[own], sets.loss[own])
-    return np.array(found), predicted
+        coefficients.append(fit_law(variable[~own], sets.loss[~own], sets.q[~own], limit))
+        predicted[own] = law_value(coefficients[-1], limit, variable[own], sets.loss[own])
+    return np.array(coefficients), predicted
 
 
 def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -> LawFit | None:
@@ -162,5 +162,5 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
 
 def fits_of(values: list[MotionValue]) -> dict[tuple[str, str, str], LawFit]:
     """All laws the study holds data for."""
-    found = {key: fitted(values, *key) for key in product(MECHANISM, LAWS, QUANTITIES)}
-    return {key: fit for key, fit in found.items() if fit is not None}
+    fits = {key: fitted(values, *key) for key in product(MECHANISM, LAWS, QUANTITIES)}
+    return {key: fit for key, fit in fits.items() if fit is not None}

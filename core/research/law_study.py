@@ -22,7 +22,7 @@ CODE_Q = 2.0
 PAPER_RANGE = ((3.0, 12.0), (3.0, 12.0))
 """Slenderness [deg] and H [m] of the cells nearest to those Eq. 15 and 16 were fitted on."""
 
-INTERVAL = 1.645
+STANDARD_ERRORS = 1.645
 """Standard errors of an interval that holds nine cases of ten."""
 
 
@@ -31,7 +31,7 @@ def _law_table(fits: dict, say: Say) -> Table:
     for (mechanism, law, quantity), fit in fits.items():
         cells: list = [say(MECHANISM[mechanism]), law, quantity]
         for value, error in zip(fit.law.coefficients, fit.errors, strict=True):
-            cells.append(f"{value:.2f} ± {INTERVAL * error:.2f}")
+            cells.append(f"{value:.2f} ± {STANDARD_ERRORS * error:.2f}")
         natural = fit.natural
         rows.append(
             (
@@ -75,8 +75,10 @@ def _rival_table(values: list[MotionValue], fits: dict, say: Say) -> Table:
     """The law beside p PGV/PGA and Eq. 15/16, as printed and refitted, on the same sets."""
     rows = []
 
-    def add(mechanism: str, quantity: str, name: str, found: Agreement) -> None:
-        rows.append((say(MECHANISM[mechanism]), quantity, name, found.bias, found.scatter, found.within, found.n))
+    def add(mechanism: str, quantity: str, name: str, distance: Agreement) -> None:
+        rows.append(
+            (say(MECHANISM[mechanism]), quantity, name, distance.bias, distance.scatter, distance.within, distance.n)
+        )
 
     for (mechanism, law, quantity), fit in fits.items():
         if law != "rigid":
@@ -131,8 +133,8 @@ def _refit(sets: Columns) -> np.ndarray:
     predicted = np.empty(sets.q.size)
     for shape in dict.fromkeys(sets.spectrum):
         own = sets.spectrum == shape
-        found = least_squares(lambda c, rest=~own: value(c, rest) - np.log(sets.q[rest]), (30.0, 78.0, 90.0, -1.0))
-        predicted[own] = np.exp(value(found.x, own))
+        fit = least_squares(lambda c, rest=~own: value(c, rest) - np.log(sets.q[rest]), (30.0, 78.0, 90.0, -1.0))
+        predicted[own] = np.exp(value(fit.x, own))
     return predicted
 
 

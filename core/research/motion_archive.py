@@ -11,10 +11,10 @@ NO_MOTION = "no_motion "
 def unpacked(content: bytes, names: tuple[str, ...]) -> list[np.ndarray]:
     """The motions of these tests within an archive. Raises ValueError, and what numpy raises of a damaged file."""
     with np.load(io.BytesIO(content), allow_pickle=False) as archive:
-        found = []
+        motions = []
         for name in names:
             motion = archive[f"t{name}"] if f"t{name}" in archive else np.zeros(0)
             if motion.ndim != 1 or motion.size < 2 or motion.dtype.kind not in "fiu" or not np.isfinite(motion).all():
                 raise ValueError(NO_MOTION + name)
-            found.append(np.asarray(motion, float))
-        return found
+            motions.append(np.asarray(motion, float))
+        return motions

@@ -32,7 +32,7 @@ from core.wall.rocking_model import rocking_model
 
 Say = Callable[..., str]
 
-FIGURES = {
+FIGURE_NUMBERS = {
     "two_sided": ("06", "07", "08", "09", ("10", "11", "12"), "21"),
     "one_sided": ("13", "14", "15", "", ("16", "17", "18"), "22"),
 }
@@ -50,7 +50,7 @@ TUFF_HEIGHT, TUFF_THICKNESS = 0.800, 0.123
 TUFF_START = 0.95
 """First rotation of figure 4 over alpha: assumed, the figure is lost."""
 
-PERIODS = np.geomspace(0.05, 4.0, 40)
+COMPARED_PERIODS = np.geomspace(0.05, 4.0, 40)
 
 
 def curve(name: str, points, look: str = LINE, color: int = 0) -> Series:
@@ -82,11 +82,14 @@ def spectra(result: ParametricResult, say: Say) -> list[Figure]:
         for color, spectrum in enumerate(entry for entry in result.spectra if entry.group == group):
             for k, entry in enumerate(entry for entry in result.motions if entry.spectrum == spectrum.name):
                 motion = entry.motion
-                values = pseudo_acceleration_spectrum(motion.acceleration, motion.time_step, PERIODS, per_period=0) / G
+                values = (
+                    pseudo_acceleration_spectrum(motion.acceleration, motion.time_step, COMPARED_PERIODS, per_period=0)
+                    / G
+                )
                 name = say("{name}, motions", name=spectrum.name) if k == 0 else ""
-                series.append(curve(name, list(zip(PERIODS, values, strict=True)), POINTS, color))
-            target = spectrum.target.acceleration(PERIODS) / G
-            series.append(curve(spectrum.name, list(zip(PERIODS, target, strict=True)), LINE, color))
+                series.append(curve(name, list(zip(COMPARED_PERIODS, values, strict=True)), POINTS, color))
+            target = spectrum.target.acceleration(COMPARED_PERIODS) / G
+            series.append(curve(spectrum.name, list(zip(COMPARED_PERIODS, target, strict=True)), LINE, color))
         title = say("Fig. 5: target spectra and motions, group {group}", group=group)
         figures.append(Figure(f"fig05_{slug(group)}", title, "T [s]", "S_e [g]", tuple(series), log_x=True))
     return figures
@@ -95,7 +98,7 @@ def spectra(result: ParametricResult, say: Say) -> list[Figure]:
 def q_against_height(sets: list[SetMean], mechanism: str, say: Say) -> list[Figure]:
     """Fig. 6, 7, 13, 14: q against H of group B; Fig. 9: all spectra at 6.8 degrees."""
     figures = []
-    theory, experiment, _, everything, _, _ = FIGURES[mechanism]
+    theory, experiment, _, everything, _, _ = FIGURE_NUMBERS[mechanism]
     for number, models in ((theory, THEORETICAL), (experiment, EXPERIMENTAL)):
         ours = [
             entry
@@ -151,7 +154,7 @@ def diagonal(points: list[tuple[float, float]]) -> Series:
 
 def restitution_scatter(sets: list[SetMean], mechanism: str, say: Say) -> Figure:
     """Fig. 8 and 15."""
-    number = FIGURES[mechanism][2]
+    number = FIGURE_NUMBERS[mechanism][2]
     points = [(one.q, other.q) for one, other in restitution_pairs(sets, mechanism)]
     title = say("Fig. {number}: q of both restitution models", number=int(number))
     return Figure(
@@ -167,7 +170,7 @@ def q_eff_against_si(sets: list[SetMean], mechanism: str, say: Say) -> list[Figu
     """Fig. 10 to 12 and 16 to 18: q_eff against SI with the power law of each H."""
     figures = []
     ours = theoretical(sets, mechanism)
-    numbers = dict(zip(PAPER_SLENDERNESS, FIGURES[mechanism][4], strict=True))
+    numbers = dict(zip(PAPER_SLENDERNESS, FIGURE_NUMBERS[mechanism][4], strict=True))
     for alpha in sorted({entry.cell.slenderness_deg for entry in ours}):
         number = numbers.get(alpha)
         series = []
@@ -255,7 +258,7 @@ def natural_records(values: list[MotionValue], mechanism: str, say: Say) -> Figu
     ours = natural_values(values, mechanism)
     if not ours:
         return None
-    number = FIGURES[mechanism][5]
+    number = FIGURE_NUMBERS[mechanism][5]
     block, one_sided = ours[0].cell.wall.block(), mechanism == "one_sided"
     intensities = [value.entry.motion.housner_intensity for value in ours]
     points = [(si / CM, value.q_eff) for si, value in zip(intensities, ours, strict=True)]

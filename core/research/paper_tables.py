@@ -124,9 +124,9 @@ def linear_table(sets: list[SetMean], say: Say) -> Table:
         if free:
             exponents.append((say("fitted, mean of the free C2"), float(np.mean(free))))
         for name, exponent in exponents:
-            found = coefficients(sets, mechanism, exponent)
-            if found:
-                rows.append((say(MECHANISM[mechanism]), name, exponent, *found))
+            fitted = coefficients(sets, mechanism, exponent)
+            if fitted:
+                rows.append((say(MECHANISM[mechanism]), name, exponent, *fitted))
     head = (say("mechanism"), say("source"), "C2", "A1 [1/°]", "A2 [1/m]", "A3", "R²")
     return Table("eq14", say("Eq. 14: C1 = A1 α + A2 H + A3"), head, tuple(rows))
 
@@ -137,8 +137,10 @@ def distance_table(sets: list[SetMean], say: Say) -> Table:
 
     def add(name: str, mechanism: str, members: list[SetMean], truth=lambda entry: entry.q) -> None:
         if members:
-            found = agreement([closed_form_of(e) for e in members], [truth(e) for e in members])
-            rows.append((say(MECHANISM[mechanism]), name, found.bias, found.scatter, found.within, found.n))
+            statistics = agreement([closed_form_of(e) for e in members], [truth(e) for e in members])
+            rows.append(
+                (say(MECHANISM[mechanism]), name, statistics.bias, statistics.scatter, statistics.within, statistics.n)
+            )
 
     for mechanism, model in THEORETICAL.items():
         base = chosen(sets, mechanism=mechanism, restitution=model, law="rigid")
@@ -174,11 +176,11 @@ def natural_table(values: list[MotionValue], say: Say) -> Table | None:
     if not by_record:
         return None
     rows, logs, measures = [], [], []
-    for name, found in sorted(by_record.items()):
-        motion = next(iter(found.values())).entry.motion
+    for name, by_mechanism in sorted(by_record.items()):
+        motion = next(iter(by_mechanism.values())).entry.motion
         cells: list[object] = []
         for mechanism in THEORETICAL:
-            value = found.get(mechanism)
+            value = by_mechanism.get(mechanism)
             if value is None:
                 cells += [None, None]
                 continue

@@ -27,7 +27,7 @@ from core.units import G
 from core.version import VERSION
 from core.wall.rocking_model import RockingModel, rocking_model
 
-ROUNDED = 1e-4
+COPY_TOLERANCE = 1e-4
 """Largest difference of two copies of a motion that files round differently [of its peak]."""
 
 
@@ -132,7 +132,7 @@ def one_motion(first: GroundMotion, second: GroundMotion) -> bool:
     if (first.time_step, first.acceleration.size) != (second.time_step, second.acceleration.size):
         return False
     apart = first.acceleration / first.pga - second.acceleration / second.pga
-    return float(np.abs(apart).max()) <= ROUNDED
+    return float(np.abs(apart).max()) <= COPY_TOLERANCE
 
 
 def natural_motions(
@@ -142,19 +142,19 @@ def natural_motions(
 
     records_from : a folder, or a TOML file of [[record]] tables. Raises InputError.
     """
-    found: list[GroundMotion] = []
+    motions: list[GroundMotion] = []
     refused: list[tuple[str, RecordError]] = []
     if study.record:
-        found = read_records(study, base_dir)[0]
+        motions = read_records(study, base_dir)[0]
     if records_from is not None and records_from.is_dir():
         more, refused = folder_records(records_from)
         if not more:
             raise InputError("study_no_record", place=(records_from,))
-        found += more
+        motions += more
     elif records_from is not None:
-        found += read_records(read_record_list(records_from), records_from.parent)[0]
+        motions += read_records(read_record_list(records_from), records_from.parent)[0]
     kept: list[GroundMotion] = []
-    for motion in found:
+    for motion in motions:
         if any(warning.code == "vertical" for warning in motion.warnings):
             refused.append((motion.name, RecordError("vertical_component")))
         elif not any(one_motion(motion, other) for other in kept):

@@ -28,17 +28,17 @@ from core.wall.moment_rotation import RIGID
 from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
 
-MOST_BYTES = {"tests.csv": 20_000_000, "records.npz": 1_000_000_000, "bodies.csv": 100_000}
+MAX_FILE_BYTES = {"tests.csv": 20_000_000, "records.npz": 1_000_000_000, "bodies.csv": 100_000}
 SECONDS, MEGABYTES = 60.0, 4000
 """That unpacking the motions may take."""
 
-UNITS = 1.5
+MAX_PGA_FACTOR = 1.5
 """Factor by which the PGA of a motion may differ from the measured one: beyond it the unit or the motion is another."""
 
 RADII = 0.05, 60.0
 """Least and greatest R of a body [m], as of a wall that is given by its radius."""
 
-LEAST_EVENTS = 4
+MIN_EVENTS = 4
 """Events that halves and intervals need."""
 
 TIME_STEP = 0.005
@@ -54,10 +54,10 @@ SETBACKS = np.arange(0.0, 0.4501, 0.005)
 LOSSES = np.arange(0.3, 1.0001, 0.01)
 """Velocity ratios over Housner's."""
 
-DRAWS, SHARE = 2000, 0.90
+EVENT_DRAWS, INTERVAL_SHARE = 2000, 0.90
 """Sets of events that are drawn, and the share of them an interval holds."""
 
-RULE = (0.1, 0.4)
+COUNTED_PEAKS = (0.1, 0.4)
 """Computed peaks over theta_c that are counted: below the limit of C8.7.1.2.1.9, and not at rest."""
 
 
@@ -122,7 +122,7 @@ class Score:
 class Found:
     """What was found of a body.
 
-    below_rule : (tests, overturned) whose computed peak lies in RULE
+    below_rule : (tests, overturned) whose computed peak lies in COUNTED_PEAKS
     setback : share of the width fitted on all its tests, and its interval
     tried : with the setback of the first body; None of that one
     """
@@ -144,13 +144,13 @@ def read_tests(folder: Path) -> TableTests:
     if twice := next((name for name in names if names.count(name) > 1), None):
         raise InputError("validation_twice", test=twice, place=(place,))
     kept = [row for row in table if _agrees(row, place)]
-    if len({row["event"] for row in kept}) < LEAST_EVENTS:
-        raise InputError("validation_events", least=LEAST_EVENTS, place=(place,))
+    if len({row["event"] for row in kept}) < MIN_EVENTS:
+        raise InputError("validation_events", least=MIN_EVENTS, place=(place,))
     motions = _motions(folder, [row["test"] for row in kept])
     for row, motion in zip(kept, motions, strict=True):
-        found, measured = float(np.abs(motion).max()), _number(row, "measured_pga_g", place)
-        if not measured / UNITS < found < measured * UNITS:
-            raise InputError("validation_unit", test=row["test"], found=found, stated=measured, place=(place,))
+        peak, measured = float(np.abs(motion).max()), _number(row, "measured_pga_g", place)
+        if not measured / MAX_PGA_FACTOR < peak < measured * MAX_PGA_FACTOR:
+            raise InputError("validation_unit", test=row["test"], found=peak, stated=measured, place=(place,))
     others = tuple(
         {
             key.removeprefix("dem: "): np.array([_outcome(row, key, place) for row in kept])
@@ -182,7 +182,7 @@ def _rows(folder: Path, name: str, needed: tuple[str, ...]) -> list[dict[str, st
     """The rows of a table that has these columns, each as long as its head."""
     path = folder / name
     try:
-        text = read_regular(path, MOST_BYTES[name]).decode("utf-8-sig")
+        text = read_regular(path, MAX_FILE_BYTES[name]).decode("utf-8-sig")
         head, *rows = [row for row in csv.reader(io.StringIO(text), strict=True) if row]
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
@@ -241,7 +241,7 @@ def _motions(folder: Path, names: list[str]) -> list[np.ndarray]:
     """Motions of these tests [g]; they are unpacked in a process of their own."""
     path = folder / "records.npz"
     try:
-        content = read_regular(path, MOST_BYTES["records.npz"])
+        content = read_regular(path, MAX_FILE_BYTES["records.npz"])
         return bounded(unpacked, content, tuple(names), seconds=SECONDS, megabytes=MEGABYTES)
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
@@ -299,8 +299,10 @@ def scored(
     right = said == overturned
     names, place = np.unique(events, return_inverse=True)
     count, good = np.bincount(place), np.bincount(place, right)
-    drawn = np.random.default_rng(1).integers(names.size, size=(DRAWS, names.size))
-    low, high = np.quantile(good[drawn].sum(axis=1) / count[drawn].sum(axis=1), (0.5 - SHARE / 2, 0.5 + SHARE / 2))
+    drawn = np.random.default_rng(1).integers(names.size, size=(EVENT_DRAWS, names.size))
+    low, high = np.quantile(
+        good[drawn].sum(axis=1) / count[drawn].sum(axis=1), (0.5 - INTERVAL_SHARE / 2, 0.5 + INTERVAL_SHARE / 2)
+    )
     return Score(
         method,
         float(right.mean()),
@@ -323,7 +325,7 @@ def _fitted(method: str, computed: np.ndarray, values: Sequence[float | str], ov
 
 def compared(tests: TableTests, seed: int = 1, told: Callable[[float], None] = lambda share: None) -> list[Found]:
     """What the model and others tell of each body. seed : of the halves; told : share of the work that is done"""
-    computed, parts, found = Computed(tests.motions), halves(tests.events, seed), []
+    computed, parts, results = Computed(tests.motions), halves(tests.events, seed), []
     first_setback = 0.0
     for k, (body, overturned) in enumerate(zip(tests.bodies, tests.overturned, strict=True)):
         inertia = body.inertia_over_mass - body.radius**2
@@ -351,7 +353,7 @@ def compared(tests: TableTests, seed: int = 1, told: Callable[[float], None] = l
             scores.append(_fitted("distinct_elements", said, names, *alike))
         whole = np.ones(overturned.size, bool)
         peaks = by_slenderness[best(leaning, overturned, whole)][1]
-        inside = (peaks >= RULE[0]) & (peaks < RULE[1])
+        inside = (peaks >= COUNTED_PEAKS[0]) & (peaks < COUNTED_PEAKS[1])
         own = float(SETBACKS[best(set_back, overturned, whole)])
         ends = _interval_of_fit(set_back, SETBACKS, overturned, tests.events)
         tried = None
@@ -361,27 +363,27 @@ def compared(tests: TableTests, seed: int = 1, told: Callable[[float], None] = l
             said = computed.of(with_setback(body, first_setback))[0]
             tried = scored("setback", said, overturned, tests.events, (round(first_setback, 3),))
         below = int(inside.sum()), int((inside & overturned).sum())
-        found.append(Found(body, overturned.size, tuple(scores), below, (own, *ends), tried))
+        results.append(Found(body, overturned.size, tuple(scores), below, (own, *ends), tried))
         told((k + 1) / len(tests.bodies))
-    return found
+    return results
 
 
 def _interval_of_fit(computed: np.ndarray, values: np.ndarray, overturned, events) -> tuple[float, float]:
-    """Between what values a fit lies for SHARE of the drawn sets of events."""
+    """Between what values a fit lies for INTERVAL_SHARE of the drawn sets of events."""
     names, place = np.unique(events, return_inverse=True)
     right = (computed == overturned).astype(float)
     by_event = np.stack([np.bincount(place, row) for row in right])
-    drawn = np.random.default_rng(2).integers(names.size, size=(DRAWS, names.size))
+    drawn = np.random.default_rng(2).integers(names.size, size=(EVENT_DRAWS, names.size))
     fitted = []
     for one in drawn:
         total = by_event[:, one].sum(axis=1)
         equal = np.flatnonzero(total == total.max())
         fitted.append(values[equal[equal.size // 2]])
-    low, high = np.quantile(fitted, (0.5 - SHARE / 2, 0.5 + SHARE / 2))
+    low, high = np.quantile(fitted, (0.5 - INTERVAL_SHARE / 2, 0.5 + INTERVAL_SHARE / 2))
     return float(low), float(high)
 
 
-def as_json(tests: TableTests, found: list[Found], seed: int) -> dict:
+def as_json(tests: TableTests, results: list[Found], seed: int) -> dict:
     """The content of validation.json."""
 
     def score(one: Score) -> dict:
@@ -389,7 +391,7 @@ def as_json(tests: TableTests, found: list[Found], seed: int) -> dict:
         return values | {"interval": list(one.interval), "fitted": list(one.fitted)}
 
     bodies = []
-    for one in found:
+    for one in results:
         main = next(score for score in one.scores if score.method == "slenderness")
         bodies.append(
             {

@@ -11,7 +11,7 @@ from core.research.parametric import ParametricResult
 from core.research.study_files import PALETTE
 from core.version import NAME, VERSION, commit
 
-TABLES, CHARTS, SAVING = 15, 10, 25
+TABLE_STEPS, CHART_STEPS, SAVING_STEPS = 15, 10, 25
 """Hundredths of the writing of a study that these take."""
 
 CHART_ROWS = 22
@@ -27,13 +27,13 @@ def content(result: ParametricResult, report: StudyReport, steps: Steps | None =
     book = Book(result.study.language, steps or Steps())
     book.workbook.remove(book.workbook.active)
     _summary(book, result, report)
-    book.steps.take(TABLES)
+    book.steps.take(TABLE_STEPS)
     for table in book.steps.each(report.tables):
         if table.rows:
             _table(book, table)
-    book.steps.take(CHARTS)
+    book.steps.take(CHART_STEPS)
     _figures(book, report.figures)
-    book.steps.take(SAVING)
+    book.steps.take(SAVING_STEPS)
     return book.content()
 
 

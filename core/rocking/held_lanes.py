@@ -17,13 +17,13 @@ from core.rocking.side_series import about, moved, push_of, speed_of, surely_hol
 from core.units import G
 from core.wall.rocking_model import RockingModel
 
-WIDTH, VECTOR = 32, 8
+MAX_HELD_LANES, VECTOR = 32, 8
 """Lanes of one pass, and of which they are stepped in multiples: no remainder is left to scalar instructions."""
 
-ROW = WIDTH + 8
+ROW = MAX_HELD_LANES + 8
 """Length of a row of the state: rows of 32 would meet in the same sets of the processor's cache."""
 
-Y, SPEED, SIGN, SCALE, GROUND, AHEAD, PEAK, PIECE, NEXT, PLAIN = (ROW * row for row in range(10))
+Y, SPEED, SIGN, SCALE, GROUND, GROUND_AHEAD, PEAK, PIECE_HELD, PIECE_REACHED, PLAIN = (ROW * row for row in range(10))
 """Rows: y [rad] and y' [rad/s] seen from the side of SIGN (1.0 outward, -1.0 inward), multiplier, ground at both ends
 of the sample [m/s2], largest y to this side [rad], the piece whose coefficients are held and the one the wall is in,
 and 1.0 where the step was plain."""
@@ -33,7 +33,7 @@ FIRST_V, FIRST_X = ROW * 10, ROW * (11 + DEGREE)
 
 ROWS = 10 + 2 * (DEGREE + 1)
 
-CLOSE = 1.0 - 1e-9
+SAFE_SHARE = 1.0 - 1e-9
 """Share of a threshold below which a sample does not lift the wall whatever is rounded."""
 
 
@@ -66,8 +66,8 @@ def plain_steps(lanes, dt, p2, outward, inward, state):
     one = dt / dt
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
         y, speed, sign, scale = state[Y + k], state[SPEED + k], state[SIGN + k], state[SCALE + k]
-        ground, peak, piece = state[GROUND + k], state[PEAK + k], state[PIECE + k]
-        slope = scale * (state[AHEAD + k] - ground) / dt
+        ground, peak, piece = state[GROUND + k], state[PEAK + k], state[PIECE_HELD + k]
+        slope = scale * (state[GROUND_AHEAD + k] - ground) / dt
         out = sign > 0.0
         pieces, end, top = (
             outward[0] if out else inward[0],
@@ -93,7 +93,7 @@ def plain_steps(lanes, dt, p2, outward, inward, state):
         state[Y + k] = reached if plain else y
         state[SPEED + k] = after if plain else speed
         state[PEAK + k] = higher if plain else peak
-        state[NEXT + k] = min(np.floor(reached * pieces), PIECES - 1.0)
+        state[PIECE_REACHED + k] = min(np.floor(reached * pieces), PIECES - 1.0)
         state[PLAIN + k] = 1.0 if plain else 0.0
 
 
@@ -101,7 +101,7 @@ def plain_steps(lanes, dt, p2, outward, inward, state):
 def set_piece(k, piece, outward, inward, state):
     """Set the coefficients of lane k. piece : its number, of outward or inward, Side"""
     side = outward if state[SIGN + k] > 0.0 else inward
-    state[PIECE + k] = piece
+    state[PIECE_HELD + k] = piece
     for n in range(DEGREE + 1):
         state[FIRST_V + n * ROW + k] = side.values[int(piece), V, n]
         state[FIRST_X + n * ROW + k] = side.values[int(piece), X, n]
@@ -129,7 +129,7 @@ def until_it_moves(k, moving, i, end, scale, ground, dt, model, thresholds, outw
     both[0 if sign > 0.0 else 1] = state[PEAK + k]
     outcome = STABLE
     up, down = (0, 1) if scale > 0.0 else (1, 0)
-    low, high = -CLOSE * thresholds[down] / abs(scale), CLOSE * thresholds[up] / abs(scale)
+    low, high = -SAFE_SHARE * thresholds[down] / abs(scale), SAFE_SHARE * thresholds[up] / abs(scale)
     while True:
         if not moving:
             while i < end and low <= ground[i] <= high and low <= ground[i + 1] <= high:
@@ -146,7 +146,7 @@ def until_it_moves(k, moving, i, end, scale, ground, dt, model, thresholds, outw
     state[Y + k], state[SPEED + k], state[SIGN + k] = y, speed, sign
     state[PEAK + k] = both[0 if sign > 0.0 else 1]
     side = outward if sign > 0.0 else inward
-    state[NEXT + k], state[PIECE + k] = min(np.floor(y * side.scale), PIECES - 1.0), -1.0
+    state[PIECE_REACHED + k], state[PIECE_HELD + k] = min(np.floor(y * side.scale), PIECES - 1.0), -1.0
     over = outcome != STABLE or i >= end
     if over and outcome == STABLE:
         outcome = after_record(y, speed, sign, moving, model, outward, inward, both)
@@ -172,7 +172,7 @@ def one_pass(
     outcomes,
     peaks,
 ):
-    """Carry out these analyses, up to WIDTH at a time.
+    """Carry out these analyses, up to MAX_HELD_LANES at a time.
 
     ground : of `Grounds` [m/s2], shape (n,)
     dt : the sample [s]
@@ -182,8 +182,8 @@ def one_pass(
     scales : multipliers [-], shape (m,), negative reverses the record
     model : RockingModel, without `bending`
     outward, inward : Side
-    numbers : room to work, int64, shape (3, WIDTH)
-    both : room to work, shape (WIDTH, 2)
+    numbers : room to work, int64, shape (3, MAX_HELD_LANES)
+    both : room to work, shape (MAX_HELD_LANES, 2)
     none : of `until_it_moves`, shape (0,)
     state : rows of this module, zeros, shape (ROWS * ROW,)
     outcomes : results, codes of outcome.py, int64, shape (m,)
@@ -196,12 +196,12 @@ def one_pass(
     waiting = lanes = zero
     while True:
         k = zero  # the lanes that have stepped, then new ones in the places that are free
-        while k < lanes or (waiting < scales.size and lanes < WIDTH):
+        while k < lanes or (waiting < scales.size and lanes < MAX_HELD_LANES):
             begins = k == lanes
             if begins:
                 record = which[waiting]
                 analysis[k], sample[k], end[k] = waiting, firsts[record], lasts[record]
-                if abs(scales[waiting]) * strongest[record] < CLOSE * min(thresholds[0], thresholds[1]):
+                if abs(scales[waiting]) * strongest[record] < SAFE_SHARE * min(thresholds[0], thresholds[1]):
                     sample[k] = end[k]  # it never moves
                 both[k, 0], both[k, 1], state[SCALE + k] = 0.0, 0.0, scales[waiting]
                 state[Y + k], state[SPEED + k], state[SIGN + k], state[PEAK + k] = 0.0, 0.0, 1.0, 0.0
@@ -237,9 +237,9 @@ def one_pass(
                 for row in range(0, ROWS * ROW, ROW):
                     state[row + k] = state[row + lanes]
                 continue
-            state[GROUND + k], state[AHEAD + k] = ground[sample[k]], ground[sample[k] + 1]
-            if state[NEXT + k] != state[PIECE + k]:
-                set_piece(k, state[NEXT + k], outward, inward, state)
+            state[GROUND + k], state[GROUND_AHEAD + k] = ground[sample[k]], ground[sample[k] + 1]
+            if state[PIECE_REACHED + k] != state[PIECE_HELD + k]:
+                set_piece(k, state[PIECE_REACHED + k], outward, inward, state)
             k += 1
         if lanes == 0:
             return
@@ -262,8 +262,8 @@ def scan(grounds: Grounds, which, scales, model: RockingModel, outcomes, peaks) 
         bare,
         outward,
         inward,
-        np.zeros((3, WIDTH), np.int64),
-        np.zeros((WIDTH, 2)),
+        np.zeros((3, MAX_HELD_LANES), np.int64),
+        np.zeros((MAX_HELD_LANES, 2)),
         np.zeros(0),
         rows[start : start + ROWS * ROW],
         outcomes,

@@ -9,6 +9,7 @@ from core.rocking.bar_state import cross_kinks
 from core.rocking.early_stop import cannot_recover
 from core.rocking.events import IMPACTS_PER_SAMPLE, BlockState, next_uplift, uplift_side
 from core.rocking.lane_state import (
+    ACTION,
     BETA,
     CONSTANT,
     COSINE,
@@ -27,7 +28,6 @@ from core.rocking.lane_state import (
     LOW,
     MOVING,
     NET,
-    NEXT,
     NOT_LOCATED,
     PART,
     PEAK,
@@ -82,7 +82,7 @@ def gather_falling(count, busy, bars, state):
     falling = 0
     for j in range(count):
         k = busy[j]
-        kind = state[NEXT + k]
+        kind = state[ACTION + k]
         if FALLS <= kind < SCALAR:
             for row in range(FALL_ROWS):
                 state[FALL + ROW * row + falling] = state[PHI + ROW * row + k]
@@ -114,7 +114,7 @@ def scatter_end(k, j, bars, held, state):
     kinks = state[KINKS + k] if state[KINK_SAMPLE + k] == state[SAMPLE + k] else 0.0
     if state[PLAIN + j] == NOT_LOCATED or kinks >= IMPACTS_PER_SAMPLE:
         return False
-    falls, shift = state[NEXT + k] == SINKS, FALL - PHI
+    falls, shift = state[ACTION + k] == SINKS, FALL - PHI
     phi = state[(LOW if falls else HIGH) + k]
     cross_kinks(phi, falls, bars, held[k])
     set_pull(k, bars, held, state)
@@ -139,7 +139,7 @@ def scatter_impact(k, j, dt, model, constants, bars, held, state):
     bars, held : rows of the bars and their state in all lanes, or None
     state : of lane_state.py, shape (ROWS * ROW,)
     """
-    if bars is not None and state[NEXT + k] != FALLS:
+    if bars is not None and state[ACTION + k] != FALLS:
         return scatter_end(k, j, bars, held, state)
     after = state[PLAIN + j]
     if after == NOT_LOCATED:
@@ -218,7 +218,7 @@ def step_of_lane(k, dt, seen, constants, order, block, branch, bars, state):
         state[FORCING + k],
     )
     part = state[PART + k]
-    if state[NEXT + k] == LONG or block.phi > SHORT_SERIES:
+    if state[ACTION + k] == LONG or block.phi > SHORT_SERIES:
         first, second = state[FIRST + k], state[SCALE + k] * state[SECOND + k]
         v, start, part = converged_step(block, first, second, state[TIME + k], dt, branch, seen, constants, order, bars)
     return v, start, part

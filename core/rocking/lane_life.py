@@ -17,6 +17,7 @@ from core.rocking.lane_state import (
     IMPACTS,
     LANE_ROWS,
     LEFT,
+    MAX_LANES,
     MOVING,
     PART,
     PEAK,
@@ -30,7 +31,6 @@ from core.rocking.lane_state import (
     SPEED,
     STRONGEST,
     TIME,
-    WIDTH,
     ZONE,
     lane_thresholds,
     set_lane,
@@ -268,7 +268,7 @@ def remove_lane(k, lanes, numbers, held, state):
     """Take lane k out: the last one takes its place. Returns how many are left. held : as `check_finished`"""
     lanes -= 1
     for row in range(2):
-        numbers[WIDTH * row + k] = numbers[WIDTH * row + lanes]
+        numbers[MAX_LANES * row + k] = numbers[MAX_LANES * row + lanes]
     for row in range(LANE_ROWS):
         state[ROW * row + k] = state[ROW * row + lanes]
     move_bars(k, lanes, held)

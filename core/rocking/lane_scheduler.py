@@ -24,11 +24,12 @@ from core.rocking.lane_life import (
     start_sample,
 )
 from core.rocking.lane_state import (
+    ACTION,
     FALLS,
     IMPACTS,
     LONG,
+    MAX_LANES,
     MOVING,
-    NEXT,
     PEAK,
     ROW,
     ROWS,
@@ -40,7 +41,6 @@ from core.rocking.lane_state import (
     STRONGEST,
     TIME,
     VECTOR,
-    WIDTH,
 )
 from core.rocking.lanes import (
     lane_initial_terms,
@@ -63,13 +63,13 @@ is whole."""
 
 @inner_kernel
 def load_next_sample(lanes, ground, busy, state):
-    """The ground at the end of each lane's sample. busy : result, the lanes whose NEXT is not STEPPED;
+    """The ground at the end of each lane's sample. busy : result, the lanes whose ACTION is not STEPPED;
     returns how many these are."""
     count = 0
     for k in range(lanes):
         state[SECOND + k] = ground[int(state[SAMPLE + k]) + 1]
         busy[count] = k
-        count += int(state[NEXT + k] > STEPPED)
+        count += int(state[ACTION + k] > STEPPED)
     return count
 
 
@@ -100,7 +100,7 @@ def make_lane_kernel(order):
         peaks,
         clamped,
     ):
-        """Carry out these analyses, up to WIDTH at a time.
+        """Carry out these analyses, up to MAX_LANES at a time.
 
         Length: one loop over the steps of all lanes, whose parts share its counts.
 
@@ -113,9 +113,9 @@ def make_lane_kernel(order):
         scales : multipliers [-], shape (m,), negative reverses the record
         model : RockingModel
         slopes : of `lanes.branch_of`: the kernel is specialised at compile time for the rigid law
-        bars, held : of `bar_rows`, shape (bars, 5), and their state in all lanes, shape (WIDTH, bars, 5), or None: the
-            kernel is specialised at compile time for walls without
-        numbers : room to work, int64, shape (3 * WIDTH,)
+        bars, held : of `bar_rows`, shape (bars, 5), and their state in all lanes, shape (MAX_LANES, bars, 5), or None:
+            the kernel is specialised at compile time for walls without
+        numbers : room to work, int64, shape (3 * MAX_LANES,)
         state : of lane_state.py, zeros, shape (ROWS * ROW,)
         room : of lanes_on_branch.py, of a wall with a branch in closed form, or None: as slopes
         outcomes : results, codes of outcome.py, int64, shape (m,)
@@ -126,7 +126,7 @@ def make_lane_kernel(order):
         thresholds = constants.thresholds
         zero = np.int64(0)  # a plain 0 would be a type of its own, and compile everything again
         # of each lane its analysis and last sample, then the lanes to be handled one by one
-        lane, end, busy = numbers[:WIDTH], numbers[WIDTH : 2 * WIDTH], numbers[2 * WIDTH :]
+        lane, end, busy = numbers[:MAX_LANES], numbers[MAX_LANES : 2 * MAX_LANES], numbers[2 * MAX_LANES :]
         far = seen_from(model, -1.0)
         rest_below = (
             REST_FRACTION * math.sqrt(model.p2) * model.slenderness,
@@ -138,7 +138,7 @@ def make_lane_kernel(order):
         lanes = zero
         long = zero + 1  # passes in which steps may be shortened; 1 at first, which sets the rows of whole steps
         while True:
-            while lanes < WIDTH and waiting < scales.size:
+            while lanes < MAX_LANES and waiting < scales.size:
                 record = which[waiting]
                 lane[lanes], end[lanes] = waiting, lasts[record]
                 state[STRONGEST + lanes] = abs(scales[waiting]) * strongest[record] * PER_G
@@ -184,7 +184,7 @@ def make_lane_kernel(order):
             while count > 0:
                 count -= 1
                 k = busy[count]
-                step = state[NEXT + k]
+                step = state[ACTION + k]
                 outcome = STABLE
                 if step >= FALLS:
                     falling -= int(step < SCALAR)
@@ -249,7 +249,7 @@ def scan(order, grounds, which, scales, model, outcomes, peaks):
     """
     clamped = np.zeros(scales.size, np.int64)
     bars = bar_rows(model.bars) if model.bars else None
-    numbers, rows = np.zeros(3 * WIDTH, np.int64), np.zeros(ROWS * ROW + VECTOR)
+    numbers, rows = np.zeros(3 * MAX_LANES, np.int64), np.zeros(ROWS * ROW + VECTOR)
     # from the start of a line of the processor's cache on, so that no vector lies in two: a seventh of a step
     start = -rows.ctypes.data // rows.itemsize % VECTOR
     state = rows[start : start + ROWS * ROW]
@@ -266,7 +266,7 @@ def scan(order, grounds, which, scales, model, outcomes, peaks):
         model._replace(bars=()),
         None if model.plateau_end == 0.0 and bars is None else 1.0,
         bars,
-        None if bars is None else np.zeros((WIDTH, *bars.shape)),
+        None if bars is None else np.zeros((MAX_LANES, *bars.shape)),
         numbers,
         state,
         None if model.driven is None else np.zeros((SHARED_ROWS, longest)),

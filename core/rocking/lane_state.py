@@ -13,7 +13,7 @@ LOW, HIGH                 rad             ends of that branch
 FACTOR, SLOPE, CONSTANT   -               f, m and k of that branch; with bars a, K and C of `series_with_bars`
 HELD                      -               its cosine factor
 YIELDS                    -               1.0 while a bar yields
-NEXT                      -               one of STEPPED, CHECK, FALLS, SINKS, RISES, SCALAR, LONG
+ACTION                    -               one of STEPPED, CHECK, FALLS, SINKS, RISES, SCALAR, LONG
 SAMPLE                    -               number of the sample
 LEFT                      -               samples until the next check of whether the analysis has ended
 KINKS, KINK_SAMPLE        -               kinks since the last impact in that sample
@@ -26,7 +26,8 @@ SERIES                    rad per step    v0 to v8, nine rows
 NET to FORCING            -               of `taylor_series.InitialTerms`; SINE, COSINE of alpha - phi, with bars of phi
 GROWTH                    -               of `taylor_series.taylor_coefficients`
 END_TIME                  -               TIME at the end of a shortened step
-START, BEFORE             m/s2, -         FIRST and IMPACTS before it
+FIRST_BEFORE              m/s2            FIRST before it
+IMPACTS_BEFORE            -               IMPACTS before it
 FALL                                      rows PHI to v8 of the lanes that fall, gathered side by side; of those that
                                           come to an end of a branch of their bars see `lane_events.fall_to_end`
 PLAIN                     -               of such a lane: MOVES or RESTS after an impact located, else NOT_LOCATED
@@ -37,10 +38,10 @@ from core.rocking.bar_state import pull_of, thresholds_with
 from core.wall.moment_rotation import moment_branch
 from core.wall.rocking_model import seen_from
 
-WIDTH = 64
+MAX_LANES = 64
 """Lanes of one pass."""
 
-ROW = WIDTH + 8
+ROW = MAX_LANES + 8
 """Length of a row. Rows of 64 would meet in the same sets of the processor's cache: padded."""
 
 (
@@ -59,7 +60,7 @@ ROW = WIDTH + 8
     CONSTANT,
     HELD,
     YIELDS,
-    NEXT,
+    ACTION,
     SAMPLE,
     LEFT,
     KINKS,
@@ -76,15 +77,15 @@ LANE_ROWS = 26
 """Rows that move with a lane to another place: all before SERIES."""
 FALL_ROWS = 15
 """Rows from PHI to v8."""
-(NET, SINE, COSINE, BETA, RISE, STEP_P2, FORCING, GROWTH, END_TIME, START, BEFORE) = (
+(NET, SINE, COSINE, BETA, RISE, STEP_P2, FORCING, GROWTH, END_TIME, FIRST_BEFORE, IMPACTS_BEFORE) = (
     SERIES + ROW * row for row in range(9, 20)
 )
-FALL = BEFORE + ROW
+FALL = IMPACTS_BEFORE + ROW
 PLAIN = FALL + ROW * FALL_ROWS
 ROWS = PLAIN // ROW + 1
 
 STEPPED, CHECK, FALLS, SINKS, RISES, SCALAR, LONG = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0
-"""NEXT of a lane after a vector step: stepped; the same, and due to be checked for its end; falling to an
+"""ACTION of a lane after a vector step: stepped; the same, and due to be checked for its end; falling to an
 impact in its sample; coming to the lower or the upper end of a branch of its bars; to be taken by the scalar step; the
 same, as its series has not converged."""
 
@@ -127,7 +128,7 @@ def lane_thresholds(k, constants, bars, held):
 
     k : lane
     constants : WallConstants
-    bars, held : rows of the bars and their state in all lanes, shape (WIDTH, bars, 5), or None
+    bars, held : rows of the bars and their state in all lanes, shape (MAX_LANES, bars, 5), or None
     """
     if bars is None:
         return constants.thresholds

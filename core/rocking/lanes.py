@@ -12,7 +12,7 @@ from core.jit.decorators import inner_kernel, subkernel, widest_vectors
 from core.jit.fma import fma
 from core.jit.kernel import only_with
 from core.rocking.lane_state import (
-    BEFORE,
+    ACTION,
     BETA,
     CHECK,
     CONSTANT,
@@ -22,18 +22,19 @@ from core.rocking.lane_state import (
     FALL,
     FALLS,
     FIRST,
+    FIRST_BEFORE,
     FORCING,
     GROWTH,
     HELD,
     HIGH,
     IMPACTS,
+    IMPACTS_BEFORE,
     LEFT,
     LONG,
     LOW,
     MOVES,
     MOVING,
     NET,
-    NEXT,
     NOT_LOCATED,
     PART,
     PEAK,
@@ -54,7 +55,6 @@ from core.rocking.lane_state import (
     SINKS,
     SLOPE,
     SPEED,
-    START,
     STEP_P2,
     STEPPED,
     TIME,
@@ -144,7 +144,7 @@ def may_turn(k, slowest, margin, bars, state):
 
 @inner_kernel
 def kind_of_scalar(k, v, after, x, upper, margin, bars, state):
-    """NEXT of lane k where its step is not plain: RISES or SINKS where it moves outward or inward all along, so that
+    """ACTION of lane k where its step is not plain: RISES or SINKS where it moves outward or inward all along, so that
     only an end of a branch of its bars can be what happens, else SCALAR.
 
     k : lane
@@ -335,8 +335,8 @@ def shorten_steps(lanes, dt, constants, order, slopes, bars, state):
         state[PART + k] = part
         state[PER_STEP + k] = 1.0 / (dt * (1.0 - t)) * (1.0 / part)
         state[END_TIME + k] = fma(part, 1.0 - t, t)
-        state[START + k] = state[FIRST + k]
-        state[BEFORE + k] = state[IMPACTS + k]
+        state[FIRST_BEFORE + k] = state[FIRST + k]
+        state[IMPACTS_BEFORE + k] = state[IMPACTS + k]
         shorter += int(part < 1.0) if k < lanes else 0
     return shorter
 
@@ -347,12 +347,12 @@ def stay_in_sample(lanes, constants, state):
     widest_vectors()
     one = constants.tolerance / constants.tolerance
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
-        step, ends = state[NEXT + k], state[END_TIME + k]
+        step, ends = state[ACTION + k], state[END_TIME + k]
         t, first, impacts = one * state[TIME + k], one * state[FIRST + k], one * state[IMPACTS + k]
-        start, before = one * state[START + k], one * state[BEFORE + k]
+        start, before = one * state[FIRST_BEFORE + k], one * state[IMPACTS_BEFORE + k]
         inside = (state[PART + k] < 1.0) & (step <= CHECK)
         left, sample = (1.0, 0.0) if inside else (0.0, 1.0)
-        state[NEXT + k] = sample * step  # STEPPED is 0.0
+        state[ACTION + k] = sample * step  # STEPPED is 0.0
         state[SAMPLE + k] -= left
         state[LEFT + k] += left
         state[TIME + k] = ends if inside else t
@@ -362,10 +362,10 @@ def stay_in_sample(lanes, constants, state):
 
 @subkernel
 def vector_step(lanes, dt, constants, order, slopes, bars, state):
-    """Take one step of each lane to the end of its sample by its series, where nothing else happens in it, and set NEXT
-    of each; of a shortened step, see `stay_in_sample`. (Initial terms, coefficients and step are three loops: in one
-    the processor waits for each lane's results. A value that stays in its row is stored as `one * x`: x alone becomes a
-    store under a mask, seven cycles each on AMD's processors.)
+    """Take one step of each lane to the end of its sample by its series, where nothing else happens in it, and set
+    ACTION of each; of a shortened step, see `stay_in_sample`. (Initial terms, coefficients and step are three loops: in
+    one the processor waits for each lane's results. A value that stays in its row is stored as `one * x`: x alone
+    becomes a store under a mask, seven cycles each on AMD's processors.)
 
     lanes : their number
     dt : the sample [s]
@@ -417,7 +417,7 @@ def vector_step(lanes, dt, constants, order, slopes, bars, state):
         stays = scalar | falls
         check = (y > constants.collapse) | (left <= 0.0)
         kind = kind_of_scalar(k, v, after, x, upper, margin, bars, state)
-        state[NEXT + k] = (LONG if long else kind) if scalar else (FALLS if falls else (CHECK if check else STEPPED))
+        state[ACTION + k] = (LONG if long else kind) if scalar else (FALLS if falls else (CHECK if check else STEPPED))
         state[SAMPLE + k] += 0.0 if stays else 1.0
         state[LEFT + k] = left + 1.0 if stays else left
         faster, higher = fma(dv, per_step, speed), max(peak, y)
@@ -451,13 +451,13 @@ def locate_impacts(falling, dt, model, rest_below, order, bars, state):
         k = shift + j
         v, side = series_of(k, order, state), state[PLAIN + j]
         t = state[TIME + k]
-        part, top, found = landing(v, state[PHI + k], 1.0)
+        part, top, located = landing(v, state[PHI + k], 1.0)
         speed = fma(change(v, part), state[PER_STEP + k], state[SPEED + k])
         arriving = max(-speed, 0.0)
         ratio = ratio_or_whole(model, bars, side, arriving)
         speed = max(ratio, 0.0) * arriving
         t = fma(part * state[PART + k], 1.0 - t, t)
-        plain = found & (top <= state[PEAK + k]) & (part < 1.0) & (t < 1.0) & (ratio >= 0.0)
+        plain = located & (top <= state[PEAK + k]) & (part < 1.0) & (t < 1.0) & (ratio >= 0.0)
         after = RESTS if speed < slowest_of(rest_below, model.other, side) else MOVES
         state[PLAIN + j] = after if plain else NOT_LOCATED
         state[SPEED + k] = speed

@@ -18,14 +18,14 @@ from core.rocking.short_series import SHORT_SERIES, sine_and_cosine_short
 SWING_ENDS, SWING_FALLS, SWING_RISES = 0, 1, 2
 """Ends of a swing: the sample, or a part of it; an impact; the end of the branch."""
 
-LONGEST = 2.0 * SHORT_SERIES
+MAX_SPAN = 2.0 * SHORT_SERIES
 """Longest part of a swing [rad]: below pi, so that the rotation turns twice at most in it."""
 
-SHORTEST = 1e-3
+MIN_SPAN = 1e-3
 """Part of a swing [rad] in which two turning points are not told apart: the rotation between them is below 1e-10 of the
 amplitude."""
 
-NEAR = 1e-6
+MAX_LAST_STEP = 1e-6
 """Newton's step [rad] after which the third-order one is exact to rounding."""
 
 
@@ -35,7 +35,7 @@ class Swing(NamedTuple):
     rate : omega [rad/s]
     static : rotation under a steady ground acceleration [rad per m/s2]
     end : phi1 [rad]
-    span : omega dt, and its sine and 1 - cosine, where it is below LONGEST [-]
+    span : omega dt, and its sine and 1 - cosine, where it is below MAX_SPAN [-]
     """
 
     rate: float
@@ -60,7 +60,7 @@ def swing_of(driven, model, dt):
         return None
     rate = math.sqrt(model.p2 * driven.stiffness)
     span = rate * dt
-    sine, versine = sine_and_versine(min(span, LONGEST))
+    sine, versine = sine_and_versine(min(span, MAX_SPAN))
     return Swing(rate, driven.static, model.elastic_end, span, sine, versine)
 
 
@@ -124,7 +124,7 @@ def falling_root(gap, u0, a0, f1, span):
         off = gap + moved
         low, high = (time, high) if off > 0.0 else (low, time)
         step = off / speed
-        if abs(step) < NEAR:
+        if abs(step) < MAX_LAST_STEP:
             bend = a0 + f1 * time - moved
             return max(0.0, min(span, time - step * (1.0 + 0.5 * bend * step / speed)))
         time -= step
@@ -147,7 +147,7 @@ def swing(parts, state, ground, jump, t):
     f0 = parts.static * state.side * fma(jump, t, ground)
     f1 = parts.static * state.side * jump / parts.span
     a0, part, sine, versine = f0 - phi, 1.0, parts.sine, parts.versine
-    while span > LONGEST:
+    while span > MAX_SPAN:
         span *= 0.5
         part *= 0.5
     if part < 1.0 or t > 0.0:
@@ -158,7 +158,7 @@ def swing(parts, state, ground, jump, t):
         u1 = fma(-u0, versine, fma(a0, sine, f1 * versine)) + u0
         a1 = fma(f1, span, a0) - dphi
         twice = (u0 < 0.0) == (u1 < 0.0) and (a0 > 0.0) == (u0 < 0.0) and (a1 > 0.0) != (a0 > 0.0)
-        if not twice or f1 * f1 >= square or span < SHORTEST:
+        if not twice or f1 * f1 >= square or span < MIN_SPAN:
             break
         span *= 0.5
         part *= 0.5

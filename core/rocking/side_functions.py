@@ -12,7 +12,7 @@ import numpy as np
 from core.jit.decorators import kernel, subkernel
 from core.wall.bending import HeldTop, Motion, near_rest
 
-BEYOND, SHORT_OF = 2.5, 0.8
+MAX_OVER_COLLAPSE, MAX_SHARE_OF_REST = 2.5, 0.8
 """The motion is followed to so many times the rotation of collapse, at most to this share of the way to where the
 upper block no longer reaches what holds it: beyond it the wall has overturned."""
 
@@ -55,7 +55,7 @@ def side_of(motion: Motion, inertia: float, p2: float, collapse: float) -> Side:
     """The functions of one side. inertia : I_0 [kg m]; collapse : theta_c [rad]. Raises ValueError where they are no
     numbers, of a hinge so near the top that the upper block cannot turn."""
     cheb = np.polynomial.chebyshev.Chebyshev
-    last = min(BEYOND * collapse, collapse + SHORT_OF * (motion.last - collapse))
+    last = min(MAX_OVER_COLLAPSE * collapse, collapse + MAX_SHARE_OF_REST * (motion.last - collapse))
     domain = [-last / PIECES, last]  # the first piece overlaps rest
     rate = cheb.interpolate(lambda theta: np.sqrt(motion.parts(theta)[0] / inertia), SPECTRAL, domain)
     work = cheb.interpolate(lambda theta: motion.parts(theta)[1] / (inertia * p2), SPECTRAL, domain)
@@ -84,10 +84,10 @@ def value(which, y, side):
     """One of the functions of y, continued beyond its ends. which : V, X, POTENTIAL or THETA; side : Side"""
     at = y * side.scale
     piece = min(max(int(at), 0), PIECES - 1)
-    s, found = 2.0 * (at - piece) - 1.0, 0.0
+    s, total = 2.0 * (at - piece) - 1.0, 0.0
     for k in range(DEGREE, -1, -1):
-        found = found * s + side.values[piece, which, k]
-    return found
+        total = total * s + side.values[piece, which, k]
+    return total
 
 
 @subkernel
@@ -95,10 +95,10 @@ def slope(which, y, side):
     """The derivative of `value` by y."""
     at = y * side.scale
     piece = min(max(int(at), 0), PIECES - 1)
-    s, found = 2.0 * (at - piece) - 1.0, 0.0
+    s, total = 2.0 * (at - piece) - 1.0, 0.0
     for k in range(DEGREE, 0, -1):
-        found = found * s + k * side.values[piece, which, k]
-    return 2.0 * side.scale * found
+        total = total * s + k * side.values[piece, which, k]
+    return 2.0 * side.scale * total
 
 
 @subkernel

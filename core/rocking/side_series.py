@@ -4,7 +4,7 @@ from core.jit.decorators import inner_kernel, subkernel
 from core.jit.fma import fma
 from core.rocking.side_functions import DEGREE, OVERLAP, PIECES, V, X
 
-TOLERANCE = 1e-14
+SIDE_TOLERANCE = 1e-14
 """Largest last term of a step, over y of collapse [-]."""
 
 NEAREST, TINIEST = 1e-15, 1e-300
@@ -76,7 +76,7 @@ def surely_holds(last, h, top):
     """
     square = h * h
     fourth = square * square
-    return abs(last) * (fourth * fourth) <= 0.99 * TOLERANCE * top
+    return abs(last) * (fourth * fourth) <= 0.99 * SIDE_TOLERANCE * top
 
 
 @subkernel
@@ -97,7 +97,7 @@ def series(y, speed, beta, slope, p2, side, h):
     v, x = about(s, side.values[piece, V]), about(s, side.values[piece, X])
     terms = terms_of(speed, beta, slope, p2, per, v, x)
     if not surely_holds(terms[7], h, side.top):
-        h = min(h, (TOLERANCE * side.top / max(abs(terms[7]), TINIEST)) ** 0.125)
+        h = min(h, (SIDE_TOLERANCE * side.top / max(abs(terms[7]), TINIEST)) ** 0.125)
     return terms, h, s, per
 
 
@@ -142,13 +142,13 @@ def root(order, y, terms, low, high):
     if not low < time < high:
         time = 0.5 * (low + high)
     for _ in range(100):
-        found = derived(order, y, terms, time)
-        if (found > 0.0) == positive:
+        residual = derived(order, y, terms, time)
+        if (residual > 0.0) == positive:
             low = time
         else:
             high = time
         rate = derived(order + 1, y, terms, time) if order < 2 else 0.0
-        step = found / rate if rate != 0.0 else high - low
+        step = residual / rate if rate != 0.0 else high - low
         if abs(step) <= least or high - low <= least:  # asked first: from there on rounding may leave the bracket
             break
         time = time - step if low < time - step < high else 0.5 * (low + high)

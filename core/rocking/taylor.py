@@ -148,8 +148,8 @@ def first_event(v, start, phi, branch, constants, bars):
     if rises and not risen and bend >= 0.0:
         part = part_turning_once(v, part)
     if falls and not stays:
-        crossing, _, found = landing(v, phi - low, part)
-        if not found:
+        crossing, _, located = landing(v, phi - low, part)
+        if not located:
             part = part_turning_once(v, part)
             crossing = first_crossing(v, phi - low, 1.0, part)
     if rises and not risen:

@@ -18,7 +18,7 @@ from core.case.site import Demand, HazardRow
 from core.codes import target_spectrum
 from core.codes.demand import DemandResult
 from core.codes.limits import SAME_PERIOD, USUAL_LIVES, return_period
-from core.codes.record_compatibility import RANGE
+from core.codes.record_compatibility import PERIOD_RANGE
 from core.codes.target_spectrum import Target
 from core.errors import InputError, place, section
 from core.file_names import name_of
@@ -29,7 +29,7 @@ from core.quantities import foreign_unit
 from core.regular_file import TooLarge, read_regular
 from core.units import CM, G
 
-MOST_OF_SPECTRUM = 1_000_000
+MAX_SPECTRUM_BYTES = 1_000_000
 """Bytes of the file of a spectrum."""
 
 SPECTRUM_UNITS = ("t", "se/g", "sa/g", "s", "sec", "secondi", "seconds", "g", "-", "–", "m/m")
@@ -60,7 +60,7 @@ def _rows(path: Path) -> list[tuple[float, float]]:
     try:
         if not path.is_file():
             raise InputError("no_spectrum_file", place=(path,))
-        lines = read_regular(path, MOST_OF_SPECTRUM).decode("utf-8-sig", "replace").splitlines()
+        lines = read_regular(path, MAX_SPECTRUM_BYTES).decode("utf-8-sig", "replace").splitlines()
     except TooLarge:
         raise InputError("spectrum_too_large", place=(path,)) from None
     except OSError as error:
@@ -222,7 +222,7 @@ def default_motions(demand: DemandResult) -> list[GroundMotion]:
 def generated_for(asked: Generate, demand: DemandResult) -> list[GroundMotion]:
     """The motions that are asked for a demand with a spectrum."""
     assert demand.target is not None
-    return list(_set(demand.target, asked, demand.period_range or RANGE))
+    return list(_set(demand.target, asked, demand.period_range or PERIOD_RANGE))
 
 
 def set_of(motions: Sequence[GroundMotion]) -> Generate | None:

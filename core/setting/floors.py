@@ -27,7 +27,7 @@ LOW_CODE = 0.8
 OTHER_BUILDING = (2.0, 0.20)
 """The far end of what the clause allows at the ultimate limit states: zeta is given for it as well."""
 
-LEAST_STOREY, GREATEST_STOREY = 2.5, 5.0
+MIN_STOREY, MAX_STOREY = 2.5, 5.0
 ODD_PERIOD = 3.0
 """Heights of a storey [m], and ratios to the estimated period, outside which a building is questioned."""
 
@@ -113,7 +113,7 @@ def building_notes(building: Building, limit_state: str) -> list[Sentence]:
     """Notices on what is odd about a building: Sentences of the group "reason"."""
     notes = []
     storey = building.height_m / building.storeys
-    if not LEAST_STOREY <= storey <= GREATEST_STOREY:
+    if not MIN_STOREY <= storey <= MAX_STOREY:
         notes.append(sentence("reason", "odd_storeys", storey=storey))
     period = building.modes[0].period_s if building.modes else building.period_s
     expected = estimated_period(building.height_m)

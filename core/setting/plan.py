@@ -20,7 +20,7 @@ from core.codes.kinematic import Kinematic, kinematic
 from core.codes.record_compatibility import Compliance, period_range
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
-from core.packages import MOST_WALLS
+from core.packages import MAX_WALLS_IN_WORKBOOK
 from core.rocking.methods import AUTO, METHODS, Method
 from core.setting.demand_input import demand_of, generated
 from core.setting.floors import Floor, floor_of
@@ -88,7 +88,7 @@ class Plan:
             self.method,
             by_default=self.case.default_histories,
             histories_off=not self.case.analysis.histories,
-            many=max(self.walls, len(self.case.wall)) > MANY,
+            many=max(self.walls, len(self.case.wall)) > MANY_WALLS,
             histories=histories,
         )
 
@@ -154,11 +154,11 @@ def with_chosen(
         return case, None
     demand = demand_of(case, base_dir)
     assert demand is not None
-    found = select_records(case.select, base_dir, demand, longest_of(case, demand), told, cancelled)
-    return replace(case, select=None, record=found.chosen.records), found
+    selection = select_records(case.select, base_dir, demand, longest_of(case, demand), told, cancelled)
+    return replace(case, select=None, record=selection.chosen.records), selection
 
 
-MANY = 50
+MANY_WALLS = 50
 """Walls of a case beyond which the table of assumptions is made only of walls it can bring to another outcome: a wall
 without histories costs 4 ms, its table some 100 to 400 ms."""
 
@@ -222,11 +222,11 @@ def plan_of(
     for part in hinged:
         wall, floor = part.wall, at_height.of(part.wall, case.building, demand, motions)
         for mechanism in wall.mechanisms():
-            model, found = model_of(wall, mechanism), None
+            model, closed_form = model_of(wall, mechanism), None
             if demand and (floor or not wall.above_ground):
-                found = kinematic(wall.in_si, mechanism, demand, floor.spectrum if floor else None)
+                closed_form = kinematic(wall.in_si, mechanism, demand, floor.spectrum if floor else None)
             signs, felt = polarities_of(model, chosen.polarity), list(floor.motions) if floor else motions
-            entries.append(Entry(part, mechanism, model, signs, floor, felt, found))
+            entries.append(Entry(part, mechanism, model, signs, floor, felt, closed_form))
     plan = Plan(case, demand, motions, kinds, method, search, entries, longest, walls)
     if demand and demand.target and motions:
         period_range(kinds, plan.longest_period, demand)
@@ -248,10 +248,10 @@ def results_in(case: Case) -> int:
 
 def is_large(case: Case) -> bool:
     """Whether a case has more results than a workbook holds."""
-    return results_in(case) > MOST_WALLS
+    return results_in(case) > MAX_WALLS_IN_WORKBOOK
 
 
 def refuse_large(case: Case) -> None:
     """Raise InputError for a case no workbook holds."""
     if is_large(case):
-        raise InputError("too_many_walls", found=results_in(case), most=MOST_WALLS)
+        raise InputError("too_many_walls", found=results_in(case), most=MAX_WALLS_IN_WORKBOOK)

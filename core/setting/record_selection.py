@@ -21,14 +21,14 @@ from core.setting.record_input import named
 from core.text.sentence import Sentence
 from core.threads import Threads
 
-MOST_CANDIDATES = 3000
+MAX_CANDIDATES = 3000
 """Records that a search takes: it keeps the product of each two of them."""
 
-MARGIN = 1e-9
+BOUND_MARGIN = 1e-9
 """Margin by which the bounds of the search are within those of the code: a set on its bound is judged the same
 twice."""
 
-DIGITS = 4
+FACTOR_DECIMALS = 4
 """Decimals of a factor."""
 
 
@@ -130,14 +130,14 @@ def select_records(
         if not why:
             raise InputError("select_few_files", place=(here,), **stated)
         raise InputError("select_too_few", place=(here,), why=why, **stated)
-    if len(candidates) > MOST_CANDIDATES:
-        raise InputError("select_too_many", place=(here,), found=len(candidates), most=MOST_CANDIDATES)
+    if len(candidates) > MAX_CANDIDATES:
+        raise InputError("select_too_many", place=(here,), found=len(candidates), most=MAX_CANDIDATES)
     pga = np.array([one.pga for one in candidates]) / demand.pga
     ratios = np.column_stack([np.array([one.spectrum for one in candidates]) / target, pga])
     factors, common = _factors(ratios[:, :-1], asked)
     bounds = natural_bounds(demand)
     low, high, start = bounds
-    asked_bounds = Bounds(low * (1.0 + MARGIN), high * (1.0 - MARGIN), start, common)
+    asked_bounds = Bounds(low * (1.0 + BOUND_MARGIN), high * (1.0 - BOUND_MARGIN), start, common)
 
     def searched(share: float) -> bool:
         told(50 + int(50 * share), 100)
@@ -194,7 +194,7 @@ def _factors(ratios: np.ndarray, asked: Select) -> tuple[np.ndarray, tuple[float
     """(factor of each record, least and most of the one factor of all). ratios : spectra over the target"""
     if asked.scaling == "individual":
         fitted = np.exp(-np.log(ratios).mean(axis=1))
-        return np.round(np.clip(fitted, *asked.scale_limits), DIGITS), (1.0, 1.0)
+        return np.round(np.clip(fitted, *asked.scale_limits), FACTOR_DECIMALS), (1.0, 1.0)
     return np.ones(len(ratios)), asked.scale_limits if asked.scaling == "common" else (1.0, 1.0)
 
 
@@ -228,7 +228,7 @@ def _set_of(
     bounds: Bounds,
     name: Callable[[Path], str],
 ) -> ChosenSet:
-    """A set with its factor of `DIGITS` decimals: the nearest one that keeps the bounds.
+    """A set with its factor of `FACTOR_DECIMALS` decimals: the nearest one that keeps the bounds.
 
     one : as found
     candidates : the records of the folder that may be taken
@@ -240,9 +240,13 @@ def _set_of(
     """
     members = list(one.members)
     mean = ratios[members].mean(axis=0)
-    step = 10.0**-DIGITS
-    tried = [round(one.factor, DIGITS), math.ceil(one.factor / step) * step, math.floor(one.factor / step) * step]
-    allowed = [round(min(max(factor, bounds.factors[0]), bounds.factors[1]), DIGITS) for factor in tried]
+    step = 10.0**-FACTOR_DECIMALS
+    tried = [
+        round(one.factor, FACTOR_DECIMALS),
+        math.ceil(one.factor / step) * step,
+        math.floor(one.factor / step) * step,
+    ]
+    allowed = [round(min(max(factor, bounds.factors[0]), bounds.factors[1]), FACTOR_DECIMALS) for factor in tried]
     factor = min(allowed, key=lambda factor: _miss(factor * mean, bounds))
     mean = factor * mean
     inner = mean[:-1]
@@ -251,7 +255,7 @@ def _set_of(
         Record(
             file=key_of(name(candidates[k].file)),
             channel=candidates[k].channel,
-            scale=round(float(factor * factors[k]), DIGITS),
+            scale=round(float(factor * factors[k]), FACTOR_DECIMALS),
         )
         for k in members
     )

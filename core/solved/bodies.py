@@ -10,7 +10,7 @@ from core.solved.walls import Asked
 from core.text.sentence import Sentence
 from core.units import G
 
-RECTANGLE = {"plane": "elevation", "polygon_m": [[0, 0], [4, 0], [4, 6], [0, 6]], "to_m": 0.5}
+RECTANGLE_SOLID = {"plane": "elevation", "polygon_m": [[0, 0], [4, 0], [4, 6], [0, 6]], "to_m": 0.5}
 GABLED = {"plane": "elevation", "polygon_m": [[0, 0], [6, 0], [6, 5], [3, 7], [0, 5]], "to_m": 0.5}
 DOOR = {"plane": "elevation", "opening": True, "polygon_m": [[2.3, 0], [3.7, 0], [3.7, 2.6], [2.3, 2.6]], "to_m": 0.5}
 ROSE = {
@@ -36,7 +36,7 @@ def corner_of(
     return [first, {"plane": "oblique", "angle_deg": angle - 90.0, "polygon_m": polygon, "from_m": -t2, "to_m": 0.0}]
 
 
-STEPPED = [
+STEPPED_SOLIDS = [
     section_of([[0, 0], [0.6, 0], [0.6, 4], [0, 4]], 5.0),
     section_of([[0, 4], [0.45, 4], [0.45, 8], [0, 8]], 5.0),
 ]
@@ -119,7 +119,7 @@ CASES: tuple[Solved, ...] = (
         worded("A rectangle written as a solid"),
         (6.0, 0.5, 4.0),
         "22025.9 0.25000 3.00000 4.7636 3.01040 2.44319 0.47958 4.7636 2.44319 0.98966 0.98966",
-        [RECTANGLE],
+        [RECTANGLE_SOLID],
     ),
     body(
         "gable",
@@ -147,7 +147,7 @@ CASES: tuple[Solved, ...] = (
         worded("A stepped wall"),
         (8.0, 0.6, 5.0),
         "38545.3 0.26786 3.71429 4.1248 3.72393 1.90750 0.43414 5.1100 1.90631 0.98961 0.99161",
-        STEPPED,
+        STEPPED_SOLIDS,
     ),
     body(
         "battered",
@@ -161,7 +161,7 @@ CASES: tuple[Solved, ...] = (
         worded("A wall with wedges of its return walls"),
         (6.0, 0.5, 4.0),
         "30836.2 0.51190 3.28571 8.8553 3.32535 2.29229 0.54623 - - - -",
-        [RECTANGLE, WEDGES],
+        [RECTANGLE_SOLID, WEDGES],
     ),
     body(
         "corner",

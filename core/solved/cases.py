@@ -37,9 +37,9 @@ def subjects(records: Path | None = None) -> tuple[Subject, ...]:
     return (*SUBJECTS, Subject(worded("El Centro 1940"), paper.of_el_centro(record)))
 
 
-def cases_of(found: Sequence[Subject]) -> list[Solved]:
+def cases_of(chosen: Sequence[Subject]) -> list[Solved]:
     """The cases of subjects, one after the other."""
-    return [case for subject in found for case in subject.cases]
+    return [case for subject in chosen for case in subject.cases]
 
 
 def solve(cases: Sequence[Solved], progress: Callable[[int, int], None] = lambda done, planned: None) -> list[Solved]:

@@ -19,14 +19,14 @@ from core.units import G
 ZETA_LINEAR: Head = (worded("ζ linear, q = 2"), "")
 ZETA_DISPLACEMENT: Head = (worded("ζ of the displacement check"), "")
 FREE = {"free_element": True, "elastic_modulus_mpa": 600.0}
-HELD = {"free_element": False}
+NOT_FREE = {"free_element": False}
 
-GROUND = (
+WALLS_ON_GROUND = (
     # key, H, t, kind, then a_0*/g, zeta linear, T_SLV, S_De, zeta displacement
-    ("tall", 7.0, 0.83, HELD, "0.08783 0.5630 2.99126 0.16994 0.9768"),
-    ("storey", 3.0, 0.45, HELD, "0.11111 0.7123 1.95824 0.16639 0.5409"),
+    ("tall", 7.0, 0.83, NOT_FREE, "0.08783 0.5630 2.99126 0.16994 0.9768"),
+    ("storey", 3.0, 0.45, NOT_FREE, "0.11111 0.7123 1.95824 0.16639 0.5409"),
     ("free", 3.0, 0.45, FREE, "0.11111 0.2849 1.95824 0.16639 0.5409"),
-    ("low", 1.0, 0.20, HELD, "0.14815 0.9497 1.13059 0.09606 0.4164"),
+    ("low", 1.0, 0.20, NOT_FREE, "0.14815 0.9497 1.13059 0.09606 0.4164"),
 )
 
 KINEMATIC = (
@@ -66,7 +66,7 @@ def on_the_ground(key: str, height: float, thickness: float, kind: dict, values:
 
 
 SOIL_C = (
-    ("12.5 × 0.90 m", {"height_m": 12.5, "thickness_m": 0.90, **HELD}, "- 0.3073 0.7371"),
+    ("12.5 × 0.90 m", {"height_m": 12.5, "thickness_m": 0.90, **NOT_FREE}, "- 0.3073 0.7371"),
     (
         "3.0 × 0.40 m",
         {"height_m": 3.0, "thickness_m": 0.40, "free_element": True, "elastic_modulus_mpa": 1e3},
@@ -114,7 +114,7 @@ ROOF = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.30, "h_m": 3.0, "mass": "none
 PUSHING = {**ROOF, "mass": "horizontal"}
 INWARD = {"kind": "thrust", "kn_m": -5.0, "h_m": 2.8}
 THRUST = {"kind": "thrust", "kn_m": 2.0, "h_m": 2.5}
-STOREY = {"height_m": 3.0, "thickness_m": 0.45, "velocity_ratio": 0.6}
+STOREY_WALL = {"height_m": 3.0, "thickness_m": 0.45, "velocity_ratio": 0.6}
 
 LOADED = (
     # a, c, uplift/g, theta_c, alpha_0, e*, d_0, zeta linear, zeta displacement
@@ -165,7 +165,7 @@ LOAD_HEADS: tuple[Head, ...] = (
 
 def loaded(*loads: dict, **changes: object) -> Asked:
     """The wall of 3.0 x 0.45 m and 24.3 kN/m with loads."""
-    return Asked({**STOREY, **changes} | ({"load": list(loads)} if loads else {}))
+    return Asked({**STOREY_WALL, **changes} | ({"load": list(loads)} if loads else {}))
 
 
 def with_loads(key: str, title, loads: tuple[dict, ...], values: str) -> Solved:
@@ -208,7 +208,7 @@ ACROSS = {"number": 2, "thickness_m": 0.5, "brick_height_m": 0.25, "brick_length
 
 def slc() -> tuple[Answer, ...]:
     asked = Asked(
-        {"height_m": 7.0, "thickness_m": 0.83, "mechanism": "two_sided", **HELD}, {**EN_B, "limit_state": "SLC"}
+        {"height_m": 7.0, "thickness_m": 0.83, "mechanism": "two_sided", **NOT_FREE}, {**EN_B, "limit_state": "SLC"}
     )
     a0 = 0.83 / 7.0 / 1.35 * 9.80665
     period = 1.56 * math.pi * math.sqrt(0.249 / (0.4 * a0))
@@ -263,8 +263,8 @@ def shipped_facade():
 
     case = read_case(SHIPPED / "facade.toml")
     demand = known(demand_of(case, SHIPPED))
-    found = kinematic(case.wall[0].in_si, "one_sided", demand)
-    return found, known(linear("linear_q_code", found, demand, 2.0))
+    mechanism = kinematic(case.wall[0].in_si, "one_sided", demand)
+    return mechanism, known(linear("linear_q_code", mechanism, demand, 2.0))
 
 
 def facade() -> tuple[Answer, ...]:
@@ -281,7 +281,7 @@ def facade() -> tuple[Answer, ...]:
 
 
 CASES: tuple[Solved, ...] = (
-    *(on_the_ground(*one) for one in GROUND),
+    *(on_the_ground(*one) for one in WALLS_ON_GROUND),
     Solved(
         "ground_slc",
         Kind.HAND,
@@ -292,7 +292,7 @@ CASES: tuple[Solved, ...] = (
         Asked({"height_m": 7.0, "thickness_m": 0.83}, None).sketch,
         worded("The wall of the first case: 60 % of d_0 and 10 % of damping."),
         Asked(
-            {"height_m": 7.0, "thickness_m": 0.83, "mechanism": "two_sided", **HELD}, {**EN_B, "limit_state": "SLC"}
+            {"height_m": 7.0, "thickness_m": 0.83, "mechanism": "two_sided", **NOT_FREE}, {**EN_B, "limit_state": "SLC"}
         ).table,
     ),
     Solved(

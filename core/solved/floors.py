@@ -19,7 +19,7 @@ from core.units import G
 
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.05 * 9.0**0.75}
 
-ABOVE = (
+WALLS_ABOVE_GROUND = (
     # key, H, t, z, free; a_Z, zeta linear, T_SLV, S_DeZ, zeta displacement
     ("storey", 3.0, 0.45, 6.0, False, "0.5567 0.3992 1.95824 0.16639 0.5409"),
     ("slender", 3.0, 0.30, 6.0, False, "0.5567 0.2661 1.95824 0.16639 0.3606"),
@@ -123,10 +123,10 @@ def stiff() -> float:
     return float(np.abs(whole - ground[: whole.size]).max())
 
 
-GROUND = Sketch(motion=SINE * 4)
+GROUND_SKETCH = Sketch(motion=SINE * 4)
 
 CASES: tuple[Solved, ...] = (
-    *(above(*one) for one in ABOVE),
+    *(above(*one) for one in WALLS_ABOVE_GROUND),
     Solved(
         "floor_spectrum",
         Kind.HAND,
@@ -180,7 +180,7 @@ CASES: tuple[Solved, ...] = (
         "Chopra, Dynamics of Structures, 3.6",
         tuple(harmonic(*one) for one in ((0.5, 0.05), (1.0, 0.05), (1.0, 0.20), (2.0, 0.10))),
         "abs(A)/a = sqrt((1 + (2 xi r)^2)/((1 - r^2)^2 + (2 xi r)^2)), quad r = omega\\/omega_k",
-        GROUND,
+        GROUND_SKETCH,
         worded("Absolute acceleration of a mode of 0.4 s after twenty seconds, over that of the ground."),
     ),
     Solved(
@@ -193,7 +193,7 @@ CASES: tuple[Solved, ...] = (
             Answer(worded("difference of a building without period"), "m/s²", 0.0, 1e-5, stiff),
         ),
         "a_z = (1 - sum gamma_k psi_k) u'' + sum gamma_k psi_k A_k",
-        GROUND,
+        GROUND_SKETCH,
         worded("With γψ = 0 the record itself, bit for bit; a building of 10 µs follows the ground whatever its γψ."),
     ),
     Solved(
@@ -213,7 +213,7 @@ CASES: tuple[Solved, ...] = (
         "physics.md, 12",
         measures(),
         '"PGV" = 2/omega, quad "PGD" = t/omega, quad I_A = pi/(2 g) integral a^2 dif t = (pi t)/(4 g)',
-        GROUND,
+        GROUND_SKETCH,
         worded(
             "Ten periods of 1 s of 1 m/s²: without correction of the base line the velocity has one sign "
             "and the ground drifts."

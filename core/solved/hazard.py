@@ -194,8 +194,8 @@ def of_zeta(zeta: float) -> Risk:
     return risk(zeta, DEMAND)
 
 
-LETTERS = ["F", "E", "D", "C", "B", "A", "A+"]
-LEAST = {"A+": 1.01, "A": 0.80, "B": 0.60, "C": 0.45, "D": 0.30, "E": 0.15, "F": 0.0}
+RISK_CLASSES = ["F", "E", "D", "C", "B", "A", "A+"]
+MIN_IS_V = {"A+": 1.01, "A": 0.80, "B": 0.60, "C": 0.45, "D": 0.30, "E": 0.15, "F": 0.0}
 """Lower bounds of IS-V of the guidelines; of A+ a value above 1.00."""
 
 
@@ -214,7 +214,7 @@ EN_TABLES = (
 )
 
 
-OF_SPECTRUM = {"S": "soil", "T_B": "t_b", "T_C": "t_c", "T_D": "t_d"}
+SPECTRUM_NAMES = {"S": "soil", "T_B": "t_b", "T_C": "t_c", "T_D": "t_d"}
 """Symbol of a quantity of a spectrum -> its name in the program."""
 
 
@@ -225,7 +225,7 @@ def of_grounds(kind: int) -> tuple[Answer, ...]:
     return tuple(
         Answer(f"{symbol} ({soil})", "s" if symbol != "S" else "", float(value), 1e-12, partial(found, soil, name))
         for soil, *rows in EN_TABLES
-        for (symbol, name), value in zip(OF_SPECTRUM.items(), rows[kind - 1].split(), strict=True)
+        for (symbol, name), value in zip(SPECTRUM_NAMES.items(), rows[kind - 1].split(), strict=True)
     )
 
 
@@ -251,7 +251,7 @@ def of_ntc(soil: str) -> tuple[Answer, ...]:
         t_c = c * tc ** (1.0 + d)
         by_hand = {"S": 1.2 * min(max(a - b * f0 * ag, low), high), "T_B": t_c / 3.0, "T_C": t_c, "T_D": 4.0 * ag + 1.6}
         for symbol, value in by_hand.items():
-            ask = partial(found, ag, f0, tc, OF_SPECTRUM[symbol])
+            ask = partial(found, ag, f0, tc, SPECTRUM_NAMES[symbol])
             answers.append(Answer(f"{symbol} ({soil}, {ag:g} g)", "s" if symbol != "S" else "", value, 1e-12, ask))
     return tuple(answers)
 
@@ -331,7 +331,10 @@ CASES: tuple[Solved, ...] = (
         Kind.PRINTED,
         worded("Letters of IS-V"),
         "D.M. 65/2017, A",
-        tuple(Answer(f"IS-V ({letter})", "", LEAST[letter], 1e-12, partial(least_of, letter)) for letter in LETTERS),
+        tuple(
+            Answer(f"IS-V ({letter})", "", MIN_IS_V[letter], 1e-12, partial(least_of, letter))
+            for letter in RISK_CLASSES
+        ),
         comment=worded("The lowest hundredth of IS-V that has the letter."),
     ),
     Solved("grounds_en_1", Kind.PRINTED, worded("Grounds of EN 1998-1, type 1"), "EN 1998-1, Tab. 3.2", of_grounds(1)),

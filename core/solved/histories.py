@@ -16,7 +16,7 @@ from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
 
 FOLDER = Path(__file__).resolve().parents[2] / "resources" / "reference"
-STEP = 0.01
+SAMPLE_STEP = 0.01
 ALPHA = math.radians(6.8)
 
 SECTION = ((0.0, 0.0), (0.834674, 0.0), (0.834674, 7.0), (0.0, 7.0))
@@ -39,7 +39,7 @@ def found(name: str, one_sided: bool = False, law: str = "rigid", samples: int =
     """The history of the program: 7 m, 6.8°, the restitution of theory."""
     block = Block.rectangle(7.0, ALPHA)
     model = restitution(block, "one_sided_theoretical" if one_sided else "housner")
-    return history(ground_of(name)[:samples], STEP, 1.0, rocking_model(block, one_sided, model, LAWS[law]))
+    return history(ground_of(name)[:samples], SAMPLE_STEP, 1.0, rocking_model(block, one_sided, model, LAWS[law]))
 
 
 def largest(motion: History) -> float:

@@ -20,16 +20,16 @@ from core.wall.moment_rotation import LAWS
 from core.wall.restitution import overturning_velocity, restitution
 from core.wall.rocking_model import RockingModel, rocking_model
 
-SLENDER = 1e-4
+LINEAR_ALPHA = 1e-4
 """Slenderness of the block that moves as the linear equation says, to its square [rad]."""
 
-HEIGHT = 7.0
+BLOCK_HEIGHT = 7.0
 """Height [m] that the blocks have; it sets the unit of time alone, 1/p."""
 
-SAMPLES = 1000
+PULSE_SAMPLES = 1000
 """Samples that a pulse or half a period has: a straight line between them is 1e-6 off the sine."""
 
-BLOCK = Sketch(((0.0, 0.0), (0.83, 0.0), (0.83, HEIGHT), (0.0, HEIGHT)))
+BLOCK = Sketch(((0.0, 0.0), (0.83, 0.0), (0.83, BLOCK_HEIGHT), (0.0, BLOCK_HEIGHT)))
 
 
 def pulse(shape: Sequence[float]) -> Sketch:
@@ -40,13 +40,13 @@ def pulse(shape: Sequence[float]) -> Sketch:
 SINE = tuple(math.sin(math.pi * k / 40.0) for k in range(81))
 
 
-def rocking(alpha: float = SLENDER, ratio: float = 1.0, height: float = HEIGHT) -> RockingModel:
+def rocking(alpha: float = LINEAR_ALPHA, ratio: float = 1.0, height: float = BLOCK_HEIGHT) -> RockingModel:
     """A two-sided block. ratio : of velocities at an impact"""
     block = Block.rectangle(height, alpha)
     return rocking_model(block, False, restitution(block, "user", ratio), LAWS["rigid"])
 
 
-def frequency(alpha: float = SLENDER, height: float = HEIGHT) -> float:
+def frequency(alpha: float = LINEAR_ALPHA, height: float = BLOCK_HEIGHT) -> float:
     """p of a rectangular block [rad/s]."""
     return math.sqrt(1.5 * G * math.cos(alpha) / height)
 
@@ -63,14 +63,14 @@ def overturns(shape: np.ndarray, step: float, scale: float, model: RockingModel)
     return history(shape, step, scale, model).outcome == COLLAPSED
 
 
-def released(share: float, alpha: float, height: float = HEIGHT, ratio: float = 1.0) -> History:
+def released(share: float, alpha: float, height: float = BLOCK_HEIGHT, ratio: float = 1.0) -> History:
     """A block that is let go at a share of its slenderness."""
     return history(np.zeros(20001), 0.001, 1.0, rocking(alpha, ratio, height), start=(share * alpha, 0.0))
 
 
 def of_quarter_period(share: str) -> Answer:
     def found() -> float:
-        return float(released(float(share), SLENDER).impact_time[0]) * frequency()
+        return float(released(float(share), LINEAR_ALPHA).impact_time[0]) * frequency()
 
     expected = math.acosh(1.0 / (1.0 - float(share)))
     return Answer(f"p T/4 (θ_0/α = {share})", "", expected, 1e-7, found)
@@ -85,9 +85,9 @@ def of_rectangular_pulse(length: float) -> Answer:
     """length : of the pulse, times p"""
 
     def found() -> float:
-        step = length / frequency() / SAMPLES
-        shape = np.concatenate([np.ones(SAMPLES), [0.5, 0.0]])  # falls over two samples, of the same area
-        return least(lambda a: overturns(shape, step, a * G * math.tan(SLENDER), rocking()), 1.0, 20.0)
+        step = length / frequency() / PULSE_SAMPLES
+        shape = np.concatenate([np.ones(PULSE_SAMPLES), [0.5, 0.0]])  # falls over two samples, of the same area
+        return least(lambda a: overturns(shape, step, a * G * math.tan(LINEAR_ALPHA), rocking()), 1.0, 20.0)
 
     return Answer(f"a/(α g) (p t = {length:g})", "", 1.0 / (1.0 - math.exp(-length)), 2e-6, found)
 
@@ -117,8 +117,8 @@ def of_half_sine(ratio: float, value: str, alpha: float, units: float) -> Answer
     """ratio : of the circular frequency to p"""
 
     def found() -> float:
-        step = math.pi / (ratio * frequency(alpha)) / SAMPLES
-        shape = np.sin(math.pi * np.arange(SAMPLES + 1) / SAMPLES)
+        step = math.pi / (ratio * frequency(alpha)) / PULSE_SAMPLES
+        shape = np.sin(math.pi * np.arange(PULSE_SAMPLES + 1) / PULSE_SAMPLES)
         return least(lambda a: overturns(shape, step, a * G * math.tan(alpha), rocking(alpha)), 1.0, 6.0)
 
     return printed((f"a/(α g) (ω/p = {ratio:g})", ""), value, found, units)
@@ -126,9 +126,9 @@ def of_half_sine(ratio: float, value: str, alpha: float, units: float) -> Answer
 
 def full_sine_overturns(amplitude: float) -> bool:
     """Whether one sine of omega = 5 p overturns a slender block of e = 0.9. amplitude : over alpha g"""
-    step = 2.0 * math.pi / (5.0 * frequency()) / (2 * SAMPLES)
-    shape = np.sin(math.pi * np.arange(2 * SAMPLES + 1) / SAMPLES)
-    return overturns(shape, step, amplitude * G * math.tan(SLENDER), rocking(ratio=0.9))
+    step = 2.0 * math.pi / (5.0 * frequency()) / (2 * PULSE_SAMPLES)
+    shape = np.sin(math.pi * np.arange(2 * PULSE_SAMPLES + 1) / PULSE_SAMPLES)
+    return overturns(shape, step, amplitude * G * math.tan(LINEAR_ALPHA), rocking(ratio=0.9))
 
 
 FULL_SINE = (
@@ -173,15 +173,15 @@ def of_periodic(amplitude: float, omega: float, halves: int, ratio: float) -> tu
 
     @cache
     def found() -> History:
-        step = math.pi / (omega * p) / SAMPLES
-        phase = math.pi / SAMPLES * np.arange(80 * SAMPLES) + math.atan2(sine, cosine)
-        ground = amplitude * G * math.tan(SLENDER) * np.cos(phase)
-        return history(ground, step, 1.0, rocking(ratio=ratio), start=(0.0, velocity * p * SLENDER))
+        step = math.pi / (omega * p) / PULSE_SAMPLES
+        phase = math.pi / PULSE_SAMPLES * np.arange(80 * PULSE_SAMPLES) + math.atan2(sine, cosine)
+        ground = amplitude * G * math.tan(LINEAR_ALPHA) * np.cos(phase)
+        return history(ground, step, 1.0, rocking(ratio=ratio), start=(0.0, velocity * p * LINEAR_ALPHA))
 
     case = f"(a = {amplitude:g} α g, ω = {omega:g} p, e = {ratio:g})"
     times = worded("periods between two impacts {case}", case=case)
     return (
-        Answer(f"θ'/(p α) {case}", "", velocity, 5e-6, lambda: abs(found().impact_velocity[-1]) / (p * SLENDER)),
+        Answer(f"θ'/(p α) {case}", "", velocity, 5e-6, lambda: abs(found().impact_velocity[-1]) / (p * LINEAR_ALPHA)),
         Answer(
             times, "", 0.5 * halves, 5e-6, lambda: float(np.diff(found().impact_time)[-1]) * omega * p / (2 * math.pi)
         ),
@@ -299,7 +299,7 @@ CASES: tuple[Solved, ...] = (
         worded("Half sine that overturns, linear"),
         "Makris, Roussos (2000), Geotechnique 50(3), 243-262",
         tuple(
-            of_half_sine(ratio, value, SLENDER, 500.0)
+            of_half_sine(ratio, value, LINEAR_ALPHA, 500.0)
             for ratio, value in ((2.0, "1.80072393"), (4.0, "2.79079801"), (8.0, "4.78707127"))
         ),
         "p integral_(t_0)^infinity e^(-p (t - t_0)) (u''(t))/g dif t = alpha, quad u''(t_0) = alpha g",
@@ -417,7 +417,9 @@ CASES: tuple[Solved, ...] = (
         "Coccia, Di Carlo, Imperatore (2016), Eq. 8",
         (
             printed(
-                ("θ_r'", "rad/s"), "0.1713", lambda: overturning_velocity(Block.rectangle(HEIGHT, math.radians(6.8)))
+                ("θ_r'", "rad/s"),
+                "0.1713",
+                lambda: overturning_velocity(Block.rectangle(BLOCK_HEIGHT, math.radians(6.8))),
             ),
             Answer(
                 worded("least velocity whose history overturns"),

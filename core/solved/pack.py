@@ -30,10 +30,10 @@ from core.version import NAME, VERSION, commit, line
 
 NAME_OF_PDF, NAME_OF_JSON = "solved.pdf", "solved.json"
 
-MOST_TOGETHER = 20
+MAX_ROWS_TOGETHER = 20
 """Answers of a table that is not parted between pages, fewer than these."""
 
-KINDS: dict[Kind, Sentence] = {
+KIND_TITLES: dict[Kind, Sentence] = {
     Kind.CLOSED_FORM: worded("closed form"),
     Kind.REFERENCE: worded("reference solution"),
     Kind.HAND: worded("calculation by hand"),
@@ -117,10 +117,10 @@ def as_json(cases: Sequence[Solved]) -> bytes:
     return (json.dumps(content, indent=1, allow_nan=False, ensure_ascii=False) + "\n").encode()
 
 
-def pdf(found: Sequence[Subject], language: str, more: Sequence[Part] = ()) -> bytes:
+def pdf(chosen: Sequence[Subject], language: str, more: Sequence[Part] = ()) -> bytes:
     """The pack, with the input files of its cases within. more : chapters after the cases. Raises OutputError without
     the packages of a note."""
-    cases = cases_of(found)
+    cases = cases_of(chosen)
     files = {file_of(case): text for case in cases if (text := input_of(case))}
     say = _Say(language)
     data = Attachment(
@@ -130,7 +130,7 @@ def pdf(found: Sequence[Subject], language: str, more: Sequence[Part] = ()) -> b
         Attachment(name, text, "application/toml", "source", say(worded("input file of a case")))
         for name, text in files.items()
     ]
-    return Note([*_parts(found, say), *more], language, line(), attachments=[data, *inputs]).pdf()
+    return Note([*_parts(chosen, say), *more], language, line(), attachments=[data, *inputs]).pdf()
 
 
 class _Say:
@@ -152,8 +152,8 @@ class _Say:
         return self(worded("NO"))
 
 
-def _parts(found: Sequence[Subject], say: _Say) -> list[Part]:
-    cases = cases_of(found)
+def _parts(chosen: Sequence[Subject], say: _Say) -> list[Part]:
+    cases = cases_of(chosen)
     good = all(case.agrees for case in cases)
     counts = Counter(case.kind for case in cases)
     program = [
@@ -177,7 +177,7 @@ def _parts(found: Sequence[Subject], say: _Say) -> list[Part]:
         ),
         Table((), program, (1, 4)),
         Paragraph(say(summary(cases)), "good" if good else "bad"),
-        Table((), [(say(KINDS[kind]), str(counts[kind])) for kind in Kind if counts[kind]], (2, 3)),
+        Table((), [(say(KIND_TITLES[kind]), str(counts[kind])) for kind in Kind if counts[kind]], (2, 3)),
         Paragraph(
             say(
                 worded(
@@ -192,7 +192,7 @@ def _parts(found: Sequence[Subject], say: _Say) -> list[Part]:
         _summary(cases, say),
     ]
     numbers = {case.key: k for k, case in enumerate(cases, start=1)}
-    for subject in found:
+    for subject in chosen:
         parts.append(Heading(say(subject.title), new_page=True))
         for case in subject.cases:
             parts += _case(case, numbers[case.key], say)
@@ -219,7 +219,7 @@ def _summary(cases: Sequence[Solved], say: _Say) -> Table:
             (
                 str(k + 1),
                 say(case.title),
-                say(KINDS[case.kind]),
+                say(KIND_TITLES[case.kind]),
                 str(len(case.answers)),
                 written(least, say.language)[2],
                 numeral(least.tolerance, ".0e", say.language),
@@ -231,7 +231,7 @@ def _summary(cases: Sequence[Solved], say: _Say) -> Table:
 
 
 def _case(case: Solved, number: int, say: _Say) -> list[Part]:
-    about: list[Part] = [Paragraph(f"{say(KINDS[case.kind])}: {case.source}", "quiet")]
+    about: list[Part] = [Paragraph(f"{say(KIND_TITLES[case.kind])}: {case.source}", "quiet")]
     if case.formula:
         about.append(Mathematics(case.formula))
     if case.comment:
@@ -252,15 +252,15 @@ def _case(case: Solved, number: int, say: _Say) -> list[Part]:
     ]
     rows, tones = [], {}
     for k, one in enumerate(case.answers):
-        expected, found, difference = written(one, say.language)
+        expected, computed, difference = written(one, say.language)
         room = numeral(one.tolerance, ".0e", say.language) if one.tolerance else "0"
-        cells = (called(one, say.language), one.unit or "–", expected, found, difference, room)
+        cells = (called(one, say.language), one.unit or "–", expected, computed, difference, room)
         rows.append((*cells, say.yes if one.agrees else say.no))
         tones[k, 6] = "good" if one.agrees else "bad"
     return [
         Heading(f"{number}. {say(case.title)}", 3),
         Beside(about, _figure(case.drawing, say(case.title))),
-        Table(heads, rows, (4.2, 1.0, 1.9, 2.1, 1.5, 1.5, 1.2), tones, together=len(rows) < MOST_TOGETHER),
+        Table(heads, rows, (4.2, 1.0, 1.9, 2.1, 1.5, 1.5, 1.2), tones, together=len(rows) < MAX_ROWS_TOGETHER),
     ]
 
 

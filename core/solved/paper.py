@@ -48,18 +48,20 @@ def ratio_of_eq_9() -> float:
 
 EQ_4 = 1.0 - 1.5 * math.sin(math.radians(6.8)) ** 2
 EQ_6 = EQ_4**2 * abs(1.0 - 1.5 * math.cos(math.radians(6.8)) ** 2)
-POINTS = (0.2, 0.5, 0.9, 1.4)
+SPECTRUM_POINTS = (0.2, 0.5, 0.9, 1.4)
 
 
 def power_law() -> closed_forms.PowerLaw:
     """Fit the law to points that lie on 321 SI^-0.93."""
-    return known(closed_forms.fit_power_law(list(POINTS), [321.0 * (100.0 * si) ** -0.93 for si in POINTS]))
+    return known(
+        closed_forms.fit_power_law(list(SPECTRUM_POINTS), [321.0 * (100.0 * si) ** -0.93 for si in SPECTRUM_POINTS])
+    )
 
 
 EL_CENTRO = "4b45c5b08fd51868"
 """Begins the SHA-256 of the samples of El Centro 1940, 0.319 g."""
 
-HEIGHTS = (3.0, 5.0, 7.0, 9.0, 11.0)
+WALL_HEIGHTS = (3.0, 5.0, 7.0, 9.0, 11.0)
 TABLE = (
     # alpha [deg], one-sided, sign; q of each height
     (3.1, False, 1, "1.172 1.534 1.851 2.346 2.862"),
@@ -75,10 +77,8 @@ def q_of(record: GroundMotion, alpha: float, height: float, one_sided: bool, sig
     model = restitution(block, "one_sided_theoretical" if one_sided else "housner")
     moving = rocking_model(block, one_sided, model, LAWS["rigid"])
     ground, step = record.acceleration, record.time_step
-    found = incremental_dynamic_analysis(
-        ground, step, record.pga, sign, moving, METHODS["taylor"], Search(q_step=q_step)
-    )
-    return known(found.q)
+    ida = incremental_dynamic_analysis(ground, step, record.pga, sign, moving, METHODS["taylor"], Search(q_step=q_step))
+    return known(ida.q)
 
 
 def el_centro(folder: Path) -> GroundMotion:
@@ -106,7 +106,7 @@ def of_el_centro(record: GroundMotion) -> tuple[Solved, ...]:
         }[one_sided, sign]
         answers = tuple(
             printed((f"q ({height:g} m)", ""), value, partial(q_of, record, alpha, height, one_sided, sign), 1.0)
-            for height, value in zip(HEIGHTS, values.split(), strict=True)
+            for height, value in zip(WALL_HEIGHTS, values.split(), strict=True)
         )
         cases.append(
             Solved(

@@ -22,14 +22,14 @@ WALL = {"height_m": 3.0, "thickness_m": 0.45, "unit_weight_kn_m3": 18.0}
 ROOF = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.30, "h_m": 3.0, "mass": "none"}
 
 FACADE = {"height_m": 9.0, "thickness_m": 0.50, "unit_weight_kn_m3": 18.0}
-FLOORS = ((6.0, 0.30, 3.0), (6.0, 0.30, 6.0), (4.0, 0.30, 9.0), (15.0, 0.35, 3.0))
+FLOOR_LOADS = ((6.0, 0.30, 3.0), (6.0, 0.30, 6.0), (4.0, 0.30, 9.0), (15.0, 0.35, 3.0))
 """A facade of three storeys: N [kN/m], d, h [m] of two floors, the roof and a vault, whose masses push it."""
 THRUST_HEIGHT = 3.0
 THRUST = {"kind": "thrust", "kn_m": 3.0, "h_m": THRUST_HEIGHT}
 
 STONE = {"height_m": 5.4, "thickness_m": 0.6}
 PARAPET = {"height_m": 1.2, "thickness_m": 0.25, "unit_weight_kn_m3": 18.0}
-THIN = {"height_m": 3.0, "thickness_m": 0.30, "unit_weight_kn_m3": 18.0}
+THIN_WALL = {"height_m": 3.0, "thickness_m": 0.30, "unit_weight_kn_m3": 18.0}
 ON_TOP = {"kind": "vertical", "kn_m": 5.0, "d_m": 0.15, "h_m": 3.0, "mass": "horizontal"}
 TIE = {"kind": "tie", "kn_m": 1.9526786, "h_m": 2.8, "bar_length_m": 8.0, "elongation_m": 0.4}
 
@@ -48,7 +48,7 @@ def mechanism_of(wall: dict, *loads: dict, **more) -> Kinematic:
 
 def _of_one_body() -> tuple[Solved, ...]:
     facade = (
-        *({"kind": "vertical", "kn_m": n, "d_m": d, "h_m": z, "mass": "horizontal"} for n, d, z in FLOORS),
+        *({"kind": "vertical", "kn_m": n, "d_m": d, "h_m": z, "mass": "horizontal"} for n, d, z in FLOOR_LOADS),
         THRUST,
     )
     return (
@@ -65,11 +65,11 @@ def _of_one_body() -> tuple[Solved, ...]:
             Kind.PRINTED,
             "RD2229, test_cinematica.py (dancarloni/RD2229)",
             (
-                answer("published_alpha0", 0.1, lambda: mechanism_of(THIN).alpha0),
-                answer("published_alpha0_loaded", 0.080916, lambda: mechanism_of(THIN, ON_TOP).alpha0),
-                answer("published_e_star", 1.0, lambda: mechanism_of(THIN).e_star),
-                answer("published_d0", 0.15, lambda: mechanism_of(THIN).d0, unit="m"),
-                answer("published_a0", 0.074074, lambda: mechanism_of(THIN).a0 / G, unit="g"),
+                answer("published_alpha0", 0.1, lambda: mechanism_of(THIN_WALL).alpha0),
+                answer("published_alpha0_loaded", 0.080916, lambda: mechanism_of(THIN_WALL, ON_TOP).alpha0),
+                answer("published_e_star", 1.0, lambda: mechanism_of(THIN_WALL).e_star),
+                answer("published_d0", 0.15, lambda: mechanism_of(THIN_WALL).d0, unit="m"),
+                answer("published_a0", 0.074074, lambda: mechanism_of(THIN_WALL).a0 / G, unit="g"),
             ),
             formula="e^* = (sum P delta)^2 / (sum P sum P delta^2)",
             sketch=Sketch(section(3.0, 0.30)),
@@ -86,7 +86,7 @@ def _of_one_body() -> tuple[Solved, ...]:
                 ),
             ),
             sketch=Sketch(
-                section(9.0, 0.50), (*((d, z, 0.0, -1.0) for _, d, z in FLOORS), (0.0, THRUST_HEIGHT, -1.0, 0.0))
+                section(9.0, 0.50), (*((d, z, 0.0, -1.0) for _, d, z in FLOOR_LOADS), (0.0, THRUST_HEIGHT, -1.0, 0.0))
             ),
         ),
     )
@@ -145,10 +145,10 @@ READING = 0.012
 SOLID = {"height_m": 3.0, "thickness_m": 0.30, "unit_weight_kn_m3": 2200.0 * 9.81 / 1e3}
 """The wall of the examples of the macro-element: 2200 kg/m3."""
 
-MOST = 1e4
-"""Load [kN/m] beside which a wall of LIGHT weighs next to nothing."""
+HEAVY_LOAD = 1e4
+"""Load [kN/m] beside which a wall of LIGHT_WALL weighs next to nothing."""
 
-LIGHT = {**SOLID, "unit_weight_kn_m3": 5.0}
+LIGHT_WALL = {**SOLID, "unit_weight_kn_m3": 5.0}
 
 ASPECT = 0.1
 """t/H of all of them."""
@@ -161,23 +161,23 @@ def _start(wall: dict, *loads: dict) -> float:
 
 def _end(wall: dict, *loads: dict) -> float:
     """Way of the top over the thickness at which nothing holds the wall."""
-    found = mechanism_of(wall, *loads)
-    return wall["height_m"] * math.sin(found.chain.rotation(found.d0)) / wall["thickness_m"]
+    closed_form = mechanism_of(wall, *loads)
+    return wall["height_m"] * math.sin(closed_form.chain.rotation(closed_form.d0)) / wall["thickness_m"]
 
 
 def _spanning(depth: float, h1: float | None = None) -> Bending:
-    """The wall held at its top without a weight of its own, under MOST at a depth [m]."""
-    return mechanism(Strip(3.0, 0.30, 0.0, 1.0, ((MOST, depth),)), h1)
+    """The wall held at its top without a weight of its own, under HEAVY_LOAD at a depth [m]."""
+    return mechanism(Strip(3.0, 0.30, 0.0, 1.0, ((HEAVY_LOAD, depth),)), h1)
 
 
 def _pushed_over_load(depth: float, h1: float | None = None) -> float:
     """Horizontal force over the load on the top, over t/H."""
-    return _spanning(depth, h1).alpha0 / MOST / ASPECT
+    return _spanning(depth, h1).alpha0 / HEAVY_LOAD / ASPECT
 
 
 def _of_macroelement() -> tuple[Solved, ...]:
     source = "Vanin, Penna, Beyer (2019), examples 2a to 2d and figure of Macroelement3d (eesd-epfl/OpenSees)"
-    on_top = {"kind": "vertical", "kn_m": MOST, "d_m": 0.15, "h_m": 3.0, "mass": "horizontal"}
+    on_top = {"kind": "vertical", "kn_m": HEAVY_LOAD, "d_m": 0.15, "h_m": 3.0, "mass": "horizontal"}
     gable = {**SOLID, "gable_m": 3.0, "length_m": 6.0}
     return (
         told(
@@ -187,8 +187,8 @@ def _of_macroelement() -> tuple[Solved, ...]:
             (
                 answer("published_start_weight", 1.0, lambda: _start(SOLID), READING),
                 answer("published_end_weight", 1.0, lambda: _end(SOLID), READING),
-                answer("published_start_load", 0.5, lambda: _start(LIGHT, on_top), READING),
-                answer("published_end_load", 0.5, lambda: _end(LIGHT, on_top), READING),
+                answer("published_start_load", 0.5, lambda: _start(LIGHT_WALL, on_top), READING),
+                answer("published_end_load", 0.5, lambda: _end(LIGHT_WALL, on_top), READING),
                 answer("published_start_gable", 1.5, lambda: _start(gable), READING),
                 answer("published_end_gable", 1.5, lambda: _end(gable), READING),
             ),

@@ -21,13 +21,13 @@ HALF_SINES = ((2.0, 1.80072), (4.0, 2.79080), (8.0, 4.78707))
 SINE_EDGES = (("published_falls", 3.01), ("published_stands", 6.33), ("published_falls_again", 7.18))
 """Words and amplitudes over g alpha at which a full sine with omega = 5 p begins or ceases to overturn a block."""
 
-SLENDER = 1e-3
+LINEAR_ALPHA = 1e-3
 """alpha [rad] at which the exact equation is the linear one of the older papers, to six digits."""
 
-SHAPE, PULSE = 0.2, 0.5
+PULSE_ALPHA, PULSE = 0.2, 0.5
 """alpha [rad] of the blocks of "Under this pulse", and the length of its full sine [s]."""
 
-SIZES = ((0.25, "1.26189"), (0.5, "1.45844"), (1.0, "2.16378"), (2.0, "5.15493"))
+OVERTURNING_PEAKS = ((0.25, "1.26189"), (0.5, "1.45844"), (1.0, "2.16378"), (2.0, "5.15493"))
 """R [m], and the peak over g tan alpha from which that sine overturns."""
 
 ENERGIES = (
@@ -49,7 +49,7 @@ RECTANGLES = ((0.5, 2.54188), (1.0, 1.58219), (2.0, 1.15666))
 TIPPED, PUSH = 0.35, 0.6311
 """alpha [rad] of the block that is pushed, and the push over m g by which it falls, for a time of 1 sqrt(R/g)."""
 
-SAMPLES = 4000
+PULSE_SAMPLES = 4000
 """Samples that a pulse is given by: a straight line between two is 2e-7 off the sine."""
 
 
@@ -108,10 +108,10 @@ def _quarter_period() -> float:
 
 def _rectangular_pulse() -> float:
     """Least p t_1 of a rectangle of twice g alpha that overturns."""
-    model = RockingModel(SLENDER, 1.0, 0.0, 0.9, 0.0, 0.0, 0.0)
+    model = RockingModel(LINEAR_ALPHA, 1.0, 0.0, 0.9, 0.0, 0.0, 0.0)
     for duration in np.arange(0.68, 0.71, 5e-4):
         step = duration / 1000.0
-        ground = np.where(np.arange(1002) <= 1000, 2.0 * SLENDER * G, 0.0)
+        ground = np.where(np.arange(1002) <= 1000, 2.0 * LINEAR_ALPHA * G, 0.0)
         if first_overturning(ground, step, np.ones(1), model) == 1.0:
             return float(duration)
     return math.inf
@@ -119,8 +119,8 @@ def _rectangular_pulse() -> float:
 
 def _half_sine(ratio: float) -> float:
     """Least amplitude over g alpha of a half sine with omega = ratio p."""
-    model = RockingModel(SLENDER, 1.0, 0.0, 0.9, 0.0, 0.0, 0.0)
-    ground = SLENDER * G * np.sin(np.linspace(0.0, math.pi, 1001))
+    model = RockingModel(LINEAR_ALPHA, 1.0, 0.0, 0.9, 0.0, 0.0, 0.0)
+    ground = LINEAR_ALPHA * G * np.sin(np.linspace(0.0, math.pi, 1001))
     return float(first_overturning(ground, math.pi / ratio / 1000.0, np.arange(1.5, 5.0, 5e-4), model))
 
 
@@ -134,37 +134,37 @@ def edges_of_sine(slenderness: float) -> list[float]:
 
 
 def _edge_of_sine(n: int) -> float:
-    return edges_of_sine(SLENDER)[n]
+    return edges_of_sine(LINEAR_ALPHA)[n]
 
 
 def _of_size(radius: float, share: float = 1.0) -> RockingModel:
-    """A block of SHAPE. radius : R [m]; share : its velocity ratio over that of Eq. 4"""
-    return rocking(SHAPE, share * (1.0 - 1.5 * math.sin(SHAPE) ** 2), 2.0 * radius * math.cos(SHAPE))
+    """A block of PULSE_ALPHA. radius : R [m]; share : its velocity ratio over that of Eq. 4"""
+    return rocking(PULSE_ALPHA, share * (1.0 - 1.5 * math.sin(PULSE_ALPHA) ** 2), 2.0 * radius * math.cos(PULSE_ALPHA))
 
 
 def _sine() -> np.ndarray:
     """A full sine whose peak is g tan alpha [m/s2]."""
-    return G * math.tan(SHAPE) * np.sin(np.linspace(0.0, 2.0 * math.pi, SAMPLES + 1))
+    return G * math.tan(PULSE_ALPHA) * np.sin(np.linspace(0.0, 2.0 * math.pi, PULSE_SAMPLES + 1))
 
 
 def _least_sine(radius: float) -> float:
     """Least peak over g tan alpha by which the sine overturns; above it, it always does up to 6."""
     shape, model = _sine(), _of_size(radius)
-    return least(lambda scale: overturns(shape, PULSE / SAMPLES, scale, model), 1.0, 6.0)
+    return least(lambda scale: overturns(shape, PULSE / PULSE_SAMPLES, scale, model), 1.0, 6.0)
 
 
 def _energy_left(share: float, radius: float) -> float:
     """Energy over that of the fall as the sine of twice g tan alpha ends."""
     model = _of_size(radius, share)
-    motion = history(_sine(), PULSE / SAMPLES, 2.0, model)
+    motion = history(_sine(), PULSE / PULSE_SAMPLES, 2.0, model)
     rotation, velocity = abs(float(motion.rotation[-1])), float(motion.velocity[-1])
-    risen = math.cos(SHAPE - rotation) - math.cos(SHAPE)
-    return (0.5 * velocity**2 / model.p2 + risen) / (1.0 - math.cos(SHAPE))
+    risen = math.cos(PULSE_ALPHA - rotation) - math.cos(PULSE_ALPHA)
+    return (0.5 * velocity**2 / model.p2 + risen) / (1.0 - math.cos(PULSE_ALPHA))
 
 
 def _plateau(length: float) -> tuple[np.ndarray, float]:
     """A rectangle of g [m/s2] and its step [s]; its end, a straight line a step long, has its middle at the length."""
-    return np.append(np.full(SAMPLES + 1, G), 0.0), length / (SAMPLES + 0.5)
+    return np.append(np.full(PULSE_SAMPLES + 1, G), 0.0), length / (PULSE_SAMPLES + 0.5)
 
 
 def _least_rectangle(length: float) -> float:
@@ -192,7 +192,7 @@ def _peak_of_push(share: float) -> float:
 
 def _of_open_programs() -> tuple[Solved, ...]:
     blocks = "Numerics in Motion (2026), Under this pulse (Numerics-in-Motion/blocks)"
-    shape = section(2.0 * math.cos(SHAPE), 2.0 * math.sin(SHAPE))
+    shape = section(2.0 * math.cos(PULSE_ALPHA), 2.0 * math.sin(PULSE_ALPHA))
     return (
         told(
             "published_sizes",
@@ -200,7 +200,7 @@ def _of_open_programs() -> tuple[Solved, ...]:
             blocks,
             tuple(
                 printed((sentence("solved", "published_least_sine", radius=r), ""), a, partial(_least_sine, r), 1.0)
-                for r, a in SIZES
+                for r, a in OVERTURNING_PEAKS
             ),
             formula="p = sqrt(3 g / (4 R)), quad e = 1 - 3 / 2 sin^2 alpha",
             sketch=Sketch(shape, motion=_drawn(_sine())),

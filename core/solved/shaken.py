@@ -17,13 +17,13 @@ METHODS: dict[str, Sentence] = {
 }
 """Method of a score -> its words."""
 
-FIRST = worded("setback of the first body")
+OF_FIRST_BODY = worded("setback of the first body")
 
 
 def _scores(one: Found) -> Iterator[tuple[Sentence, Score]]:
     yield from ((METHODS[score.method], score) for score in one.scores)
     if one.tried:
-        yield FIRST, one.tried
+        yield OF_FIRST_BODY, one.tried
 
 
 def _title(one: Found) -> Sentence:
@@ -73,17 +73,17 @@ def _said(name: Sentence, one: Score) -> Sentence:
     )
 
 
-def lines(found: Sequence[Found], left_out: int, language: str) -> list[str]:
+def lines(results: Sequence[Found], left_out: int, language: str) -> list[str]:
     """What was found, in words. left_out : tests of no use"""
     text = []
-    for one in found:
+    for one in results:
         text.append(_title(one).text(language))
         under = [*(_said(name, score) for name, score in _scores(one)), *_remarks(one)]
         text += [f"  {sentence.text(language)}" for sentence in under]
     return text + [sentence.text(language) for sentence in _left_out(left_out)]
 
 
-def chapter(found: Sequence[Found], left_out: int, language: str) -> list[Part]:
+def chapter(results: Sequence[Found], left_out: int, language: str) -> list[Part]:
     """Write what was found as tables of a document."""
     about = worded(
         "Whether each tested body overturns, computed with the model of every wall, beside what it did. What is "
@@ -106,7 +106,7 @@ def chapter(found: Sequence[Found], left_out: int, language: str) -> list[Part]:
             worded("False [%]"),
         )
     ]
-    for one in found:
+    for one in results:
         rows = [
             (
                 name.text(language),

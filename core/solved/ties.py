@@ -19,7 +19,7 @@ from core.wall.bars import TieBar
 from core.wall.bending import Strip
 from core.wall.ties import elongation_at_yield, stress_area
 
-STEP = 1e-4
+SINE_STEP = 1e-4
 """Time step of the ground [s]: at 5e-4 the straight lines between its samples move the peaks by a ten-thousandth."""
 
 
@@ -63,7 +63,7 @@ TIED_HEADS: tuple[Head, ...] = (
 
 def sines(amplitude: float, period: float) -> np.ndarray:
     """Three periods of a sine of the ground [m/s2]. amplitude : [g]"""
-    t = np.arange(round(3.0 * period / STEP) + 1) * STEP
+    t = np.arange(round(3.0 * period / SINE_STEP) + 1) * SINE_STEP
     return amplitude * G * np.sin(2.0 * np.pi * t / period)
 
 
@@ -76,7 +76,7 @@ def tied(one: Tied) -> Solved:
 
     @cache
     def motion(asked: Asked) -> History:
-        return history(sines(one.amplitude, one.period), STEP, 1.0, asked.model)
+        return history(sines(one.amplitude, one.period), SINE_STEP, 1.0, asked.model)
 
     def found() -> tuple[float, ...]:
         return motion(held).peak, 1e3 * one.level * motion(held).residual[0, -1], motion(bare).peak
@@ -86,7 +86,7 @@ def tied(one: Tied) -> Solved:
         block = held.wall.block()
         moment = 18e3 * one.height * one.thickness * block.radius
         bar = TieBar(one.level, 1e3 * one.force, 1e-9, 0.0, one.stands).scaled(moment)
-        return history(sines(one.amplitude, one.period), STEP, 1.0, held.model._replace(bars=(bar,))).peak
+        return history(sines(one.amplitude, one.period), SINE_STEP, 1.0, held.model._replace(bars=(bar,))).peak
 
     answers = row(TIED_HEADS, one.values, found, 1.5)  # by as much the two integrators differ
     if one.rigid is not None:

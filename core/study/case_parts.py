@@ -10,7 +10,7 @@ from typing import BinaryIO
 from core.case.schema import Case
 from core.errors import InputError
 from core.regular_file import open_regular
-from core.study.journal import HEAD, SYNC_SECONDS, Journal, Memory, Place, ours, parsed, read_at, scanned
+from core.study.journal import HEAD_KEY, SYNC_SECONDS, Journal, Memory, Place, ours, parsed, read_at, scanned
 from core.study.run import EVERYTHING
 
 FINISHED = "finished"
@@ -36,16 +36,16 @@ def parts_in(folder: Path, stem: str) -> Iterator[tuple[int, int, Path]]:
     """(k, n, journal) of the parts of a case in a folder. Raises InputError where there is none, where they are of two
     divisions, and at one that is missing."""
     shape = re.compile(re.escape(stem) + r"\.part-(\d+)-of-(\d+)\.journal")
-    found = {(int(m[1]), int(m[2])) for path in folder.iterdir() if (m := shape.fullmatch(path.name))}
-    divisions = sorted({n for _, n in found})
-    if not found:
+    parts = {(int(m[1]), int(m[2])) for path in folder.iterdir() if (m := shape.fullmatch(path.name))}
+    divisions = sorted({n for _, n in parts})
+    if not parts:
         raise InputError("no_parts", path=part_path(folder, stem, 1, 2))
     if len(divisions) > 1:
         raise InputError("parts_of_two_divisions", found=tuple(str(n) for n in divisions), path=folder)
     (n,) = divisions
     for k in range(1, n + 1):
         path = part_path(folder, stem, k, n)
-        if (k, n) not in found:
+        if (k, n) not in parts:
             raise InputError("part_missing", k=k, n=n, path=path)
         yield k, n, path
 
@@ -74,14 +74,14 @@ class MergedParts:
             raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
         self.streams.append(stream)
         head, _, lines = scanned(stream) if ours(stream) else (b"", 0, [])
-        if parsed(head) != {HEAD: key}:
+        if parsed(head) != {HEAD_KEY: key}:
             raise InputError("part_of_another", path=path)
-        found = {name: (stream, place) for name, place in lines}
-        if FINISHED not in found:
+        places = {name: (stream, place) for name, place in lines}
+        if FINISHED not in places:
             raise InputError("part_not_finished", k=k, n=n, path=path)
-        if "" in found:
+        if "" in places:
             raise InputError("part_damaged", k=k, n=n, path=path)
-        self.places |= found
+        self.places |= places
 
     def get(self, name: int | str) -> dict | None:
         """What was found under a name, None where nothing was."""
@@ -97,5 +97,5 @@ def merged(folder: Path, stem: str, case: Case, key: str) -> Memory:
     """What all parts of a case found. Raises InputError as MergedParts."""
     parts, memory = MergedParts(folder, stem, lambda k, n: part_key(key, case, k, n)), Memory(EVERYTHING)
     with contextlib.closing(parts):
-        memory.found |= {name: found for name in parts.places if name != FINISHED and (found := parts.get(name))}
+        memory.found |= {name: result for name in parts.places if name != FINISHED and (result := parts.get(name))}
     return memory

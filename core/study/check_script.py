@@ -27,17 +27,17 @@ from core.wall.rocking_model import RockingModel, seen_from
 
 TEMPLATE = Path(__file__).resolve().parents[2] / "resources" / "templates" / "check_wall.py"
 
-NOISE, DRAWS = 1e-12, 8
+SAMPLE_NOISE, NOISE_DRAWS = 1e-12, 8
 """Noise on the samples, of each, and how often it is drawn, for the tolerance of a rotation."""
 
-LEAST, TIMES_NOISE, MOST = 1e-9, 30.0, 1e-4
+MIN_TOLERANCE, TIMES_NOISE, MAX_TOLERANCE = 1e-9, 30.0, 1e-4
 """The tolerance over theta_c is the larger of the first and so many times the effect of the noise: of 110 random walls
 of every kind none differed by more (resources/docs/validation.md). Beyond the last the next history is taken."""
 
 BY_HAND = 1e-9
 """Tolerance of what is worked by hand, of each number."""
 
-MOVES = 1.5
+Q_THAT_MOVES = 1.5
 """q at which a motion is taken that does not move the wall at the demand."""
 
 
@@ -106,7 +106,7 @@ def _runs(plan: Plan, k: int, demand: DemandResult | None) -> Iterator[tuple[Gro
 def _chosen(plan: Plan, k: int, demand: DemandResult | None) -> Chosen:
     """The history that governs at the demand, or the next one if noise in the last digits of the samples decides it.
     Raises NoCheck."""
-    runs = [(*run, found) for run in _runs(plan, k, demand) if (found := _answer(*run))]
+    runs = [(*run, answered) for run in _runs(plan, k, demand) if (answered := _answer(*run))]
     if not runs:
         raise NoCheck("no_records")
     runs.sort(key=lambda run: (run[3].overturns, run[3].rotation), reverse=True)
@@ -115,13 +115,13 @@ def _chosen(plan: Plan, k: int, demand: DemandResult | None) -> Chosen:
         chosen += f"; the records as given are {demand.weak_share:.0%} of a_g S, NOT at the demand"
     motion, scale, model, most = runs[0]
     if most.rotation == 0.0:
-        scale = float(np.sign(scale) * multiplier_of(MOVES, motion.pga, threshold_of(model)))
+        scale = float(np.sign(scale) * multiplier_of(Q_THAT_MOVES, motion.pga, threshold_of(model)))
         moved = _answer(motion, scale, model)
         runs = [] if moved is None else [(motion, scale, model, moved)]
-        chosen = f"no record moves the wall: PGA {MOVES} a_RM"
+        chosen = f"no record moves the wall: PGA {Q_THAT_MOVES} a_RM"
     for n, (motion, scale, model, answer) in enumerate(runs):
         tolerance = _tolerance(motion, scale, model, answer)
-        if tolerance <= MOST * model.collapse_rotation:
+        if tolerance <= MAX_TOLERANCE * model.collapse_rotation:
             words = chosen if n == 0 else f"{chosen}, after {n} that the last digits of the samples decide"
             return Chosen(motion, scale, model, words, answer, tolerance)
     raise NoCheck("too_sensitive")
@@ -144,13 +144,13 @@ def _tolerance(motion: GroundMotion, scale: float, model: RockingModel, answer: 
     """Tolerance of a rotation [rad]: what noise in the last digits of the samples does to it, infinite where it
     decides whether the wall stands."""
     draw, effect = np.random.default_rng(1), 0.0
-    for _ in range(DRAWS):
-        noise = 1.0 + NOISE * draw.uniform(-1.0, 1.0, motion.acceleration.size)
+    for _ in range(NOISE_DRAWS):
+        noise = 1.0 + SAMPLE_NOISE * draw.uniform(-1.0, 1.0, motion.acceleration.size)
         moved = _answer(motion, scale, model, motion.acceleration * noise, answer.last)
         if moved is None or moved.overturns != answer.overturns:
             return np.inf
         effect = max(effect, abs(moved.rotation - answer.rotation))
-    return max(LEAST * model.collapse_rotation, TIMES_NOISE * effect)
+    return max(MIN_TOLERANCE * model.collapse_rotation, TIMES_NOISE * effect)
 
 
 def _of(entry: Entry, one: Chosen) -> dict[str, Any]:
@@ -220,28 +220,28 @@ def _demand_lines(entry: Entry, demand: DemandResult) -> dict[str, Any]:
 
 def _by_hand(entry: Entry, demand: DemandResult | None, model: RockingModel) -> dict[str, float]:
     """Name in the script -> number of the program."""
-    found, own = {}, entry.kinematic
+    numbers, own = {}, entry.kinematic
     for side, name in ((1.0, "outer"), (-1.0, "inner")) if entry.mechanism == "two_sided" else ((1.0, "outer"),):
         seen = seen_from.py_func(model, side)
         held, alpha = seen.restoring, seen.slenderness
-        found[f"alpha, {name} hinge [rad]"] = alpha
-        found[f"p^2, {name} hinge [1/s2]"] = seen.p2
-        found[f"collapse rotation, {name} hinge [rad]"] = alpha + held.lean
-        found[f"uplift a_RM / g, {name} hinge"] = held.sine * np.tan(alpha) + held.cosine
+        numbers[f"alpha, {name} hinge [rad]"] = alpha
+        numbers[f"p^2, {name} hinge [1/s2]"] = seen.p2
+        numbers[f"collapse rotation, {name} hinge [rad]"] = alpha + held.lean
+        numbers[f"uplift a_RM / g, {name} hinge"] = held.sine * np.tan(alpha) + held.cosine
     sums = own.chain if own else chain(entry.part.wall.in_si, entry.mechanism == "two_sided")
-    found |= {"alpha_0 (C8.7.1.1)": sums.alpha0, "e* (C8.7.1.5)": sums.e_star, "d_0 [m]": sums.d0}
+    numbers |= {"alpha_0 (C8.7.1.1)": sums.alpha0, "e* (C8.7.1.5)": sums.e_star, "d_0 [m]": sums.d0}
     if own is None or demand is None:
-        return found
+        return numbers
     if sums.alpha0_friction is None:
-        found["a_0* / g (C8.7.1.3)"] = own.a0 / G
+        numbers["a_0* / g (C8.7.1.3)"] = own.a0 / G
     if displacement := own.without_ties or (None if sums.ties else own.displacement):
-        found["d of the limit state [m] (C8.7.1.2.1.6)"] = displacement.limit
-        found["a(d) / g"] = displacement.capacity / G
-        found["T(d) [s] (C8.7.1.10)"] = displacement.period
+        numbers["d of the limit state [m] (C8.7.1.2.1.6)"] = displacement.limit
+        numbers["a(d) / g"] = displacement.capacity / G
+        numbers["T(d) [s] (C8.7.1.10)"] = displacement.period
         if isinstance(demand.target, CodeSpectrum) and entry.floor is None:
-            found["S_De(T) [m]"] = displacement.demand
-            found["d / S_De (C8.7.1.12)"] = displacement.ratio
-    return found
+            numbers["S_De(T) [m]"] = displacement.demand
+            numbers["d / S_De (C8.7.1.12)"] = displacement.ratio
+    return numbers
 
 
 class Expression(str):

@@ -39,11 +39,11 @@ def deciding_runs(wall: WallResult) -> list[DemandRun]:
 
 def demand_histories(result: StudyResult, wall: WallResult) -> list[DemandHistory]:
     """The deciding runs of the dynamic check, integrated again; empty without that check."""
-    found = []
+    histories = []
     for run in deciding_runs(wall):
         motion, one = history_at_demand(result, wall, run)
-        found.append(DemandHistory(run, motion, one, control_displacement(wall, one.rotation)))
-    return found
+        histories.append(DemandHistory(run, motion, one, control_displacement(wall, one.rotation)))
+    return histories
 
 
 def history_at_demand(result: StudyResult, wall: WallResult, run: DemandRun) -> tuple[GroundMotion, History]:

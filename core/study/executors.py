@@ -18,12 +18,12 @@ from core.errors import Cancelled, InputError, place
 from core.file_names import name_of
 from core.jit import cache
 from core.regular_file import read_regular
-from core.setting.demand_input import MOST_OF_SPECTRUM
+from core.setting.demand_input import MAX_SPECTRUM_BYTES
 from core.setting.plan import Inputs, Plan, plan_of, read_inputs
 from core.study.journal import journal_key
 from core.study.scheduler import Scheduled
 
-MOST_AHEAD = 256
+MAX_TASKS_AHEAD = 256
 """Tasks an executor holds at a time; a `Scheduled` says it by its workers."""
 
 
@@ -36,7 +36,7 @@ def files_key(case: Case, base_dir: Path, inputs: Inputs) -> str:
     _, motions, kinds = inputs
     spectrum = b""
     if case.demand and case.demand.spectrum_file:
-        spectrum = read_regular(base_dir / name_of(case.demand.spectrum_file), MOST_OF_SPECTRUM)
+        spectrum = read_regular(base_dir / name_of(case.demand.spectrum_file), MAX_SPECTRUM_BYTES)
     read = [(repr(m), m.samples_sha256, m.warnings, m.details, kind) for m, kind in zip(motions, kinds, strict=True)]
     return hashlib.sha256(repr((read, hashlib.sha256(spectrum).hexdigest())).encode()).hexdigest()
 
@@ -124,7 +124,7 @@ def results_from(
 
 
 def _room(executor: Executor) -> int:
-    return executor.room() if isinstance(executor, Scheduled) else MOST_AHEAD
+    return executor.room() if isinstance(executor, Scheduled) else MAX_TASKS_AHEAD
 
 
 def _handed(executor: Executor, task: Callable, given: tuple) -> Future:

@@ -16,7 +16,7 @@ from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
 from core.codes.outcomes import least
 from core.codes.record_sample import RecordPeaks, SampleInterval, record_peaks, sample_interval
-from core.ground.provenance import LEAST_STATIONS, station_of
+from core.ground.provenance import MIN_STATIONS, station_of
 from core.setting.demand_input import pga_with_ag
 from core.setting.plan import Floors, Plan
 from core.study.journal import rebuilt
@@ -33,7 +33,7 @@ from core.variation.whole_wall import setting_of
 AG_RANGE = 0.01, 100.0
 """Least and largest multiple of a_g between which S follows it."""
 
-MOST_INTERVALS = 50
+MAX_WALLS_WITH_INTERVAL = 50
 """Walls of a case up to which the interval is made without being asked for: a tenth of the time of a wall."""
 
 
@@ -67,10 +67,10 @@ def _with_interval(
 ) -> Work:
     """Add to a verdict the interval of its records, that of the worst hinge; kept in the journal."""
     worst = results[verdict.governing]
-    if _zeta(worst) is None or (len(plan.case.wall) > MOST_INTERVALS and plan.case.sensitivity is None):
+    if _zeta(worst) is None or (len(plan.case.wall) > MAX_WALLS_WITH_INTERVAL and plan.case.sensitivity is None):
         return verdict
-    found = yield Batch({"interval": lambda stop: _interval(plan, worst, demand, journal, stop)})
-    return replace(verdict, interval=found["interval"])
+    by_name = yield Batch({"interval": lambda stop: _interval(plan, worst, demand, journal, stop)})
+    return replace(verdict, interval=by_name["interval"])
 
 
 def _interval(plan: Plan, wall: WallResult, demand: DemandResult, journal, stop) -> SampleInterval | None:
@@ -82,10 +82,10 @@ def _interval(plan: Plan, wall: WallResult, demand: DemandResult, journal, stop)
     known = rebuilt(SampleInterval, journal.get(key)) if journal else None
     if known is not None:
         return known
-    found = sample_interval(_peaks_of(plan, wall, demand, zeta, stop), motions, zeta)
-    if journal and found:
-        journal.add(key, asdict(found))
-    return found
+    interval = sample_interval(_peaks_of(plan, wall, demand, zeta, stop), motions, zeta)
+    if journal and interval:
+        journal.add(key, asdict(interval))
+    return interval
 
 
 def _with_sensitivity(
@@ -173,7 +173,7 @@ def capacities(
 
     motions : that move it; end : q_limit of the search; ag : of `ag_of`
     """
-    found: dict[str, list[float]] = {state: [] for state in RATE_STATES}
+    ag_values: dict[str, list[float]] = {state: [] for state in RATE_STATES}
     for k, motion in enumerate(motions):
         idas = [run.ida for run in wall.runs if run.motion == k]
         if not idas or any(ida.status not in ("collapse_found", "no_collapse_found") for ida in idas):
@@ -191,8 +191,8 @@ def capacities(
             if len(known) < len(values):
                 return None
             multiplier = multiplier_of(min(known), motion.pga, wall.threshold) / demand.scaling(motion)
-            found[state].append(ag(float(multiplier)))
-    return found
+            ag_values[state].append(ag(float(multiplier)))
+    return ag_values
 
 
 def _worst_rates(
@@ -202,10 +202,10 @@ def _worst_rates(
     and where a hinge has no number. ag : of `ag_of`"""
     if not demand.hazard or not all(one.runs for one in hinges):
         return ()
-    found = [capacities(one, _felt(plan, one), demand, plan.search.q_limit, ag) for one in hinges]
-    known = [one for one in found if one is not None]
+    by_hinge = [capacities(one, _felt(plan, one), demand, plan.search.q_limit, ag) for one in hinges]
+    known = [one for one in by_hinge if one is not None]
     names = [station_of(motion, k) for k, motion in enumerate(_felt(plan, hinges[0]))]
-    if len(known) < len(found) or len(set(names)) < LEAST_STATIONS:
+    if len(known) < len(by_hinge) or len(set(names)) < MIN_STATIONS:
         return ()
     asked = plan.case.demand
     life = asked.nominal_life_years if asked else None

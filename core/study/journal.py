@@ -83,13 +83,13 @@ class Journal:
         head, end, lines = scanned(self._stream)
         self.places = {name: place for name, place in lines if name}
         self.dropped = sum(not name for name, _ in lines)
-        mine = end > 0 and parsed(head) == {HEAD: key}  # a head without its line end is written again
+        mine = end > 0 and parsed(head) == {HEAD_KEY: key}  # a head without its line end is written again
         if (self.places and not resume) or (lines and not mine):
             self.set_aside, mine = self._copied(), False
         if not mine:
             self.places, self.dropped = {}, 0
             self._stream.truncate(0)
-            self._put({HEAD: key})
+            self._put({HEAD_KEY: key})
         elif self.dropped:
             self._rewrite(head)
         else:
@@ -174,7 +174,7 @@ class Journal:
         self._stream.close()
 
 
-LONGEST_LINE = 200_000_000
+MAX_JOURNAL_LINE = 200_000_000
 """Bytes of a line; what is longer has no end."""
 
 
@@ -183,9 +183,9 @@ def scanned(file: BinaryIO) -> tuple[bytes, int, list[tuple[str, Place]]]:
     os.lseek(file.fileno(), 0, os.SEEK_SET)
     lines = []
     with open(file.fileno(), "rb", 1 << 20, closefd=False) as stream:
-        head = stream.readline(LONGEST_LINE)
+        head = stream.readline(MAX_JOURNAL_LINE)
         place = end = len(head) if head.endswith(b"\n") else 0
-        for line in iter(lambda: stream.readline(LONGEST_LINE), b""):
+        for line in iter(lambda: stream.readline(MAX_JOURNAL_LINE), b""):
             if not line.endswith(b"\n"):  # what a kill cut off
                 break
             entry = parsed(line)
@@ -202,13 +202,13 @@ def read_at(file: BinaryIO, place: Place) -> dict:
     return json.loads(file.read(place.length) or b"")["result"]
 
 
-HEAD = "Ribalta journal"
+HEAD_KEY = "Ribalta journal"
 """The key of the first line: no other program's file begins with it."""
 
 
 def ours(stream: BinaryIO) -> bool:
     """Whether a file is a journal, or what a kill left of the first line of one."""
-    start = b'{"' + HEAD.encode() + b'": "'
+    start = b'{"' + HEAD_KEY.encode() + b'": "'
     stream.seek(0)
     content = stream.read(len(start))
     return content == start[: len(content)]

@@ -38,12 +38,12 @@ class KeptChecks:
         known = rebuilt(DemandCheck, self.journal.get(key)) if self.journal else None
         if known is not None:
             return known
-        found = demand_check(model, motions, *decides, cancelled)
-        if found is not None:
+        check = demand_check(model, motions, *decides, cancelled)
+        if check is not None:
             self.made += 1
             if self.journal:
-                self.journal.add(key, asdict(found))
-        return found
+                self.journal.add(key, asdict(check))
+        return check
 
 
 def check_key(model, motions, polarities, demand, method, *numbers) -> str:

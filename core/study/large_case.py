@@ -25,7 +25,7 @@ from core.study.run import begin_compiling, result_of
 from core.threads import Threads
 from core.variation.limit_states import demands_of, unsaid
 
-MOST_GROUP, MOST_SEARCHES = 128, 4096
+MAX_GROUP, MAX_SEARCHES = 128, 4096
 """Walls of a group, and searches of one: what is lost when a run is killed, and what stands in memory at a time."""
 
 FLOORS_KEPT = 16
@@ -66,7 +66,7 @@ def in_order(case: Case, base_dir: Path, cancelled: Callable[[], bool] = lambda:
     chosen, selection = with_chosen(case, base_dir, cancelled=cancelled)
     inputs = read_inputs(chosen, base_dir)
     demand, motions, kinds = inputs
-    size = max(1, min(MOST_GROUP, MOST_SEARCHES // max(1, 2 * len(motions))))
+    size = max(1, min(MAX_GROUP, MAX_SEARCHES // max(1, 2 * len(motions))))
     groups, floors = in_groups(case.wall, size), Floors(FLOORS_KEPT)
     tasks, longest = [], 0.0
     for group in groups:
@@ -175,8 +175,8 @@ def groups_elsewhere(
         return shared, tuple(large.case.wall[k] for k in group), group, rows
 
     tasks = ((g, given(large.groups[g])) for g in todo)
-    for g, found in results_from(executor, group_alone, tasks, cancelled):
-        if found is not None:
-            yield g, found
+    for g, group_rows in results_from(executor, group_alone, tasks, cancelled):
+        if group_rows is not None:
+            yield g, group_rows
             progress.finished(g)
             progress.within(0, 0, None)

@@ -63,7 +63,7 @@ def turned(
     """
     demand, keys = known(result.demand), {row.key for row in rows}
     plan = plan_of(result.case, (demand, list(result.motions), list(result.kinds)))
-    found = []
+    evaluations = []
     for k, wall in enumerate(result.walls):
         scene = plan.scene(k, demand, result.compliance, KeptChecks(journal))
         as_it_is = evaluate(replace(scene, q_slv=(wall.q_slv_safe_set, wall.q_slv_set)), cancelled=cancelled)
@@ -71,5 +71,5 @@ def turned(
         there = at_other_ends(as_it_is, own, cancelled) if own else as_it_is
         if there is None:
             return None
-        found.append(there)
-    return worst(found, lambda one: (one.outcome, one.zeta, demand.zeta_target))
+        evaluations.append(there)
+    return worst(evaluations, lambda one: (one.outcome, one.zeta, demand.zeta_target))

@@ -131,9 +131,9 @@ class WallResult:
     @property
     def mechanics(self) -> Kinematic:
         """Closed-form checks of the wall, in a study with a demand."""
-        found = self.assessed.kinematic
-        assert found is not None
-        return found
+        kinematic = self.assessed.kinematic
+        assert kinematic is not None
+        return kinematic
 
     @property
     def pair(self) -> tuple[str, float, str]:
@@ -250,8 +250,8 @@ class StudyResult:
         verdicts = {one.governing: one for one in self.verdicts}
         for _, group in groupby(enumerate(self.walls), lambda entry: entry[1].part.origin):
             places, walls = zip(*group, strict=True)
-            found = tuple(verdicts[k].moved(-places[0]) for k in places if k in verdicts)
-            yield self.of_wall(walls, found, self.first + places[0])
+            own_verdicts = tuple(verdicts[k].moved(-places[0]) for k in places if k in verdicts)
+            yield self.of_wall(walls, own_verdicts, self.first + places[0])
 
     def motion_of(self, wall: WallResult, k: int) -> GroundMotion:
         """The motion under a wall: the k-th of the study, or of a wall above the ground that of its floor."""

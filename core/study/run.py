@@ -128,11 +128,11 @@ def result_of(
         )
 
         def ended(wall: Finished) -> None:
-            walls, found = wall
+            walls, own_verdicts = wall
             first = len(results)
             results.extend(walls)
-            verdicts.extend(one.moved(first) for one in found)
-            on_finished(head.of_wall(walls, found, first))
+            verdicts.extend(one.moved(first) for one in own_verdicts)
+            on_finished(head.of_wall(walls, own_verdicts, first))
 
         # of a group of walls the rows alone are kept, without what is beside the verdict
         rated = demand is not None and demand.hazard and plan.longest is None
@@ -182,14 +182,14 @@ def _walls_elsewhere(
 
     def given(k: int) -> tuple:
         keys = [search_key(plan, one) for entry in spans[k] for one in plan.runs_of(entry)]
-        known = {key: found for key in keys if (found := journal.get(key)) is not None}
+        known = {key: stored for key in keys if (stored := journal.get(key)) is not None}
         return shared, plan.case.wall[k], known
 
     tasks = ((k, given(k)) for k in todo)
-    for k, found in results_from(executor, wall_alone, tasks, cancelled):
-        for name, result in (found or {}).items():
+    for k, wall_results in results_from(executor, wall_alone, tasks, cancelled):
+        for name, result in (wall_results or {}).items():
             journal.add(name, result)
-        if found is not None:
+        if wall_results is not None:
             journal.add(names[k], {})  # it has come whole
         yield k
 

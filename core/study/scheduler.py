@@ -13,7 +13,7 @@ from typing import Any
 from core.errors import InputError
 from core.packages import require
 
-AHEAD, MIN_ROOM = 2, 64
+TASKS_PER_THREAD, MIN_ROOM = 2, 64
 """Tasks handed out for a thread of a worker: the one it does, and the next; and at least, so that a cluster that grows
 with what waits does so."""
 
@@ -66,7 +66,7 @@ class Scheduled(Executor):
         """Tasks to be handed out at a time. Raises as `threads` does."""
         if time.monotonic() - self._counted >= BETWEEN_COUNTS:
             self._threads, self._counted = self.threads(), time.monotonic()
-        return max(MIN_ROOM, AHEAD * self._threads)
+        return max(MIN_ROOM, TASKS_PER_THREAD * self._threads)
 
     def submit(self, task: Callable, /, *arguments, **named) -> Future:
         """The future of a task; of its errors those that a worker or the scheduler are the cause of are InputErrors."""

@@ -52,25 +52,25 @@ def answers(method: str) -> dict[str, list[str]]:
     samples = ((count * count * 7 + count * 13) % 101 - 50.0) * (count % 40 < 23) / 16.0
     motion = GroundMotion("whole numbers", samples, 0.01)
     block = Block.rectangle(3.0, 0.13)
-    found: dict[str, list[float]] = {"intensity": [motion.housner_intensity], "kinematic": _by_clauses(block)}
+    doubles: dict[str, list[float]] = {"intensity": [motion.housner_intensity], "kinematic": _by_clauses(block)}
     walls = (("two_sided", False, "rigid"), ("trilinear", True, "doherty"), ("one_sided", True, "rigid"))
     for name, one_sided, law in walls:
         model = rocking_model(block, one_sided, restitution(block, "housner"), LAWS[law])
         ground, pga, by = motion.acceleration, motion.pga, METHODS[method]
         run = incremental_dynamic_analysis(ground, 0.01, pga, 1, model, by, Search(q_step=0.02, q_limit=10.0))
-        found[f"{name}_q"] = [math.nan if value is None else value for value in (run.q, run.q_slv)]
+        doubles[f"{name}_q"] = [math.nan if value is None else value for value in (run.q, run.q_slv)]
         scale = float(multiplier_of(3.0, pga, threshold_of(model)))
-        found[f"{name}_history"] = list(history(ground, 0.01, scale, model, by).rotation[::40])
-    return {name: [float(value).hex() for value in values] for name, values in found.items()}
+        doubles[f"{name}_history"] = list(history(ground, 0.01, scale, model, by).rotation[::40])
+    return {name: [float(value).hex() for value in values] for name, values in doubles.items()}
 
 
 def _by_clauses(block: Block) -> list[float]:
     """alpha_0, d_0 [m], T_SLV [s] and S_De [m] of a wall under a spectrum of EN 1998-1."""
     spectrum = en1998(0.25 * G, 1, "B")
     demand = DemandResult("SLV", 0.25 * G, 1.2, spectrum.pga, None, None, 2.0, 1.35, 1.0, spectrum)
-    found = kinematic(Masonry("", "one_sided", block), "one_sided", demand)
-    assert found.period is not None and found.s_de is not None
-    return [found.alpha0, found.d0, found.period, found.s_de]
+    mechanism = kinematic(Masonry("", "one_sided", block), "one_sided", demand)
+    assert mechanism.period is not None and mechanism.s_de is not None
+    return [mechanism.alpha0, mechanism.d0, mechanism.period, mechanism.s_de]
 
 
 def numbers() -> list[str]:
@@ -93,24 +93,26 @@ def order_of(method: Method, model: RockingModel, dt: float) -> tuple[str, ...]:
 def tell(methods: Iterable[str] = ORDERS) -> Outcome:
     """What is not as it is stored, some 0.1 s once the kernels are there; the name of the file where that is damaged.
     methods : of ORDERS"""
-    found = {method: answers(method) for method in methods}
+    computed = {method: answers(method) for method in methods}
     try:
         stored = json.loads(STORED.read_bytes())
         wrong = [
             name
-            for method, own in found.items()
+            for method, own in computed.items()
             for name, values in own.items()
             if _differs(values, stored[method][name])
         ]
-        return Outcome(tuple(dict.fromkeys(wrong)), all(stored[method] == own for method, own in found.items()))
+        return Outcome(tuple(dict.fromkeys(wrong)), all(stored[method] == own for method, own in computed.items()))
     except (OSError, ValueError, LookupError, TypeError, AttributeError):
         return Outcome((STORED.name,), False)
 
 
 def _differs(values: list[str], stored: list[str]) -> bool:
-    found, known = ([float.fromhex(number) for number in each] for each in (values, stored))
+    computed, known = ([float.fromhex(number) for number in each] for each in (values, stored))
     most = LAST_DIGITS * max(map(abs, known))
-    return not math.isfinite(most) or not all(abs(one - other) <= most for one, other in zip(found, known, strict=True))
+    return not math.isfinite(most) or not all(
+        abs(one - other) <= most for one, other in zip(computed, known, strict=True)
+    )
 
 
 if __name__ == "__main__":  # python -m core.study.self_test, after a change of a result that the changelog names

@@ -25,10 +25,13 @@ OF_A_TIE_TO_DESIGN = "tie_"
 NOT_SWEPT = ("zeta_target", "q_code")
 """Keys of the demand that name what is shown, the line required and a check."""
 
-GENERAL, RECTANGLE = ("radius_m", "inertia_over_mass_m2"), ("height_m", "thickness_m", "height_over_thickness")
+OF_GENERAL_BLOCK, OF_RECTANGLE = (
+    ("radius_m", "inertia_over_mass_m2"),
+    ("height_m", "thickness_m", "height_over_thickness"),
+)
 """Sizes of a general block and of a rectangle, of which the other has none."""
 
-MOST_VALUES = 200
+MAX_VALUES = 200
 
 
 @dataclass(frozen=True)
@@ -62,15 +65,15 @@ class SweepPoint:
 def sweep_keys(case: Case, k: int) -> list[SweepKey]:
     """The numbers of the k-th wall, and of the case as far as it is given, that can be swept."""
     wall = case.wall[k]
-    other = GENERAL if wall.radius_m is None else RECTANGLE
-    found = [key for key in _keys(Wall) if not key.name.startswith(OF_A_TIE_TO_DESIGN) and key.name not in other]
+    other = OF_GENERAL_BLOCK if wall.radius_m is None else OF_RECTANGLE
+    keys = [key for key in _keys(Wall) if not key.name.startswith(OF_A_TIE_TO_DESIGN) and key.name not in other]
     for n, load in enumerate(wall.load):
-        found += _given(load, n)
-        found += _given(load.bar, n) if load.bar else []
+        keys += _given(load, n)
+        keys += _given(load.bar, n) if load.bar else []
     spectrum = case.demand.spectrum if case.demand else None
     for section in (wall.return_walls, case.demand, spectrum, case.building):
-        found += _given(section) if section else []
-    return [key for key in found if key.name not in NOT_SWEPT]
+        keys += _given(section) if section else []
+    return [key for key in keys if key.name not in NOT_SWEPT]
 
 
 def _keys(section: type, load: int | None = None) -> list[SweepKey]:
@@ -167,12 +170,12 @@ def point_of(value: float, result: StudyResult) -> SweepPoint:
             known = zeta.get(check.label, check.zeta)
             zeta[check.label] = None if check.zeta is None or known is None else min(known, check.zeta)
     unknown = any(wall.set_rule == "incomplete" for wall in result.walls)
-    found = [] if unknown else [wall.q_set for wall in result.walls if wall.q_set is not None]
+    q_values = [] if unknown else [wall.q_set for wall in result.walls if wall.q_set is not None]
     verdict = result.walls[result.verdicts[0].governing].assessed.verdict if result.verdicts else None
     return SweepPoint(
         value,
         zeta,
-        min(found) if found else None,
+        min(q_values) if q_values else None,
         verdict.code if verdict else None,
         verdict.zeta_e if verdict else None,
     )

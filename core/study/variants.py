@@ -34,13 +34,13 @@ def changed_keys(before: Wall, after: Wall) -> tuple[str, ...]:
 def comparisons(walls: tuple[WallResult, ...]) -> tuple[Comparison, ...]:
     """The pairs of a study, in its order."""
     after = {w.pair: w for w in walls if w.wall.variant == DESIGNED}
-    found = []
+    pairs = []
     for wall in walls:
         other = after.get(wall.pair)
         if wall.wall.variant == AS_IS and other is not None:
             changed = changed_keys(wall.wall, other.wall)
-            found.append(Comparison(wall.part.own_name, wall, other, changed))
-    return tuple(found)
+            pairs.append(Comparison(wall.part.own_name, wall, other, changed))
+    return tuple(pairs)
 
 
 @dataclass(frozen=True)
@@ -61,12 +61,12 @@ def wall_comparisons(verdicts: tuple[WallVerdict, ...]) -> tuple[WallComparison,
     return tuple(WallComparison(a.wall.name, a, b, changed_keys(a.wall, b.wall)) for a, b in pairs)
 
 
-OTHER = {AS_IS: DESIGNED, DESIGNED: AS_IS}
+OTHER_VARIANT = {AS_IS: DESIGNED, DESIGNED: AS_IS}
 
 
 def with_variant_alone(wall: WallResult, known: Container) -> WallResult:
     """A result; with a notice where it is a variant whose counterpart is missing. known : of `Plan.variants`"""
     variant = wall.wall.variant
-    if variant is None or (wall.pair, OTHER[variant]) in known:
+    if variant is None or (wall.pair, OTHER_VARIANT[variant]) in known:
         return wall
     return replace(wall, warnings=(notice("variant_alone"), *wall.warnings))

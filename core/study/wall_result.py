@@ -21,14 +21,14 @@ from core.wall.block import Block
 from core.wall.impact import MOMENTUM, Restitution
 from core.wall.restitution import MODELS, housner_ratio, one_sided_ratio
 from core.wall.rocking_model import RockingModel
-from core.wall.solids import LEAST_BASE, section_area
+from core.wall.solids import MIN_BASE, section_area
 
-LARGE_SCALE = 10.0
+LARGE_COLLAPSE_SCALE = 10.0
 
-THIN, SLENDER = 0.10, 30.0
+MIN_THICKNESS, MAX_SLENDERNESS = 0.10, 30.0
 """t [m] below which, and H/t above which, a wall is questioned."""
 
-WEIGHTS, MODULI = (10.0, 28.0), (200.0, 10000.0)
+USUAL_WEIGHTS, USUAL_MODULI = (10.0, 28.0), (200.0, 10000.0)
 """Unit weights [kN/m3] and elastic moduli [MPa] of masonry; others are questioned."""
 
 HEAVY = 1.5
@@ -181,16 +181,18 @@ def wall_result(part: Part, mechanism, model, runs, motions, search, demand, flo
 def unusual_input(wall: Wall) -> list[Sentence]:
     """Input few engineers mean: accepted, and questioned with the likely slip of unit."""
     notices, t = [], wall.thickness
-    if t is not None and t < THIN:
+    if t is not None and t < MIN_THICKNESS:
         notices.append(notice("thin", cm=100.0 * t))
-    if t is not None and wall.height_m is not None and wall.height_m / t > SLENDER:
+    if t is not None and wall.height_m is not None and wall.height_m / t > MAX_SLENDERNESS:
         notices.append(notice("slender", ratio=wall.height_m / t, h=wall.height_m, t=t))
     weights = [wall.unit_weight_kn_m3, *(solid.unit_weight_kn_m3 for solid in wall.solid)]
     modulus = wall.elastic_modulus_mpa
-    for weight in {weight for weight in weights if weight is not None and not WEIGHTS[0] <= weight <= WEIGHTS[1]}:
-        notices.append(notice("odd_weight", w=weight, low=WEIGHTS[0], high=WEIGHTS[1]))
-    if modulus is not None and not MODULI[0] <= modulus <= MODULI[1]:
-        notices.append(notice("odd_modulus", e=modulus, low=MODULI[0], high=MODULI[1]))
+    for weight in {
+        weight for weight in weights if weight is not None and not USUAL_WEIGHTS[0] <= weight <= USUAL_WEIGHTS[1]
+    }:
+        notices.append(notice("odd_weight", w=weight, low=USUAL_WEIGHTS[0], high=USUAL_WEIGHTS[1]))
+    if modulus is not None and not USUAL_MODULI[0] <= modulus <= USUAL_MODULI[1]:
+        notices.append(notice("odd_modulus", e=modulus, low=USUAL_MODULI[0], high=USUAL_MODULI[1]))
     if wall.masonry:
         notices += _unlike_its_masonry(wall)
     if wall.load and t is not None:
@@ -199,7 +201,7 @@ def unusual_input(wall: Wall) -> list[Sentence]:
         if parts := wall.parts:
             assert wall.length_m is not None
             area = section_area(parts, 0.0, 0.0, t)  # none under a corner of oblique solids
-            stress = stress * wall.length_m * t / area if area > LEAST_BASE else 0.0
+            stress = stress * wall.length_m * t / area if area > MIN_BASE else 0.0
         if stress > HEAVY:
             notices.append(notice("heavy_load", stress=stress))
     return notices
@@ -274,7 +276,7 @@ def _set_notices(runs, files: int, counted: int, incomplete, fragile, search) ->
         notices.append(notice("clamped", n=clamped))
     if fragile and fragile.n < MEAN_FROM:
         notices.append(notice("few_runs", n=fragile.n))
-    large = {run.motion for run in runs if run.scale and abs(run.scale) > LARGE_SCALE}
+    large = {run.motion for run in runs if run.scale and abs(run.scale) > LARGE_COLLAPSE_SCALE}
     if large:
         notices.append(notice("pga_too_small", n=len(large)))
     return notices

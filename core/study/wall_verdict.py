@@ -33,7 +33,7 @@ def wall_verdicts(case: Case, walls: tuple[WallResult, ...]) -> tuple[WallVerdic
     by_origin: dict[int, list[int]] = {}
     for k, wall in enumerate(walls):
         by_origin.setdefault(wall.part.origin, []).append(k)
-    found = []
+    verdicts = []
     for origin, indices in by_origin.items():
         ordered = sorted(indices, key=lambda k: severity(walls[k]))
         hinges = [walls[k] for k in ordered]
@@ -43,8 +43,8 @@ def wall_verdicts(case: Case, walls: tuple[WallResult, ...]) -> tuple[WallVerdic
         extra += hidden
         zeta_least = least(wall.assessed.verdict.zeta_e for wall in hinges)
         withstands = least_risk([wall.assessed.risk for wall in hinges])
-        found.append(WallVerdict(asked, ordered[0], tuple(ordered), states, tuple(extra), zeta_least, withstands))
-    return tuple(found)
+        verdicts.append(WallVerdict(asked, ordered[0], tuple(ordered), states, tuple(extra), zeta_least, withstands))
+    return tuple(verdicts)
 
 
 def _lower_elsewhere(hinges: list[WallResult]) -> list[Sentence]:
@@ -62,19 +62,19 @@ def _lower_elsewhere(hinges: list[WallResult]) -> list[Sentence]:
 
 def _states(demand: Demand, ordered: list[WallResult]) -> dict[str, StateOutcome]:
     """The outcome at each limit state; at that of the demand it is the verdict itself."""
-    found = {}
+    outcomes = {}
     for state in STATES:
         if state == demand.limit_state:
             verdict = ordered[0].assessed.verdict
-            found[state] = StateOutcome(verdict.code, verdict.zeta_e, verdict.governing)
+            outcomes[state] = StateOutcome(verdict.code, verdict.zeta_e, verdict.governing)
             continue
         there = [one for wall in ordered for one in wall.assessed.states if one.state == state]
         if not there:
-            found[state] = StateOutcome(NO_HAZARD)
+            outcomes[state] = StateOutcome(NO_HAZARD)
             continue
         least_of = worst(there, lambda one: (one.code, one.zeta, one.zeta_target))
-        found[state] = StateOutcome(least_of.code, least_of.zeta, least_of.check)
-    return found
+        outcomes[state] = StateOutcome(least_of.code, least_of.zeta, least_of.check)
+    return outcomes
 
 
 def _other_states(demand: Demand, states: dict[str, StateOutcome]) -> list[Sentence]:
@@ -122,8 +122,8 @@ def assumptions_of(result: StudyResult, verdict: WallVerdict) -> tuple[Assumptio
     The last row is that of the hinge that decides: each hinge has its own."""
     rows: list[Assumption] = []
     for k in verdict.results:
-        found = result.walls[k].assessment
-        of_hinge = found.verdict.assumptions if found else ()
+        assessment = result.walls[k].assessment
+        of_hinge = assessment.verdict.assumptions if assessment else ()
         rows += [row for row in of_hinge if row.key != TOGETHER or k == verdict.governing]
     return table(rows)
 
@@ -148,8 +148,8 @@ def where(wall: WallResult) -> Sentence | str:
 def zetas_of(result: StudyResult, wall: WallResult) -> list[tuple[float, float | None]]:
     """Every hinge of the wall a result is of, with the smallest zeta there, None where one is not known; none where it
     has one alone."""
-    found: dict[float, list[float | None]] = {}
+    by_hinge: dict[float, list[float | None]] = {}
     for one in result.walls:
         if one.part.origin == wall.part.origin and one.part.top is None and one.assessment:
-            found.setdefault(one.part.hinge, []).append(one.assessment.verdict.zeta_e)
-    return [(hinge, least(zetas)) for hinge, zetas in sorted(found.items())] if len(found) > 1 else []
+            by_hinge.setdefault(one.part.hinge, []).append(one.assessment.verdict.zeta_e)
+    return [(hinge, least(zetas)) for hinge, zetas in sorted(by_hinge.items())] if len(by_hinge) > 1 else []

@@ -26,7 +26,7 @@ from core.variation.assessment import assess
 from core.variation.limit_states import at_states
 from core.variation.tie_design import Hinge, tie_design
 
-TASKS, SAMPLES = 8, 40_000
+MIN_TASKS, MAX_SAMPLES = 8, 40_000
 """Least tasks for a thread where runs of a wall are searched side by side; most samples of them, for a quick cancel."""
 
 
@@ -63,11 +63,11 @@ def works(given: Given, jobs: int, wait_for: Callable[[int], None] | None = None
     """The work of each wall of a case, which returns Finished. wait_for : as `result_of` takes it"""
     plan, known = given.plan, {}
     for one in plan.runs:
-        found = rebuilt(Ida, given.journal.get(search_key(plan, one))) if given.journal else None
-        if found is not None:
-            known[one] = found
+        ida = rebuilt(Ida, given.journal.get(search_key(plan, one))) if given.journal else None
+        if ida is not None:
+            known[one] = ida
     given.progress.known(known)
-    most = (len(plan.runs) - len(known)) // (TASKS * jobs)
+    most = (len(plan.runs) - len(known)) // (MIN_TASKS * jobs)
     for span in plan.spans:
         if wait_for:
             wait_for(plan.entries[span[0]].part.origin)
@@ -127,8 +127,8 @@ class _Wall:
             runs = [Run(motion.acceleration, motion.time_step, motion.pga, sign) for motion, sign in motions]
             return lambda stop: incremental_dynamic_analyses(runs, entry.model, plan.method, plan.search, stop)
 
-        def keep(group, found: list[Ida]) -> None:
-            for one, ida in zip(group, found, strict=True):
+        def keep(group, idas_of_group: list[Ida]) -> None:
+            for one, ida in zip(group, idas_of_group, strict=True):
                 idas[one] = ida
                 if given.journal:
                     given.journal.add(search_key(plan, one), asdict(ida))
@@ -136,22 +136,26 @@ class _Wall:
 
         if self.elsewhere and given.journal:
             for one in [one for k in self.entries for one in plan.runs_of(k) if one not in idas]:
-                if (found := rebuilt(Ida, given.journal.get(search_key(plan, one)))) is not None:
-                    idas[one] = found
+                if (kept_ida := rebuilt(Ida, given.journal.get(search_key(plan, one)))) is not None:
+                    idas[one] = kept_ida
                     given.progress.done(one)
         groups = []
         for k, entry in self.entries.items():
             runs = [one for one in plan.runs_of(k) if one not in idas]
             longest = max((motion.acceleration.size for motion in entry.felt), default=1)
             lanes = in_lanes(plan.method, entry.model)
-            together = max(1, min(self.most, SAMPLES // longest)) if lanes else 1
+            together = max(1, min(self.most, MAX_SAMPLES // longest)) if lanes else 1
             groups += [tuple(runs[n : n + together]) for n in range(0, len(runs), together)]
         yield Batch({group: search_of(group) for group in groups}, keep)
         for k, (part, mechanism, model, _, floor, felt, _) in self.entries.items():
             runs = plan.runs_of(k)
-            found = [run_result(model, felt[record], record, sign, idas[k, record, sign]) for _, record, sign in runs]
+            run_results = [
+                run_result(model, felt[record], record, sign, idas[k, record, sign]) for _, record, sign in runs
+            ]
             motions = plan.motions if runs else []
-            self.results[k] = wall_result(part, mechanism, model, found, motions, plan.search, given.demand, floor)
+            self.results[k] = wall_result(
+                part, mechanism, model, run_results, motions, plan.search, given.demand, floor
+            )
 
     def _scene(self, k: int, demand: DemandResult) -> Scene:
         """Scene of the checks of an entry, with q of its searches."""
@@ -165,8 +169,8 @@ class _Wall:
         def task(k: int):
             return lambda stop: assess(self._scene(k, demand), stop)
 
-        def checked(k: int, found: Assessment) -> None:
-            self.results[k] = replace(self.results[k], assessment=found)
+        def checked(k: int, assessment: Assessment) -> None:
+            self.results[k] = replace(self.results[k], assessment=assessment)
             given.on_wall(self.results[k])
             given.progress.done(("check", k), self.elsewhere or self.kept[k].made > 0)
 
@@ -181,8 +185,8 @@ class _Wall:
             return lambda stop: at_states(scene, wall.assessed, given.by_state, given.state_rules, stop)
 
         states = yield Batch({k: task(k, wall) for k, wall in self.results.items()} if given.by_state else {})
-        for k, found in states.items():
-            self._add(k, states=found)
+        for k, state_zetas in states.items():
+            self._add(k, states=state_zetas)
 
     def _with_tie(self, demand: DemandResult) -> Work:
         """The design of its tie, where one is asked for; a wall one of whose hinges has no check has none."""
@@ -203,8 +207,8 @@ class _Wall:
             for k in counted:
                 given.progress.done(("tie", k), k in group)
 
-        found = yield Batch({"tie": lambda stop: tie_design(hinges, asked, stop)}, told)
-        self._add(next(iter(group)), tie=found["tie"])
+        designs = yield Batch({"tie": lambda stop: tie_design(hinges, asked, stop)}, told)
+        self._add(next(iter(group)), tie=designs["tie"])
 
     def _with_accuracy(self) -> Work:
         """Make the accuracy statement on the governing run."""
@@ -213,12 +217,12 @@ class _Wall:
         def task(wall: WallResult):
             return lambda stop: accuracy_of(wall, plan.motions, plan.method, plan.search, stop)
 
-        found = yield Batch(
+        statements = yield Batch(
             {k: task(wall) for k, wall in self.results.items()},
             lambda k, one: given.progress.done(("accuracy", k), one is not None),
         )
         for k, wall in self.results.items():
-            self.results[k] = replace(wall, accuracy=found[k])
+            self.results[k] = replace(wall, accuracy=statements[k])
 
     def _add(self, k: int, **parts) -> None:
         """Add parts to the assessment of an entry."""

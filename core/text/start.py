@@ -5,14 +5,14 @@ import os
 
 from core.text.catalogue import CATALOGUE
 
-CODES = ("en", "it")
+LANGUAGE_CODES = ("en", "it")
 
 
 def system_language():
     """The system's language where it is one of ours, else English."""
     named = next(filter(None, map(os.environ.get, ("LC_ALL", "LC_MESSAGES", "LANG"))), None)
     code = (named or locale.getlocale()[0] or "")[:2].lower()
-    return code if code in CODES else "en"
+    return code if code in LANGUAGE_CODES else "en"
 
 
 def phrase(text, **values):

@@ -16,9 +16,9 @@ from core.codes.verdict import Verdict, passes_with_q2, verdict
 from core.codes.verdict_sentence import declared
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
-from core.ground.record_folder import DOUBTED, ELSEWHERE
+from core.ground.record_folder import DOUBTED, NOT_HORIZONTAL
 from core.setting.floors import LOW_CODE, building_notes
-from core.setting.plan import MANY
+from core.setting.plan import MANY_WALLS
 from core.setting.scene import Scene
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.units import G
@@ -132,7 +132,7 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
     limits += _of_ties_that_lower(evaluation, cancelled)
     limits += _of_a_thicker_wall(evaluation)
     if evaluation.zeta is not None and not made:
-        limits.append(sentence("reason", "assumptions_not_made", n=MANY))
+        limits.append(sentence("reason", "assumptions_not_made", n=MANY_WALLS))
     free = unheld or _overturning(scene, cancelled)
     bound, passes = (free.zeta, free.satisfied) if free else (None, None)
     if free is not None and bound is not None:
@@ -171,7 +171,7 @@ def _of_life_and_records(evaluation: Evaluation) -> list[Sentence]:
 
 def _is_doubted(motion: GroundMotion) -> bool:
     """Whether a notice of a record says that its samples are no motion of the ground in the open, or may not be."""
-    return any(notice.code in DOUBTED or notice.code in ELSEWHERE for notice in motion.warnings)
+    return any(notice.code in DOUBTED or notice.code in NOT_HORIZONTAL for notice in motion.warnings)
 
 
 def _by_default(evaluation: Evaluation) -> Sentence:
@@ -242,22 +242,22 @@ def _of_the_arch(evaluation: Evaluation, arch: Arch) -> Assumption:
 def _of_bending(kinematic: Kinematic, wall: Wall, with_histories: bool) -> list[Sentence]:
     """Sentences that limit the verdict of a wall that bends: no histories, the force of what holds it, a hinge as high
     as one is looked for."""
-    found, arch = kinematic.chain.bending, wall.in_si.arch
-    if found is None:
+    mechanism, arch = kinematic.chain.bending, wall.in_si.arch
+    if mechanism is None:
         return []
     limits = [] if with_histories else [sentence("reason", "no_histories", q=2)]
     if arch is not None:
         by = sentence("word", arch.by)
         limits.append(sentence("reason", "arch_thrust", spacing=arch.spacing, thrust=1e-3 * arch.thrust, by=by))
-        moved = kinematic.moved.bending or found
+        moved = kinematic.moved.bending or mechanism
         if kinematic.d_limit is not None and not math.isinf(arch.stands):
             parted = moved.parted(moved.rotation(kinematic.d_limit))
             limits.append(sentence("reason", "arch_parts", mm=1e3 * parted))
         return limits
-    limits.append(sentence("reason", "top_force", force=1e-3 * found.top_force))
-    moved = kinematic.moved.bending or found
-    if found.highest or moved.highest:
-        limits.append(sentence("reason", "hinge_highest", height=found.h1))
+    limits.append(sentence("reason", "top_force", force=1e-3 * mechanism.top_force))
+    moved = kinematic.moved.bending or mechanism
+    if mechanism.highest or moved.highest:
+        limits.append(sentence("reason", "hinge_highest", height=mechanism.h1))
     return limits
 
 

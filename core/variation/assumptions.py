@@ -25,8 +25,8 @@ def _there(end: Evaluation, check: Check) -> Check | None:
 
 def _zeta(end: Evaluation | None, check: Check) -> float | None:
     """zeta of a check at another end."""
-    found = _there(end, check) if end else None
-    return found.zeta if found else None
+    check_there = _there(end, check) if end else None
+    return check_there.zeta if check_there else None
 
 
 def _turns(end: Evaluation | None, check: Check) -> bool:

@@ -5,7 +5,7 @@ from typing import Any
 
 from core.case.wall import Wall
 
-APART: dict[str, Any] = {"g_kn_m": None, "q_kn_m": None, "psi_2": None}
+WITHOUT_PARTS: dict[str, Any] = {"g_kn_m": None, "q_kn_m": None, "psi_2": None}
 """A weight that is moved is no longer the sum of its parts."""
 
 
@@ -23,7 +23,7 @@ def thinner(wall: Wall, thickness: float) -> Wall:
 def loaded(wall: Wall, factor: float) -> Wall:
     """A wall whose loads but ties are so many times as large."""
     loads = (
-        load if load.is_tie or load.kn_m is None else replace(load, kn_m=factor * load.kn_m, **APART)
+        load if load.is_tie or load.kn_m is None else replace(load, kn_m=factor * load.kn_m, **WITHOUT_PARTS)
         for load in wall.load
     )
     return replace(wall, load=tuple(loads))

@@ -6,7 +6,7 @@ from enum import Enum
 from functools import cached_property
 
 from core.case.wall import ARCHES
-from core.codes.demand import LEAST_OF_DEMAND
+from core.codes.demand import MIN_SHARE_OF_DEMAND
 from core.codes.dynamic_check import DemandCheck
 from core.codes.elastic_branch import can_have_branch, wants_branch
 from core.codes.kinematic import Check, Kinematic, checks_of, linear
@@ -156,8 +156,8 @@ def evaluate(
     dynamic = histories(scene, precision, other, cancelled)
     made = checks_of(kinematic, scene.demand, _counted(kinematic, scene.q_slv[0]))
     checks = _with_histories(made, dynamic, scene)
-    found = Evaluation(scene, kinematic, dynamic, checks, precision)
-    return replace(found, checks=_worse_first(found)) if scene.by_default else found
+    evaluation = Evaluation(scene, kinematic, dynamic, checks, precision)
+    return replace(evaluation, checks=_worse_first(evaluation)) if scene.by_default else evaluation
 
 
 def _with_histories(made: tuple[Check, ...], dynamic: DemandCheck | None, scene: Scene) -> tuple[Check, ...]:
@@ -166,7 +166,7 @@ def _with_histories(made: tuple[Check, ...], dynamic: DemandCheck | None, scene:
     if dynamic is None:
         return made
     check, share = dynamic.as_check(scene.demand.zeta_target), scene.demand.weak_share
-    if share is None or share >= LEAST_OF_DEMAND or check.passed is False:
+    if share is None or share >= MIN_SHARE_OF_DEMAND or check.passed is False:
         return (check, *made)
     return (*made, replace(check, zeta=None, passed=None))
 
@@ -191,18 +191,18 @@ def histories(
     if not (motions := scene.motions) or scene.wall.mechanism == ARCHES:
         return None
     parts = motions, scene.signs, scene.demand, scene.method, precision.value, other, cancelled
-    found: list[DemandCheck] = []
+    checks: list[DemandCheck] = []
     for branch in scene.branches:
-        if branch.assumed and found and not found[0].satisfied(scene.demand.zeta_target):
+        if branch.assumed and checks and not checks[0].satisfied(scene.demand.zeta_target):
             break  # the softest masonry fails already
         made = scene.histories(branch.of(scene.model), *parts)
-        found += [] if made is None else [replace(made, branch=branch)]
-    return min(found, key=_worth) if found else scene.histories(scene.model, *parts)
+        checks += [] if made is None else [replace(made, branch=branch)]
+    return min(checks, key=_worth) if checks else scene.histories(scene.model, *parts)
 
 
-def _worth(found: DemandCheck) -> tuple:
+def _worth(check: DemandCheck) -> tuple:
     """The worse of two checks of one wall comes first: what fails, at last by zeta."""
-    return found.passed, found.zeta is not None, found.zeta or 0.0
+    return check.passed, check.zeta is not None, check.zeta or 0.0
 
 
 def _counted(kinematic: Kinematic, q: float | None) -> float | None:

@@ -27,7 +27,7 @@ def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:
         return {}
     if asked.reference_period is None:
         return {}
-    found = {}
+    demands = {}
     for state in STATES:
         years = return_period(asked.reference_period, state)
         if not within(hazard, years):
@@ -39,17 +39,17 @@ def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:
                 return {}
             spectrum = replace(spectrum, f0=row.f0, tc_star_s=row.tc_star_s)
         there = replace(asked, limit_state=state, ag_g=row.ag_g, spectrum=spectrum, return_period_years=years)
-        found[state] = demand_asked(there, base_dir)
-    return found
+        demands[state] = demand_asked(there, base_dir)
+    return demands
 
 
-def unsaid(demand: DemandResult | None, found: dict[str, DemandResult]) -> list[Sentence]:
+def unsaid(demand: DemandResult | None, demands: dict[str, DemandResult]) -> list[Sentence]:
     """Notices on limit states a hazard was given for, and that are not among those found."""
     if demand is None or not demand.hazard:
         return []
-    if not found:
+    if not demands:
         return [notice("hazard_incomplete")]
-    missing = [state for state in STATES if state not in found]
+    missing = [state for state in STATES if state not in demands]
     return [notice("hazard_too_short", states=", ".join(missing))] if missing else []
 
 
@@ -66,7 +66,7 @@ def at_states(
     rules : whether the records comply with the spectrum of a state; of the states by histories alone
     Raises InputError where a spectrum ends too early, and Cancelled.
     """
-    found = []
+    state_zetas = []
     for state, demand in demands.items():
         there = known
         if state != scene.demand.limit_state:
@@ -76,8 +76,10 @@ def at_states(
         label = decides or ("linear_sld" if state == "SLD" else "nonlinear")
         years, target = demand.return_period, demand.zeta_target
         assert years is not None
-        found.append(StateZeta(state, years, demand.ag, verdict.code, label, verdict.zeta_e, target, there.checks))
-    return tuple(found)
+        state_zetas.append(
+            StateZeta(state, years, demand.ag, verdict.code, label, verdict.zeta_e, target, there.checks)
+        )
+    return tuple(state_zetas)
 
 
 def _at(scene: Scene, demand: DemandResult, rules: dict[str, Compliance | None]) -> Scene:
@@ -92,9 +94,9 @@ def _at(scene: Scene, demand: DemandResult, rules: dict[str, Compliance | None])
 def rules_of(plan: Plan, demand: DemandResult, demands: dict[str, DemandResult]) -> dict[str, Compliance | None]:
     """Whether the records comply with the spectrum of each limit state that is asked for by histories."""
     asked = plan.case.demand.limit_states if plan.case.demand and plan.motions else ()
-    found = {}
+    rules = {}
     for state in asked:
         if state in demands and state != demand.limit_state and state in LIMIT_FRACTION:
             motions = list(scaled(plan.motions, demand, demands[state]))
-            found[state] = compliance(motions, plan.kinds, demands[state], plan.longest_period)
-    return found
+            rules[state] = compliance(motions, plan.kinds, demands[state], plan.longest_period)
+    return rules

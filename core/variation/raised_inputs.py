@@ -41,18 +41,18 @@ from core.variation.raised_site import of_the_building, of_what_is_required
 from core.wall.restitution import MODELS
 from core.wall.solids import clipped
 
-LOWER = 0.999
+MAX_RESTRAINT_SHARE = 0.999
 """Height of the restraint, of the top of the body, below which what it lifts is shown."""
 
 
-RECTANGLE = 4.0 / 3.0
+RECTANGLE_INERTIA = 4.0 / 3.0
 """I_0/m over R^2 of a rectangle."""
 
-LEAST_SETBACK = 0.01
+MIN_SETBACK = 0.01
 """Hinge setback [m] of any masonry: its edge is not sharp."""
 
 
-ALIKE = 0.5
+MIN_SPREAD_SHARE = 0.5
 """Share of the spread of natural motions about a spectrum below which given records are said to be too much alike."""
 
 MORE_RATIO = 0.1
@@ -170,7 +170,7 @@ def _of_records_alike(scene: Scene) -> Iterator[Raised]:
     if seen is None or len(seen.spectra) < MINIMUM_FROM:
         return
     spread = float(np.log(seen.spectra).std(axis=0, ddof=1).mean())
-    if spread < ALIKE * SPREAD:
+    if spread < MIN_SPREAD_SHARE * SPREAD:
         reasons = scene.asked.justification
         end = End(lambda scene: scene.generated_as(demand_input.DEFAULT_SET), SPREAD)
         yield one_end("scatter", "lift_alike", reasons, spread, end, given=spread, usual=SPREAD)
@@ -214,7 +214,7 @@ def _histories_left_out(evaluation: Evaluation) -> bool:
 
 
 def _of_the_edge(scene: Scene) -> Iterator[Raised]:
-    """A hinge nearer to the edge than the weakest masonry of its type lets it be, or than LEAST_SETBACK: FC 1.35 lets
+    """A hinge nearer to the edge than the weakest masonry of its type lets it be, or than MIN_SETBACK: FC 1.35 lets
     one leave the strength out (C8.7.1.2.1.3), and alpha_0 then counts on more than there is."""
     wall = scene.wall
     if wall.mechanism == ARCHES:
@@ -261,16 +261,16 @@ def _of_the_hinges(scene: Scene) -> Iterator[Raised]:
 
 def _setback_at(wall: Wall, masonry: str | None) -> float:
     """Hinge setback [m] by the lowest f of a masonry and, where it is not given, its greatest unit weight, of the table
-    where none is named; LEAST_SETBACK at least."""
+    where none is named; MIN_SETBACK at least."""
     weight = wall.unit_weight_kn_m3 or weights(masonry)[1]
     if wall.thickness is None:
         block = wall.block()
         area = 2.0 * block.radius**2 * math.sin(2.0 * block.slenderness)  # t H
-        return max(LEAST_SETBACK, 2e3 * weight * area / (3e6 * least_strength(masonry)))
+        return max(MIN_SETBACK, 2e3 * weight * area / (3e6 * least_strength(masonry)))
     weighed = replace(wall, unit_weight_kn_m3=weight, hinge_setback_m=0.0)
     with contextlib.suppress(InputError):  # nothing stands just above the base of oblique solids
-        return max(LEAST_SETBACK, replace(weighed, compressive_strength_mpa=least_strength(masonry)).setback)
-    return LEAST_SETBACK
+        return max(MIN_SETBACK, replace(weighed, compressive_strength_mpa=least_strength(masonry)).setback)
+    return MIN_SETBACK
 
 
 def _turning_inside(given: Wall, setback: float, **values: Any) -> Change:
@@ -331,7 +331,11 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
         end = End(of_wall(return_wedges=None, solid=solids), NONE_WORD)
         yield one_end("return_wedges", "lift_return_wedges", wall.justification, GIVEN_WORD, end)
     top = known(wall.top)
-    if mechanism == "one_sided" and MODELS[wall.restitution_model(mechanism)].one_sided and wall.height_m < LOWER * top:
+    if (
+        mechanism == "one_sided"
+        and MODELS[wall.restitution_model(mechanism)].one_sided
+        and wall.height_m < MAX_RESTRAINT_SHARE * top
+    ):
         end = End(of_wall(height_m=top), top)
         yield one_end("contact", "lift_contact", wall.justification, wall.height_m, end, h=wall.height_m, top=top)
 
@@ -341,8 +345,8 @@ def _of_the_body(scene: Scene) -> Iterator[Raised]:
     the lowest of the masonry."""
     wall = scene.wall
     given, radius = wall.inertia_over_mass_m2, wall.radius_m
-    if given is not None and radius is not None and given > RECTANGLE * radius**2 * (1.0 + 1e-9):
-        end = End(of_wall(inertia_over_mass_m2=RECTANGLE * radius**2), RECTANGLE * radius**2)
+    if given is not None and radius is not None and given > RECTANGLE_INERTIA * radius**2 * (1.0 + 1e-9):
+        end = End(of_wall(inertia_over_mass_m2=RECTANGLE_INERTIA * radius**2), RECTANGLE_INERTIA * radius**2)
         yield one_end("inertia_over_mass_m2", "lift_inertia", None, given, end, given=given, least=end.value)
     modulus, (least, most) = wall.elastic_modulus_mpa, moduli(wall.masonry)
     if modulus is not None and wall.in_si.is_free(scene.mechanism) and modulus > least:

@@ -43,7 +43,7 @@ MASSES = "none", "horizontal", "moving"
 """Choices of what the mass of a vertical load may do."""
 
 
-LOW, LOW_IN_WALL = 1.0, 2.0
+LOW_HEIGHT, LOW_HEIGHT_IN_WALL = 1.0, 2.0
 """Heights above the hinge [m] up to which no floor stands that the part above the hinge carries: any, and one in the
 lower half of the wall."""
 
@@ -99,7 +99,7 @@ def _of_weights_that_may_go(scene: Scene) -> Iterator[Raised]:
 
 def _is_low(wall: Wall, load: Load) -> bool:
     """Whether it stands where no floor does."""
-    most = max(LOW, min(LOW_IN_WALL, 0.5 * (wall.height_m or 0.0)))
+    most = max(LOW_HEIGHT, min(LOW_HEIGHT_IN_WALL, 0.5 * (wall.height_m or 0.0)))
     return load.is_weight and load.h_m <= most
 
 

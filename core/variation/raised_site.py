@@ -16,7 +16,7 @@ from core.codes.limits import ORDINARY_LIFE, return_period
 from core.codes.national_hazard import national_range
 from core.codes.target_spectrum import housner_intensity
 from core.setting.demand_input import interpolated, target_of, with_ag, within
-from core.setting.floors import GREATEST_STOREY, LEAST_STOREY, damaged, other_ends
+from core.setting.floors import MAX_STOREY, MIN_STOREY, damaged, other_ends
 from core.setting.scene import ESTIMATES, Scene
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.units import G
@@ -157,8 +157,8 @@ def of_the_building(scene: Scene, building: Building) -> Iterator[Raised]:
     base, felt = wall.base_z_m, wall.felt_z_m
     assert base is not None and felt is not None
     storey = building.height_m / building.storeys
-    if not LEAST_STOREY <= storey <= GREATEST_STOREY and not building.modes:
-        many = math.ceil(building.height_m / LEAST_STOREY)
+    if not MIN_STOREY <= storey <= MAX_STOREY and not building.modes:
+        many = math.ceil(building.height_m / MIN_STOREY)
         end, reasons = End(_of_building(storeys=many), float(many)), asked.justification
         yield one_end("storeys", "lift_storeys", reasons, float(building.storeys), end, storey=storey, many=many)
     first = building.modes[0].period_s if building.modes else building.period_s

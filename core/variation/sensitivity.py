@@ -28,7 +28,7 @@ from core.variation.whole_wall import NONE, Setting, WholeWall, evaluate_wall, w
 DAMPINGS = (0.01, 0.30)
 """Dampings of a building that a case accepts."""
 
-STOREY = 3.0
+DEFAULT_HEIGHT = 3.0
 """Height [m] for which the default of [sensitivity] leans by 2 cm."""
 
 FALLS_AT_REST = "unstable_under_loads"
@@ -101,7 +101,7 @@ def _of_wall(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | No
         values = [wall.setback + added for added in ranges.setback_m if added]
         yield "setback_m", wall.setback, ends(values, lambda value: set_back(wall, value))
     if _may_lean(wall):
-        given, storeys = wall.out_of_plumb_m or 0.0, max(1.0, known(wall.height_m) / STOREY)
+        given, storeys = wall.out_of_plumb_m or 0.0, max(1.0, known(wall.height_m) / DEFAULT_HEIGHT)
         values = [given + storeys * added for added in ranges.out_of_plumb_m if added]
         yield "out_of_plumb_m", given, ends(values, lambda value: replace(wall, out_of_plumb_m=value))
     if (given := wall.elastic_modulus_mpa) is not None:
@@ -175,12 +175,12 @@ def sensitivity_of(
     setting: Setting,
     ranges: Ranges,
     made: Sequence[Move],
-    found: Sequence[WholeWall | InputError],
+    walls: Sequence[WholeWall | InputError],
     hinges: Sequence[Assessment],
 ) -> Sensitivity:
     """The sensitivity of one wall.
 
-    made : of `moves` and `records_left_out`; found : what the task of each gave
+    made : of `moves` and `records_left_out`; walls : what the task of each gave
     hinges : of all its hinges and mechanisms
     """
     base = least(one.verdict.zeta_e for one in hinges)
@@ -189,7 +189,7 @@ def sensitivity_of(
     names = [motion.name for motion in setting.inputs[1]]
     swings: dict[str, Swing] = {}
     refused: dict[str, InputError] = {}
-    for move, there in zip(made, found, strict=True):
+    for move, there in zip(made, walls, strict=True):
         if isinstance(there, InputError):
             refused.setdefault(move.key, there)
             continue

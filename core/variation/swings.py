@@ -59,9 +59,9 @@ class Swing:
     def width(self, base: float | None) -> float:
         """Width of the swing, from the lowest zeta to the highest, zeta as it is among them; without a number as wide
         as any."""
-        found = [base, *(end.zeta for end in self.ends)]
-        known = [zeta for zeta in found if zeta is not None]
-        return max(known) - min(known) if len(known) == len(found) else math.inf
+        zetas = [base, *(end.zeta for end in self.ends)]
+        known = [zeta for zeta in zetas if zeta is not None]
+        return max(known) - min(known) if len(known) == len(zetas) else math.inf
 
 
 @dataclass(frozen=True)

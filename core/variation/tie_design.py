@@ -31,13 +31,13 @@ FORCE_NAMES = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code", "linear_
 """Names of the forces of a tie: those of the checks, with q = 1 in place of that of the code, and of the thrust at
 rest."""
 
-CLOSE, CLOSE_BY_HISTORIES = 1e-4, 0.01
+FORCE_TOLERANCE, FORCE_TOLERANCE_BY_HISTORIES = 1e-4, 0.01
 """Width of the bracket of a force, of the force [-]."""
 
-RAISED = 1.01
+FORCE_MARGIN = 1.01
 """More of the force at which histories must hold as well: their rule is not monotone."""
 
-UNIT = 10.0
+FORCE_DIGIT = 10.0
 """Last digit a force is written with [N/m]: it is rounded up."""
 
 MAX_FORCE = 1e7
@@ -155,7 +155,7 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
     force = check = None
     largest, strongest = _as_it_bends(below[0], most, height, (largest, strongest), cancelled)
     if most is not None and most <= strongest:
-        force, check = written_up(most, UNIT), max(known, key=lambda name: known[name])
+        force, check = written_up(most, FORCE_DIGIT), max(known, key=lambda name: known[name])
     zeta, elongation, bars = {}, dict.fromkeys(("demand", "d_slv", "d_0")), (None, None)
     stands, more = None, False
     if force is not None:
@@ -204,7 +204,7 @@ def _as_it_bends(
     fails as it bends. Raises Cancelled."""
     if force is None or force > most[0] or _bending(base, force, height, cancelled)[0] is not False:
         return most
-    return force - UNIT, force - UNIT
+    return force - FORCE_DIGIT, force - FORCE_DIGIT
 
 
 def _bending(base: Hinge, force: float, height: float, cancelled: Callable[[], bool]) -> tuple[bool | None, Any]:
@@ -216,14 +216,14 @@ def _bending(base: Hinge, force: float, height: float, cancelled: Callable[[], b
     for low, high in spans_of(tied := with_tie(base.scene.wall, force, height)):
         part = between(tied, low, high)
         try:
-            found = evaluate(base.scene.but(wall=part, mechanism=part.mechanism), other=False, cancelled=cancelled)
+            evaluation = evaluate(base.scene.but(wall=part, mechanism=part.mechanism), other=False, cancelled=cancelled)
         except InputError:
             return False, None
-        if found.kinematic is None or found.decides is None:
+        if evaluation.kinematic is None or evaluation.decides is None:
             return None, None
-        if not found.satisfied:
-            return False, found.zeta
-        zetas.append(found.zeta)
+        if not evaluation.satisfied:
+            return False, evaluation.zeta
+        zetas.append(evaluation.zeta)
     return (True, least(zetas)) if zetas else (None, None)
 
 
@@ -245,18 +245,20 @@ def _largest(hinge: Hinge, height: float) -> float:
     """Force [N/m] up to which the part above a hinge turns about it as one block."""
     wall, above = hinge.scene.wall, hinge.raised(height)
     weight = wall.in_si.weight + wall.in_si.vertical_loads
-    found = edge(lambda force: carries(with_tie(wall, force, above)), weight, (UNIT, MAX_FORCE), False, 2.0, 1e-9)
-    return found.good or 0.0
+    limit = edge(
+        lambda force: carries(with_tie(wall, force, above)), weight, (FORCE_DIGIT, MAX_FORCE), False, 2.0, 1e-9
+    )
+    return limit.good or 0.0
 
 
 def _zeta(name: str, scene: Scene, wall: Wall) -> float | None:
     """zeta of a check of the clauses of a wall; None where it cannot be made."""
     demand = replace(scene.demand, q_code=1.0) if name == "linear_q_1" else scene.demand
     try:
-        found = evaluate(scene.without_records().but(wall=wall, demand=demand))
+        evaluation = evaluate(scene.without_records().but(wall=wall, demand=demand))
     except InputError:
         return None
-    check = found.made("nonlinear" if name == "nonlinear" else "linear_q_code")
+    check = evaluation.made("nonlinear" if name == "nonlinear" else "linear_q_code")
     return check.zeta if check else None
 
 
@@ -269,9 +271,9 @@ def _force(name: str, below: Sequence[Hinge], above: Sequence[Hinge], height: fl
     target = below[0].scene.demand.zeta_target
     if any(not _reaches(_zeta(name, hinge.scene, hinge.scene.wall), target) for hinge in above):
         return None
-    found = [_least(name, hinge, hinge.raised(height), target) for hinge in below]
-    known = [force for force in found if force is not None]
-    return max(known) if len(known) == len(found) else None
+    forces = [_least(name, hinge, hinge.raised(height), target) for hinge in below]
+    known = [force for force in forces if force is not None]
+    return max(known) if len(known) == len(forces) else None
 
 
 def _reaches(zeta: float | None, target: float) -> bool:
@@ -294,7 +296,7 @@ def _least(name: str, hinge: Hinge, above: float, target: float) -> float | None
 
     if holds(0.0):
         return 0.0
-    return edge(holds, 1e3, (UNIT, MAX_FORCE), True, 2.0, CLOSE).good
+    return edge(holds, 1e3, (FORCE_DIGIT, MAX_FORCE), True, 2.0, FORCE_TOLERANCE).good
 
 
 def _held(hinge: Hinge, force: float, height: float, precision: Precision, cancelled) -> Evaluation:
@@ -321,15 +323,15 @@ def _of_histories(
         return all(_held(hinge, force, height, precision, cancelled).satisfied for hinge in below)
 
     start = min(others["linear_q_code"] or 1e4, largest)
-    found = edge(holds, start, (UNIT, largest), True, 2.0, CLOSE_BY_HISTORIES).good
-    while found is not None:
-        found = written_up(found, UNIT)
-        more = written_up(RAISED * found, UNIT)
-        if found > largest:
+    candidate = edge(holds, start, (FORCE_DIGIT, largest), True, 2.0, FORCE_TOLERANCE_BY_HISTORIES).good
+    while candidate is not None:
+        candidate = written_up(candidate, FORCE_DIGIT)
+        more = written_up(FORCE_MARGIN * candidate, FORCE_DIGIT)
+        if candidate > largest:
             return None
-        if holds(found, RUN) and (more > largest or holds(more, RUN)):
-            return found
-        found = more
+        if holds(candidate, RUN) and (more > largest or holds(more, RUN)):
+            return candidate
+        candidate = more
     return None
 
 
@@ -344,9 +346,9 @@ def _with(
     elongation: dict[str, float | None] = dict.fromkeys(("demand", "d_slv", "d_0"))
     theta_c = model_of(wall, base.mechanism).collapse_rotation
     elongation["d_0"] = height * math.sin(theta_c)
-    found = base.without_records().but(wall=wall).kinematic
-    if found is not None and found.d_limit is not None:
-        elongation["d_slv"] = height * math.sin(found.chain.rotation(found.d_limit))
+    kinematic = base.without_records().but(wall=wall).kinematic
+    if kinematic is not None and kinematic.d_limit is not None:
+        elongation["d_slv"] = height * math.sin(kinematic.chain.rotation(kinematic.d_limit))
     if not missing:
         held = [_held(hinge, force, height, RUN, cancelled).dynamic for hinge in below]
         zeta["dynamic"] = least(check.zeta if check else None for check in held)

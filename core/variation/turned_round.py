@@ -16,25 +16,25 @@ from core.variation.evaluate import GLANCE, RUN, Precision
 from core.variation.swings import Reach
 from core.variation.whole_wall import NONE, Setting, WholeWall, evaluate_wall, with_demand, with_wall
 
-CLOSE = 0.002
+SEARCH_TOLERANCE = 0.002
 """Width of the bracket of a value, of the value [-]."""
 
-RAISED = 1.02
+VALUE_MARGIN = 1.02
 """More of the value at which histories must hold as well: their rule is not monotone."""
 
 STRONGER = (1.05, 1.1, 1.2, 1.3, 1.5)
 """More of the value at which a check of the clauses must hold too: a tie that breaks early makes a step."""
 
-BEYOND, TRIES = 0.01, 30
+RETRY_STEP, TRIES = 0.01, 30
 """Step and count by which a value of the histories is moved on until the run itself is satisfied."""
 
-STEP = 1.25
+SEARCH_FACTOR = 1.25
 """Factor by which a search goes on until its outcome changes."""
 
 WIDEST = {"thickness_m": 4.0, "tie_kn_m": 64.0, "ag_g": 16.0}
 """Factor of the value given up to which, and share of it down to which, it is searched."""
 
-WRITTEN = {"thickness_m": 1e-3, "tie_kn_m": 1e-2, "ag_g": 1e-3}
+DIGIT_OF_KEY = {"thickness_m": 1e-3, "tie_kn_m": 1e-2, "ag_g": 1e-3}
 """Last digit a value is written with; it is rounded to the safe side."""
 
 Change = Callable[[Setting, float], Setting]
@@ -79,12 +79,12 @@ def keys_of(setting: Setting) -> dict[str, float]:
     """Keys whose value is searched for a wall -> their value now."""
     wall, demand = setting.case.wall[0], setting.case.demand
     assert demand is not None
-    found = {"ag_g": demand.ag_g}
+    values = {"ag_g": demand.ag_g}
     if wall.thickness is not None and not wall.solid:
-        found["thickness_m"] = wall.thickness
+        values["thickness_m"] = wall.thickness
     if tie_force(wall) > 0.0:
-        found["tie_kn_m"] = tie_force(wall)
-    return found
+        values["tie_kn_m"] = tie_force(wall)
+    return values
 
 
 CHANGES: dict[str, Change] = {
@@ -100,12 +100,12 @@ CHANGES: dict[str, Change] = {
 def moved_keys(setting: Setting) -> dict[str, float]:
     """Keys of a wall that can be moved by hand -> their value now."""
     wall = setting.case.wall[0]
-    found = keys_of(setting)
+    values = keys_of(setting)
     if wall.height_m is not None and not wall.solid:
-        found["height_m"] = wall.height_m
+        values["height_m"] = wall.height_m
     if any(not load.is_tie for load in wall.load):
-        found["load_factor"] = 1.0
-    return {key: found[key] for key in CHANGES if key in found}
+        values["load_factor"] = 1.0
+    return {key: values[key] for key in CHANGES if key in values}
 
 
 def with_values(setting: Setting, values: dict[str, float]) -> Setting:
@@ -118,7 +118,7 @@ def with_values(setting: Setting, values: dict[str, float]) -> Setting:
 
 def reach_of(setting: Setting, key: str, given: float, cancelled: Callable[[], bool] = lambda: False) -> Reach:
     """The value of a key from which on zeta of each check reaches what is required, nearest to the value now: of a_g
-    up to which, in the digits it is written with. How far beyond it is looked: STRONGER, of histories RAISED.
+    up to which, in the digits it is written with. How far beyond it is looked: STRONGER, of histories VALUE_MARGIN.
 
     given : its value now
     Raises Cancelled.
@@ -134,15 +134,15 @@ def reach_of(setting: Setting, key: str, given: float, cancelled: Callable[[], b
                 known[value, precision] = NONE
         return known[value, precision]
 
-    found: dict[str, float | None] = {}
+    by_check: dict[str, float | None] = {}
     throughout = []
     for label in at(given, GLANCE).by_check:
         edge_of = _searched(functools.partial(_holds_at, at, label), key, given, label == "dynamic")
-        found[label] = None if edge_of.bad is None else edge_of.good
+        by_check[label] = None if edge_of.bad is None else edge_of.good
         # what ends at a value that is refused holds at all that are accepted
         if edge_of.good is not None and (edge_of.bad is None or edge_of.refused):
-            found[label], throughout = None, [*throughout, label]
-    return Reach(key, given, found, tuple(throughout))
+            by_check[label], throughout = None, [*throughout, label]
+    return Reach(key, given, by_check, tuple(throughout))
 
 
 def _holds_at(
@@ -161,23 +161,25 @@ def _searched(holds: Callable[[float, Precision | None], bool | None], key: str,
     ends = given / WIDEST[key], given * WIDEST[key]
 
     def fine(value: float, precision: Precision | None) -> bool | None:
-        found = holds(value, precision)
-        beyond = (RAISED,) if dynamic else STRONGER
+        held = holds(value, precision)
+        beyond = (VALUE_MARGIN,) if dynamic else STRONGER
         # where it is refused it fails for another reason
-        return found and all(holds(value * factor**sign, precision) is not False for factor in beyond)
+        return held and all(holds(value * factor**sign, precision) is not False for factor in beyond)
 
-    found = edge(lambda value: fine(value, GLANCE if dynamic else None), given, ends, not falls, STEP, CLOSE)
-    if found.good is None or found.bad is None or found.refused:
-        return found
+    boundary = edge(
+        lambda value: fine(value, GLANCE if dynamic else None), given, ends, not falls, SEARCH_FACTOR, SEARCH_TOLERANCE
+    )
+    if boundary.good is None or boundary.bad is None or boundary.refused:
+        return boundary
     for k in range(TRIES if dynamic else 1):
-        value = _written(key, found.good * (1.0 + BEYOND) ** (sign * k))
+        value = _written(key, boundary.good * (1.0 + RETRY_STEP) ** (sign * k))
         if holds(value, RUN if dynamic else None):
-            return found._replace(good=value)
-    return Edge(None, found.bad)
+            return boundary._replace(good=value)
+    return Edge(None, boundary.bad)
 
 
 def _written(key: str, value: float) -> float:
     """A value rounded to the safe side, of a_g down, else up."""
-    unit = WRITTEN[key]
+    unit = DIGIT_OF_KEY[key]
     rounded = math.floor(value / unit + 1e-9) if key == "ag_g" else math.ceil(value / unit - 1e-9)
     return round(rounded * unit, 6)

@@ -30,24 +30,24 @@ class WholeWall:
     @cached_property
     def by_check(self) -> dict[str, float | None]:
         """Label of a check -> the lowest zeta, None where one is not known; in the order of the first hinge."""
-        return {label: least(check.zeta for _, check in found) for label, found in self._by_label.items()}
+        return {label: least(check.zeta for _, check in hinge_checks) for label, hinge_checks in self._by_label.items()}
 
     @cached_property
     def satisfied(self) -> dict[str, bool | None]:
         """Label -> whether the check is satisfied about every hinge; None where that is open or at its limit."""
-        found = {}
+        outcomes = {}
         for label, hinges in self._by_label.items():
             said = {hinge.judgement(check) for hinge, check in hinges}
-            found[label] = False if FAILS in said else None if said & {AT_LIMIT, OPEN} else True
-        return found
+            outcomes[label] = False if FAILS in said else None if said & {AT_LIMIT, OPEN} else True
+        return outcomes
 
     @property
     def _by_label(self) -> dict[str, list]:
-        found: dict[str, list] = {}
+        by_label: dict[str, list] = {}
         for hinge in self.hinges:
             for check in hinge.checks:
-                found.setdefault(check.label, []).append((hinge, check))
-        return found
+                by_label.setdefault(check.label, []).append((hinge, check))
+        return by_label
 
     @property
     def zeta(self) -> float | None:

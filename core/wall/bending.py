@@ -22,7 +22,7 @@ from core.wall.body import Body, cut_above, together
 from core.wall.masonry import Masonry
 from core.wall.solids import Part, contact_at, faces_at, sum_of
 
-ON_TOP = 1e-6
+TOP_TOLERANCE = 1e-6
 """How near to the top of the wall a load is on it [of H]."""
 
 
@@ -198,7 +198,7 @@ def strip_of(wall: Masonry) -> Strip:
         return Strip(
             arch.spacing, thickness, arch.setback, weight, ends, lies=True, pressed=pressed / weight, stands=arch.stands
         )
-    on_top = [load for load in wall.loads if abs(load.height - height) <= ON_TOP * height]
+    on_top = [load for load in wall.loads if abs(load.height - height) <= TOP_TOLERANCE * height]
     loads = tuple((load.force, load.depth) for load in on_top)
     below = tuple(Weight(load.force, load.depth, load.height, load.pushes) for load in wall.loads if load not in on_top)
     length = known(wall.length) if wall.parts else 1.0
@@ -322,9 +322,9 @@ def _moving(strip: Strip, h1: float) -> list[tuple[float, float]]:
 def _rates(strip: Strip, h1: float) -> list[tuple[float, float, float]]:
     """Sideways, upwards [m] and turn of each mass by a unit of theta at rest."""
     (lower, upper), at, k = masses_of(strip, h1), hinges_of(strip, h1), h1 / (strip.height - h1)
-    found = [(one.z, one.x - at.base, 1.0) for one in lower]
+    of_lower = [(one.z, one.x - at.base, 1.0) for one in lower]
     rise = at.between - at.base
-    return found + [(h1 - k * (one.z - h1), rise + k * (at.between - one.x), k) for one in upper]
+    return of_lower + [(h1 - k * (one.z - h1), rise + k * (at.between - one.x), k) for one in upper]
 
 
 class HeldTop(NamedTuple):

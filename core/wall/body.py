@@ -106,13 +106,13 @@ def cut_above(polygon: Polygon, z: float) -> list[tuple[float, float]]:
 
 def clipped_above(polygon: Polygon, z: float) -> list[tuple[float, float]]:
     """The part of a polygon above a height, with the heights of its corners as they are; empty where there is none."""
-    found: list[tuple[float, float]] = []
+    corners: list[tuple[float, float]] = []
     for (s0, z0), (s1, z1) in zip(polygon, (*polygon[1:], polygon[0]), strict=True):
         if z0 > z:
-            found.append((s0, z0))
+            corners.append((s0, z0))
         if (z0 > z) != (z1 > z):
-            found.append((s0 + (s1 - s0) * (z - z0) / (z1 - z0), z))
-    return found if len(found) > 2 else []
+            corners.append((s0 + (s1 - s0) * (z - z0) / (z1 - z0), z))
+    return corners if len(corners) > 2 else []
 
 
 def crossing(polygon: Polygon) -> tuple[int, int] | None:
@@ -200,12 +200,12 @@ def shared_area(one: Polygon, other: Polygon) -> float:
     levels.update(
         z for a in edges[0] for b in edges[1] if (z := _level_of_crossing(a, b)) is not None and low < z < high
     )
-    ordered, found = sorted(levels), 0.0
+    ordered, area = sorted(levels), 0.0
     for bottom, top in itertools.pairwise(ordered):
         z = 0.5 * (bottom + top)
         common = math.fsum(max(min(a[1], b[1]) - max(a[0], b[0]), 0.0) for a in spans(one, z) for b in spans(other, z))
-        found += common * (top - bottom)
-    return found
+        area += common * (top - bottom)
+    return area
 
 
 def _level_of_crossing(one, other) -> float | None:

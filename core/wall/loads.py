@@ -26,7 +26,7 @@ class RestoringMoment(NamedTuple):
     lean: float = 0.0
 
 
-BARE = RestoringMoment()
+UNLOADED = RestoringMoment()
 """Restoring moment of a wall without loads."""
 
 
@@ -57,7 +57,7 @@ class PointMass:
 def restoring_moment(block: Block, weight: float, forces: Sequence[Force]) -> RestoringMoment:
     """a and c of a block under these forces. weight : m g of the block [N]."""
     if not forces:
-        return BARE
+        return UNLOADED
     sine_alpha, cosine_alpha = math.sin(block.slenderness), math.cos(block.slenderness)
     scale = weight * block.radius
     sine, cosine = 1.0, 0.0

@@ -14,29 +14,29 @@ from core.wall.arch import Arch
 from core.wall.bars import Bar
 from core.wall.block import Block
 from core.wall.body import Body
-from core.wall.loads import BARE, Force, PointMass, RestoringMoment, composite, restoring_moment
+from core.wall.loads import UNLOADED, Force, PointMass, RestoringMoment, composite, restoring_moment
 from core.wall.moment_rotation import RIGID, MomentLaw
 from core.wall.restitution import Contact
-from core.wall.solids import LEAST_BASE, Part, Section, section_area, sections_of, sum_of, top_of
+from core.wall.solids import MIN_BASE, Part, Section, section_area, sections_of, sum_of, top_of
 from core.wall.ties import Tie
 
 BENDS, ARCHES = "vertical_bending", "horizontal_bending"
 """Mechanism of a wall held at its top: kinematic checks, no time histories."""
 
-MOST_COLLAPSE = math.radians(60.0)
+MAX_COLLAPSE = math.radians(60.0)
 """Largest collapse rotation: beyond it a wall is no wall that overturns."""
 
 CENTRED = 1e-6
 """Distance from the middle of the wall up to which moving masses are centred [of t]."""
 
-ALIKE = 1e-9
+SYMMETRY_TOLERANCE = 1e-9
 """What a and c of both sides may differ by and still be the same [-]."""
 
 COUNTED = 0.40
 """Share of theta_c up to which alpha_0 counts what the ties hold: that of d_SLV (C8.7.1.2.1.6)."""
 
 GAUSS = np.polynomial.legendre.leggauss(5)
-CANTILEVER = 104.0 / 405.0
+CANTILEVER_MEAN_SQUARE = 104.0 / 405.0
 """Points and weights between -1 and 1; mean square of the deflection of a cantilever under a constant load, over that
 of its end."""
 
@@ -208,13 +208,13 @@ class Masonry:
         """What its loads add to its moment, for outward and for inward rotations; its ties add `bars`."""
         held = [load for load in self.loads if not load.pushes and load.tie is None]
         if not held or self.bends:
-            return BARE, BARE
+            return UNLOADED, UNLOADED
         outward, inward = (
             restoring_moment(about, self.moving_weight, [as_force(load, self, side) for load in held])
             for about, side in ((self.block, 1.0), (self.inner_block or self.block, -1.0))
         )
         # alike but for rounding: alike
-        same = max(abs(one - other) for one, other in zip(outward, inward, strict=True)) < ALIKE
+        same = max(abs(one - other) for one, other in zip(outward, inward, strict=True)) < SYMMETRY_TOLERANCE
         return outward, outward if same else inward
 
     @cached_property
@@ -303,7 +303,7 @@ def base_length(parts: tuple[Part, ...], length: float, thickness: float) -> flo
     if not parts:
         return length
     area = section_area(parts, 0.0, 0.0, thickness)
-    return area / thickness if area > LEAST_BASE else 0.0
+    return area / thickness if area > MIN_BASE else 0.0
 
 
 def period_share(wall: Masonry) -> float:
@@ -319,7 +319,7 @@ def period_share(wall: Masonry) -> float:
     deflection = eta**2 * (6.0 - 4.0 * eta + eta**2) / 3.0
     mass = sum(part.weight * (part.ends[1] - part.ends[0]) * part.widths_at(z) for part in parts)
     base = wall.unit_weight * wall.thickness * base_length(parts, wall.length, wall.thickness)
-    return float((mass * deflection**2 * step).sum() / (base * top * CANTILEVER))
+    return float((mass * deflection**2 * step).sum() / (base * top * CANTILEVER_MEAN_SQUARE))
 
 
 def inner_of(wall: Masonry, block: Block) -> Block | None:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from core.wall.body import directions, shared_area, spans
 
-SAME = 1e-9
+MIN_CELL_SIZE = 1e-9
 """Sizes below which a cell is none [m]."""
 
 TIP = 1e-3
@@ -50,7 +50,7 @@ class Piece(NamedTuple):
 def pieces_at(parts: Iterable, z: float, below: bool = False, grown: float = 0.0) -> list[Piece]:
     """Pieces of the solids just above or just below a height [m]. grown : by how much each is larger on each side
     [m]"""
-    found = []
+    pieces = []
     for part in parts:
         (n0, n1), (cosine, sine) = part.ends, directions(part.angle)
         n0, n1 = n0 - grown, n1 + grown
@@ -65,8 +65,8 @@ def pieces_at(parts: Iterable, z: float, below: bool = False, grown: float = 0.0
                     (part.start + s * cosine + n * sine, s * sine - n * cosine)
                     for s, n in ((s0, n0), (s1, n0), (s1, n1), (s0, n1))
                 )
-            found.append(Piece(corners, 1 if part.weight > 0.0 else -1))
-    return found
+            pieces.append(Piece(corners, 1 if part.weight > 0.0 else -1))
+    return pieces
 
 
 def _edges(piece: Piece) -> list[tuple[Point, Point]]:
@@ -75,16 +75,20 @@ def _edges(piece: Piece) -> list[tuple[Point, Point]]:
 
 def _levels(pieces: Sequence[Piece], same: float) -> list[float]:
     """y of all corners, and of all crossings of edges [m], no two nearer than `same`."""
-    found = {y for piece in pieces for _, y in piece.corners}
-    slanted = any(abs(a[0] - b[0]) > SAME and abs(a[1] - b[1]) > SAME for piece in pieces for a, b in _edges(piece))
+    levels = {y for piece in pieces for _, y in piece.corners}
+    slanted = any(
+        abs(a[0] - b[0]) > MIN_CELL_SIZE and abs(a[1] - b[1]) > MIN_CELL_SIZE
+        for piece in pieces
+        for a, b in _edges(piece)
+    )
     for one, other in itertools.combinations(pieces, 2) if slanted else ():
         for (a, b), (c, d) in itertools.product(_edges(one), _edges(other)):
             turn = (b[0] - a[0]) * (d[1] - c[1]) - (b[1] - a[1]) * (d[0] - c[0])
             if turn != 0.0:
                 share = ((c[0] - a[0]) * (d[1] - c[1]) - (c[1] - a[1]) * (d[0] - c[0])) / turn
                 if 0.0 < share < 1.0:
-                    found.add(a[1] + share * (b[1] - a[1]))
-    ordered = sorted(found)
+                    levels.add(a[1] + share * (b[1] - a[1]))
+    ordered = sorted(levels)
     kept: list[float] = []
     for y in ordered:
         if not kept or y - kept[-1] > same:
@@ -95,19 +99,19 @@ def _levels(pieces: Sequence[Piece], same: float) -> list[float]:
 def _within(piece: Piece, start: float, end: float) -> tuple[Edge, Edge] | None:
     """Outer and inner edge of a piece in a strip without corners; None where the piece is not there."""
     middle = 0.5 * (start + end)
-    found = []
+    sides = []
     for a, b in _edges(piece):
         if (a[1] > middle) != (b[1] > middle):
             slope = (b[0] - a[0]) / (b[1] - a[1])
-            found.append(tuple(a[0] + slope * (y - a[1]) for y in (start, middle, end)))
-    return (min(found, key=_middle), max(found, key=_middle)) if len(found) == 2 else None
+            sides.append(tuple(a[0] + slope * (y - a[1]) for y in (start, middle, end)))
+    return (min(sides, key=_middle), max(sides, key=_middle)) if len(sides) == 2 else None
 
 
 def _middle(edge: Edge) -> float:
     return edge[1]
 
 
-def cells_of(*groups: Sequence[Piece], same: float = SAME) -> list[Cell]:
+def cells_of(*groups: Sequence[Piece], same: float = MIN_CELL_SIZE) -> list[Cell]:
     """Cells of masonry in each of these groups of pieces: of one its section, of two what both share. same : width of a
     strip that is none [m]"""
     if not all(groups):
@@ -131,7 +135,7 @@ def cells_of(*groups: Sequence[Piece], same: float = SAME) -> list[Cell]:
         there, outer = [0] * len(groups), None
         for n, (edge, k, more) in enumerate(changes):
             there[k] += more
-            if n + 1 < len(changes) and changes[n + 1][0][1] - edge[1] <= SAME:
+            if n + 1 < len(changes) and changes[n + 1][0][1] - edge[1] <= MIN_CELL_SIZE:
                 continue
             full = min(there) > 0
             if full and outer is None:
@@ -160,7 +164,7 @@ def edge_reached(cells: Sequence[Cell], share: float, inner: bool = False) -> fl
         own = list(group)
         strips.append((-max(max(c.inner) for c in own) if inner else min(min(c.outer) for c in own), end - start))
     strips.sort()
-    needed = share * math.fsum(length for _, length in strips) * (1.0 - SAME)
+    needed = share * math.fsum(length for _, length in strips) * (1.0 - MIN_CELL_SIZE)
     reached = itertools.accumulate(length for _, length in strips)
     x = next(x for (x, _), length in zip(strips, reached, strict=True) if length >= needed)
     return -x if inner else x

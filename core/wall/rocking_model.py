@@ -9,7 +9,7 @@ from core.wall.bars import Bar
 from core.wall.bending import HeldTop, near_rest
 from core.wall.block import Block
 from core.wall.impact import Restitution
-from core.wall.loads import BARE, RestoringMoment
+from core.wall.loads import UNLOADED, RestoringMoment
 from core.wall.moment_rotation import MomentLaw
 
 
@@ -75,8 +75,8 @@ class RockingModel(NamedTuple):
     ratio_drop: float
     elastic_end: float
     plateau_end: float
-    restoring: RestoringMoment = BARE
-    mirrored: RestoringMoment = BARE
+    restoring: RestoringMoment = UNLOADED
+    mirrored: RestoringMoment = UNLOADED
     lean: float = 0.0
     amplitude: float = 1.0
     bars: tuple[Bar, ...] = ()
@@ -181,7 +181,7 @@ def rocking_model(
     one_sided: bool,
     restitution: Restitution,
     law: MomentLaw,
-    loads: tuple[RestoringMoment, RestoringMoment] = (BARE, BARE),
+    loads: tuple[RestoringMoment, RestoringMoment] = (UNLOADED, UNLOADED),
     bars: tuple[Bar, ...] = (),
     inner: Block | None = None,
 ) -> RockingModel:

@@ -15,7 +15,7 @@ from core.units import G
 from core.wall.body import Body, cut_above, directions, extruded, polygon_sums, spans, together
 from core.wall.plan import area_of, cells_of, edge_reached, length_of, pieces_at, section_at
 
-LEAST_BASE = 1e-6
+MIN_BASE = 1e-6
 """Area of a base on which something stands [m2]."""
 
 
@@ -53,14 +53,14 @@ class Part(NamedTuple):
 
     def widths_at(self, z: np.ndarray) -> np.ndarray:
         """Width of the polygon along s at heights [m]."""
-        found = np.zeros(z.size)
+        widths = np.zeros(z.size)
         sign = 0.0
         for (s0, z0), (s1, z1) in zip(self.polygon, (*self.polygon[1:], self.polygon[0]), strict=True):
             sign += s0 * z1 - s1 * z0
             if z0 != z1:
                 on = (min(z0, z1) <= z) & (z < max(z0, z1))
-                found += np.where(on, math.copysign(1.0, z1 - z0) * (s0 + (s1 - s0) * (z - z0) / (z1 - z0)), 0.0)
-        return math.copysign(1.0, sign) * found
+                widths += np.where(on, math.copysign(1.0, z1 - z0) * (s0 + (s1 - s0) * (z - z0) / (z1 - z0)), 0.0)
+        return math.copysign(1.0, sign) * widths
 
 
 def lies_behind(part: Part, thickness: float) -> bool:
@@ -100,19 +100,19 @@ def top_of(parts: Iterable[Part]) -> float:
 def section_area(parts: tuple[Part, ...], z: float, outer: float = -math.inf, inner: float = math.inf) -> float:
     """Area of the horizontal section of solids less their openings just above a height [m2], between x = outer and
     x = inner; of oblique solids the whole. Wedges hang and are no part of it."""
-    found = 0.0
+    area = 0.0
     for part in parts:
         if part.wedge:
             continue
         low, high = part.ends
-        found_at = part.spans_at(z)
+        stretches = part.spans_at(z)
         if part.plane == "elevation":
             low, high = max(low, outer - part.start), min(high, inner - part.start)
         elif part.plane == "section":
-            found_at = [(max(one, outer - part.start), min(other, inner - part.start)) for one, other in found_at]
-        width = math.fsum(max(other - one, 0.0) for one, other in found_at)
-        found += math.copysign(width * max(high - low, 0.0), part.weight)
-    return found
+            stretches = [(max(one, outer - part.start), min(other, inner - part.start)) for one, other in stretches]
+        width = math.fsum(max(other - one, 0.0) for one, other in stretches)
+        area += math.copysign(width * max(high - low, 0.0), part.weight)
+    return area
 
 
 class Section(NamedTuple):
@@ -193,7 +193,7 @@ def reached_at(placed: tuple[Part, ...], z: float) -> tuple[float, float] | None
     """x of the outer and of the inner face just above a height [m] as half of the length of the wall has them, of
     oblique solids the extremes: a pilaster or a foot alone is none."""
     cells = section_at(placed, z)
-    if area_of(cells) <= LEAST_BASE:
+    if area_of(cells) <= MIN_BASE:
         return None
     share = 0.0 if any(part.plane == "oblique" for part in placed) else CARRIED
     return edge_reached(cells, share), edge_reached(cells, share, inner=True)
@@ -212,7 +212,7 @@ def contact_at(parts: tuple[Part, ...], z: float) -> tuple[float, float] | None:
     above = pieces_at(placed, z) or pieces_at(placed, z + OPEN_JOINT)
     below = pieces_at(placed, z, below=True) or pieces_at(placed, z - OPEN_JOINT) if z > 0.0 else above
     shared = cells_of(above, below)
-    if area_of(shared) <= LEAST_BASE:
+    if area_of(shared) <= MIN_BASE:
         return None
     share = 0.0 if any(part.plane == "oblique" for part in placed) else CARRIED
     outer, inner = edge_reached(shared, share), edge_reached(shared, share, inner=True)
@@ -223,7 +223,7 @@ def contact_at(parts: tuple[Part, ...], z: float) -> tuple[float, float] | None:
     return (outer, inner) if inner > outer else None
 
 
-JUMP, KINK = 0.01, 0.25
+MIN_STEP_AREA, MIN_KINK = 0.01, 0.25
 """Area of a section that is on one side of a height alone [m2], and how much faster a wall becomes shorter above it,
 or thinner below it [m/m], where it is said to change there."""
 
@@ -236,14 +236,14 @@ def changes(parts: tuple[Part, ...]) -> tuple[float, ...]:
     weights = {abs(part.weight) for part in placed}
     alike = [[part for part in placed if abs(part.weight) == weight] for weight in weights]
     flat = {z for part in placed for z in _level_edges(part.polygon) if z > 0.0}
-    found = {z for z in flat if math.fsum(_only_on_one_side(group, z) for group in alike) > JUMP}
+    heights = {z for z in flat if math.fsum(_only_on_one_side(group, z) for group in alike) > MIN_STEP_AREA}
     solids = [part for part in placed if part.weight > 0.0]
     levels = sorted({z for part in solids for _, z in part.polygon})
-    found |= {
+    heights |= {
         z for below, z, above in zip(levels, levels[1:], levels[2:], strict=False) if _bends(solids, below, z, above)
     }
-    found |= {z for part in placed if part.weight < 0.0 for z in _ends_of(part.polygon)}
-    ordered = sorted(found)  # of an open joint its upper side
+    heights |= {z for part in placed if part.weight < 0.0 for z in _ends_of(part.polygon)}
+    ordered = sorted(heights)  # of an open joint its upper side
     return tuple(z for z, after in itertools.zip_longest(ordered, ordered[1:]) if not after or after - z > OPEN_JOINT)
 
 
@@ -278,13 +278,13 @@ def _bends(solids: list[Part], below: float, z: float, above: float) -> bool:
         length = length_of(here)
         rates.append([(of(here) - of(there)) / half for of in (length_of, area_of)])
     (shorter, thinner), (on_shorter, on_thinner) = rates
-    return shorter - on_shorter > KINK or on_thinner - thinner > KINK * length
+    return shorter - on_shorter > MIN_KINK or on_thinner - thinner > MIN_KINK * length
 
 
 @lru_cache(maxsize=256)
 def sections_of(parts: tuple[Part, ...], length: float, count: int) -> tuple[Section, ...]:
     """Cut so many sections of solids over their height, the lowest one above the base. length : of the wall [m]"""
-    found = []
+    sections = []
     for z in np.linspace(0.0, top_of(parts), count + 1)[1:-1].tolist():
         faces = faces_at(parts, z)
         cut = [(part, cut_above(part.polygon, z)) for part in parts]
@@ -292,5 +292,5 @@ def sections_of(parts: tuple[Part, ...], length: float, count: int) -> tuple[Sec
         if faces is None or above.mass <= 0.0:
             continue
         x, lever = above.centroid
-        found.append(Section(z, 0.5 * sum(faces), faces[1] - faces[0], above.mass * G / length, x, lever))
-    return tuple(found)
+        sections.append(Section(z, 0.5 * sum(faces), faces[1] - faces[0], above.mass * G / length, x, lever))
+    return tuple(sections)

@@ -137,8 +137,8 @@ def tie_of_bars(
     per_bar = min(held for _, held in bars.parts)
     at_yield = per_bar * bar_length / (STEEL_MODULUS * bars.area)
     force = bars.number * per_bar / wall_length
-    found = tie_of_force(height, force, at_yield, stands if bars.is_ductile else 0.0, slack, prestress)
-    return replace(found, per_bar=per_bar, parts=bars.parts)
+    tie = tie_of_force(height, force, at_yield, stands if bars.is_ductile else 0.0, slack, prestress)
+    return replace(tie, per_bar=per_bar, parts=bars.parts)
 
 
 def bars_for(force: float, spacing: float) -> tuple[int | None, int | None]:

@@ -7,7 +7,7 @@ from core.units import G
 from core.wall.loads import RestoringMoment, restoring_moment
 from core.wall.masonry import Masonry, as_force, inner_of
 
-SECTIONS = 400
+SECTIONS_TRIED = 400
 """Sections of a wall between which a hinge inside it is looked for."""
 
 
@@ -66,7 +66,7 @@ def hinge_inside(wall: Masonry, share: float = 1.0) -> float | None:
     ]
     weight, (x, y), pushed = wall.weight, wall.bare.centroid, wall.masses
     push = start_multiplier(weight, x, y, forces, pushed)
-    for section in wall.sections(SECTIONS):
+    for section in wall.sections(SECTIONS_TRIED):
         middle, y = section.middle - wall.setback, section.height
         above = [force for force in forces if force.height > y]
         pressed = section.weight + sum(force.vertical for force in above)

@@ -376,7 +376,7 @@ def test_that_no_painted_word_of_the_tree_is_cut_in_large_letters(large, fresh, 
         for _, place, bubble in chip:
             assert bubble.contains(place) and not bubble.intersects(room), row
         # a name of the user may be longer than the tree; what the program says is whole, or only in the tool tip
-        whole = words in (row.text, row.text.split(tree.BETWEEN)[0])
+        whole = words in (row.text, row.text.split(tree.ROW_SEPARATOR)[0])
         assert whole or (row.depth and words.endswith("…")), row
     wide = fresh.tree.width()
     fresh.session.edit_section("report", author="N. N.")

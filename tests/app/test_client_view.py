@@ -52,7 +52,7 @@ def test_that_a_film_is_made_while_the_window_lives_and_can_be_cancelled(result,
     view = ClientView(None, "a wall", sides_of(result, result.walls[0]))
     view.resize(900, 500)
     view.show()
-    monkeypatch.setattr(client_view, "MOST_SECONDS", 0.5)
+    monkeypatch.setattr(client_view, "MAX_SECONDS", 0.5)
     made = view.film(tmp_path / "f.gif")
     settle(application, made.job.isFinished)
     with Image.open(tmp_path / "f.gif") as film:
@@ -61,7 +61,7 @@ def test_that_a_film_is_made_while_the_window_lives_and_can_be_cancelled(result,
             film.seek(k)
             lasts.append(film.info["duration"])
         assert made.count == 10 and sum(lasts) == 500 and max(film.size) <= 960
-    monkeypatch.setattr(client_view, "MOST_SECONDS", 20.0)
+    monkeypatch.setattr(client_view, "MAX_SECONDS", 20.0)
     cancelled = view.film(tmp_path / "g.gif")
     settle(application, lambda: cancelled.painted > 3)
     cancelled.dialog.canceled.emit()  # as its button

@@ -86,14 +86,14 @@ def test_that_the_note_has_the_same_colours_in_both_its_forms():
 def test_that_no_verdict_is_told_by_a_colour_alone(opened, application):
     """In shades of grey each chip of the tree, each bar and each outcome in a table still says it."""
     run(application, opened)
-    chips = [row for row in opened.tree.rows if row.tone in theme.MARKS and row.chip]
+    chips = [row for row in opened.tree.rows if row.tone in theme.VERDICT_MARKS and row.chip]
     assert any(row.kind == "wall" for row in chips)
     shown = {item.text(0) for item in opened.tree.items}
     for row in chips:
-        assert f"{row.text} {theme.marked(row.tone, row.chip)}" in shown and theme.MARKS[row.tone] in str(shown)
+        assert f"{row.text} {theme.marked(row.tone, row.chip)}" in shown and theme.VERDICT_MARKS[row.tone] in str(shown)
     ladder = opened.pages["check"].content.ladder
-    assert {rung.tone for rung in ladder.rungs} <= {*theme.MARKS, "quiet"}
+    assert {rung.tone for rung in ladder.rungs} <= {*theme.VERDICT_MARKS, "quiet"}
     for rung in ladder.rungs:
-        assert theme.MARKS.get(rung.tone, "") in ladder.toolTip().splitlines()[ladder.rungs.index(rung)]
-    marks = {theme.marked(tone, "0.8") for tone in theme.MARKS}
+        assert theme.VERDICT_MARKS.get(rung.tone, "") in ladder.toolTip().splitlines()[ladder.rungs.index(rung)]
+    marks = {theme.marked(tone, "0.8") for tone in theme.VERDICT_MARKS}
     assert len(marks) == 3 and theme.marked("quiet", "0.8") == "0.8" and theme.marked("amber", "!") == "!"

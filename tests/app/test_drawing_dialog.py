@@ -13,7 +13,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QDialog, QDialogButtonBox, QFileDialog, QLineEdit, QMessageBox
 
-from app.input.drawing_canvas import BODY, NOTHING, OPENING
+from app.input.drawing_canvas import BODY, NO_PART, OPENING
 from app.input.drawing_dialog import DrawingDialog
 from app.input.wall_form import WallForm
 from app.look.language import set_language
@@ -69,7 +69,7 @@ def test_that_the_church_is_a_wall_after_its_thickness_and_its_hinge(dialog, tmp
     shown = dialog(path)
     roles = dict(zip([(s.layer, len(s.corners)) for s in shown.sheet.shapes], shown.roles, strict=True))
     assert [role for (layer, _), role in roles.items() if layer == "MURATURA"] == [BODY]
-    assert sorted(shown.roles) == sorted([BODY, *4 * [OPENING], *2 * [NOTHING]])  # the hatch, the inner ring
+    assert sorted(shown.roles) == sorted([BODY, *4 * [OPENING], *2 * [NO_PART]])  # the hatch, the inner ring
     assert not ok(shown).isEnabled() and "How thick" in shown.words.text()
     give(shown.fields["to_m"], "0.6")
     assert ok(shown).isEnabled()
@@ -87,7 +87,7 @@ def test_that_a_click_cycles_what_a_shape_is_and_the_list_does_so_by_keys(dialog
     rose = next(k for k, s in enumerate(shown.sheet.shapes) if s.layer == "ROSONE" and shown.roles[k] == OPENING)
     full = area_of(shown.made.solid).area
     click(shown, 4500 + 800, 12500 + 6500)
-    assert shown.roles[rose] == NOTHING and area_of(shown.made.solid).area > full + 4.0
+    assert shown.roles[rose] == NO_PART and area_of(shown.made.solid).area > full + 4.0
     click(shown, 4500 + 800, 12500 + 6500)
     assert shown.roles[rose] == BODY and "overlap" in shown.words.text() and ok(shown).isEnabled()
     shown.list.setFocus()
@@ -100,8 +100,8 @@ def test_that_a_click_cycles_what_a_shape_is_and_the_list_does_so_by_keys(dialog
     assert shown.roles[rose] == OPENING and area_of(shown.made.solid).area == pytest.approx(full)
     assert shown.list.item(rose).text().endswith("Opening")
     body = shown.roles.index(BODY)
-    shown._give(NOTHING)
-    shown.roles[body] = NOTHING
+    shown._give(NO_PART)
+    shown.roles[body] = NO_PART
     shown.show_wall()
     assert shown.made is None and not ok(shown).isEnabled() and "Click the shape" in shown.words.text()
 
@@ -272,7 +272,7 @@ def test_that_a_click_between_lines_finds_the_outline_and_names_the_gaps_it_clos
     space.add_lwpolyline([(3, 2), (4, 2), (4, 4), (3, 4)], close=True, dxfattribs={"layer": "LINEE"})
     document.saveas(tmp_path / "lines.dxf")
     shown = dialog(tmp_path / "lines.dxf")
-    shown.roles = [NOTHING for _ in shown.roles]
+    shown.roles = [NO_PART for _ in shown.roles]
     click(shown, 8.0, 5.0)
     assert shown.roles[-2:] == [BODY, OPENING]
     give(shown.fields["to_m"], "0.6")

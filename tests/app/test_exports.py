@@ -17,7 +17,7 @@ from app.look import language, theme
 from app.shell.pages import delete
 from app.views import figure_file
 from app.views.chart import Chart
-from app.views.figure_file import SHAPE, FigureSize, figure, raster
+from app.views.figure_file import AXES_ASPECT, FigureSize, figure, raster
 from app.views.table import Table
 from core.errors import OutputError
 
@@ -31,7 +31,7 @@ MARKS = ((61.7, 16.3), (80.0, 5.0), (100.0, 20.0), (118.0, 9.0))
 def chart(application):
     theme.set_theme("dark")
     made = Chart("SI [cm]", "q_eff [-]", "q against SI")
-    made.view.setFixedSize(720, round(SHAPE * 720))
+    made.view.setFixedSize(720, round(AXES_ASPECT * 720))
     made.points("time histories", *np.transpose(MARKS), 0, 12)
     made.curve("Eq. 15", [60.0, 120.0], [6.0, 18.0], 1, 3.0)
     made.plot.setXRange(50.0, 130.0, padding=0)
@@ -106,7 +106,7 @@ LARGE = FigureSize(), FigureSize(120.0, 600, caption=False)
 def test_that_a_figure_in_strips_is_the_figure_painted_at_once(application, monkeypatch, size):
     in_strips, turns = painted(application, size)
     assert turns > 5
-    monkeypatch.setattr(figure_file, "LENGTH", 1e9)
+    monkeypatch.setattr(figure_file, "STRIP_CURVE_LENGTH", 1e9)
     at_once, turns = painted(application, size)
     assert turns == 1 and in_strips == at_once
 

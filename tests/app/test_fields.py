@@ -155,7 +155,7 @@ def test_that_a_pause_ends_a_step_of_undo(opened, monkeypatch):
 
     notes = opened.walls.fields["notes"]
     type_into(notes, "first")
-    monkeypatch.setattr(session, "PAUSE", -1.0)
+    monkeypatch.setattr(session, "UNDO_PAUSE", -1.0)
     notes.editor.end(False)
     QTest.keyClicks(notes.editor, "!")
     opened.session.undo()

@@ -13,7 +13,7 @@ from PySide6.QtGui import QColor, QImage
 
 from app.look import language, theme
 from app.shell import figure_export
-from app.views.axis import SPARE
+from app.views.axis import SPARE_PLOTS
 from app.views.figure_file import FigureSize, figure, raster
 from app.views.note_tab import NoteTab
 from app.views.table import Table
@@ -270,7 +270,7 @@ def test_that_all_figures_are_written_together_while_the_window_lives(walls, app
     settle(application, lambda: walls.runner.job is None)
     assert walls.navigator.page == "check" and str(folder) in walls.word.text()
     names = sorted(path.name for path in folder.iterdir())
-    assert len(names) == len(begun) >= 9 and not SPARE and all(name.endswith(".png") for name in names)
+    assert len(names) == len(begun) >= 9 and not SPARE_PLOTS and all(name.endswith(".png") for name in names)
     for path in folder.iterdir():
         assert not QImage(str(path)).isNull()
 
@@ -296,7 +296,7 @@ def test_that_a_window_built_anew_ends_the_export_in_the_midst_of_a_figure(walls
     settle(application, lambda: walls.runner.job is None)
     for _ in range(5):
         application.processEvents()
-    assert not list(tmp_path.glob("*.png")) and not SPARE
+    assert not list(tmp_path.glob("*.png")) and not SPARE_PLOTS
     assert walls.stages.stack.isEnabled() and walls.tree.isEnabled()
 
 
@@ -313,7 +313,7 @@ def test_that_no_figure_is_painted_while_the_file_of_another_is_made(walls, appl
     walls.runner.cancel()
     held.let_go()
     settle(application, lambda: walls.stages.stack.isEnabled())
-    assert set(turns) == {1} and len(begun) == 1 and not SPARE
+    assert set(turns) == {1} and len(begun) == 1 and not SPARE_PLOTS
 
 
 def test_that_nothing_plays_while_figures_are_painted(walls, application, tmp_path, begun):

@@ -20,7 +20,7 @@ from shiboken6 import isValid
 from app.shell.files import EXAMPLE
 from app.shell.finder import every_action
 from app.work.session import Session
-from app.work.worker import RUNNING
+from app.work.worker import RUNNING_JOBS
 from tests.app.driving import settle
 
 SIZES = ((1280, 800), (1920, 1080), (1024, 768), (960, 540))
@@ -194,7 +194,7 @@ def hurry(application, window, faults, tmp_path, draw, seed: int, count: int) ->
             assert not told, f"event {k} of seed {seed}: {hand.sent[-5:]}: {' '.join(told)}"
             assert hand.longest < FROZEN, f"event {k} of seed {seed}: {hand.sent[-1]} took {hand.longest:.0f} s"
         window.runner.cancel()
-        settle(application, lambda: window.runner.job is None and all(job.isFinished() for job in RUNNING))
+        settle(application, lambda: window.runner.job is None and all(job.isFinished() for job in RUNNING_JOBS))
         assert not faults and not complaints
     finally:
         qInstallMessageHandler(before)

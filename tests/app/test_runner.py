@@ -26,7 +26,7 @@ def run_until_cancelled(opened, application, signal) -> None:
 
 
 def test_that_a_job_that_cannot_stop_is_left_at_once_and_nothing_of_it_arrives(opened, application):
-    from app.work.worker import RUNNING
+    from app.work.worker import RUNNING_JOBS
 
     goes_on, arrived = threading.Event(), []
     opened.runner.start(lambda job: goes_on.wait(60), arrived.append)
@@ -35,9 +35,9 @@ def test_that_a_job_that_cannot_stop_is_left_at_once_and_nothing_of_it_arrives(o
     assert opened.runner.job is None and opened.word.text() == "Cancelled."
     assert opened.run_action.isEnabled()
     run(application, opened)  # another runs beside it
-    assert opened.session.result is not None and left in RUNNING
+    assert opened.session.result is not None and left in RUNNING_JOBS
     goes_on.set()
-    settle(application, lambda: left not in RUNNING)
+    settle(application, lambda: left not in RUNNING_JOBS)
     assert arrived == []
 
 
@@ -56,7 +56,7 @@ def test_that_finished_runs_are_used_again(opened, application, monkeypatch):
 
 
 def test_that_an_export_cancelled_before_it_writes_leaves_no_file(opened, application, tmp_path, monkeypatch):
-    from app.work.worker import RUNNING
+    from app.work.worker import RUNNING_JOBS
     from core.report.workbook import WorkbookReport
 
     run(application, opened)
@@ -66,7 +66,7 @@ def test_that_an_export_cancelled_before_it_writes_leaves_no_file(opened, applic
     held.await_call()
     opened.runner.cancel()
     held.let_go()
-    settle(application, lambda: not RUNNING)
+    settle(application, lambda: not RUNNING_JOBS)
     assert list((tmp_path / "out").iterdir()) == []
 
 
@@ -151,14 +151,14 @@ def test_that_a_finished_job_is_kept_by_nobody(opened, application):
     import gc
     import weakref
 
-    from app.work.worker import RUNNING
+    from app.work.worker import RUNNING_JOBS
 
     class Result:
         pass
 
     held = []
     opened.runner.start(lambda job: Result(), lambda result: held.append(weakref.ref(result)))
-    settle(application, lambda: opened.runner.job is None and not RUNNING)
+    settle(application, lambda: opened.runner.job is None and not RUNNING_JOBS)
     gc.collect()
     assert held[0]() is None
 

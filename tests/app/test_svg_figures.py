@@ -18,7 +18,7 @@ from app.shell.pages import delete
 from app.views.axis import TICK_LETTERS, elided
 from app.views.chart import Chart
 from app.views.chart_output import ChartOutput
-from app.views.figure_file import SHAPE, FigureSize, figure
+from app.views.figure_file import AXES_ASPECT, FigureSize, figure
 from app.views.page_units import in_page_units
 from tests.app.driving import run
 from tests.svg_readers import READERS, picture_by
@@ -270,7 +270,7 @@ def test_that_every_strip_of_a_figure_is_named(chart, width):
     content = figure(chart, ".svg", FigureSize(width))
     assert [name for _, name in lines if elided(name, TICK_LETTERS + 4) not in words_of(content)] == []
     across, high = page_of(content)
-    assert high > SHAPE * across
+    assert high > AXES_ASPECT * across
 
 
 @pytest.mark.parametrize("reader", READERS)

@@ -28,7 +28,7 @@ topography = "T1"
 
 
 PROGRAM = "import sys; from app.__main__ import main; sys.exit(main())"
-AS_TABLE = f"from core.setting import plan; plan.MOST_WALLS = 0; {PROGRAM}"
+AS_TABLE = f"from core.setting import plan; plan.MAX_WALLS_IN_WORKBOOK = 0; {PROGRAM}"
 """The program, and the program that holds every case for too large for a workbook."""
 
 

@@ -43,19 +43,19 @@ def above_best(folders: int, count: int, starts: int) -> list[float]:
 
 
 def _best(ratios: np.ndarray, number: np.ndarray, sets: int, starts: int) -> selection.Found:
-    with mock.patch.multiple(selection, MOST_SETS=sets, MOST_STARTS=starts):
+    with mock.patch.multiple(selection, MAX_SETS=sets, MAX_STARTS=starts):
         return nearest_sets(ratios, SIZE, number // 2, number // 8, (1, 2), FREE)[0][0]
 
 
 def main(options: argparse.Namespace) -> None:
     """Print the table."""
-    with mock.patch.object(selection, "MOST_WORK", 10**7 if options.small else selection.MOST_WORK):
+    with mock.patch.object(selection, "MAX_WORK", 10**7 if options.small else selection.MAX_WORK):
         _table(options)
 
 
 def _table(options: argparse.Namespace) -> None:
     count, few, folders, files = (60, 28, 2, 3) if options.small else (RECORDS, 44, 20, 200)
-    most = (50,) if options.small else (1000, selection.MOST_STARTS)
+    most = (50,) if options.small else (1000, selection.MAX_STARTS)
     seconds(60, NTC)  # compiled
     for name, bounds in (("NTC, unscaled", NTC), ("NTC, one factor", FREE), ("EN, one factor", EN), ("unmet", UNMET)):
         took, best = seconds(count, bounds)

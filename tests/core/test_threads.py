@@ -7,7 +7,7 @@ from itertools import count
 import pytest
 
 from core.errors import Cancelled
-from core.threads import AHEAD, Batch, Threads
+from core.threads import TASKS_PER_THREAD, Batch, Threads
 
 
 def squares(first: int, told: list):
@@ -56,9 +56,9 @@ def test_that_the_tasks_of_the_first_works_come_first_and_a_work_begins_when_thr
     ended = []
     Threads(1, lambda: False).run_works((work(n) for n in range(10)), ended.append)
     # no more works are under way than tasks are handed out
-    assert all(begun_then - n <= AHEAD for n, begun_then in enumerate(ended))
+    assert all(begun_then - n <= TASKS_PER_THREAD for n, begun_then in enumerate(ended))
     assert sorted(done) == [(n, part) for n in range(10) for part in range(3)]
-    assert all(done.index((n, 2)) < done.index((n + AHEAD, 0)) for n in range(10 - AHEAD))
+    assert all(done.index((n, 2)) < done.index((n + TASKS_PER_THREAD, 0)) for n in range(10 - TASKS_PER_THREAD))
 
 
 @pytest.mark.parametrize("jobs", [1, 3])

@@ -14,7 +14,7 @@ from core.errors import InputError, RecordError
 from core.file_names import name_of, shown
 from core.ground.ground_motion import LARGE_PGA, SMALL_PGA, GroundMotion, check_step
 from core.ground.records import plausible, samples
-from core.ground.records.container import BETWEEN, is_zip, member_of, sheet_of
+from core.ground.records.container import MEMBER_SEPARATOR, is_zip, member_of, sheet_of
 from core.ground.records.cut import refuse_cut
 from core.ground.records.grammar import UNITS, Options, Parsed, decode, quoted
 from core.ground.records.placement import in_structure
@@ -28,13 +28,13 @@ SPECTRA = re.compile(r"RESPONSE AND FOURIER", re.IGNORECASE)
 """Beginning of a file of spectra (CSMIP volume 3)."""
 
 MAX_BYTES = 20_000_000
-MAX_NUMBERS, MAX_LINES, LONGEST_LINE = 5_000_000, 2_500_000, 1_000_000
+MAX_NUMBERS, MAX_LINES, MAX_LINE_BYTES = 5_000_000, 2_500_000, 1_000_000
 """Larger files are refused before they take the memory; the longest records known have 2 MB."""
 
 END_SHARE = 0.05
 """Share of its peak at which a record without a declared count ends that is not at rest: is it cut?"""
 
-LARGE_SCALE = 3.0
+MAX_USUAL_SCALE = 3.0
 """Scales of a record beyond this one are warned of."""
 
 OFFSET_SHARE, OFFSET_VELOCITY = 0.01, 0.5
@@ -122,12 +122,12 @@ def _unpacked(content: bytes, path: Path, options: Options, scale: float, name: 
         motion = _motion(body, path, inner, scale, shown(Path(member).stem))
     except RecordError as error:
         if error.code == "which_channel" and several:  # say them as they are asked for
-            names = [f"{member}{BETWEEN}{one}" for one in error.values["names"]]
+            names = [f"{member}{MEMBER_SEPARATOR}{one}" for one in error.values["names"]]
             raise RecordError(
                 "which_channel", **{**error.values, "names": names}, key="channel", place=(member,)
             ) from None
         raise error.at(member) from None
-    channel = BETWEEN.join(part for part in (member, motion.channel) if part) if several else motion.channel
+    channel = MEMBER_SEPARATOR.join(part for part in (member, motion.channel) if part) if several else motion.channel
     return replace(
         motion, file_sha256=hashlib.sha256(content).hexdigest(), channel=channel, format=f"zip, {motion.format}"
     )
@@ -177,7 +177,7 @@ def _of_lines(content: bytes, lines: list[str], path: Path, options: Options, sc
 def _parsed(lines: list[str], options: Options, ended: bool) -> tuple[str, Parsed]:
     """(format, what its reader read) of a file, whose samples have no mark of a gap. ended : it has its line end."""
     longest = max(map(len, lines), default=0)
-    if longest > LONGEST_LINE:
+    if longest > MAX_LINE_BYTES:
         raise RecordError("line_too_long", n=longest)
     if SPECTRA.match("\n".join(lines[:30])):
         raise RecordError("spectra_file")
@@ -218,7 +218,7 @@ def _doubts_of_motion(motion, time_step: float, scale: float) -> list[Sentence]:
     """Warnings of the acceleration of the ground [m/s2], scaled. Raises RecordError where no ground moves so."""
     warnings = []
     if scale != 1.0:
-        code = "scaled_far" if abs(scale) > LARGE_SCALE else "scaled"
+        code = "scaled_far" if abs(scale) > MAX_USUAL_SCALE else "scaled"
         warnings.append(notice(code, scale=scale))
     pga = float(np.abs(motion).max()) if motion.size else 0.0
     if not pga <= MAX_PGA * abs(scale):
@@ -280,16 +280,16 @@ def channels(path: Path, options: Options = Options()) -> tuple[str, ...]:
         return ()
     if not is_zip(read_regular(path, MAX_BYTES)[:4]):
         return names
-    found: list[str] = []
+    all_names: list[str] = []
     for name in names:  # a member may have channels of its own
         try:
             read(path, replace(options, channel=name))
         except RecordError as error:
             if error.code == "which_channel":
-                found += error.values["names"]
+                all_names += error.values["names"]
                 continue
-        found.append(name)
-    return tuple(found)
+        all_names.append(name)
+    return tuple(all_names)
 
 
 def expand(pattern: str, base_dir: Path) -> list[Path]:

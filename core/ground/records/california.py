@@ -37,10 +37,10 @@ _COSMOS = re.compile(
 _OF_DATA = re.compile(r"[a-df-z&]", re.IGNORECASE)
 """A letter that no number has: the samples of a channel end there."""
 
-_WIDTH = re.compile(r"\(\s*\d+[fe]([1-9]\d?)\.\d+\s*\)", re.IGNORECASE)
+_FIELD_WIDTH = re.compile(r"\(\s*\d+[fe]([1-9]\d?)\.\d+\s*\)", re.IGNORECASE)
 _CHANNEL = re.compile(r"(?:sta )?chan?(?:nel)?:? +(\d{1,3}):? +(.*?)(?: {2,}|\(|$)", re.IGNORECASE)
 _STATION_CHANNEL = re.compile(r"sta cha: *(\d{1,3}): *(.*?) *(?:\(|$)", re.IGNORECASE)
-_ALONE = re.compile(r"COMP\s+(\S+)\s*\d*\s*$", re.IGNORECASE)
+_COMPONENT_ALONE = re.compile(r"COMP\s+(\S+)\s*\d*\s*$", re.IGNORECASE)
 """Component of a USC volume 2, on a line of its own."""
 
 _TITLE = re.compile(r"\s*(?:un)?corrected accel|\s*raw accel", re.IGNORECASE)
@@ -73,7 +73,7 @@ UNITS_OF = {
 }
 """Units as these files write them."""
 
-HEAD = 1000
+MAX_HEAD_LINES = 1000
 """Lines in which the first samples must begin."""
 
 STEP_REAL = 61
@@ -110,14 +110,14 @@ def _data_line(line: str):
 
 
 def recognises(lines: list[str]) -> bool:
-    return any(_data_line(line) for line in lines[:HEAD])
+    return any(_data_line(line) for line in lines[:MAX_HEAD_LINES])
 
 
 def read(lines: list[str], options: Options) -> Parsed:
     """The acceleration of one channel. Raises RecordError."""
     places = [k for k, line in enumerate(lines) if (match := _data_line(line)) and match[2].lower()[:3] == "acc"]
     if not places:
-        quantity = next(match[2] for line in lines[:HEAD] if (match := _data_line(line)))
+        quantity = next(match[2] for line in lines[:MAX_HEAD_LINES] if (match := _data_line(line)))
         raise RecordError("peer_quantity", quantity={"v": "velocity"}.get(quantity[0].lower(), "displacement"))
     ends = [_end(lines, k + 1) for k in places]
     channels = []
@@ -135,7 +135,7 @@ def _own(head: list[str]) -> list[str]:
     if titles:  # the second line of a volume 2 is a title too
         first = titles[-2] if len(titles) > 1 and titles[-2] == titles[-1] - 1 else titles[-1]
         return head[first:]
-    return [line for line in head[-HEAD:] if not numbers(line)]
+    return [line for line in head[-MAX_HEAD_LINES:] if not numbers(line)]
 
 
 def _end(lines: list[str], start: int) -> int:
@@ -152,7 +152,7 @@ def _name(head: list[str], number: int) -> str:
         match = _STATION_CHANNEL.match(line) or _CHANNEL.match(line)
         if match:
             return f"{match[1]}: {match[2].strip()}"
-    component = next((match[1] for line in head if (match := _ALONE.match(line))), None)
+    component = next((match[1] for line in head if (match := _COMPONENT_ALONE.match(line))), None)
     return component or str(number)
 
 
@@ -161,7 +161,7 @@ def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
     declared, rate, written = to_count(match[1]), to_float(match[3]), match[4].lower()
     if written not in UNITS_OF:
         raise RecordError("unit_not_acceleration", unit=quoted(match[4]))
-    width = _WIDTH.search(lines[place])
+    width = _FIELD_WIDTH.search(lines[place])
     size = int(width[1]) if width else _width(lines[place + 1] if place + 1 < end else "")
     parsed = whole(block(lines[place + 1 : end], place + 2, declared, size))
     parsed.unit = UNITS_OF[written]
@@ -241,13 +241,13 @@ def _cosmos_standing(head: list[str]) -> str:
 def _values_below(head: list[str], title: str) -> list[float]:
     """The hundred values of COSMOS below the line that names them."""
     said = (k for k, line in enumerate(head) if title in line.lower())
-    found: list[float] = []
+    values: list[float] = []
     for line in head[next(said, len(head)) + 1 :]:
         row = numbers(line)
-        if not row or len(found) >= 100:
+        if not row or len(values) >= 100:
             break
-        found += row
-    return found
+        values += row
+    return values
 
 
 def recognises_pairs(lines: list[str]) -> bool:

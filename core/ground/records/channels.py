@@ -5,13 +5,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from core.errors import RecordError
-from core.ground.records.grammar import SHOWN_LETTERS, Options, Parsed, quoted
+from core.ground.records.grammar import MAX_QUOTED, Options, Parsed, quoted
 from core.text.sentence import sentence
 
 MAX_CHANNELS = 200
 """Channels of a file that are looked at; real files have up to some dozens."""
 
-MOST_LISTED = 24
+MAX_LISTED = 24
 """Names in a sentence; more are counted."""
 
 _VERTICAL = re.compile(r"\b(up|down|dwn|dn|ver|vert\w*|u-d|ud|v|z|[a-z]{2}z)\b", re.IGNORECASE)
@@ -50,17 +50,17 @@ def refuse_unchosen(names: list[str], verticals: list[bool], asked: str | None) 
     if not same and wanted.isascii() and wanted.isdigit():
         numbered = [_NUMBERED.match(name) for name in names]
         if all(numbered):  # a number is that of the channel, whatever its place in the file
-            same = [k for k, found in enumerate(numbered) if found and found[1] == wanted]
+            same = [k for k, match in enumerate(numbered) if match and match[1] == wanted]
         elif 0 < int(wanted[:4]) <= len(names):
             same = [int(wanted[:4]) - 1]
     if len(same) == 1:
         return same[0]
     listed = tuple(
-        sentence("accepted", "vertical_channel" if vertical else "channel", name=name[:SHOWN_LETTERS])
-        for name, vertical in list(zip(names, verticals, strict=True))[:MOST_LISTED]
+        sentence("accepted", "vertical_channel" if vertical else "channel", name=name[:MAX_QUOTED])
+        for name, vertical in list(zip(names, verticals, strict=True))[:MAX_LISTED]
     )
-    if len(names) > MOST_LISTED:
-        listed += (sentence("accepted", "more_channels", n=len(names) - MOST_LISTED),)
+    if len(names) > MAX_LISTED:
+        listed += (sentence("accepted", "more_channels", n=len(names) - MAX_LISTED),)
     if asked is None:
         raise RecordError("which_channel", key="channel", n=len(names), channels=listed, names=names)
     raise RecordError("no_such_channel", given=quoted(asked), channels=listed, names=names)

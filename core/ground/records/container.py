@@ -7,7 +7,7 @@ import zlib
 
 from core.errors import InputError, RecordError
 from core.ground.records.channels import is_vertical, refuse_unchosen
-from core.ground.records.grammar import EMPTY
+from core.ground.records.grammar import EMPTY_CELL
 from core.ooxml.package import MEMBER
 from core.ooxml.sheet import Limits, hidden_notes, read_sheet, refuse_cells, spoken
 from core.text.sentence import Sentence, notice
@@ -18,11 +18,11 @@ MAX_UNPACKED = 20_000_000
 MAX_MEMBERS = 500
 SHEET_LIMITS = Limits(rows=50_000, columns=100, cells=150_000, size=2 * MAX_UNPACKED)
 
-BETWEEN = ": "
+MEMBER_SEPARATOR = ": "
 """Mark between the name of a member and that of a channel in it."""
 
 _ACCELERATION = re.compile(r"\.ACC\.", re.IGNORECASE)
-_OTHER = re.compile(
+_OTHER_FILE = re.compile(
     r"\.(vt2|dt2|v3|pdf|png|jpe?g|gif|xml|html?|json|md|rs|metadata)\Z"
     r"|\.(VEL|DIS|SA|SD|SV|PSA|PSV)\.[^/]*\Z|(?:\A|/)(?:readme|licen[cs]e)[^/.]*(?:\.(txt|pdf|md))?\Z",
     re.IGNORECASE,
@@ -75,7 +75,7 @@ def member_of(content: bytes, asked: str | None) -> tuple[str, bytes, str | None
             entries = [
                 entry
                 for entry in entries
-                if not _OTHER.search(entry.filename) and not entry.filename.startswith("__MACOSX")
+                if not _OTHER_FILE.search(entry.filename) and not entry.filename.startswith("__MACOSX")
             ]
             entries = sorted(entries, key=_order)
             if not entries:
@@ -106,8 +106,8 @@ def _split(asked: str | None, names: list[str]) -> tuple[str | None, str | None]
     if asked is None or asked in names:
         return asked, None
     for name in names:
-        if asked.startswith(name + BETWEEN):
-            return name, asked.removeprefix(name + BETWEEN)
+        if asked.startswith(name + MEMBER_SEPARATOR):
+            return name, asked.removeprefix(name + MEMBER_SEPARATOR)
     return (names[0], asked) if len(names) == 1 else (asked, None)
 
 
@@ -140,8 +140,8 @@ def sheet_of(content: bytes, asked: str | None) -> tuple[str, list[str], bool, l
         }
         # a title over several columns is none of the samples
         merged = [area for area in sheet.merged if area[0] < area[2] and area[:2] in numbers]
-        found = {"uncomputed_cells": sheet.uncomputed, "error_cells": sheet.errors}
-        refuse_cells({"merged_cells": merged, **found})
+        refused_cells = {"uncomputed_cells": sheet.uncomputed, "error_cells": sheet.errors}
+        refuse_cells({"merged_cells": merged, **refused_cells})
     except RecordError:
         raise
     except InputError as error:
@@ -153,7 +153,7 @@ def sheet_of(content: bytes, asked: str | None) -> tuple[str, list[str], bool, l
     if sheet.hidden_sheets:
         names = [_printable(name) for name in sheet.hidden_sheets]
         notes.append(notice("hidden_sheets", names=spoken(names)))
-    lines = [_line(sheet.texts(row, EMPTY)) for row in range(1, sheet.last_row + 1)]
+    lines = [_line(sheet.texts(row, EMPTY_CELL)) for row in range(1, sheet.last_row + 1)]
     others = len(sheet.other_sheets) > len(sheet.hidden_sheets)
     return _printable(sheet.name), lines, others, notes
 
@@ -164,4 +164,4 @@ def _printable(name: str) -> str:
 
 def _line(texts: list[str]) -> str:
     """A row as a line of text."""
-    return "\t".join(text[:500].replace("\n", " ").replace("\t", " ") for text in texts) or EMPTY
+    return "\t".join(text[:500].replace("\n", " ").replace("\t", " ") for text in texts) or EMPTY_CELL

@@ -16,15 +16,15 @@ _BEGIN = re.compile(r"\s*UNCORRECTED ACCELEROGRAM DATA\s+PROCESSED", re.IGNORECA
 _POINTS = re.compile(rf"\s*NO\. OF POINTS =\s*(\d{{1,7}})\s+RECORD LENGTH =\s*({NUMBER})\s*SEC", re.IGNORECASE)
 _PEAK = re.compile(rf"SEC AND G/10\.?\s+MAX\s*=\s*({NUMBER})\s*G", re.IGNORECASE)
 _CHANNEL = re.compile(r"\s*CHAN\s+(\d{1,3}):\s*(.*?)\s*(?:\(|$)", re.IGNORECASE)
-TEXTS, DATA, WIDTH = 13, 27, 7
+TEXT_LINES, DATA_LINE, FIELD_WIDTH = 13, 27, 7
 """Lines of text of a channel, the line from 0 at which its pairs begin, and the width of a number."""
 
-ROUNDED = 0.0006
+PEAK_ROUNDING = 0.0006
 """Peaks are printed to three decimals of g."""
 
 
 def recognises(lines: list[str]) -> bool:
-    tenths = any("SEC AND G/10" in line.upper() for line in lines[:TEXTS])
+    tenths = any("SEC AND G/10" in line.upper() for line in lines[:TEXT_LINES])
     return bool(lines and _BEGIN.match(lines[0]) and tenths)
 
 
@@ -35,21 +35,21 @@ def read(lines: list[str], options: Options) -> Parsed:
     channels = []
     for k, place in enumerate(places):
         end = places[k + 1] if k + 1 < len(places) else len(lines)
-        head = [line[:200] for line in lines[place : place + TEXTS]]
-        match = next((found for line in head if (found := _CHANNEL.match(line))), None)
+        head = [line[:200] for line in lines[place : place + TEXT_LINES]]
+        match = next((channel for line in head if (channel := _CHANNEL.match(line))), None)
         name = f"{match[1]}: {match[2]}" if match else str(k + 1)
         channels.append(Channel(name, is_vertical(match[2] if match else ""), partial(_pairs, lines, place, end, head)))
     return chosen(channels, options)
 
 
 def _pairs(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
-    points = next((found for line in head if (found := _POINTS.match(line))), None)
+    points = next((match for line in head if (match := _POINTS.match(line))), None)
     if points is None or to_count(points[1]) < 3:
         raise RecordError("head_lacks", label="NO. OF POINTS, RECORD LENGTH")
     declared, length = to_count(points[1]), to_float(points[2])
-    start = place + DATA
+    start = place + DATA_LINE
     end = min(end, start + -(-declared // PAIRS_A_LINE))
-    parsed = whole(block(lines[start:end], start + 1, 2 * declared, WIDTH))
+    parsed = whole(block(lines[start:end], start + 1, 2 * declared, FIELD_WIDTH))
     times, samples = parsed.values[::2], parsed.values[1::2]
     steps = np.diff(times)
     if times[0] != 0.0 or not (steps > 0.0).all() or steps.max() > 0.1 or not times[-1] < 1000.0:
@@ -65,10 +65,10 @@ def _pairs(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
         parsed.values, parsed.time_step = np.interp(grid, times, samples) * 0.1, GRID
         parsed.warnings.append(notice("drawn_on_grid"))
         parsed.written = samples
-    stated = next((found for line in head if (found := _PEAK.search(line))), None)
+    stated = next((match for line in head if (match := _PEAK.search(line))), None)
     peak, read = to_float(stated[1]) if stated else None, float(np.abs(samples).max()) * 0.1
     if peak is not None:
-        agree_with_peak(parsed, read if abs(abs(peak) - read) <= ROUNDED else peak)
+        agree_with_peak(parsed, read if abs(abs(peak) - read) <= PEAK_ROUNDING else peak)
     parsed.warnings.append(notice("unprocessed"))
     titles = [line.strip() for line in head]
     parsed.details = (("event", titles[1]), ("station", titles[5]), ("date", titles[2]), ("processing", "none"))

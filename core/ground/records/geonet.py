@@ -13,21 +13,21 @@ from core.text.sentence import notice
 _BEGIN = re.compile(r"(Unc|C)orrected accelerogram ")
 _POINTS = re.compile(r"Number of points +(\d{1,9})\b")
 _RAW_STEP = re.compile(rf"in units of ({NUMBER}) mm/s/s +at intervals of ({NUMBER}) s\b")
-_STEP = re.compile(rf"data at ({NUMBER}) sec intervals")
+_TIME_STEP = re.compile(rf"data at ({NUMBER}) sec intervals")
 _DURATION = re.compile(rf"Duration +({NUMBER}) s")
 _PEAK = re.compile(rf"Acceleration: +[Pp]eak +({NUMBER}) mm/s/s")
 _CORNER = re.compile(rf"filter transition bands are .{{0,40}}?Hz and ({NUMBER})-", re.IGNORECASE)
 _FILTER = re.compile(r"filter transition bands are (.*?)\s*$", re.MULTILINE)
 _MAGNITUDE = re.compile(r"\bM(w?) +([0-9.]+)")
 _DISTANCE = re.compile(r"\bDist +([0-9]+)km")
-TEXTS, DATA = 16, 26
+TEXT_LINES, DATA_LINE = 16, 26
 """Lines of text of a block, and the line from 0 at which its samples begin."""
 
-ROW, WIDTH = 10, 8
+ROW, FIELD_WIDTH = 10, 8
 
 
 def recognises(lines: list[str]) -> bool:
-    head = "\n".join(lines[:TEXTS])
+    head = "\n".join(lines[:TEXT_LINES])
     return bool(_BEGIN.match(head) and _POINTS.search(head))
 
 
@@ -36,7 +36,7 @@ def read(lines: list[str], options: Options) -> Parsed:
     places = [k for k, line in enumerate(lines) if _BEGIN.match(line)]
     channels = []
     for k, place in enumerate(places):
-        head = "\n".join(line[:200] for line in lines[place : place + TEXTS])
+        head = "\n".join(line[:200] for line in lines[place : place + TEXT_LINES])
         component = re.search(r"^Component +(\S+)", head, re.MULTILINE)
         name = component[1] if component else str(k + 1)
         end = places[k + 1] if k + 1 < len(places) else len(lines)
@@ -45,7 +45,7 @@ def read(lines: list[str], options: Options) -> Parsed:
 
 
 def _component(lines: list[str], place: int, end: int, head: str) -> Parsed:
-    points, raw, step = _POINTS.search(head), _RAW_STEP.search(head), _STEP.search(head)
+    points, raw, step = _POINTS.search(head), _RAW_STEP.search(head), _TIME_STEP.search(head)
     stated = raw[2] if raw else step and step[1]
     if not points or not stated:
         raise RecordError("head_lacks", label="Number of points, intervals")
@@ -53,12 +53,12 @@ def _component(lines: list[str], place: int, end: int, head: str) -> Parsed:
         raise RecordError("unit_not_acceleration", unit=f"{raw[1][:20]} mm/s/s")
     declared = int(points[1])
     rows = math.ceil(declared / ROW)
-    start = place + DATA
+    start = place + DATA_LINE
     kinds = 1 if raw else 3  # velocity and displacement follow
     filled = sum(1 for line in lines[start:end] if line.strip())
     if filled != kinds * rows:
         raise RecordError("rows_differ", n=filled, declared=kinds * rows)
-    parsed = whole(block(lines[start : start + rows], start + 1, declared, WIDTH))
+    parsed = whole(block(lines[start : start + rows], start + 1, declared, FIELD_WIDTH))
     parsed.time_step = to_float(stated)
     parsed.unit = "mm/s2"
     parsed.standing = in_structure(head.splitlines(), "")

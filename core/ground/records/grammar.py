@@ -19,13 +19,13 @@ _TOKEN = re.compile(NUMBER)
 _NUMBERS_ONLY = re.compile(rf"\s*+(?:{NUMBER}(?=[\s+-]|\Z)\s*+)*+")
 _NAN = re.compile(r"[+-]?nan", re.IGNORECASE)
 
-EMPTY = "∅"
+EMPTY_CELL = "∅"
 """An empty cell of a workbook, in its place."""
 
 HEAD_LINE = 500
 """Characters of a line of a header that are looked at."""
 
-SHOWN_LETTERS = 60
+MAX_QUOTED = 60
 """Characters of a file repeated in a sentence."""
 
 UNITS = {"g": G, "m/s2": 1.0, "cm/s2": 0.01, "mm/s2": 0.001}
@@ -78,7 +78,7 @@ class Options:
 def quoted(text: str) -> str:
     """A piece of a file in a sentence: its first characters."""
     text = text.strip()
-    return repr(text if len(text) <= SHOWN_LETTERS else text[:SHOWN_LETTERS] + "…")
+    return repr(text if len(text) <= MAX_QUOTED else text[:MAX_QUOTED] + "…")
 
 
 def head_lines(head: str) -> list[str]:
@@ -194,7 +194,7 @@ def whole(parsed: Parsed) -> Parsed:
     return parsed
 
 
-AT_ONCE = 50_000
+LINES_PER_BLOCK = 50_000
 """Lines whose words are in memory at once."""
 
 
@@ -205,8 +205,8 @@ def plain_numbers(lines: list[str], count: int | None = None) -> np.ndarray | No
     Of these letters alone `float` takes the very numbers of the grammar."""
     glued = count is not None and bool(GLUED.search("\n".join(lines[:50])))
     parts = []
-    for k in range(0, len(lines), AT_ONCE):
-        text = "\n".join(lines[k : k + AT_ONCE])
+    for k in range(0, len(lines), LINES_PER_BLOCK):
+        text = "\n".join(lines[k : k + LINES_PER_BLOCK])
         if text.translate(NUMBER_LETTERS):
             return None
         words = (GLUED.sub(" ", text) if glued else text).split()

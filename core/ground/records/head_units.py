@@ -18,7 +18,7 @@ _VALUE = re.compile(r"[0-9]\.?[ \t]*\Z|[0-9][ed][+-]?[0-9]+[ \t]*\Z")
 _NUMBER_AFTER = re.compile(r"[ \t]*+[:=]?[ \t]*+[+-]?[.0-9]")
 _BRACKETS = re.compile(r"[\[(]([^\[\]()]{1,40})[\])]")
 _FIELD = re.compile(r"[;,\t|]| {2,}")
-_EDGE = re.compile(r"\A[\s#%!/*'\"\[(<:]++|[\s'\"\])>:]++\Z")
+_FIELD_EDGE = re.compile(r"\A[\s#%!/*'\"\[(<:]++|[\s'\"\])>:]++\Z")
 _CONVERTED = re.compile(r"\b(?:convert\w*|trasformat\w*|changed) +(?:to|into|in) +(?=\S)")
 _TIME_FIELD = re.compile(rf"(?:t|time|tempo)?[ _.]*{any_of(wordings.TIME_UNITS)}\.?")
 _TIME_NAME = re.compile(r"\W*(?:t|time|tempo)\b")
@@ -37,7 +37,7 @@ _OF_A_TARGET = re.compile(
     r"\b(target|match|compatib|return|ritorno|corner|filter|sampl|campion)|\b(?:d|di) campionamento"
 )
 _MOTION = re.compile(rf"\b(?:{wordings.MOTION})")
-_OTHER = re.compile(rf"\b(?:{wordings.OTHER})")
+_OTHER_QUANTITY = re.compile(rf"\b(?:{wordings.OTHER_QUANTITY})")
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ def units_of(match: re.Match, line: str) -> Iterator[Unit]:
     else:
         power = _power(match)
         quantity = wordings.OF_POWER.get(power, "other")
-        si = wordings.LENGTHS[match["length"]] if power == 2 else None
+        si = wordings.LENGTH_UNITS[match["length"]] if power == 2 else None
     for name, sign in (("before", 1), ("after", -1 if match["how"] in ("/", "per") else 1)):
         if match[name] and si is not None:
             factor = factor_of(match[name])
@@ -143,7 +143,7 @@ def take_unit(parsed: Parsed, unit: Unit | None) -> None:
 
 def _bare(match: re.Match) -> bool:
     """Whether a unit could be something else where nobody says that it is one: V, m."""
-    return match["named"] in wordings.SHORT or bool(match["length"] and not _power(match))
+    return match["named"] in wordings.AMBIGUOUS_UNITS or bool(match["length"] and not _power(match))
 
 
 def _said(line: str) -> Iterator[tuple[re.Match, bool, bool]]:
@@ -153,7 +153,7 @@ def _said(line: str) -> Iterator[tuple[re.Match, bool, bool]]:
         unit = wordings.UNIT.match(line, start, match.end(1))
         if not unit or not _BRACKET_END.match(line, unit.end()):
             continue
-        if unit["named"] in wordings.SHORT and not _ACCELERATION_WORD.search(line):
+        if unit["named"] in wordings.AMBIGUOUS_UNITS and not _ACCELERATION_WORD.search(line):
             continue
         before = line[max(0, match.start() - 40) : match.start()]
         yield unit, bool(_VALUE.search(before)), bool(_NUMBER_AFTER.match(line, match.end()))
@@ -167,7 +167,7 @@ def _in_words(line: str) -> Iterator[re.Match]:
     """Units of a line that says of none that it is one: alone in a field, after `acc`, or one of acceleration only."""
     fields = [line.strip()]  # "%g" is no comment
     if not wordings.UNIT.fullmatch(fields[0]):
-        fields = [_EDGE.sub("", field) for field in _FIELD.split(line)]
+        fields = [_FIELD_EDGE.sub("", field) for field in _FIELD.split(line)]
     timed = len(fields) > 1 and any(map(_TIME_FIELD.fullmatch, fields))
     for field in fields:
         match = wordings.UNIT.fullmatch(field)
@@ -206,15 +206,15 @@ def stated_unit(head: str) -> Unit | None:
     """Unit of acceleration a head states. A unit after a number is that of another quantity (`gravity = 9.81 [m/s2]`,
     `PGA 0.013 (g)`) and states nothing; where it differs from the one stated, or two are stated, nobody knows which
     holds. Raises RecordError then, and for counts and volts."""
-    found: dict[str, list[Unit]] = {"said": [], "beside": [], "words": []}
+    by_wording: dict[str, list[Unit]] = {"said": [], "beside": [], "words": []}
     for unit, how in _units(head):
         if unit.quantity in ("counts", "voltage") and how != "beside":
             raise RecordError("unit_not_read", unit=unit.text, line=unit.line)
         if unit.quantity == "acceleration":
-            found[how].append(unit)
-    units = found["said"] or found["words"]
-    words = [one for one in found["words"] if units and one.line != units[0].line]
-    for other in [*units[1:], *words, *found["beside"]] if units else ():
+            by_wording[how].append(unit)
+    units = by_wording["said"] or by_wording["words"]
+    words = [one for one in by_wording["words"] if units and one.line != units[0].line]
+    for other in [*units[1:], *words, *by_wording["beside"]] if units else ():
         one = units[0]
         if abs(other.size / one.size - 1.0) > 1e-9:
             raise RecordError("two_units", one=one.name, first=one.line, other=other.name, second=other.line)
@@ -253,9 +253,9 @@ def _other_of(line: str) -> str | None:
 def _words_of_other(line: str) -> str | None:
     """A word of another quantity."""
     match = _MOTION.search(line)
-    if not match and not _ACCELERATION_WORD.search(line) and (found := _OTHER.search(line)):
-        valued = _NUMBER_AFTER.match(line, found.end()) or _VALUE.search(line[: found.start()])
-        match = None if valued else found
+    if not match and not _ACCELERATION_WORD.search(line) and (other := _OTHER_QUANTITY.search(line)):
+        valued = _NUMBER_AFTER.match(line, other.end()) or _VALUE.search(line[: other.start()])
+        match = None if valued else other
     return match[0] if match else None
 
 

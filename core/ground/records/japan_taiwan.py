@@ -76,11 +76,11 @@ def read_knet(lines: list[str], options: Options) -> Parsed:
     return parsed
 
 
-def _positive(found: re.Match[str] | None, label: str) -> list[float]:
+def _positive(match: re.Match[str] | None, label: str) -> list[float]:
     """The numbers of what a label says. Raises RecordError where it says nothing, or one is not above zero."""
-    if not found or not all(to_float(part) > 0.0 for part in found.groups()):
+    if not match or not all(to_float(part) > 0.0 for part in match.groups()):
         raise RecordError("head_lacks", label=label)
-    return [to_float(part) for part in found.groups()]
+    return [to_float(part) for part in match.groups()]
 
 
 def recognises_cwa(lines: list[str]) -> bool:

@@ -49,10 +49,10 @@ class _Segment:
 def read(lines: list[str], options: Options) -> Parsed:
     """The channel asked for, with the unit of its head. Raises RecordError for several segments and for times that
     differ from channel to channel."""
-    found, first = _segment(lines, replace(options, channel=None))
-    named = [(found.names[k], partial(found.channel, k)) for k in found.places]
+    segment, first = _segment(lines, replace(options, channel=None))
+    named = [(segment.names[k], partial(segment.channel, k)) for k in segment.places]
     parsed = chosen([Channel(name, is_vertical(name), samples) for name, samples in named], options)
-    parsed.told = (first, len(found.rows))
+    parsed.told = (first, len(segment.rows))
     return parsed
 
 

@@ -54,8 +54,8 @@ TENTH_OF_G = 0.1
 
 def _labels(lines: list[str]) -> dict[str, str]:
     """Label -> value of the lines of a head."""
-    found = (line[:300].partition(":") for line in lines)
-    return {label.strip(): value.strip() for label, mark, value in found if mark and label.strip()}
+    split_lines = (line[:300].partition(":") for line in lines)
+    return {label.strip(): value.strip() for label, mark, value in split_lines if mark and label.strip()}
 
 
 def recognises_nsmn(lines: list[str]) -> bool:
@@ -179,8 +179,8 @@ def recognises_csmnc(lines: list[str]) -> bool:
 def read_csmnc(lines: list[str], options: Options) -> Parsed:
     """Read one component in cm/s2, eight samples in a line. Raises RecordError for velocities and displacements."""
     said = next(match for line in lines[:CSMNC_HEAD] if (match := _CSMNC.match(line[:200])))
-    found = ((k, _CSMNC_POINTS.match(line)) for k, line in enumerate(lines[:CSMNC_HEAD]))
-    place, points = next((k, match) for k, match in found if match)
+    matches = ((k, _CSMNC_POINTS.match(line)) for k, line in enumerate(lines[:CSMNC_HEAD]))
+    place, points = next((k, match) for k, match in matches if match)
     if not said[2].upper().startswith("ACC"):
         raise RecordError("peer_quantity", quantity=said[2].lower())
     if said[3].upper() not in ("CM/SEC/SEC", "GAL"):

@@ -10,7 +10,7 @@ from core.text.sentence import notice
 
 _KEYED = re.compile(rf"NPTS\s*+=\s*+(\d++)\s*+,?\s*+DT\s*+=\s*+({NUMBER})(?![\w.])", re.IGNORECASE)
 _TRAILING = re.compile(rf"^\s*+(\d++)\s++({NUMBER})\s++NPTS", re.IGNORECASE)
-_OTHER = re.compile(r"\b(VELOCITY|DISPLACEMENT)\b", re.IGNORECASE)
+_NOT_ACCELERATION = re.compile(r"\b(VELOCITY|DISPLACEMENT)\b", re.IGNORECASE)
 _SCALE = re.compile(rf"scale factor\s*=\s*({NUMBER})", re.IGNORECASE)
 
 
@@ -33,7 +33,7 @@ def read(lines: list[str], options: Options) -> Parsed:
     assert stated is not None
     row, declared, time_step = stated
     head = lines[: row + 1]
-    other = _OTHER.search(" ".join(head))
+    other = _NOT_ACCELERATION.search(" ".join(head))
     if other:
         raise RecordError("peer_quantity", quantity=other[1].lower())
     refuse_other_quantity("\n".join(line for line in head[2:] if re.search(r"\bunits?\b", line, re.I)))

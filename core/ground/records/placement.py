@@ -18,14 +18,14 @@ IN_STRUCTURE = re.compile(rf"(?<![^\W_])(?:{_WORDS})(?![^\W\d_])", re.IGNORECASE
 """Words of a place in a building, on a bridge, on a dam or in a borehole; names of places that contain them are no such
 words."""
 
-LINES = 60
+HEAD_LINES = 60
 """Lines of a file in which its head says where the sensor stood."""
 
 
 def in_structure(lines: list[str], channel: str) -> str:
     """The words by which a head, or the name of a channel, places its sensor in a structure; "" where none does."""
-    heads = [line for line in lines[:LINES] if any(char.isalpha() for char in line)]
+    heads = [line for line in lines[:HEAD_LINES] if any(char.isalpha() for char in line)]
     for text in (channel, *heads):
-        if found := IN_STRUCTURE.search(text):
-            return found[0]
+        if match := IN_STRUCTURE.search(text):
+            return match[0]
     return ""

@@ -10,7 +10,7 @@ import numpy as np
 from core.errors import RecordError, place
 from core.ground.ground_motion import MIN_STEP
 from core.ground.records import plain_head
-from core.ground.records.grammar import EMPTY, NUMBER, Options, Parsed, numbers, quoted, table_of, to_float
+from core.ground.records.grammar import EMPTY_CELL, NUMBER, Options, Parsed, numbers, quoted, table_of, to_float
 from core.ground.records.head_units import refuse_other_quantity, stated_unit, take_unit
 from core.ground.records.sample_like import refuse_samples_in_head
 
@@ -21,7 +21,7 @@ _EMPTY_FIELD = re.compile(r"\t[ ]*\t|^[ ]*\t")
 _EXCEL_ERROR = re.compile(r"#(?:N/?[AD]|DIV/0!|VAL\w+!|R[EI]F!|NUM!|N[AO]ME\?|NULL\w*!)", re.IGNORECASE)
 
 
-LONGEST_LINE = 20_000
+MAX_LINE_LETTERS = 20_000
 """Characters of a line of plain text."""
 
 MAX_HEAD = 200
@@ -45,7 +45,7 @@ def _row(line: str) -> list[float] | None:
         if line.count('"') % 2:
             return None
         line = line.replace('","', "\t").replace('"', "")
-    if EMPTY in line or ";" in line or "\t" in line:
+    if EMPTY_CELL in line or ";" in line or "\t" in line:
         fields = [entry.strip() for entry in re.split(r"[;\t]", line)]
         row = _fields([entry.replace(",", ".") if _DECIMAL_COMMA.fullmatch(entry) else entry for entry in fields])
         if row is not None or "," in line or "" in fields:
@@ -61,13 +61,13 @@ def _row(line: str) -> list[float] | None:
 def _fields(fields: list[str]) -> list[float] | None:
     """Read one number a field, NaN for an empty one, the empty ones of the end left out; None where one is text."""
     end = len(fields)
-    while end and fields[end - 1] in ("", EMPTY):
+    while end and fields[end - 1] in ("", EMPTY_CELL):
         end -= 1
     fields = fields[:end]
-    if not fields or not all(entry in ("", EMPTY) or _ONE.fullmatch(entry) for entry in fields):
+    if not fields or not all(entry in ("", EMPTY_CELL) or _ONE.fullmatch(entry) for entry in fields):
         return None
-    row = [math.nan if entry in ("", EMPTY) else to_float(entry) for entry in fields]
-    return None if all(map(math.isnan, row)) and EMPTY not in fields else row
+    row = [math.nan if entry in ("", EMPTY_CELL) else to_float(entry) for entry in fields]
+    return None if all(map(math.isnan, row)) and EMPTY_CELL not in fields else row
 
 
 @dataclass
@@ -150,7 +150,7 @@ def _told_apart(lines: list[str], skip: int) -> _Content:
             content.rest = _rest(lines[k - 1 :], len(rows[-1]))
             if content.rest is not None:
                 break
-        if len(line) > LONGEST_LINE:
+        if len(line) > MAX_LINE_LETTERS:
             raise RecordError("line_too_long", n=len(line), place=(place("line", n=k),))
         if len(head) > MAX_HEAD:
             raise RecordError("head_too_long", n=MAX_HEAD)
@@ -195,7 +195,7 @@ def _sample(text: str, above: list[list[float]]) -> list[float] | None:
             raise RecordError("text_among_samples", text=quoted(text))
         return None
     row = _row(text)
-    if row is None and (_NO_NUMBER.fullmatch(text) or (above and text == EMPTY)):
+    if row is None and (_NO_NUMBER.fullmatch(text) or (above and text == EMPTY_CELL)):
         raise RecordError("gap", text=quoted(text))
     if row and (above or not all(map(math.isnan, row))):
         return row

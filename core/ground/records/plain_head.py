@@ -15,7 +15,7 @@ from core.ground.records.wordings import FACTOR, TIMING, N, any_of, folded
 from core.quantities import unit_of
 from core.text.sentence import notice
 
-SAME = 1e-3
+RATIO_TOLERANCE = 1e-3
 """Share by which two time steps may differ that are the same in print."""
 
 _BETWEEN = wordings.words("""
@@ -47,7 +47,7 @@ _TIMED = [
 ]
 _VAGUE = re.compile(any_of(wordings.VAGUE_TIMING) + _END)
 _OF_RATE = re.compile(rf"(?<![a-z0-9.,])(?P<n>{N}) *+(?:{wordings.RATE_PHRASE}|sps{_END})")
-_ALONE = re.compile(rf"(?P<n>{N}) *+{_UNIT_AFTER}")
+_LONE_NUMBER = re.compile(rf"(?P<n>{N}) *+{_UNIT_AFTER}")
 _PAIR = re.compile(rf"{_START}npts[ ,;/&]*+(?:and|e)?[ ]*+dt[ :=]*+([0-9]++)[ ,;]++({N})(?![0-9])")
 """A list of both, read as `npts = 40 dt = 0.01`."""
 
@@ -181,14 +181,14 @@ def time_steps(head: Head) -> list[Statement]:
         if value:
             stated.append(_statement(head, match, k, 1.0 / value))
     for k, line in enumerate(head.lines):
-        if (match := _ALONE.fullmatch(line)) is None:
+        if (match := _LONE_NUMBER.fullmatch(line)) is None:
             continue
         step = _seconds("", match, line)
         if step is not None and 1e-5 <= step <= 0.2:
             stated.append(_statement(head, match, k, step))
     stated = _widest(stated)
     for one in stated[1:]:
-        if abs(one.value - stated[0].value) > SAME * stated[0].value:
+        if abs(one.value - stated[0].value) > RATIO_TOLERANCE * stated[0].value:
             raise RecordError(
                 "two_steps_stated", one=stated[0].value, first=stated[0].line, other=one.value, second=one.line
             )
@@ -302,9 +302,9 @@ def agree(parsed: Parsed, said: str, declared: float | None, given: float | None
     stated, line = (declared, "npts dt") if declared else (steps[0].value, steps[0].line) if steps else (None, "")
     if stated and not parsed.time_step and not given and (at := next(_found(head, _DECIMATED), None)):
         raise RecordError("decimated", line=quoted(head.raw[at[1]]))
-    if stated and parsed.time_step and abs(parsed.time_step - stated) > SAME * stated:
+    if stated and parsed.time_step and abs(parsed.time_step - stated) > RATIO_TOLERANCE * stated:
         raise RecordError("two_time_steps", stated=stated, column_step=parsed.time_step, line=line)
-    if declared and steps and abs(steps[0].value - declared) > SAME * declared:
+    if declared and steps and abs(steps[0].value - declared) > RATIO_TOLERANCE * declared:
         raise RecordError("two_steps_stated", one=declared, first=line, other=steps[0].value, second=steps[0].line)
     parsed.time_step = stated or parsed.time_step
     parsed.lines["time_step_s"] = line
@@ -331,10 +331,10 @@ def stated_peak(said: str, unit: str | None) -> float | None:
     for match, k in _found(head_of(said), _PEAK):
         line = head_of(said).lines[k]
         of = wordings.UNIT.match(line, match.end())
-        found = next(units_of(of, line), None) if of else None
+        written_unit = next(units_of(of, line), None) if of else None
         value = factor_of(match["peak"])
-        if value and found is not None and found.quantity == "acceleration":
-            return abs(value) * found.size / UNITS[unit]
+        if value and written_unit is not None and written_unit.quantity == "acceleration":
+            return abs(value) * written_unit.size / UNITS[unit]
     return None
 
 
@@ -350,7 +350,7 @@ def not_understood(head: Head, known: list[Statement], step: float | None, n: in
         for match in _LONE.finditer(line):
             value = factor_of(match[1])
             inside = any(start <= match.start() < end for start, end in spans[k])
-            if value is None or inside or any(abs(value - x) <= SAME * abs(x) for x in used):
+            if value is None or inside or any(abs(value - x) <= RATIO_TOLERANCE * abs(x) for x in used):
                 continue
             if line == match[0] or _plausible(value, n):
                 lines.append(quoted(head.raw[k]))
@@ -363,7 +363,7 @@ def _plausible(value: float, n: int) -> bool:
     rates = (*wordings.RATES, *(1.0 / rate for rate in wordings.RATES), *wordings.GRAVITY)
     near = value.is_integer() and abs(value - n) <= max(2, 0.02 * n)
     power = value in (1e-6, 1e-5, 1e-4, 0.1)
-    return near or power or any(abs(value - x) <= SAME * x for x in rates)
+    return near or power or any(abs(value - x) <= RATIO_TOLERANCE * x for x in rates)
 
 
 def _named(head: str, width: int, column: int) -> Iterator[str]:

@@ -7,13 +7,13 @@ import numpy as np
 from core.errors import RecordError
 from core.text.sentence import Sentence, notice
 
-CODES = (
+WARNING_CODES = (
     *("repeats", "frozen", "coarse", "clipped", "one_sided_samples", "velocity_left", "rough", "spike"),
     *("late", "pace", "peak_elsewhere", "beyond_nyquist"),
 )
 """Codes of the warnings given here."""
 
-LEAST = 80
+MIN_SAMPLES = 80
 """Samples below which nothing is told."""
 
 FROZEN, FROZEN_SHARE = 50, 0.02
@@ -41,14 +41,14 @@ ONE_SIDED = 0.7
 VELOCITY_LEFT = 0.2
 """Share of its peak that the velocity keeps at the end; 0.08 at most on the shelf but where the mean is not removed."""
 
-ROUGH, WOVEN = 1.5, 0.8
+MAX_ROUGHNESS, WOVEN = 1.5, 0.8
 """Squared steps over squared samples, 2 of noise, and over squared steps across two samples, 1 of noise and more of two
 columns read as one; 1.1 and 0.46 at most on the shelf."""
 
-LEVELS = 40
+MIN_LEVELS = 40
 """Values below which the samples are rounded until the motion is lost; 62 at least on the shelf."""
 
-SPIKE, BESIDE = 4.5, 8
+SPIKE, SPIKE_RANK = 4.5, 8
 """Largest second difference over that of this rank; 3.6 at most on the shelf."""
 
 LATE = 0.75
@@ -64,7 +64,7 @@ PEAK_TIME, NEAR_PEAK = 0.1, 0.02
 def refuse_sorted(values: np.ndarray) -> None:
     """Raise RecordError where the samples only rise or only fall: a column that was sorted, or no acceleration.
     values : shape (n,)"""
-    if values.size < LEAST or not values.any():
+    if values.size < MIN_SAMPLES or not values.any():
         return
     steps = np.diff(values)
     if (steps >= 0.0).all() or (steps <= 0.0).all():
@@ -74,7 +74,7 @@ def refuse_sorted(values: np.ndarray) -> None:
 def doubts(values: np.ndarray, time_step: float) -> list[Sentence]:
     """Warnings of samples that are no motion of a ground, though they are numbers.
     values : in the unit of the file, shape (n,); time_step [s]"""
-    if values.size < LEAST or not np.abs(values).max() > 0.0:
+    if values.size < MIN_SAMPLES or not np.abs(values).max() > 0.0:
         return []
     values = values / np.abs(values).max()
     strong = np.searchsorted(np.cumsum(values**2), np.array(STRONG) * np.sum(values**2))
@@ -137,7 +137,7 @@ def _held(values: np.ndarray, begin: int, end: int) -> Iterator[Sentence]:
     if frozen.size:
         k = int(frozen[0])
         yield notice("frozen", n=int(lengths[k]), sample=int(begins[k]) + 1)
-    elif np.unique(values).size < LEVELS:
+    elif np.unique(values).size < MIN_LEVELS:
         yield notice("coarse", n=int(np.unique(values).size))
     elif (tops := np.flatnonzero((size > 1.0 - 1e-9) & (lengths >= TOPS))).size:
         k = int(tops[0])
@@ -164,11 +164,11 @@ def _one_sided(values: np.ndarray) -> Iterator[Sentence]:
 def _torn(values: np.ndarray) -> Iterator[Sentence]:
     """That neighbours do not belong together: noise, two columns in one, one number with its point out of place."""
     steps = np.sum(np.diff(values) ** 2)
-    if steps > ROUGH * np.sum(values**2) or steps > WOVEN * np.sum((values[2:] - values[:-2]) ** 2):
+    if steps > MAX_ROUGHNESS * np.sum(values**2) or steps > WOVEN * np.sum((values[2:] - values[:-2]) ** 2):
         yield notice("rough")
         return
     bend = np.abs(np.diff(values, 2))
-    if bend.max() > SPIKE * np.partition(bend, -BESIDE)[-BESIDE]:
+    if bend.max() > SPIKE * np.partition(bend, -SPIKE_RANK)[-SPIKE_RANK]:
         yield notice("spike", sample=int(bend.argmax()) + 2)
 
 

@@ -11,25 +11,25 @@ from core.errors import RecordError, place
 from core.ground.records.grammar import NUMBER, quoted, to_float
 
 _MARKS = re.compile(r"^[#%!/*'\s]+")
-_BEFORE = re.compile(r"^[\[(]?\s*(?:[^\W\d_]{1,12}\.?\s+)?[\[(]?(?=[+-]?[0-9.])")
+_BEFORE_NUMBER = re.compile(r"^[\[(]?\s*(?:[^\W\d_]{1,12}\.?\s+)?[\[(]?(?=[+-]?[0-9.])")
 _NUMBER = re.compile(NUMBER)
 _SAID = re.compile(r"\b(dt|d_t|npts|step|passo|interval\w*|sampl\w*|campion\w*|hz|freq\w*|sec\w*|punti|points)\b", re.I)
 """Words of a head: a line with one states a number of its own."""
 
-LEAST_DECIMALS = 3
+MIN_DECIMALS = 3
 """Decimals from which a number is known by their count."""
 
-MANY, MARK = 3, 8
+MIN_ALIKE, MAX_MARK_LETTERS = 3, 8
 """Lines with fewer decimals that are samples together, and letters a mark of a gap has at most."""
 
-FARTHEST = 100_000
+MAX_SAMPLES_BACK = 100_000
 """Samples above the first one that a time may stand for."""
 
 
 def _fields(text: str) -> tuple[list[str], str]:
     """(the numbers a line begins with, as they are written, the text after them); a comma is a decimal one where
     semicolons or tabs separate, and a word or an opening bracket before the first number is passed over."""
-    bare = _BEFORE.sub("", _MARKS.sub("", text))
+    bare = _BEFORE_NUMBER.sub("", _MARKS.sub("", text))
     if ";" in bare or "\t" in bare:
         parts = [one for part in re.split(r"[;\t]", bare) for one in (part.split() or [""])]
     else:
@@ -73,18 +73,20 @@ def refuse_samples_in_head(head: list[tuple[int, str]], samples: list[str]) -> N
             continue
         if even:
             back = (times[0] - to_float(numbers[0])) / step
-            is_sample = 0.5 < back < FARTHEST and abs(back - round(back)) < 0.01 + 1e-9 * abs(back)
+            is_sample = 0.5 < back < MAX_SAMPLES_BACK and abs(back - round(back)) < 0.01 + 1e-9 * abs(back)
             of_time = {shape[0] for shape in shapes}
             is_sample &= _decimals(numbers[0]) in of_time or (to_float(numbers[0]) == 0.0 and len(numbers) >= width)
             # a time alone is one where a mark of a gap follows it: `0.02 n.d.`
-            is_sample &= len(numbers) >= width or (len(words) < MARK and not _SAID.search(words) and words != "")
+            is_sample &= len(numbers) >= width or (
+                len(words) < MAX_MARK_LETTERS and not _SAID.search(words) and words != ""
+            )
         elif len(numbers) < width or _SAID.search(words):
             is_sample = False
         else:
             shape = tuple(map(_decimals, numbers[:width]))
-            is_sample = shape in shapes and shape[-1][0] >= LEAST_DECIMALS
+            is_sample = shape in shapes and shape[-1][0] >= MIN_DECIMALS
             if shape in shapes and not is_sample and words:
                 alike.append((number, text))
-                is_sample = len(alike) >= MANY
+                is_sample = len(alike) >= MIN_ALIKE
         if is_sample:
             raise RecordError("sample_in_head", text=quoted(text), place=(place("line", n=number),))

@@ -11,20 +11,20 @@ _KIND = re.compile(r"\s?([0-9]) ([A-Z]+)")
 _PEAK = re.compile(rf"\bpk(?:\s+\w+)?\s*=\s*({NUMBER})")
 _WHEN = re.compile(r"\s*([0-9]{4} +[0-9]{1,2} +[0-9]{1,2} +[0-9]{1,6}) (.*)")
 _STATION = re.compile(r"station\s*=\s*(.*?)\s*(?:component\s*=\s*(.*?))?\s*$")
-TEXTS, INTEGERS, REALS = 11, 6, 10
+TEXT_LINES, INTEGERS, REALS = 11, 6, 10
 """Lines of each part of the head."""
 
 EXTREMES = 28
 """Place from 0 among the reals of the time of the largest sample, that sample, and both of the smallest one."""
 
-WIDTHS = (10, 14)
+FIELD_WIDTHS = (10, 14)
 """Widths of a sample [characters]: eight or five samples in a line."""
 
 
 def recognises(lines: list[str]) -> bool:
-    if len(lines) < TEXTS + INTEGERS + REALS or not _KIND.match(lines[0]):
+    if len(lines) < TEXT_LINES + INTEGERS + REALS or not _KIND.match(lines[0]):
         return False
-    rows = [fixed_width(line, 10) for line in lines[TEXTS : TEXTS + INTEGERS]]
+    rows = [fixed_width(line, 10) for line in lines[TEXT_LINES : TEXT_LINES + INTEGERS]]
     return all(row is not None and len(row) == 8 for row in rows)
 
 
@@ -36,11 +36,11 @@ def read(lines: list[str], options: Options) -> Parsed:
     if kind not in ("CORRECTED", "UNCORRECTED", "UNKNOWN"):
         raise RecordError("peer_quantity", quantity=kind.lower())
     start, declared, rate, reals = _layout(lines)
-    width = next((w for w in WIDTHS if fixed_width(lines[start], w)), None)
+    width = next((w for w in FIELD_WIDTHS if fixed_width(lines[start], w)), None)
     parsed = block(lines[start:], start + 1, declared, width)
     parsed.time_step = 1.0 / rate
     parsed.unit = "cm/s2" if kind != "UNKNOWN" else None
-    head = [line[:500] for line in lines[:TEXTS]]
+    head = [line[:500] for line in lines[:TEXT_LINES]]
     peak = _PEAK.search(" ".join(head))
     if parsed.unit:
         agree_with_peak(parsed, to_float(peak[1]) if peak else None)
@@ -53,8 +53,8 @@ def read(lines: list[str], options: Options) -> Parsed:
 
 def _layout(lines: list[str]) -> tuple[int, int, float, list[float]]:
     """(line of the first sample from 0, count of samples, samples a second, all reals) by the numbers of the head."""
-    start = TEXTS + INTEGERS
-    integers = [n for line in lines[TEXTS:start] for n in numbers(line) or ()]
+    start = TEXT_LINES + INTEGERS
+    integers = [n for line in lines[TEXT_LINES:start] for n in numbers(line) or ()]
     reals = [n for line in lines[start : start + REALS] for n in numbers(line) or ()]
     comments, declared, rate = integers[15], integers[16], reals[1] if len(reals) > 1 else 0.0
     start += REALS
@@ -76,7 +76,7 @@ def _peak_time(reals: list[float]) -> float | None:
 
 def _describe(parsed: Parsed, head: list[str], kind: str) -> None:
     """Channel and details by the texts of the head."""
-    where = next((found for line in head if (found := _STATION.match(line))), None)
+    where = next((match for line in head if (match := _STATION.match(line))), None)
     component = (where[2] or "") if where else ""
     parsed.channel, parsed.vertical = component, is_vertical(component)
     written = _WHEN.match(head[3])

@@ -173,7 +173,7 @@ _OTHER_FACTORS = words("""
 NO_FACTOR = re.compile(rf"\b{any_of(_OTHER_FACTORS)}\b")
 """Words of a line whose factor or scale is not that of the samples."""
 
-LENGTHS = words_of(length=1)
+LENGTH_UNITS = words_of(length=1)
 BARE_LENGTHS = words("m | cm | mm | in | inch | inches")
 """Lengths that alone are the unit of a displacement."""
 
@@ -220,15 +220,15 @@ NAMED_UNITS: dict[str, tuple[str, float | None]] = {
 } | {word: (quantity, None) for quantity, written in _OF_OTHERS.items() for word in written}
 """Unit -> (quantity, of an acceleration m/s2 of one)."""
 
-SHORT = words("v | % | pa | bit | m | ue | bar | gs | kn")
+AMBIGUOUS_UNITS = words("v | % | pa | bit | m | ue | bar | gs | kn")
 """Units that could be something else: they count where they are said to be units, or beside an acceleration."""
 
-_LENGTH = any_of(LENGTHS)
-_BEFORE = rf"(?:(?:(?:x|\*|times) *+)?(?P<before>{FACTOR}) *+(?:x|\*|times)? *+)?"
-_AFTER = rf"(?: *+(?P<how>x|\*|times|/|per) *+(?P<after>{FACTOR}))?"
+_LENGTH = any_of(LENGTH_UNITS)
+_FACTOR_BEFORE = rf"(?:(?:(?:x|\*|times) *+)?(?P<before>{FACTOR}) *+(?:x|\*|times)? *+)?"
+_FACTOR_AFTER = rf"(?: *+(?P<how>x|\*|times|/|per) *+(?P<after>{FACTOR}))?"
 UNIT = re.compile(
-    rf"{_BEFORE}(?:(?P<named>{any_of(NAMED_UNITS)})(?![a-z0-9%'])(?! *+/ *+s)"
-    rf"|(?P<length>{_LENGTH})(?:{PER_SECONDS}|(?![a-z0-9]))){_AFTER}(?![a-z0-9^]| *+/ *+[a-z])"
+    rf"{_FACTOR_BEFORE}(?:(?P<named>{any_of(NAMED_UNITS)})(?![a-z0-9%'])(?! *+/ *+s)"
+    rf"|(?P<length>{_LENGTH})(?:{PER_SECONDS}|(?![a-z0-9]))){_FACTOR_AFTER}(?![a-z0-9^]| *+/ *+[a-z])"
 )
 """A unit with the factor before or after it."""
 
@@ -263,7 +263,7 @@ _OTHERS = words("""
     force | forces | forza | forze | voltage | voltages | volt | volts | millivolts | raw counts |
     digital counts | temperature | temperatures | temperatura
 """)
-OTHER = rf"{any_of(_OTHERS)}\b"
+OTHER_QUANTITY = rf"{any_of(_OTHERS)}\b"
 """Words of a motion that is no acceleration, and of what is no motion; the latter count where no number stands beside
 them and no acceleration is named."""
 

@@ -26,7 +26,7 @@ from core.version import line
 MEASURED = ("started_utc", "seconds")
 """Keys of the results that are of this run alone: the same case gives the same note."""
 
-MOST_LOGO = 2_000_000
+MAX_LOGO_BYTES = 2_000_000
 """Size of a picture [bytes]."""
 
 HASH = 16
@@ -60,9 +60,9 @@ def office_of(report: Report, base_dir: Path) -> Office:
     path = base_dir / name_of(report.logo)
     here = (section("[report]"),)
     try:
-        content = read_regular(path, MOST_LOGO)
+        content = read_regular(path, MAX_LOGO_BYTES)
     except TooLarge:
-        raise InputError("logo_too_large", place=here, key="logo", path=path, mb=MOST_LOGO / 1e6) from None
+        raise InputError("logo_too_large", place=here, key="logo", path=path, mb=MAX_LOGO_BYTES / 1e6) from None
     except OSError as error:
         raise InputError("logo_unreadable", place=here, key="logo", path=path, reason=error.strerror) from None
     fault = fault_of(content, tuple(STANDARDS[report.pdf_standard]))

@@ -17,16 +17,16 @@ def _clear(height: float, others: list[float], h: float) -> float:
 
 def drawing(wall: WallResult, words: Words) -> Figure:
     """The wall to scale with its sizes, its hinges at rest, what holds its top and the blocks turned (dashed)."""
-    asked, found = wall.wall, bending(wall.wall.in_si)
-    h, t, u, h1 = wall.height, wall.thickness, asked.setback, found.h1
-    at = hinges_of(found.strip, h1)
+    asked, mechanism = wall.wall, bending(wall.wall.in_si)
+    h, t, u, h1 = wall.height, wall.thickness, asked.setback, mechanism.h1
+    at = hinges_of(mechanism.strip, h1)
 
     def outward(points):
         return [(t - x, z) for x, z in points]
 
-    blocks = [outward(corners) for corners in outlines(found.strip, h1, shown_rotation(found))]
+    blocks = [outward(corners) for corners in outlines(mechanism.strip, h1, shown_rotation(mechanism))]
     curves = [
-        *(path(outward(corners), "accent", width=1.8) for corners in outlines(found.strip, h1, 0.0)),
+        *(path(outward(corners), "accent", width=1.8) for corners in outlines(mechanism.strip, h1, 0.0)),
         *(path(corners, "quiet", "dash", 0.9) for corners in blocks),
         Curve("", (t - at.base, t - at.between, t - at.top), (0.0, h1, h), "bad", "points"),
         Curve("", (-0.45 * h, t + 0.45 * h), (0.0, 0.0), "quiet", width=1.1),

@@ -65,11 +65,11 @@ def _moved(result: StudyResult, verdict: WallVerdict, words: Words) -> list[Part
     return parts
 
 
-def _tornado(found: Sensitivity, target: float, words: Words) -> Figure:
+def _tornado(sensitivity: Sensitivity, target: float, words: Words) -> Figure:
     """zeta from the lowest to the highest of each input, beside zeta as it is and zeta required."""
     curves, names = [], []
-    base = found.base or 0.0
-    for k, swing in enumerate(found.swings):
+    base = sensitivity.base or 0.0
+    for k, swing in enumerate(sensitivity.swings):
         zetas = [0.0 if end.zeta is None else end.zeta for end in swing.ends]
         curves.append(path([(k, min(base, *zetas)), (k, max(base, *zetas))], "accent", width=7.0))
         names.append(sure_words.swing_name(swing, words.language))

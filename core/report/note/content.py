@@ -47,7 +47,7 @@ CONTENTS_FROM = 4
 TOLD = 6
 """Walls whose verdict is told on the first page."""
 
-REASONS = 3
+MAX_REASON_LINES = 3
 """Lines that stand below a verdict; the others end the section of the wall."""
 
 
@@ -107,7 +107,9 @@ def _assumed(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
     if not rows:
         return []
     tones = {(k, column): "bad" for k, (_, turns) in enumerate(rows) if turns for column in (4, 5)}
-    return [Table(assumption_table.heads(words.say), [cells for cells, _ in rows], assumption_table.WIDTHS, tones)]
+    return [
+        Table(assumption_table.heads(words.say), [cells for cells, _ in rows], assumption_table.COLUMN_SHARES, tones)
+    ]
 
 
 def _limiting(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
@@ -181,7 +183,7 @@ def _verdicts(result: StudyResult, words: Words) -> list[Part]:
     rows, tones = [], {}
     ordered = in_order(result)
     for n, (wall, decides) in enumerate(ordered):
-        found = wall.assessment
+        assessment = wall.assessment
         row = [
             wall.name if decides else f"– {wall.name}",
             words.word(wall.mechanism),
@@ -189,9 +191,9 @@ def _verdicts(result: StudyResult, words: Words) -> list[Part]:
             words.number(wall.thickness, ".3f"),
             words.number(wall.q_set, ".2f"),
         ]
-        if found:
-            verdict = found.verdict
-            by = next((check for check in found.checks if check.name == verdict.governing), None)
+        if assessment:
+            verdict = assessment.verdict
+            by = next((check for check in assessment.checks if check.name == verdict.governing), None)
             row += [words.number(verdict.zeta_e, ".2f"), words.short(by) if by else "–", words.word(verdict.code)]
             tones[n, 5] = tones[n, 7] = tone_of(result, wall)
         else:
@@ -299,7 +301,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
         held = say("wall at {z:g} m, {kind}", z=float(known(wall.wall.felt_z_m)), kind=held)
     parts.append(Paragraph(sentence_of(wall, language), tone_of(result, wall)))
     reasons = lines_of(result, wall, language)
-    parts += [Item(line) for line in reasons[:REASONS]]
+    parts += [Item(line) for line in reasons[:MAX_REASON_LINES]]
     parts += [_checks(result, wall, words), Paragraph(held, "quiet")]
     parts += _side_by_side([*first, wall_figures.capacity(result, wall, words)])
     parts += site.solids(wall, words) + site.loads(wall, words)
@@ -312,7 +314,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     tabled = assumption_table.tabled(wall, language)
     rest = [
         *certainty_line(result, wall, words),
-        *(line for line in reasons[REASONS:] if line not in tabled),
+        *(line for line in reasons[MAX_REASON_LINES:] if line not in tabled),
         *tie_lines(wall, language),
         *(one.text(language) for one in wall.warnings),
     ]
@@ -323,16 +325,16 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
 
 def _checks(result: StudyResult, wall: WallResult, words: Words) -> Bars:
     """zeta of each check of a wall over the zeta required."""
-    found = wall.assessed
+    assessed = wall.assessed
     rows = [
         (
             words.short(check),
             check.clause,
             check.zeta,
             "good" if check.passed else "bad",
-            check.name == found.verdict.governing,
+            check.name == assessed.verdict.governing,
         )
-        for check in found.checks
+        for check in assessed.checks
     ]
     target = result.required.zeta_target
     caption = words.say(
@@ -351,9 +353,9 @@ def _side_by_side(figures: list) -> list[Part]:
 
 def _verdict(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
     """The sentence of the verdict with every reason and every warning of the wall."""
-    found, language = wall.assessment, words.language
+    assessment, language = wall.assessment, words.language
     parts: list[Part] = []
-    if found is not None:
+    if assessment is not None:
         parts = [Paragraph(sentence_of(wall, language), tone_of(result, wall))]
         parts += [Item(line) for line in (*lines_of(result, wall, language), *tie_lines(wall, language))]
     return [*parts, *(Item(warning.text(language), "quiet") for warning in wall.warnings)]

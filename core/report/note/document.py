@@ -7,7 +7,7 @@ import io
 from xml.etree import ElementTree
 
 from core.packages import require
-from core.report.note.equation import LONGEST, equations, width
+from core.report.note.equation import MAX_LINE, equations, width
 from core.report.note.parts import Bars, Blanks, Box, Derivation, Figures, Heading, Item, Paragraph, Part, Table
 from core.report.note.pdf import picture
 from core.report.note.words import Words
@@ -23,10 +23,10 @@ COLORS = {
     "amber": "#8A5A00",
     "bad": "#A6192E",
 }
-WIDTH = 17.0
+TEXT_WIDTH_CM = 17.0
 """Width of the text of an A4 page [cm]."""
 
-LETTER, MARGINS = 0.21, 0.4
+CELL_LETTER_WIDTH, MARGINS = 0.21, 0.4
 """Width of a bold letter of a cell, and of both margins of a cell [cm]."""
 
 BLANKS = 105
@@ -55,11 +55,11 @@ def widths_of(part: Table) -> list[float]:
     """Widths of the columns [cm] in proportion to those asked, each as wide as its longest word, where there is room:
     an office parts "0,45" in a narrower one."""
     whole = sum(part.widths)
-    asked = [WIDTH * width / whole for width in part.widths]
+    asked = [TEXT_WIDTH_CM * width / whole for width in part.widths]
     words = (
         [len(word) for row in (part.heads, *part.rows) if row for word in row[k].split()] for k in range(len(asked))
     )
-    least = [MARGINS + LETTER * max(lengths, default=0) for lengths in words]
+    least = [MARGINS + CELL_LETTER_WIDTH * max(lengths, default=0) for lengths in words]
     lacking = sum(max(0.0, need - size) for need, size in zip(least, asked, strict=True))
     room = sum(max(0.0, size - need) for need, size in zip(least, asked, strict=True))
     taken = min(1.0, lacking / room) if room > 0.0 else 0.0
@@ -121,7 +121,7 @@ class _Writer:
     def _cells(self, table, widths) -> None:
         table.autofit = False
         whole = sum(widths)
-        sizes = [self.cm(WIDTH * width / whole) for width in widths]
+        sizes = [self.cm(TEXT_WIDTH_CM * width / whole) for width in widths]
         for column, size in zip(table.columns, sizes, strict=True):
             column.width = size
         for row in table.rows:  # `column.cells` makes the whole table anew for each column
@@ -161,7 +161,7 @@ class _Writer:
             written = equations(step, self.words.language)
             lines = [parse_xml(line) for line in written]
             place, second, third = row.cells[0], *(cell.paragraphs[0] for cell in row.cells[1:])
-            wide = any(width(ElementTree.fromstring(line)) > LONGEST for line in written)
+            wide = any(width(ElementTree.fromstring(line)) > MAX_LINE for line in written)
             if wide:  # label and clause stand below
                 place = place.merge(row.cells[2])
                 for paragraph in place.paragraphs[1:]:
@@ -183,7 +183,7 @@ class _Writer:
             self.figures += 1
             run = table.cell(0, k).paragraphs[0].add_run()
             run.add_picture(
-                io.BytesIO(picture(figure, self.words)), width=self.cm((WIDTH - 0.5) / max(2, len(figures)))
+                io.BytesIO(picture(figure, self.words)), width=self.cm((TEXT_WIDTH_CM - 0.5) / max(2, len(figures)))
             )
             caption = f"Fig. {self.figures}. {figure.caption}"
             self._run(table.cell(1, k).paragraphs[0], caption, "quiet", 8)

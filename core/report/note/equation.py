@@ -15,7 +15,7 @@ from core.text.sentence import numeral
 
 NAMESPACE = "http://schemas.openxmlformats.org/officeDocument/2006/math"
 
-THIN = "\u2009"
+THIN_SPACE = "\u2009"
 """Space between the factors of a product in symbols."""
 
 INDEXED = re.compile(
@@ -67,7 +67,7 @@ OMML = Notation(
 )
 
 
-SIGNS = {THIN: "thin ", " ": "thin ", " · ": "dot.op ", " + ": "+ ", " − ": "- ", " = ": "= "}
+SIGNS = {THIN_SPACE: "thin ", " ": "thin ", " · ": "dot.op ", " + ": "+ ", " − ": "- ", " = ": "= "}
 """Operators of Typst, which have their own spaces."""
 
 
@@ -139,23 +139,25 @@ class Equation(Face):
         if name == "sqrt":
             return [to.root(inner[0])], ATOM
         if name == "kilo":
-            return [inner[0], to.run(" · 10³" if self.point != THIN else "")], PRODUCT
+            return [inner[0], to.run(" · 10³" if self.point != THIN_SPACE else "")], PRODUCT
         if name == "radians":
             return [inner[0]], ATOM
         if name == "abs":
             return [to.run("|"), inner[0], to.run("|")], ATOM
         head = {"log": "ln", "atan": "arctan"}.get(name, name)
         if name in ("sin", "cos", "tan") and isinstance(arguments[0], ast.Name):
-            return [to.run(f"{head} "), inner[0], to.run("°" if self.point != THIN else "")], POWER
+            return [to.run(f"{head} "), inner[0], to.run("°" if self.point != THIN_SPACE else "")], POWER
         return [to.run(head), to.brackets(to.run(", ").join(inner))], ATOM
 
     def name(self, name):
-        if (found := self.leaf(name)) is not None:
+        if (leaf := self.leaf(name)) is not None:
             degree = (
-                self.notation.run("°") if self.in_angle and name.endswith("_degrees") and self.point != THIN else ""
+                self.notation.run("°")
+                if self.in_angle and name.endswith("_degrees") and self.point != THIN_SPACE
+                else ""
             )
-            return [f"{found} {degree}" if degree else found], ATOM
-        if name in CONSTANTS and (self.point == THIN or name == "pi"):
+            return [f"{leaf} {degree}" if degree else leaf], ATOM
+        if name in CONSTANTS and (self.point == THIN_SPACE or name == "pi"):
             return [self.notation.letter(CONSTANTS[name])], ATOM
         return self.constant(self.known(name))
 
@@ -163,7 +165,7 @@ class Equation(Face):
         return [self.notation.run(numeral(float(value), "g", self.language))], ATOM
 
 
-LONGEST, WIDEST = 42, 77
+MAX_LINE, MAX_WHOLE_LINE = 42, 77
 """Characters a line has room for beside its label and clause, in the wide letters an office without Cambria Math sets
 them in, and over the whole width."""
 
@@ -181,32 +183,32 @@ def width(node: ElementTree.Element) -> int:
 
 def sides(step: Step, language: str, to: Notation) -> list[str]:
     """Sides of a step, between its signs of equality: symbol, formula, numbers, result and unit."""
-    found = [to.symbol(step.symbol)]
+    parts = [to.symbol(step.symbol)]
     if step.formula and step.quantity is not None:
         symbols = {name: to.symbol(text) for name, text in step.symbols.items()}
-        face = Equation(to, step.quantity.function, symbols.get, THIN, language)
-        found.append("".join(face.of(step.quantity.tree)[0]))
+        face = Equation(to, step.quantity.function, symbols.get, THIN_SPACE, language)
+        parts.append("".join(face.of(step.quantity.tree)[0]))
     if step.numbers and step.quantity is not None:
         numbers = {name: to.run(shown.text(language)) for name, shown in step.values.items()}
         face = Equation(to, step.quantity.function, numbers.get, " · ", language)
-        found.append("".join(face.of(step.quantity.tree)[0]))
+        parts.append("".join(face.of(step.quantity.tree)[0]))
     unit = "" if step.unit in ("–", "") else f" {step.unit}"
-    return [*found, to.run(step.result_written(language) + unit)]
+    return [*parts, to.run(step.result_written(language) + unit)]
 
 
-def rows(step: Step, language: str, to: Notation, longest: int = LONGEST) -> list[list[str]]:
+def rows(step: Step, language: str, to: Notation, longest: int = MAX_LINE) -> list[list[str]]:
     """`sides` as they stand in a line each: what a line has no room for stands below, what no line has room for is left
     out, its numbers standing above."""
     written, measured = sides(step, language, to), [_width(side) + 2 for side in sides(step, language, OMML)]
-    found, room = [[written[0], written[1]]], measured[0] + measured[1]
+    lines, room = [[written[0], written[1]]], measured[0] + measured[1]
     for side, wide in zip(written[2:], measured[2:], strict=True):
         if room + wide <= longest:
-            found[-1].append(side)
+            lines[-1].append(side)
             room += wide
-        elif wide <= WIDEST or side is written[-1]:
-            found.append([side])
+        elif wide <= MAX_WHOLE_LINE or side is written[-1]:
+            lines.append([side])
             room = wide
-    return found
+    return lines
 
 
 def equations(step: Step, language: str) -> list[str]:

@@ -9,13 +9,13 @@ import numpy as np
 from core.report.note.parts import Figure
 from core.report.note.words import Words
 
-SIZES = {1: (8.1, 4.7), 2: (8.1, 4.7), 3: (5.5, 4.1), 4: (4.4, 3.0)}
+FIGURE_SIZES = {1: (8.1, 4.7), 2: (8.1, 4.7), 3: (5.5, 4.1), 4: (4.4, 3.0)}
 """Width and height of a figure by how many stand side by side [cm]."""
 
 TICKS = 5
 """Marks of an axis, about."""
 
-LETTER = 0.15
+FIGURE_LETTER_WIDTH = 0.15
 """Width of a letter of a figure, about [cm]."""
 
 
@@ -38,14 +38,14 @@ def _range(given: tuple[float, float] | None, values: Sequence[np.ndarray]) -> t
 
 def laid_out(figure: Figure, words: Words, side_by_side: int = 2) -> dict[str, Any]:
     """Lay out a figure, lengths in cm from its upper left corner; lines go beyond the area and are cut."""
-    width, height = SIZES[side_by_side]
+    width, height = FIGURE_SIZES[side_by_side]
     named = [curve for curve in figure.curves if curve.name]
     rows = _legend_rows([curve.name for curve in named], width - 1.4)
     (x0, x1) = _range(figure.x_range, [np.asarray(curve.x, float) for curve in figure.curves])
     (y0, y1) = _range(figure.y_range, [np.asarray(curve.y, float) for curve in figure.curves])
     left, top, right, bottom = 0.0, 0.0, width, height
     if not figure.is_drawing:
-        below = 0.75 if not figure.names else 0.35 + 0.75 * LETTER * max(map(len, figure.names))
+        below = 0.75 if not figure.names else 0.35 + 0.75 * FIGURE_LETTER_WIDTH * max(map(len, figure.names))
         top = 0.15 + 0.36 * len(rows)
         height = max(height, top + figure.least_area + below)
         left, right, bottom = 1.2, width - 0.2, height - below
@@ -67,18 +67,18 @@ def laid_out(figure: Figure, words: Words, side_by_side: int = 2) -> dict[str, A
             half, foot = 0.35 * wide / (x1 - x0), place([0.0], [0.0])[0][1]
             points = [[x - half, min(y, foot), 2.0 * half, abs(foot - y)] for x, y in points]
         marks.append({"shape": curve.shape, "color": curve.color, "width": curve.width, "points": points})
-    found = {"size": [width, height], "area": [left, top, wide, high], "marks": marks, "caption": figure.caption}
-    found["texts"] = [[*place([label.x], [label.y])[0], label.text] for label in figure.labels]
-    found["framed"] = not figure.is_drawing
+    layout = {"size": [width, height], "area": [left, top, wide, high], "marks": marks, "caption": figure.caption}
+    layout["texts"] = [[*place([label.x], [label.y])[0], label.text] for label in figure.labels]
+    layout["framed"] = not figure.is_drawing
     if not figure.is_drawing:
-        found |= {"x": figure.x.strip(), "y": figure.y, "names": [], "x_ticks": []}
-        found["y_ticks"] = [[place([x0], [y])[0][1], words.number(y, "g")] for y in _clean(ticks(y0, y1))]
+        layout |= {"x": figure.x.strip(), "y": figure.y, "names": [], "x_ticks": []}
+        layout["y_ticks"] = [[place([x0], [y])[0][1], words.number(y, "g")] for y in _clean(ticks(y0, y1))]
         if figure.names:
-            found["names"] = [[place([k], [y0])[0][0], name] for k, name in enumerate(figure.names)]
+            layout["names"] = [[place([k], [y0])[0][0], name] for k, name in enumerate(figure.names)]
         else:
-            found["x_ticks"] = [[place([x], [y0])[0][0], words.number(x, "g")] for x in _clean(ticks(x0, x1))]
-        found["legend"] = [[[named[k].name, named[k].color, named[k].shape] for k in row] for row in rows]
-    return found
+            layout["x_ticks"] = [[place([x], [y0])[0][0], words.number(x, "g")] for x in _clean(ticks(x0, x1))]
+        layout["legend"] = [[[named[k].name, named[k].color, named[k].shape] for k in row] for row in rows]
+    return layout
 
 
 def _clean(values: list[float]) -> list[float]:
@@ -91,7 +91,7 @@ def _legend_rows(names: Sequence[str], width: float) -> list[list[int]]:
     rows: list[list[int]] = []
     room = 0.0
     for k, name in enumerate(names):
-        need = 0.8 + LETTER * len(name)
+        need = 0.8 + FIGURE_LETTER_WIDTH * len(name)
         if not rows or need > room:
             rows.append([])
             room = width

@@ -39,7 +39,9 @@ SIGNATURE = 52.0
 
 NUMERIC = re.compile(r"[-−+]?[0-9][0-9.,  ]*(e[-+][0-9]+)?|–")
 
-USUAL = re.compile("[\u0020-\u007e\u00a0-\u017f\u0391-\u03c9\u2009\u2013\u2014\u2018-\u201e\u2022\u2026\u2032]*")
+USUAL_LETTERS = re.compile(
+    "[\u0020-\u007e\u00a0-\u017f\u0391-\u03c9\u2009\u2013\u2014\u2018-\u201e\u2022\u2026\u2032]*"
+)
 """Letters FONT surely has."""
 
 
@@ -93,7 +95,7 @@ class Note:
             "office": self.words.say("Mark of the office"),
             "letterhead": list(self.office.letterhead),
             "logo": list(self.office.logo) if self.office.logo else None,
-            "words": {name: self.words.say(text) for name, text in WORDS.items()},
+            "words": {name: self.words.say(text) for name, text in NOTE_WORDS.items()},
             "parts": [self._part(part) for part in parts],
             "alone": False,
         }
@@ -108,18 +110,18 @@ class Note:
 
     def pages(self, resolution: float) -> list[bytes]:
         """Set each page as PNG. resolution : [dpi]"""
-        found = self._again(lambda made: made.compile(format="png", ppi=resolution))
-        return found if isinstance(found, list) else [found]
+        images = self._again(lambda made: made.compile(format="png", ppi=resolution))
+        return images if isinstance(images, list) else [images]
 
     def places(self) -> list[dict[str, Any]]:
         """Places of the marks: page from 1, y from the top [pt], and what each leads to."""
-        return json.loads(self._again(lambda made: made.eval(LEADS)))
+        return json.loads(self._again(lambda made: made.eval(LEADS_QUERY)))
 
     def lines(self) -> list[tuple[int, float, str]]:
         """Lines of the pages: page from 1, y of the line from the top [pt], its text."""
         import pypdf
 
-        found: list[tuple[int, float, str]] = []
+        placed_lines: list[tuple[int, float, str]] = []
         content = self._again(lambda made: made.compile(format="pdf", timestamp=self._stamp()))
         reader = pypdf.PdfReader(io.BytesIO(content))
         for number, page in enumerate(reader.pages, start=1):
@@ -130,15 +132,15 @@ class Note:
                 of_page[y] = of_page.get(y, "") + text.replace("\n", "")
 
             page.extract_text(visitor_text=seen)
-            found += [(number, y, text) for y, text in sorted(of_page.items()) if text.strip()]
-        return found
+            placed_lines += [(number, y, text) for y, text in sorted(of_page.items()) if text.strip()]
+        return placed_lines
 
     def _stamp(self) -> int:
         return int(datetime.datetime.combine(self.day, datetime.time(), datetime.UTC).timestamp())
 
     def _given(self, attachments) -> dict[str, Any]:
         data = json.dumps(self.data | {"attachments": attachments}, ensure_ascii=False)
-        own = self.data["font"] == FONT and USUAL.fullmatch(_texts(self.data)) is not None
+        own = self.data["font"] == FONT and USUAL_LETTERS.fullmatch(_texts(self.data)) is not None
         return {"sys_inputs": {"data": data}, "ignore_system_fonts": own}
 
     @functools.cached_property
@@ -194,7 +196,7 @@ class Note:
             case Figures():
                 return given | {"figures": [laid_out(one, self.words, len(part.figures)) for one in part.figures]}
             case Beside():
-                drawn = None if part.figure is None else laid_out(part.figure, self.words, BESIDE)
+                drawn = None if part.figure is None else laid_out(part.figure, self.words, ABREAST_OF_TEXT)
                 return given | {"parts": [self._part(one) for one in part.parts], "figure": drawn}
             case Blanks():
                 return given | {"height": SIGNATURE}
@@ -207,12 +209,12 @@ class Note:
         return {"math": equation, "alt": alt, "label": step.label, "clause": step.clause}
 
 
-BESIDE = 4
+ABREAST_OF_TEXT = 4
 """A drawing beside parts has the size of one of so many figures."""
 
-WORDS = {"page": "page", "fig": "Fig."}
+NOTE_WORDS = {"page": "page", "fig": "Fig."}
 
-LEADS = "query(<leads>).map(m => (..m.value, page: m.location().page(), y: m.location().position().y.pt()))"
+LEADS_QUERY = "query(<leads>).map(m => (..m.value, page: m.location().page(), y: m.location().position().y.pt()))"
 """Query by which the template is asked for its marks."""
 
 BOXES = {"☑": "ticked", "☐": "open"}
@@ -264,7 +266,7 @@ def _texts(value: Any) -> str:
 def legible(value: Any) -> Any:
     """Replace each letter that no font shows by its code, as U+0001, in every text of a value: PDF/A takes no letter
     without a shape."""
-    strange = sorted(set(USUAL.sub("", _texts(value))))
+    strange = sorted(set(USUAL_LETTERS.sub("", _texts(value))))
     codes = {letter: f"U+{ord(letter):04X}" for letter in strange if not _is_shown(letter)}
     return _replaced(value, str.maketrans(codes)) if codes else value
 

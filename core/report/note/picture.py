@@ -11,7 +11,7 @@ SECONDS, MEGABYTES = 20.0, 3000
 
 TOO_MUCH = "too much"
 
-ALONE = """
+PICTURE_DOCUMENT = """
 #set document(title: "picture")
 #image(bytes(json(bytes(sys.inputs.data))), height: 1.5cm, alt: "picture")
 """
@@ -35,5 +35,5 @@ def set_alone(content: bytes, standards: tuple[str, ...]) -> None:
 
     asked: Any = list(standards)
     given = {"data": json.dumps(list(content))}
-    typst.compile(ALONE.encode(), format="pdf", pdf_standards=asked, sys_inputs=given)
-    typst.compile(ALONE.encode(), format="png", ppi=100.0, sys_inputs=given)
+    typst.compile(PICTURE_DOCUMENT.encode(), format="pdf", pdf_standards=asked, sys_inputs=given)
+    typst.compile(PICTURE_DOCUMENT.encode(), format="png", ppi=100.0, sys_inputs=given)

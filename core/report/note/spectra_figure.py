@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from core.codes.record_compatibility import LOWER, UPPER
+from core.codes.record_compatibility import LOWER_BOUND, UPPER
 from core.report.note.parts import Curve, Figure
 from core.report.note.words import Words
 from core.study.results import StudyResult
@@ -15,7 +15,7 @@ def bounds_of(result: StudyResult) -> tuple[float, float]:
     if result.selection is not None:
         return result.selection.bounds[0], result.selection.bounds[1]
     upper = UPPER["natural"]
-    return 1.0 + max(LOWER[kind] for kind in result.kinds), 1.0 + upper if "natural" in result.kinds else np.inf
+    return 1.0 + max(LOWER_BOUND[kind] for kind in result.kinds), 1.0 + upper if "natural" in result.kinds else np.inf
 
 
 def spectra(result: StudyResult, words: Words) -> Figure | None:

@@ -23,7 +23,7 @@ from core.wall.masonry import ARCHES
 TURNED = math.radians(7.0)
 """Rotation of the dashed outline of the mechanism."""
 
-POINTS = 500
+FIGURE_POINTS = 500
 """Points of a history in a figure."""
 
 FULL_BAR = 1.2
@@ -198,7 +198,7 @@ def histories(result: StudyResult, wall: WallResult, words: Words) -> Figure | N
         if overturned.size:  # it overturned: what follows is no part of the check
             size = min(size, int(overturned[0]) + 1)
         moved = one.displacement[:size]
-        chosen = thinned(moved, POINTS)
+        chosen = thinned(moved, FIGURE_POINTS)
         sign = "+" if one.run.polarity > 0 else "−"
         times = [k * one.motion.time_step for k in chosen]
         curves.append(Curve(f"{one.run.record} ({sign})", times, (moved[chosen] / CM).tolist(), color, width=0.9))
@@ -223,10 +223,10 @@ def forces_of_ties(result: StudyResult, wall: WallResult, words: Words) -> Figur
         return None
     worst, curves, last = deciding[0], [], 0.0
     weakened, _ = at_demand(wall.model, result.required, known(wall.assessed.dynamic).confidence_on, worst.motion)
-    found = bar_histories(wall.wall, worst.history, wall.model.p2 / weakened.p2)
-    for one, color in zip(found, ("accent", "bad", "amber", "ink") * 9, strict=False):
+    of_bars = bar_histories(wall.wall, worst.history, wall.model.p2 / weakened.p2)
+    for one, color in zip(of_bars, ("accent", "bad", "amber", "ink") * 9, strict=False):
         size = min(one.force.size, worst.motion.acceleration.size)
-        chosen = thinned(one.force[:size], POINTS)
+        chosen = thinned(one.force[:size], FIGURE_POINTS)
         times = [k * worst.motion.time_step for k in chosen]
         name = f"h {words.number(one.bar.height, '.2f')} m"
         curves.append(Curve(name, times, (1e-3 * one.force[chosen]).tolist(), color, width=0.9))

@@ -174,9 +174,7 @@ KINEMATIC = (
         "without_friction",
         "the whole wall, where the values above are of its upper part with friction",
         START,
-        lambda found: (
-            None if found.kinematic.chain.alpha0_friction is None else (found.kinematic, found.confidence_factor)
-        ),
+        lambda of: None if of.kinematic.chain.alpha0_friction is None else (of.kinematic, of.confidence_factor),
     ),
     number("d0_m", "m", "displacement of the control point at which nothing holds the wall", "kinematic.d0", line="d0"),
     number(
@@ -191,9 +189,9 @@ KINEMATIC = (
         "arch",
         "of a wall that spans between transverse walls",
         ARCH,
-        lambda found: found.kinematic if found.kinematic.wall.arch else None,
+        lambda of: of.kinematic if of.kinematic.wall.arch else None,
     ).optional(),
-    one("bending", "of a wall held at its top", BENDING, lambda found: _bending(found.kinematic)).optional(),
+    one("bending", "of a wall held at its top", BENDING, lambda of: _bending(of.kinematic)).optional(),
     number("period_s", "s", "T_SLV or T_SLC, C8.7.1.10 and .11", "kinematic.period", line="period"),
     number("s_de_m", "m", "displacement demand", "kinematic.s_de", line="s_de"),
     one("without_ties", "the displacement check of the wall without its ties", DISPLACEMENT, "kinematic.without_ties"),
@@ -227,8 +225,8 @@ RISK = (
         "risk.other_return_period",
         line="tr_c_longer",
     ),
-    number("zeta_16", "-", "of the histories, where they decide", lambda found: _decided_by(found, "zeta_16")),
-    number("zeta_first", "-", "of the histories, where they decide", lambda found: _decided_by(found, "zeta_first")),
+    number("zeta_16", "-", "of the histories, where they decide", lambda of: _decided_by(of, "zeta_16")),
+    number("zeta_first", "-", "of the histories, where they decide", lambda of: _decided_by(of, "zeta_first")),
     text("return_period_c_shown", "T_R,C as it is written", "risk.years"),
     number("is_v", "-", "IS-V of this mechanism", "risk.index", line="is_v"),
     text("is_v_letter", "its letter", "risk.letter"),
@@ -291,7 +289,7 @@ SOLVER = (
         "noise_effect",
         "-",
         "of noise on the samples on the history, null where it overturns the wall",
-        lambda found: found.noise_effect if math.isfinite(found.noise_effect) else None,
+        lambda of: of.noise_effect if math.isfinite(of.noise_effect) else None,
     ),
     number("scale", "-", "multiplier of the histories"),
     many(
@@ -318,9 +316,9 @@ DEFINITION = (
             number("q_slv_robust", "-", "q_slv_robust", lambda row: row[3]),
         ),
     ),
-    number("step_spread", "-", "spread of q", lambda found: found.spread(1, found.steps)),
-    number("step_spread_robust", "-", "spread of q_robust", lambda found: found.spread(2, found.steps)),
-    number("step_spread_slv_robust", "-", "spread of q_slv_robust", lambda found: found.spread(3, found.steps)),
+    number("step_spread", "-", "spread of q", lambda of: of.spread(1, of.steps)),
+    number("step_spread_robust", "-", "spread of q_robust", lambda of: of.spread(2, of.steps)),
+    number("step_spread_slv_robust", "-", "spread of q_slv_robust", lambda of: of.spread(3, of.steps)),
     number("rounding", "-", "rounding of the samples", lambda _: RECORD_ROUNDING),
     many(
         "rounded",
@@ -331,10 +329,10 @@ DEFINITION = (
             number("q_slv_robust", "-", "q_slv_robust", lambda row: row[2]),
         ),
     ),
-    number("rounding_spread", "-", "spread of q", lambda found: found.spread(0, found.rounded)),
-    number("rounding_spread_robust", "-", "spread of q_robust", lambda found: found.spread(1, found.rounded)),
-    number("rounding_spread_slv_robust", "-", "spread of q_slv_robust", lambda found: found.spread(2, found.rounded)),
-    numbers("polarities", "-", "q as recorded and reversed", lambda found: found.polarities or None),
+    number("rounding_spread", "-", "spread of q", lambda of: of.spread(0, of.rounded)),
+    number("rounding_spread_robust", "-", "spread of q_robust", lambda of: of.spread(1, of.rounded)),
+    number("rounding_spread_slv_robust", "-", "spread of q_slv_robust", lambda of: of.spread(2, of.rounded)),
+    numbers("polarities", "-", "q as recorded and reversed", lambda of: of.polarities or None),
 )
 
 UNCERTAINTY = (

@@ -87,8 +87,8 @@ def per(divisor: float, attribute: str) -> Callable[[Any], float | None]:
     read = attrgetter(attribute)
 
     def value(source: Any) -> float | None:
-        found = read(source)
-        return None if found is None else found / divisor
+        raw = read(source)
+        return None if raw is None else raw / divisor
 
     return value
 
@@ -97,7 +97,7 @@ def through(source: Callable[[Any], Any], group: Sequence[Quantity]) -> list[Qua
     """Quantities of a group read from another source, None where that is."""
 
     def read(of: Callable[[Any], Any]) -> Callable[[Any], Any]:
-        return lambda outer: None if (found := source(outer)) is None else of(found)
+        return lambda outer: None if (inner := source(outer)) is None else of(inner)
 
     return [quantity._replace(of=read(quantity.of)) for quantity in group]
 
@@ -110,7 +110,7 @@ def of_keys(group: Sequence[Quantity], *keys: str) -> list[Quantity]:
 
 def stated(group: Sequence[Quantity], source: Any) -> dict[str, Any]:
     """The keys of a group as the results have them."""
-    found = {}
+    values = {}
     for quantity in group:
         value = quantity.of(source)
         if value is None and quantity.left_out:
@@ -124,8 +124,8 @@ def stated(group: Sequence[Quantity], source: Any) -> dict[str, Any]:
                 value = {name: stated(quantity.group, item) for name, item in value.items()}
         elif value is not None and quantity.kind in ("texts", "numbers", "wholes"):
             value = list(value)
-        found[quantity.key] = value
-    return found
+        values[quantity.key] = value
+    return values
 
 
 def schema(group: Sequence[Quantity]) -> dict[str, Any]:

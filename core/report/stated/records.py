@@ -137,8 +137,8 @@ DEMAND = (
 """Quantities read from StudyResult with a demand."""
 
 AT_PERIOD = (
-    number("period_s", "s", "period", lambda found: found[0]),
-    number("ratio", "-", "mean spectrum over the target there", lambda found: found[1]),
+    number("period_s", "s", "period", lambda of: of[0]),
+    number("ratio", "-", "mean spectrum over the target there", lambda of: of[1]),
 )
 
 CHOSEN_SET = (
@@ -159,7 +159,7 @@ CHOSEN_SET = (
 )
 
 SELECTION = (
-    text("folder", "folder of the records", lambda found: shown(found.folder)),
+    text("folder", "folder of the records", lambda of: shown(of.folder)),
     whole("files", "files read"),
     whole("candidates", "motions that may be chosen"),
     flag("every_combination", "whether every set was looked at", "every"),

@@ -11,7 +11,7 @@ from core.study.results import StudyResult
 from core.study.variants import comparisons, wall_comparisons
 from core.version import NAME, VERSION, commit
 
-HEAD = (
+OF_STUDY = (
     one(
         "program",
         "what made the results",
@@ -71,17 +71,17 @@ class Pair(NamedTuple):
 
 def _pairs(result: StudyResult) -> list[Pair] | None:
     """By the hinge that decides, without a demand by q of each hinge and mechanism; None where there are none."""
-    found: list[Any]
+    pairs: list[Any]
     if result.verdicts:
-        found = list(wall_comparisons(result.verdicts))
-        sides = [[Compared.of(OfWall(side, result)) for side in (one.before, one.after)] for one in found]
+        pairs = list(wall_comparisons(result.verdicts))
+        sides = [[Compared.of(OfWall(side, result)) for side in (one.before, one.after)] for one in pairs]
     else:
-        found = list(comparisons(result.walls))
-        sides = [[Compared(q_set=side.q_set) for side in (one.before, one.after)] for one in found]
-    return [Pair(one.name, one.changed, *both) for one, both in zip(found, sides, strict=True)] or None
+        pairs = list(comparisons(result.walls))
+        sides = [[Compared(q_set=side.q_set) for side in (one.before, one.after)] for one in pairs]
+    return [Pair(one.name, one.changed, *both) for one, both in zip(pairs, sides, strict=True)] or None
 
 
 PAIRS = (many("variants", "walls as they are beside as they are designed", PAIR, _pairs).optional(),)
 
-RESULTS = (*HEAD, *VERDICTS, *WALLS, *PAIRS)
+RESULTS = (*OF_STUDY, *VERDICTS, *WALLS, *PAIRS)
 """Quantities read from StudyResult: the whole file."""

@@ -230,8 +230,8 @@ class OfWallResult(NamedTuple):
 class OfAssessment:
     """An Assessment and FC, for what is read of both."""
 
-    def __init__(self, found: Any, confidence_factor: float):
-        self.found, self.confidence_factor = found, confidence_factor
+    def __init__(self, assessment: Any, confidence_factor: float):
+        self.found, self.confidence_factor = assessment, confidence_factor
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self.found, name)

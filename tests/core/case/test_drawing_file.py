@@ -21,7 +21,7 @@ from shapely.geometry import Polygon, box  # noqa: E402
 from app import __main__ as program  # noqa: E402
 from app.terminal.inspection import inspect  # noqa: E402
 from core.case import drawing_file, drawing_outlines  # noqa: E402
-from core.case.drawing_file import TOLERANCE, DxfFile, Unread, likely_unit  # noqa: E402
+from core.case.drawing_file import DRAWING_TOLERANCE, DxfFile, Unread, likely_unit  # noqa: E402
 from core.case.drawing_outlines import arc, joined, parts_above  # noqa: E402
 from core.case.drawn_solids import with_drawings, with_solids  # noqa: E402
 from core.case.problems import problems  # noqa: E402
@@ -84,9 +84,9 @@ def test_that_area_and_centroid_are_those_of_shapely(tmp_path, name):
     case, drawn = written(tmp_path, name)
     (wall,) = read_case(case).wall
     read = area_of(wall.solid)
-    assert abs(read.area - drawn.area) <= TOLERANCE * drawn.length
-    assert read.hausdorff_distance(drawn) <= 1.5 * TOLERANCE
-    assert math.dist(read.centroid.coords[0], drawn.centroid.coords[0]) <= TOLERANCE
+    assert abs(read.area - drawn.area) <= DRAWING_TOLERANCE * drawn.length
+    assert read.hausdorff_distance(drawn) <= 1.5 * DRAWING_TOLERANCE
+    assert math.dist(read.centroid.coords[0], drawn.centroid.coords[0]) <= DRAWING_TOLERANCE
     depth, body = wall.solid[0].to_m, wall.in_si.body
     assert body.mass * 9.80665 == pytest.approx(20e3 * depth * read.area, rel=1e-9)
     assert body.centroid[1] == pytest.approx(read.centroid.y, rel=1e-9)
@@ -382,7 +382,7 @@ def test_that_a_hatch_without_an_outline_is_a_shape(tmp_path):
 def test_that_a_periodic_spline_is_divided_no_finer_than_its_tolerance_asks(tmp_path):
     """Through 32 chords it would be off by 1.05 mm: h^2 / 8 of its second derivative, (side, side) at a corner and
     (-side, side) at the next, in the middle of the first of the 8 chords of a span (h = 1/8)."""
-    side = 8 * 64 * 1.05 * TOLERANCE / math.hypot(1.0, 1.0 - 1.0 / 8.0)
+    side = 8 * 64 * 1.05 * DRAWING_TOLERANCE / math.hypot(1.0, 1.0 - 1.0 / 8.0)
 
     def draw(space):
         spline = space.add_spline(dxfattribs={"layer": "S"})
@@ -391,7 +391,7 @@ def test_that_a_periodic_spline_is_divided_no_finer_than_its_tolerance_asks(tmp_
     ((_, points),) = DxfFile(sheet(tmp_path / "d.dxf", draw)).sheet().lines
     fourth = points[::4]
     off = max(_off_chord(points[k], fourth[k // 4], fourth[k // 4 + 1]) for k in range(2, len(points) - 4, 4))
-    assert off == pytest.approx(1.05 * TOLERANCE, rel=2e-3)  # across the chord, not to its middle
+    assert off == pytest.approx(1.05 * DRAWING_TOLERANCE, rel=2e-3)  # across the chord, not to its middle
 
 
 def _off_chord(point, start, end) -> float:
@@ -429,7 +429,7 @@ def test_that_blocks_are_on_the_layer_of_their_reference_and_mirrored_ones_are_n
     document.modelspace().add_blockref("B", (10, 0), dxfattribs={"layer": "A", "xscale": -1})
     document.saveas(tmp_path / "d.dxf")
     found = {shape.layer: shape.extent for shape in DxfFile(tmp_path / "d.dxf").sheet().shapes}
-    assert found["A"] == pytest.approx((8.0, 0.0, 9.0, 1.5), abs=TOLERANCE)
+    assert found["A"] == pytest.approx((8.0, 0.0, 9.0, 1.5), abs=DRAWING_TOLERANCE)
     assert found["OWN"] == pytest.approx((8.0, 3.0, 9.0, 4.0))
 
 
@@ -445,7 +445,7 @@ def test_that_borders_of_hatches_are_shapes_and_one_with_its_outline(tmp_path):
     shapes = DxfFile(sheet(tmp_path / "d.dxf", draw)).sheet().shapes
     areas = {shape.layer: polygon_sums(shape.corners).area for shape in shapes}
     assert len(shapes) == 2
-    assert areas == pytest.approx({"A": 30.0, "B": 0.5 * math.pi}, abs=TOLERANCE * math.pi)
+    assert areas == pytest.approx({"A": 30.0, "B": 0.5 * math.pi}, abs=DRAWING_TOLERANCE * math.pi)
 
 
 def test_that_the_unit_of_a_drawing_that_says_none_is_guessed_by_its_size(tmp_path):
@@ -520,7 +520,7 @@ def test_that_hostile_files_are_refused_in_a_sentence(tmp_path, monkeypatch):
         for _ in range(chance.randrange(1, 30)):
             changed[chance.randrange(len(lines))] = chance.choice(WORDS)
         assert code_of(b"\n".join(changed)) in (None, "drawing_damaged", "drawing_too_much")
-    monkeypatch.setattr(drawing_file, "MAX_BYTES", 1000)
+    monkeypatch.setattr(drawing_file, "MAX_DRAWING_BYTES", 1000)
     assert code_of(whole) == "drawing_too_large"
     for missing in (tmp_path / "none.dxf", tmp_path):
         with pytest.raises(InputError, match="there is no such drawing"):
@@ -531,9 +531,9 @@ def church_of(folder) -> bytes:
     return sheets.church(folder / "church.dxf")[0].read_bytes()
 
 
-@pytest.mark.parametrize("most", [2_000, pytest.param(drawing_file.MOST_ENTITIES, marks=pytest.mark.long)])
+@pytest.mark.parametrize("most", [2_000, pytest.param(drawing_file.MAX_ENTITIES, marks=pytest.mark.long)])
 def test_that_blocks_without_an_end_are_refused(tmp_path, monkeypatch, most):
-    monkeypatch.setattr(drawing_file, "MOST_ENTITIES", most)
+    monkeypatch.setattr(drawing_file, "MAX_ENTITIES", most)
     document = ezdxf.new("R2010", units=6)
     one, other = document.blocks.new("ONE"), document.blocks.new("OTHER")
     for block, name in ((one, "OTHER"), (other, "ONE")):
@@ -810,8 +810,8 @@ HOSTILE = {
 @pytest.mark.parametrize("most", [4_000, pytest.param(10_000, marks=pytest.mark.long)])
 def test_that_a_hostile_drawing_takes_no_more_than_its_size(kind, most, tmp_path, monkeypatch):
     random.seed(1)
-    monkeypatch.setattr(drawing_file, "MOST_POINTS", most)
-    monkeypatch.setattr(drawing_outlines, "MOST_POINTS", most)
+    monkeypatch.setattr(drawing_file, "MAX_POINTS", most)
+    monkeypatch.setattr(drawing_outlines, "MAX_POINTS", most)
     document = ezdxf.new()
     HOSTILE[kind](document.modelspace(), lambda: (1e3 * random.random(), 1e3 * random.random()))
     document.saveas(tmp_path / "a.dxf")

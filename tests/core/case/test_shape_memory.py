@@ -5,7 +5,7 @@ from dataclasses import fields, replace
 import pytest
 
 from core.case import shape_memory
-from core.case.shape_memory import BESIDE, check_known_shape
+from core.case.shape_memory import WITHOUT_SHAPE, check_known_shape
 from core.case.solids import Solid
 from core.case.wall import Wall
 from core.errors import InputError
@@ -43,4 +43,4 @@ def test_that_an_error_that_is_known_names_the_wall_that_has_it():
 
 
 def test_that_what_stands_beside_a_shape_are_keys_of_a_wall():
-    assert set(BESIDE) <= {entry.name for entry in fields(Wall)}
+    assert set(WITHOUT_SHAPE) <= {entry.name for entry in fields(Wall)}

@@ -17,7 +17,7 @@ def test_that_topography_use_and_limit_states_are_those_of_ntc():
     assert target_spectrum.NTC_TOPOGRAPHY == {"T1": 1.0, "T2": 1.2, "T3": 1.2, "T4": 1.4}  # Table 3.2.V
     assert national_hazard.USE_CLASSES == {"I": 0.7, "II": 1.0, "III": 1.5, "IV": 2.0}  # Table 2.4.II
     assert limits.EXCEEDANCE == {"SLO": 0.81, "SLD": 0.63, "SLV": 0.10, "SLC": 0.05}  # Table 3.2.I
-    assert national_hazard.LEAST_REFERENCE == 35.0
+    assert national_hazard.MIN_REFERENCE_PERIOD == 35.0
 
 
 @pytest.mark.shows("kinematic.knowledge")
@@ -54,14 +54,14 @@ def test_that_periods_and_dampings_are_those_of_c8_7_1_2_1_8():
         {"SLV": 1.68, "SLC": 1.56}, rel=1e-15
     )
     assert kinematic.STATE_DAMPING == {"SLV": 0.08, "SLC": 0.10}
-    assert (kinematic.FREE_DAMPING, kinematic.CANTILEVER) == (0.05, 6.2)
+    assert (kinematic.FREE_DAMPING, kinematic.CANTILEVER_KAPPA) == (0.05, 6.2)
 
 
 @pytest.mark.shows("demand.artificial")
 def test_that_records_are_compared_by_the_bounds_of_3_2_3_6():
-    assert record_compatibility.LOWER == {"artificial": -0.10, "simulated": -0.20, "natural": -0.10}
+    assert record_compatibility.LOWER_BOUND == {"artificial": -0.10, "simulated": -0.20, "natural": -0.10}
     assert record_compatibility.UPPER == {"natural": 0.30}
-    assert record_compatibility.RANGE == (0.15, 2.0)
+    assert record_compatibility.PERIOD_RANGE == (0.15, 2.0)
     assert (record_compatibility.STRONG_PART, record_compatibility.WHOLE_LENGTH) == (10.0, 25.0)
 
 

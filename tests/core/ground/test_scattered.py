@@ -6,7 +6,7 @@ import pytest
 from core.codes import target_spectrum
 from core.ground.artificial import MATCHED_PERIODS
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
-from core.ground.scattered import LEAST_MEAN, SPREAD, TIME_STEP, correlation, deviations, scattered_set
+from core.ground.scattered import MIN_MEAN, SPREAD, TIME_STEP, correlation, deviations, scattered_set
 from core.units import G
 
 TARGET = target_spectrum.ntc2018(0.2 * G, 2.45, 0.33, "B", "T1")
@@ -45,7 +45,7 @@ def test_that_the_mean_of_a_set_is_compatible_and_its_motions_scatter(motions):
     periods = np.geomspace(*BAND, 90)
     spectra = np.array([pseudo_acceleration_spectrum(one, TIME_STEP, periods) for one in motions])
     ratio = spectra.mean(axis=0) / TARGET.acceleration(periods)
-    assert ratio.min() >= LEAST_MEAN * (1.0 - 1e-3) and ratio.mean() < 1.25
+    assert ratio.min() >= MIN_MEAN * (1.0 - 1e-3) and ratio.mean() < 1.25
     assert np.mean([np.abs(one).max() for one in motions]) >= TARGET.pga
     assert np.log(spectra).std(axis=0, ddof=1).mean() == pytest.approx(SPREAD, abs=0.1)
 

@@ -66,7 +66,7 @@ def test_that_every_set_of_a_small_folder_is_compared(seed, strong, bounds):
     ]
     ranked = sorted((by_hand(ratios, members, bounds), members) for members in allowed)
     ranked = [one for one in ranked if one[0][0] < math.inf]
-    assert every and len(found) == min(selection.LISTED, len(ranked))
+    assert every and len(found) == min(selection.MAX_SETS_LISTED, len(ranked))
     for one, ((miss, deviation), members) in zip(found, ranked, strict=False):
         assert one.members == members
         assert (one.miss, one.deviation) == (pytest.approx(miss, abs=1e-9), pytest.approx(deviation, abs=1e-9))
@@ -78,15 +78,15 @@ def test_that_the_search_finds_the_best_set_where_every_one_can_be_compared(seed
     ratios, stations, events = ratios_of(22, seed), np.arange(22) // 2, np.arange(22) // 6
     ratios *= np.exp(np.random.default_rng(seed).normal(0.0, strong, (22, 1)))
     every = nearest_sets(ratios, 6, stations, events, (1, 2), bounds)[0]
-    monkeypatch.setattr(selection, "MOST_SETS", 0)
-    monkeypatch.setattr(selection, "MOST_STARTS", 1000)
+    monkeypatch.setattr(selection, "MAX_SETS", 0)
+    monkeypatch.setattr(selection, "MAX_STARTS", 1000)
     found, all_compared = nearest_sets(ratios, 6, stations, events, (1, 2), bounds)
     assert not all_compared and found[0] == every[0]
 
 
 def test_that_the_limits_of_station_and_event_hold(monkeypatch):
     ratios, stations, events = ratios_of(60, 5), np.arange(60) // 2, np.arange(60) // 12
-    monkeypatch.setattr(selection, "MOST_STARTS", 50)
+    monkeypatch.setattr(selection, "MAX_STARTS", 50)
     for limits in ((1, 2), (2, 7), (1, 1)):
         for one in nearest_sets(ratios, 5, stations, events, limits, FREE)[0]:
             members = list(one.members)
@@ -96,10 +96,10 @@ def test_that_the_limits_of_station_and_event_hold(monkeypatch):
     assert nearest_sets(ratios, 6, stations, events, (1, 1), FREE)[0] == []  # there are five events
 
 
-@pytest.mark.parametrize("starts", [4000, pytest.param(selection.MOST_STARTS, marks=pytest.mark.long)])
+@pytest.mark.parametrize("starts", [4000, pytest.param(selection.MAX_STARTS, marks=pytest.mark.long)])
 def test_that_copies_of_the_target_are_found_with_their_factor(monkeypatch, starts):
     """Seven records whose mean is the target but for 0.8, among others."""
-    monkeypatch.setattr(selection, "MOST_STARTS", starts)
+    monkeypatch.setattr(selection, "MAX_STARTS", starts)
     ratios, rng = ratios_of(40, 3), np.random.default_rng(1)
     pattern = rng.uniform(0.7, 1.3, (7, ratios.shape[1]))
     hidden = [2, 3, 11, 19, 20, 31, 39]
@@ -114,16 +114,16 @@ def test_that_a_set_that_cannot_be_met_is_the_nearest_with_what_it_misses():
     ratios = np.full((6, 21), 0.5)
     bounds = Bounds(0.9, 1.3, 0.0, (0.5, 1.5))
     found, every = nearest_sets(ratios, 3, alone(6), alone(6), (1, 1), bounds)
-    assert every and len(found) == selection.LISTED
+    assert every and len(found) == selection.MAX_SETS_LISTED
     assert found[0].factor == 1.5 and found[0].miss == pytest.approx(0.9 / 0.75 - 1.0)
 
 
 @pytest.mark.parametrize("bounds", [NTC, FREE])
-@pytest.mark.parametrize("most_sets", [0, selection.MOST_SETS])
+@pytest.mark.parametrize("most_sets", [0, selection.MAX_SETS])
 def test_that_silent_records_do_not_fill_a_set(bounds, most_sets, monkeypatch):
     """Four records of 7/4 of the target have with three silent ones the target as their mean."""
-    monkeypatch.setattr(selection, "MOST_SETS", most_sets)
-    monkeypatch.setattr(selection, "MOST_STARTS", 30)
+    monkeypatch.setattr(selection, "MAX_SETS", most_sets)
+    monkeypatch.setattr(selection, "MAX_STARTS", 30)
     ratios = ratios_of(12, 1)
     ratios[:4] = 1.75
     ratios[4:7] = 1e-3

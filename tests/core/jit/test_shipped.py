@@ -17,11 +17,15 @@ HASHES = {file: hashlib.sha256(content).hexdigest() for file, content in FILES.i
 
 def make_library(folder, **changed):
     """A library of the same two files for each level. changed : entries of its index"""
-    for name in shipped.LEVELS:
+    for name in shipped.PROCESSOR_LEVELS:
         (folder / name).mkdir(parents=True, mode=0o755)
         for file, content in FILES.items():
             (folder / name / file).write_bytes(content)
-    content = {"made_for": shipped.made_for(), "levels": dict.fromkeys(shipped.LEVELS, HASHES), "self_test": ["0x1p0"]}
+    content = {
+        "made_for": shipped.made_for(),
+        "levels": dict.fromkeys(shipped.PROCESSOR_LEVELS, HASHES),
+        "self_test": ["0x1p0"],
+    }
     (folder / shipped.INDEX).write_bytes(shipped.index_of(content | changed))
 
 
@@ -46,10 +50,10 @@ def processor(monkeypatch, *features):
 @pytest.mark.parametrize("place", [0, 1])
 def test_that_the_best_level_a_processor_has_is_taken(places, monkeypatch, place):
     make_library(places[place])
-    v3, zen = shipped.LEVELS["x86-64-v3"], shipped.LEVELS["znver3"]
+    v3, zen = shipped.PROCESSOR_LEVELS["x86-64-v3"], shipped.PROCESSOR_LEVELS["znver3"]
     for features, level in (
-        ({*shipped.LEVELS["x86-64-v4"], "sse2"}, "x86-64-v4"),
-        ({*shipped.LEVELS["x86-64-v4"], *zen}, "x86-64-v4"),  # Zen 4 and later
+        ({*shipped.PROCESSOR_LEVELS["x86-64-v4"], "sse2"}, "x86-64-v4"),
+        ({*shipped.PROCESSOR_LEVELS["x86-64-v4"], *zen}, "x86-64-v4"),  # Zen 4 and later
         ({*v3, "avx512f"}, "x86-64-v3"),  # not all of level 4
         ({*zen, "sse2"}, "znver3"),
         (zen - {"vaes"}, "x86-64-v3"),  # Zen 2
@@ -66,7 +70,7 @@ def test_that_the_best_level_a_processor_has_is_taken(places, monkeypatch, place
 
 def test_that_a_level_is_used_only_where_it_was_made(places, monkeypatch):
     make_library(places[0], levels={"x86-64-v3": HASHES})
-    processor(monkeypatch, *shipped.LEVELS["x86-64-v4"])
+    processor(monkeypatch, *shipped.PROCESSOR_LEVELS["x86-64-v4"])
     assert shipped.level() == "x86-64-v3"
     processor(monkeypatch)
     assert shipped.level() == ""
@@ -92,7 +96,7 @@ def test_that_a_package_made_for_something_else_is_not_used(places, key):
     index = shipped.index_of(
         {
             "made_for": shipped.made_for() | {key: "another"},
-            "levels": dict.fromkeys(shipped.LEVELS, HASHES),
+            "levels": dict.fromkeys(shipped.PROCESSOR_LEVELS, HASHES),
             "self_test": [],
         }
     )
@@ -150,12 +154,12 @@ def test_that_a_damaged_index_is_not_used(places, place):
     for content in (b"", b"\n", good[:-1], *flipped, *signed):
         index.write_bytes(content)
         shipped.library.cache_clear()
-        assert shipped.library() == shipped.NOTHING and shipped.level() == ""
+        assert shipped.library() == shipped.NO_LIBRARY and shipped.level() == ""
 
 
 @pytest.mark.long
 @pytest.mark.shows("install.same_bits")
-@pytest.mark.parametrize("level", list(shipped.LEVELS))
+@pytest.mark.parametrize("level", list(shipped.PROCESSOR_LEVELS))
 def test_that_machine_code_made_without_running_it_gives_the_bits_of_own_code_of_its_level(
     tmp_path, monkeypatch, level
 ):

@@ -6,7 +6,7 @@ import zipfile
 import pytest
 
 from core.errors import InputError
-from core.ooxml.package import MAX_ELEMENTS, MAX_PARTS, MAX_TAG, MAX_TEXT, Package, is_workbook
+from core.ooxml.package import MAX_CELL_TEXT, MAX_ELEMENTS, MAX_PARTS, MAX_TAG, Package, is_workbook
 from tests.core.ooxml.writers import RELATIONS, WRITERS, Writer, packed, unpacked, workbook
 
 SIZE = 40_000_000
@@ -65,7 +65,7 @@ def test_that_only_the_text_of_an_element_is_handed_over():
     [
         "<a>" + "<b/>" * (MAX_ELEMENTS + 1) + "</a>",
         "<a>" * (MAX_ELEMENTS + 1),
-        "<a>" + "x" * (MAX_TEXT + 1) + "</a>",
+        "<a>" + "x" * (MAX_CELL_TEXT + 1) + "</a>",
         "<a " + " ".join(f'b{k}=""' for k in range(MAX_TAG // 5)) + "/>",
         "<a><!--" + "x" * (2 * MAX_TAG) + "--></a>",
     ],
@@ -88,7 +88,7 @@ def test_that_no_more_is_unpacked_than_allowed():
 
 def test_that_a_package_at_its_bounds_is_read(monkeypatch):
     monkeypatch.setattr("core.ooxml.package.MAX_ELEMENTS", 3)
-    monkeypatch.setattr("core.ooxml.package.MAX_TEXT", 2)
+    monkeypatch.setattr("core.ooxml.package.MAX_CELL_TEXT", 2)
     package = Package(packed({"a.xml": "<a><b/><c>xy</c></a>"}), 20)
     package.parse("a.xml", lambda *_: None)
     assert (package.left, package.elements) == (0, 3)

@@ -24,7 +24,7 @@ from core.report.assumption_table import tabled
 from core.report.derived import cell_prefix
 from core.report.note import document
 from core.report.note.content import note
-from core.report.note.equation import WIDEST, equations, width
+from core.report.note.equation import MAX_WHOLE_LINE, equations, width
 from core.report.note.parts import Bars, Blanks, Box, Derivation, Figures, Heading, Item, Paragraph, Step, Table
 from core.report.verdict_words import in_order, lines_of, sentence_of
 from core.study.demand_histories import deciding_runs, demand_histories
@@ -317,7 +317,7 @@ def test_the_document_opens_and_says_what_the_note_says(verdict):
 def test_that_no_equation_is_wider_than_its_column(which, request):
     for step in steps_of(note(request.getfixturevalue(which), "it")):
         for line in equations(step, "it"):
-            assert width(ElementTree.fromstring(line)) <= WIDEST, step.symbol
+            assert width(ElementTree.fromstring(line)) <= MAX_WHOLE_LINE, step.symbol
 
 
 @pytest.mark.shows("batch.report")
@@ -477,9 +477,11 @@ def test_that_no_word_of_a_table_for_word_is_parted_where_there_is_room():
         rows = [["x" * int(n) for n in rng.integers(0, 12, columns)] for _ in range(3)]
         part = Table(rows[0], rows[1:], rng.uniform(0.3, 5.0, columns).tolist())
         sizes = document.widths_of(part)
-        least = [document.MARGINS + document.LETTER * max(len(row[k]) for row in rows) for k in range(columns)]
-        assert sum(sizes) == pytest.approx(document.WIDTH)
-        if sum(least) <= document.WIDTH:
+        least = [
+            document.MARGINS + document.CELL_LETTER_WIDTH * max(len(row[k]) for row in rows) for k in range(columns)
+        ]
+        assert sum(sizes) == pytest.approx(document.TEXT_WIDTH_CM)
+        if sum(least) <= document.TEXT_WIDTH_CM:
             assert all(size >= need - 1e-9 for size, need in zip(sizes, least, strict=True))
     wide = Table(["a", "b"], [["one two", "three"]], [1.0, 2.0])
-    assert document.widths_of(wide) == pytest.approx([document.WIDTH / 3.0, 2.0 * document.WIDTH / 3.0])
+    assert document.widths_of(wide) == pytest.approx([document.TEXT_WIDTH_CM / 3.0, 2.0 * document.TEXT_WIDTH_CM / 3.0])

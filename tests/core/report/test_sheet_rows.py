@@ -33,7 +33,7 @@ def made(book: Book, packed: bool):
 
 @pytest.mark.parametrize("values", [False, True])
 def test_that_packed_rows_are_those_that_are_not(monkeypatch, values):
-    monkeypatch.setattr(sheet_rows, "ROWS", 6)
+    monkeypatch.setattr(sheet_rows, "PACKED_ROWS", 6)
     packed, plain = (made(Book("en"), one) for one in (True, False))
     held = len(packed.workbook.worksheets[0]._cells)
     assert held < 0.3 * len(plain.workbook.worksheets[0]._cells)

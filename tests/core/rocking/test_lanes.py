@@ -9,12 +9,12 @@ from core.capacity.ida import Search, incremental_dynamic_analysis
 from core.ground.records import read
 from core.rocking.grounds import Grounds
 from core.rocking.history import history, scan, scan_records
-from core.rocking.lane_state import WIDTH
+from core.rocking.lane_state import MAX_LANES
 from core.rocking.methods import METHODS
 from core.rocking.outcome import BAD_INPUT, COLLAPSED, IMPACT_LIMIT
 from core.units import G
 from core.wall.bars import Bar
-from core.wall.loads import BARE, RestoringMoment
+from core.wall.loads import UNLOADED, RestoringMoment
 from core.wall.rocking_model import OtherSide, RockingModel
 from tests.core.rocking.lanes_and_histories import assert_lanes_are_histories
 
@@ -56,7 +56,7 @@ def test_that_lanes_equal_single_analyses_on_random_walls_and_grounds():
 
 def unlike_hinges(rng: np.random.Generator) -> RockingModel:
     """A body of another alpha, p, velocity ratio and load about each hinge."""
-    alphas, sides = rng.uniform(0.01, 0.5, 2), [BARE, BARE]
+    alphas, sides = rng.uniform(0.01, 0.5, 2), [UNLOADED, UNLOADED]
     for k in range(2):
         if rng.uniform() < 0.5:
             sine = 1.0 + rng.uniform(0.0, 1.5)
@@ -86,7 +86,7 @@ def test_that_lanes_equal_single_analyses_of_bodies_of_unlike_hinges(seeds):
 def loaded(rng: np.random.Generator, slenderness: float) -> RestoringMoment:
     """A wall as it is, or with a load that leaves it standing."""
     if rng.uniform() < 0.6:
-        return BARE
+        return UNLOADED
     sine = 1.0 + rng.uniform(0.0, 1.0)
     cosine = sine * math.tan(slenderness) * rng.uniform(-0.5, 0.8)
     return RestoringMoment(sine, cosine, math.hypot(sine, cosine), math.atan2(cosine, sine))
@@ -221,7 +221,7 @@ def test_that_lanes_of_several_records_run_together(reference, make_model):
     """More analyses than lanes, of records of different length, one after another in the same pass."""
     grounds = [reference("standard")[0], 1.4 * reference("hard")[0][:700], np.zeros(5)]
     model, rng = make_model(one_sided=True), np.random.default_rng(4)
-    which = rng.integers(0, 3, 3 * WIDTH + 5)
+    which = rng.integers(0, 3, 3 * MAX_LANES + 5)
     scales = rng.uniform(-4.0, 4.0, which.size)
     for name in ("taylor", "rk4"):
         found = np.zeros(which.size, np.int64), np.zeros(which.size)

@@ -9,7 +9,7 @@ import pytest
 
 from core.jit import cache
 from core.jit.decorators import Kernel
-from core.jit.shipped import LEVELS
+from core.jit.shipped import PROCESSOR_LEVELS
 from core.rocking import held_lanes, lanes
 from core.rocking.taylor_series import WallConstants
 from core.wall.rocking_model import OtherSide, RockingModel
@@ -91,11 +91,11 @@ def processors(own):
     it there, and of this processor, numba's `own`."""
     import llvmlite.binding as llvm
 
-    fused = [name for name in LEVELS if "fma" in LEVELS[name]]
+    fused = [name for name in PROCESSOR_LEVELS if "fma" in PROCESSOR_LEVELS[name]]
     target = llvm.Target.from_triple(llvm.get_process_triple())
     made = {}
     for name in fused:
-        level = optimisation_level(LEVELS[name])
+        level = optimisation_level(PROCESSOR_LEVELS[name])
         machine = target.create_target_machine(
             cpu=name, features="", opt=level, reloc="static", codemodel="jitdefault", jit=True
         )

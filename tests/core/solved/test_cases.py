@@ -13,7 +13,7 @@ from core.case.values import field_of
 from core.errors import InputError
 from core.solved import bodies, clauses, experiments, floors, hazard, histories, motion, paper, published, ties
 from core.solved.cases import SUBJECTS, cases_of, solve, subjects
-from core.solved.pack import KINDS, called, file_of, input_of
+from core.solved.pack import KIND_TITLES, called, file_of, input_of
 from core.solved.solved import Kind, Sketch, printed
 
 CASES = cases_of(SUBJECTS)
@@ -114,7 +114,7 @@ def test_that_there_are_forty_cases_of_keys_of_their_own_in_both_languages():
     keys = [case.key for case in CASES]
     assert len(keys) >= 40 and len(set(keys)) == len(keys)
     assert all(re.fullmatch(r"[a-z0-9_]+", key) for key in keys)
-    assert {case.kind for case in CASES} <= set(KINDS) == set(Kind)
+    assert {case.kind for case in CASES} <= set(KIND_TITLES) == set(Kind)
     for case in CASES:
         texts = [case.title, *([case.comment] if case.comment else [])]
         assert all(text.text("en") and text.text("it") for text in texts)

@@ -7,7 +7,7 @@ import pytest
 from scipy.optimize import brentq, minimize_scalar
 
 from core.solved import experiments
-from core.solved.published import CASES, FACADE, FLOORS, mechanism_of
+from core.solved.published import CASES, FACADE, FLOOR_LOADS, mechanism_of
 from core.units import G
 
 
@@ -35,12 +35,12 @@ def test_that_the_facade_of_three_storeys_is_the_balance_of_moments():
     slices = [(9.0 * 1e-3, (n + 0.5) * 1e-3) for n in range(9000)]
     weight = math.fsum(force for force, _ in slices)
     moment = math.fsum(force * z for force, z in slices)
-    holding = weight * 0.25 + sum(n * d for n, d, _ in FLOORS) - 3.0 * 3.0
-    pushing = moment + sum(n * z for n, _, z in FLOORS)
+    holding = weight * 0.25 + sum(n * d for n, d, _ in FLOOR_LOADS) - 3.0 * 3.0
+    pushing = moment + sum(n * z for n, _, z in FLOOR_LOADS)
     alpha0, one_body, mass = expected("published_storeys", 0, 1, 2)
     assert holding / pushing == pytest.approx(alpha0, rel=1e-5)
-    total = weight + sum(n for n, _, _ in FLOORS)
-    carried = sum(n * z * z for n, _, z in FLOORS)
+    total = weight + sum(n for n, _, _ in FLOOR_LOADS)
+    carried = sum(n * z * z for n, _, z in FLOOR_LOADS)
     assert pushing**2 / (total * (weight * 4.5**2 + carried)) == pytest.approx(one_body, rel=1e-5)
     lumped = 27.0 * (1.5**2 + 4.5**2 + 7.5**2)
     assert pushing**2 / (total * (lumped + carried)) == pytest.approx(0.780205, rel=1e-5)  # of the page

@@ -6,7 +6,7 @@ import pytest
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 
-from core.solved.published_rocking import CASES, ENERGIES, PULSE, PUSH, SHAPE, SIZES, edges_of_sine
+from core.solved.published_rocking import CASES, ENERGIES, OVERTURNING_PEAKS, PULSE, PULSE_ALPHA, PUSH, edges_of_sine
 
 
 def expected(key: str, first: int = 0) -> list[float]:
@@ -46,12 +46,12 @@ def energy_at_end(alpha, p2, ratio, ground, end, start=0.0):
 def energy_of_sine(amplitude, radius, share=1.0):
     """Of a block of alpha 0.2 rad after a full sine of a peak over g tan alpha. radius : R [m]"""
     omega, p2 = 2.0 * math.pi / PULSE, 0.75 * 9.80665 / radius
-    peak, uplift = amplitude * math.tan(SHAPE), math.asin(1.0 / amplitude) / omega
-    ratio = share * (1.0 - 1.5 * math.sin(SHAPE) ** 2)
-    return energy_at_end(SHAPE, p2, ratio, lambda t: peak * math.sin(omega * t), PULSE, uplift)
+    peak, uplift = amplitude * math.tan(PULSE_ALPHA), math.asin(1.0 / amplitude) / omega
+    ratio = share * (1.0 - 1.5 * math.sin(PULSE_ALPHA) ** 2)
+    return energy_at_end(PULSE_ALPHA, p2, ratio, lambda t: peak * math.sin(omega * t), PULSE, uplift)
 
 
-@pytest.mark.parametrize(("radius", "printed"), SIZES)
+@pytest.mark.parametrize(("radius", "printed"), OVERTURNING_PEAKS)
 def test_that_a_full_sine_overturns_each_size_from_the_peak_printed(radius, printed):
     peak = float(printed)
     assert energy_of_sine(peak - 2e-5, radius) < 1.0 <= energy_of_sine(peak + 2e-5, radius)

@@ -71,7 +71,7 @@ def test_that_the_rates_are_of_the_capacities_of_the_searches(result):
 @pytest.mark.shows("search.sample")
 def test_that_the_interval_is_beside_the_verdict_and_changes_nothing(result, monkeypatch, case):
     assert result.verdicts[0].interval.stations == 14
-    monkeypatch.setattr(how_sure, "MOST_INTERVALS", 0)
+    monkeypatch.setattr(how_sure, "MAX_WALLS_WITH_INTERVAL", 0)
     plain = run(case, base_dir=CASES)
     assert plain.verdicts[0].interval is None
     assert plain.walls[0].assessment == result.walls[0].assessment

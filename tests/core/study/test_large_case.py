@@ -87,15 +87,15 @@ def small(case):
 @pytest.fixture
 def few(monkeypatch):
     """So few walls are many, in groups of three."""
-    monkeypatch.setattr(plan, "MOST_WALLS", 7)
-    monkeypatch.setattr(large_case, "MOST_GROUP", 3)
+    monkeypatch.setattr(plan, "MAX_WALLS_IN_WORKBOOK", 7)
+    monkeypatch.setattr(large_case, "MAX_GROUP", 3)
 
 
 @pytest.fixture
 def each(monkeypatch):
     """Three walls are many, and each is a group."""
-    monkeypatch.setattr(plan, "MOST_WALLS", 2)
-    monkeypatch.setattr(large_case, "MOST_GROUP", 1)
+    monkeypatch.setattr(plan, "MAX_WALLS_IN_WORKBOOK", 2)
+    monkeypatch.setattr(large_case, "MAX_GROUP", 1)
 
 
 @pytest.fixture(scope="module")
@@ -103,8 +103,8 @@ def table(case):
     """The files of the undivided run."""
     folder = case.parent / "whole"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(plan, "MOST_WALLS", 7)
-        patch.setattr(large_case, "MOST_GROUP", 3)
+        patch.setattr(plan, "MAX_WALLS_IN_WORKBOOK", 7)
+        patch.setattr(large_case, "MAX_GROUP", 3)
         assert batch.run(case, folder, 2, True, False) in (batch.DONE, batch.WITHOUT_NUMBER)
     return folder / "many.parquet"
 
@@ -269,7 +269,7 @@ def test_that_neither_a_note_nor_a_statement_of_accuracy_is_made_of_so_many_wall
 
 def test_that_a_group_holds_so_many_searches_at_most(case, monkeypatch):
     asked = read_case(case)
-    monkeypatch.setattr(large_case, "MOST_SEARCHES", 6)
+    monkeypatch.setattr(large_case, "MAX_SEARCHES", 6)
     alone = large_case.in_order(asked, case.parent)
     assert sorted(len(group) for group in alone.groups) == [*[1] * 6, 2]  # variants stay together
     assert alone.longest == large_case.in_order(asked, case.parent)._replace().longest > 0.0
@@ -283,7 +283,9 @@ def test_that_the_terminal_shows_the_worst_walls_and_the_counts(table, tmp_path)
         row |= {"mechanism": ["two_sided"], "zeta_e": [1.0 / (1 + k)], "zeta_target": [1.0], "q_set": [2.0]}
         tally.add(row | {"check": ["dynamic"], "analyses": [5], "runs_without_q": [0]})
     said = large_batch.summary(tally, tmp_path, "many")
-    assert "300 walls, the worst above: not_verified 300" in said and said.count("\n") == large_batch.SHOWN + 3
+    assert (
+        "300 walls, the worst above: not_verified 300" in said and said.count("\n") == large_batch.MAX_WALLS_SHOWN + 3
+    )
     assert said.splitlines()[1].startswith("w299 ") and str(tmp_path / "many.parquet") in said
     assert len(tally.worst) == 100 and tally.analyses == 1500
 

@@ -72,8 +72,8 @@ def address():
 @pytest.fixture
 def few(monkeypatch):
     """So few walls are many, in groups of two."""
-    monkeypatch.setattr(plan, "MOST_WALLS", 3)
-    monkeypatch.setattr(large_case, "MOST_GROUP", 2)
+    monkeypatch.setattr(plan, "MAX_WALLS_IN_WORKBOOK", 3)
+    monkeypatch.setattr(large_case, "MAX_GROUP", 2)
 
 
 def timeless(path) -> dict:
@@ -85,8 +85,8 @@ def timeless(path) -> dict:
 def whole(folder):
     """Folder of the files of the undivided runs."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(plan, "MOST_WALLS", 3)
-        patch.setattr(large_case, "MOST_GROUP", 2)
+        patch.setattr(plan, "MAX_WALLS_IN_WORKBOOK", 3)
+        patch.setattr(large_case, "MAX_GROUP", 2)
         assert batch.run(folder / "few.toml", folder / "whole", 1, True, False) == batch.DONE
         assert batch.run(folder / "many.toml", folder / "whole", 1, True, False) == batch.DONE
     return folder / "whole"
@@ -146,7 +146,7 @@ def test_that_ctrl_c_keeps_what_came_and_a_resume_hands_out_the_rest(
     folder, whole, tmp_path, few, monkeypatch, capsys, name, task, walls
 ):
     """The third task is not done: Ctrl-C is pressed when it is handed out."""
-    monkeypatch.setattr(executors, "MOST_AHEAD", 1)
+    monkeypatch.setattr(executors, "MAX_TASKS_AHEAD", 1)
     pressed = Counting(stop=lambda number: number == 3 and signal.raise_signal(signal.SIGINT))
     use(monkeypatch, pressed)
     case = folder / f"{name}.toml"
@@ -180,11 +180,11 @@ def test_that_a_lost_worker_costs_its_group(folder, whole, tmp_path, few, monkey
 
 def test_that_a_run_without_a_scheduler_goes_on_with_what_one_made(folder, whole, tmp_path, few, monkeypatch):
     use(monkeypatch, Counting(stop=lambda number: number == 3 and signal.raise_signal(signal.SIGINT)))
-    monkeypatch.setattr(executors, "MOST_AHEAD", 1)
+    monkeypatch.setattr(executors, "MAX_TASKS_AHEAD", 1)
     assert batch.run(folder / "many.toml", tmp_path, 1, True, False, scheduler="tcp://h:1") == 130
     monkeypatch.undo()
-    monkeypatch.setattr(plan, "MOST_WALLS", 3)
-    monkeypatch.setattr(large_case, "MOST_GROUP", 2)
+    monkeypatch.setattr(plan, "MAX_WALLS_IN_WORKBOOK", 3)
+    monkeypatch.setattr(large_case, "MAX_GROUP", 2)
     assert batch.run(folder / "many.toml", tmp_path, 1, True, True) == batch.DONE
     equal(tmp_path, whole)
 
@@ -232,7 +232,7 @@ def test_that_progress_counts_groups_as_they_come(folder, few):
 
 
 def test_that_no_more_is_handed_out_than_there_is_room_and_the_rest_is_taken_back(monkeypatch):
-    monkeypatch.setattr(executors, "MOST_AHEAD", 3)
+    monkeypatch.setattr(executors, "MAX_TASKS_AHEAD", 3)
     free, made, stop = threading.Event(), [], threading.Event()
 
     def arguments():
@@ -386,7 +386,7 @@ PROGRAM = """
 import sys
 from core.setting import plan
 from core.study import large_case
-plan.MOST_WALLS, large_case.MOST_GROUP = 3, 2
+plan.MAX_WALLS_IN_WORKBOOK, large_case.MAX_GROUP = 3, 2
 from app.__main__ import main
 sys.exit(main(["--batch", *sys.argv[1:]]))
 """

@@ -474,7 +474,7 @@ def test_that_of_many_walls_the_table_is_left_out_where_no_row_changes_the_outco
     demand = {"ag_g": 0.15, "soil_factor": 1.2}
     case = rules.parse_case({"wall": walls, "demand": demand})
     every = run(case, base_dir=Path())
-    monkeypatch.setattr(plan, "MANY", 20)
+    monkeypatch.setattr(plan, "MANY_WALLS", 20)
     bounded = run(case, base_dir=Path())
     said = 0
     for whole, some in zip(every.walls, bounded.walls, strict=True):

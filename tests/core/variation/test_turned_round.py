@@ -141,7 +141,7 @@ def test_that_a_value_is_sought_within_the_range_stated_and_found_to_two_thousan
         limit = 0.3 * share
         value, everywhere = found_where(key, 0.3, lambda v: v <= limit if key == "ag_g" else v >= limit)  # noqa: B023
         assert not everywhere
-        unit = turned_round.WRITTEN[key]
+        unit = turned_round.DIGIT_OF_KEY[key]
         assert 1.0 <= (limit / value if key == "ag_g" else value / limit) <= 1.003 + unit / limit
     for share in (1.001 * widest, 1.0 / (1.001 * widest)):
         limit = 0.3 * share

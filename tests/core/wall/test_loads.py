@@ -5,7 +5,7 @@ import math
 import pytest
 
 from core.wall.block import Block
-from core.wall.loads import BARE, Force, PointMass, composite, restoring_moment
+from core.wall.loads import UNLOADED, Force, PointMass, composite, restoring_moment
 
 BLOCK = Block.with_setback(3.0, 0.45, 0.05)
 WEIGHT = 24.3e3
@@ -39,7 +39,7 @@ def test_that_a_and_c_hold_the_moment_of_every_force_at_every_rotation(forces):
 
 
 def test_that_no_force_and_no_mass_leave_the_block_as_it_is():
-    assert restoring_moment(BLOCK, WEIGHT, []) == BARE == (1.0, 0.0, 1.0, 0.0)
+    assert restoring_moment(BLOCK, WEIGHT, []) == UNLOADED == (1.0, 0.0, 1.0, 0.0)
     assert composite(BLOCK, 2478.0, []) is BLOCK
 
 

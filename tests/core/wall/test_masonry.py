@@ -11,7 +11,7 @@ from core.case.wall import Wall
 from core.study import run as study
 from core.units import G
 from core.wall.block import Block
-from core.wall.loads import BARE, RestoringMoment
+from core.wall.loads import UNLOADED, RestoringMoment
 from core.wall.masonry import Masonry, as_force, is_stable, period_share
 from core.wall.solids import Part
 from tests.validation.test_loaded_walls import PUSHING, ROOF, THRUST, TIE, WALL, case_of
@@ -27,7 +27,7 @@ def test_that_a_tie_of_a_wall_that_turns_both_ways_holds_its_outward_side_alone(
     wall = wall.in_si
     (tie,) = wall.loads
     assert as_force(tie, wall, 1.0).horizontal == 2e3 and as_force(tie, wall, -1.0).horizontal == 0.0
-    assert wall.restoring == (BARE, BARE) and len(wall.bars) == 1
+    assert wall.restoring == (UNLOADED, UNLOADED) and len(wall.bars) == 1
 
 
 @pytest.mark.shows("kinematic.d_slv")
@@ -61,7 +61,7 @@ def test_that_each_hinge_has_its_block_and_its_moment():
     assert outward != inward and wall.inner_block is not None
     assert wall.sides == [(wall.block, outward), (wall.inner_block, inward)]
     bare = wall_of(mechanism="two_sided").in_si
-    assert bare.sides == [(bare.block, BARE), (bare.block, BARE)]
+    assert bare.sides == [(bare.block, UNLOADED), (bare.block, UNLOADED)]
 
 
 def leaf(thickness: float, low: float, high: float) -> Part:
@@ -129,7 +129,7 @@ def test_that_a_and_c_count_the_weight_of_the_masses_that_move():
     at_rest = inward.sine * math.sin(other.slenderness) + inward.cosine * math.cos(other.slenderness)
     assert other.centroid[0] == pytest.approx(0.45 - block.centroid[0], rel=1e-13)
     assert 34.3 * other.radius * at_rest == pytest.approx(34.3 * other.centroid[0] + 3.0 * 0.25, rel=1e-13)
-    assert wall_of(PUSHING).in_si.restoring == (BARE, BARE)
+    assert wall_of(PUSHING).in_si.restoring == (UNLOADED, UNLOADED)
 
 
 def test_that_a_wall_is_stable_while_something_holds_it_at_rest():

@@ -7,7 +7,7 @@ import pytest
 from core.units import G
 from core.wall.block import Block
 from core.wall.impact import Restitution
-from core.wall.loads import BARE, Force, restoring_moment
+from core.wall.loads import UNLOADED, Force, restoring_moment
 from core.wall.moment_rotation import LAWS
 from core.wall.rocking_model import RockingModel, rocking_model, seen_from, sides_differ
 
@@ -17,7 +17,7 @@ HELD = restoring_moment(BLOCK, 24.3e3, [Force(10e3, 0.0, 0.30, 3.0)])
 PUSHED = restoring_moment(BLOCK, 24.3e3, [Force(0.0, -2e3, 0.0, 2.5)])
 
 
-def model(one_sided, loads=(BARE, BARE), law="doherty") -> RockingModel:
+def model(one_sided, loads=(UNLOADED, UNLOADED), law="doherty") -> RockingModel:
     return rocking_model(BLOCK, one_sided, FREE, LAWS[law], loads)
 
 
@@ -64,4 +64,4 @@ def test_that_only_a_two_sided_wall_of_equal_sides_takes_a_record_as_its_reverse
     unlike = model(False, (HELD, PUSHED), "rigid")
     assert not unlike.both_signs_alike and sides_differ(unlike)
     for change in ({"sine": 1.1}, {"cosine": 0.1}):
-        assert sides_differ(model(False)._replace(mirrored=BARE._replace(**change)))
+        assert sides_differ(model(False)._replace(mirrored=UNLOADED._replace(**change)))
