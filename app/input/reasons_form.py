@@ -34,6 +34,7 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         "velocity_ratio": wall.velocity_ratio is not None,
         "restitution": wall.restitution not in (None, "user") and not MODELS[wall.restitution].by_theory,
         "return_walls": wall.return_walls is not None,
+        "arch": wall.arch is not None,
         "return_wedges": wall.return_wedges is not None,
         "contact": bool(wall.solid),
         "law": wall.law != "auto",

@@ -102,7 +102,7 @@ def check_arch(wall: Wall) -> None:
         raise InputError("arch_mechanism", place=inside, found=wall.mechanism)
     for key, size in (("height_m", wall.height_m), ("thickness_m", wall.thickness)):
         if size is None:
-            raise InputError("arch_needs", place=here, key=key)
+            raise InputError("arch_needs", place=here, key=key, arch=Key("[wall.arch]"))
     if wall.solid or (wall.has_shape and wall.mechanism == ARCHES):
         raise InputError("arch_rectangle", place=inside)
     if whole_courses(wall) < LEAST_COURSES:
@@ -123,5 +123,7 @@ def check_arch(wall: Wall) -> None:
         raise InputError("arch_key", place=here, key="law")
     for n, load in enumerate(wall.load, start=1):
         if load.is_tie:
-            raise InputError("arch_tie", place=(*here, place("load", n=n)), key="kind", tie=Key("tie_kn_m"))
+            raise InputError(
+                "arch_tie", place=(*here, place("load", n=n)), key="kind", tie=Key("tie_kn_m"), arch=Key("[wall.arch]")
+            )
     bending(wall.in_si)

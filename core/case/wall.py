@@ -209,7 +209,7 @@ class Wall(Shaped):
         if height is None or thickness is None or weight is None or strength is None:
             given = {"height_m": height, "thickness_m": thickness, "unit_weight_kn_m3": weight}
             key = next((key for key, value in given.items() if value is None), "compressive_strength_mpa")
-            raise InputError("arch_needs", place=here, key=key)
+            raise InputError("arch_needs", place=here, key=key, arch=Key("[wall.arch]"))
         return self.arch.in_si(height, thickness, 1e3 * weight, 1e6 * strength)
 
     @cached_property

@@ -206,7 +206,7 @@ def hurry(application, window, faults, tmp_path, draw, seed: int, count: int) ->
 
 
 @pytest.mark.parametrize(
-    ("seed", "count"), [(1, 80), *(pytest.param(seed, 300, marks=pytest.mark.long) for seed in (1, 2))]
+    ("seed", "count"), [(4, 80), *(pytest.param(seed, 300, marks=pytest.mark.long) for seed in (1, 2))]
 )
 def test_that_hundreds_of_random_events_break_nothing(opened, application, faults, tmp_path, answered, seed, count):
     shipped = {path: path.read_bytes() for path in EXAMPLE.parent.glob("*.toml")}

@@ -11,6 +11,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.input.reasons_form import raised_by_demand, raised_by_wall
+from core.case.arch import Between
 from core.case.loads import Bars, Load, ReturnWalls
 from core.case.rules import draft_case, parse_case
 from core.case.site import Building, BuildingMode, DemandJustification, HazardRow, Spectrum
@@ -58,6 +59,7 @@ def test_that_reasons_are_asked_where_a_value_raises_zeta_and_nowhere_else(opene
         unit_weight_kn_m3=18.0,
         return_walls=ReturnWalls(2, 0.4, 0.2, 0.3),
         return_wedges=Wedges(2, 0.4, 2.0),
+        arch=Between(5.0),
         load=(
             Load("tie", 1.0, 2.0, bar_length_m=8.0, elongation_m=0.1, prestress=0.2),
             Load("tie", None, 2.0, bar_length_m=8.0, bar=Bars(2, 16.0), slack_mm=2.0),
