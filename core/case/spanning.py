@@ -121,9 +121,8 @@ def check_arch(wall: Wall) -> None:
             raise InputError("arch_key", place=here, key=key)
     if wall.law not in ("auto", "rigid"):
         raise InputError("arch_key", place=here, key="law")
+    said = {"tie": Key("tie_kn_m"), "arch": Key("[wall.arch]")}
     for n, load in enumerate(wall.load, start=1):
         if load.is_tie:
-            raise InputError(
-                "arch_tie", place=(*here, place("load", n=n)), key="kind", tie=Key("tie_kn_m"), arch=Key("[wall.arch]")
-            )
+            raise InputError("arch_tie", place=(*here, place("load", n=n)), key="kind", **said)
     bending(wall.in_si)
