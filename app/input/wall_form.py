@@ -52,7 +52,7 @@ from core.wall.restitution import MODELS
 IN_A_ROW = 400
 """Width that buttons of a row may take together [px]: larger letters have two rows."""
 
-BASE_KEYS = ("base_z_m", "back_restraint", "restraint_evidence", "restraint_note", "free_element")
+BASE_KEYS = (*("base_z_m", "back_restraint", "restraint_evidence", "restraint_note", "restraint_kn_m", "free_element"),)
 """Keys beside the mechanism."""
 
 
@@ -244,6 +244,7 @@ class WallForm(WallEditor):
                 field.show_usual(wall, self.session.case.building)
         # only what the mechanism needs, and what stands there all the same
         held = wall.mechanism in ("one_sided", "both", BENDS)
+        self.fields["restraint_kn_m"].setVisible(wall.mechanism == BENDS or wall.restraint_kn_m is not None)
         self.arch.setVisible(wall.mechanism in ("one_sided", "both", ARCHES) or wall.arch is not None)
         self.fields["back_restraint"].setVisible(held or bool(wall.back_restraint))
         for key in ("restraint_evidence", "restraint_note"):
@@ -348,6 +349,8 @@ class WallForm(WallEditor):
     def _mechanism_chosen(self, name: str) -> None:
         wall = known(self.wall)
         values: dict[str, Any] = {"mechanism": name}
+        if name != BENDS:
+            values["restraint_kn_m"] = None
         if name != "one_sided" and wall.restitution and MODELS[wall.restitution].one_sided:
             values["restitution"] = None
         self.edit(**values)

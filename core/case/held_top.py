@@ -48,6 +48,19 @@ def check_held_top(wall: Wall) -> None:
         bending(moving.in_si)
 
 
+def check_hold(wall: Wall) -> None:
+    """Raise InputError where what holds the top of a wall is weaker than the wall pushes on it as it bends, or is said
+    of a wall that is not held there."""
+    if (strength := wall.restraint_kn_m) is None:
+        return
+    here = (place("wall", name=wall.title),)
+    if wall.mechanism != BENDS:
+        raise InputError("hold_of_bending", place=here, key="restraint_kn_m")
+    pushes = 1e-3 * max(bending(moving.in_si).top_force for moving in (wall, bent_inward(wall)))
+    if strength < pushes:
+        raise InputError("hold_too_weak", place=here, key="restraint_kn_m", found=strength, least=pushes)
+
+
 def bent_inward(wall: Wall) -> Wall:
     """The wall as it is for a motion inward: mirrored, its loads as far from the inner face as they are from the outer
     one; a step that keeps one face plumb keeps the other."""

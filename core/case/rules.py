@@ -8,7 +8,7 @@ from core.case.above_hinge import numbers_above
 from core.case.back_restraint import names_something, says_gone
 from core.case.between_holds import spans_of
 from core.case.hazard_table import check_rising
-from core.case.held_top import check_held_top
+from core.case.held_top import check_held_top, check_hold
 from core.case.hinges import check_hinges, parts_of, turning_hinges
 from core.case.keys import is_required
 from core.case.load_rules import check_design, check_given, check_loads
@@ -247,6 +247,7 @@ def _check_alone(wall: Wall) -> None:
         check_design(wall)
         check_given(wall)
         check_held_top(wall)
+        check_hold(wall)
         check_arch(wall)
         for mechanism in wall.mechanisms():
             wall.restitution_of(mechanism)

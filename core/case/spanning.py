@@ -60,6 +60,7 @@ def spanning(wall: Wall) -> Wall:
         tie_spacing_m=None,
         back_restraint="cross_walls",
         restraint_evidence=wall.restraint_evidence if wall.back_restraint == "cross_walls" else None,
+        restraint_kn_m=None,
         unloaded_confirmed=wall.unloaded_confirmed and not load,
         gable_m=None,
         out_of_plumb_m=None,

@@ -93,6 +93,7 @@ class Wall(Shaped):
     back_restraint: str | None = choice_key(*RESTRAINTS, default=None, form="checks")
     restraint_evidence: str | None = choice_key(*EVIDENCE, default=None, form="checks")
     restraint_note: str = text_key(form="checks")
+    restraint_kn_m: float | None = number_key(0.0, 10000.0, unit="kN/m", exclusive=True, form="checks")
     unloaded_confirmed: bool = flag_key(form="checks")
     floor: str = text_key(form="checks")
     notes: str = text_key(form="checks")
@@ -193,6 +194,7 @@ class Wall(Shaped):
                 self.restraint_note,
                 self.unloaded_confirmed,
                 self.arch is not None,
+                None if self.restraint_kn_m is None else 1e3 * self.restraint_kn_m,
             ),
         )
 

@@ -36,6 +36,7 @@ TO_MEND = {
     "no_top_restraint": Sentence(
         "reason", "to_no_top_restraint", (("key", Key("back_restraint")), ("one_sided", Sentence("word", "one_sided")))
     ),
+    "no_hold_strength": Sentence("reason", "to_no_hold_strength", (("key", Key("restraint_kn_m")),)),
     "no_arch": Sentence("reason", "to_no_arch", (("arch", Key("[wall.arch]")),)),
     "no_spectrum": Sentence("reason", "to_no_spectrum"),
     "not_compatible": Sentence("reason", "to_not_compatible"),
@@ -391,7 +392,8 @@ def _activated(seen: Evidence, threshold: float) -> bool:
     strongest = _strongest(seen) * max(1.0, demand.zeta_target)
     at_rest = demand.confidence_factor * strongest <= threshold
     rigid = seen.wall.law.is_rigid
-    held = seen.wall.arch is not None or seen.wall.declared.restraint
+    declared = seen.wall.declared
+    held = seen.wall.arch is not None or (declared.restraint and declared.strength is not None)
     unheld = seen.wall.bends and not held  # what is not held at its top overturns before
     return unheld or not rigid or not at_rest or any(check.passed is False for check in seen.checks)
 
@@ -403,6 +405,21 @@ def _strongest(seen: Evidence) -> float:
     if kinematic and kinematic.floor:
         first = max(first, kinematic.floor.a_z)
     return max(demand.pga, first, seen.circumstances.strongest)
+
+
+def _of_what_holds(seen: Evidence) -> list[Sentence]:
+    """What is not known of what restrains a wall: behind it, between its cross walls, or at its top."""
+    wall, declared = seen.wall, seen.wall.declared
+    if seen.mechanism == "one_sided":
+        if not declared.restraint:
+            return [_reason("no_restraint")]
+        open_between = declared.restraint == "cross_walls" and not declared.spans
+        return [_reason("no_arch", arch=Key("[wall.arch]"))] if open_between else []
+    if not wall.bends or wall.arch is not None:
+        return []
+    if not declared.restraint:
+        return [_reason("no_top_restraint")]
+    return [_reason("no_hold_strength", key=Key("restraint_kn_m"))] if declared.strength is None else []
 
 
 def _limits(seen: Evidence) -> list[Sentence]:
@@ -436,12 +453,7 @@ def _limits(seen: Evidence) -> list[Sentence]:
             reasons.append(_reason(circumstances.unbranched))
     if circumstances.period_estimated:
         reasons.append(_reason("period_estimated"))
-    if seen.mechanism == "one_sided" and not seen.wall.declared.restraint:
-        reasons.append(_reason("no_restraint"))
-    if seen.mechanism == "one_sided" and seen.wall.declared.restraint == "cross_walls" and not seen.wall.declared.spans:
-        reasons.append(_reason("no_arch", arch=Key("[wall.arch]")))
-    if seen.wall.bends and seen.wall.arch is None and not seen.wall.declared.restraint:
-        reasons.append(_reason("no_top_restraint"))
+    reasons += _of_what_holds(seen)
     if not demand.soil_factor_stated:
         reasons.append(_reason("no_soil_factor"))
     alpha = math.degrees(seen.wall.block.slenderness)

@@ -88,7 +88,8 @@ class Declared:
     """What the engineer says of a wall, which no number shows.
 
     restraint : what stands behind it or holds its top, a key of words, None : nothing; evidence, note : what shows it
-    unloaded : that nothing rests on it; spans : how far the transverse walls behind it stand apart
+    unloaded : that nothing rests on it; spans : how far the transverse walls behind it stand apart;
+    strength : of what holds its top [N/m]
     """
 
     restraint: str | None = None
@@ -96,6 +97,7 @@ class Declared:
     note: str = ""
     unloaded: bool = False
     spans: bool = False
+    strength: float | None = None
 
 
 @dataclass(frozen=True)

@@ -28,6 +28,7 @@ WALL = {
     "unit_weight_kn_m3": 18.0,
     "base_z_m": 3.0,
     "back_restraint": "kerb of the floor, with anchors",
+    "restraint_kn_m": 60.0,
     "load": [TOP],
 }
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
@@ -35,7 +36,8 @@ DEMAND = {"ag_g": 0.35, "spectrum": EN_B}
 
 
 def study(*walls, base_dir=Path(), **more):
-    table = {"wall": list(walls), "building": BUILDING, "demand": DEMAND, **more}
+    walls = [{key: value for key, value in wall.items() if value is not None} for wall in walls]
+    table = {"wall": walls, "building": BUILDING, "demand": DEMAND, **more}
     return run(parse_case({key: value for key, value in table.items() if value is not None}), base_dir=base_dir)
 
 
@@ -91,8 +93,11 @@ def test_that_the_verdict_rests_on_the_kinematic_checks_and_says_so():
 @pytest.mark.shows("held.restraint")
 def test_that_a_top_nobody_names_gives_no_verification_however_strong_the_wall_is():
     strong = {"thickness_m": 0.9, "load": [TOP | {"kn_m": 200.0, "d_m": 0.45}]}
+    strong |= {"restraint_kn_m": 200.0}
     named, unnamed = (study(WALL | strong | {"back_restraint": text}).walls[0] for text in ("kerb", ""))
     assert named.assessment.verdict.code == "not_activated"
+    word = study(WALL | strong | {"restraint_kn_m": None}).walls[0]  # how much it stands, nobody says
+    assert word.assessment.verdict.code == "indicative" and "no_hold_strength" in codes(word)
     verdict = unnamed.assessment.verdict
     assert verdict.code == "indicative" and "no_top_restraint" in codes(unnamed)
     assert verdict.to_do[0].code == "to_no_top_restraint"
@@ -102,7 +107,7 @@ def test_that_a_top_nobody_names_gives_no_verification_however_strong_the_wall_i
 def test_that_zeta_of_the_overturning_stands_beside_it():
     """The same wall, no longer held: it is that of a one-sided wall by the same checks."""
     (wall,) = study(WALL).walls
-    (alone,) = study(WALL | {"mechanism": "one_sided", "hinge_heights": "base"}).walls
+    (alone,) = study(WALL | {"mechanism": "one_sided", "restraint_kn_m": None, "hinge_heights": "base"}).walls
     assert wall.assessment.verdict.lower_bound == pytest.approx(alone.assessment.verdict.zeta_e, rel=1e-12)
     assert wall.assessment.verdict.lower_bound < wall.assessment.verdict.zeta_e and "top_fails" in codes(wall)
 
@@ -173,7 +178,12 @@ def test_that_every_limit_state_has_its_zeta():
 
 
 def test_that_a_wall_to_be_held_at_its_top_is_compared_with_the_wall_that_overturns():
-    as_is = WALL | {"mechanism": "one_sided", "hinge_heights": "base", "variant": "stato di fatto"}
+    as_is = WALL | {
+        "mechanism": "one_sided",
+        "restraint_kn_m": None,
+        "hinge_heights": "base",
+        "variant": "stato di fatto",
+    }
     result = study(as_is, WALL | {"variant": "progetto"})
     (one,) = comparisons(result.walls)
     assert (one.before.mechanism, one.after.mechanism) == ("one_sided", "vertical_bending")
@@ -187,6 +197,7 @@ def test_that_a_spectrum_too_short_for_the_overturning_leaves_the_wall_its_verdi
         "height_m": 12.0,
         "thickness_m": 1.0,
         "load": [TOP | {"kn_m": 60.0, "h_m": 12.0, "d_m": 0.5}],
+        "restraint_kn_m": 300.0,
         "base_z_m": 0.0,
     }
     rows = ["0 0.42", "0.15 1.05", "0.5 1.05", "1.0 0.525", "2.5 0.21"]
@@ -196,4 +207,32 @@ def test_that_a_spectrum_too_short_for_the_overturning_leaves_the_wall_its_verdi
     assert wall.assessment.kinematic.period < 2.5 and wall.assessment.verdict.zeta_e is not None
     assert wall.assessment.verdict.lower_bound is None
     with pytest.raises(InputError, match="T_SLV"):
-        study(tall | {"mechanism": "one_sided", "hinge_heights": "base"}, demand=demand, base_dir=tmp_path)
+        study(
+            tall | {"mechanism": "one_sided", "restraint_kn_m": None, "hinge_heights": "base"},
+            demand=demand,
+            base_dir=tmp_path,
+        )
+
+
+@pytest.mark.shows("held.strength")
+def test_that_what_holds_the_top_is_a_strength_and_no_word():
+    """Without a number a wall that passes is indicative; a hold weaker than the push is refused with both numbers."""
+    small = {"demand": {"ag_g": 0.1, "spectrum": EN_B}}
+    shown = WALL | {"restraint_evidence": "opening", "unloaded_confirmed": False}
+    reasons = {"load": "as the survey of 2024 shows", "mass": "held by the kerb, sheet 4", "d_m": "seen in the opening"}
+    reasons |= {"unit_weight_kn_m3": "weighed cores, report 2"}
+    shown |= {"justification": reasons, "compressive_strength_mpa": None}
+    shown = {key: value for key, value in shown.items() if value is not None}
+    with_strength = study(shown, **small).walls[0].assessment.verdict
+    word = {key: value for key, value in shown.items() if key != "restraint_kn_m"}
+    without = study(word, **small).walls[0].assessment.verdict
+    assert "no_hold_strength" not in [one.code for one in with_strength.limits]
+    assert without.code == "indicative" and without.limits[0].code == "no_hold_strength"
+    assert without.to_do[0].code == "to_no_hold_strength" and "restraint_kn_m" in without.to_do[0].text("en")
+    assert with_strength.zeta_e == without.zeta_e  # the number changes what may be said, not what was counted
+    pushes = 1e-3 * bending(parse_case({"wall": [WALL]}).wall[0].in_si).top_force
+    parse_case({"wall": [WALL | {"restraint_kn_m": 1.001 * pushes}]})
+    with pytest.raises(InputError, match=rf"holds less than the {pushes:.2f} kN/m"):
+        parse_case({"wall": [WALL | {"restraint_kn_m": 0.999 * pushes}]})
+    with pytest.raises(InputError, match="held at its top"):
+        parse_case({"wall": [{**WALL, "mechanism": "one_sided"}]})
