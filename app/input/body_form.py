@@ -18,7 +18,7 @@ from app.look.language import FORM_NAMES, current_language, number, tr
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
 from core.case.number import parse_number
-from core.case.solids import Opening, Solid, Step, Wedges
+from core.case.solids import Corner, Opening, Solid, Step, Wedges
 from core.case.wall import Wall
 from core.errors import InputError
 from core.text.sentence import choice
@@ -128,9 +128,11 @@ class BodyForm(WallEditor):
         for key in ("return_wedges", "[wall.return_wedges]"):
             FORM_NAMES.add(key, tr("Wedges of return walls, dragged along"))
         self._make_wedges()
+        title, given = tr("Corner of two walls that turn together"), [TO_BE_GIVEN] * 3
+        self.corner = OptionalGroup(title, "corner", Corner(*given), lambda: self.wall, self.edit)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        for widget in (*self.gable_fields, self.openings, self.steps, self.wedges, self.solids):
+        for widget in (*self.gable_fields, self.openings, self.steps, self.wedges, self.corner, self.solids):
             column.addWidget(widget)
         self.forget()
 
@@ -178,6 +180,7 @@ class BodyForm(WallEditor):
         for field in self.gable_fields if wall else ():
             field.show_value(getattr(wall, field.key))
         self.wedges.show_case()
+        self.corner.show_case()
         self.bricks.setVisible(self.wedges.isChecked())
         self._show_offer()
 

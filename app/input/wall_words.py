@@ -183,6 +183,8 @@ def shape_words(wall: Wall) -> list[str]:
     ):
         if count := len(getattr(wall, key)):
             forms.append(one if count == 1 else many)
+    if wall.corner is not None:
+        forms.append(tr("corner"))
     if wall.return_wedges is not None:
         forms.append(tr("wedges"))
     return forms

@@ -40,7 +40,8 @@ def complete(wall: Wall) -> Wall:
         return wall
     kept: dict[str, Any] = {key: tuple(filter(is_given, getattr(wall, key))) for key in ("openings", "steps", "solid")}
     wedges = wall.return_wedges if wall.return_wedges and is_given(wall.return_wedges) else None
-    return replace(wall, return_wedges=wedges, unit_weight_kn_m3=wall.unit_weight_kn_m3 or 1.0, **kept)
+    corner = wall.corner if wall.corner and is_given(wall.corner) else None
+    return replace(wall, return_wedges=wedges, corner=corner, unit_weight_kn_m3=wall.unit_weight_kn_m3 or 1.0, **kept)
 
 
 class BodyDrawing:

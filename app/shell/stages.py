@@ -81,6 +81,7 @@ def name_sections() -> None:
             "mechanism": named("key_mechanism"),
             "[wall.bar]": tr("Bars in place of the force"),
             "[wall.return_walls]": tr("Friction of return walls (in α0 only)"),
+            "[wall.corner]": tr("Corner of two walls that turn together"),
             "[wall.arch]": tr("Span between the transverse walls (horizontal bending)"),
             "NTC2018": "NTC 2018",
             "EN1998": "EN 1998-1",

@@ -74,7 +74,7 @@ def _shape_above(wall: Wall, hinge: float) -> dict:
     if not wall.has_shape:
         return {}
     plain: dict = {"solid": (), "return_wedges": None, "gable_m": None, "openings": (), "steps": ()}
-    plain |= {"out_of_plumb_m": None}
+    plain |= {"out_of_plumb_m": None, "corner": None}
     parts = tuple(part for part in wall.parts if not part.wedge)
     if not parts:  # a rectangle written as solids
         return plain

@@ -17,7 +17,7 @@ def check_held_top(wall: Wall) -> None:
     if wall.mechanism != BENDS:
         return
     here = (place("wall", name=wall.name),)
-    for key in ("solid", "return_wedges", "gable_m", "out_of_plumb_m"):
+    for key in ("solid", "return_wedges", "corner", "gable_m", "out_of_plumb_m"):
         if getattr(wall, key):
             raise InputError("bending_rectangle", place=here, key=key)
     for key in OF_HISTORIES:

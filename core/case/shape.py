@@ -3,7 +3,7 @@
 import math
 from functools import cached_property
 
-from core.case.solids import Opening, Solid, Step, Wedges
+from core.case.solids import Corner, Opening, Solid, Step, Wedges
 from core.errors import InputError, place
 from core.known import known
 from core.wall.body import clipped_above
@@ -34,6 +34,7 @@ class Shaped:
     steps: tuple[Step, ...]
     out_of_plumb_m: float | None
     return_wedges: Wedges | None
+    corner: Corner | None
 
     @property
     def title(self) -> str:
@@ -51,7 +52,7 @@ class Shaped:
     @property
     def has_shape(self) -> bool:
         """Whether it gives more than a rectangle."""
-        return bool(self.solid or self.return_wedges or any(getattr(self, key) for key in SHORT_FORMS))
+        return bool(self.solid or self.return_wedges or self.corner or any(getattr(self, key) for key in SHORT_FORMS))
 
     @property
     def shoulder(self) -> float:
@@ -69,6 +70,8 @@ class Shaped:
         if not self.has_shape:
             return ()
         _, face, weight, length = self.complete_sizes()
+        if (corner := self.corner) is not None:
+            return _of_corner(corner, known(self.height_m), face, weight)
         made = tuple(_given(solid, weight) for solid in self.solid) or tuple(self._layers(face, length, weight))
         if (wedges := self.return_wedges) is not None:
             top = self.shoulder
@@ -129,6 +132,17 @@ class Shaped:
             and seen == _box(length, height)
             and (part.start + first == 0.0 and part.start + last == thickness)
         )
+
+
+def _of_corner(corner: Corner, height: float, thickness: float, weight: float) -> tuple[Part, ...]:
+    """Both walls of a corner above their cracks, what they share once. thickness : of the first [m]"""
+    first, second = corner.length_1_m, corner.length_2_m
+    angle, begins = math.radians(corner.angle_deg), height * thickness / second
+    own = ((0.0, 0.0), (first, height), (0.0, height))
+    other = ((thickness, begins), (second, height), (thickness, height))
+    parts = (Part(own, (0.0, thickness), angle, 0.0, weight, "oblique"),)
+    ends = (-corner.thickness_2_m, 0.0)
+    return (*parts, Part(other, ends, angle - 0.5 * math.pi, 0.0, weight, "oblique"))
 
 
 def _given(solid: Solid, weight: float) -> Part:

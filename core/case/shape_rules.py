@@ -4,7 +4,7 @@ import math
 
 from core.case.one_body import TOUCH, check_one_body, check_short_forms
 from core.case.shape import SHORT_FORMS
-from core.case.solids import Solid
+from core.case.solids import Corner, Solid
 from core.case.wall import Wall
 from core.errors import InputError, place
 from core.known import known
@@ -129,10 +129,21 @@ def _check_short(wall: Wall, here) -> None:
         for key in ("gable_m", "openings", "return_wedges"):
             if getattr(wall, key):
                 raise InputError("plumb_refuses", place=here, key="out_of_plumb_m", other=Key(key))
+    if (corner := wall.corner) is not None:
+        _check_corner(wall, corner, here)
     wedges = wall.return_wedges
     if wedges is not None and wedges.from_z_m >= wall.shoulder:
         raise InputError("wedge_above", place=here, key="from_z_m", found=wedges.from_z_m, most=wall.shoulder)
     check_short_forms(wall, here)
+
+
+def _check_corner(wall: Wall, corner: Corner, here) -> None:
+    """Rules of a corner of two walls."""
+    for key in ("solid", "openings", "steps", "gable_m", "out_of_plumb_m", "return_wedges", "return_walls"):
+        if getattr(wall, key):
+            raise InputError("corner_refuses", place=here, key="corner", other=Key(key))
+    if corner.length_2_m <= known(wall.thickness):
+        raise InputError("corner_short", place=here, key="length_2_m", found=corner.length_2_m, least=wall.thickness)
 
 
 def _check_solid(solid: Solid, here) -> None:

@@ -91,6 +91,21 @@ class Wedges:
 
 
 @dataclass(frozen=True)
+class Corner:
+    """[wall.corner]: two walls that meet and turn together over the edge where they do, dragged along their cracks. The
+    first is the wall itself, of thickness t.
+
+    length_1_m, length_2_m : of each at the top, to its crack, which begins at the base; thickness_2_m : of the second
+    angle_deg : in plan, between the first wall and the direction in which the corner turns
+    """
+
+    length_1_m: float = number_key(0.1, 30.0, MISSING, unit="m")
+    length_2_m: float = number_key(0.1, 30.0, MISSING, unit="m")
+    thickness_2_m: float = number_key(0.05, 3.0, MISSING, unit="m", form_unit="cm")
+    angle_deg: float = number_key(10.0, 80.0, 45.0, unit="deg")
+
+
+@dataclass(frozen=True)
 class Step:
     """[[wall.steps]]: the thickness from a height on. flush : the face that goes on"""
 

@@ -65,6 +65,7 @@ def spanning(wall: Wall) -> Wall:
         gable_m=None,
         out_of_plumb_m=None,
         return_wedges=None,
+        corner=None,
         solid=(),
         openings=(),
         steps=(),
@@ -104,7 +105,7 @@ def check_arch(wall: Wall) -> None:
     for key, size in (("height_m", wall.height_m), ("thickness_m", wall.thickness)):
         if size is None:
             raise InputError("arch_needs", place=here, key=key, arch=Key("[wall.arch]"))
-    if wall.solid or (wall.has_shape and wall.mechanism == ARCHES):
+    if wall.solid or wall.corner or (wall.has_shape and wall.mechanism == ARCHES):
         raise InputError("arch_rectangle", place=inside)
     if whole_courses(wall) < LEAST_COURSES:
         raise InputError("arch_openings", place=inside, least=LEAST_COURSES)

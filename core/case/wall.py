@@ -10,7 +10,7 @@ from core.case.back_restraint import EVIDENCE, RESTRAINTS, with_choice
 from core.case.keys import choice_key, content_of, flag_key, key, number_key, text_key
 from core.case.loads import Load, ReturnWalls
 from core.case.shape import Shaped
-from core.case.solids import Drawing, Opening, Solid, Step, Wedges
+from core.case.solids import Corner, Drawing, Opening, Solid, Step, Wedges
 from core.codes.masonry_types import TYPES
 from core.errors import InputError, place
 from core.known import known
@@ -43,6 +43,7 @@ class WallJustification:
     return_walls: str = text_key()
     arch: str = text_key()
     return_wedges: str = text_key()
+    corner: str = text_key()
     contact: str = text_key()
     free_element: str = text_key()
     base_z_m: str = text_key()
@@ -106,6 +107,7 @@ class Wall(Shaped):
     steps: tuple[Step, ...] = key("tables", (), of=Step, columns="step{n}_")
     out_of_plumb_m: float | None = number_key(0.0, 2.0, unit="m", form_unit="cm", form="body")
     return_wedges: Wedges | None = key("section", of=Wedges, columns="wedges_")
+    corner: Corner | None = key("section", of=Corner, columns="corner_")
     arch: Between | None = key("section", of=Between, columns="arch_")
     tie_height_m: float | None = number_key(0.1, 60.0, unit="m", form="held")
     tie_bar_length_m: float | None = number_key(0.2, 100.0, unit="m", form="held")

@@ -322,6 +322,11 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
         return
     assert wall.thickness is not None and wall.height_m is not None
     parts = wall.parts
+    if (corner := wall.corner) is not None:
+        steep = replace(corner, length_1_m=0.5 * corner.length_1_m, length_2_m=0.5 * corner.length_2_m)
+        end = End(of_wall(corner=steep), sentence("word", "half_as_long"))
+        yield one_end("corner", "lift_corner", wall.justification, GIVEN_WORD, end)
+        return
     kept = [clipped(part, wall.thickness) for part in parts]
     if any(kept) and any(one is not part for one, part in zip(kept, parts, strict=True)):
         left = zip(wall.solid, kept, strict=False)  # the wedges come last

@@ -115,7 +115,7 @@ def _of_wall(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | No
 def _may_lean(wall: Wall) -> bool:
     """Whether a wall may be moved out of plumb: of a body by its solids, and of one held at its top, none is known."""
     sizes = wall.height_m, wall.thickness, wall.length_m, wall.unit_weight_kn_m3
-    shaped = wall.solid or wall.gable_m or wall.openings or wall.return_wedges or wall.return_walls
+    shaped = wall.solid or wall.gable_m or wall.openings or wall.return_wedges or wall.corner or wall.return_walls
     return not (shaped or wall.bends or None in sizes)
 
 

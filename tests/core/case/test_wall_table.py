@@ -33,6 +33,7 @@ NESTED_OF_A_WALL = (
     "openings",
     "steps",
     "return_wedges",
+    "corner",
     "drawing",
 )
 """Keys of a wall whose own keys are columns; a drawing is named in the case."""

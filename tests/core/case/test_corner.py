@@ -1,0 +1,82 @@
+"""A corner of two walls: the short form is the solids it stands for."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from core.case.rules import parse_case
+from core.errors import InputError
+from core.solved.bodies import corner_of
+from core.study.run import run
+from tests.clauses_alone import parse_case as clauses_alone
+
+WALL = {"name": "corner", "mechanism": "one_sided", "height_m": 6.0, "thickness_m": 0.6, "length_m": 2.0}
+WALL |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "back_restraint": "other", "restraint_note": "roof ring, north"}
+CORNER = {"length_1_m": 2.4, "length_2_m": 2.4, "thickness_2_m": 0.6}
+
+
+def wall_of(**changes):
+    return parse_case({"wall": [{**WALL, "corner": CORNER, **changes}]}).wall[0]
+
+
+@pytest.mark.shows("bodies.corner")
+@pytest.mark.parametrize(
+    ("lengths", "thicknesses", "angle", "printed"),
+    [
+        ((2.4, 2.4), (0.6, 0.6), 45.0, (12389.6, 11.8839, 2.07817, 0.21044)),
+        ((2.4, 1.5), (0.6, 0.45), 50.0, (9267.4, 10.4230, 2.10026, 0.18395)),
+    ],
+)
+def test_that_the_short_form_is_the_two_solids_with_the_printed_values(lengths, thicknesses, angle, printed):
+    corner = {"length_1_m": lengths[0], "length_2_m": lengths[1], "thickness_2_m": thicknesses[1], "angle_deg": angle}
+    size = {"thickness_m": thicknesses[0], "length_m": 1.2}
+    short = wall_of(corner=corner, **size)
+    solids = corner_of(6.0, lengths, thicknesses, angle)
+    table = {key: value for key, value in {**WALL, **size}.items() if key != "corner"} | {"solid": solids}
+    written = parse_case({"wall": [table]}).wall[0]
+    for one, other in zip(short.in_si.body, written.in_si.body, strict=True):
+        assert one == pytest.approx(other, rel=1e-12)
+    block = short.in_si.block
+    found = (short.in_si.body.mass, block.slenderness * 57.29577951308232, block.p2, short.in_si.uplift_multiplier(""))
+    assert found == pytest.approx(printed, rel=3e-5)
+
+
+@pytest.mark.shows("bodies.corner")
+def test_that_cracks_half_as_long_are_a_row_and_turn_what_rests_on_them():
+    spectrum = {"code": "EN1998", "type": 1, "soil": "B"}
+    hip = {"kind": "thrust", "kn_m": 1.0, "h_m": 6.0}
+    for loads, reason in (([], None), ([hip], None), ([hip], "cracks surveyed, sheet 3")):
+        length = round(2.4 * 0.5**0.5 + 0.6 * 0.5**0.5, 3) if not loads else 2.4 * 2.0**0.5
+        wall = {**WALL, "corner": CORNER, "length_m": length} | ({"load": loads} if loads else {})
+        wall |= {"justification": {"corner": reason}} if reason else {}
+        table = {"wall": [wall | ({} if loads else {"unloaded_confirmed": True})]}
+        table["demand"] = {"ag_g": 0.12, "spectrum": spectrum}
+        result = run(clauses_alone(table), base_dir=Path())
+        verdict = result.walls[0].assessed.verdict
+        (row,) = [one for one in verdict.assumptions if one.key == "corner"]
+        assert row.zeta < verdict.zeta_e and row.reason == (reason or "")
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"gable_m": 1.0}, "does not go with gable_m"),
+        ({"corner": {**CORNER, "length_2_m": 0.5}}, "reach beyond the thickness"),
+        ({"corner": {**CORNER, "angle_deg": 85.0}}, "angle_deg"),
+        ({"mechanism": "vertical_bending"}, "corner"),
+    ],
+)
+def test_that_what_does_not_go_with_a_corner_is_refused_in_one_sentence(changes, words):
+    with pytest.raises(InputError) as caught:
+        wall_of(**changes)
+    assert words in str(caught.value)
+
+
+def test_that_a_part_above_a_hinge_is_the_corner_cut_there():
+    from core.case.above_hinge import above_hinge
+
+    whole = wall_of(length_m=1.2)
+    part = above_hinge(replace(whole), 2.0)
+    assert part.corner is None and len(part.solid) == 2
+    assert part.in_si.body.mass < whole.in_si.body.mass
