@@ -56,6 +56,7 @@ def test_that_cracks_half_as_long_are_a_row_and_turn_what_rests_on_them():
         verdict = result.walls[0].assessed.verdict
         (row,) = [one for one in verdict.assumptions if one.key == "corner"]
         assert row.zeta < verdict.zeta_e and row.reason == (reason or "")
+        assert all("ζ" in row.words.text(language) for language in ("en", "it"))
 
 
 @pytest.mark.parametrize(
