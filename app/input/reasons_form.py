@@ -12,7 +12,7 @@ from app.look.language import named, tr
 from app.work.session import Session
 from core.case.schema import Case, Generate
 from core.case.site import FULL_FACTOR, Building, Demand, DemandJustification
-from core.case.wall import Wall, WallJustification
+from core.case.wall import BENDS, Wall, WallJustification
 from core.codes.limits import ORDINARY_LIFE
 from core.codes.national_hazard import national_range
 from core.codes.verdict import CODE_Q
@@ -44,7 +44,7 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         "elongation_m": any(load.is_tie for load in wall.load),
         "slack_mm": any(load.is_tie and load.slack_mm for load in wall.load),
         "anchorage_kn": any(load.is_tie and (load.bar is None or load.bar.anchorage_kn is None) for load in wall.load),
-        "load": (wall.bends and bool(wall.load))
+        "load": (wall.mechanism == BENDS and bool(wall.load))
         or any(load.kind == "carried_mass" or load.q_kn_m for load in wall.load)
         or any(load.kind == "thrust" and isinstance(load.kn_m, float) and load.kn_m < 0.0 for load in wall.load),
         "mass": any(load.kind == "vertical" for load in wall.load),

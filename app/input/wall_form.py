@@ -286,7 +286,7 @@ class WallForm(WallEditor):
             lines.append(f"u {number(100 * wall.setback, '.1f')} cm")
         lines.append(f"{'α0 g' if wall.bends else 'a_RM'} {number(a / G, '.3f')} g = {number(a, '.2f')} m/s²")
         if wall.bends:
-            lines.append(f"h₁ {number(bending(wall.in_si).h1, '.2f')} m")
+            lines += [] if wall.arch else [f"h₁ {number(bending(wall.in_si).h1, '.2f')} m"]
             self.summary.setText("   ".join(lines))
             return
         lines.append(f"R {number(block.radius, '.3f')} m, p {number(block.frequency_parameter, '.3f')} rad/s")

@@ -141,7 +141,9 @@ class Missing(QFrame):
             return ""
         heights = (wall.base_z_m for wall in case.wall)  # "" while it is to be given
         raised = (isinstance(z, (int, float)) and z > 0.0 for z in heights)
-        return ", ".join(called(wall.title) for wall, up in zip(case.wall, raised, strict=True) if up or wall.bends)
+        return ", ".join(
+            called(wall.title) for wall, up in zip(case.wall, raised, strict=True) if up or wall.bends or wall.arch
+        )
 
     def lead(self, link: str = "0") -> None:
         """Show where a problem is, and put the cursor there."""

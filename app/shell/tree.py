@@ -167,6 +167,8 @@ def _chip(state: State, k: int) -> tuple[str, str]:
 
 def hinge_text(wall: WallResult) -> str:
     """Where a result turns, and how."""
+    if (arch := wall.wall.in_si.arch) is not None:
+        return f"L {number(arch.spacing, 'g')} m, {named(wall.mechanism)}"
     ends = [wall.part.hinge, *([] if wall.part.top is None else [wall.part.top])]
     return f"+{'–'.join(number(end, 'g') for end in ends)} m, {named(wall.mechanism)}"
 

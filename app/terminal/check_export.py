@@ -15,6 +15,7 @@ from core.setting.plan import plan_of, read_inputs
 from core.study.check_script import TEMPLATE, NoCheck, check_script
 
 REASON_WORDS = {
+    "between_walls": "it spans between transverse walls: no histories are made of it",
     "held_at_top": "it is held at its top: the script has the equation of one block, it moves as two",
     "no_records": "no record moves it: give [[record]], [select] or [generate]",
     "too_sensitive": "the last digits of the samples decide each of its histories: another solver finds another one",

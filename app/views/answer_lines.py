@@ -120,6 +120,8 @@ def no_dynamic_check(result: StudyResult, wall: WallResult) -> tuple[str, str]:
     """(why a wall with a demand has no dynamic check, what leads to one)."""
     if wall.wall.above_ground and result.case.building is None:
         return tr("No dynamic check: the motion of the floor follows from the building."), "building"
+    if wall.wall.in_si.arch is not None:
+        return tr("No dynamic check: none is made of a wall between transverse walls."), ""
     if not result.motions:
         return tr("No dynamic check: it needs records and a demand at SLV or SLC."), "generate"
     return tr("No dynamic check: at SLD none is made, but at SLV or SLC."), "demand"

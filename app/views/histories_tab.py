@@ -147,7 +147,7 @@ class HistoriesTab(ResultTab):
         for run in wall.runs:
             for box in (self.record, self.other):
                 box.addItem(run_name(run))
-        self.record.setCurrentIndex(governing_run(wall))
+        self.record.setCurrentIndex(governing_run(wall) if wall.runs else -1)
         self._begin()
 
     def show_run(self, run: tuple[int, int]) -> None:
@@ -173,6 +173,9 @@ class HistoriesTab(ResultTab):
         self.ground.clear()
         self.rotation.clear()
         if self.shown is None or self.record.currentIndex() < 0:
+            for chart in (self.energy, self.force, self.elongation):
+                chart.clear()
+            self.words.setText(tr("No histories are made of this wall.") if self.shown else "")
             return
         result, wall = known(self.shown)
         self.motion = result.motion_of(wall, self.run.motion)

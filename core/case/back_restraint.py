@@ -11,6 +11,7 @@ EVIDENCE = ("drawing", "photograph", "opening", "test", "none")
 OLD_WORDS = {
     "cross_walls": (
         *("cross wall", "transverse wall", "return wall", "longitudinal wall", "side wall", "partition"),
+        *("pareti trasversali", "parete trasversale", "pareti ortogonali", "parete ortogonale", "setti", "setto"),
         *("muri trasversali", "muro trasversale", "muri ortogonali", "muri di spina", "muri longitudinali", "spina"),
     ),
     "tied_floors": ("floor", "roof", "vault", "solai", "solaio", "tetto", "copertura", "volta", "volte", "impalcat"),

@@ -120,6 +120,7 @@ def between(wall: Wall, low: float, high: float) -> Wall:
         tie_spacing_m=None,
         back_restraint="other",
         restraint_evidence=wall.restraint_evidence if _is_shown(wall) else None,
+        arch=None,
         restraint_kn_m=max(_force_at(wall, high), 1e-9),
         restraint_note=f"tie, catena: {high:.4g} m",
     )

@@ -8,9 +8,13 @@ from core.codes.vertical_bending import bending
 from core.errors import InputError, place
 from core.known import known
 from core.text.sentence import Key
+from core.wall.bending import spread_over
 
 LEAST_COURSES = 0.5
-"""Height of the courses that go through from end to end, at least [m]."""
+"""Height of a band of courses that goes through from end to end, at least [m]."""
+
+BETWEEN = "cross_walls", "buttress"
+"""Restraints that hold a wall only where they stand."""
 
 NOT_OF_AN_ARCH = ("restitution", "velocity_ratio", "hinge_heights", "return_walls", "tie_height_m", "free_element")
 """Keys of walls that rock or turn about their base."""
@@ -28,40 +32,37 @@ def named_spanning(name: str, spacing: float) -> str:
 
 def spanning(wall: Wall) -> Wall:
     """A wall between its transverse walls: a rectangle of its least thickness. What pushes it or presses it outward is
-    spread over its height; weights that rest on it hold nothing there, and no tie across it is counted. With openings
-    or a gable the courses that go through from end to end bear the weight of all."""
+    spread over a metre of its height; weights that rest on it hold nothing there, and no tie across it is counted. With
+    openings or a gable the courses that go through from end to end bear the weight of all."""
     assert wall.arch is not None
-    height, thickness, load = whole_courses(wall), least_thickness(wall), [one for one in wall.load if _pushes(one)]
+    thickness, load = least_thickness(wall), [one for one in wall.load if not one.is_tie]
     if wall.parts:
-        of_courses = 1e3 * known(wall.unit_weight_kn_m3) * thickness * height
-        more = 1e-3 * (wall.in_si.weight - of_courses)
-        depth = 0.5 * thickness
-        load += [Load(kind="vertical", kn_m=more, d_m=depth, h_m=0.5 * height, mass="horizontal")] if more > 0.0 else []
-    higher = known(wall.height_m) - height
+        courses, height = whole_courses(wall), known(wall.height_m)
+        more = 1e-3 * wall.in_si.weight / courses - known(wall.unit_weight_kn_m3) * thickness
+        own = Load("vertical", more * spread_over(height), 0.5 * height, d_m=0.5 * thickness, mass="horizontal")
+        load += [own] if more > 0.0 else []
     return replace(
         wall,
         name=named_spanning(wall.title, wall.arch.spacing_m),
         mechanism=ARCHES,
-        height_m=height,
         thickness_m=thickness,
         slenderness_deg=None,
         height_over_thickness=None,
-        base_z_m=None if wall.base_z_m is None else wall.base_z_m + higher,
         restitution=None,
         velocity_ratio=None,
         law="auto",
         hinge_heights=None,
         free_element=None,
-        load=tuple(replace(one, h_m=min(one.h_m, height)) for one in load),
+        load=tuple(load),
         return_walls=None,
         tie_height_m=None,
         tie_bar_length_m=None,
         tie_elongation_m=None,
         tie_spacing_m=None,
         back_restraint="cross_walls",
-        restraint_evidence=wall.restraint_evidence if wall.back_restraint == "cross_walls" else None,
+        restraint_evidence=wall.restraint_evidence if wall.back_restraint in BETWEEN else None,
         restraint_kn_m=None,
-        unloaded_confirmed=wall.unloaded_confirmed and not load,
+        unloaded_confirmed=wall.unloaded_confirmed and not wall.load,
         gable_m=None,
         out_of_plumb_m=None,
         return_wedges=None,
@@ -78,18 +79,15 @@ def least_thickness(wall: Wall) -> float:
 
 
 def whole_courses(wall: Wall) -> float:
-    """Height of the courses that go through from end to end of a wall, between its openings and below its gable [m]."""
+    """Height of the courses that go through from end to end of a wall, between its openings and below its gable [m]:
+    bands of LEAST_COURSES at least."""
     eaves, left, z = wall.shoulder, 0.0, 0.0
     spans = sorted((min(z for _, z in one.corners), max(z for _, z in one.corners)) for one in wall.openings)
     for low, high in [*spans, (eaves, eaves)]:
-        left += max(0.0, min(low, eaves) - z)
+        band = min(low, eaves) - z
+        left += band if band >= LEAST_COURSES else 0.0
         z = max(z, high)
     return left
-
-
-def _pushes(load: Load) -> bool:
-    """Whether the mass of a load pushes the wall, or it presses the wall outward."""
-    return load.pushes or (load.kind == "thrust" and (load.kn_m or 0.0) > 0.0)
 
 
 def check_arch(wall: Wall) -> None:
@@ -107,11 +105,15 @@ def check_arch(wall: Wall) -> None:
             raise InputError("arch_needs", place=here, key=key, arch=Key("[wall.arch]"))
     if wall.solid or wall.corner or (wall.has_shape and wall.mechanism == ARCHES):
         raise InputError("arch_rectangle", place=inside)
-    if whole_courses(wall) < LEAST_COURSES:
+    if not whole_courses(wall):
         raise InputError("arch_openings", place=inside, least=LEAST_COURSES)
-    for key, other in (("tie_kn_m", "tie_elongation_m"), ("shoulder_length_m", "shoulder_thickness_m")):
+    tied = ("tie_kn_m", "tie_bar_length_m"), ("tie_kn_m", "tie_elongation_m")
+    for key, other in (*tied, ("shoulder_length_m", "shoulder_thickness_m")):
         if (getattr(given, key) is None) != (getattr(given, other) is None):
             raise InputError("arch_pair", place=inside, key=key, other=Key(other))
+    if given.with_tie and known(given.tie_elongation_m) < given.at_yield:
+        least = {"found": known(given.tie_elongation_m), "least": given.at_yield}
+        raise InputError("tie_elongation_below_yield", place=inside, key="tie_elongation_m", **least)
     if not given.with_tie and not given.with_shoulder:
         keys = {"tie": Key("tie_kn_m"), "shoulder": Key("shoulder_length_m")}
         raise InputError("arch_without_thrust", place=inside, key="tie_kn_m", **keys)

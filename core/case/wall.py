@@ -16,6 +16,7 @@ from core.errors import InputError, place
 from core.known import known
 from core.text.sentence import Key, sentence
 from core.wall.arch import Arch
+from core.wall.bending import spread_over
 from core.wall.block import Block
 from core.wall.impact import Restitution
 from core.wall.masonry import ARCHES, BENDS, Declared, Masonry, base_length, weight_per_metre
@@ -214,7 +215,9 @@ class Wall(Shaped):
             given = {"height_m": height, "thickness_m": thickness, "unit_weight_kn_m3": weight}
             key = next((key for key, value in given.items() if value is None), "compressive_strength_mpa")
             raise InputError("arch_needs", place=here, key=key, arch=Key("[wall.arch]"))
-        return self.arch.in_si(height, thickness, 1e3 * weight, 1e6 * strength)
+        thrust = sum(1e3 * known(load.kn_m) for load in self.load if load.kind == "thrust")
+        presses = abs(thrust) * self.arch.spacing_m / spread_over(height)
+        return self.arch.in_si(height, thickness, 1e3 * weight, 1e6 * strength, presses)
 
     @cached_property
     def as_json(self) -> str:

@@ -22,6 +22,7 @@ from core.codes.target_spectrum import GivenSpectrum
 from core.codes.vertical_bending import Bending, weakest
 from core.errors import InputError, place
 from core.units import G
+from core.wall.arch import MIN_THRUST
 from core.wall.masonry import Masonry, period_share
 from core.wall.wall_loads import without_ties
 
@@ -191,14 +192,19 @@ def _covers(target, period: float, name: str, wall: Masonry) -> None:
         )
 
 
+def _without_what_stretches(wall: Masonry) -> Masonry:
+    """A wall without its ties, which pull only once it has moved: across it, and along one between transverse walls."""
+    wall = without_ties(wall) if wall.ties else wall
+    return replace(wall, arch=wall.arch.without_tie) if wall.arch is not None and wall.arch.tied else wall
+
+
 def kinematic(wall: Masonry, mechanism: str, demand: DemandResult, floor: FloorSpectrum | None = None) -> Kinematic:
     """The mechanism of a wall.
 
     floor : above the ground the spectrum of its floor; None there means that the demand has none
     Raises InputError where the spectrum of a file ends before T_SLV, T_SLC or T_0.
     """
-    if demand.limit_state == "SLD" and wall.ties:
-        wall = without_ties(wall)
+    wall = _without_what_stretches(wall) if demand.limit_state == "SLD" else wall
     free, sums = wall.is_free(mechanism), chain(wall, mechanism == "two_sided")
     alpha0, e_star, mass = sums.start
     a0 = alpha0 * G / (e_star * demand.confidence_factor)
@@ -225,7 +231,8 @@ def kinematic(wall: Masonry, mechanism: str, demand: DemandResult, floor: FloorS
     if acceleration is not None:
         zeta_sld, zeta_floor = a0 / acceleration, min(a0, without_friction) / acceleration
     start, moved = 0.0 if missing or period_0 is None else period_0, sums
-    with_displacement = demand.target is not None and demand.limit_state in LIMIT_FRACTION
+    held = wall.arch is None or wall.arch.thrust > MIN_THRUST  # of what nothing holds the period has no end
+    with_displacement = held and demand.target is not None and demand.limit_state in LIMIT_FRACTION
     if with_displacement and sums.bending is not None:
         moved = _weakest(sums, demand, floor, wall)
     of_both = (alpha0, e_star, mass, a0, wall, sums, moved, moved.d0)

@@ -11,9 +11,11 @@ from typing import NamedTuple
 import numpy as np
 
 from core.codes.vertical_bending import Bending, bending
+from core.codes.vertical_bending import start_multiplier as start_of_bending
 from core.known import known
 from core.units import G
 from core.wall.bars import TieBar
+from core.wall.bending import strip_of
 from core.wall.masonry import MAX_COLLAPSE, Masonry, as_force, base_length, inner_of
 from core.wall.wall_loads import restoring_with_ties, start_multiplier
 
@@ -54,7 +56,7 @@ class Chain:
     alpha0_friction, e_star_friction, mass_friction : the same with the friction of the return walls, of the part of the
         wall whose alpha_0 over e* is least; None without them, and of a two-sided wall
     friction_height : height of that part, from the top down [m]
-    bending : of a wall held at its top; these sums are then its own
+    bending : of a wall that bends; these sums are then its own
     """
 
     slenderness: float
@@ -144,10 +146,17 @@ def chain(wall: Masonry, two_sided: bool) -> Chain:
 
 
 def of_bending(wall: Masonry, own: Bending) -> Chain:
-    """Sums of the chain of a wall that is held at its top and bends (vertical_bending)."""
+    """Sums of the chain of a wall that bends, held at its top or between transverse walls."""
     bare = wall.bare
-    start = (own.alpha0, own.e_star, own.mass, own.d0, own.alpha0)
+    start = (own.alpha0, own.e_star, own.mass, own.d0, at_rest(wall, own))
     return Chain(bare.slenderness, bare.radius, *start, bending=own)
+
+
+def at_rest(wall: Masonry, own: Bending) -> float:
+    """alpha_0 of what holds a wall that bends before it moves [-]: no tie along it, which has to stretch first."""
+    if wall.arch is None or not wall.arch.tied:
+        return own.alpha0
+    return max(0.0, start_of_bending(strip_of(replace(wall, arch=wall.arch.without_tie)), own.h1))
 
 
 def of_side(wall: Masonry, side: float) -> Chain:

@@ -19,12 +19,13 @@ from core.codes.assumption import (
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import ZETA_ROUNDING, Check, Kinematic
+from core.codes.kinematic_chain import at_rest
 from core.codes.limits import MEAN_FROM, MIN_PGA_SHARE, MINIMUM_FROM
 from core.codes.outcomes import OUTCOMES, PASSES
 from core.codes.record_compatibility import Compliance
 from core.codes.target_spectrum import displacement_fall
 from core.codes.verdict_sentence import CODE_Q, measured, outcome
-from core.codes.vertical_bending import uplift_multiplier
+from core.codes.vertical_bending import bending, uplift_multiplier
 from core.text.sentence import FILE_NAMES, FormNames, Key, Number, Sentence, sentence
 from core.units import G
 from core.wall.masonry import Masonry
@@ -36,6 +37,7 @@ TO_MEND = {
     "no_top_restraint": Sentence(
         "reason", "to_no_top_restraint", (("key", Key("back_restraint")), ("one_sided", Sentence("word", "one_sided")))
     ),
+    "no_end_restraint": Sentence("reason", "to_no_restraint", (("key", Key("back_restraint")),)),
     "no_hold_strength": Sentence("reason", "to_no_hold_strength", (("key", Key("restraint_kn_m")),)),
     "no_arch": Sentence("reason", "to_no_arch", (("arch", Key("[wall.arch]")),)),
     "no_spectrum": Sentence("reason", "to_no_spectrum"),
@@ -48,6 +50,7 @@ TO_MEND = {
     "no_soil_factor": Sentence("reason", "to_no_soil_factor"),
     "period_estimated": Sentence("reason", "to_period_estimated", (("key", Key("period_s")),)),
     "upper_floor": Sentence("reason", "to_building", (("building", Key("[building]")),)),
+    "upper_top": Sentence("reason", "to_building", (("building", Key("[building]")),)),
     "upper_middle": Sentence("reason", "to_building", (("building", Key("[building]")),)),
     "no_check": Sentence("reason", "to_no_check"),
 }
@@ -188,7 +191,9 @@ def outcome_of(seen: Evidence, unfounded: Sequence[Sentence] = (), q_unfounded: 
 
 
 def _threshold(seen: Evidence) -> float:
-    """a_RM [m/s2]."""
+    """a_RM [m/s2], of a wall between transverse walls that of what holds it before its ties have to stretch."""
+    if seen.wall.arch is not None:
+        return G * at_rest(seen.wall, bending(seen.wall))
     return G * uplift_multiplier(seen.wall, seen.mechanism)
 
 
@@ -280,7 +285,7 @@ def _limits_of_the_number(seen: Evidence, code: str) -> list[Sentence]:
         limits.append(_reason("no_period", missing=keys))
     if seen.demand.target is None and not seen.dynamic and OUTCOMES[code].judgement == PASSES:
         limits.append(_reason("linear_alone"))
-    if OUTCOMES[code].judgement == PASSES and seen.wall.vertical_loads and seen.kinematic and seen.kinematic.d_limit:
+    if OUTCOMES[code].judgement == PASSES and _rests_on(seen.wall) and seen.kinematic and seen.kinematic.d_limit:
         limits.append(_reason("supports", d=seen.kinematic.d_limit, state=seen.demand.limit_state))
     if not seen.wall.bends and seen.wall.leans_inward:
         limits.append(_reason("leans_inward"))
@@ -288,6 +293,11 @@ def _limits_of_the_number(seen: Evidence, code: str) -> list[Sentence]:
         earlier, later, share = fall
         limits.append(_reason("spectrum_falls", earlier=earlier, later=later, share=share))
     return limits + _weaker(seen, code, True)
+
+
+def _rests_on(wall: Masonry) -> bool:
+    """Whether a check counts on weights that must stay where they are."""
+    return bool(wall.vertical_loads) and wall.arch is None
 
 
 def _notes(seen: Evidence, code: str) -> list[Sentence]:
@@ -304,12 +314,19 @@ def _notes(seen: Evidence, code: str) -> list[Sentence]:
     return notes
 
 
+def _upper(wall: Masonry) -> str:
+    """Code of the sentence that asks for the building of a wall above the ground."""
+    if wall.arch is not None:
+        return "upper_top"
+    return "upper_middle" if wall.bends else "upper_floor"
+
+
 def _missing(seen: Evidence) -> Sentence | None:
     """Sentence on what is missing where no verdict can be given, with the keys that give it; None where nothing is."""
     if seen.wall.above_ground and seen.kinematic is None:
         keys = {"height": "height_m", "storeys": "storeys", "period": "period_s", "building": "[building]"}
         keys = {name: Key(key) for name, key in keys.items()}
-        return _reason("upper_middle" if seen.wall.bends else "upper_floor", z=seen.wall.felt, **keys)
+        return _reason(_upper(seen.wall), z=seen.wall.felt, **keys)
     if seen.governing is None:
         keys = {"spectrum": "spectrum", "modulus": "elastic_modulus_mpa", "weight": "unit_weight_kn_m3"}
         return _reason("no_check", **{name: Key(key) for name, key in keys.items()})
@@ -393,7 +410,7 @@ def _activated(seen: Evidence, threshold: float) -> bool:
     at_rest = demand.confidence_factor * strongest <= threshold
     rigid = seen.wall.law.is_rigid
     declared = seen.wall.declared
-    held = seen.wall.arch is not None or (declared.restraint and declared.strength is not None)
+    held = declared.restraint and (seen.wall.arch is not None or declared.strength is not None)
     unheld = seen.wall.bends and not held  # what is not held at its top overturns before
     return unheld or not rigid or not at_rest or any(check.passed is False for check in seen.checks)
 
@@ -413,12 +430,14 @@ def _of_what_holds(seen: Evidence) -> list[Sentence]:
     if seen.mechanism == "one_sided":
         if not declared.restraint:
             return [_reason("no_restraint")]
-        open_between = declared.restraint == "cross_walls" and not declared.spans
+        open_between = declared.restraint in ("cross_walls", "buttress") and not declared.spans
         return [_reason("no_arch", arch=Key("[wall.arch]"))] if open_between else []
-    if not wall.bends or wall.arch is not None:
+    if not wall.bends:
         return []
     if not declared.restraint:
-        return [_reason("no_top_restraint")]
+        return [_reason("no_top_restraint" if wall.arch is None else "no_end_restraint")]
+    if wall.arch is not None:
+        return []
     return [_reason("no_hold_strength", key=Key("restraint_kn_m"))] if declared.strength is None else []
 
 
@@ -456,7 +475,7 @@ def _limits(seen: Evidence) -> list[Sentence]:
     reasons += _of_what_holds(seen)
     if not demand.soil_factor_stated:
         reasons.append(_reason("no_soil_factor"))
-    alpha = math.degrees(seen.wall.block.slenderness)
+    alpha = 0.0 if seen.wall.arch else math.degrees(seen.wall.block.slenderness)
     if alpha > STOCKY_DEG:
         reasons.append(_reason("stocky", alpha=alpha))
     return reasons

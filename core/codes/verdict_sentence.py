@@ -124,7 +124,7 @@ def outcome(
     """
     target, way = demand.zeta_target, code
     if code == "not_activated" and wall.above_ground:
-        way = "not_activated_bending" if wall.bends else "not_activated_floor"
+        way = "not_activated_floor" if wall.arch or not wall.bends else "not_activated_bending"
     zeta = apart(governing.zeta if governing else None, target)
     if target != 1.0:
         zeta = sentence("added", "required", zeta=zeta, target=target)

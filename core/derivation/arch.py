@@ -2,6 +2,7 @@
 kN, m, s; per metre of height."""
 
 import math
+from dataclasses import replace
 
 from core.derivation import bending, body, checks
 from core.derivation.functions import kilo, sqrt
@@ -11,15 +12,22 @@ from core.known import known
 from core.study.results import WallResult
 from core.units import G
 from core.wall.arch import parted_flat, thrust_of_shoulder
+from core.wall.bending import spread_over
 
 SPACING = Given("spacing", "L", "m", 2, "0.00", "L between the transverse walls")
 STRENGTH = Given("strength", "f", "MPa", 2, "0.00", "f of the masonry")
-TIE_FORCE = Given("tie_force", "H_t", "kN/m", 2, "0.000", "H_t, yield of the ties along the wall")
-STANDS = Given("tie_stands", "v_u", "m", 4, label="v_u, elongation those ties stand")
+TIE_FORCE = Given("tie_yield", "H_y", "kN/m", 2, "0.000", "H_y, yield of the ties along the wall")
+AT_YIELD = Given("tie_at_yield", "v_y", "m", 4, label="v_y, elongation of a bar at yield")
+STANDS = Given("tie_stands", "v_u", "m", 4, label="v_u, elongation a bar stands")
+DEVELOPED = Given("tie_force", "H_t", "kN/m", 2, "0.000", "H_t, what those ties pull at 0.40 d_0")
 SHOULDER_LENGTH = Given("shoulder_length", "b_s", "m", 2, "0.00", "b_s of the masonry beyond, along the wall")
 SHOULDER_THICKNESS = Given("shoulder_thickness", "s_s", "m", 3, "0.000", "s_s of the masonry beyond, across the wall")
-MORE = Given("more_weight", "Q", "kN/m", 2, "0.000", "Q of masses that push the wall, spread over its height")
-PRESSED = Given("pressed", "P", "kN/m", 2, "0.000", "P that presses the wall outward, spread over its height")
+MORE = Given("more_weight", "Q", "kN/m", 2, "0.000", "Q of masses that push the wall, spread over a metre of height")
+PRESSED = Given("pressed", "P", "kN/m", 2, "0.000", "P that presses the wall outward, spread over a metre of height")
+
+
+ALPHA0_BARE = Given("alpha0_bare", "α0,b", "–", 4)
+THRUST = Given("thrust", "H", "kN/m", 2, "0.000", "thrust H of the ends")
 
 
 @quantity("v_0", "m", "", 4, label="v_0, by which the ends have parted with all hinges in line", name="parted")
@@ -87,10 +95,20 @@ def d0(width):
     return width / 2
 
 
+def _pull(wall: WallResult) -> float:
+    """What the ties along the wall pull at d_SLV [N/m]."""
+    asked, given = wall.wall, known(wall.wall.arch)
+    own = replace(given, shoulder_length_m=None, shoulder_thickness_m=None)
+    alone = replace(asked, arch=own, compressive_strength_mpa=asked.compressive_strength_mpa).in_si.arch
+    return known(alone).thrust
+
+
 def geometry(wall: WallResult) -> Section:
     """Sizes, what the ends push against, the thrust and the hinges."""
     asked, given = wall.wall, known(wall.wall.arch)
-    found, height, thickness = known(asked.in_si.arch), known(asked.height_m), known(asked.thickness)
+    own, height, thickness = known(asked.in_si.arch), known(asked.height_m), known(asked.thickness)
+    found = known(wall.mechanics.wall.arch) if wall.assessment and wall.assessment.kinematic else own
+    with_tie = given.with_tie and found == own  # at SLD no tie counts
     weight, strength = known(asked.unit_weight_kn_m3), known(asked.compressive_strength_mpa)
     lines: list[Line | Columns] = [
         Line(SPACING, given.spacing_m, INPUT, VALUE),
@@ -99,8 +117,9 @@ def geometry(wall: WallResult) -> Section:
         Line(body.UNIT_WEIGHT, weight, INPUT),
         Line(STRENGTH, strength, INPUT, VALUE),
     ]
-    if given.with_tie:
+    if with_tie:
         lines += [Line(TIE_FORCE, given.tie_kn_m, INPUT, VALUE), Line(STANDS, given.tie_elongation_m, INPUT, VALUE)]
+        lines += [Line(AT_YIELD, given.at_yield, RUN, VALUE), Line(DEVELOPED, 1e-3 * _pull(wall), RUN, VALUE)]
     if given.with_shoulder:
         sizes = known(given.shoulder_length_m), known(given.shoulder_thickness_m)
         apart = parted_flat(given.spacing_m, thickness)
@@ -108,8 +127,11 @@ def geometry(wall: WallResult) -> Section:
         lines.append(Line(parted, apart, note=FULL))
         lines.append(Line(by_shoulder, thrust_of_shoulder(*sizes, height, weight, apart), note=FULL))
     lines.append(Line(by_crushing, by_crushing.function(strength, thickness), note=FULL))
-    by = thrust_of_both if given.with_tie and given.with_shoulder else thrust_by_shoulder
-    lines.append(Line(thrust_of_tie if not given.with_shoulder else by, 1e-3 * found.thrust, note=FULL))
+    by = thrust_of_both if with_tie and given.with_shoulder else thrust_by_shoulder
+    if given.with_shoulder or with_tie:
+        lines.append(Line(by if given.with_shoulder else thrust_of_tie, 1e-3 * found.thrust, note=FULL))
+    else:
+        lines.append(Line(THRUST, 1e-3 * found.thrust, RUN, VALUE))
     lines.append(Line(setback, found.setback, note=FULL))
     lines.append(Line(bending.A_START, wall.model.threshold / G, RUN, VALUE))
     return Section("The wall between its transverse walls", lines)
@@ -119,7 +141,7 @@ def chain(wall: WallResult) -> list[Line]:
     """Lines of alpha_0 and e*: the hinge between is in the middle, where alpha_0 is least."""
     mechanism = known(wall.mechanics.chain.bending)
     strip, asked = mechanism.strip, wall.mechanics.wall
-    per_height = 1e-3 * strip.height / known(asked.height)
+    per_height = 1e-3 * strip.height / spread_over(known(asked.height))
     more = per_height * sum(load.force for load in asked.loads if load.pushes)
     pressed = 1e-3 * strip.pressed * strip.weight
     lines = [Line(bending.width, strip.width, note=FULL)]

@@ -174,7 +174,7 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
     damping = 100.0 * STATE_DAMPING[state]
     constants = {"share": LIMIT_FRACTION[state], "factor": PERIOD_FACTOR[state] / math.pi, "damping": damping}
     if kinematic.chain.bending is not None:
-        d0 = arch.collapse(wall) if wall.wall.arch else bending.collapse(wall)
+        d0 = arch.collapse(wall) if wall.mechanics.wall.arch else bending.collapse(wall)
     elif not wall.wall.load:
         d0 = [Line(checks.d0, kinematic.d0, note=FULL)]
     elif sides_agree(wall):
@@ -219,15 +219,24 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
         zeta, at_slv = checks.nonlinear_zeta_of_ties, checks.nonlinear_zeta_of_ties_at_slv
         lines += _without_ties(bare, s_de)
     if floored:
-        friction = kinematic.chain.alpha0_friction is not None
-        tied = any(load.is_tie for load in wall.wall.load)
-        floor = checks.zeta_floor_with_friction if friction else checks.zeta_floor
-        if tied:
-            floor = checks.zeta_floor_with_ties_and_friction if friction else checks.zeta_floor_with_ties
-        note = VALUE if friction or tied else NOT
-        lines.append(Line(floor, kinematic.zeta_floor, LIVE, note, "not below a_g,SLD"))
+        lines += _floor(wall)
         zeta = at_slv
     return Section(title, [*lines, _zeta(zeta, check)], constants)
+
+
+def _floor(wall: WallResult) -> list[Line]:
+    """Lines of a_g,SLD, below which a_g,SLV of the displacement check is not: without what has to stretch or slip."""
+    kinematic, lines = wall.mechanics, list[Line]()
+    friction = kinematic.chain.alpha0_friction is not None
+    tied = any(load.is_tie for load in wall.wall.load)
+    if kinematic.wall.arch is not None and kinematic.wall.arch.tied:
+        tied, alone = True, kinematic.chain.alpha0_bare
+        lines.append(Line(arch.ALPHA0_BARE, alone, RUN, VALUE, "before its ties are stretched"))
+    floor = checks.zeta_floor_with_friction if friction else checks.zeta_floor
+    if tied:
+        floor = checks.zeta_floor_with_ties_and_friction if friction else checks.zeta_floor_with_ties
+    note = VALUE if friction or tied else NOT
+    return [*lines, Line(floor, kinematic.zeta_floor, LIVE, note, "not below a_g,SLD")]
 
 
 def _without_ties(bare: Displacement, s_de: Line) -> list[Line]:

@@ -1,5 +1,7 @@
 """What the engineer confirms by ticking."""
 
+from core.wall.masonry import ARCHES, BENDS
+
 ASSUMPTIONS = (
     "monolithic",
     "no_load",
@@ -7,6 +9,7 @@ ASSUMPTIONS = (
     "loads_as_given",
     "ties_as_given",
     "held_top",
+    "held_ends",
     "no_sliding",
     "no_vertical_motion",
 )
@@ -17,9 +20,10 @@ def assumptions_of(walls) -> list[str]:
     """Codes of the assumptions: the loads as given where a wall has some, else that there are none."""
     loaded = any(wall.load for wall in walls)
     tied = any(load.kind == "tie" for wall in walls for load in wall.load)
-    held = any(wall.bends for wall in walls)
+    mechanisms = {wall.mechanism for wall in walls}
     left_out = {
-        "" if held else "held_top",
+        "" if BENDS in mechanisms else "held_top",
+        "" if ARCHES in mechanisms else "held_ends",
         "no_load" if loaded else "loads_as_given",
         "no_ties" if tied else "ties_as_given",
     }

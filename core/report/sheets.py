@@ -31,6 +31,7 @@ from core.report.stated.walls import RUN, OfRun
 from core.study.results import StudyResult
 from core.text.sentence import localized, word
 from core.version import NAME, VERSION, commit
+from core.wall.masonry import ARCHES, BENDS
 from core.wall.restitution import MODELS
 
 METHOD = (
@@ -44,6 +45,7 @@ METHOD = (
     "circolare",
     "loads",
     "held_top",
+    "held_ends",
     "left_out",
 )
 """Paragraphs of the sheet Method, in their order; held_top where a wall is."""
@@ -283,8 +285,9 @@ def method(book: Book, result: StudyResult) -> None:
         rule(sheet, row, 1, 2)
         row += 1
     row = _uncertainty(book, sheet, result, row + 1)
-    held = any(wall.wall.bends for wall in result.walls)
-    for code in METHOD if held else (one for one in METHOD if one != "held_top"):
+    mechanisms = {wall.mechanism for wall in result.walls}
+    without = {code for code, of in (("held_top", BENDS), ("held_ends", ARCHES)) if of not in mechanisms}
+    for code in (one for one in METHOD if one not in without):
         label = localized("method_label", code, book.language)
         body = localized("method_body", code, book.language)
         text(sheet, row, 1, label, bold=True, wrap=True)

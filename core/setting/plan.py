@@ -123,7 +123,8 @@ class Plan:
         """Longest period of the mechanisms [s], 0 without one."""
         if self.longest is not None:
             return self.longest
-        return max((one.kinematic.period or 0.0 for one in self.entries if one.kinematic), default=0.0)
+        counted = (one for one in self.entries if one.part.wall.mechanism != ARCHES)  # those have no histories
+        return max((one.kinematic.period or 0.0 for one in counted if one.kinematic), default=0.0)
 
 
 Inputs = tuple[DemandResult | None, list[GroundMotion], list[str]]

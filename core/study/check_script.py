@@ -42,7 +42,7 @@ Q_THAT_MOVES = 1.5
 
 
 class NoCheck(Exception):
-    """Why a wall has no script: held_at_top, no_records or too_sensitive."""
+    """Why a wall has no script: held_at_top, between_walls, no_records or too_sensitive."""
 
 
 class Answer(NamedTuple):
@@ -74,7 +74,7 @@ def check_script(plan: Plan, k: int) -> str:
     """The script that checks the k-th entry of a plan. Raises NoCheck."""
     entry = plan.entries[k]
     if entry.part.wall.bends:
-        raise NoCheck("held_at_top")
+        raise NoCheck("held_at_top" if entry.part.wall.arch is None else "between_walls")
     demand = with_records(plan.demand, plan.motions) if plan.demand else None
     one = _chosen(plan, k, demand)
     lines = {**_of(entry, one), **_model_lines(one), **_wall_lines(entry)}

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from core.case.load_rules import carries
-from core.case.wall import BENDS, Wall
+from core.case.wall import ARCHES, Wall
 from core.codes.assumption import ARCH, DECLARED, LEFT_OUT, RESTRAINT, Assumption
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import SLD_CLAUSE, Check, Kinematic, with_and_without_ties
@@ -187,6 +187,8 @@ def _of_the_restraint(evaluation: Evaluation, free: Evaluation) -> Assumption:
     wall, named = evaluation.scene.wall, bool(evaluation.scene.wall.back_restraint)
     shown = wall.restraint_evidence not in (None, "none")
     code = "top_fails" if wall.bends else "restraint_fails"
+    if wall.mechanism == ARCHES:
+        code = "ends_fail"
     return Assumption(
         RESTRAINT,
         sentence("reason", code, zeta=Number(free.zeta), restraint=declared(wall.in_si.declared)),
@@ -213,10 +215,11 @@ def _overturning(scene: Scene, cancelled: Callable[[], bool]) -> Evaluation | No
     """A wall held at its top, were it not: it overturns about its base. None of another wall, where its loads
     would overturn it without an earthquake, and where a spectrum ends before its period."""
     wall = scene.wall
-    if wall.mechanism != BENDS or not carries(wall):
+    if not wall.bends or not carries(wall):
         return None
     try:
-        free = scene.but(wall=replace(wall, mechanism="one_sided"), mechanism="one_sided")
+        alone = replace(wall, mechanism="one_sided", arch=None)
+        free = scene.but(wall=alone, mechanism="one_sided")
         return evaluate(free, other=False, cancelled=cancelled)
     except InputError:
         return None
@@ -252,7 +255,7 @@ def _of_bending(kinematic: Kinematic, wall: Wall, with_histories: bool) -> list[
         moved = kinematic.moved.bending or mechanism
         if kinematic.d_limit is not None and not math.isinf(arch.stands):
             parted = moved.parted(moved.rotation(kinematic.d_limit))
-            limits.append(sentence("reason", "arch_parts", mm=1e3 * parted))
+            limits.append(sentence("reason", "arch_parts", mm=1e3 * parted, stands=1e3 * arch.stands))
         return limits
     limits.append(sentence("reason", "top_force", force=1e-3 * mechanism.top_force))
     moved = kinematic.moved.bending or mechanism

@@ -303,7 +303,7 @@ def _of_the_unit_weight(scene: Scene) -> Iterator[Raised]:
     """A unit weight that holds the wall against its loads, or is held by them, at the ends of what the type of masonry
     has, of the table where none is named (Circolare 7/2019, Table C8.5.I)."""
     wall, given = scene.wall, scene.wall.unit_weight_kn_m3
-    if given is None or not wall.load:
+    if given is None or not (wall.load or wall.mechanism == ARCHES):
         return
     least, most = weights(wall.masonry)
     values = [end for end in (least, most) if abs(end - given) > 1e-9]

@@ -12,6 +12,9 @@ MAX_SETBACK = 0.25
 """Hinge setback over the thickness at which a larger thrust no longer holds more: H (t - 2 u) has its maximum, as u is
 proportional to H."""
 
+ROUNDS = 50
+"""Rounds of a thrust that depends on how far the ends part, from its yield down: it falls at each."""
+
 FRICTION = 0.4
 """Friction coefficient of the masonry against which the ends of an arch push."""
 
@@ -19,22 +22,58 @@ TIE, SHOULDER, CRUSHING = "arch_tie", "arch_shoulder", "arch_crushing"
 """What the thrust of the ends is limited by."""
 
 
+COUNTED = 0.4
+"""Share of the displacement with all hinges in line up to which the thrust of a tie develops: that of d_SLV."""
+
+MIN_THRUST = 1.0
+"""Thrust of ends that push against nothing [N/m]: the wall then fails by its linear check, ζ about 0."""
+
+
 class Arch(NamedTuple):
     """A metre of height of a wall between two transverse walls.
 
     spacing : L between them [m]; thrust : H [N/m]; setback : u of its hinges inside the faces [m]
-    by : TIE, SHOULDER or CRUSHING; stands : by how much the ends may part before the tie that holds them breaks [m]
+    by : TIE, SHOULDER or CRUSHING; shoulder : H of the masonry beyond alone [N/m]
+    tied : whether H is that of a tie, which pulls only once the ends have parted
+    stands : by how much the ends may part before that tie breaks [m]; strength : f of the masonry [Pa]
     """
 
     spacing: float
     thrust: float
     setback: float
     by: str
+    shoulder: float = 0.0
+    tied: bool = False
     stands: float = math.inf
+    strength: float = math.inf
+
+    @property
+    def without_tie(self) -> "Arch":
+        """The arch by the masonry beyond alone, as it is before its ends have parted."""
+        thrust = max(self.shoulder, MIN_THRUST)
+        setback = setback_of(thrust, self.strength)
+        return self._replace(thrust=thrust, setback=setback, by=SHOULDER, tied=False, stands=math.inf)
+
+
+class Along(NamedTuple):
+    """Ties along a wall: force at yield per metre of height [N/m], elongation at yield and the one they stand [m], each
+    of the whole bar, and the bays it runs through."""
+
+    force: float
+    at_yield: float
+    stands: float
+    bays: float
+
+
+def parted_at(spacing: float, width: float, displacement: float) -> float:
+    """By how much the ends have parted [m] with the middle hinge moved by d_C: 2 (sqrt(L^2/4 + b^2 - (b - d_C)^2) -
+    L/2). spacing, width : L and b between the hinges [m]"""
+    half = 0.5 * spacing
+    return 2.0 * (math.sqrt(half**2 + width**2 - (width - displacement) ** 2) - half)
 
 
 def parted_flat(spacing: float, thickness: float) -> float:
-    """By how much the ends of an arch have parted [m] when its three hinges lie in one line: sqrt(L^2 + 4 t^2) - L."""
+    """`parted_at` of an arch whose three hinges lie in one line, at the faces: sqrt(L^2 + 4 t^2) - L [m]."""
     return math.hypot(spacing, 2.0 * thickness) - spacing
 
 
@@ -54,19 +93,33 @@ def setback_of(thrust: float, strength: float) -> float:
     return 2.0 * thrust / (3.0 * strength)
 
 
+def developed(along: Along, spacing: float, thickness: float, presses: float) -> float:
+    """H [N/m] of ties along the wall at COUNTED of the displacement with all hinges in line: the whole of it where the
+    ends have parted there by what the bar yields at, else in proportion; by the least distance of the hinges there may
+    be, t/2, with which the ends part least. presses : P that presses the wall outward, between the transverse walls
+    [N/m]: nothing holds it already before the hinges lie in line"""
+    thrust, width = along.force, (1.0 - 2.0 * MAX_SETBACK) * thickness
+    for _ in range(ROUNDS):
+        share = max(0.0, 1.0 - presses * spacing / (8.0 * thrust * width)) if thrust > 0.0 else 0.0
+        thrust = along.force * min(1.0, parted_at(spacing, width, COUNTED * share * width) / along.at_yield)
+    return thrust
+
+
 def arch_of(
-    spacing: float, thickness: float, strength: float, tie: tuple[float, float] | None, shoulder: float | None
+    spacing: float, thickness: float, strength: float, tie: Along | None, shoulder: float | None, presses: float = 0.0
 ) -> Arch:
     """The arch by what its ends take: the larger of what the tie alone and the shoulder alone do, no more than what the
     hinges are crushed by.
 
-    spacing, thickness : L and t [m]; strength : f of the masonry [Pa]
-    tie : its yield force per metre of height [N/m] and the elongation it stands [m]; shoulder : `thrust_of_shoulder`
+    spacing, thickness : L and t [m]; strength : f of the masonry [Pa]; presses : of `developed`
+    tie : along the wall; shoulder : `thrust_of_shoulder`
     """
-    takes = [(shoulder, SHOULDER, math.inf)] if shoulder is not None else []
-    takes += [(tie[0], TIE, tie[1])] if tie is not None else []
-    thrust, by, stands = max(takes)
     most = 1.5 * strength * MAX_SETBACK * thickness
-    if thrust > most:
+    beyond = min(shoulder or 0.0, most)
+    thrust, by, stands = max(beyond, MIN_THRUST), SHOULDER, math.inf
+    if tie is not None and (pull := developed(tie, spacing, thickness, presses)) > beyond:
+        thrust, by, stands = max(pull, MIN_THRUST), TIE, tie.stands / tie.bays
+    tied = by == TIE
+    if thrust >= most or (shoulder is not None and beyond == most and not tied):
         thrust, by = most, CRUSHING
-    return Arch(spacing, thrust, setback_of(thrust, strength), by, stands)
+    return Arch(spacing, thrust, setback_of(thrust, strength), by, beyond, tied, stands, strength)

@@ -19,7 +19,7 @@ import numpy as np
 from core.known import known
 from core.units import G
 from core.wall.body import Body, cut_above, together
-from core.wall.masonry import Masonry
+from core.wall.masonry import Load, Masonry
 from core.wall.solids import Part, contact_at, faces_at, sum_of
 
 TOP_TOLERANCE = 1e-6
@@ -186,15 +186,27 @@ class Turning(NamedTuple):
         return moved + math.fsum([pushed * (along - rate * (x * s + z * c)) for _, x, z, pushed in self.upper])
 
 
+MAX_SPREAD = 1.0
+"""Height of a wall between transverse walls that bears what acts on it along a line, at most [m]: a rule of ours."""
+
+
+def spread_over(height: float) -> float:
+    """Height over which what acts along a line is spread [m]. height : of the wall [m]"""
+    return min(height, MAX_SPREAD)
+
+
+def pressing(loads: tuple[Load, ...]) -> float:
+    """Thrusts on a wall between transverse walls, whatever their sign, for it bends outward and inward alike [N/m]."""
+    return abs(sum(load.force for load in loads if load.kind == "thrust"))
+
+
 def strip_of(wall: Masonry) -> Strip:
     """A metre of length of a wall, of one that spans between transverse walls a metre of its height."""
     height, thickness = known(wall.height), known(wall.thickness)
     if wall.arch is not None:
-        arch, weight = wall.arch, wall.weight / height * wall.arch.spacing
-        more = sum(load.force for load in wall.loads if load.pushes) / height * arch.spacing
-        thrusts = (max(load.force, 0.0) for load in wall.loads if load.kind == "thrust")  # none helps to hold it
-        pressed = sum(thrusts) / height * arch.spacing
-        weight, ends = weight + more, ((arch.thrust, arch.setback),)
+        arch, per = wall.arch, wall.arch.spacing / spread_over(height)
+        weight = wall.weight / height * arch.spacing + per * sum(load.force for load in wall.loads if load.pushes)
+        pressed, ends = per * pressing(wall.loads), ((arch.thrust, arch.setback),)
         return Strip(
             arch.spacing, thickness, arch.setback, weight, ends, lies=True, pressed=pressed / weight, stands=arch.stands
         )

@@ -88,7 +88,7 @@ class Declared:
     """What the engineer says of a wall, which no number shows.
 
     restraint : what stands behind it or holds its top, a key of words, None : nothing; evidence, note : what shows it
-    unloaded : that nothing rests on it; spans : how far the transverse walls behind it stand apart;
+    unloaded : that nothing rests on it; spans : whether it is said how far the transverse walls behind it stand apart;
     strength : of what holds its top [N/m]
     """
 

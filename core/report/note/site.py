@@ -3,12 +3,13 @@
 from core.case.loads import Load
 from core.case.wall import Wall
 from core.codes.floor_spectrum import PLATEAU_END, PLATEAU_START, estimated_period
+from core.ground.floor_motion import Mode
 from core.known import known
 from core.report.note.parts import Derivation, Heading, Paragraph, Part, Step, Table
 from core.report.note.words import Words
 from core.report.place_lines import place_of, states_of
 from core.report.verdict_words import outcome_of
-from core.setting.floors import damaged
+from core.setting.floors import Floor, damaged
 from core.study.results import StudyResult, WallResult
 from core.study.variants import wall_comparisons
 from core.units import G
@@ -49,6 +50,13 @@ def place(result: StudyResult, words: Words) -> list[Part]:
     return [Table((), place_of(site, words.language), (1, 4)), Table(heads, rows, (1, 1, 1, 1, 1))]
 
 
+def _accelerated(floor: Floor, mode: Mode, words: Words) -> str:
+    """S_e [g] of a mode, of the ground; a dash without a spectrum."""
+    if floor.spectrum is None:
+        return "–"
+    return words.number(float(floor.spectrum.ground.acceleration([mode.period], mode.damping)[0]) / G, ".3f")
+
+
 def building(result: StudyResult, words: Words) -> list[Part]:
     """The building, and its modes at the walls above the ground; nothing where no wall is above it."""
     say, asked = words.say, result.case.building
@@ -72,7 +80,7 @@ def building(result: StudyResult, words: Words) -> list[Part]:
             words.number(mode.period, ".3f"),
             words.number(mode.damping, ".3f"),
             words.number(mode.participation, ".3f"),
-            words.number(float(known(floor.spectrum).ground.acceleration([mode.period], mode.damping)[0]) / G, ".3f"),
+            _accelerated(floor, mode, words),
         ]
         for z, floor in sorted(floors.items())
         for k, mode in enumerate(floor.modes, start=1)

@@ -99,7 +99,8 @@ def held_at_top(draw, name):
 def between_walls(draw, name):
     """A wall that spans between transverse walls, by a tie, by masonry beyond or by both."""
     thickness = round(draw.uniform(0.3, 0.6), 3)
-    tie = {"tie_kn_m": round(draw.uniform(8.0, 600.0), 1), "tie_elongation_m": draw.choice((0.02, 0.3))}
+    tie = {"tie_kn_m": round(draw.uniform(8.0, 600.0), 1), "tie_elongation_m": draw.choice((0.03, 0.3))}
+    tie["tie_bar_length_m"] = draw.choice((5.0, 15.0))
     beyond = {"shoulder_length_m": 2.5, "shoulder_thickness_m": 0.6}
     arch = {"spacing_m": round(draw.uniform(3.0, 6.0), 2), **draw.choice((tie, beyond, tie | beyond))}
     size = {"name": name, "mechanism": "horizontal_bending", "height_m": 3.5, "thickness_m": thickness, "arch": arch}

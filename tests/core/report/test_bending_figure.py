@@ -52,7 +52,7 @@ def test_that_the_note_has_its_histories(folder):
 
 
 def test_that_a_wall_between_transverse_walls_is_drawn_in_plan_with_its_lines():
-    arch = {"spacing_m": 4.0, "tie_kn_m": 30.0, "tie_elongation_m": 0.06}
+    arch = {"spacing_m": 4.0, "tie_kn_m": 30.0, "tie_bar_length_m": 5.0, "tie_elongation_m": 0.06}
     bare = {key: value for key, value in WALL.items() if key not in ("load", "back_restraint", "restraint_kn_m")}
     wall = bare | {"name": "spans", "mechanism": "horizontal_bending", "arch": arch, "compressive_strength_mpa": 2.0}
     result = run(parse_case({"wall": [wall], "building": BUILDING, "demand": DEMAND}), base_dir=Path())

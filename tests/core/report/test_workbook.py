@@ -249,7 +249,10 @@ def arches(folder):
     own = {"height_m": 3.0, "thickness_m": 0.3, "unit_weight_kn_m3": 18.0, "mechanism": "horizontal_bending"}
     own |= {"compressive_strength_mpa": 2.0, "base_z_m": 0.0}
     beyond = {"spacing_m": 4.0, "shoulder_length_m": 3.0, "shoulder_thickness_m": 0.6}
-    along, push = {"tie_kn_m": 60.0, "tie_elongation_m": 0.02}, {"kind": "thrust", "kn_m": 0.4, "h_m": 2.5}
+    along, push = (
+        {"tie_kn_m": 60.0, "tie_bar_length_m": 6.0, "tie_elongation_m": 0.02},
+        {"kind": "thrust", "kn_m": 0.4, "h_m": 2.5},
+    )
     pushing = {"kind": "vertical", "kn_m": 12.0, "d_m": 0.1, "h_m": 3.0, "mass": "horizontal"}
     walls = [
         {"name": "spans", "arch": beyond, **own},

@@ -37,7 +37,12 @@ LONE |= {"unit_weight_kn_m3": 18.0, "back_restraint": "tied_floors", "restraint_
 LONE |= {"unloaded_confirmed": True}
 LOADED = {key: value for key, value in LONE.items() if key != "unloaded_confirmed"} | {"hinge_heights": "base"}
 HELD = {"name": "v", "height_m": 3.5, "thickness_m": 0.15, "mechanism": "vertical_bending", "base_z_m": 0.0}
-HELD |= {"unit_weight_kn_m3": 18.0, "back_restraint": "tied_floors", "restraint_evidence": "drawing"}
+HELD |= {
+    "unit_weight_kn_m3": 18.0,
+    "back_restraint": "tied_floors",
+    "restraint_evidence": "drawing",
+    "restraint_kn_m": 80.0,
+}
 HELD |= {"load": [{"kind": "vertical", "kn_m": 60.0, "h_m": 3.5, "d_m": 0.075, "mass": "none"}]}
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
 NTC_AG = {"ag_g": 0.1, "spectrum": NTC}

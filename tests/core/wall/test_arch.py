@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from core.codes.vertical_bending import mechanism
-from core.wall.arch import CRUSHING, SHOULDER, TIE, arch_of, parted_flat, thrust_of_shoulder
+from core.wall.arch import CRUSHING, SHOULDER, TIE, Along, arch_of, parted_at, parted_flat, thrust_of_shoulder
 from core.wall.bending import Strip
 
 
@@ -120,18 +120,39 @@ def test_that_more_of_anything_that_holds_gives_no_smaller_moment_of_the_thrust(
     draw = np.random.default_rng(3)
     for _ in range(300):
         t, f = draw.uniform(0.2, 0.8), draw.uniform(0.3, 4.0) * 1e6
-        tie, beyond = (draw.uniform(1.0, 900.0) * 1e3, 0.1), draw.uniform(0.0, 300.0) * 1e3
+        tie = Along(draw.uniform(1.0, 900.0) * 1e3, draw.uniform(0.002, 0.08), 0.1, 1.0)
+        beyond, presses = draw.uniform(0.0, 300.0) * 1e3, draw.uniform(0.0, 5.0) * 1e3
 
-        def moment(strength=f, tie=tie, beyond=beyond, t=t):
-            one = arch_of(5.0, t, strength, tie, beyond)
+        def moment(strength=f, tie=tie, beyond=beyond, t=t, presses=presses):
+            one = arch_of(5.0, t, strength, tie, beyond, presses)
             assert 0.0 <= one.setback <= 0.25 * t * (1.0 + 1e-12)
             return one.thrust * (t - 2.0 * one.setback)
 
         base = moment()
         slack = base * (1.0 - 1e-12)
-        assert moment(strength=1.1 * f) >= slack and moment(tie=(1.1 * tie[0], 0.1)) >= slack
+        assert moment(strength=1.1 * f) >= slack
+        assert moment(tie=tie._replace(force=1.1 * tie.force)) >= slack
+        assert moment(tie=tie._replace(at_yield=0.9 * tie.at_yield)) >= slack
         assert moment(beyond=1.1 * beyond) >= slack
         assert moment(tie=None) <= base * (1.0 + 1e-12) and moment(beyond=None) <= base * (1.0 + 1e-12)
-    assert arch_of(5.0, 0.4, 1e6, (1e4, 0.1), None).by == TIE
-    assert arch_of(5.0, 0.4, 1e6, (1e4, 0.1), 2e4).by == SHOULDER
-    assert arch_of(5.0, 0.4, 1e6, (1e6, 0.1), 2e4).by == CRUSHING
+    short = Along(1e4, 0.005, 0.1, 1.0)
+    assert arch_of(5.0, 0.4, 1e6, short, None).by == TIE and arch_of(5.0, 0.4, 1e6, short, None).tied
+    assert arch_of(5.0, 0.4, 1e6, short, 2e4).by == SHOULDER and not arch_of(5.0, 0.4, 1e6, short, 2e4).tied
+    assert arch_of(5.0, 0.4, 1e6, short._replace(force=1e6), 2e4).by == CRUSHING
+
+
+@pytest.mark.shows("arch.thrust")
+def test_that_a_tie_pulls_as_far_as_the_ends_have_parted_and_each_bay_takes_its_share_of_the_bar():
+    """5 m, hinges 0.225 m apart: at 0.40 of the way the ends part by 13 mm; a bar that yields at 26 mm pulls half."""
+    assert parted_at(5.0, 0.45, 0.4 * 0.45) == pytest.approx(2.0 * (math.sqrt(6.25 + 0.45**2 - 0.27**2) - 2.5))
+    at_limit = parted_at(5.0, 0.225, 0.4 * 0.225)
+    assert at_limit == pytest.approx(0.0129, abs=1e-4)
+    strong = 1e12  # no setback
+    whole, half = (arch_of(5.0, 0.45, strong, Along(3e4, at_limit * k, 1.0, 1.0), None) for k in (1.0, 2.0))
+    assert whole.thrust == pytest.approx(3e4, rel=1e-6) and half.thrust == pytest.approx(1.5e4, rel=1e-6)
+    assert arch_of(5.0, 0.45, strong, Along(3e4, 0.01, 0.09, 3.0), None).stands == pytest.approx(0.03)
+    assert whole.without_tie.thrust == 1.0  # nothing holds the wall before its ends part
+    both = arch_of(5.0, 0.45, strong, Along(3e4, 0.01, 0.09, 1.0), 2e4)
+    assert both.tied and both.without_tie.thrust == 2e4
+    pressed = arch_of(5.0, 0.45, strong, Along(3e4, at_limit, 1.0, 1.0), None, presses=1e4)
+    assert pressed.thrust < whole.thrust  # its hinges lie in line earlier, so that d_SLV is less
