@@ -1,0 +1,54 @@
+"""A wall between its transverse walls in the window: its drawing, its place in the tree, the page Histories."""
+
+from pathlib import Path
+
+from tests.core.case.test_spanning import BUILDING, DEMAND, TIE, WALL
+
+ARCH = {"spacing_m": 5.0, **TIE}
+
+
+def result_of():
+    from core.case.rules import parse_case
+    from core.study.run import run
+
+    table = {"wall": [{**WALL, "arch": ARCH}], "demand": DEMAND, "building": BUILDING}
+    return run(parse_case({**table, "generate": {"count": 1}, "analysis": {"q_step": 0.05}}), base_dir=Path())
+
+
+def test_that_its_histories_are_said_to_be_none_and_nothing_of_the_wall_before_stays(opened, application):
+    from app.shell.tree import hinge_text
+    from app.views.histories_tab import HistoriesTab
+
+    result = result_of()
+    turns, spans = result.walls
+    tab = HistoriesTab()
+    tab.setParent(opened)
+    tab.show_wall(result, turns)
+    assert tab.energy.data and "C " in tab.words.text()
+    tab.show_wall(result, spans)
+    assert not tab.energy.data and not tab.rotation.data and tab.words.text() == "No histories are made of this wall."
+    assert hinge_text(spans) == "L 5 m, horizontal bending" and hinge_text(turns).startswith("+0 m")
+    tab.show_wall(result, turns)
+    assert tab.energy.data
+
+
+def test_that_the_drawing_has_a_plan_where_the_case_says_how_far_the_walls_stand_apart(opened, application):
+    from app.look.plan_drawing import plan_of
+    from core.case.rules import parse_case
+
+    wall, bare = (parse_case({"wall": [table]}).wall[0] for table in ({**WALL, "arch": ARCH}, WALL))
+    assert plan_of(wall).strip.height == 5.0 and plan_of(bare) is None
+    opened.walls.drawing.show_wall(wall)
+    with_plan = opened.walls.drawing.grab().toImage()
+    opened.walls.drawing.show_wall(bare)
+    assert with_plan != opened.walls.drawing.grab().toImage()
+
+
+def test_that_what_holds_the_top_goes_with_the_mechanism_it_is_of(opened, application):
+    opened.session.edit_wall(0, mechanism="vertical_bending", restraint_kn_m=40.0)
+    opened.walls.show_case()
+    assert opened.walls.fields["restraint_kn_m"].isVisibleTo(opened.walls)
+    opened.walls.mechanisms["two_sided"].click()
+    assert opened.session.case.wall[0].restraint_kn_m is None
+    assert not opened.walls.fields["restraint_kn_m"].isVisibleTo(opened.walls)
+    assert opened.walls.mechanisms["horizontal_bending"].text().split() == ["horizontal", "bending"]
