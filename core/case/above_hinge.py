@@ -44,8 +44,8 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
         return replace(wall, name=name, hinge_heights=None)
     assert wall.height_m is not None
     faces = contact_at(wall.parts, hinge)
-    loads = loads_above(wall, hinge, faces[0] if faces else 0.0)
-    changes = {"thickness_m": wall.thickness} | _shape_above(wall, hinge)
+    loads = loads_above(wall, hinge, faces[0] if faces and wall.corner is None else 0.0)
+    changes = {"thickness_m": wall.thickness} | (_corner_above(wall, hinge) or _shape_above(wall, hinge))
     part = replace(
         wall,
         **changes,
@@ -65,6 +65,16 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
         here = (place("wall", name=wall.title),)
         raise InputError("pieces_above", place=here, key="hinge_heights", hinge=hinge)
     return part
+
+
+def _corner_above(wall: Wall, hinge: float) -> dict:
+    """Keys of a corner that change for its part above a hinge [m above the base]: its cracks begin there, of the same
+    inclination. Empty of another wall."""
+    if (corner := wall.corner) is None:
+        return {}
+    share = 1.0 - hinge / known(wall.height_m)
+    lengths = {"length_1_m": share * corner.length_1_m, "length_2_m": share * corner.length_2_m}
+    return {"corner": replace(corner, **lengths)}
 
 
 def _shape_above(wall: Wall, hinge: float) -> dict:

@@ -28,6 +28,16 @@ DENIALS = (
 """Words of a text that says there is nothing, or nothing known."""
 
 
+BETWEEN = "cross_walls", "buttress"
+"""Restraints that hold a wall only where they stand."""
+
+
+def holds_only_there(restraint: str | None, note: str) -> bool:
+    """Whether what holds a wall is one of BETWEEN, or another thing whose note names cross walls."""
+    named = restraint == "other" and any(word in note.casefold() for word in OLD_WORDS["cross_walls"])
+    return restraint in BETWEEN or named
+
+
 def with_choice(table: dict) -> dict:
     """The keys of a wall with an older text of back_restraint as one of RESTRAINTS and, unless a note is given, the
     text as its note; a text that names nothing is left as it is, and refused as no choice."""

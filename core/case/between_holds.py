@@ -75,12 +75,6 @@ def _is_shown(wall: Wall) -> bool:
     return reasons is not None and bool(reasons.anchorage_kn or reasons.elongation_m)
 
 
-def _force_at(wall: Wall, height: float) -> float:
-    """Force of the ties at a height, at yield [kN/m]."""
-    loads = zip(wall.load, wall.in_si.loads, strict=True)
-    return 1e-3 * sum(one.force for load, one in loads if load.is_tie and load.h_m == height)
-
-
 def named_between(name: str, low: float, high: float) -> str:
     """What a stretch of a wall is called."""
     return f"{name} ({low:.4g}–{high:.4g} m)"
@@ -121,6 +115,6 @@ def between(wall: Wall, low: float, high: float) -> Wall:
         back_restraint="other",
         restraint_evidence=wall.restraint_evidence if _is_shown(wall) else None,
         arch=None,
-        restraint_kn_m=max(_force_at(wall, high), 1e-9),
+        restraint_kn_m=math.inf,  # the tie: what it stands is looked at where the stretch is chosen
         restraint_note=f"tie, catena: {high:.4g} m",
     )

@@ -141,6 +141,8 @@ def _of_corner(corner: Corner, height: float, thickness: float, weight: float) -
     own = ((0.0, 0.0), (first, height), (0.0, height))
     other = ((thickness, begins), (second, height), (thickness, height))
     parts = (Part(own, (0.0, thickness), angle, 0.0, weight, "oblique"),)
+    if second <= thickness:  # it does not reach beyond what both share
+        return parts
     ends = (-corner.thickness_2_m, 0.0)
     return (*parts, Part(other, ends, angle - 0.5 * math.pi, 0.0, weight, "oblique"))
 

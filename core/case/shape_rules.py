@@ -142,8 +142,9 @@ def _check_corner(wall: Wall, corner: Corner, here) -> None:
     for key in ("solid", "openings", "steps", "gable_m", "out_of_plumb_m", "return_wedges", "return_walls"):
         if getattr(wall, key):
             raise InputError("corner_refuses", place=here, key="corner", other=Key(key))
-    if corner.length_2_m <= known(wall.thickness):
-        raise InputError("corner_short", place=here, key="length_2_m", found=corner.length_2_m, least=wall.thickness)
+    for key, beyond in (("length_2_m", known(wall.thickness)), ("length_1_m", corner.thickness_2_m)):
+        if getattr(corner, key) <= beyond:
+            raise InputError("corner_short", place=here, key=key, found=getattr(corner, key), least=beyond)
 
 
 def _check_solid(solid: Solid, here) -> None:

@@ -2,6 +2,9 @@
 
 from dataclasses import replace
 
+from core.case.arch import Between
+from core.case.back_restraint import BETWEEN
+from core.case.load_rules import MAX_STRAIN
 from core.case.loads import Load
 from core.case.wall import ARCHES, Wall
 from core.codes.vertical_bending import bending
@@ -12,9 +15,6 @@ from core.wall.bending import spread_over
 
 LEAST_COURSES = 0.5
 """Height of a band of courses that goes through from end to end, at least [m]."""
-
-BETWEEN = "cross_walls", "buttress"
-"""Restraints that hold a wall only where they stand."""
 
 NOT_OF_AN_ARCH = ("restitution", "velocity_ratio", "hinge_heights", "return_walls", "tie_height_m", "free_element")
 """Keys of walls that rock or turn about their base."""
@@ -90,6 +90,19 @@ def whole_courses(wall: Wall) -> float:
     return left
 
 
+def _check_along(given: Between, inside) -> None:
+    """Refuse ties along the wall that do not reach from end to end, or an elongation their bars cannot have."""
+    length, stands = known(given.tie_bar_length_m), known(given.tie_elongation_m)
+    if length < given.spacing_m:
+        raise InputError("arch_bar", place=inside, key="tie_bar_length_m", found=length, least=given.spacing_m)
+    if stands < given.at_yield:
+        least = {"found": stands, "least": given.at_yield}
+        raise InputError("tie_elongation_below_yield", place=inside, key="tie_elongation_m", **least)
+    if stands > MAX_STRAIN * length:
+        most = {"found": stands, "most": MAX_STRAIN * length, "share": MAX_STRAIN}
+        raise InputError("tie_elongation_too_large", place=inside, key="tie_elongation_m", **most)
+
+
 def check_arch(wall: Wall) -> None:
     """Raise InputError for a wall between transverse walls that is not complete, or has what does not go with it."""
     here = (place("wall", name=wall.name),)
@@ -111,9 +124,8 @@ def check_arch(wall: Wall) -> None:
     for key, other in (*tied, ("shoulder_length_m", "shoulder_thickness_m")):
         if (getattr(given, key) is None) != (getattr(given, other) is None):
             raise InputError("arch_pair", place=inside, key=key, other=Key(other))
-    if given.with_tie and known(given.tie_elongation_m) < given.at_yield:
-        least = {"found": known(given.tie_elongation_m), "least": given.at_yield}
-        raise InputError("tie_elongation_below_yield", place=inside, key="tie_elongation_m", **least)
+    if given.with_tie:
+        _check_along(given, inside)
     if not given.with_tie and not given.with_shoulder:
         keys = {"tie": Key("tie_kn_m"), "shoulder": Key("shoulder_length_m")}
         raise InputError("arch_without_thrust", place=inside, key="tie_kn_m", **keys)

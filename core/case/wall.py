@@ -6,7 +6,7 @@ from dataclasses import MISSING, dataclass, replace
 from functools import cached_property
 
 from core.case.arch import Between
-from core.case.back_restraint import EVIDENCE, RESTRAINTS, with_choice
+from core.case.back_restraint import EVIDENCE, RESTRAINTS, holds_only_there, with_choice
 from core.case.keys import choice_key, content_of, flag_key, key, number_key, text_key
 from core.case.loads import Load, ReturnWalls
 from core.case.shape import Shaped
@@ -196,7 +196,7 @@ class Wall(Shaped):
                 self.restraint_evidence,
                 self.restraint_note,
                 self.unloaded_confirmed,
-                self.arch is not None,
+                holds_only_there(self.back_restraint, self.restraint_note) and self.arch is None,
                 None if self.restraint_kn_m is None else 1e3 * self.restraint_kn_m,
             ),
         )
@@ -215,8 +215,8 @@ class Wall(Shaped):
             given = {"height_m": height, "thickness_m": thickness, "unit_weight_kn_m3": weight}
             key = next((key for key, value in given.items() if value is None), "compressive_strength_mpa")
             raise InputError("arch_needs", place=here, key=key, arch=Key("[wall.arch]"))
-        thrust = sum(1e3 * known(load.kn_m) for load in self.load if load.kind == "thrust")
-        presses = abs(thrust) * self.arch.spacing_m / spread_over(height)
+        thrust = sum(1e3 * abs(known(load.kn_m)) for load in self.load if load.kind == "thrust")
+        presses = thrust * self.arch.spacing_m / spread_over(height)
         return self.arch.in_si(height, thickness, 1e3 * weight, 1e6 * strength, presses)
 
     @cached_property

@@ -424,20 +424,23 @@ def _strongest(seen: Evidence) -> float:
     return max(demand.pga, first, seen.circumstances.strongest)
 
 
+ENDS = "cross_walls", "buttress", "other"
+"""What can hold the ends of a wall between transverse walls."""
+
+
 def _of_what_holds(seen: Evidence) -> list[Sentence]:
     """What is not known of what restrains a wall: behind it, between its cross walls, or at its top."""
     wall, declared = seen.wall, seen.wall.declared
     if seen.mechanism == "one_sided":
         if not declared.restraint:
             return [_reason("no_restraint")]
-        open_between = declared.restraint in ("cross_walls", "buttress") and not declared.spans
-        return [_reason("no_arch", arch=Key("[wall.arch]"))] if open_between else []
+        return [_reason("no_arch", arch=Key("[wall.arch]"))] if declared.only_there else []
     if not wall.bends:
         return []
-    if not declared.restraint:
-        return [_reason("no_top_restraint" if wall.arch is None else "no_end_restraint")]
     if wall.arch is not None:
-        return []
+        return [] if declared.restraint in ENDS else [_reason("no_end_restraint")]
+    if declared.restraint in (None, "cross_walls"):
+        return [_reason("no_top_restraint")]
     return [_reason("no_hold_strength", key=Key("restraint_kn_m"))] if declared.strength is None else []
 
 

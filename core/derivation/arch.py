@@ -27,7 +27,7 @@ PRESSED = Given("pressed", "P", "kN/m", 2, "0.000", "P that presses the wall out
 
 
 ALPHA0_BARE = Given("alpha0_bare", "α0,b", "–", 4)
-THRUST = Given("thrust", "H", "kN/m", 2, "0.000", "thrust H of the ends")
+THRUST = Given("thrust", "H_e", "kN/m", 2, "0.000", "thrust H_e of the ends")
 
 
 @quantity("v_0", "m", "", 4, label="v_0, by which the ends have parted with all hinges in line", name="parted")
@@ -50,17 +50,17 @@ def by_crushing(strength, thickness):
     return 0.375 * kilo(strength) * thickness
 
 
-@quantity("H", "kN/m", "", 2, "0.000", label="thrust H of the ends", name="thrust")
+@quantity("H_e", "kN/m", "", 2, "0.000", label="thrust H_e of the ends", name="thrust")
 def thrust_of_both(tie_force, by_shoulder, by_crushing):
     return min(max(tie_force, by_shoulder), by_crushing)
 
 
-@quantity("H", "kN/m", "", 2, "0.000", label="thrust H of the ends", name="thrust")
+@quantity("H_e", "kN/m", "", 2, "0.000", label="thrust H_e of the ends", name="thrust")
 def thrust_of_tie(tie_force, by_crushing):
     return min(tie_force, by_crushing)
 
 
-@quantity("H", "kN/m", "", 2, "0.000", label="thrust H of the ends", name="thrust")
+@quantity("H_e", "kN/m", "", 2, "0.000", label="thrust H_e of the ends", name="thrust")
 def thrust_by_shoulder(by_shoulder, by_crushing):
     return min(by_shoulder, by_crushing)
 
@@ -133,7 +133,7 @@ def geometry(wall: WallResult) -> Section:
     else:
         lines.append(Line(THRUST, 1e-3 * found.thrust, RUN, VALUE))
     lines.append(Line(setback, found.setback, note=FULL))
-    lines.append(Line(bending.A_START, wall.model.threshold / G, RUN, VALUE))
+    lines.append(Line(bending.A_START, wall.threshold / G, RUN, VALUE))
     return Section("The wall between its transverse walls", lines)
 
 

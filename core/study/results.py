@@ -17,10 +17,11 @@ from core.codes.collapse_rate import StateRate
 from core.codes.demand import DemandResult
 from core.codes.eq9 import Inequality
 from core.codes.kinematic import Kinematic
+from core.codes.kinematic_chain import at_rest
 from core.codes.record_compatibility import Compliance
 from core.codes.record_sample import SampleInterval
 from core.codes.risk import Risk
-from core.codes.vertical_bending import uplift_multiplier
+from core.codes.vertical_bending import bending, uplift_multiplier
 from core.ground.ground_motion import GroundMotion
 from core.rocking.history import History
 from core.rocking.methods import AUTO, Method, resolve_auto
@@ -148,7 +149,10 @@ class WallResult:
 
     @property
     def threshold(self) -> float:
-        """Acceleration that starts the motion [m/s2]: a_RM, of a wall held at its top alpha_0 g."""
+        """Acceleration that starts the motion [m/s2]: a_RM, of a wall held at its top alpha_0 g, of one between
+        transverse walls that of what holds it before its ties are stretched."""
+        if (own := self.wall.in_si).arch is not None:
+            return G * at_rest(own, bending(own))
         return G * uplift_multiplier(self.wall.in_si, self.mechanism) if self.wall.bends else self.model.threshold
 
     @property

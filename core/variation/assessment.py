@@ -137,7 +137,7 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
     bound, passes = (free.zeta, free.satisfied) if free else (None, None)
     if free is not None and bound is not None:
         raised = (*raised, _of_the_restraint(evaluation, free))
-    if (arch := scene.wall.in_si.arch) is not None:
+    if (arch := kinematic.wall.arch) is not None:
         raised = (*raised, _of_the_arch(evaluation, arch))
     said = verdict(evaluation.evidence, bound, tuple(limits), raised)
     sensitivity = {row.words.code: row.zeta for row in raised if row.words.code in OF_THE_FLOOR}
@@ -245,7 +245,7 @@ def _of_the_arch(evaluation: Evaluation, arch: Arch) -> Assumption:
 def _of_bending(kinematic: Kinematic, wall: Wall, with_histories: bool) -> list[Sentence]:
     """Sentences that limit the verdict of a wall that bends: no histories, the force of what holds it, a hinge as high
     as one is looked for."""
-    mechanism, arch = kinematic.chain.bending, wall.in_si.arch
+    mechanism, arch = kinematic.chain.bending, kinematic.wall.arch
     if mechanism is None:
         return []
     limits = [] if with_histories else [sentence("reason", "no_histories", q=2)]
@@ -257,7 +257,11 @@ def _of_bending(kinematic: Kinematic, wall: Wall, with_histories: bool) -> list[
             parted = moved.parted(moved.rotation(kinematic.d_limit))
             limits.append(sentence("reason", "arch_parts", mm=1e3 * parted, stands=1e3 * arch.stands))
         return limits
-    limits.append(sentence("reason", "top_force", force=1e-3 * mechanism.top_force))
+    force, stands = 1e-3 * mechanism.top_force, wall.restraint_kn_m
+    if stands is None or math.isinf(stands):
+        limits.append(sentence("reason", "top_force", force=force))
+    else:
+        limits.append(sentence("reason", "top_force_held", force=force, stands=stands))
     moved = kinematic.moved.bending or mechanism
     if mechanism.highest or moved.highest:
         limits.append(sentence("reason", "hinge_highest", height=mechanism.h1))

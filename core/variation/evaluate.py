@@ -13,7 +13,7 @@ from core.codes.kinematic import Check, Kinematic, checks_of, linear
 from core.codes.limits import counted_stations
 from core.codes.outcomes import FAILS, OPEN, PASSES, severity, worst
 from core.codes.verdict import Circumstances, Evidence, governing_check, outcome_of
-from core.codes.vertical_bending import uplift_multiplier
+from core.codes.vertical_bending import bending, uplift_multiplier
 from core.errors import InputError
 from core.setting.scene import Scene
 from core.text.sentence import Sentence, sentence
@@ -150,6 +150,7 @@ def evaluate(
         )
     if (threshold := uplift_multiplier(scene.wall.in_si, scene.mechanism)) <= 0.0:  # of no case, but of a value moved
         raise InputError("unstable_under_loads", threshold=threshold)
+    _refuse_weak_hold(scene)
     kinematic = scene.kinematic
     if kinematic is None:
         return Evaluation(scene, None, None, (), precision)
@@ -158,6 +159,17 @@ def evaluate(
     checks = _with_histories(made, dynamic, scene)
     evaluation = Evaluation(scene, kinematic, dynamic, checks, precision)
     return replace(evaluation, checks=_worse_first(evaluation)) if scene.by_default else evaluation
+
+
+def _refuse_weak_hold(scene: Scene) -> None:
+    """Raise InputError where a wall pushes more on what holds its top than that stands: of no case, but of a value
+    moved."""
+    wall, strength = scene.wall.in_si, scene.wall.in_si.declared.strength
+    if not wall.bends or wall.arch is not None or strength is None or not scene.wall.back_restraint:
+        return
+    pushes = bending(wall).top_force
+    if strength < pushes * (1.0 - 1e-9):
+        raise InputError("hold_too_weak", key="restraint_kn_m", found=1e-3 * strength, least=1e-3 * pushes)
 
 
 def _with_histories(made: tuple[Check, ...], dynamic: DemandCheck | None, scene: Scene) -> tuple[Check, ...]:

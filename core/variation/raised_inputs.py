@@ -41,6 +41,9 @@ from core.variation.raised_site import of_the_building, of_what_is_required
 from core.wall.restitution import MODELS
 from core.wall.solids import clipped
 
+CORNER_ANGLES = 20.0, 70.0
+"""Directions, from its first wall in plan, in which a corner is looked at too [deg]."""
+
 MAX_RESTRAINT_SHARE = 0.999
 """Height of the restraint, of the top of the body, below which what it lifts is shown."""
 
@@ -324,8 +327,12 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
     parts = wall.parts
     if (corner := wall.corner) is not None:
         steep = replace(corner, length_1_m=0.5 * corner.length_1_m, length_2_m=0.5 * corner.length_2_m)
-        end = End(of_wall(corner=steep), sentence("word", "half_as_long"))
-        yield one_end("corner", "lift_corner", wall.justification, GIVEN_WORD, end)
+        turned = [(replace(corner, angle_deg=angle), Number(angle, ".0f")) for angle in CORNER_ANGLES]
+        ends = (
+            End(of_wall(corner=steep), sentence("word", "half_as_long")),
+            *(End(of_wall(corner=one), sentence("word", "turning_at", angle=angle)) for one, angle in turned),
+        )
+        yield Raised("corner", wall.justification, GIVEN_WORD, ends, worst_words("lift_corner", ends))
         return
     kept = [clipped(part, wall.thickness) for part in parts]
     if any(kept) and any(one is not part for one, part in zip(kept, parts, strict=True)):

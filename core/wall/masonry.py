@@ -88,7 +88,8 @@ class Declared:
     """What the engineer says of a wall, which no number shows.
 
     restraint : what stands behind it or holds its top, a key of words, None : nothing; evidence, note : what shows it
-    unloaded : that nothing rests on it; spans : whether it is said how far the transverse walls behind it stand apart;
+    unloaded : that nothing rests on it
+    only_there : whether it holds the wall only where it stands, and not how far apart is said
     strength : of what holds its top [N/m]
     """
 
@@ -96,7 +97,7 @@ class Declared:
     evidence: str | None = None
     note: str = ""
     unloaded: bool = False
-    spans: bool = False
+    only_there: bool = False
     strength: float | None = None
 
 

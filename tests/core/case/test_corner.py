@@ -63,7 +63,8 @@ def test_that_cracks_half_as_long_are_a_row_and_turn_what_rests_on_them():
     ("changes", "words"),
     [
         ({"gable_m": 1.0}, "does not go with gable_m"),
-        ({"corner": {**CORNER, "length_2_m": 0.5}}, "reach beyond the thickness"),
+        ({"corner": {**CORNER, "length_2_m": 0.5}}, "beyond the thickness"),
+        ({"corner": {**CORNER, "length_1_m": 0.5}}, "beyond the thickness"),
         ({"corner": {**CORNER, "angle_deg": 85.0}}, "angle_deg"),
         ({"mechanism": "vertical_bending"}, "corner"),
     ],
@@ -74,10 +75,20 @@ def test_that_what_does_not_go_with_a_corner_is_refused_in_one_sentence(changes,
     assert words in str(caught.value)
 
 
-def test_that_a_part_above_a_hinge_is_the_corner_cut_there():
+@pytest.mark.shows("bodies.corner")
+def test_that_above_a_hinge_the_cracks_begin_there_with_their_inclination():
+    """The corner of the top storey is a wall of its own with the same cracks: what was dragged from below is not."""
     from core.case.above_hinge import above_hinge
 
-    whole = wall_of(length_m=1.2)
-    part = above_hinge(replace(whole), 2.0)
-    assert part.corner is None and len(part.solid) == 2
-    assert part.in_si.body.mass < whole.in_si.body.mass
+    part = above_hinge(wall_of(length_m=1.2), 2.0)
+    own = wall_of(height_m=4.0, length_m=1.2, corner={**CORNER, "length_1_m": 1.6, "length_2_m": 1.6})
+    assert part.in_si.body == pytest.approx(own.in_si.body, rel=1e-12)
+    high = above_hinge(wall_of(length_m=1.2), 5.0)  # there the second wall is within the first
+    assert len(high.parts) == 1
+
+
+def test_that_no_wall_of_a_corner_is_higher_than_it():
+    for second in (0.61, 0.7, 1.0, 2.4):
+        corner = wall_of(corner={**CORNER, "length_2_m": second}, length_m=0.9).corner
+        half = replace(wall_of(length_m=0.9), corner=replace(corner, length_2_m=0.5 * second))
+        assert max(z for part in half.parts for _, z in part.polygon) == 6.0

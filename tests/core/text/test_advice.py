@@ -17,6 +17,7 @@ LIFTING = re.compile(
 """Inputs that lift zeta, and what is left out, in the English of a sentence; the Italian says the same."""
 
 STATES = {
+    "arch_bar",
     "ends_fail",
     "hold_of_bending",
     "arch_tie",

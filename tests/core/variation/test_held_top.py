@@ -234,5 +234,9 @@ def test_that_what_holds_the_top_is_a_strength_and_no_word():
     parse_case({"wall": [WALL | {"restraint_kn_m": 1.001 * pushes}]})
     with pytest.raises(InputError, match=rf"holds less than the {pushes:.2f} kN/m"):
         parse_case({"wall": [WALL | {"restraint_kn_m": 0.999 * pushes}]})
+    tight = study(WALL | {"restraint_kn_m": 1.02 * pushes}, **small).walls[0].assessment.verdict
+    (row,) = [one for one in tight.assumptions if one.key == "unit_weight_kn_m3"]
+    assert row.zeta is None and row.outcome == "not_verified"  # a heavier wall pushes what holds it away
+    assert "top_force_held" in [one.code for one in tight.limits]
     with pytest.raises(InputError, match="held at its top"):
         parse_case({"wall": [{**WALL, "mechanism": "one_sided"}]})
