@@ -79,6 +79,7 @@ class MovingWalls(QWidget):
         """Draw another wall, at rest."""
         self.play.setChecked(False)
         self.films = []
+        self.drawings[1].setVisible(False)
         for drawing in self.drawings:
             drawing.show_wall(wall.wall)
             drawing.one_sided = wall.mechanism == "one_sided"
