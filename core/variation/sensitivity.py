@@ -31,8 +31,9 @@ DAMPINGS = (0.01, 0.30)
 DEFAULT_HEIGHT = 3.0
 """Height [m] for which the default of [sensitivity] leans by 2 cm."""
 
-FALLS_AT_REST = "unstable_under_loads"
-"""Error of a wall that falls without an earthquake: it has no zeta. What is refused for another reason is not moved."""
+FALLS_AT_REST = "unstable_under_loads", "hold_too_weak", "arch_unstable", "bending_unstable"
+"""Errors of a wall that falls without an earthquake, or pushes away what holds it: it has no zeta. What is refused for
+another reason is not moved."""
 
 Change = Callable[[Setting], Setting]
 
@@ -56,7 +57,7 @@ def moved_wall(setting: Setting, move: Move, floors: Floors, stop: Callable[[], 
         same = there.case.building == setting.case.building and there.inputs is setting.inputs
         return evaluate_wall(there, floors=floors if same else None, cancelled=stop)
     except InputError as error:
-        return NONE if error.code == FALLS_AT_REST else error
+        return NONE if error.code in FALLS_AT_REST else error
 
 
 def moves(setting: Setting, ranges: Ranges) -> list[Move]:

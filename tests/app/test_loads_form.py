@@ -197,3 +197,4 @@ def test_that_the_histories_show_what_a_tie_does(opened, application, tmp_path):
         and not tab.again.isVisibleTo(tab)
         and tab.walls.drawings[0].bars == []
     )
+    tab.setParent(None)  # the window is lent to the next test

@@ -27,3 +27,4 @@ def test_that_a_film_is_played_to_its_end_from_its_beginning_and_holds_its_last_
     walls.play.setChecked(True)
     assert walls.started < 0.02  # again from where it begins to move
     walls.play.setChecked(False)
+    walls.setParent(None)  # the window is lent to the next test

@@ -30,6 +30,7 @@ def test_that_its_histories_are_said_to_be_none_and_nothing_of_the_wall_before_s
     assert hinge_text(spans) == "L 5 m, horizontal bending" and hinge_text(turns).startswith("+0 m")
     tab.show_wall(result, turns)
     assert tab.energy.data
+    tab.setParent(None)  # the window is lent to the next test
 
 
 def test_that_the_drawing_has_a_plan_where_the_case_says_how_far_the_walls_stand_apart(opened, application):

@@ -240,3 +240,13 @@ def test_that_what_holds_the_top_is_a_strength_and_no_word():
     assert "top_force_held" in [one.code for one in tight.limits]
     with pytest.raises(InputError, match="held at its top"):
         parse_case({"wall": [{**WALL, "mechanism": "one_sided"}]})
+
+
+@pytest.mark.shows("held.strength")
+def test_that_a_move_that_pushes_the_hold_away_is_a_bar_that_fails():
+    pushes = 1e-3 * bending(parse_case({"wall": [WALL]}).wall[0].in_si).top_force
+    small = {"demand": {"ag_g": 0.1, "spectrum": EN_B}, "sensitivity": {"unit_weight_factor": [0.9, 1.1]}}
+    found = study(WALL | {"restraint_kn_m": 1.02 * pushes}, **small).verdicts[0].sensitivity
+    (heavy,) = [one for one in found.swings if one.key == "unit_weight_factor"]
+    assert {end.value: end.zeta is None for end in heavy.ends} == {16.2: False, 19.8: True}
+    assert "unit_weight_factor" not in dict(found.refused)
