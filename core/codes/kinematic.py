@@ -255,7 +255,12 @@ def _weakest(sums: Chain, demand: DemandResult, floor: FloorSpectrum | None, wal
     def zeta(mechanism: Bending) -> float:
         return _displacement(of_bending(wall, mechanism), demand, floor, 0.0, wall).ratio
 
-    return of_bending(wall, weakest(sums.bending.strip, zeta))
+    own, arch = of_bending(wall, weakest(sums.bending.strip, zeta)), wall.arch
+    if arch is None or not arch.tied or arch.shoulder <= MIN_THRUST:
+        return own
+    # a tie that breaks early takes nothing from what the masonry beyond holds alone
+    alone = chain(replace(wall, arch=arch.without_tie), False)
+    return max(own, alone, key=lambda one: _displacement(one, demand, floor, 0.0, wall).ratio)
 
 
 def _displacement(

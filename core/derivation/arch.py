@@ -163,6 +163,6 @@ def collapse(wall: WallResult) -> list[Line]:
     the wall outward."""
     mechanism = known(wall.mechanics.moved.bending)
     lines = [Line(bending.THETA_0, math.degrees(mechanism.theta0), RUN, VALUE, "finite geometry")]
-    if mechanism.strip.pressed:
+    if mechanism.strip.pressed or mechanism.strip != known(wall.mechanics.chain.bending).strip:
         return [*lines, Line(bending.D0, mechanism.d0, RUN, VALUE, "finite geometry")]
     return [*lines, Line(d0, mechanism.d0, LIVE, FULL, "all hinges in line; both centroids move half as far")]

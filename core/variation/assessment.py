@@ -253,7 +253,7 @@ def _of_bending(kinematic: Kinematic, wall: Wall, with_histories: bool) -> list[
         by = sentence("word", arch.by)
         limits.append(sentence("reason", "arch_thrust", spacing=arch.spacing, thrust=1e-3 * arch.thrust, by=by))
         moved = kinematic.moved.bending or mechanism
-        if kinematic.d_limit is not None and not math.isinf(arch.stands):
+        if kinematic.d_limit is not None and not math.isinf(moved.strip.stands):
             parted = moved.parted(moved.rotation(kinematic.d_limit))
             limits.append(sentence("reason", "arch_parts", mm=1e3 * parted, stands=1e3 * arch.stands))
         return limits

@@ -254,3 +254,19 @@ def test_that_a_wall_that_also_bends_between_ties_across_it_has_both_with_its_no
     result = study(arch={"spacing_m": 5.0, **TIE}, load=[tie], unloaded_confirmed=False)
     assert [wall.mechanism for wall in result.walls][1:] == ["vertical_bending", "horizontal_bending"]
     assert note(result, "it") and note(result, "en")
+
+
+@pytest.mark.shows("arch.thrust")
+def test_that_a_tie_that_breaks_early_takes_nothing_from_the_masonry_beyond():
+    from core.report.note.content import note
+
+    brittle = {**BEYOND, "tie_kn_m": 24.0, "tie_bar_length_m": 5.0, "tie_elongation_m": 0.0065}
+
+    def zeta_of(arch):
+        result = study(arch={"spacing_m": 5.0, **arch}, justification=SHOWN)
+        assert note(result, "en")
+        return next(one.zeta for one in result.walls[1].assessed.checks if one.name == "nonlinear")
+
+    assert zeta_of(brittle) == pytest.approx(zeta_of(BEYOND), rel=1e-9)
+    lasting = {**brittle, "tie_elongation_m": 0.5}
+    assert zeta_of(lasting) > zeta_of(BEYOND)
