@@ -57,6 +57,7 @@ BODIES = "tests/validation/test_bodies.py"
 SOLVED = "tests/core/solved/test_cases.py"
 
 SHOWN_BY = {
+    "codes/evidence": "tests/core/codes/test_verdict.py",
     "case/arch": "tests/core/case/test_spanning.py",
     "derivation/arch": "tests/core/derivation/test_wall.py",
     "report/note/arch_figure": "tests/core/report/test_bending_figure.py",

@@ -57,7 +57,8 @@ class Search:
 
     @property
     def half_slv_window(self) -> int:
-        """The same of q_slv_robust, which a check takes: a window narrower than the usual one would raise it."""
+        """Grid points on either side of the window of q_slv_robust, which a check takes: never fewer than the usual
+        ones, for a narrower window would raise it."""
         return round(max(self.robust_window, MIN_SLV_WINDOW) / math.log1p(self.q_step))
 
 

@@ -9,10 +9,11 @@ from core.case.wall import ARCHES
 from core.codes.demand import MIN_SHARE_OF_DEMAND
 from core.codes.dynamic_check import DemandCheck
 from core.codes.elastic_branch import can_have_branch, wants_branch
+from core.codes.evidence import Circumstances, Evidence, governing_check
 from core.codes.kinematic import Check, Kinematic, checks_of, linear
 from core.codes.limits import counted_stations
 from core.codes.outcomes import FAILS, OPEN, PASSES, severity, worst
-from core.codes.verdict import Circumstances, Evidence, governing_check, outcome_of
+from core.codes.verdict import outcome_of
 from core.codes.vertical_bending import bending, uplift_multiplier
 from core.errors import InputError
 from core.setting.scene import Scene

@@ -77,6 +77,7 @@ BESIDE: dict[str, tuple[str, ...]] = {
     "core/codes/kinematic.py": (HAND, DISPLACEMENT, PRINTED, TIES),
     "core/codes/dynamic_check.py": (HAND, "tests/core/codes/test_verdict.py", "tests/core/study/test_run.py"),
     "core/codes/verdict.py": (HAND, "tests/core/setting/test_floors.py"),
+    "core/codes/evidence.py": (HAND, "tests/core/setting/test_floors.py"),
     "core/codes/limits.py": (PRINTED, "tests/core/case/test_rules.py", "tests/core/case/test_schema.py", HAND),
     "core/codes/collapse_rate.py": ("tests/core/report/test_certainty.py",),
     "core/variation/whole_wall.py": (

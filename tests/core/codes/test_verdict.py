@@ -8,9 +8,10 @@ import pytest
 from core.case.rules import parse_case
 from core.codes.assumption import Assumption
 from core.codes.dynamic_check import DemandCheck, OtherConfidence
+from core.codes.evidence import Circumstances, Evidence
 from core.codes.kinematic import Check
 from core.codes.record_compatibility import Compliance
-from core.codes.verdict import TO_MEND, Circumstances, Evidence, verdict
+from core.codes.verdict import TO_MEND, verdict
 from core.codes.verdict_sentence import at_hinge, measured
 from core.ground.artificial import compatible_motion
 from core.setting.demand_input import demand_of
