@@ -228,7 +228,7 @@ def _overturning(scene: Scene, cancelled: Callable[[], bool]) -> Evaluation | No
 def _of_the_arch(evaluation: Evaluation, arch: Arch) -> Assumption:
     """What the ends of a wall push against: without it nothing holds the wall between its transverse walls."""
     reasons = evaluation.scene.wall.justification
-    value = sentence("added", "thrust_by", thrust=1e-3 * arch.thrust, by=sentence("word", arch.by))
+    value = sentence("added", "thrust_of_ends", thrust=1e-3 * arch.thrust)
     return Assumption(
         ARCH,
         sentence("reason", "arch_fails"),
