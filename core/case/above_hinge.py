@@ -97,20 +97,7 @@ def _shape_above(wall: Wall, hinge: float) -> dict:
     face = min(inner, thickness)
     there = snapped(parts, hinge)
     cut = zip(there, above_cracks(there, hinge, face), weights, strict=True)
-    solids = tuple(
-        Solid(
-            plane=part.plane,
-            polygon_m=polygon,
-            to_m=part.ends[1],
-            from_m=part.ends[0],
-            opening=part.weight < 0.0,
-            x0_m=part.start - outer,
-            angle_deg=math.degrees(part.angle) if part.plane == "oblique" else None,
-            unit_weight_kn_m3=weight,
-        )
-        for part, polygon, weight in cut
-        if polygon
-    )
+    solids = tuple(solid_of(part, polygon, outer, weight) for part, polygon, weight in cut if polygon)
     base = min(inner - outer, thickness)
     wedges = wall.return_wedges
     if wedges is not None:
@@ -120,6 +107,21 @@ def _shape_above(wall: Wall, hinge: float) -> dict:
             corners = ((base, start), (base + rest * wedges.length_at_top_m, top), (base, top))
             solids += (Solid("section", corners, wedges.number * wedges.thickness_m),)
     return plain | {"solid": solids, "thickness_m": base}
+
+
+def solid_of(part: Part, polygon, outer: float, weight: float | None) -> Solid:
+    """A solid of a wall as one of a part of it. polygon : what is left of its own, from the base of the part; outer : x
+    of the outer face of the part [m]; weight : its unit weight where that is not the wall's [kN/m3]"""
+    return Solid(
+        plane=part.plane,
+        polygon_m=tuple(polygon),
+        to_m=part.ends[1],
+        from_m=part.ends[0],
+        opening=part.weight < 0.0,
+        x0_m=part.start - outer,
+        angle_deg=math.degrees(part.angle) if part.plane == "oblique" else None,
+        unit_weight_kn_m3=weight,
+    )
 
 
 def above_cracks(parts: Sequence[Part], hinge: float, face: float) -> list[tuple[tuple[float, float], ...]]:

@@ -4,11 +4,15 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
+from core.case.above_hinge import solid_of
 from core.case.loads import Load
+from core.case.shape import cut_between
 from core.case.wall import BENDS, Wall
 from core.codes.vertical_bending import MIN_SLENDERNESS, bending
 from core.known import known
 from core.units import G
+from core.wall.body import cut_above, together
+from core.wall.solids import contact_at, faces_at, is_dragged
 from core.wall.wall_loads import hinge_inside, restoring_with_ties
 
 MIN_SHARE_OF_BENDING = 0.8
@@ -17,15 +21,15 @@ at yield starts at less, that governs."""
 
 
 def spans_of(wall: Wall) -> tuple[tuple[float, float], ...]:
-    """Stretches (from, to) above the base [m] in which a rectangle on one side bends below its ties, where these hold
-    about as much as one block takes, or more: from its base, each tie and each weight (which holds only what is below
-    it) to each tie above, over ties too weak for what the stretches beside them push with; at least MIN_SLENDERNESS
-    times as high as thick. Empty of any other wall, and where more than weights acts below the highest tie (a thrust
-    there goes into it), or a tie has slack."""
+    """Stretches (from, to) above the base [m] in which a wall on one side bends below its ties, where these hold about
+    as much as one block takes, or more: from its base, each tie and each weight (which holds only what is below it) to
+    each tie above, over ties too weak for what the stretches beside them push with; at least MIN_SLENDERNESS times as
+    high as thick. What it drags along of return walls is no part of them. Empty of a corner and of oblique or dragged
+    solids, and where more than weights acts below the highest tie (a thrust there goes into it), or a tie has slack."""
     ties = sorted({load.h_m for load in wall.load if load.is_tie})
     if not ties or any(load.slack_mm for load in wall.load) or wall.thickness is None:
         return ()
-    if wall.mechanism != "one_sided" or wall.has_shape or wall.return_walls is not None:
+    if wall.mechanism != "one_sided" or wall.return_walls is not None or not _is_one_sheet(wall):
         return ()
     others = [load.h_m for load in wall.load if load.kind not in ("vertical", "tie")]
     least = MIN_SLENDERNESS * wall.thickness
@@ -37,12 +41,31 @@ def spans_of(wall: Wall) -> tuple[tuple[float, float], ...]:
         (low, high)
         for high in ties
         for low in lows
-        if high - low >= least and not any(low < hold < high for hold in holds)
+        if high - low >= least and _bears(wall, low, high) and not any(low < hold < high for hold in holds)
     )
     if not pairs or hinge_inside(wall.in_si) is not None:
         return pairs
     turning = _at_yield(wall)
     return tuple(pair for pair in pairs if turning >= MIN_SHARE_OF_BENDING * bending(between(wall, *pair).in_si).alpha0)
+
+
+def _is_one_sheet(wall: Wall) -> bool:
+    """Whether nothing but wedges of return walls is at an angle to a wall, or behind it."""
+    if wall.corner is not None:
+        return False
+    parts, face = wall.parts, known(wall.thickness)
+    return not any(part.plane == "oblique" or is_dragged(part, parts, face) for part in parts)
+
+
+def _bears(wall: Wall, low: float, high: float) -> bool:
+    """Whether a stretch of a wall stands on what is below it, and reaches the tie above it."""
+    parts = _sheet(wall)
+    return not parts or (contact_at(parts, low) is not None and faces_at(parts, high, below=True) is not None)
+
+
+def _sheet(wall: Wall) -> tuple:
+    """The solids of a wall without wedges; none of a rectangle."""
+    return tuple(part for part in wall.parts if not part.wedge)
 
 
 def _holds(wall: Wall, ties: Sequence[float]) -> list[float]:
@@ -54,6 +77,8 @@ def _holds(wall: Wall, ties: Sequence[float]) -> list[float]:
     for below, height, above in zip([0.0, *ties], ties, ties[1:], strict=False):
         least = MIN_SLENDERNESS * known(wall.thickness)
         if min(height - below, above - height) < least:
+            continue
+        if not (_bears(wall, below, height) and _bears(wall, height, above)):
             continue
         lower, upper = (bending(between(wall, *pair).in_si) for pair in ((below, height), (height, above)))
         pushes = lower.top_force + upper.alpha0 * upper.mass * G - upper.top_force
@@ -82,22 +107,36 @@ def named_between(name: str, low: float, high: float) -> str:
 
 def between(wall: Wall, low: float, high: float) -> Wall:
     """The stretch of a wall between two heights above its base [m], held at its top by the tie there. What is above
-    stands on it, at the middle of the wall: its mass is held by the tie."""
+    stands on it, a rectangle at its middle, another wall where its centroid is: its mass is held by the tie."""
     assert wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None
-    above = wall.unit_weight_kn_m3 * wall.thickness * (wall.height_m - high)
+    cut, outer, held = _cut(wall, low, high)
+    thickness, weight, depth = known(cut["thickness_m"]), *_above(wall, high)
+
+    def inside(load: Load) -> float:
+        """Distance of a weight from the outer face of the stretch [m]: on the stretch, what is above it at its top."""
+        least, most = held if load.h_m >= high else (0.0, thickness)
+        return min(max(known(load.d_m) - outer, least), most)
+
     loads = [
-        replace(load, kind="vertical", h_m=min(load.h_m, high) - low, mass="none" if load.h_m >= high else load.mass)
+        replace(
+            load,
+            kind="vertical",
+            d_m=inside(load) if wall.has_shape else load.d_m,
+            h_m=min(load.h_m, high) - low,
+            mass="none" if load.h_m >= high else load.mass,
+        )
         for load in wall.load
         if load.is_weight and load.h_m > low
     ]
-    if above > 0.0:
-        loads.append(Load(kind="vertical", kn_m=above, d_m=0.5 * wall.thickness, h_m=high - low, mass="none"))
+    if weight > 0.0:
+        on_top = Load(kind="vertical", kn_m=weight, d_m=depth, h_m=high, mass="none")
+        loads.append(replace(on_top, d_m=inside(on_top) if wall.has_shape else depth, h_m=high - low))
     return replace(
         wall,
+        **cut,
         name=named_between(wall.title, low, high),
         mechanism=BENDS,
         height_m=high - low,
-        thickness_m=wall.thickness,
         slenderness_deg=None,
         height_over_thickness=None,
         base_z_m=None if wall.base_z_m is None else wall.base_z_m + low,
@@ -118,3 +157,33 @@ def between(wall: Wall, low: float, high: float) -> Wall:
         restraint_kn_m=math.inf,  # the tie: what it stands is looked at where the stretch is chosen
         restraint_note=f"tie, catena: {high:.4g} m",
     )
+
+
+NO_SHAPE: dict = {"openings": (), "steps": (), "gable_m": None, "out_of_plumb_m": None, "return_wedges": None}
+"""Keys of a shape of a wall that is written as solids."""
+
+
+def _cut(wall: Wall, low: float, high: float) -> tuple[dict, float, tuple[float, float]]:
+    """Keys of a stretch of a wall that change with its shape; x of its outer face at its base [m], and of the faces at
+    its top from there."""
+    parts, thickness = _sheet(wall), known(wall.thickness)
+    if not parts:
+        return {"solid": (), **NO_SHAPE, "thickness_m": thickness}, 0.0, (0.0, thickness)
+    (outer, inner), highest = known(contact_at(parts, low)), known(faces_at(parts, high, below=True))
+    weights = [solid.unit_weight_kn_m3 for solid in wall.solid] or [None] * len(parts)
+    solids = []
+    for part, weight in zip(parts, weights, strict=True):
+        if polygon := cut_between(part.polygon, low, high):
+            solids.append(solid_of(part, [(s, z - low) for s, z in polygon], outer, weight))
+    keys = {"solid": tuple(solids), **NO_SHAPE, "thickness_m": min(inner - outer, thickness)}
+    return keys, outer, (highest[0] - outer, highest[1] - outer)
+
+
+def _above(wall: Wall, height: float) -> tuple[float, float]:
+    """Weight of what is above a height of a wall [kN/m], and x of its centroid from the outer face of its base [m]."""
+    if not (parts := _sheet(wall)):
+        over = known(wall.unit_weight_kn_m3) * known(wall.thickness) * (known(wall.height_m) - height)
+        return over, 0.5 * known(wall.thickness)
+    cut = ((part, cut_above(part.polygon, height)) for part in parts)
+    body = together(part._replace(polygon=tuple(polygon)).body for part, polygon in cut if polygon)
+    return (1e-3 * G * body.mass / known(wall.length_m), body.centroid[0]) if body.mass > 0.0 else (0.0, 0.0)

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from core.case.solids import Solid
 from core.case.wall import BENDS, Wall
 from core.codes.vertical_bending import bending
 from core.errors import InputError, place
@@ -44,6 +45,11 @@ def check_held_top(wall: Wall) -> None:
             raise InputError("bending_load", place=on, key="kind")
         if load.h_m > known(wall.height_m) * (1.0 + TOP_TOLERANCE):
             raise InputError("bending_load_height", place=on, key="h_m", found=load.h_m, height=wall.height_m)
+    check_bends(wall)
+
+
+def check_bends(wall: Wall) -> None:
+    """Raise InputError for a wall held at its top that is not stable as it bends, outward or inward."""
     for moving in (wall, bent_inward(wall)):
         bending(moving.in_si)
 
@@ -66,7 +72,18 @@ def bent_inward(wall: Wall) -> Wall:
     one; a step that keeps one face plumb keeps the other."""
     mirrored = {"outer": "inner", "inner": "outer", "middle": "middle"}
     loads = tuple(replace(load, d_m=known(wall.thickness) - known(load.d_m)) for load in wall.load)
-    return replace(wall, load=loads, steps=tuple(replace(step, flush=mirrored[step.flush]) for step in wall.steps))
+    steps = tuple(replace(step, flush=mirrored[step.flush]) for step in wall.steps)
+    return replace(
+        wall, load=loads, steps=steps, solid=tuple(_mirrored(one, known(wall.thickness)) for one in wall.solid)
+    )
+
+
+def _mirrored(solid: Solid, thickness: float) -> Solid:
+    """An elevation or a section of a wall of this thickness [m], as it lies from the inner face outward."""
+    across = thickness - solid.x0_m
+    if solid.plane == "elevation":
+        return replace(solid, from_m=across - solid.to_m, to_m=across - solid.from_m, x0_m=0.0)
+    return replace(solid, polygon_m=tuple((-s, z) for s, z in reversed(solid.polygon_m)), x0_m=across)
 
 
 def with_top_loads(was: Wall, wall: Wall) -> Wall:

@@ -9,12 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from core.case.above_hinge import numbers_above
-from core.case.between_holds import spans_of
-from core.case.held_top import check_held_top
 from core.case.hinges import parts_of
-from core.case.load_rules import check_loads
-from core.case.rules import check_wall, refuse_modes
+from core.case.rules import check_part, check_wall, refuse_modes
 from core.case.schema import Case
 from core.case.wall import Wall
 from core.errors import InputError
@@ -85,9 +81,7 @@ def with_many(case: Case, walls: ManyWalls) -> Case:
         for part in parts_of(k, wall, case.building):
             if part.hinge or part.top:
                 above.append(_digest(part.wall.name))
-            check_loads(part.wall, numbers_above(part.asked, part.hinge), bends=bool(spans_of(wall)))
-            if part.top is not None:
-                check_held_top(part.wall)
+            check_part(part)
             if (z := part.wall.felt_z_m) is not None and part.wall.above_ground:
                 low, high = min(low, z), max(high, z)
     known, counts = np.unique(np.array(titles), return_counts=True)

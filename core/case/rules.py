@@ -8,8 +8,8 @@ from core.case.above_hinge import numbers_above
 from core.case.back_restraint import names_something, says_gone
 from core.case.between_holds import spans_of
 from core.case.hazard_table import check_rising
-from core.case.held_top import check_held_top, check_hold
-from core.case.hinges import check_hinges, parts_of, turning_hinges
+from core.case.held_top import check_bends, check_held_top, check_hold
+from core.case.hinges import Part, check_hinges, parts_of, turning_hinges
 from core.case.keys import is_required
 from core.case.load_rules import check_design, check_given, check_loads
 from core.case.place import HERE, Site, filled, placed
@@ -30,7 +30,7 @@ from core.case.values import (
     value_of,
 )
 from core.case.variant_of import expanded
-from core.case.wall import Wall
+from core.case.wall import BENDS, Wall
 from core.codes.limits import check_return_period
 from core.errors import InputError, place, section
 from core.text.sentence import Key, Quantity, sentence
@@ -206,17 +206,23 @@ def _accepted(k: int, wall: Wall, building: Building | None, names: set[str], be
     for part in parts:
         if (part.hinge or part.top) and part.wall.name in names:
             raise InputError("same_name", key="name", wall=part.wall.name)
-        check_loads(part.wall, numbers_above(part.asked, part.hinge), bends=bool(spans_of(wall)))
-        if part.top is not None:
-            check_held_top(part.wall)
-        elif part.hinge:
-            check_given(part.wall)
-            for mechanism in part.wall.mechanisms():
-                part.wall.restitution_of(mechanism)
+        check_part(part)
     heights = (part.wall.felt_z_m for part in parts if part.wall.above_ground)
     above = tuple(part.wall.name for part in parts if part.hinge or part.top)
     hinges = tuple(part.hinge for part in parts[1:] if part.top is None)
     return Accepted(wall, beside, hinges, above, frozenset(z for z in heights if z is not None))
+
+
+def check_part(part: Part) -> None:
+    """Raise InputError for a part of a wall that does not stand, or cannot be as the wall is asked to be."""
+    wall = part.wall
+    check_loads(wall, numbers_above(part.asked, part.hinge), bends=bool(spans_of(part.asked)))
+    if wall.mechanism == BENDS and part.top is not None:
+        check_bends(wall)
+    elif part.hinge and part.top is None:
+        check_given(wall)
+        for mechanism in wall.mechanisms():
+            wall.restitution_of(mechanism)
 
 
 def beside_walls(case: Case) -> tuple:

@@ -107,7 +107,7 @@ class Shaped:
                 layers.append(Part(corners, (0.0, length), 0.0, 0.0, weight, "section"))
                 continue
             for corners, sign in [(outline, 1.0), *((opening.corners, -1.0) for opening in self.openings)]:
-                if polygon := _between(corners, low, high):
+                if polygon := cut_between(corners, low, high):
                     angle = ANGLES["elevation"]
                     layers.append(Part(polygon, (0.0, thickness), angle, start, sign * weight, "elevation"))
         return layers
@@ -160,7 +160,7 @@ def _box(width, height) -> set[tuple[float, float]]:
     return {(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)}
 
 
-def _between(polygon, low: float, high: float) -> tuple[tuple[float, float], ...]:
+def cut_between(polygon, low: float, high: float) -> tuple[tuple[float, float], ...]:
     """The part of a polygon between two heights, where it is."""
     if low > 0.0:
         polygon = clipped_above(polygon, low)

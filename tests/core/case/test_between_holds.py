@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from core.case.between_holds import between, spans_of
+from core.case.held_top import bent_inward
 from core.case.hinges import parts_of
 from core.case.rules import parse_case
 from core.codes.vertical_bending import bending
@@ -30,6 +31,7 @@ FACADE = {
 ROOF = {"kind": "vertical", "kn_m": 12.0, "d_m": 0.225, "h_m": 6.5, "mass": "none"}
 BAR = {"number": 4, "diameter_mm": 24.0, "fy_mpa": 235.0, "fu_mpa": 360.0, "anchorage_kn": 200.0}
 TIE = {"kind": "tie", "h_m": 6.5, "bar_length_m": 8.0, "elongation": 0.05, "bar": BAR}
+ACROSS = {"number": 2, "thickness_m": 0.4, "brick_height_m": 0.2, "brick_length_m": 0.3}
 DEMAND = {"ag_g": 0.26, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
 BUILDING = {"height_m": 7.5, "storeys": 2, "period_s": 0.3}
 
@@ -75,7 +77,10 @@ def test_that_what_is_above_the_tie_stands_on_the_stretch_below_it():
         ((ROOF, {**TIE, "slack_mm": 2.0}), {}),
         ((ROOF, {**TIE, "h_m": 1.2}), {}),  # too stocky to bend
         ((ROOF, TIE, {"kind": "thrust", "kn_m": 1.0, "h_m": 3.0}), {}),
-        ((ROOF, TIE), {"steps": [{"from_z_m": 4.0, "thickness_m": 0.4, "flush": "outer"}]}),
+        (
+            (ROOF, TIE),
+            {"return_walls": {"number": 2, "thickness_m": 0.4, "brick_height_m": 0.2, "brick_length_m": 0.3}},
+        ),
     ],
 )
 def test_that_where_it_cannot_bend_a_strong_tie_is_refused(loads, changes):
@@ -154,3 +159,94 @@ def test_that_the_wall_above_a_tie_is_looked_at_whatever_hinges_are_asked():
         {**ROOF, "h_m": 4.5}, {**TIE, "h_m": 4.5, "bar": {**BAR, "number": 1, "diameter_mm": 8.0}}, height_m=9.0
     )
     assert [part.hinge for part in parts_of(0, weak, None)] == [0.0]
+
+
+def shaped(rng):
+    """A facade with a step, a door, a window and a gable, tied below the eaves, and where its bars are [m]."""
+    height, gable, length = float(rng.uniform(6.0, 11.0)), float(rng.uniform(0.8, 3.0)), float(rng.uniform(5.0, 12.0))
+    thickness = float(rng.uniform(0.4, 0.7))
+    at = float(rng.uniform(0.85, 1.0)) * (height - gable)
+    door = {"s_m": 0.4 * length, "z_m": 0.0, "width_m": 0.2 * length, "height_m": 0.3 * at}
+    window = {"s_m": 0.3 * length, "z_m": 0.5 * at, "width_m": 0.3 * length, "height_m": 0.3 * at}
+    step = {"from_z_m": float(rng.uniform(0.35, 0.45)) * at, "thickness_m": float(rng.uniform(0.7, 0.95)) * thickness}
+    roof = {**ROOF, "d_m": 0.3 * thickness, "h_m": height - gable, "kn_m": float(rng.uniform(1.0, 20.0))}
+    tie = {**TIE, "h_m": at, "bar": {**BAR, "number": 12}}
+    changes = {"height_m": height, "gable_m": gable, "length_m": length, "thickness_m": thickness}
+    flush = str(rng.choice(["outer", "inner", "middle"]))
+    return (roof, tie), {**changes, "openings": [door, window], "steps": [{**step, "flush": flush}]}, at
+
+
+FACE = {"outer": 0.0, "inner": 1.0, "middle": 0.5}
+
+
+def boxes_of(wall, low, high, slices=400):
+    """(weight [N/m], x from the outer face at its base [m], z) of thin layers of a facade as `shaped` makes it."""
+    (step,), t, found = wall.steps, wall.thickness_m, []
+    face = FACE[step.flush] * (t - step.thickness_m)
+    for k in range(slices):
+        z = low + (k + 0.5) * (high - low) / slices
+        wide = wall.length_m * min(1.0, (wall.height_m - z) / wall.gable_m)
+        wide -= sum(one.width_m for one in wall.openings if one.z_m < z < one.z_m + one.height_m)
+        outer, thick = (face, step.thickness_m) if z > step.from_z_m else (0.0, t)
+        found.append((18e3 * wide * thick * (high - low) / slices / wall.length_m, outer + 0.5 * thick, z))
+    return found
+
+
+@pytest.mark.shows("held.between")
+@pytest.mark.parametrize("seed", range(12))
+def test_that_a_facade_of_any_shape_bends_as_its_layers_do(seed):
+    """Virtual work of layers in coordinates, at the hinge found; a gable and a roof above the tie stand on it."""
+    loads, changes, at = shaped(np.random.default_rng(seed))
+    wall = wall_of(*loads, **changes)
+    assert (0.0, at) in spans_of(wall)
+    part = between(wall, 0.0, at)
+    found, t = bending(part.in_si), wall.thickness_m
+    (step,), h1 = wall.steps, found.h1
+    face = FACE[step.flush] * (t - step.thickness_m)
+    inner = min(t, face + step.thickness_m) if h1 >= step.from_z_m - 1e-6 else t
+    k = h1 / (at - h1)
+    roof, gable = loads[0], boxes_of(wall, at, wall.height_m, 4000)
+    over, x = sum(w for w, _, _ in gable), sum(w * x for w, x, _ in gable) / sum(w for w, _, _ in gable)
+    depth = min(max(roof["d_m"], face), face + step.thickness_m)
+    held = [(over, x), (1e3 * roof["kn_m"], depth)]
+    lifted = pushed = 0.0
+    for weight, x, z in boxes_of(wall, 0.0, at, 20000):
+        below = z < h1
+        lifted += weight * (x if below else inner + k * (inner - x))
+        pushed += weight * (z if below else h1 - k * (z - h1))
+    lifted += sum(weight * (inner + k * (inner - x)) for weight, x in held)
+    assert found.alpha0 == pytest.approx(lifted / pushed, rel=2e-3)
+
+
+def test_that_a_shape_that_becomes_a_rectangle_bends_as_one():
+    plain = wall_of(ROOF, TIE)
+    (expected,) = (bending(between(plain, *span).in_si) for span in spans_of(plain))
+    shapes = (
+        {"openings": [{"s_m": 4.0, "z_m": 3.0, "width_m": 0.05, "height_m": 0.05}]},
+        {"steps": [{"from_z_m": 7.4, "thickness_m": 0.449999}]},
+        {"out_of_plumb_m": 1e-6},
+        {"return_wedges": {"number": 2, "thickness_m": 0.4, "length_at_top_m": 1.0}},
+    )
+    for shape in shapes:
+        wall = wall_of(ROOF, TIE, **shape)
+        (found,) = (bending(between(wall, *span).in_si) for span in spans_of(wall))
+        assert found.alpha0 == pytest.approx(expected.alpha0, rel=2e-3), shape
+
+
+def test_that_a_mirrored_body_bends_outward_as_it_does_inward():
+    wall = wall_of(*(made := shaped(np.random.default_rng(3)))[0], **made[1])
+    part = between(wall, 0.0, made[2])
+    assert part.solid
+    twice = bent_inward(bent_inward(part))
+    assert bending(twice.in_si).alpha0 == pytest.approx(bending(part.in_si).alpha0, rel=1e-12)
+    assert bending(bent_inward(part).in_si).alpha0 != pytest.approx(bending(part.in_si).alpha0, rel=1e-3)
+
+
+def test_that_a_facade_leaning_outward_bends_the_sooner():
+    alphas = []
+    for lean in (0.0, 0.02, 0.05, 0.1):
+        wall = wall_of(ROOF, TIE, **({"out_of_plumb_m": lean} if lean else {}))
+        (span,) = spans_of(wall)
+        part = between(wall, *span)
+        alphas.append(min(bending(one.in_si).alpha0 for one in (part, bent_inward(part))))
+    assert alphas == sorted(alphas, reverse=True) and alphas[0] > alphas[-1]
