@@ -4,7 +4,7 @@ import functools
 import json
 from pathlib import Path
 
-VERSION = "0.29.0"
+VERSION = "0.30.0"
 NAME = "Ribalta"
 
 

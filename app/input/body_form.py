@@ -18,7 +18,7 @@ from app.look.language import FORM_NAMES, current_language, number, tr
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
 from core.case.number import parse_number
-from core.case.solids import Corner, Opening, Solid, Step, Wedges
+from core.case.solids import Corner, Leaf, Opening, Solid, Step, Wedges
 from core.case.wall import Wall
 from core.errors import InputError
 from core.text.sentence import choice
@@ -130,9 +130,12 @@ class BodyForm(WallEditor):
         self._make_wedges()
         title, given = tr("Corner of two walls that turn together"), [TO_BE_GIVEN] * 3
         self.corner = OptionalGroup(title, "corner", Corner(*given), lambda: self.wall, self.edit)
+        title = tr("Outer leaf that comes off")
+        self.leaf = OptionalGroup(title, "leaf", Leaf(TO_BE_GIVEN), lambda: self.wall, self.edit)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        for widget in (*self.gable_fields, self.openings, self.steps, self.wedges, self.corner, self.solids):
+        groups = self.wedges, self.corner, self.leaf
+        for widget in (*self.gable_fields, self.openings, self.steps, *groups, self.solids):
             column.addWidget(widget)
         self.forget()
 
@@ -181,6 +184,7 @@ class BodyForm(WallEditor):
             field.show_value(getattr(wall, field.key))
         self.wedges.show_case()
         self.corner.show_case()
+        self.leaf.show_case()
         self.bricks.setVisible(self.wedges.isChecked())
         self._show_offer()
 

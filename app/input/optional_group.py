@@ -23,6 +23,7 @@ class OptionalGroup(QGroupBox):
         super().__init__(title)
         self.key, self.empty, self.owner, self.edit = key, empty, owner, edit
         self.former: Any = None
+        self.absent = False  # as it is shown
         self.fields = make_fields(type(empty))
         connect(self.fields, self._changed)
         self.setCheckable(True)
@@ -38,13 +39,16 @@ class OptionalGroup(QGroupBox):
 
     def forget(self) -> None:
         """Another case, wall or load: what was typed or switched off in the last one does not come back in this."""
-        self.former = None
+        self.former, self.absent = None, False
         for field in self.fields:
             field.forget()
 
     def show_case(self) -> None:
         """Fill the fields; without a section they are hidden."""
         section = self.section
+        if section is None and self.absent:  # at every key of a form
+            return
+        self.absent = section is None
         with QSignalBlocker(self):
             self.setChecked(section is not None)
         if section is None:

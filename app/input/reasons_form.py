@@ -36,6 +36,7 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         "return_walls": wall.return_walls is not None,
         "arch": wall.arch is not None,
         "corner": wall.corner is not None,
+        "leaf": wall.leaf is not None,
         "return_wedges": wall.return_wedges is not None,
         "contact": bool(wall.solid),
         "law": wall.law != "auto",

@@ -52,7 +52,8 @@ from core.wall.restitution import MODELS
 IN_A_ROW = 400
 """Width that buttons of a row may take together [px]: larger letters have two rows."""
 
-BASE_KEYS = (*("base_z_m", "back_restraint", "restraint_evidence", "restraint_note", "restraint_kn_m", "free_element"),)
+RESTRAINT_KEYS = "back_restraint", "restraint_evidence", "restraint_note", "restraint_kn_m"
+BASE_KEYS = "base_z_m", *RESTRAINT_KEYS, "free_element", "all_directions"
 """Keys beside the mechanism."""
 
 
@@ -251,6 +252,7 @@ class WallForm(WallEditor):
             self.fields[key].setVisible(bool(wall.back_restraint) or bool(getattr(wall, key)))
         self.fields["unloaded_confirmed"].setVisible(not wall.load or wall.unloaded_confirmed)
         self.fields["free_element"].setVisible(not wall.bends or bool(wall.free_element))
+        self.fields["all_directions"].setVisible(wall.mechanism == "two_sided" or wall.all_directions)
         self.fields["elastic_modulus_mpa"].setVisible(not wall.bends or wall.elastic_modulus_mpa is not None)
         for name, said in said_of_histories(wall).items():
             self.sections[name].setVisible(not wall.bends or said)

@@ -187,6 +187,8 @@ def shape_words(wall: Wall) -> list[str]:
         forms.append(tr("corner"))
     if wall.return_wedges is not None:
         forms.append(tr("wedges"))
+    if wall.leaf is not None and wall.leaf.thickness_m:
+        forms.append(tr("leaf {t} cm", t=number(100.0 * wall.leaf.thickness_m, "g")))
     return forms
 
 

@@ -170,7 +170,8 @@ def hinge_text(wall: WallResult) -> str:
     if (arch := wall.wall.in_si.arch) is not None:
         return f"L {number(arch.spacing, 'g')} m, {named(wall.mechanism)}"
     ends = [wall.part.hinge, *([] if wall.part.top is None else [wall.part.top])]
-    return f"+{'–'.join(number(end, 'g') for end in ends)} m, {named(wall.mechanism)}"
+    where = f"+{'–'.join(number(end, 'g') for end in ends)} m, {named(wall.mechanism)}"
+    return f"{wall.part.aspect}, {where}" if wall.part.aspect else where
 
 
 def _hinges(state: State, k: int, depth: int) -> Iterable[Row]:
@@ -178,7 +179,7 @@ def _hinges(state: State, k: int, depth: int) -> Iterable[Row]:
     if state.result is None or state.finished is not None or len(results) < 2:
         return
     walls = state.result.walls
-    for n in sorted(results, key=lambda n: (walls[n].part.hinge, walls[n].mechanism)):
+    for n in sorted(results, key=lambda n: (walls[n].part.aspect, walls[n].part.hinge, walls[n].mechanism)):
         text = hinge_text(walls[n])
         yield Row(depth, "hinge", text, *_chip(state, n), wall=k, result=n)
 

@@ -45,7 +45,7 @@ def spans_of(wall: Wall) -> tuple[tuple[float, float], ...]:
     )
     if not pairs or hinge_inside(wall.in_si) is not None:
         return pairs
-    turning = _at_yield(wall)
+    turning = at_yield(wall)
     return tuple(pair for pair in pairs if turning >= MIN_SHARE_OF_BENDING * bending(between(wall, *pair).in_si).alpha0)
 
 
@@ -87,7 +87,7 @@ def _holds(wall: Wall, ties: Sequence[float]) -> list[float]:
     return heights
 
 
-def _at_yield(wall: Wall) -> float:
+def at_yield(wall: Wall) -> float:
     """alpha_0 of the wall about its base, its ties at yield."""
     masonry = wall.in_si
     side = restoring_with_ties(masonry)

@@ -4,12 +4,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from core.case.above_hinge import MIN_HEIGHT_ABOVE, above_hinge, named_above
-from core.case.between_holds import between, named_between, spans_of
+from core.case.between_holds import at_yield, between, named_between, spans_of
+from core.case.detached import as_leaf, aspect_of
+from core.case.directions import directions_of
 from core.case.schema import Case
 from core.case.site import Building
 from core.case.spanning import named_spanning, spanning, spans
 from core.case.wall import ARCHES, Wall
+from core.codes.vertical_bending import bending
 from core.errors import InputError, place
+from core.known import known
 from core.wall.solids import SNAP, changes, contact_at
 
 FLOORS, BASE = "floors", "base"
@@ -32,6 +36,8 @@ class Part:
     wall : to be analysed, with a name for people
     top : of a stretch that bends between the hinge and a tie, the height of the tie above the base [m], of a wall that
         spans between transverse walls its own; else None
+    aspect : of what is not the wall itself but its outer leaf, or the wall in another direction, which `asked` is, what
+        tells it from the wall
     """
 
     origin: int
@@ -39,6 +45,17 @@ class Part:
     hinge: float
     wall: Wall
     top: float | None = None
+    aspect: str = ""
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether it is the wall of the case about its base, which keeps its name."""
+        return self.hinge == 0.0 and self.turns
+
+    @property
+    def turns(self) -> bool:
+        """Whether it is the wall itself that turns about a hinge."""
+        return self.top is None and not self.aspect
 
     @property
     def own_name(self) -> str:
@@ -118,18 +135,51 @@ def check_hinges(wall: Wall, building: Building | None) -> None:
 def shared(part: Part, mechanism: str) -> tuple[str, float, str]:
     """Key that a wall about a hinge shares only with its other variant: name given, hinge [m], mechanism. A wall held
     at its top has here the mechanism one_sided, the overturning that its restraint prevents."""
-    if part.top is not None:
+    if not part.turns:
         return part.own_name, part.hinge, mechanism
     return part.asked.name, part.hinge, "one_sided" if part.wall.bends else mechanism
 
 
 def parts_of(k: int, asked: Wall, building: Building | None) -> list[Part]:
-    """The k-th wall of a case from every hinge of its up, where its ties make it bend between them, and between its
-    transverse walls."""
-    hinges, stretches = turning_hinges(asked, building), spans_of(asked)
-    turning = [Part(k, asked, hinge, above_hinge(asked, hinge)) for hinge in (0.0, *hinges)]
-    bending = [Part(k, asked, low, between(asked, low, high), high) for low, high in stretches]
-    return turning + bending + ([Part(k, asked, 0.0, spanning(asked), asked.height_m)] if spans(asked) else [])
+    """The k-th wall of a case from every hinge of its up, where its ties make it bend between them, between its
+    transverse walls, its outer leaf alone, and in its other directions."""
+    made = _of_ties(k, asked, turning_hinges(asked, building))
+    if spans(asked):
+        made.append(Part(k, asked, 0.0, spanning(asked), asked.height_m))
+    if asked.leaf is not None:
+        leaf = as_leaf(asked)
+        made += _of_ties(k, leaf, _hinges_of_leaf(leaf, turning_hinges(asked, building)), aspect_of(asked.leaf))
+    return made + [Part(k, turned, 0.0, turned, None, aspect) for aspect, turned in directions_of(asked)]
+
+
+def _of_ties(k: int, asked: Wall, hinges: Sequence[float], aspect: str = "") -> list[Part]:
+    """A wall about its base and these hinges, and as it bends between its ties."""
+    turning = [Part(k, asked, hinge, above_hinge(asked, hinge), None, aspect) for hinge in (0.0, *hinges)]
+    spans = _least_spans(asked) if aspect else spans_of(asked)
+    return turning + [Part(k, asked, low, between(asked, low, high), high, aspect) for low, high in spans]
+
+
+def _least_spans(leaf: Wall) -> tuple[tuple[float, float], ...]:
+    """Of the many stretches between rows of connectors the one that starts to bend the soonest, and of those up to the
+    highest row too."""
+    spans = sorted(spans_of(leaf), key=lambda span: bending(between(leaf, *span).in_si).alpha0)
+    highest = max((high for _, high in spans), default=0.0)
+    return tuple(dict.fromkeys([*spans[:1], *[span for span in spans if span[1] == highest][:1]]))
+
+
+def _hinges_of_leaf(leaf: Wall, hinges: Sequence[float]) -> list[float]:
+    """Hinges of the wall, and of the rows of connectors the one above which the leaf turns the soonest."""
+    rows = [load.h_m for load in leaf.load if load.is_tie and load.h_m <= known(leaf.height_m) - MIN_HEIGHT_ABOVE]
+    weakest = sorted(rows, key=lambda row: at_yield(above_hinge(leaf, row)))[:1]
+    return sorted({*hinges, *weakest})
+
+
+def count_of(asked: Wall, building: Building | None) -> int:
+    """Number of `parts_of` by each of their mechanisms, without making them where they are those of most walls."""
+    if asked.leaf is not None or asked.all_directions:
+        return sum(len(part.wall.mechanisms()) for part in parts_of(0, asked, building))
+    turning = (1 + len(turning_hinges(asked, building))) * len(asked.mechanisms())
+    return turning + len(spans_of(asked)) + spans(asked)
 
 
 def turning_hinges(asked: Wall, building: Building | None) -> Sequence[float]:

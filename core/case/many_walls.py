@@ -79,7 +79,7 @@ def with_many(case: Case, walls: ManyWalls) -> Case:
         titles.append(_digest(wall.title))
         check_wall(case, wall)
         for part in parts_of(k, wall, case.building):
-            if part.hinge or part.top:
+            if not part.is_whole:
                 above.append(_digest(part.wall.name))
             check_part(part)
             if (z := part.wall.felt_z_m) is not None and part.wall.above_ground:
@@ -108,7 +108,7 @@ def _refuse_same_names(case: Case, walls: ManyWalls, digests: set[int]) -> None:
             titles.add(wall.title)
     for k, wall in enumerate(walls):
         for part in parts_of(k, wall, case.building):
-            if (part.hinge or part.top) and part.wall.name in titles:
+            if not part.is_whole and part.wall.name in titles:
                 raise InputError("same_name", key="name", wall=part.wall.name)
 
 

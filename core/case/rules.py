@@ -7,6 +7,8 @@ from typing import NamedTuple
 from core.case.above_hinge import numbers_above
 from core.case.back_restraint import names_something, says_gone
 from core.case.between_holds import spans_of
+from core.case.detached import check_leaf
+from core.case.directions import check_directions
 from core.case.hazard_table import check_rising
 from core.case.held_top import check_bends, check_held_top, check_hold
 from core.case.hinges import Part, check_hinges, parts_of, turning_hinges
@@ -204,19 +206,19 @@ def _accepted(k: int, wall: Wall, building: Building | None, names: set[str], be
     """Check the parts of a wall above its hinges. Raises InputError. names : of the walls of the case"""
     parts = parts_of(k, wall, building)
     for part in parts:
-        if (part.hinge or part.top) and part.wall.name in names:
+        if not part.is_whole and part.wall.name in names:
             raise InputError("same_name", key="name", wall=part.wall.name)
         check_part(part)
     heights = (part.wall.felt_z_m for part in parts if part.wall.above_ground)
-    above = tuple(part.wall.name for part in parts if part.hinge or part.top)
-    hinges = tuple(part.hinge for part in parts[1:] if part.top is None)
+    above = tuple(part.wall.name for part in parts if not part.is_whole)
+    hinges = tuple(part.hinge for part in parts[1:] if part.turns)
     return Accepted(wall, beside, hinges, above, frozenset(z for z in heights if z is not None))
 
 
 def check_part(part: Part) -> None:
     """Raise InputError for a part of a wall that does not stand, or cannot be as the wall is asked to be."""
     wall = part.wall
-    check_loads(wall, numbers_above(part.asked, part.hinge), bends=bool(spans_of(part.asked)))
+    check_loads(wall, numbers_above(part.asked, part.hinge), bends=bool(part.aspect) or bool(spans_of(part.asked)))
     if wall.mechanism == BENDS and part.top is not None:
         check_bends(wall)
     elif part.hinge and part.top is None:
@@ -255,6 +257,8 @@ def _check_alone(wall: Wall) -> None:
         check_held_top(wall)
         check_hold(wall)
         check_arch(wall)
+        check_leaf(wall)
+        check_directions(wall)
         for mechanism in wall.mechanisms():
             wall.restitution_of(mechanism)
         wall.moment_law()

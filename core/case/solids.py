@@ -106,6 +106,20 @@ class Corner:
 
 
 @dataclass(frozen=True)
+class Leaf:
+    """[wall.leaf]: the outer leaf of a wall of several, looked at as it comes off and turns alone.
+
+    thickness_m : of it; connector_kn_m : what a row of connectors holds when it is pulled out, per metre of wall
+    row_spacing_m : between their rows, the first at that height; slip_mm : of the leaf when a connector is pulled out
+    """
+
+    thickness_m: float = number_key(0.05, 3.0, MISSING, unit="m", form_unit="cm")
+    connector_kn_m: float | None = number_key(0.0, 1000.0, unit="kN/m", exclusive=True)
+    row_spacing_m: float | None = number_key(0.3, 20.0, unit="m")
+    slip_mm: float | None = number_key(0.3, 100.0, unit="mm")
+
+
+@dataclass(frozen=True)
 class Step:
     """[[wall.steps]]: the thickness from a height on. flush : the face that goes on"""
 

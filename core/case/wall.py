@@ -10,7 +10,7 @@ from core.case.back_restraint import EVIDENCE, RESTRAINTS, holds_only_there, wit
 from core.case.keys import choice_key, content_of, flag_key, key, number_key, text_key
 from core.case.loads import Load, ReturnWalls
 from core.case.shape import Shaped
-from core.case.solids import Corner, Drawing, Opening, Solid, Step, Wedges
+from core.case.solids import Corner, Drawing, Leaf, Opening, Solid, Step, Wedges
 from core.codes.masonry_types import TYPES
 from core.errors import InputError, place
 from core.known import known
@@ -45,6 +45,7 @@ class WallJustification:
     arch: str = text_key()
     return_wedges: str = text_key()
     corner: str = text_key()
+    leaf: str = text_key()
     contact: str = text_key()
     free_element: str = text_key()
     base_z_m: str = text_key()
@@ -91,6 +92,7 @@ class Wall(Shaped):
     length_m: float | None = number_key(0.05, 200.0, unit="m", form="checks")
     unit_weight_kn_m3: float | None = number_key(5.0, 40.0, unit="kN/m3", form="checks")
     free_element: bool | None = flag_key(None, form="checks")
+    all_directions: bool = flag_key(form="checks")
     elastic_modulus_mpa: float | None = number_key(10.0, 100000.0, unit="MPa", form="checks")
     back_restraint: str | None = choice_key(*RESTRAINTS, default=None, form="checks")
     restraint_evidence: str | None = choice_key(*EVIDENCE, default=None, form="checks")
@@ -110,6 +112,7 @@ class Wall(Shaped):
     return_wedges: Wedges | None = key("section", of=Wedges, columns="wedges_")
     corner: Corner | None = key("section", of=Corner, columns="corner_")
     arch: Between | None = key("section", of=Between, columns="arch_")
+    leaf: Leaf | None = key("section", of=Leaf, columns="leaf_")
     tie_height_m: float | None = number_key(0.1, 60.0, unit="m", form="held")
     tie_bar_length_m: float | None = number_key(0.2, 100.0, unit="m", form="held")
     tie_elongation_m: float | None = number_key(0.0, 10.0, unit="m", form="held")

@@ -8,11 +8,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from core.capacity.ida import Search
-from core.case.between_holds import spans_of
-from core.case.hinges import Part, parts_of, shared, turning_hinges
+from core.case.hinges import Part, count_of, parts_of, shared
 from core.case.schema import Case
 from core.case.site import Building
-from core.case.spanning import spans
 from core.case.wall import ARCHES, Wall
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
@@ -236,10 +234,7 @@ def plan_of(
 
 def results_by_wall(case: Case) -> Iterator[int]:
     """Number of results of each wall of a case: about each hinge, by each mechanism."""
-    return (
-        (1 + len(turning_hinges(wall, case.building))) * len(wall.mechanisms()) + len(spans_of(wall)) + spans(wall)
-        for wall in case.wall
-    )
+    return (count_of(wall, case.building) for wall in case.wall)
 
 
 def results_in(case: Case) -> int:

@@ -108,7 +108,7 @@ def by_severity(verdicts: tuple[WallVerdict, ...], walls) -> list[WallVerdict]:
 
 def _left_out(asked: Wall, case: Case, walls, indices) -> list[Sentence]:
     """Heights at which a mechanism may start and that were not checked."""
-    checked = {round(walls[k].part.hinge, 3) for k in indices if walls[k].part.top is None}
+    checked = {round(walls[k].part.hinge, 3) for k in indices if walls[k].part.turns}
     usual = [h for h in usual_hinges(asked, case.building) if round(h, 3) not in checked]
     if not usual:
         return []
@@ -138,6 +138,16 @@ def where(wall: WallResult) -> Sentence | str:
     """Words that say where the hinge of a result is."""
     if (arch := wall.wall.in_si.arch) is not None:
         return sentence("added", "between_walls", spacing=arch.spacing)
+    there = _at_height(wall)
+    if not wall.part.aspect:
+        return there
+    return sentence(
+        "added", "of_direction" if wall.mechanism == "two_sided" else "of_leaf", aspect=wall.part.aspect, there=there
+    )
+
+
+def _at_height(wall: WallResult) -> Sentence | str:
+    """Words that say at what height the hinge of a result is."""
     height, kinematic = wall.part.hinge, wall.assessment.kinematic if wall.assessment else None
     if kinematic is not None:
         of_check = kinematic.moved if wall.assessed.verdict.governing == "nonlinear" else kinematic.chain
@@ -150,6 +160,6 @@ def zetas_of(result: StudyResult, wall: WallResult) -> list[tuple[float, float |
     has one alone."""
     by_hinge: dict[float, list[float | None]] = {}
     for one in result.walls:
-        if one.part.origin == wall.part.origin and one.part.top is None and one.assessment:
+        if one.part.origin == wall.part.origin and one.part.turns and one.assessment:
             by_hinge.setdefault(one.part.hinge, []).append(one.assessment.verdict.zeta_e)
     return [(hinge, least(zetas)) for hinge, zetas in sorted(by_hinge.items())] if len(by_hinge) > 1 else []

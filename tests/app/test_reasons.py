@@ -15,7 +15,7 @@ from core.case.arch import Between
 from core.case.loads import Bars, Load, ReturnWalls
 from core.case.rules import draft_case, parse_case
 from core.case.site import Building, BuildingMode, DemandJustification, HazardRow, Spectrum
-from core.case.solids import Corner, Wedges
+from core.case.solids import Corner, Leaf, Wedges
 from core.case.wall import WallJustification
 from core.case.writer import dumps
 from core.study.run import run
@@ -61,6 +61,7 @@ def test_that_reasons_are_asked_where_a_value_raises_zeta_and_nowhere_else(opene
         return_wedges=Wedges(2, 0.4, 2.0),
         arch=Between(5.0),
         corner=Corner(2.0, 2.0, 0.4),
+        leaf=Leaf(0.2),
         load=(
             Load("tie", 1.0, 2.0, bar_length_m=8.0, elongation_m=0.1, prestress=0.2),
             Load("tie", None, 2.0, bar_length_m=8.0, bar=Bars(2, 16.0), slack_mm=2.0),

@@ -28,6 +28,7 @@ NESTED_OF_A_WALL = (
     "load",
     "return_walls",
     "arch",
+    "leaf",
     "justification",
     "solid",
     "openings",

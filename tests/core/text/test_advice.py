@@ -24,6 +24,7 @@ STATES = {
     "arch_without_thrust",
     "arch_parts",
     "arch_mechanism",
+    "leaf_mechanism",
     "arch_key",
     "arch_openings",
     "decimated",

@@ -1,0 +1,85 @@
+"""The outer leaf of a wall that comes off and turns alone, its connectors as ties that are pulled out."""
+
+from dataclasses import replace
+
+from core.case.loads import Load
+from core.case.solids import Leaf
+from core.case.wall import Wall
+from core.errors import InputError, place
+from core.known import known
+from core.text.sentence import Key
+from core.wall.ties import DEFAULT_STRENGTH, elongation_at_yield
+
+BELOW_TOP = 0.05
+"""Distance of the highest row of connectors from the top of a wall, at least [m]."""
+
+OF_CONNECTORS = "connector_kn_m", "row_spacing_m", "slip_mm"
+"""Keys of the connectors: all or none."""
+
+
+def as_leaf(wall: Wall) -> Wall:
+    """The outer leaf of a wall as a wall: what rests within it stays on it, thrusts and ties act on it as on the wall,
+    and what drags the wall along behind is not its own. It leans on what is behind it, which shows nothing of it."""
+    leaf = known(wall.leaf)
+    loads = [load for load in wall.load if not load.is_weight or known(load.d_m) <= leaf.thickness_m]
+    loads = [replace(load, d_m=None) if load.kind == "thrust" else load for load in loads]
+    return replace(
+        wall,
+        name=f"{wall.name} ({aspect_of(leaf)})",
+        mechanism="one_sided",
+        thickness_m=leaf.thickness_m,
+        slenderness_deg=None,
+        height_over_thickness=None,
+        steps=(),
+        return_wedges=None,
+        return_walls=None,
+        arch=None,
+        leaf=None,
+        load=(*loads, *_connectors(leaf, known(wall.height_m))),
+        unloaded_confirmed=wall.unloaded_confirmed and not leaf.connector_kn_m,
+        tie_height_m=None,
+        tie_bar_length_m=None,
+        tie_elongation_m=None,
+        tie_spacing_m=None,
+        restraint_evidence=wall.restraint_evidence if wall.justification and wall.justification.leaf else None,
+    )
+
+
+def aspect_of(leaf: Leaf) -> str:
+    """What tells a leaf from its wall, in every language."""
+    return f"t {leaf.thickness_m:.4g} m"
+
+
+def _connectors(leaf: Leaf, height: float) -> list[Load]:
+    """The rows of connectors of a leaf: ties that hold up to their slip, and break there."""
+    if leaf.connector_kn_m is None:
+        return []
+    step = known(leaf.row_spacing_m)
+    strain = elongation_at_yield(1.0, DEFAULT_STRENGTH)
+    row = Load("tie", leaf.connector_kn_m, step, bar_length_m=1e-3 * known(leaf.slip_mm) / strain)
+    rows = int((height - BELOW_TOP) / step + 1e-9)
+    return [replace(row, h_m=step * k) for k in range(1, rows + 1)]
+
+
+def check_leaf(wall: Wall) -> None:
+    """Raise InputError for a leaf that is not complete, or of a wall that has none."""
+    if (leaf := wall.leaf) is None:
+        return
+    here = (place("wall", name=wall.name), place("leaf"))
+    if wall.mechanism not in ("one_sided", "both"):
+        raise InputError("leaf_mechanism", place=here, found=wall.mechanism)
+    if wall.solid or wall.corner or any(step.flush != "outer" for step in wall.steps):
+        raise InputError("leaf_shape", place=here)
+    if wall.thickness is None or wall.height_m is None or wall.unit_weight_kn_m3 is None:
+        given = {"thickness_m": wall.thickness, "height_m": wall.height_m, "unit_weight_kn_m3": wall.unit_weight_kn_m3}
+        key = next(key for key, value in given.items() if value is None)
+        raise InputError("leaf_needs", place=(here[0],), key=key)
+    thinnest = min([wall.thickness, *(step.thickness_m for step in wall.steps)])
+    if leaf.thickness_m >= thinnest:
+        raise InputError("leaf_thickness", place=here, key="thickness_m", found=leaf.thickness_m, most=thinnest)
+    missing = [key for key in OF_CONNECTORS if getattr(leaf, key) is None]
+    if missing and len(missing) < len(OF_CONNECTORS):
+        raise InputError("leaf_connectors", place=here, key=missing[0], others=tuple(map(Key, OF_CONNECTORS)))
+    if leaf.row_spacing_m is not None and leaf.row_spacing_m > wall.height_m - BELOW_TOP:
+        most = wall.height_m - BELOW_TOP
+        raise InputError("leaf_rows", place=here, key="row_spacing_m", found=leaf.row_spacing_m, most=most)

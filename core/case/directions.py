@@ -1,0 +1,82 @@
+"""A body that stands free, a pinnacle, a chimney, a statue on its base, as it falls along both plan directions and over
+a corner."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+
+from core.case.solids import Solid
+from core.case.wall import Wall
+from core.errors import InputError, place
+from core.known import known
+from core.text.sentence import Key
+
+CENTRED = 0.01
+"""Distance of a load from the middle of the thickness, at most [of it]."""
+
+
+def directions_of(wall: Wall) -> Iterator[tuple[str, Wall]]:
+    """The body as a wall of its other directions, and what tells them, in degrees from that of the thickness: along its
+    length, and along the diagonal, over a corner, where it is not too stocky to rock there (a negative velocity ratio).
+    Nothing of a wall that falls across itself alone."""
+    for aspect, turned in _all_of(wall) if wall.all_directions else ():
+        try:
+            turned.restitution_of("two_sided")
+        except InputError:
+            continue
+        yield aspect, turned
+
+
+def _all_of(wall: Wall) -> Iterator[tuple[str, Wall]]:
+    """Both other directions of a body."""
+    thickness, length = known(wall.thickness), known(wall.length_m)
+    diagonal = math.hypot(thickness, length)
+    angle = math.atan2(thickness, length)
+    outline = ((0.0, 0.0), (length, 0.0), (length, known(wall.height_m)), (0.0, known(wall.height_m)))
+    if angle > 0.25 * math.pi:  # s along the longer side: an oblique plane is not near an elevation
+        angle, outline = 0.5 * math.pi - angle, tuple((thickness / length * s, z) for s, z in outline)
+    solid = Solid("oblique", outline, min(thickness, length), angle_deg=math.degrees(angle))
+    crushed = 1.5 * wall.setback * length  # N / f of a triangle of stress along the edge [m2]
+    over_corner = 0.5 * math.sqrt(6.0 * length * thickness * crushed) / diagonal
+    across = 2.0 * thickness * length / diagonal
+    yield "90°", _turned(wall, "90°", length, thickness, wall.setback * length / thickness)
+    aspect = f"{math.degrees(math.atan2(length, thickness)):.3g}°"
+    yield aspect, replace(_turned(wall, aspect, diagonal, across, over_corner), solid=(solid,))
+
+
+def _turned(wall: Wall, aspect: str, thickness: float, length: float, setback: float) -> Wall:
+    """The body as a wall of this thickness and length [m], its loads in the middle. setback : of its hinges [m]"""
+    share = known(wall.length_m) / length
+    loads = (replace(load, kn_m=share * known(load.kn_m), d_m=0.5 * thickness) for load in wall.load)
+    return replace(
+        wall,
+        name=f"{wall.name} ({aspect})",
+        thickness_m=thickness,
+        slenderness_deg=None,
+        height_over_thickness=None,
+        length_m=length,
+        hinge_setback_m=setback,
+        compressive_strength_mpa=None,
+        load=tuple(replace(load, g_kn_m=None, q_kn_m=None, psi_2=None) for load in loads),
+        all_directions=False,
+    )
+
+
+def check_directions(wall: Wall) -> None:
+    """Raise InputError for a body of which only the direction of its thickness can be looked at."""
+    if not wall.all_directions:
+        return
+    here = (place("wall", name=wall.name),)
+    if wall.mechanism != "two_sided":
+        raise InputError("directions_two_sided", place=here, key="all_directions", found=wall.mechanism)
+    given = {"thickness_m": wall.thickness, "height_m": wall.height_m, "length_m": wall.length_m}
+    if missing := next((key for key, value in given.items() if value is None), None):
+        raise InputError("directions_need", place=here, key=missing, flag=Key("all_directions"))
+    if wall.unit_weight_kn_m3 is None:
+        raise InputError("directions_need", place=here, key="unit_weight_kn_m3", flag=Key("all_directions"))
+    if wall.has_shape:
+        raise InputError("directions_prism", place=here, key="all_directions")
+    middle = 0.5 * known(wall.thickness)
+    for n, load in enumerate(wall.load, start=1):
+        if not load.is_weight or abs(known(load.d_m) - middle) > CENTRED * middle:
+            raise InputError("directions_centred", place=(*here, place("load", n=n)), key="d_m", middle=middle)

@@ -1,0 +1,102 @@
+"""Bodies that stand free, in both plan directions and over a corner."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from core.case.hinges import count_of, parts_of
+from core.case.rules import parse_case
+from core.errors import InputError
+from core.setting.scene import model_of
+from core.study.run import run
+from tests.clauses_alone import parse_case as clauses_alone
+
+PINNACLE = {"name": "pinnacle", "mechanism": "two_sided", "height_m": 2.4, "thickness_m": 0.45, "length_m": 0.6}
+PINNACLE |= {"unit_weight_kn_m3": 22.0, "base_z_m": 0.0, "all_directions": True}
+DEMAND = {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
+
+
+def walls_of(**changes):
+    wall = parse_case({"wall": [{**PINNACLE, **changes}]}).wall[0]
+    parts = parts_of(0, wall, None)
+    assert len(parts) == count_of(wall, None)
+    return [part.wall for part in parts]
+
+
+@pytest.mark.shows("bodies.directions")
+@pytest.mark.parametrize("seed", range(3))
+def test_that_random_prisms_turn_along_their_length_and_over_a_corner_as_their_points_do(seed):
+    """M, the centroid, I about the edge and what an impact leaves, from points of the prism in coordinates."""
+    rng = np.random.default_rng(seed)
+    for _ in range(100):
+        t, length, height = rng.uniform(0.1, 1.5), rng.uniform(0.1, 1.5), rng.uniform(2.0, 5.0)
+        _, along, diagonal = walls_of(thickness_m=t, length_m=length, height_m=height, unloaded_confirmed=True)
+        base = math.hypot(t, length)
+        # x of a point is its distance along the direction of motion from the corner: sums of three uniform variables
+        spread = {"90°": length**2 / 12.0, "": (length**4 + t**4) / (12.0 * base**2)}
+        for wall, width, var in ((along, length, spread["90°"]), (diagonal, base, spread[""])):
+            block, model = wall.in_si.block, model_of(wall, "two_sided")
+            about_centre = var + height**2 / 12.0
+            inertia = about_centre + 0.25 * (width**2 + height**2)
+            assert block.slenderness == pytest.approx(math.atan2(width, height), rel=1e-12)
+            assert block.p2 == pytest.approx(9.80665 * 0.5 * math.hypot(width, height) / inertia, rel=1e-12)
+            kept = (about_centre + 0.25 * (height**2 - width**2)) / inertia
+            assert model.ratio_at_rest == pytest.approx(kept, rel=1e-12)
+            assert wall.weight == pytest.approx(22e3 * t * length * height, rel=1e-12)
+
+
+def test_that_a_direction_too_stocky_to_rock_is_left_out():
+    """A chimney longer than it is high does not fall along itself; across it does."""
+    (own,) = walls_of(height_m=1.2, length_m=2.5)
+    assert own.thickness_m == 0.45
+
+
+def test_that_a_square_has_one_answer_along_both_sides():
+    own, along, diagonal = walls_of(length_m=0.45)
+    assert along.in_si.block.p2 == own.in_si.block.p2
+    assert along.in_si.block.slenderness == pytest.approx(own.in_si.block.slenderness, rel=1e-12)
+    assert diagonal.name == "pinnacle (45°)"
+
+
+def test_that_loads_go_with_the_body_and_crushing_is_that_of_one_edge_or_corner():
+    cap = {"kind": "carried_mass", "kn_m": 2.0, "d_m": 0.225, "h_m": 2.5}
+    own, along, diagonal = walls_of(load=[cap], compressive_strength_mpa=0.5)
+    for wall in (own, along, diagonal):
+        assert wall.load[0].kn_m * wall.length_m == pytest.approx(1.2, rel=1e-12)
+    force = 22e3 * 0.45 * 0.6 * 2.4 + 1.2e3
+    assert own.setback == pytest.approx(2.0 * force / (3.0 * 0.5e6 * 0.6), rel=1e-12)
+    assert along.setback == pytest.approx(2.0 * force / (3.0 * 0.5e6 * 0.45), rel=1e-12)
+    # stress falls from f at the corner to none at the depth c: N = f area / 3, at c / 2 from the corner
+    base = math.hypot(0.45, 0.6)
+    depth = 2.0 * diagonal.setback
+    area = depth**2 * base**2 / (2.0 * 0.45 * 0.6)
+    assert force == pytest.approx(0.5e6 * area / 3.0, rel=1e-12)
+
+
+def test_that_the_worst_direction_is_the_verdict_and_each_has_its_histories():
+    table = {"wall": [PINNACLE | {"unloaded_confirmed": True, "elastic_modulus_mpa": 1000.0}], "demand": DEMAND}
+    result = run(clauses_alone(table), base_dir=Path())
+    assert [wall.part.aspect for wall in result.walls] == ["", "90°", "53.1°"]
+    zetas = [wall.assessed.verdict.zeta_e for wall in result.walls]
+    (verdict,) = result.verdicts
+    assert verdict.zeta_least == min(zetas) and verdict.governing == zetas.index(min(zetas))
+
+
+@pytest.mark.parametrize(
+    ("changes", "code"),
+    [
+        ({"mechanism": "one_sided"}, "directions_two_sided"),
+        ({"length_m": None}, "directions_need"),
+        ({"unit_weight_kn_m3": None}, "directions_need"),
+        ({"gable_m": 0.5}, "directions_prism"),
+        ({"load": [{"kind": "carried_mass", "kn_m": 1.0, "d_m": 0.1, "h_m": 2.4}]}, "directions_centred"),
+        ({"load": [{"kind": "thrust", "kn_m": 0.1, "h_m": 2.4}]}, "directions_centred"),
+    ],
+)
+def test_that_a_body_known_in_one_direction_alone_is_refused(changes, code):
+    table = {key: value for key, value in {**PINNACLE, **changes}.items() if value is not None}
+    with pytest.raises(InputError) as refused:
+        parse_case({"wall": [table]})
+    assert refused.value.code == code
