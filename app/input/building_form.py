@@ -1,17 +1,50 @@
 """The building that carries the walls above the ground."""
 
 from dataclasses import replace
+from typing import Any
 
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from app.input.entries_form import EntriesForm
 from app.input.optional_group import OptionalGroup
 from app.look.labels import Plain
-from app.look.language import tr
+from app.look.language import FORM_NAMES, called, number, tr
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
-from core.case.site import Building
+from core.case.site import Building, FloorLoad
 from core.codes.floor_spectrum import estimated_period
 from core.setting.floors import modes_at
+
+
+class FloorsForm(EntriesForm):
+    """Edits the floors of the building."""
+
+    owner = Building
+
+    def __init__(self, session: Session):
+        empty = dict.fromkeys(("name", "level_m", "from_wall", "from_d_m", "span_m", "g_kn_m2"), TO_BE_GIVEN)
+        new: dict[str, Any] = {**empty, "mass": "none"}
+        super().__init__(session, lambda: 0, "floors", {tr("Add"): lambda _: FloorLoad(**new)}, floor_words)
+        self.set_title(tr("Floors and roofs"))
+        FORM_NAMES.add("floors", tr("Floors and roofs"))
+
+    @property
+    def wall(self) -> Any:
+        return self.session.case.building
+
+    def edit(self, *place, **values) -> None:
+        """Change keys of the building. place : as of `WallEditor.edit`"""
+        case = self.session.case
+        if case.building is not None:
+            there = ("building", *place) if place else None
+            self.session.edit(replace(case, building=replace(case.building, **values)), there)
+
+
+def floor_words(floor: FloorLoad) -> str:
+    """A floor in the list."""
+    level = "–" if floor.level_m in (None, "") else number(floor.level_m, "g")
+    walls = " – ".join(called(name) for name in (floor.from_wall, floor.to_wall) if name)
+    return f"{floor.name or '–'}: {level} m, {walls or '–'}"
 
 
 class BuildingForm(QWidget):
@@ -26,6 +59,8 @@ class BuildingForm(QWidget):
         self.summary = Plain()
         self.summary.setWordWrap(True)
         self.given.column.addWidget(self.summary)
+        self.floors = FloorsForm(session)
+        self.given.column.addWidget(self.floors)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.given)
@@ -40,6 +75,8 @@ class BuildingForm(QWidget):
         case = self.session.case
         building = case.building
         self.given.show_case()
+        self.floors.setVisible(building is not None)
+        self.floors.show_case()
         if building is None:
             self.summary.setText(tr("Needed where a wall has its base above the ground."))
             return

@@ -40,9 +40,11 @@ class EntriesForm(WallEditor):
     words : what the list says of a table; is_shown(table, key) : whether it has this key
     first : keys whose fields come first; lead : that of the field at which an error without a key of its own stands
     chosen : another table is; the rules it breaks are to stand at the fields
+    owner : section whose tables they are
     """
 
     chosen = Signal()
+    owner: type = Wall
 
     def __init__(
         self,
@@ -57,7 +59,7 @@ class EntriesForm(WallEditor):
     ):
         super().__init__(session, index)
         self.key, self.words, self.is_shown = key, words, is_shown
-        self.fields = make_fields(field_of(Wall, key).metadata["of"], first=first)
+        self.fields = make_fields(field_of(self.owner, key).metadata["of"], first=first)
         self.lead = lead or self.fields[0].key
         connect(self.fields, self._changed)
         self.list = QListWidget()

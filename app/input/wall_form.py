@@ -38,7 +38,9 @@ from app.look.section import Section, unfold_to
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
 from core.case.arch import Between
+from core.case.brought import brought, with_thrust
 from core.case.loads import ReturnWalls
+from core.case.solids import InPlan
 from core.case.values import check_value
 from core.case.wall import ARCHES, AS_IS, BENDS, DESIGNED, Wall
 from core.case.wall_table import read_table, text_rows, walls_of
@@ -94,6 +96,8 @@ class WallForm(WallEditor):
         self.across = OptionalGroup(title, "return_walls", empty, lambda: self.wall, self.edit)
         title = tr("Span between the transverse walls (horizontal bending)")
         self.arch = OptionalGroup(title, "arch", Between(TO_BE_GIVEN), lambda: self.wall, self.edit)
+        title, given = tr("Place in the key plan"), [TO_BE_GIVEN] * 4
+        self.plan = OptionalGroup(title, "plan", InPlan(*given), lambda: self.wall, self.edit)
         base = [self.fields[key] for key in BASE_KEYS]
         notes = [field for field in check_fields if field.key not in (*BASE_KEYS, "unloaded_confirmed")]
         self.sections = {
@@ -107,7 +111,7 @@ class WallForm(WallEditor):
             ),
             "hinges": Section(tr("Hinges"), [self.fields["hinge_heights"]]),
             "impact": Section(tr("Restitution and law"), [self.impact]),
-            "notes": Section(tr("Material, variant, notes"), [*notes, self.fields["variant"], self.differs]),
+            "notes": Section(tr("Material, variant, notes"), [*notes, self.fields["variant"], self.differs, self.plan]),
         }
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -125,6 +129,7 @@ class WallForm(WallEditor):
             self.loads.show_case,
             self.across.show_case,
             self.arch.show_case,
+            self.plan.show_case,
             self.body.show_case,
             self.reasons.show_case,
             self._show_contents,
@@ -224,13 +229,21 @@ class WallForm(WallEditor):
 
     def _show_sizes(self) -> None:
         wall = self.wall
-        self.drawing.show_wall(wall, hinge_zetas(self.session, self.current) if wall else [])
+        self.drawing.show_wall(self._with_floors(), hinge_zetas(self.session, self.current) if wall else [])
         if wall is not None:
             self._show_geometry(wall)
             return
         self._show_shape("thickness_m", False)
         self.shape.setCurrentIndex(-1)
         self.summary.setText(tr("No wall yet: + wall below the tree."))
+
+    def _with_floors(self) -> Wall | None:
+        """The wall with what its building brings to it, where that is complete."""
+        wall = self.wall
+        try:
+            return None if wall is None else with_thrust(brought(wall, self.session.case.building))
+        except TypeError:  # still to be given
+            return wall
 
     def _show_fields(self) -> None:
         wall = self.wall
@@ -364,6 +377,8 @@ class WallForm(WallEditor):
 
     def _field_in_drawing(self, kind: str, k: int) -> Field:
         """The field of what is drawn, in front."""
+        if kind == "load" and self.wall is not None and k >= len(self.wall.load):  # of a floor
+            kind = "height"
         if kind == "load":
             self.loads.list.setCurrentRow(k)
         field = {

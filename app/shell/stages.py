@@ -82,6 +82,7 @@ def name_sections() -> None:
             "[wall.bar]": tr("Bars in place of the force"),
             "[wall.return_walls]": tr("Friction of return walls (in α0 only)"),
             "[wall.corner]": tr("Corner of two walls that turn together"),
+            "[wall.plan]": tr("Place in the key plan"),
             "[wall.leaf]": tr("Outer leaf that comes off"),
             "[wall.arch]": tr("Span between the transverse walls (horizontal bending)"),
             "NTC2018": "NTC 2018",

@@ -179,7 +179,7 @@ class CheckTab(ResultTab):
         assessment = wall.assessment
         self.peaks.clear()
         self.curve.show_in_place_of(self.peaks, result, wall)
-        self.drawing.show_wall(wall.part.asked, zetas_of(result, wall))
+        self.drawing.show_wall(wall.part.body, zetas_of(result, wall))
         shade = verdict_color(result, wall) if assessment else theme.current.edge
         tint = QColor(shade)
         tint.setAlpha(26)

@@ -24,6 +24,8 @@ OF_HINGE = ("name", "mechanism", "zeta_e", "verdict", "check", "q_set")
 OF_WALL = ("pga_c_g", "return_period_c_years", "is_v")
 KEYS = (*OF_HINGE, *OF_WALL, *STATES)
 """Quantities of the results in the columns: about the hinge that decides, and of the whole wall."""
+MOST_IN_PLAN = 1000
+"""Walls of a case among which one with a place in the key plan is looked for."""
 ZETA, RISK = KEYS.index("zeta_e"), KEYS.index("pga_c_g")
 
 
@@ -107,7 +109,10 @@ class WallsTab(ResultTab):
         inside.addWidget(self.pairs, 1)
         self.below = below
         split = QSplitter(Qt.Orientation.Vertical)
-        split.addWidget(self.table)
+        beside = QSplitter(Qt.Orientation.Horizontal)
+        self.beside, self.plan = beside, None  # charts are slow to import
+        beside.addWidget(self.table)
+        split.addWidget(beside)
         split.addWidget(below)
         self.split = split
         split.setVisible(False)
@@ -135,9 +140,25 @@ class WallsTab(ResultTab):
         shown = next((k for k in self.order if result.walls[k].part.origin == wall.part.origin), None)
         if shown is not None:
             self.table.selectRow(self.order.index(shown))
+        self._show_plan(result)
         pairs = wall_comparisons(result.verdicts)
         self.below.setVisible(bool(pairs))
         self.pairs.show_rows([self._pair(result, one) for one in pairs])
+
+    def _show_plan(self, result: StudyResult) -> None:
+        """The key plan, where walls have a place in one."""
+        if self.plan is None:
+            if not any(wall.plan for wall in result.case.wall[:MOST_IN_PLAN]):
+                return
+            from app.views.plan_chart import PlanChart
+
+            self.plan = PlanChart()
+            self.plan.picked.connect(self.picked)
+            self.plan.setMinimumWidth(300)
+            self.beside.addWidget(self.plan)
+            for column, share in enumerate((3, 2)):
+                self.beside.setStretchFactor(column, share)
+        self.plan.setVisible(self.plan.show_result(result))
 
     def _row(
         self, wall: WallResult, verdict: WallVerdict | None = None, result: StudyResult | None = None
@@ -192,6 +213,8 @@ class WallsTab(ResultTab):
         zetas : row of a wall -> (zeta so far, whether all its results are there)"""
         self.split.setVisible(True)
         self.below.setVisible(False)
+        if self.plan is not None:
+            self.plan.hide()
         self.order, self.shown = [], None  # a click on a title is not to bring back the result before
         self.finished = sum(whole for _, whole in zetas.values())
         self.words.setText(tr("Running, walls finished: {n}", n=self.finished))

@@ -2,7 +2,7 @@
 
 from dataclasses import MISSING, dataclass
 
-from core.case.keys import number_key
+from core.case.keys import number_key, text_key
 from core.known import known
 from core.wall import arch
 from core.wall.ties import elongation_at_yield
@@ -16,6 +16,7 @@ class Between:
     tie_kn_m : yield force of the ties along the wall, per metre of its height
     tie_bar_length_m, tie_elongation_m : length of a bar, and the elongation it stands
     shoulder_length_m, shoulder_thickness_m : of the masonry beyond the last transverse wall, along it and across
+    corner_wall : wall of the case with a [wall.corner] that stands there, and takes that thrust
     """
 
     spacing_m: float = number_key(0.3, 50.0, MISSING, unit="m")
@@ -24,6 +25,7 @@ class Between:
     tie_elongation_m: float | None = number_key(0.0, 10.0, unit="m")
     shoulder_length_m: float | None = number_key(0.05, 50.0, unit="m")
     shoulder_thickness_m: float | None = number_key(0.05, 20.0, unit="m", form_unit="cm")
+    corner_wall: str = text_key()
 
     @property
     def with_tie(self) -> bool:

@@ -1,10 +1,11 @@
 """The hinges of a wall of several storeys: one wall for each, from the hinge up."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from core.case.above_hinge import MIN_HEIGHT_ABOVE, above_hinge, named_above
 from core.case.between_holds import at_yield, between, named_between, spans_of
+from core.case.brought import brought, with_thrust
 from core.case.detached import as_leaf, aspect_of
 from core.case.directions import directions_of
 from core.case.schema import Case
@@ -36,8 +37,8 @@ class Part:
     wall : to be analysed, with a name for people
     top : of a stretch that bends between the hinge and a tie, the height of the tie above the base [m], of a wall that
         spans between transverse walls its own; else None
-    aspect : of what is not the wall itself but its outer leaf, or the wall in another direction, which `asked` is, what
-        tells it from the wall
+    aspect : of what is not the wall itself but its outer leaf, or the wall in another direction, what tells it
+    of : what it is the part of: the wall with the floors that bear on it, or that leaf or direction
     """
 
     origin: int
@@ -46,6 +47,12 @@ class Part:
     wall: Wall
     top: float | None = None
     aspect: str = ""
+    of: Wall | None = None
+
+    @property
+    def body(self) -> Wall:
+        """What it is the part of."""
+        return self.asked if self.of is None else self.of
 
     @property
     def is_whole(self) -> bool:
@@ -61,10 +68,10 @@ class Part:
     def own_name(self) -> str:
         """Name of the wall as people read it, without the variant."""
         if self.wall.arch is not None and self.top is not None and self.wall.mechanism == ARCHES:
-            return named_spanning(self.asked.name, self.wall.arch.spacing_m)
+            return named_spanning(self.body.name, self.wall.arch.spacing_m)
         if self.top is not None:
-            return named_between(self.asked.name, self.hinge, self.top)
-        return named_above(self.asked.name, self.hinge)
+            return named_between(self.body.name, self.hinge, self.top)
+        return named_above(self.body.name, self.hinge)
 
 
 def hinges_of(wall: Wall, building: Building | None) -> Sequence[float]:
@@ -143,20 +150,24 @@ def shared(part: Part, mechanism: str) -> tuple[str, float, str]:
 def parts_of(k: int, asked: Wall, building: Building | None) -> list[Part]:
     """The k-th wall of a case from every hinge of its up, where its ties make it bend between them, between its
     transverse walls, its outer leaf alone, and in its other directions."""
-    made = _of_ties(k, asked, turning_hinges(asked, building))
-    if spans(asked):
-        made.append(Part(k, asked, 0.0, spanning(asked), asked.height_m))
-    if asked.leaf is not None:
-        leaf = as_leaf(asked)
-        made += _of_ties(k, leaf, _hinges_of_leaf(leaf, turning_hinges(asked, building)), aspect_of(asked.leaf))
-    return made + [Part(k, turned, 0.0, turned, None, aspect) for aspect, turned in directions_of(asked)]
+    whole = brought(asked, building)
+    of = None if whole is asked else whole
+    made = _of_ties(Part(k, asked, 0.0, whole, of=of), turning_hinges(whole, building))
+    if spans(whole):
+        made.append(Part(k, asked, 0.0, spanning(whole), whole.height_m, of=of))
+    if whole.leaf is not None:
+        leaf = as_leaf(whole)
+        part = Part(k, asked, 0.0, leaf, None, aspect_of(whole.leaf), leaf)
+        made += _of_ties(part, _hinges_of_leaf(leaf, turning_hinges(whole, building)))
+    return made + [Part(k, asked, 0.0, turned, None, aspect, turned) for aspect, turned in directions_of(whole)]
 
 
-def _of_ties(k: int, asked: Wall, hinges: Sequence[float], aspect: str = "") -> list[Part]:
-    """A wall about its base and these hinges, and as it bends between its ties."""
-    turning = [Part(k, asked, hinge, above_hinge(asked, hinge), None, aspect) for hinge in (0.0, *hinges)]
-    spans = _least_spans(asked) if aspect else spans_of(asked)
-    return turning + [Part(k, asked, low, between(asked, low, high), high, aspect) for low, high in spans]
+def _of_ties(part: Part, hinges: Sequence[float]) -> list[Part]:
+    """A wall about its base and these hinges, and as it bends between its ties. part : the whole of it"""
+    whole = part.wall
+    turning = [replace(part, hinge=hinge, wall=with_thrust(above_hinge(whole, hinge))) for hinge in (0.0, *hinges)]
+    spans = _least_spans(whole) if part.aspect else spans_of(whole)
+    return turning + [replace(part, hinge=low, wall=between(whole, low, high), top=high) for low, high in spans]
 
 
 def _least_spans(leaf: Wall) -> tuple[tuple[float, float], ...]:
@@ -176,6 +187,7 @@ def _hinges_of_leaf(leaf: Wall, hinges: Sequence[float]) -> list[float]:
 
 def count_of(asked: Wall, building: Building | None) -> int:
     """Number of `parts_of` by each of their mechanisms, without making them where they are those of most walls."""
+    asked = brought(asked, building)
     if asked.leaf is not None or asked.all_directions:
         return sum(len(part.wall.mechanisms()) for part in parts_of(0, asked, building))
     turning = (1 + len(turning_hinges(asked, building))) * len(asked.mechanisms())
@@ -183,7 +195,8 @@ def count_of(asked: Wall, building: Building | None) -> int:
 
 
 def turning_hinges(asked: Wall, building: Building | None) -> Sequence[float]:
-    """Heights of the hinges about which a wall turns; above a tie below which it bends it may, whatever is asked."""
+    """Heights of the hinges about which a wall turns, with what is brought to it; above a tie below which it bends it
+    may, whatever is asked."""
     hinges = hinges_of(asked, building)
     ties = {high for _, high in spans_of(asked)}
     if not ties:

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from core.case.brought import Together, check_floors
 from core.case.hinges import parts_of
 from core.case.rules import check_part, check_wall, refuse_modes
 from core.case.schema import Case
@@ -73,9 +74,12 @@ class ManyWalls(Sequence):
 def with_many(case: Case, walls: ManyWalls) -> Case:
     """`with_walls` of a case whose walls are not held at once: of a name eight bytes are. Raises InputError."""
     walls.ahead = case.wall
+    check_floors(case.building)
     titles, above = array("Q"), array("Q")
     low, high = np.inf, -np.inf
+    together = Together(case.building)
     for k, wall in enumerate(walls):
+        together.saw(wall)
         titles.append(_digest(wall.title))
         check_wall(case, wall)
         for part in parts_of(k, wall, case.building):
@@ -88,6 +92,7 @@ def with_many(case: Case, walls: ManyWalls) -> Case:
     twice = {*known[counts > 1].tolist(), *np.intersect1d(known, np.array(above, np.uint64)).tolist()}
     if twice:
         _refuse_same_names(case, walls, twice)
+    together.check()
     if high > low:
         refuse_modes(case, low, high)
     in_place: Any = walls

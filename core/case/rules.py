@@ -7,6 +7,7 @@ from typing import NamedTuple
 from core.case.above_hinge import numbers_above
 from core.case.back_restraint import names_something, says_gone
 from core.case.between_holds import spans_of
+from core.case.brought import Together, check_floors, check_floors_on
 from core.case.detached import check_leaf
 from core.case.directions import check_directions
 from core.case.hazard_table import check_rising
@@ -176,6 +177,7 @@ def with_walls(case: Case, walls: list[Wall], accepted: dict[int, Accepted] | No
     beside = next((one.beside for one in accepted.values() if one.beside == beside), beside)
     if not walls:
         raise InputError("no_wall", section=Key("[[wall]]"))
+    check_floors(case.building)
     names = set[str]()
     for wall in walls:
         if wall.title in names:
@@ -186,7 +188,9 @@ def with_walls(case: Case, walls: list[Wall], accepted: dict[int, Accepted] | No
             check_wall(case, wall, alone=known is None)
     case = replace(case, wall=tuple(walls), walls=None)
     heights: set[float] = set()
+    together = Together(case.building)
     for k, wall in enumerate(walls):
+        together.saw(wall)
         known = accepted.get(id(wall))
         if known is not None and known.beside is not beside:
             same = known.hinges == tuple(turning_hinges(wall, case.building))
@@ -199,6 +203,7 @@ def with_walls(case: Case, walls: list[Wall], accepted: dict[int, Accepted] | No
         heights |= accepted[id(wall)].heights
     if len(heights) > 1:
         refuse_modes(case, min(heights), max(heights))
+    together.check()
     return replace(case, sha256=case.digest())
 
 
@@ -217,8 +222,14 @@ def _accepted(k: int, wall: Wall, building: Building | None, names: set[str], be
 
 def check_part(part: Part) -> None:
     """Raise InputError for a part of a wall that does not stand, or cannot be as the wall is asked to be."""
-    wall = part.wall
-    check_loads(wall, numbers_above(part.asked, part.hinge), bends=bool(part.aspect) or bool(spans_of(part.asked)))
+    wall, whole = part.wall, part.body
+    try:
+        check_loads(wall, numbers_above(whole, part.hinge), bends=bool(part.aspect) or bool(spans_of(whole)))
+    except InputError as error:
+        corner = whole.corner
+        if error.code != "unstable_under_loads" or corner is None or not corner.is_pushed:
+            raise
+        raise InputError("corner_pushed_over", place=error.place, key="corner_wall") from None
     if wall.mechanism == BENDS and part.top is not None:
         check_bends(wall)
     elif part.hinge and part.top is None:
@@ -281,6 +292,7 @@ def _check_beside(case: Case, wall: Wall) -> None:
             height=case.building.height_m,
         )
     check_hinges(wall, case.building)
+    check_floors_on(wall, case.building)
     if case.demand and wall.base_z_m is None:
         raise InputError("base_missing", place=(place("wall", name=wall.title),), key="base_z_m")
     if case.demand:

@@ -5,6 +5,7 @@ from dataclasses import MISSING, dataclass
 from core.case.keys import choice_key, key, number_key, path_key, text_key
 from core.codes.limits import return_period
 from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
+from core.known import known
 
 
 @dataclass(frozen=True)
@@ -117,6 +118,34 @@ class BuildingMode:
 
 
 @dataclass(frozen=True)
+class FloorLoad:
+    """[[building.floors]]: a floor or a roof that spans from one wall to another, and bears on each with half of its
+    span.
+
+    level_m : above the ground, where it bears; g_kn_m2, q_kn_m2, psi_2 : permanent and variable, of which psi_2 counts
+    from_d_m, to_d_m : from the outer face of each wall inward to where it bears
+    mass : held elsewhere, or pushing the walls horizontally
+    """
+
+    name: str = text_key(MISSING)
+    level_m: float = number_key(0.0, 300.0, MISSING, unit="m", exclusive=True)
+    from_wall: str = text_key(MISSING)
+    from_d_m: float = number_key(0.0, 20.0, MISSING, unit="m")
+    span_m: float = number_key(0.5, 50.0, MISSING, unit="m")
+    g_kn_m2: float = number_key(0.0, 100.0, MISSING, unit="kN/m2")
+    mass: str = choice_key("none", "horizontal")
+    to_wall: str = text_key()
+    to_d_m: float | None = number_key(0.0, 20.0, unit="m")
+    q_kn_m2: float | None = number_key(0.0, 100.0, unit="kN/m2")
+    psi_2: float | None = number_key(0.0, 1.0)
+
+    def bears_on(self, wall: str) -> list[float]:
+        """Distances from the outer face of a wall at which it bears on it [m]: none of another wall."""
+        ends = (self.from_wall, self.from_d_m), (self.to_wall, self.to_d_m)
+        return [known(d) for name, d in ends if name == wall]
+
+
+@dataclass(frozen=True)
 class Building:
     """[building]: what carries the walls above the ground (Circolare 7/2019 C7.2.3, C8.7.1.2.1.4).
 
@@ -130,3 +159,4 @@ class Building:
     modes: tuple[BuildingMode, ...] = key("tables", (), of=BuildingMode)
     period_factor: float | None = number_key(1.0, 2.5)
     damping: float | None = number_key(0.01, 0.3, form_unit="%")
+    floors: tuple[FloorLoad, ...] = key("tables", (), of=FloorLoad)

@@ -97,12 +97,37 @@ class Corner:
 
     length_1_m, length_2_m : of each at the top, to its crack, which begins at the base; thickness_2_m : of the second
     angle_deg : in plan, between the first wall and the direction in which the corner turns
+    thrust_1_kn_m, thrust_2_kn_m : with which what spans in each wall beyond its crack pushes the corner outward, along
+        that wall, per metre of its height
     """
 
     length_1_m: float = number_key(0.1, 30.0, MISSING, unit="m")
     length_2_m: float = number_key(0.1, 30.0, MISSING, unit="m")
     thickness_2_m: float = number_key(0.05, 3.0, MISSING, unit="m", form_unit="cm")
     angle_deg: float = number_key(10.0, 80.0, 45.0, unit="deg")
+    thrust_1_kn_m: float = number_key(0.0, 10000.0, 0.0, unit="kN/m")
+    thrust_2_kn_m: float = number_key(0.0, 10000.0, 0.0, unit="kN/m")
+
+    @property
+    def is_pushed(self) -> bool:
+        """Whether something that spans to it pushes it."""
+        return self.thrust_1_kn_m > 0.0 or self.thrust_2_kn_m > 0.0
+
+
+@dataclass(frozen=True)
+class InPlan:
+    """[wall.plan]: where a wall stands in the key plan of its building, from one end to the other, along its outer
+    face."""
+
+    x1_m: float = number_key(-1e4, 1e4, MISSING, unit="m")
+    y1_m: float = number_key(-1e4, 1e4, MISSING, unit="m")
+    x2_m: float = number_key(-1e4, 1e4, MISSING, unit="m")
+    y2_m: float = number_key(-1e4, 1e4, MISSING, unit="m")
+
+    @property
+    def length(self) -> float:
+        """From one end to the other [m]."""
+        return math.hypot(self.x2_m - self.x1_m, self.y2_m - self.y1_m)
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from core.case.back_restraint import EVIDENCE, RESTRAINTS, holds_only_there, wit
 from core.case.keys import choice_key, content_of, flag_key, key, number_key, text_key
 from core.case.loads import Load, ReturnWalls
 from core.case.shape import Shaped
-from core.case.solids import Corner, Drawing, Leaf, Opening, Solid, Step, Wedges
+from core.case.solids import Corner, Drawing, InPlan, Leaf, Opening, Solid, Step, Wedges
 from core.codes.masonry_types import TYPES
 from core.errors import InputError, place
 from core.known import known
@@ -113,6 +113,7 @@ class Wall(Shaped):
     corner: Corner | None = key("section", of=Corner, columns="corner_")
     arch: Between | None = key("section", of=Between, columns="arch_")
     leaf: Leaf | None = key("section", of=Leaf, columns="leaf_")
+    plan: InPlan | None = key("section", of=InPlan, columns="plan_")
     tie_height_m: float | None = number_key(0.1, 60.0, unit="m", form="held")
     tie_bar_length_m: float | None = number_key(0.2, 100.0, unit="m", form="held")
     tie_elongation_m: float | None = number_key(0.0, 10.0, unit="m", form="held")

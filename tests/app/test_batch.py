@@ -429,7 +429,7 @@ CASES = sorted(path.stem for path in (ROOT / "resources" / "cases").glob("*.toml
 @pytest.mark.parametrize(
     ("name", "motions"),
     [
-        *((name, 2) for name in CASES if name not in ("building", "facade")),
+        *((name, 2) for name in CASES if name not in ("building", "facade", "palazzo")),
         pytest.param("facade", 3, marks=pytest.mark.long),
         *(pytest.param(name, None, marks=pytest.mark.long) for name in CASES),
     ],

@@ -8,7 +8,7 @@ from core.known import known
 from core.report import assumption_table
 from core.report.confirmed import assumptions_of
 from core.report.derived import cell_prefix
-from core.report.note import site, spectra_figure, wall_figures
+from core.report.note import plan_figure, site, spectra_figure, wall_figures
 from core.report.note.certainty import certainty, certainty_line
 from core.report.note.parts import (
     Bars,
@@ -59,7 +59,7 @@ def note(result: StudyResult, language: str) -> list[Part]:
     parts = _answer(result, words)
     if len(ordered) >= CONTENTS_FROM:
         parts += [Heading(say("Contents"), new_page=True, listed=False), Contents()]
-    parts += site.before_and_after(result, words)
+    parts += [*plan_figure.plan(result, words), *site.before_and_after(result, words)]
     for wall in ordered[:FULL_WALLS]:
         parts += wall_parts(result, wall, cell_prefix(result, wall), words)
     if ordered[FULL_WALLS:]:

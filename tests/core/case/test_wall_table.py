@@ -29,6 +29,7 @@ NESTED_OF_A_WALL = (
     "return_walls",
     "arch",
     "leaf",
+    "plan",
     "justification",
     "solid",
     "openings",

@@ -128,6 +128,7 @@ CONDITION = {
     "eq4_negative": "must come from tests",
     "loads_contradict": "if they do not exist",
     "low_confidence_factor": "investigated",
+    "corner_pushed_over": "if the wall that spans",
     "modes_or_period": "state their period",
     "no_check": "for an element free to vibrate",
     "restitution_one_sided": "is for",

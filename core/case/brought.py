@@ -1,0 +1,126 @@
+"""What the rest of a building brings to a wall: the loads of its floors, the thrust of walls that span to a corner."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+
+from core.case.loads import Load
+from core.case.site import Building, FloorLoad
+from core.case.spanning import spanning
+from core.case.wall import ARCHES, Wall
+from core.errors import InputError, place, section
+from core.known import known
+from core.text.sentence import Key
+from core.wall.arch import TIE
+
+
+def brought(wall: Wall, building: Building | None) -> Wall:
+    """The wall with the floors that bear on it, each with half of its span, after its own loads."""
+    floors = building.floors if building else ()
+    loads = [_load(floor, d, known(wall.base_z_m)) for floor in floors for d in floor.bears_on(wall.name)]
+    if not loads:
+        return wall
+    return replace(wall, load=(*wall.load, *loads), unloaded_confirmed=False)
+
+
+def _load(floor: FloorLoad, d: float, base: float) -> Load:
+    """The load of a floor on a wall. d : from its outer face [m]; base : of the wall above the ground [m]"""
+    share, q = 0.5 * floor.span_m, floor.q_kn_m2
+    return Load(
+        "vertical",
+        h_m=floor.level_m - base,
+        d_m=d,
+        mass=floor.mass,
+        g_kn_m=share * floor.g_kn_m2,
+        q_kn_m=None if q is None else share * q,
+        psi_2=floor.psi_2,
+    )
+
+
+def with_thrust(wall: Wall) -> Wall:
+    """A corner, or a part of one above a hinge, with the thrust along its walls as a load: over its height, in the
+    direction in which it turns."""
+    if (corner := wall.corner) is None or not corner.is_pushed:
+        return wall
+    angle, height = math.radians(corner.angle_deg), known(wall.height_m)
+    along = corner.thrust_1_kn_m * math.cos(angle) + corner.thrust_2_kn_m * math.sin(angle)
+    load = Load("thrust", along * height / known(wall.length_m), 0.5 * height)
+    plain = replace(corner, thrust_1_kn_m=0.0, thrust_2_kn_m=0.0)
+    return replace(wall, corner=plain, load=(*wall.load, load), unloaded_confirmed=False)
+
+
+def check_floors(building: Building | None) -> None:
+    """Raise InputError for a floor of which half of something is given."""
+    for here, floor in _placed(building):
+        if bool(floor.to_wall) != (floor.to_d_m is not None):
+            raise InputError("floor_to", place=here, key="to_d_m" if floor.to_wall else "to_wall")
+        if (floor.q_kn_m2 is None) != (floor.psi_2 is None):
+            raise InputError("combined_share", place=here)
+
+
+def _placed(building: Building | None) -> Iterator[tuple[tuple, FloorLoad]]:
+    """Floors of a building with the place of an error."""
+    for n, floor in enumerate(building.floors if building else (), start=1):
+        yield (section("[building]"), place("floor", n=n, name=floor.name)), floor
+
+
+def check_floors_on(wall: Wall, building: Building | None) -> None:
+    """Raise InputError for a floor that cannot bear on a wall."""
+    for here, floor in _placed(building):
+        for d in floor.bears_on(wall.name):
+            if wall.base_z_m is None or wall.height_m is None or wall.thickness is None:
+                given = {"base_z_m": wall.base_z_m, "height_m": wall.height_m, "thickness_m": wall.thickness}
+                key = next(key for key, value in given.items() if value is None)
+                raise InputError("floor_needs", place=here, key=key, wall=wall.title)
+            low, high = wall.base_z_m, wall.base_z_m + wall.height_m
+            if not low < floor.level_m <= high + 1e-9:
+                said = {"low": low, "high": high, "wall": wall.title}
+                raise InputError("floor_off_wall", place=here, key="level_m", found=floor.level_m, **said)
+            if d > wall.thickness:
+                raise InputError(
+                    "floor_off_face", place=here, key="from_d_m", found=d, most=wall.thickness, wall=wall.title
+                )
+
+
+class Together:
+    """What the walls of a case are to each other: floors name walls of it, and a wall that spans to a corner pushes it
+    with no more than the corner is checked with. `saw` of each wall, then `check`."""
+
+    def __init__(self, building: Building | None):
+        self.building = building
+        floors = building.floors if building else ()
+        self.unseen = {name for floor in floors for name in (floor.from_wall, floor.to_wall) if name}
+        self.pushed: list[tuple[Wall, str]] = []
+        self.corners: dict[str, float | None] = {}
+
+    def saw(self, wall: Wall) -> None:
+        """One more wall of the case."""
+        self.unseen.discard(wall.name)
+        corner, arch = wall.corner, wall.arch
+        if corner is not None:
+            least = max(corner.thrust_1_kn_m, corner.thrust_2_kn_m)
+            self.corners[wall.name] = min(least, self.corners.get(wall.name) or least)
+        if arch is not None and arch.corner_wall:
+            self.pushed.append((wall, arch.corner_wall))
+
+    def check(self) -> None:
+        """Raise InputError where a wall that is named is none, or a corner takes more than it is checked with."""
+        for here, floor in _placed(self.building):
+            for key, name in (("from_wall", floor.from_wall), ("to_wall", floor.to_wall)):
+                if name in self.unseen:
+                    raise InputError("wall_not_there", place=here, key=key, found=name)
+        for wall, name in self.pushed:
+            here = (place("wall", name=wall.title), place("arch"))
+            if (least := self.corners.get(name)) is None:
+                raise InputError(
+                    "corner_not_there", place=here, key="corner_wall", found=name, corner=Key("[wall.corner]")
+                )
+            if (thrust := _on_corner(wall)) > least + 1e-9:
+                said = {"found": least, "least": thrust, "corner": name, "one": Key("thrust_1_kn_m")}
+                raise InputError("corner_thrust", place=here, key="corner_wall", other=Key("thrust_2_kn_m"), **said)
+
+
+def _on_corner(wall: Wall) -> float:
+    """H that the ends of a wall push with [kN/m]; none where ties along it take it."""
+    arch = known((spanning(wall) if wall.mechanism != ARCHES else wall).in_si.arch)
+    return 0.0 if arch.by == TIE else 1e-3 * arch.thrust

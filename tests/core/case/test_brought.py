@@ -1,0 +1,131 @@
+"""What the rest of a building brings to a wall: floors that bear on it, arches that push its corner."""
+
+import math
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from core.case.hinges import count_of, parts_of
+from core.case.rules import parse_case
+from core.case.writer import dumps
+from core.codes.kinematic_chain import chain
+from core.errors import InputError
+from core.study.run import run
+
+NORTH = {"name": "north", "mechanism": "one_sided", "height_m": 7.0, "thickness_m": 0.5, "length_m": 8.0}
+NORTH |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "back_restraint": "other", "restraint_note": "floors tied"}
+SOUTH = NORTH | {"name": "south", "thickness_m": 0.6}
+FIRST = {"name": "first", "level_m": 3.5, "span_m": 5.0, "g_kn_m2": 4.0, "q_kn_m2": 2.0, "psi_2": 0.3, "mass": "none"}
+FIRST |= {"from_wall": "north", "from_d_m": 0.35, "to_wall": "south", "to_d_m": 0.4}
+ROOF = {"name": "roof", "level_m": 7.0, "span_m": 5.0, "g_kn_m2": 1.5, "mass": "horizontal"}
+ROOF |= {"from_wall": "south", "from_d_m": 0.3}
+BUILDING = {"height_m": 7.0, "storeys": 2, "period_s": 0.25, "floors": [FIRST, ROOF]}
+BARE = {key: value for key, value in BUILDING.items() if key != "floors"}
+DEMAND = {"ag_g": 0.15, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
+
+
+def case_of(*walls, building=BUILDING, **changes):
+    return parse_case({"wall": list(walls or (NORTH, SOUTH)), "building": building, **changes})
+
+
+@pytest.mark.shows("bodies.floors")
+def test_that_each_wall_bears_half_of_the_span_as_if_the_loads_were_written_on_it():
+    case = case_of(demand=DEMAND)
+    half = {"kind": "vertical", "g_kn_m": 10.0, "q_kn_m": 5.0, "psi_2": 0.3, "h_m": 3.5, "mass": "none"}
+    roof = {"kind": "vertical", "g_kn_m": 3.75, "h_m": 7.0, "d_m": 0.3, "mass": "horizontal"}
+    north, south = NORTH | {"load": [half | {"d_m": 0.35}]}, SOUTH | {"load": [half | {"d_m": 0.4}, roof]}
+    written = case_of(north, south, building=BARE, demand=DEMAND)
+    for k in (0, 1):
+        made, asked = (parts_of(k, one.wall[k], one.building) for one in (case, written))
+        assert [part.wall for part in made] == [part.wall for part in asked]
+        assert len(made) == count_of(case.wall[k], case.building)
+    one, other = (run(clauses_alone_of(each), base_dir=Path()) for each in (case, written))
+    assert [w.assessed.verdict.zeta_e for w in one.walls] == [w.assessed.verdict.zeta_e for w in other.walls]
+
+
+def clauses_alone_of(case):
+    return replace(case, analysis=replace(case.analysis, histories=False))
+
+
+def test_that_a_floor_that_weighs_nothing_changes_no_number():
+    light = FIRST | {"g_kn_m2": 1e-9, "q_kn_m2": 0.0}
+    with_floor, without = case_of(building=BUILDING | {"floors": [light]}), case_of(building=BARE)
+    one, other = (parts_of(0, case.wall[0], case.building)[0].wall for case in (with_floor, without))
+    assert chain(one.in_si, False).start[0] == pytest.approx(chain(other.in_si, False).start[0], rel=1e-9)
+
+
+def test_that_a_case_with_floors_is_written_as_it_is_read():
+    case = case_of()
+    assert parse_case(tomllib.loads(dumps(case))) == case
+
+
+@pytest.mark.parametrize(
+    ("change", "code"),
+    [
+        ({"from_wall": "nord"}, "wall_not_there"),
+        ({"level_m": 7.5}, "floor_off_wall"),
+        ({"from_d_m": 0.51}, "floor_off_face"),
+        ({"to_d_m": 0.61}, "floor_off_face"),
+        ({"to_d_m": None}, "floor_to"),
+        ({"to_wall": None}, "floor_to"),
+        ({"psi_2": None}, "combined_share"),
+        ({"span_m": None}, "missing"),
+    ],
+)
+def test_that_a_floor_that_bears_nowhere_is_refused(change, code):
+    floor = {key: value for key, value in {**FIRST, **change}.items() if value is not None}
+    with pytest.raises(InputError) as refused:
+        case_of(building=BUILDING | {"floors": [floor]})
+    assert refused.value.code == code
+    assert "first" in str(refused.value) or code == "missing"
+
+
+CORNER = NORTH | {"name": "NE", "thickness_m": 0.6, "length_m": round(4.8 / math.sqrt(2.0), 3)}
+CORNER |= {"corner": {"length_1_m": 2.4, "length_2_m": 2.4, "thickness_2_m": 0.6}, "height_m": 6.0}
+ARCH = {"spacing_m": 5.0, "shoulder_length_m": 0.6, "shoulder_thickness_m": 0.4, "corner_wall": "NE"}
+SPANS = NORTH | {"name": "spans", "arch": ARCH, "compressive_strength_mpa": 2.0}
+
+
+@pytest.mark.shows("bodies.corner")
+def test_that_a_corner_is_pushed_by_what_spans_to_it_over_its_height():
+    """alpha_0 by moments about the base: the thrust acts in the middle of the height, along its wall."""
+    rng = np.random.default_rng(4)
+    for _ in range(20):
+        first, second, angle = rng.uniform(0.0, 0.6), rng.uniform(0.0, 0.6), rng.uniform(30.0, 60.0)
+        corner = CORNER["corner"] | {"angle_deg": angle, "thrust_1_kn_m": first, "thrust_2_kn_m": second}
+        length = 2.4 * (math.sin(math.radians(angle)) + math.cos(math.radians(angle)))
+        table = CORNER | {"corner": corner, "length_m": length}
+        wall = case_of(table | {"hinge_heights": "base"}, building=BARE).wall[0]
+        pushed, body = parts_of(0, wall, None)[0].wall, wall.in_si.body
+        moment = 1e3 * (first * math.cos(math.radians(angle)) + second * math.sin(math.radians(angle))) * 6.0 * 3.0
+        x, z = body.centroid
+        weight = 9.80665 * body.mass
+        assert chain(pushed.in_si, False).start[0] == pytest.approx((weight * x - moment) / (weight * z), rel=1e-9)
+
+
+def test_that_the_thrust_of_the_ends_is_in_the_verdict_of_the_corner():
+    with pytest.raises(InputError) as refused:
+        case_of(SPANS, CORNER, building=BARE)
+    assert refused.value.code == "corner_thrust"
+    least = refused.value.values["least"]
+    corner = CORNER | {"corner": CORNER["corner"] | {"thrust_2_kn_m": least}}
+    assert case_of(SPANS, corner, building=BARE)
+    with pytest.raises(InputError) as refused:
+        case_of(SPANS, CORNER | {"name": "SE"}, building=BARE)
+    assert refused.value.code == "corner_not_there"
+
+
+def test_that_a_corner_that_does_not_stand_the_thrust_says_so():
+    wide = ARCH | {"shoulder_length_m": 2.4, "shoulder_thickness_m": 0.6}
+    corner = CORNER | {"corner": CORNER["corner"] | {"thrust_2_kn_m": 50.0}}
+    with pytest.raises(InputError) as refused:
+        case_of(SPANS | {"arch": wide}, corner, building=BARE)
+    assert refused.value.code == "corner_pushed_over"
+
+
+def test_that_a_tie_along_the_wall_takes_what_a_corner_then_does_not():
+    tied = ARCH | {"tie_kn_m": 40.0, "tie_bar_length_m": 5.0, "tie_elongation_m": 0.1}
+    assert case_of(SPANS | {"arch": tied}, CORNER, building=BARE)
