@@ -7,6 +7,7 @@ from typing import Any, TypeGuard
 from PySide6.QtWidgets import QGroupBox, QVBoxLayout
 
 from app.input.fields import TextField, connect
+from app.input.wall_words import with_floors
 from app.look.labels import Plain
 from app.look.language import named, tr
 from app.work.session import Session
@@ -29,6 +30,7 @@ Reasons = WallJustification | DemandJustification
 
 def raised_by_wall(case: Case, wall: Wall) -> set[str]:
     """Keys of a wall that raise its zeta as they are, see `core.variation.assumptions`."""
+    leaf, wall = wall.leaf, with_floors(case, wall) or wall
     at_height = wall.above_ground and case.building is not None and not case.building.modes
     lifting = {
         "velocity_ratio": wall.velocity_ratio is not None,
@@ -44,7 +46,8 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         and any(wall.free_element != (mechanism == "two_sided") for mechanism in wall.mechanisms()),
         "elongation_m": any(load.is_tie for load in wall.load),
         "slack_mm": any(load.is_tie and load.slack_mm for load in wall.load),
-        "anchorage_kn": any(load.is_tie and (load.bar is None or load.bar.anchorage_kn is None) for load in wall.load),
+        "anchorage_kn": any(load.is_tie and (load.bar is None or load.bar.anchorage_kn is None) for load in wall.load)
+        or bool(leaf and leaf.connector_kn_m),
         "load": (wall.mechanism == BENDS and bool(wall.load))
         or any(load.kind == "carried_mass" or load.q_kn_m for load in wall.load)
         or any(load.kind == "thrust" and isinstance(load.kn_m, float) and load.kn_m < 0.0 for load in wall.load),

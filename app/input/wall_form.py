@@ -27,6 +27,7 @@ from app.input.wall_words import (
     hinge_zetas,
     said_of_histories,
     shape_of,
+    with_floors,
     written_as,
 )
 from app.look import theme
@@ -38,7 +39,6 @@ from app.look.section import Section, unfold_to
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
 from core.case.arch import Between
-from core.case.brought import brought, with_thrust
 from core.case.loads import ReturnWalls
 from core.case.solids import InPlan
 from core.case.values import check_value
@@ -229,21 +229,15 @@ class WallForm(WallEditor):
 
     def _show_sizes(self) -> None:
         wall = self.wall
-        self.drawing.show_wall(self._with_floors(), hinge_zetas(self.session, self.current) if wall else [])
+        self.drawing.show_wall(
+            with_floors(self.session.case, wall), hinge_zetas(self.session, self.current) if wall else []
+        )
         if wall is not None:
             self._show_geometry(wall)
             return
         self._show_shape("thickness_m", False)
         self.shape.setCurrentIndex(-1)
         self.summary.setText(tr("No wall yet: + wall below the tree."))
-
-    def _with_floors(self) -> Wall | None:
-        """The wall with what its building brings to it, where that is complete."""
-        wall = self.wall
-        try:
-            return None if wall is None else with_thrust(brought(wall, self.session.case.building))
-        except TypeError:  # still to be given
-            return wall
 
     def _show_fields(self) -> None:
         wall = self.wall
@@ -275,7 +269,8 @@ class WallForm(WallEditor):
 
     def _show_contents(self) -> None:
         """What each section holds, in its head."""
-        words = contents_of(self.wall) if self.wall else {}
+        whole = with_floors(self.session.case, self.wall)
+        words = contents_of(whole) if whole else {}
         lines = differences(self.session.case, self.wall) if self.wall else []
         self.differs.setText("\n".join([tr("Beside the wall as it is:"), *lines]) if lines else "")
         for name, section in self.sections.items():

@@ -110,7 +110,8 @@ class WallsTab(ResultTab):
         self.below = below
         split = QSplitter(Qt.Orientation.Vertical)
         beside = QSplitter(Qt.Orientation.Horizontal)
-        self.beside, self.plan = beside, None  # charts are slow to import
+        self.beside = beside
+        self.plan: Any = None  # charts are slow to import
         beside.addWidget(self.table)
         split.addWidget(beside)
         split.addWidget(below)
@@ -156,8 +157,7 @@ class WallsTab(ResultTab):
             self.plan.picked.connect(self.picked)
             self.plan.setMinimumWidth(300)
             self.beside.addWidget(self.plan)
-            for column, share in enumerate((3, 2)):
-                self.beside.setStretchFactor(column, share)
+            self.beside.setSizes([600, 400])
         self.plan.setVisible(self.plan.show_result(result))
 
     def _row(

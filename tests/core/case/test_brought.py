@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from core.case.hinges import count_of, parts_of
+from core.case.reader import read_case
 from core.case.rules import parse_case
 from core.case.writer import dumps
 from core.codes.kinematic_chain import chain
@@ -48,6 +49,24 @@ def test_that_each_wall_bears_half_of_the_span_as_if_the_loads_were_written_on_i
 
 def clauses_alone_of(case):
     return replace(case, analysis=replace(case.analysis, histories=False))
+
+
+@pytest.mark.parametrize("name", ["north", "nowhere"])
+def test_that_floors_bear_on_walls_of_a_table(name, tmp_path):
+    heads = "name;height_m [m];thickness_m [m];length_m [m];unit_weight_kn_m3 [kN/m3];base_z_m [m];mechanism"
+    plan = "plan_x1_m [m];plan_y1_m [m];plan_x2_m [m];plan_y2_m [m]"
+    (tmp_path / "walls.csv").write_text(f"{heads};{plan}\n{name};7;0.5;8;18;0;one_sided;0;0;8;0\n")
+    floors = "\n".join(f"{key} = {value!r}" for key, value in FIRST.items() if not key.startswith("to_"))
+    building = "[building]\nheight_m = 7.0\nstoreys = 2\n[[building.floors]]\n" + floors.replace("'", '"')
+    (tmp_path / "case.toml").write_text('walls = "walls.csv"\n' + building)
+    if name == "nowhere":
+        with pytest.raises(InputError) as refused:
+            read_case(tmp_path / "case.toml")
+        assert refused.value.code == "wall_not_there"
+        return
+    case = read_case(tmp_path / "case.toml")
+    (load,) = parts_of(0, case.wall[0], case.building)[0].wall.load
+    assert load.kn_m == pytest.approx(2.5 * (4.0 + 0.6)) and case.wall[0].plan.length == 8.0
 
 
 def test_that_a_floor_that_weighs_nothing_changes_no_number():
