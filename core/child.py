@@ -11,6 +11,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+MODULE = "core.child" if __name__ == "__main__" else __name__
+"""Its own name, within a package where the program is installed as one."""
+
 CHILD = "RIBALTA_CHILD"
 """Variable that names to the child the folder of its work and its answer (packaging/entry.py): a program of Windows
 without a terminal has no streams."""
@@ -27,8 +30,8 @@ class Refused(Exception):
 def bounded(work: Callable, *given: Any, seconds: float, megabytes: int) -> Any:
     """Run work(*given) in a child process within these bounds and return its result. work : a function of a module;
     given : what can be pickled. Raises Refused."""
-    root = str(Path(__file__).absolute().parents[1])
-    module = [] if getattr(sys, "frozen", False) else ["-P", "-m", "core.child"]
+    root = str(Path(__file__).absolute().parents[MODULE.count(".")])
+    module = [] if getattr(sys, "frozen", False) else ["-P", "-m", MODULE]
     path = os.pathsep.join([root, *filter(None, [os.environ.get("PYTHONPATH")])])
     with tempfile.TemporaryDirectory(prefix="ribalta-child-", ignore_cleanup_errors=True) as folder:
         try:

@@ -1,9 +1,10 @@
-"""Build the wheel in dist, install it with `uv tool install` and with `pipx install`, and try the command `ribalta`.
+"""Build the wheel in dist, install it with `uv tool install`, with `pipx install` and with `pip` into an environment
+others share, and try the command `ribalta`, `python -m` and the import.
 
 python3 packaging/wheel.py     (needs uv on the PATH; pipx, where it is absent, is run by uv)
 
-Both give the program an environment of its own, so that the top-level names `app`, `core` and `resources` of the wheel
-meet nobody else's. The batch must give the results of the source tree.
+The wheel holds one package (one_package.py), so that its names meet nobody else's. The batch must give the results of
+the source tree.
 """
 
 import argparse
@@ -12,13 +13,17 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT), str(ROOT / "packaging")]
 import smoke  # noqa: E402
 
+from core.version import VERSION  # noqa: E402
+
 EXTRAS = "gui,study,report"
+PACKAGE = "ribalta_rocking"
 
 
 def main() -> int:
@@ -62,7 +67,39 @@ def main() -> int:
                     started.kill()
                     started.wait()
             print(f"{kind}: the command ribalta gives the results of the source tree, its window opens")
+        _in_shared(wheel, folder / "shared", pins, case, right)
     return 0
+
+
+def names_of(wheel: Path) -> set[str]:
+    """Names a wheel puts beside other packages."""
+    with zipfile.ZipFile(wheel) as packed:
+        return {name.split("/")[0] for name in packed.namelist()}
+
+
+def _in_shared(wheel: Path, place: Path, pins: Path, case: Path, right: object) -> None:
+    """Try the wheel in an environment with a package `core` and a package `app` of somebody else."""
+    found = names_of(wheel)
+    assert found == {PACKAGE, f"{PACKAGE}-{VERSION}.dist-info"}, found
+    subprocess.run(["uv", "venv", "--quiet", "--python", sys.executable, place / "env"], check=True)
+    python = place / "env" / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+    install: list = ["uv", "pip", "install", "--quiet", "--python", python, "--constraints", pins]
+    subprocess.run([*install, f"{wheel}[report]"], check=True)
+    libraries = subprocess.run(
+        [python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"],
+        check=True,
+        capture_output=True,
+        text=True,
+    ).stdout.strip()
+    for other in ("core", "app", "resources"):
+        (Path(libraries) / other).mkdir()
+        (Path(libraries) / other / "__init__.py").write_text("raise ImportError('of somebody else')\n")
+    mine = smoke.variables(place)
+    wall = "r.wall(mechanism='two_sided', height_m=3.0, thickness_m=0.3)"
+    said = f"import {PACKAGE} as r; print(r.__version__, {wall}.in_si.block.p2)"
+    subprocess.run([python, "-c", said], check=True, env=mine, cwd=place)
+    assert smoke.batch([python, "-P", "-m", PACKAGE], case, place / "results", mine)[0] == right, "other numbers"
+    print("pip install beside others: python -m and the import give the results of the source tree")
 
 
 if __name__ == "__main__":

@@ -234,7 +234,7 @@ def test_that_a_documented_command_runs(command, place):
             else:  # the window: tests/app/test_smoke.py opens it
                 assert started[1:] == ["-P", "-m", "app"]
         case ["uv", "run", "ribalta", *rest] | ["ribalta", *rest]:
-            assert 'ribalta = "app.__main__:main"' in (ROOT / "pyproject.toml").read_text()
+            assert 'ribalta = "ribalta_rocking.app.__main__:main"' in (ROOT / "pyproject.toml").read_text()
             assert small_words(tuple(rest), place)  # and as a command of run.py it is tried
             tried((sys.executable, "-P", "-c", ENTRY, "--version"), place)
         case ["uv" | "pipx" as tool, verb, *_]:  # packaging/wheel.py runs it

@@ -51,8 +51,8 @@ def test_that_seconds_of_the_fuzzer_are_said_as_they_are_meant():
 
 def test_that_the_documents_name_this_version():
     for name in ("resources/docs/run.md", "packaging/README.md"):
-        assert set(re.findall(r"ribalta-(\d+\.\d+\.\d+)-py3", text_of(name))) <= {VERSION}
-    assert f"ribalta-{VERSION}-py3" in text_of("resources/docs/run.md")
+        assert set(re.findall(r"ribalta_rocking-(\d+\.\d+\.\d+)-py3", text_of(name))) <= {VERSION}
+    assert f"ribalta_rocking-{VERSION}-py3" in text_of("resources/docs/run.md")
 
 
 def test_that_the_limits_of_functions_are_those_that_are_tested():

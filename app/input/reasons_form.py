@@ -13,6 +13,7 @@ from app.look.language import named, tr
 from app.work.session import Session
 from core.case.schema import Case, Generate
 from core.case.site import FULL_FACTOR, Building, Demand, DemandJustification
+from core.case.solids import Leaf
 from core.case.wall import BENDS, Wall, WallJustification
 from core.codes.limits import ORDINARY_LIFE
 from core.codes.national_hazard import national_range
@@ -28,11 +29,24 @@ DEFAULT_COUNT = Generate().count
 Reasons = WallJustification | DemandJustification
 
 
+def _of_ties(wall: Wall, leaf: Leaf | None) -> dict[str, bool]:
+    """Of `raised_by_wall` what is of ties, and of the connectors of a leaf."""
+    ties = [load for load in wall.load if load.is_tie]
+    return {
+        "elongation_m": bool(ties),
+        "slack_mm": any(load.slack_mm for load in ties),
+        "anchorage_kn": any(load.bar is None or load.bar.anchorage_kn is None for load in ties)
+        or bool(leaf and leaf.connector_kn_m),
+        "prestress": any(load.prestress for load in ties),
+    }
+
+
 def raised_by_wall(case: Case, wall: Wall) -> set[str]:
     """Keys of a wall that raise its zeta as they are, see `core.variation.assumptions`."""
     leaf, wall = wall.leaf, with_floors(case, wall) or wall
     at_height = wall.above_ground and case.building is not None and not case.building.modes
     lifting = {
+        **_of_ties(wall, leaf),
         "velocity_ratio": wall.velocity_ratio is not None,
         "restitution": wall.restitution not in (None, "user") and not MODELS[wall.restitution].by_theory,
         "return_walls": wall.return_walls is not None,
@@ -44,10 +58,6 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         "law": wall.law != "auto",
         "free_element": wall.free_element is not None
         and any(wall.free_element != (mechanism == "two_sided") for mechanism in wall.mechanisms()),
-        "elongation_m": any(load.is_tie for load in wall.load),
-        "slack_mm": any(load.is_tie and load.slack_mm for load in wall.load),
-        "anchorage_kn": any(load.is_tie and (load.bar is None or load.bar.anchorage_kn is None) for load in wall.load)
-        or bool(leaf and leaf.connector_kn_m),
         "load": (wall.mechanism == BENDS and bool(wall.load))
         or any(load.kind == "carried_mass" or load.q_kn_m for load in wall.load)
         or any(load.kind == "thrust" and isinstance(load.kn_m, float) and load.kn_m < 0.0 for load in wall.load),
@@ -56,7 +66,6 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         "h_m": any(load.is_weight and is_number(load.h_m) for load in wall.load),
         "compressive_strength_mpa": wall.compressive_strength_mpa is not None,
         "unit_weight_kn_m3": wall.unit_weight_kn_m3 is not None and bool(wall.load),
-        "prestress": any(load.is_tie and load.prestress for load in wall.load),
         "base_z_m": case.demand is not None and at_height and not wall.bends,
     }
     return {key for key, lifts in lifting.items() if lifts}

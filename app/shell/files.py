@@ -138,6 +138,26 @@ class Files:
         if not beside.exists() or path.exists() or self._agreed(title, question):
             self.export(path)
 
+    def ask_script(self) -> None:
+        """The case as a Python script, to a place the user names."""
+        from core.case.rules import with_walls
+        from core.study.case_script import case_script
+
+        title, case = tr("Save as Python"), self.session.case
+        try:
+            text = case_script(with_walls(case, list(case.wall)), self.session.base_dir)
+        except (InputError, TypeError) as error:
+            reason = described(error) if isinstance(error, InputError) else tr("Something is still to be given.")
+            QMessageBox.warning(self.window, tr("Nothing saved"), plain(reason))
+            return
+        path = path_to_write(self.window, title, str(self.proposed(".py")), "Python (*.py)", (".py",))
+        if path is None:
+            return
+        try:
+            atomic_write.write({path: text.encode()})
+        except InputError as error:
+            QMessageBox.warning(self.window, tr("Nothing saved"), plain(described(error)))
+
     def ask_note(self) -> None:
         """The calculation note, as a PDF or for Word, to a place the user names."""
         from app.terminal import export

@@ -48,6 +48,7 @@ def build(window: "MainWindow") -> Actions:
     add(window, file, tr("&Export workbook…"), window.files.ask_export, QKeySequence("Ctrl+E"))
     add(window, file, tr("Export calculation &note…"), window.files.ask_note, QKeySequence("Ctrl+Shift+E"))
     add(window, file, tr("Export all &figures…"), window.files.ask_figures)
+    add(window, file, tr("Save as &Python…"), window.files.ask_script)
     file.addSeparator()
     add(window, file, tr("&Quit"), window.close, key.Quit)
     edit = bar.addMenu(tr("&Edit"))

@@ -206,7 +206,7 @@ def configure_numba() -> None:
     the same level."""
     os.environ.setdefault(
         "NUMBA_CACHE_LOCATOR_CLASSES",
-        "core.jit.numba_extensions.Locator,InTreeCacheLocator,UserWideCacheLocator,IPythonCacheLocator",
+        f"{__package__}.numba_extensions.Locator,InTreeCacheLocator,UserWideCacheLocator,IPythonCacheLocator",
     )
     os.environ.setdefault("NUMBA_OPT", "2" if shipped.has_wide_vectors() else "1")
     if shipped.level():

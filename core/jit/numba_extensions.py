@@ -37,6 +37,10 @@ def compiled(function, inlined: bool, python_wrapper: bool):
     )(function)
 
 
+CORE = __name__.removesuffix(".jit.numba_extensions")
+"""Name of core: within a package of its own where it is installed as one."""
+
+
 class Locator(_CacheLocator):
     """Puts the machine code of kernels into the cache, under their module's name. A kernel of another module than
     core's (a test's) is of its own file as well: numba alone would keep it when only core changes."""
@@ -44,7 +48,7 @@ class Locator(_CacheLocator):
     def __init__(self, py_func):
         name, code = py_func.__module__, py_func.__code__
         self._place = f"{name}-{code.co_firstlineno}"
-        own = b"" if name.startswith("core.") else Path(code.co_filename).read_bytes()
+        own = b"" if name.startswith(f"{CORE}.") else Path(code.co_filename).read_bytes()
         self._stamp = stamp() + hashlib.sha256(own).hexdigest()[:16]
 
     def get_cache_path(self):
@@ -58,7 +62,8 @@ class Locator(_CacheLocator):
 
     @classmethod
     def from_function(cls, py_func, py_file):
-        return cls(py_func) if py_func.__module__.split(".")[0] in ("core", "tests") else None
+        ours = py_func.__module__.startswith((f"{CORE}.", "tests."))
+        return cls(py_func) if ours else None
 
 
 _types_of_call = types.Function.get_call_type

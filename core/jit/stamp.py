@@ -29,7 +29,10 @@ def once_for_all(function):
 
 
 WITHOUT_KERNELS = ("core.text", "core.errors", "core.atomic_write")
-_IMPORT = re.compile(r"^[ \t]*from[ \t]+(core[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n]*)", re.MULTILINE)
+_IMPORT = re.compile(r"^[ \t]*from[ \t]+(?:\w+\.)?(core\b[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n]*)", re.MULTILINE)
+"""An import from core, of the installed package too, where core is within it."""
+
+_WITH_KERNELS = re.compile(r"from (?:\w+\.)?core\.jit\.decorators import")
 
 
 def kernel_sources(core: Path) -> list[Path]:
@@ -40,9 +43,7 @@ def kernel_sources(core: Path) -> list[Path]:
     """
     known = {file: file.read_text(encoding="utf-8") for file in core.rglob("*.py")}
     sources: set[Path] = set()
-    new = {
-        file for file, text in known.items() if file.parent.name == "jit" or "from core.jit.decorators import" in text
-    }
+    new = {file for file, text in known.items() if file.parent.name == "jit" or _WITH_KERNELS.search(text)}
     while new:
         sources |= new
         names = {

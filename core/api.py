@@ -1,0 +1,316 @@
+"""What may be imported of Ribalta: rocking of masonry walls, from a record to a verdict, by a dozen stable names.
+
+Quantities are in SI (m, s, N, kg, rad) wherever a name has no unit in it; keys of a case have their units in their
+names. What is not named here may change from version to version; results do not without a word in CHANGELOG.md.
+Wrong input raises `InputError`, whose text is the sentence that the program prints.
+"""
+
+import io
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from core import atomic_write
+from core.capacity import ida
+from core.capacity.closed_forms import closed_form_q
+from core.case import reader
+from core.case.rules import parse_case, parse_wall
+from core.case.schema import Case
+from core.case.study_file import read_study, shortened
+from core.case.wall import Wall
+from core.errors import InputError
+from core.ground import records
+from core.ground.ground_motion import GroundMotion
+from core.ground.response_spectrum import pseudo_acceleration_spectrum
+from core.report import parquet_file
+from core.report.columns import columns_of
+from core.report.json_report import results
+from core.rocking import history as rocking
+from core.rocking.methods import METHODS
+from core.rocking.outcome import COLLAPSED
+from core.setting.plan import with_chosen
+from core.setting.scene import model_of
+from core.study import run as study_run
+from core.study.results import StudyResult
+from core.version import NAME, VERSION
+
+__all__ = [
+    "GroundMotion",
+    "History",
+    "InputError",
+    "case",
+    "eq15_16",
+    "history",
+    "motion",
+    "read_case",
+    "read_record",
+    "run",
+    "save_parquet",
+    "search",
+    "select",
+    "spectrum",
+    "study",
+    "table",
+    "verdicts",
+    "wall",
+]
+
+PAPER = Path(__file__).resolve().parents[1] / "resources" / "studies" / "paper.toml"
+"""The study of the paper."""
+
+
+def wall(**keys: Any) -> Wall:
+    """A wall by the keys of `[[wall]]`.
+
+    Parameters
+    ----------
+    **keys
+        As in a case file: ``name``, ``height_m``, ``thickness_m``, ``mechanism`` ("one_sided" or "two_sided"), ...
+
+    Returns
+    -------
+    Wall
+        ``wall.in_si.block`` has its slenderness [rad], R [m] and p [rad/s].
+
+    Raises
+    ------
+    InputError
+        Where a key is unknown, missing or out of its range.
+    """
+    return parse_wall({"name": "wall", **keys})
+
+
+def read_case(path: str | os.PathLike) -> Case:
+    """The case of a file.
+
+    Raises
+    ------
+    InputError
+        Naming file, place and way out.
+    """
+    return reader.read_case(Path(path))
+
+
+def case(keys: dict[str, Any]) -> Case:
+    """A case by the mapping its file holds: ``{"wall": [{...}], "demand": {...}, "generate": {...}}``.
+
+    Raises
+    ------
+    InputError
+        Where the file with this content would be refused.
+    """
+    return parse_case(keys)
+
+
+def motion(acceleration: Sequence[float] | np.ndarray, time_step: float, name: str = "motion") -> GroundMotion:
+    """A ground motion by its samples.
+
+    Parameters
+    ----------
+    acceleration
+        [m/s2], shape (n,), linear between samples.
+    time_step
+        [s].
+
+    Raises
+    ------
+    InputError
+        For fewer than 10 samples, samples that are not finite, or zeros alone.
+    """
+    return GroundMotion(name, np.asarray(acceleration, dtype=float), float(time_step))
+
+
+def read_record(path: str | os.PathLike, scale: float = 1.0) -> GroundMotion:
+    """The accelerogram of a file of any format the program knows.
+
+    Parameters
+    ----------
+    path
+        PEER .AT2, ESM, ITACA, CSMIP, K-NET, tables, ...: recognised by its content.
+    scale
+        Factor of the samples [-].
+
+    Raises
+    ------
+    InputError
+        Naming file, place and way out.
+    """
+    return records.read(Path(path), scale=scale)
+
+
+def spectrum(ground: GroundMotion, periods: Sequence[float] | np.ndarray, damping: float = 0.05) -> np.ndarray:
+    """Pseudo-acceleration response spectrum [m/s2], shape of `periods` [s]; damping as a share of the critical one."""
+    return pseudo_acceleration_spectrum(ground.acceleration, ground.time_step, np.asarray(periods, float), damping)
+
+
+@dataclass(frozen=True)
+class History:
+    """A rocking history.
+
+    Attributes
+    ----------
+    time, rotation, velocity
+        [s], [rad], [rad/s] at the samples, up to the end.
+    impact_time
+        [s].
+    peak
+        Largest rotation [rad], the free motion after the record included.
+    overturned
+        Whether the wall falls.
+    """
+
+    time: np.ndarray
+    rotation: np.ndarray
+    velocity: np.ndarray
+    impact_time: np.ndarray
+    peak: float
+    overturned: bool
+
+
+def history(wall: Wall, ground: GroundMotion, scale: float = 1.0, mechanism: str | None = None) -> History:
+    """Rocking history of a wall under a scaled record (Eq. 1), by the Taylor series with located events.
+
+    Parameters
+    ----------
+    scale
+        Multiplier of the record [-]; negative reverses it.
+    mechanism
+        Of a wall of "both" the one that is meant.
+
+    Raises
+    ------
+    InputError
+        For a mechanism the wall has not.
+    """
+    found = rocking.history(ground.acceleration, ground.time_step, scale, model_of(wall, _mechanism(wall, mechanism)))
+    time = ground.time_step * np.arange(found.rotation.size)
+    overturned = found.outcome == COLLAPSED
+    return History(time, found.rotation, found.velocity, found.impact_time, found.peak, overturned)
+
+
+def search(
+    wall: Wall, ground: GroundMotion, mechanism: str | None = None, q_step: float = 0.005, reverse: bool = False
+) -> ida.Ida:
+    """The search of q of a wall under a record: incremental dynamic analysis to collapse (Eq. 10).
+
+    Parameters
+    ----------
+    q_step
+        Step of ln q [-].
+    reverse
+        Whether the record is taken with the other sign.
+
+    Returns
+    -------
+    Ida
+        ``q``, ``q_slv``, ``q_slc``, ``q_robust`` [-], None where there is none, and ``analyses`` made.
+    """
+    model = model_of(wall, _mechanism(wall, mechanism))
+    settings, sign = ida.Search(q_step=q_step), -1 if reverse else 1
+    return ida.incremental_dynamic_analysis(
+        ground.acceleration, ground.time_step, ground.pga, sign, model, METHODS["taylor"], settings
+    )
+
+
+def eq15_16(wall: Wall, ground: GroundMotion, mechanism: str | None = None) -> float:
+    """q [-] of the paper's Eq. 15 (two-sided) or 16 (one-sided) for a wall and the intensity of a record."""
+    block = wall.in_si.block
+    one_sided = _mechanism(wall, mechanism) == "one_sided"
+    return closed_form_q(block.slenderness, block.height, ground.housner_intensity, ground.pga, one_sided)
+
+
+def run(case: Case, base_dir: str | os.PathLike = ".", jobs: int | None = None) -> StudyResult:
+    """Run a case: histories, checks and verdicts of each wall, as the window and the batch do.
+
+    Parameters
+    ----------
+    base_dir
+        Folder the paths of its records start from.
+    jobs
+        Threads, which change no result; all processors without it.
+    """
+    return study_run.run(case, base_dir=Path(base_dir), jobs=jobs or os.cpu_count() or 1)
+
+
+def verdicts(result: StudyResult) -> list[dict[str, Any]]:
+    """The verdict of each wall with its checks, assumptions and hinges, by the keys of the results
+    (resources/docs/results.md)."""
+    return results(result)["verdicts"]
+
+
+def table(result: StudyResult) -> dict[str, list]:
+    """The rows of a study by column, a row for each wall, hinge and mechanism: ``pandas.DataFrame(table(result))``."""
+    return columns_of(result, range(len(result.case.wall)))
+
+
+def save_parquet(result: StudyResult, path: str | os.PathLike) -> None:
+    """Write `table` as a Parquet file, with the unit of each column. It takes the package pyarrow."""
+    metadata = {"program": f"{NAME} {VERSION}", "case_sha256": result.case.sha256}
+    stream = io.BytesIO()
+    parquet_file.write(stream, [table(result)], metadata)
+    atomic_write.write({Path(path): stream.getvalue()})
+
+
+def study(path: str | os.PathLike = PAPER, quick: bool = False, jobs: int | None = None) -> list[dict[str, Any]]:
+    """The runs of a parametric study, a row for each wall, motion and sign: ``pandas.DataFrame(study())``.
+
+    Parameters
+    ----------
+    path
+        A study file; the study of the paper (sections 4 and 5) without it.
+    quick
+        The short study its file describes.
+
+    Returns
+    -------
+    list of dict
+        ``mechanism``, ``slenderness_deg``, ``height_m``, ``restitution``, ``law``, ``spectrum`` ("" of a natural
+        record), ``motion``, ``polarity``, ``intensity_m``, ``pga_m_s2``, ``q``, ``q_slv``, None where there is none.
+    """
+    from core.research import parametric
+
+    asked, digest = read_study(Path(path))
+    asked = shortened(asked) if quick else asked
+    made = parametric.run(asked, digest, base_dir=Path(path).parent, quick=quick, jobs=jobs or os.cpu_count() or 1)
+    return [
+        {
+            "mechanism": row.cell.mechanism,
+            "slenderness_deg": row.cell.slenderness_deg,
+            "height_m": row.cell.height_m,
+            "restitution": row.cell.restitution,
+            "law": row.cell.law,
+            "spectrum": made.motions[row.motion].spectrum,
+            "motion": made.motions[row.motion].motion.name,
+            "polarity": row.polarity,
+            "intensity_m": made.motions[row.motion].motion.housner_intensity,
+            "pga_m_s2": made.motions[row.motion].motion.pga,
+            "q": row.q,
+            "q_slv": row.q_slv,
+        }
+        for row in made.rows
+    ]
+
+
+def select(case: Case, base_dir: str | os.PathLike = ".") -> Case:
+    """The case with the records that its ``[select]`` finds in a folder, by the spectrum of its demand.
+
+    Raises
+    ------
+    InputError
+        Where there is no set that fits.
+    """
+    return with_chosen(case, Path(base_dir))[0]
+
+
+def _mechanism(wall: Wall, asked: str | None) -> str:
+    """The mechanism that is asked for, or the only one of a wall."""
+    known = wall.mechanisms()
+    if asked is None and len(known) == 1:
+        return known[0]
+    if asked not in known:
+        raise InputError("api_mechanism", wall=wall.title, found=str(asked), known=tuple(known))
+    return asked
