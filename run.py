@@ -7,6 +7,7 @@
     python3 run.py test [...]      ruff, import contracts, mypy, pytest; --newest: under packages the lock forbids
     python3 run.py package         the frozen program in dist/ribalta, tried; --kernels: machine code for the sources
     python3 run.py bench [...]     the benchmarks; --work-precision for error against time
+    python3 run.py docs            the documents as a site in dist/pages, its links checked
     python3 run.py mutate [...]    small faults in the modules that decide: do the tests find them?
     python3 run.py fuzz [...]      hostile input for everything that reads, as long as asked
     python3 run.py validate [--output DIR]   the solved cases; with --data DIR tests on a shake table
@@ -46,6 +47,7 @@ BETWEEN_WORDS = 10.0
 """Seconds between two lines of progress where they do not go to a terminal."""
 TOOLS = {
     "bench": "tests/benchmarks/bench.py",
+    "docs": "packaging/pages.py",
     "fuzz": "tests/fuzz/fuzz.py",
     "mutate": "tests/mutation/mutate.py",
     "package": "packaging/build.py",
@@ -537,7 +539,7 @@ def plan(arguments):
         others = [argument for argument in arguments[1:] if argument != "--newest"]
         return ["base", "test"], [[interpreter(), "-P", os.path.join(ROOT, "tests", "newest.py"), *others]], False
     if word == "test":
-        groups = ["base", "test", "gui", "accuracy", "study", "report", "dxf", *available("parquet")]
+        groups = ["base", "test", "gui", "accuracy", "study", "report", "dxf", "docs", *available("parquet")]
         return groups, test_steps(arguments[1:]), False
     if word in TOOLS:
         script = os.path.join(ROOT, *TOOLS[word].split("/"))
@@ -545,7 +547,7 @@ def plan(arguments):
         everything = ["gui", "accuracy", "study", "report", "dxf"]
         peers = ["bench"] if "--work-precision" in arguments else []
         peers += ["parquet"] if {"--walls", "--scale"} & set(arguments) else []
-        groups = {"bench": ["test", *everything, *peers], "package": [*everything, "package"]}
+        groups = {"bench": ["test", *everything, *peers], "package": [*everything, "package"], "docs": ["docs"]}
         groups = ["base", *groups.get(word, ["test"])]
         return groups, [[interpreter(), "-P", script, *arguments[1:]]], False
     if word == "validate":

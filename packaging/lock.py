@@ -1,6 +1,7 @@
 """Write requirements.lock: hash-pinned, no addresses, one section a group. Needs uv on the PATH.
 
-    python packaging/lock.py
+    python packaging/lock.py            the newest of all packages that go together
+    python packaging/lock.py --keep     what has a pin keeps it: for a new package
 
 Each section holds what its group adds to the base; run.py installs base and the groups it needs. constraints.txt
 holds the pins alone, for who installs the wheel.
@@ -8,11 +9,25 @@ holds the pins alone, for who installs the wheel.
 
 import re
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-GROUPS = ("base", "test", "gui", "accuracy", "study", "report", "parquet", "dxf", "scheduler", "bench", "package")
+GROUPS = (
+    "base",
+    "test",
+    "gui",
+    "accuracy",
+    "study",
+    "report",
+    "parquet",
+    "dxf",
+    "scheduler",
+    "docs",
+    "bench",
+    "package",
+)
 
 
 def resolved(extras: list[str], constraint: Path | None = None) -> dict[str, str]:
@@ -40,7 +55,8 @@ def resolved(extras: list[str], constraint: Path | None = None) -> dict[str, str
 
 
 def main() -> None:
-    everything = resolved(list(GROUPS[1:]))
+    kept = ROOT / "packaging" / "constraints.txt" if "--keep" in sys.argv[1:] else None
+    everything = resolved(list(GROUPS[1:]), kept)
     with tempfile.TemporaryDirectory() as folder:
         pins = Path(folder) / "pins.txt"
         pins.write_text("\n".join(everything))
@@ -48,8 +64,8 @@ def main() -> None:
         lines = []
         for group in GROUPS:
             own = base if group == "base" else resolved([group], pins)
-            kept = [block for pin, block in own.items() if group == "base" or pin not in base]
-            lines += [f"# [{group}]", *kept]
+            more = [block for pin, block in own.items() if group == "base" or pin not in base]
+            lines += [f"# [{group}]", *more]
     text = "\n".join(lines) + "\n"
     (ROOT / "requirements.lock").write_text(text)
     (ROOT / "packaging" / "constraints.txt").write_text(constraints(text))

@@ -120,8 +120,8 @@ def small_words(words: tuple[str, ...], folder: Path) -> list[str]:
         case ("validate", *rest):
             invented(folder / "tests")
             return ["validate", "--data", str(folder / "tests"), "--output", str(folder / "validated")]
-        case ("package", *_):
-            return ["package", "--help"]
+        case ("package" | "docs" as word, *_):  # tests/test_pages.py builds the site
+            return [word, "--help"]
         case ("bench", *rest):
             named = {"--paired": [str(ROOT)], "--against": [str(ROOT)], "--natural": [str(folder / "list.toml")]}
             named["--ties"] = [str(folder / "ties.toml")] if "LIST.toml" in rest else []
@@ -241,6 +241,8 @@ def test_that_a_documented_command_runs(command, place):
             assert f'"{tool}", "{verb}"' in (ROOT / "packaging" / "wheel.py").read_text() or (
                 f'{tool} {verb}"' in (ROOT / "packaging" / "wheel.py").read_text()
             )
+        case ["python", "-m", "ribalta_rocking"]:  # tests/test_one_package.py and packaging/wheel.py run it
+            assert '"ribalta_rocking", "--version"' in (ROOT / "tests" / "test_one_package.py").read_text()
         case ["python3" | ".venv/bin/python", script, *_] if script.startswith("packaging/"):
             tried((sys.executable, "-P", str(ROOT / script), "--help"), place)
         case [".venv/bin/python", "-m", "tests.reference_of_keys"]:
