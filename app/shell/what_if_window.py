@@ -379,7 +379,8 @@ class WhatIfWindow(QDialog):
         wall, new = case.wall[self.row], moved.case.wall[0]
         sizes = ("thickness_m", "slenderness_deg", "height_over_thickness", "height_m", "load")
         walls = list(case.wall)
-        walls[self.row] = replace(wall, **{key: getattr(new, key) for key in sizes})
+        kept = {key: getattr(new, key) for key in sizes}
+        walls[self.row] = replace(wall, **kept | {"load": new.load[: len(wall.load)]})  # those of floors stay theirs
         case = replace(case, wall=tuple(walls))
         if "ag_g" in self.values:
             case = replace(case, demand=replace(known(case.demand), ag_g=self.values["ag_g"]))

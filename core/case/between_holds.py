@@ -27,14 +27,11 @@ def spans_of(wall: Wall) -> tuple[tuple[float, float], ...]:
     high as thick. What it drags along of return walls is no part of them. Empty of a corner and of oblique or dragged
     solids, and where more than weights acts below the highest tie (a thrust there goes into it), or a tie has slack."""
     ties = sorted({load.h_m for load in wall.load if load.is_tie})
-    if not ties or any(load.slack_mm for load in wall.load) or wall.thickness is None:
+    if not ties or wall.thickness is None or presses_between(wall):
         return ()
     if wall.mechanism != "one_sided" or wall.return_walls is not None or not _is_one_sheet(wall):
         return ()
-    others = [load.h_m for load in wall.load if load.kind not in ("vertical", "tie")]
     least = MIN_SLENDERNESS * wall.thickness
-    if any(height < ties[-1] for height in others):
-        return ()
     holds = _holds(wall, ties)
     lows = sorted({0.0, *ties, *(load.h_m for load in wall.load if load.is_weight)})
     pairs = tuple(
@@ -47,6 +44,13 @@ def spans_of(wall: Wall) -> tuple[tuple[float, float], ...]:
         return pairs
     turning = at_yield(wall)
     return tuple(pair for pair in pairs if turning >= MIN_SHARE_OF_BENDING * bending(between(wall, *pair).in_si).alpha0)
+
+
+def presses_between(wall: Wall) -> bool:
+    """Whether something acts below the highest tie of a wall that no stretch is looked at with, or a tie has slack."""
+    highest = max((load.h_m for load in wall.load if load.is_tie), default=0.0)
+    others = (load.h_m for load in wall.load if load.kind not in ("vertical", "tie"))
+    return any(load.slack_mm for load in wall.load) or any(height < highest for height in others)
 
 
 def _is_one_sheet(wall: Wall) -> bool:
@@ -185,5 +189,8 @@ def _above(wall: Wall, height: float) -> tuple[float, float]:
         over = known(wall.unit_weight_kn_m3) * known(wall.thickness) * (known(wall.height_m) - height)
         return over, 0.5 * known(wall.thickness)
     cut = ((part, cut_above(part.polygon, height)) for part in parts)
-    body = together(part._replace(polygon=tuple(polygon)).body for part, polygon in cut if polygon)
-    return (1e-3 * G * body.mass / known(wall.length_m), body.centroid[0]) if body.mass > 0.0 else (0.0, 0.0)
+    bodies = [part._replace(polygon=tuple(polygon)).body for part, polygon in cut if polygon]
+    body = together(bodies) if bodies else None
+    if body is None or body.mass <= 0.0:  # the tie is at the top
+        return 0.0, 0.0
+    return 1e-3 * G * body.mass / known(wall.length_m), body.centroid[0]

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from core.case.loads import Load
+from core.case.schema import Case
 from core.case.site import Building, FloorLoad
 from core.case.spanning import spanning
 from core.case.wall import ARCHES, Wall
@@ -35,6 +36,16 @@ def _load(floor: FloorLoad, d: float, base: float) -> Load:
         q_kn_m=None if q is None else share * q,
         psi_2=floor.psi_2,
     )
+
+
+def by_itself(case: Case, k: int) -> Case:
+    """A case with one of its walls alone: what the rest of the building brings to it is its own load."""
+    building, wall = case.building, brought(case.wall[k], case.building)
+    if building is not None and building.floors:
+        case = replace(case, building=replace(building, floors=()))
+    if wall.arch is not None and wall.arch.corner_wall:
+        wall = replace(wall, arch=replace(wall.arch, corner_wall=""))
+    return replace(case, wall=(wall,))
 
 
 def with_thrust(wall: Wall) -> Wall:
@@ -68,10 +79,13 @@ def check_floors_on(wall: Wall, building: Building | None) -> None:
     """Raise InputError for a floor that cannot bear on a wall."""
     for here, floor in _placed(building):
         for d in floor.bears_on(wall.name):
-            if wall.base_z_m is None or wall.height_m is None or wall.thickness is None:
-                given = {"base_z_m": wall.base_z_m, "height_m": wall.height_m, "thickness_m": wall.thickness}
-                key = next(key for key, value in given.items() if value is None)
-                raise InputError("floor_needs", place=here, key=key, wall=wall.title)
+            given = {"base_z_m": wall.base_z_m, "height_m": wall.height_m, "thickness_m": wall.thickness}
+            given |= {"unit_weight_kn_m3": wall.unit_weight_kn_m3}
+            if missing := next((key for key, value in given.items() if value is None), None):
+                raise InputError("floor_needs", place=here, key=missing, wall=wall.title)
+            assert wall.base_z_m is not None and wall.height_m is not None and wall.thickness is not None
+            if wall.unloaded_confirmed:
+                raise InputError("floor_on_unloaded", place=here, key="unloaded_confirmed", wall=wall.title)
             low, high = wall.base_z_m, wall.base_z_m + wall.height_m
             if not low < floor.level_m <= high + 1e-9:
                 said = {"low": low, "high": high, "wall": wall.title}
@@ -80,6 +94,14 @@ def check_floors_on(wall: Wall, building: Building | None) -> None:
                 raise InputError(
                     "floor_off_face", place=here, key="from_d_m", found=d, most=wall.thickness, wall=wall.title
                 )
+
+
+def floor_at(wall: Wall, building: Building | None, number: int) -> FloorLoad | None:
+    """The floor that a load of `brought` comes from, by its number from 1; None of a load of the wall."""
+    floors = building.floors if building else ()
+    bearing = [floor for floor in floors for _ in floor.bears_on(wall.name)]
+    k = number - 1 - len(wall.load)
+    return bearing[k] if 0 <= k < len(bearing) else None
 
 
 class Together:
@@ -91,15 +113,14 @@ class Together:
         floors = building.floors if building else ()
         self.unseen = {name for floor in floors for name in (floor.from_wall, floor.to_wall) if name}
         self.pushed: list[tuple[Wall, str]] = []
-        self.corners: dict[str, float | None] = {}
+        self.corners: dict[str, list[tuple[float, float]]] = {}
 
     def saw(self, wall: Wall) -> None:
         """One more wall of the case."""
         self.unseen.discard(wall.name)
         corner, arch = wall.corner, wall.arch
         if corner is not None:
-            least = max(corner.thrust_1_kn_m, corner.thrust_2_kn_m)
-            self.corners[wall.name] = min(least, self.corners.get(wall.name) or least)
+            self.corners.setdefault(wall.name, []).append((corner.thrust_1_kn_m, corner.thrust_2_kn_m))
         if arch is not None and arch.corner_wall:
             self.pushed.append((wall, arch.corner_wall))
 
@@ -109,14 +130,19 @@ class Together:
             for key, name in (("from_wall", floor.from_wall), ("to_wall", floor.to_wall)):
                 if name in self.unseen:
                     raise InputError("wall_not_there", place=here, key=key, found=name)
+        thrusts: dict[str, dict[str, float]] = {}
         for wall, name in self.pushed:
             here = (place("wall", name=wall.title), place("arch"))
-            if (least := self.corners.get(name)) is None:
-                raise InputError(
-                    "corner_not_there", place=here, key="corner_wall", found=name, corner=Key("[wall.corner]")
-                )
-            if (thrust := _on_corner(wall)) > least + 1e-9:
-                said = {"found": least, "least": thrust, "corner": name, "one": Key("thrust_1_kn_m")}
+            if name not in self.corners:
+                said = {"found": name, "corner": Key("[wall.corner]")}
+                raise InputError("corner_not_there", place=here, key="corner_wall", **said)
+            of_corner = thrusts.setdefault(name, {})
+            of_corner[wall.name] = max(of_corner.get(wall.name, 0.0), _on_corner(wall))  # its variants are one wall
+            least, whole = max(of_corner.values()), sum(of_corner.values())
+            given = min(self.corners[name], key=max)
+            together = min(map(sum, self.corners[name]))
+            if least > max(given) + 1e-9 or whole > together + 1e-9:
+                said = {"found": together, "least": whole, "corner": name, "one": Key("thrust_1_kn_m")}
                 raise InputError("corner_thrust", place=here, key="corner_wall", other=Key("thrust_2_kn_m"), **said)
 
 

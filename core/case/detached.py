@@ -80,6 +80,8 @@ def check_leaf(wall: Wall) -> None:
     missing = [key for key in OF_CONNECTORS if getattr(leaf, key) is None]
     if missing and len(missing) < len(OF_CONNECTORS):
         raise InputError("leaf_connectors", place=here, key=missing[0], others=tuple(map(Key, OF_CONNECTORS)))
+    if leaf.connector_kn_m is not None and not wall.moment_law().is_rigid:
+        raise InputError("tie_needs_rigid_law", place=(here[0],), key="law")
     if leaf.row_spacing_m is not None and leaf.row_spacing_m > wall.height_m - BELOW_TOP:
         most = wall.height_m - BELOW_TOP
         raise InputError("leaf_rows", place=here, key="row_spacing_m", found=leaf.row_spacing_m, most=most)

@@ -22,8 +22,10 @@ def directions_of(wall: Wall) -> Iterator[tuple[str, Wall]]:
     for aspect, turned in _all_of(wall) if wall.all_directions else ():
         try:
             turned.restitution_of("two_sided")
-        except InputError:
-            continue
+        except InputError as error:
+            if error.code == "eq4_negative":
+                continue
+            raise error.at(place("wall", name=turned.name)) from None
         yield aspect, turned
 
 

@@ -14,7 +14,6 @@ from core.case.spanning import named_spanning, spanning, spans
 from core.case.wall import ARCHES, Wall
 from core.codes.vertical_bending import bending
 from core.errors import InputError, place
-from core.known import known
 from core.wall.solids import SNAP, changes, contact_at
 
 FLOORS, BASE = "floors", "base"
@@ -158,31 +157,52 @@ def parts_of(k: int, asked: Wall, building: Building | None) -> list[Part]:
     if whole.leaf is not None:
         leaf = as_leaf(whole)
         part = Part(k, asked, 0.0, leaf, None, aspect_of(whole.leaf), leaf)
-        made += _of_ties(part, _hinges_of_leaf(leaf, turning_hinges(whole, building)))
-    return made + [Part(k, asked, 0.0, turned, None, aspect, turned) for aspect, turned in directions_of(whole)]
+        made += _of_ties(part, _hinges_of_leaf(leaf, building))
+    for aspect, turned in directions_of(whole):
+        made += _of_ties(Part(k, asked, 0.0, turned, None, aspect, turned), turning_hinges(turned, building))
+    return made
 
 
 def _of_ties(part: Part, hinges: Sequence[float]) -> list[Part]:
     """A wall about its base and these hinges, and as it bends between its ties. part : the whole of it"""
     whole = part.wall
     turning = [replace(part, hinge=hinge, wall=with_thrust(above_hinge(whole, hinge))) for hinge in (0.0, *hinges)]
-    spans = _least_spans(whole) if part.aspect else spans_of(whole)
+    spans = _spans_of_leaf(whole) if part.aspect else spans_of(whole)
     return turning + [replace(part, hinge=low, wall=between(whole, low, high), top=high) for low, high in spans]
 
 
-def _least_spans(leaf: Wall) -> tuple[tuple[float, float], ...]:
-    """Of the many stretches between rows of connectors the one that starts to bend the soonest, and of those up to the
-    highest row too."""
-    spans = sorted(spans_of(leaf), key=lambda span: bending(between(leaf, *span).in_si).alpha0)
+MOST_ROWS, MOST_SPANS = 8, 6
+"""Rows of connectors above which a leaf is looked at, and stretches up to the highest of them: evenly spread where
+there are more, beside the one that starts the soonest."""
+
+
+def _spread(ordered: Sequence, most: int) -> list:
+    """So many of some values, evenly spread, the first and the last among them."""
+    if len(ordered) <= most:
+        return list(ordered)
+    return [ordered[round(k * (len(ordered) - 1) / (most - 1))] for k in range(most)]
+
+
+def _spans_of_leaf(leaf: Wall) -> list[tuple[float, float]]:
+    """Of the many stretches between rows of connectors those up to the highest row, and the one that starts to bend the
+    soonest."""
+    spans = spans_of(leaf)
     highest = max((high for _, high in spans), default=0.0)
-    return tuple(dict.fromkeys([*spans[:1], *[span for span in spans if span[1] == highest][:1]]))
+    kept = _spread(sorted(span for span in spans if span[1] == highest), MOST_SPANS)
+    soonest = sorted(spans, key=lambda span: bending(between(leaf, *span).in_si).alpha0)[:1]
+    return sorted({*kept, *soonest})
 
 
-def _hinges_of_leaf(leaf: Wall, hinges: Sequence[float]) -> list[float]:
-    """Hinges of the wall, and of the rows of connectors the one above which the leaf turns the soonest."""
-    rows = [load.h_m for load in leaf.load if load.is_tie and load.h_m <= known(leaf.height_m) - MIN_HEIGHT_ABOVE]
-    weakest = sorted(rows, key=lambda row: at_yield(above_hinge(leaf, row)))[:1]
-    return sorted({*hinges, *weakest})
+def _hinges_of_leaf(leaf: Wall, building: Building | None) -> list[float]:
+    """The usual hinges of a leaf, its rows of connectors among them, and those that are asked for."""
+    asked = leaf.hinge_heights
+    given = asked if asked is not None and not isinstance(asked, str) else ()
+    rows = {load.h_m for load in leaf.load if load.is_tie}
+    usual = usual_hinges(leaf, building)
+    there = [height for height in usual if height in rows]
+    soonest = sorted(there, key=lambda row: at_yield(above_hinge(leaf, row)))[:1]
+    others = [height for height in usual if height not in rows]
+    return sorted({*given, *others, *_spread(there, MOST_ROWS), *soonest})
 
 
 def count_of(asked: Wall, building: Building | None) -> int:

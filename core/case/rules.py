@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 from core.case.above_hinge import numbers_above
 from core.case.back_restraint import names_something, says_gone
-from core.case.between_holds import spans_of
-from core.case.brought import Together, check_floors, check_floors_on
+from core.case.between_holds import presses_between, spans_of
+from core.case.brought import Together, brought, check_floors, check_floors_on, floor_at
 from core.case.detached import check_leaf
 from core.case.directions import check_directions
 from core.case.hazard_table import check_rising
@@ -159,10 +159,14 @@ def draft_case(table: dict) -> Case:
 
 
 class Accepted(NamedTuple):
-    """A wall that breaks no rule of its own or with the rest of its case. beside : `beside_walls` then; hinges : about
-    which it turns; above : names of its parts above them; heights : above the ground at which they are felt [m]"""
+    """A wall that breaks no rule of its own or with the rest of its case.
+
+    whole : with the floors that bear on it; beside : `beside_walls` then; hinges : about which it turns
+    above : names of its parts above them; heights : above the ground at which they are felt [m]
+    """
 
     wall: Wall
+    whole: Wall
     beside: tuple
     hinges: tuple[float, ...]
     above: tuple[str, ...]
@@ -193,7 +197,8 @@ def with_walls(case: Case, walls: list[Wall], accepted: dict[int, Accepted] | No
         together.saw(wall)
         known = accepted.get(id(wall))
         if known is not None and known.beside is not beside:
-            same = known.hinges == tuple(turning_hinges(wall, case.building))
+            same = known.whole == brought(wall, case.building)
+            same = same and known.hinges == tuple(turning_hinges(wall, case.building))
             known = known._replace(beside=beside) if same else None
         if known is None:
             known = _accepted(k, wall, case.building, names, beside)
@@ -217,16 +222,20 @@ def _accepted(k: int, wall: Wall, building: Building | None, names: set[str], be
     heights = (part.wall.felt_z_m for part in parts if part.wall.above_ground)
     above = tuple(part.wall.name for part in parts if not part.is_whole)
     hinges = tuple(part.hinge for part in parts[1:] if part.turns)
-    return Accepted(wall, beside, hinges, above, frozenset(z for z in heights if z is not None))
+    felt = frozenset(z for z in heights if z is not None)
+    return Accepted(wall, brought(wall, building), beside, hinges, above, felt)
 
 
 def check_part(part: Part) -> None:
     """Raise InputError for a part of a wall that does not stand, or cannot be as the wall is asked to be."""
     wall, whole = part.wall, part.body
     try:
-        check_loads(wall, numbers_above(whole, part.hinge), bends=bool(part.aspect) or bool(spans_of(whole)))
+        bends = bool(spans_of(whole)) or (bool(part.aspect) and not presses_between(whole))
+        check_loads(wall, numbers_above(whole, part.hinge), bends=bends)
     except InputError as error:
-        corner = whole.corner
+        corner, leaf = whole.corner, part.asked.leaf
+        if error.code == "tie_too_strong" and part.aspect and leaf is not None:
+            raise InputError("leaf_held", place=(place("wall", name=part.asked.title), place("leaf"))) from None
         if error.code != "unstable_under_loads" or corner is None or not corner.is_pushed:
             raise
         raise InputError("corner_pushed_over", place=error.place, key="corner_wall") from None
@@ -293,10 +302,26 @@ def _check_beside(case: Case, wall: Wall) -> None:
         )
     check_hinges(wall, case.building)
     check_floors_on(wall, case.building)
+    if (whole := brought(wall, case.building)) is not wall:
+        _check_with_floors(wall, whole, case.building)
     if case.demand and wall.base_z_m is None:
         raise InputError("base_missing", place=(place("wall", name=wall.title),), key="base_z_m")
     if case.demand:
         check_confidence(case.demand, wall)
+
+
+def _check_with_floors(wall: Wall, whole: Wall, building: Building | None) -> None:
+    """Refuse a wall that breaks a rule of its own with the floors that bear on it. whole : with them"""
+    try:
+        _check_alone(whole)
+    except InputError as error:
+        for k, there in enumerate(error.place):
+            number = dict(getattr(there, "values", ())).get("n") if getattr(there, "code", "") == "load" else None
+            floor = floor_at(wall, building, number) if isinstance(number, int) else None
+            if floor is not None and building is not None:
+                named = place("floor", n=building.floors.index(floor) + 1, name=floor.name)
+                error.place = (*error.place[:k], named, *error.place[k + 1 :])
+        raise
 
 
 def _check_reasons(wall: Wall) -> None:
@@ -312,7 +337,7 @@ def _check_reasons(wall: Wall) -> None:
 def _check_exact(case: Case, wall: Wall) -> None:
     """Refuse a method that has no bars and no unlike sides, and a statement of accuracy by such methods."""
     method, here = case.analysis.method, (section("[analysis]"),)
-    if any(load.is_tie for load in wall.load):
+    if any(load.is_tie for load in wall.load) or (wall.leaf is not None and wall.leaf.connector_kn_m):
         if method not in TIE_METHODS:
             raise InputError("tie_method", place=here, key="method", found=method)
         if case.analysis.accuracy:

@@ -132,7 +132,7 @@ class FloorLoad:
     from_wall: str = text_key(MISSING)
     from_d_m: float = number_key(0.0, 20.0, MISSING, unit="m")
     span_m: float = number_key(0.5, 50.0, MISSING, unit="m")
-    g_kn_m2: float = number_key(0.0, 100.0, MISSING, unit="kN/m2")
+    g_kn_m2: float = number_key(0.0, 100.0, MISSING, unit="kN/m2", exclusive=True)
     mass: str = choice_key("none", "horizontal")
     to_wall: str = text_key()
     to_d_m: float | None = number_key(0.0, 20.0, unit="m")

@@ -7,23 +7,7 @@ from core.case.writer import dumps
 from core.errors import InputError, place
 from core.version import line
 
-SCRIPT = '''"""{title}: the case and its run, as of {line}."""
-
-import tomllib
-
-try:
-    import ribalta_rocking as ribalta
-except ImportError:  # in the folder of the program
-    import core.api as ribalta
-
-CASE = {text}
-result = ribalta.run(ribalta.case(tomllib.loads(CASE)), base_dir={base_dir!r})
-for one in ribalta.verdicts(result):
-    print(one["wall"], one["code"], "zeta", one["zeta_e"])
-table = ribalta.table(result)  # a row for each mechanism: pandas.DataFrame(table)
-for name, mechanism, q, zeta in zip(*(table[key] for key in ("name", "mechanism", "q_set", "zeta_e")), strict=True):
-    print(name, mechanism, "q", q, "zeta", zeta)
-'''
+TEMPLATE = Path(__file__).resolve().parents[2] / "resources" / "templates" / "case_script.py"
 
 
 def case_script(case: Case, base_dir: Path) -> str:
@@ -35,4 +19,7 @@ def case_script(case: Case, base_dir: Path) -> str:
     content = dumps(case)
     text = repr(content) if '"""' in content or "\\" in content else f'"""\\\n{content.rstrip()}\n"""'
     title = " ".join(case.title.replace('"', "'").replace("\\", "/").split())
-    return SCRIPT.format(title=title, line=line(), text=text, base_dir=str(base_dir))
+    script = TEMPLATE.read_text(encoding="utf-8")
+    for place_of, words in (('"{base_dir}"', repr(str(base_dir))), ("{title}", title), ("{line}", line())):
+        script = script.replace(place_of, words)
+    return script.replace('"{text}"', text)

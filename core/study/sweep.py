@@ -5,6 +5,7 @@ from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any
 
+from core.case.brought import by_itself
 from core.case.held_top import with_top_loads
 from core.case.loads import Bars, Load, ReturnWalls
 from core.case.rules import parse_case
@@ -107,7 +108,8 @@ def with_value(case: Case, k: int, key: SweepKey, value: float) -> Case:
     """The case with the k-th wall alone and another value of a key; another way to give the same size goes, and no tie
     is sought. Raises InputError where a rule is broken."""
     designed: dict[str, Any] = {e.name: None for e in fields(Wall) if e.name.startswith(OF_A_TIE_TO_DESIGN)}
-    wall = replace(case.wall[k], **designed)
+    case = by_itself(case, k)
+    wall = replace(case.wall[0], **designed)
     changed = replace(_holder(case, wall, key), **{key.name: value})
     if key.section is Wall:
         others = next((keys for keys in ALTERNATIVES if key.name in keys), ())

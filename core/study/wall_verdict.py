@@ -1,5 +1,6 @@
 """One verdict for each wall: the worst of its hinges and mechanisms, at every limit state."""
 
+from core.case.brought import brought
 from core.case.hinges import usual_hinges
 from core.case.schema import Case
 from core.case.site import Demand
@@ -109,7 +110,7 @@ def by_severity(verdicts: tuple[WallVerdict, ...], walls) -> list[WallVerdict]:
 def _left_out(asked: Wall, case: Case, walls, indices) -> list[Sentence]:
     """Heights at which a mechanism may start and that were not checked."""
     checked = {round(walls[k].part.hinge, 3) for k in indices if walls[k].part.turns}
-    usual = [h for h in usual_hinges(asked, case.building) if round(h, 3) not in checked]
+    usual = [h for h in usual_hinges(brought(asked, case.building), case.building) if round(h, 3) not in checked]
     if not usual:
         return []
     heights = tuple(Number(height, ".4g") for height in usual)

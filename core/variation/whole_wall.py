@@ -6,6 +6,7 @@ from functools import cached_property
 from pathlib import Path
 
 from core.capacity.limit_states import LIMIT_FRACTION
+from core.case.brought import by_itself
 from core.case.rules import with_walls
 from core.case.schema import Case
 from core.case.site import FULL_FACTOR
@@ -91,7 +92,8 @@ class Setting:
 
 def setting_of(case: Case, k: int, base_dir: Path, inputs: Inputs, histories: Callable = demand_check) -> Setting:
     """Setting of the k-th wall of a case with a demand; no tie is sought."""
-    wall = replace(case.wall[k], tie_height_m=None, tie_bar_length_m=None, tie_elongation_m=None, tie_spacing_m=None)
+    case = by_itself(case, k)
+    wall = replace(case.wall[0], tie_height_m=None, tie_bar_length_m=None, tie_elongation_m=None, tie_spacing_m=None)
     # whether an FC below 1.35 is founded was judged; a strength that is moved is no tested one
     demand = replace(case.demand, confidence_factor=FULL_FACTOR) if case.demand else None
     analysis = replace(case.analysis, accuracy=False)

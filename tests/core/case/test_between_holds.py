@@ -255,3 +255,14 @@ def test_that_a_facade_leaning_outward_bends_the_sooner():
         part = between(wall, *span)
         alphas.append(min(bending(one.in_si).alpha0 for one in (part, bent_inward(part))))
     assert alphas == sorted(alphas, reverse=True) and alphas[0] > alphas[-1]
+
+
+@pytest.mark.parametrize("shape", [{"openings": [{"s_m": 2.0, "z_m": 1.0, "width_m": 1.0, "height_m": 1.4}]},
+                                   {"steps": [{"from_z_m": 3.0, "thickness_m": 0.4}]}, {"out_of_plumb_m": 0.05},
+                                   {"gable_m": 1.5}])  # fmt: skip
+def test_that_a_tie_at_the_very_top_holds_a_wall_of_any_shape(shape):
+    wall = wall_of({**TIE, "h_m": 7.5}, **shape, unloaded_confirmed=False)
+    for span in spans_of(wall):
+        part = between(wall, *span)
+        assert bending(part.in_si).alpha0 > 0.0
+        assert span[1] < 7.5 or not part.load

@@ -8,13 +8,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from core.case.brought import by_itself
 from core.case.hinges import count_of, parts_of
 from core.case.reader import read_case
-from core.case.rules import parse_case
+from core.case.rules import parse_case, with_walls
+from core.case.site import FloorLoad
+from core.case.wall import Wall
 from core.case.writer import dumps
 from core.codes.kinematic_chain import chain
 from core.errors import InputError
 from core.study.run import run
+from core.study.sweep import SweepKey, with_value
 
 NORTH = {"name": "north", "mechanism": "one_sided", "height_m": 7.0, "thickness_m": 0.5, "length_m": 8.0}
 NORTH |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "back_restraint": "other", "restraint_note": "floors tied"}
@@ -148,3 +152,88 @@ def test_that_a_corner_that_does_not_stand_the_thrust_says_so():
 def test_that_a_tie_along_the_wall_takes_what_a_corner_then_does_not():
     tied = ARCH | {"tie_kn_m": 40.0, "tie_bar_length_m": 5.0, "tie_elongation_m": 0.1}
     assert case_of(SPANS | {"arch": tied}, CORNER, building=BARE)
+
+
+def test_that_two_walls_that_span_to_a_corner_both_push_it_in_every_variant():
+    with pytest.raises(InputError) as refused:
+        case_of(SPANS, CORNER, building=BARE)
+    least = refused.value.values["least"]
+    pushed = {"corner": CORNER["corner"] | {"thrust_1_kn_m": least}}
+    assert case_of(SPANS, CORNER | pushed, building=BARE)
+    with pytest.raises(InputError) as refused:
+        case_of(SPANS, SPANS | {"name": "other"}, CORNER | pushed, building=BARE)
+    assert refused.value.code == "corner_thrust" and refused.value.values["least"] == pytest.approx(2.0 * least)
+    both = {"corner": CORNER["corner"] | {"thrust_1_kn_m": least, "thrust_2_kn_m": least}}
+    assert case_of(SPANS, SPANS | {"name": "other"}, CORNER | both, building=BARE)
+    variants = [CORNER | {"variant": "stato di fatto"}, CORNER | pushed | {"variant": "progetto"}]
+    for one, other in (variants, variants[::-1]):
+        with pytest.raises(InputError) as refused:
+            case_of(SPANS, one, other, building=BARE)
+        assert refused.value.code == "corner_thrust"
+
+
+HELD = NORTH | {"name": "held", "mechanism": "vertical_bending", "height_m": 6.0, "thickness_m": 0.4}
+HELD |= {"back_restraint": "ring_beam", "restraint_evidence": "drawing", "restraint_kn_m": 3.0}
+ON_TOP = {"name": "roof", "level_m": 6.0, "span_m": 6.0, "g_kn_m2": 2.0, "mass": "none"}
+
+
+@pytest.mark.parametrize(
+    ("wall", "floor", "load"),
+    [
+        (HELD, ON_TOP | {"from_d_m": 0.3}, {"kn_m": 6.0, "d_m": 0.3, "h_m": 6.0}),
+        (
+            NORTH | {"height_m": 6.0, "hinge_heights": "base", "steps": [{"from_z_m": 3.0, "thickness_m": 0.3}]},
+            ON_TOP | {"from_d_m": 0.5},
+            {"kn_m": 6.0, "d_m": 0.5, "h_m": 6.0},
+        ),
+        (
+            NORTH | {"mechanism": "two_sided", "height_m": 6.0, "all_directions": True},
+            ON_TOP | {"from_d_m": 0.05},
+            {"kn_m": 6.0, "d_m": 0.05, "h_m": 6.0},
+        ),
+        (
+            {key: value for key, value in NORTH.items() if key != "unit_weight_kn_m3"} | {"height_m": 6.0},
+            ON_TOP | {"from_d_m": 0.3},
+            {"kn_m": 6.0, "d_m": 0.3, "h_m": 6.0},
+        ),
+    ],
+    ids=["hold", "body", "directions", "weight"],
+)
+def test_that_a_floor_is_refused_where_its_load_written_by_hand_is(wall, floor, load):
+    with pytest.raises(InputError) as by_hand:
+        case_of(wall | {"load": [{"kind": "vertical", "mass": "none", **load}]}, building=BARE)
+    with pytest.raises(InputError) as of_floor:
+        case_of(wall, building=BUILDING | {"floors": [floor | {"from_wall": wall["name"]}]})
+    codes = by_hand.value.code, of_floor.value.code
+    assert codes[0] == codes[1] or codes == ("loads_need_weight", "floor_needs")
+    assert "load 1" not in str(of_floor.value)
+
+
+def test_that_a_floor_on_a_wall_that_says_it_bears_nothing_is_refused():
+    with pytest.raises(InputError) as refused:
+        case_of(NORTH | {"unloaded_confirmed": True}, SOUTH)
+    assert refused.value.code == "floor_on_unloaded"
+
+
+def test_that_one_wall_alone_has_its_floors_as_its_own_loads():
+    """For sensitivities and sweeps: the other walls of its floors are not there."""
+    case = case_of(demand=DEMAND)
+    for k in (0, 1):
+        alone = by_itself(case, k)
+        assert not alone.building.floors and alone.wall == (parts_of(k, case.wall[k], case.building)[0].body,)
+        with_walls(alone, list(alone.wall))
+        assert [part.wall for part in parts_of(0, alone.wall[0], alone.building)] == [
+            part.wall for part in parts_of(k, case.wall[k], case.building)
+        ]
+    swept = with_value(case, 0, SweepKey(Wall, "thickness_m", None), 0.7)
+    assert swept.wall[0].thickness == 0.7 and len(swept.wall[0].load) == 1
+
+
+def test_that_what_was_accepted_is_looked_at_again_where_a_floor_comes_to_bear_on_it():
+    kept = {}
+    wall = NORTH | {"hinge_heights": "base", "hinge_setback_m": 0.1}
+    case = with_walls(case_of(wall, building=BARE), list((bare := case_of(wall, building=BARE)).wall), kept)
+    heavy = FloorLoad("roof", 7.0, "north", 0.0, 40.0, 100.0, "none")
+    with pytest.raises(InputError) as refused:
+        with_walls(replace(case, building=replace(bare.building, floors=(heavy,))), list(bare.wall), kept)
+    assert refused.value.code == "unstable_under_loads"

@@ -89,3 +89,38 @@ def test_that_a_leaf_no_wall_has_is_refused(changes, code):
     with pytest.raises(InputError) as refused:
         parse_case({"wall": [table]})
     assert refused.value.code == code
+
+
+def test_that_what_acts_between_strong_connectors_is_refused_as_by_hand():
+    """A thrust, a mass, a slack tie below the highest row: no stretch is looked at, and no leaf passes for that."""
+    strong = {"thickness_m": 0.12, "connector_kn_m": 20.0, "row_spacing_m": 5.9, "slip_mm": 5.0}
+    assert any(part.top is not None for part in leaves_of(strong))
+    slack = {"kind": "tie", "kn_m": 0.1, "h_m": 3.0, "bar_length_m": 8.0, "slack_mm": 5.0}
+    between = {"kind": "thrust", "kn_m": 0.01, "h_m": 1.0}
+    for load in (between, COPING | {"h_m": 1.0, "kn_m": 0.01, "d_m": 0.06}, slack):
+        with pytest.raises(InputError) as refused:
+            leaves_of(strong, load=[load])
+        assert refused.value.code == "leaf_held"
+
+
+def test_that_a_leaf_has_the_hinges_of_a_wall_of_its_thickness():
+    tall = {"height_m": 12.0, "thickness_m": 1.2}
+    building = {"height_m": 12.0, "storeys": 4, "period_s": 0.35}
+    table = {"demand": DEMAND, "building": building}
+    leaf = run(clauses_alone({"wall": [WALL | tall | {"leaf": {"thickness_m": 0.2}}], **table}), base_dir=Path())
+    alone = run(clauses_alone({"wall": [WALL | tall | {"thickness_m": 0.2}], **table}), base_dir=Path())
+    assert leaf.verdicts[0].zeta_least == alone.verdicts[0].zeta_least
+
+
+@pytest.mark.parametrize(
+    ("changes", "case", "code"),
+    [
+        ({"law": {"elastic_limit": 0.05, "plateau_end": 0.3}}, {}, "tie_needs_rigid_law"),
+        ({}, {"analysis": {"method": "linearised"}}, "tie_method"),
+        ({}, {"analysis": {"accuracy": True}}, "tie_accuracy"),
+    ],
+)
+def test_that_connectors_are_ties_for_laws_and_methods(changes, case, code):
+    with pytest.raises(InputError) as refused:
+        parse_case({"wall": [{**WALL, "leaf": LEAF, "hinge_heights": "base", **changes}], **case})
+    assert refused.value.code == code

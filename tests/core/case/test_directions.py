@@ -100,3 +100,25 @@ def test_that_a_body_known_in_one_direction_alone_is_refused(changes, code):
     with pytest.raises(InputError) as refused:
         parse_case({"wall": [table]})
     assert refused.value.code == code
+
+
+def test_that_no_direction_goes_for_another_reason_than_that_it_does_not_rock():
+    """The hinge over a corner moves inward with the root of the setback: too far is refused, not passed by."""
+    square = {"thickness_m": 0.5, "length_m": 0.5, "height_m": 2.4}
+    assert len(walls_of(**square, hinge_setback_m=0.14)) == 3
+    with pytest.raises(InputError) as refused:
+        walls_of(**square, hinge_setback_m=0.145)
+    assert refused.value.code == "setback_too_large" and "45°" in str(refused.value)
+
+
+def test_that_thickness_and_length_may_change_places():
+    """Above a hinge too: each direction has the hinges of its own wall."""
+    load = {"kind": "carried_mass", "h_m": 0.67}
+    building = {"height_m": 15.0, "storeys": 5, "period_s": 0.4}
+    zetas = []
+    for t, length in ((0.42, 0.45), (0.45, 0.42)):
+        wall = PINNACLE | {"height_m": 3.79, "thickness_m": t, "length_m": length, "base_z_m": 3.0}
+        wall |= {"elastic_modulus_mpa": 1000.0, "load": [load | {"kn_m": 3.26 / length, "d_m": 0.5 * t}]}
+        result = run(clauses_alone({"wall": [wall], "building": building, "demand": DEMAND}), base_dir=Path())
+        zetas.append(result.verdicts[0].zeta_least)
+    assert zetas[0] == pytest.approx(zetas[1], rel=1e-9)
