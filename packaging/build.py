@@ -16,6 +16,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT), str(ROOT / "packaging")]
+import contents  # noqa: E402
 import icon  # noqa: E402
 import kernels  # noqa: E402
 import libraries  # noqa: E402
@@ -114,12 +115,14 @@ def main() -> int:
             ship_machine_code(Path(name))
         return 0
     libraries.refuse_missing_tools()
+    libraries.refuse_missing_of_qt()
     make_parts()
     freeze()
     libraries.refuse_missing(INTERNAL)
     libraries.strip(INTERNAL)
     qt = "_internal/PySide6/Qt/lib" if sys.platform != "win32" else "_internal/PySide6"
     found = licences.gather(WORK / "ribalta", FOLDER / "licences", VERSION, qt)
+    contents.refuse_foreign(part.name for part in found)
     print(f"licences of {len(found)} parts, parts list: licences/sbom.cdx.json")
     ship_machine_code(INTERNAL / "kernels")
     print_sizes(products.make())

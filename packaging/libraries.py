@@ -36,6 +36,18 @@ def refuse_missing_tools() -> None:
     get_python_library_path()  # ends with its own sentence
 
 
+def refuse_missing_of_qt() -> None:
+    """End the build with one sentence, before it begins, where a library that Qt needs is not on this machine: what is
+    not there is not packed."""
+    if not LINUX:
+        return
+    from app.terminal.system_libraries import ALWAYS, ON_X11, missing
+
+    if lacking := missing(ALWAYS | ON_X11):
+        packages = " ".join(dict.fromkeys(package.apt for package in lacking.values()))
+        raise SystemExit(f"the build needs {', '.join(lacking)}: install {packages} (names of Debian) and build again")
+
+
 @functools.cache
 def _dynamic(file: str) -> str:
     return subprocess.run(["objdump", "-p", file], capture_output=True, text=True).stdout

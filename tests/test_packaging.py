@@ -208,3 +208,40 @@ def test_that_the_classifiers_are_those_of_the_table():
     for row in platforms.SYSTEMS:
         assert row["system"].lower() in systems.lower()
     assert project["authors"] and project["keywords"]
+
+
+@pytest.mark.shows("install.contents")
+def test_that_only_packages_of_the_groups_of_the_program_are_packed(monkeypatch):
+    contents = of_packaging("contents", monkeypatch)
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    allowed = contents.allowed()
+    asked = [
+        *project["dependencies"],
+        *(one for g in contents.PACKED[1:] for one in project["optional-dependencies"][g]),
+    ]
+    assert {contents.plain(re.match(r"[\w.-]+", one)[0]) for one in asked} <= allowed
+    others = contents.of_groups(
+        (ROOT / "requirements.lock").read_text(), ("test", "bench", "scheduler", "parquet", "docs")
+    )
+    for name in ("jaxlib", "distributed", "tornado", "ml-dtypes", "pyarrow", "sphinx", "hypothesis"):
+        assert name in others and name not in allowed
+    foreign = contents.foreign_modules()
+    assert {"pytest", "hypothesis", "ruff", "distributed"} & set(foreign)
+    assert not {"numpy", "numba", "openpyxl", "tomlkit", "scipy", "matplotlib", "PySide6", "packaging"} & set(foreign)
+    contents.refuse_foreign(["numpy", "Python", "pyinstaller", "libxcb1"])
+    with pytest.raises(SystemExit) as ended:
+        contents.refuse_foreign(["numpy", "hypothesis"])
+    assert "hypothesis" in str(ended.value) and "numpy" not in str(ended.value).split(":")[1]
+
+
+def test_that_what_the_system_lacks_is_said_before_the_build_begins(monkeypatch):
+    libraries = of_packaging("libraries", monkeypatch)
+    from app.terminal import system_libraries
+
+    monkeypatch.setattr(libraries, "LINUX", True)
+    icccm = system_libraries.ON_X11["libxcb-icccm.so.4"]
+    monkeypatch.setattr(system_libraries, "missing", lambda asked: {"libxcb-icccm.so.4": icccm})
+    with pytest.raises(SystemExit, match="libxcb-icccm.so.4: install libxcb-icccm4"):
+        libraries.refuse_missing_of_qt()
+    build = (PACKAGING / "build.py").read_text()
+    assert build.index("refuse_missing_of_qt()") < build.index("    freeze()")
