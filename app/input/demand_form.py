@@ -25,6 +25,7 @@ from app.work.session import Session
 from core.case.place import OF_SPECTRUM, placed
 from core.case.schema import Analysis, Report
 from core.case.site import Demand, Spectrum, least_factor
+from core.codes.annexes import ANNEXES, annex
 from core.codes.demand import unusual
 from core.codes.limits import EXCEEDANCE
 from core.codes.target_spectrum import Target
@@ -120,7 +121,7 @@ class DemandForm(QWidget):
         if self.place is not None:
             self.place.forget()
         self.last: tuple | None = None
-        self.spectra = {code: Spectrum(code, "") for code in ("NTC2018", "EN1998")}  # "": not given yet
+        self.spectra = {code: Spectrum(code, "") for code in ("NTC2018", "EN1998", *ANNEXES)}  # "": not given yet
 
     def _make_spectrum(self) -> None:
         """How the spectrum is given, with what is said of it."""
@@ -133,6 +134,7 @@ class DemandForm(QWidget):
             ("none", tr("no spectrum, S given")),
             ("NTC2018", "NTC 2018"),
             ("EN1998", "EN 1998-1"),
+            *((code, annex(code)["name"]) for code in ANNEXES),
             ("file", tr("spectrum of a file")),
         ):
             self.kind.addItem(shown, name)

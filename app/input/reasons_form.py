@@ -106,7 +106,7 @@ def _of_the_place(demand: Demand) -> dict[str, bool]:
     below = {key: is_number(value) and value < least[key] for key, value in given.items()}
     return below | {
         "nominal_life_years": known and is_number(life) and is_number(share) and life * share < ORDINARY_LIFE,
-        "spectrum": known and (code == "EN1998" or bool(demand.spectrum_file)),
+        "spectrum": known and (code.startswith("EN1998") or bool(demand.spectrum_file)),
     }
 
 

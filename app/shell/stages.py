@@ -87,6 +87,7 @@ def name_sections() -> None:
             "[wall.arch]": tr("Span between the transverse walls (horizontal bending)"),
             "NTC2018": "NTC 2018",
             "EN1998": "EN 1998-1",
+            "EN1998-ES": "EN 1998-1, Spain",
             **{f"[[load]] {k}": place("load", n=k).text(current_language()) for k in range(1, 100)},
         }
     )

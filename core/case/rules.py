@@ -452,7 +452,7 @@ def _check_select(case: Case) -> None:
 def check_code_keys(asked, here) -> None:
     """Refuse a spectrum of a code without the keys of that code, or with those of another."""
     for entry in fields(Spectrum):
-        code, given = entry.metadata.get("code"), getattr(asked, entry.name) is not None
+        code, given = entry.metadata.get("code"), getattr(asked, entry.name, None) is not None
         if code and given != (code == asked.code):
             problem = "code_needs" if code == asked.code else "code_does_not_take"
             raise InputError(problem, place=(here,), key=entry.name, code=Key(asked.code))

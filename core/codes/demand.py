@@ -33,7 +33,7 @@ class DemandResult:
     intensity : SI [m] or None
     intensity_source : given, spectrum, records_scaled or None
     target : elastic spectrum or None
-    spectrum_code : NTC2018 or EN1998, the code of the target; None for a spectrum of a file or none
+    spectrum_code : NTC2018, EN1998 or an annex of it, the code of the target; None for a spectrum of a file or none
     confidence_on : capacity or demand
     record_scaling : as_given or pga
     period_range : asked for the check of compatibility [s], None where none is

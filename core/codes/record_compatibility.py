@@ -121,7 +121,8 @@ def within(periods: np.ndarray, ends: tuple[float, float]) -> np.ndarray:
 
 def deciding_codes(demand: DemandResult) -> set[str]:
     """Codes whose rules decide: of a spectrum of a file, which names no code, both."""
-    return {demand.spectrum_code[:-4]} if demand.spectrum_code else {"EN", "NTC"}
+    code = demand.spectrum_code
+    return {code[: code.index("1998" if code.startswith("EN") else "2018")]} if code else {"EN", "NTC"}
 
 
 def natural_bounds(demand: DemandResult) -> tuple[float, float, float]:

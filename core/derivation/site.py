@@ -1,6 +1,6 @@
 """Which quantities the demand of a case has, with the values of the program."""
 
-from core.codes.target_spectrum import EN_AMPLIFICATION, NTC_SOIL, NTC_TOPOGRAPHY, CodeSpectrum, shape_integral
+from core.codes.target_spectrum import NTC_SOIL, NTC_TOPOGRAPHY, CodeSpectrum, shape_integral
 from core.derivation import demand as of
 from core.derivation.body import GRAVITY
 from core.derivation.line import FULL, INPUT, LIVE, RUN, VALUE, Line, Section, Word
@@ -53,8 +53,8 @@ def demand_section(result: StudyResult) -> Section:
 def _spectrum(result: StudyResult, target: CodeSpectrum) -> tuple[list[Line], dict[str, float]]:
     """Branches of the spectrum of a code; for NTC 2018 S and the periods are live."""
     asked = known(known(result.case.demand).spectrum)
-    if asked.code == "EN1998":
-        branches = ((of.F0, EN_AMPLIFICATION), (of.T_B, target.t_b), (of.T_C, target.t_c), (of.T_D, target.t_d))
+    if asked.code != "NTC2018":
+        branches = ((of.F0, target.amplification), (of.T_B, target.t_b), (of.T_C, target.t_c), (of.T_D, target.t_d))
         return [Line(given, value, RUN, VALUE) for given, value in branches], {}
     names = ("soil_a", "soil_b", "soil_low", "soil_high", "soil_c", "soil_d")
     constants = dict(zip(names, NTC_SOIL[asked.soil], strict=True))

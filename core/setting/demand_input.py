@@ -16,6 +16,7 @@ from core.case.number import parse_number
 from core.case.schema import Case, Generate
 from core.case.site import Demand, HazardRow
 from core.codes import target_spectrum
+from core.codes.annexes import ANNEXES, annex_spectrum
 from core.codes.demand import DemandResult
 from core.codes.limits import SAME_PERIOD, USUAL_LIVES, return_period
 from core.codes.record_compatibility import PERIOD_RANGE
@@ -50,6 +51,13 @@ def target_of(asked: Demand, base_dir: Path) -> Target | None:
         if chosen.type is None:
             raise KeyError("type")
         return target_spectrum.en1998(ag, chosen.type, chosen.soil)
+    if chosen.code in ANNEXES:
+        if chosen.vs30_m_s is None or chosen.contribution_k is None:
+            raise KeyError("vs30_m_s")
+        try:
+            return annex_spectrum(chosen.code, ag, chosen.soil, chosen.vs30_m_s, chosen.contribution_k)
+        except InputError as error:
+            raise error.at(section("[demand.spectrum]")) from None
     if chosen.f0 is None or chosen.tc_star_s is None or chosen.topography is None:
         raise KeyError("f0")
     return target_spectrum.ntc2018(ag, chosen.f0, chosen.tc_star_s, chosen.soil, chosen.topography)
