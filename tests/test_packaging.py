@@ -1,5 +1,6 @@
 """What is made beside the frozen program: licences of its parts, and one kind of file on three systems."""
 
+import hashlib
 import importlib.metadata
 import importlib.util
 import json
@@ -245,3 +246,48 @@ def test_that_what_the_system_lacks_is_said_before_the_build_begins(monkeypatch)
         libraries.refuse_missing_of_qt()
     build = (PACKAGING / "build.py").read_text()
     assert build.index("refuse_missing_of_qt()") < build.index("    freeze()")
+
+
+@pytest.mark.shows("install.recipes")
+def test_that_the_recipes_of_other_shops_are_of_this_release(monkeypatch, tmp_path):
+    """Read by a reader of YAML that is not their writer; the keys each schema requires, and hashes of the files."""
+    yaml = pytest.importorskip("yaml", reason="comes with myst-parser")
+    recipes = of_packaging("recipes", monkeypatch)
+    installer, sources = tmp_path / "ribalta-setup.exe", tmp_path / "ribalta_rocking.tar.gz"
+    installer.write_bytes(b"MZ installer")
+    sources.write_bytes(b"sources")
+    output = tmp_path / "recipes"
+    asked = [
+        "recipes.py",
+        "--address",
+        "https://example.org/ribalta/",
+        "--output",
+        str(output),
+        str(installer),
+        str(sources),
+    ]
+    monkeypatch.setattr(sys, "argv", asked)
+    assert recipes.main() == 0
+    manifests = [yaml.safe_load(path.read_text()) for path in sorted((output / "winget").glob("*.yaml"))]
+    assert {one["ManifestType"] for one in manifests} == set(recipes.OF_WINGET) and len(manifests) == 3
+    for one in manifests:
+        required = (*recipes.OF_WINGET[one["ManifestType"]], "ManifestType", "ManifestVersion")
+        assert all(one.get(key) for key in required) and str(one["PackageVersion"]) == VERSION
+        assert len(one.get("ShortDescription", "")) <= 256
+        for there in one.get("Installers", ()):
+            assert there["InstallerUrl"] == "https://example.org/ribalta/ribalta-setup.exe"
+            assert there["InstallerSha256"] == hashlib.sha256(b"MZ installer").hexdigest().upper()
+    recipe = yaml.safe_load(
+        (output / "conda-forge" / "recipe.yaml").read_text().replace("${{", "$((").replace("}}", "))")
+    )
+    assert recipe["schema_version"] == 1 and recipe["context"]["version"] == VERSION
+    assert recipe["source"]["sha256"] == hashlib.sha256(b"sources").hexdigest()
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    runs = {one.split()[0]: one for one in recipe["requirements"]["run"]}
+    for one in project["dependencies"]:
+        name = re.match(r"[\w.-]+", one)[0]
+        assert runs[name] == f"{name} {one[len(name) :]}"
+    assert {"pyside6", "matplotlib", "typst"} <= set(runs) and recipe["about"]["license"] == project["license"]
+    formula = (output / "homebrew" / "ribalta.rb").read_text()
+    assert formula.count("\n  def ") + formula.count(" do\n") + 1 == len(re.findall(r"^ *end$", formula, re.MULTILINE))
+    assert hashlib.sha256(b"sources").hexdigest() in formula and formula.startswith("class Ribalta < Formula\n")
