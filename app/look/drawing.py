@@ -13,6 +13,7 @@ from app.look import theme
 from app.look.body_drawing import BodyDrawing, complete, turned
 from app.look.language import number
 from app.look.plan_drawing import paint_plan, plan_of
+from core.case.detached import as_leaf
 from core.case.held_top import bent_inward
 from core.case.loads import Load
 from core.case.wall import ARCHES, BENDS, Wall
@@ -107,6 +108,17 @@ def arrows_of(wall: Wall, all_loads: Sequence[Load], height: float, thickness: f
     return drawn
 
 
+def leaf_lines(wall: Wall) -> list[list[tuple[float, float]]]:
+    """The inner face of the outer leaf of a wall, and its connectors: lines of (x outward of the middle, z) [m]."""
+    if wall.leaf is None:
+        return []
+    leaf = as_leaf(wall)
+    half, height = 0.5 * known(wall.thickness), known(wall.height_m)
+    face = half - known(leaf.thickness)
+    rows = [load.h_m for load in leaf.load if load.is_tie and load not in wall.load]
+    return [[(face, 0.0), (face, height)], *([(-half, row), (half, row)] for row in rows)]
+
+
 CLICK_MARGIN = 7.0
 """How close to a mark a click belongs to it [px]."""
 
@@ -148,6 +160,7 @@ class WallDrawing(QWidget):
         self.body = BodyDrawing()
         self.rotation = 0.0
         self._shown: tuple[Wall | None, list] = (None, [])
+        self.leaf: Sequence = ()
         self.least_extent = (0.0, 0.0)
         """Room [m] that it has at least: of another drawing beside it, so that both have one scale."""
         self.setMinimumSize(QSize(90, 120))
@@ -160,7 +173,7 @@ class WallDrawing(QWidget):
         self._shown = wall, list(hinges)
         self.size_of, self.arrows, self.bars, self.hinges = None, [], [], list(hinges)
         self.body = BodyDrawing()
-        self.bent, self.held, self.plan = Bent(), None, None
+        self.bent, self.held, self.plan, self.leaf = Bent(), None, None, ()
         if wall is not None:
             try:
                 all_loads, wall = wall.load, _with_loads_given(complete(wall))
@@ -172,6 +185,7 @@ class WallDrawing(QWidget):
                 self.body = BodyDrawing(wall, 0.5 * thickness)
                 self.arrows = arrows_of(wall, all_loads, height, thickness)
                 self.plan = plan_of(wall) if self.with_sizes else None
+                self.leaf = leaf_lines(wall) if self.with_sizes else ()
                 if wall.mechanism == BENDS:
                     self.bent = bent_blocks(mechanism := bending(wall.in_si))
                     self.held = HeldTop(mechanism.strip, strip_of(bent_inward(wall).in_si), mechanism.h1)
@@ -229,6 +243,8 @@ class WallDrawing(QWidget):
         painter.setPen(QPen(quiet, 1.2, Qt.PenStyle.DashLine))
         for block in self.bent.blocks if self.rotation == 0.0 and self.with_sizes else ():
             painter.drawPolyline([place(point) for point in block])
+        for line in self.leaf:
+            painter.drawPolyline([place(QPointF(x, y)) for x, y in line])
         painter.setBrush(QColor(theme.current.bad))
         painter.setPen(Qt.PenStyle.NoPen)
         for point in self.bent.hinges:

@@ -53,3 +53,18 @@ def test_that_what_holds_the_top_goes_with_the_mechanism_it_is_of(opened, applic
     assert opened.session.case.wall[0].restraint_kn_m is None
     assert not opened.walls.fields["restraint_kn_m"].isVisibleTo(opened.walls)
     assert opened.walls.mechanisms["horizontal_bending"].text().split() == ["horizontal", "bending"]
+
+
+def test_that_the_drawing_shows_the_leaf_and_its_connectors(opened, application):
+    from app.look.drawing import leaf_lines
+    from core.case.rules import parse_case
+    from tests.core.case.test_detached import LEAF, WALL
+
+    wall = parse_case({"wall": [{**WALL, "leaf": LEAF}]}).wall[0]
+    face, *rows = leaf_lines(wall)
+    assert [z for _, z in face] == [0.0, 6.0] and face[0][0] == 0.5 * 0.6 - 0.22
+    assert [row[0][1] for row in rows] == [1.5, 3.0, 4.5]
+    opened.walls.drawing.show_wall(wall)
+    with_leaf = opened.walls.drawing.grab().toImage()
+    opened.walls.drawing.show_wall(parse_case({"wall": [WALL]}).wall[0])
+    assert with_leaf != opened.walls.drawing.grab().toImage()
