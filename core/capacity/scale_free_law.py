@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from core.ground.response_spectrum import SCALED_PERIODS
 from core.wall.block import Block
 from core.wall.impact import Restitution
 from core.wall.moment_rotation import LAWS, MomentLaw
@@ -88,9 +89,26 @@ def law_value(coefficients, limit: float, pi, loss):
 
 
 def dimensionless_intensity(p2: float, intensity: float, pga: float) -> float:
-    """Pi = p^2 SI / PGA [-]; p2 [1/s2], SI [m], PGA [m/s2]: free of the scale of the motion, and of time and wall
-    scaled together."""
+    """Pi = p^2 SI / PGA [-]; p2 [1/s2], SI [m], PGA [m/s2]: free of the scale of the motion and of units. Not of time:
+    SI is of the fixed periods from 0.1 to 2.5 s, so that motion and wall stretched together, which leave q as it is,
+    change Pi (resources/docs/paper.md, section 3)."""
     return p2 * intensity / pga
+
+
+BANDS = {"two_sided": (0.2, 8.0), "one_sided": (0.2, 5.0)}
+"""Mechanism -> ends of the band of periods over 1/p of the intensity that is free of time. Chosen on the generated
+shapes and one half of the events of natural records, before the other half was looked at."""
+
+
+def scaled_intensity(p2: float, integral: np.ndarray, pga: float, mechanism: str) -> float:
+    """Lambda = p^2 / PGA times the integral of the pseudo-velocity from a/p to b/p [-]: free of the scale of the motion
+    and of time and wall stretched together, as q is.
+
+    p2 : [1/s2]; integral : `velocity_integral` of the motion [m]; pga [m/s2]; mechanism : whose band is taken
+    """
+    ends = np.array(BANDS[mechanism]) / math.sqrt(p2)
+    low, high = np.interp(ends, SCALED_PERIODS, integral)
+    return float(p2 * (high - low) / pga)
 
 
 def loss_ratio(block: Block, restitution: Restitution) -> float:

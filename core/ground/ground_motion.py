@@ -123,6 +123,11 @@ class GroundMotion:
         """SI [m], Eq. 11."""
         return response_spectrum.housner_intensity(self.acceleration, self.time_step)
 
+    @cached_property
+    def velocity_integral(self) -> np.ndarray:
+        """As of `response_spectrum.velocity_integral` [m]."""
+        return response_spectrum.velocity_integral(self.acceleration, self.time_step)
+
     def measure(self, cancelled=lambda: False) -> float:
         """Compute the intensity once, so that threads can do it side by side."""
         return self.housner_intensity

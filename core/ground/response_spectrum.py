@@ -16,6 +16,9 @@ HOUSNER_PERIODS = np.linspace(0.1, 2.5, 121)
 """Periods of the Housner intensity [s], every 0.02 s; a 0.1 s step would lose 1.1 %."""
 
 
+SCALED_PERIODS = np.geomspace(0.02, 12.0, 260)
+"""Periods [s] over which the pseudo-velocity is integrated for walls whose band of it follows their own time."""
+
 LANES = 32
 """Oscillators that follow the motion side by side."""
 
@@ -149,3 +152,9 @@ def housner_intensity(ground, dt) -> float:
     """SI [m], Eq. 11: integral of the 5 % pseudo-velocity from 0.1 to 2.5 s, not divided by 2.4."""
     velocity = pseudo_velocity_spectrum(ground, dt, HOUSNER_PERIODS)
     return float(np.trapezoid(velocity, HOUSNER_PERIODS))
+
+
+def velocity_integral(ground, dt) -> np.ndarray:
+    """Integral of the 5 % pseudo-velocity from the first of SCALED_PERIODS to each of them [m]."""
+    velocity = pseudo_velocity_spectrum(ground, dt, SCALED_PERIODS)
+    return np.concatenate([[0.0], np.cumsum(0.5 * (velocity[1:] + velocity[:-1]) * np.diff(SCALED_PERIODS))])

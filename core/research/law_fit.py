@@ -6,7 +6,15 @@ from itertools import product
 import numpy as np
 
 from core.capacity.regression import Agreement, agreement
-from core.capacity.scale_free_law import ScaleFreeLaw, dimensionless_intensity, fit_law, law_value, limit_of, loss_ratio
+from core.capacity.scale_free_law import (
+    ScaleFreeLaw,
+    dimensionless_intensity,
+    fit_law,
+    law_value,
+    limit_of,
+    loss_ratio,
+    scaled_intensity,
+)
 from core.research.paper_sets import MECHANISM
 from core.research.set_means import QUANTITIES, MotionValue, exact
 from core.wall.moment_rotation import LAWS
@@ -24,6 +32,7 @@ class Columns:
     pi: np.ndarray
     loss: np.ndarray
     velocity: np.ndarray
+    scaled: np.ndarray
     q: np.ndarray
     intensity: np.ndarray
     pga: np.ndarray
@@ -37,7 +46,7 @@ class Columns:
 def columns(values: list[MotionValue], mechanism: str, law: str, quantity: str, natural: bool) -> Columns:
     """Runs of a mechanism, law and quantity that have a number.
 
-    velocity : p PGV / PGA [-]
+    velocity : p PGV / PGA [-]; scaled : Lambda, `scaled_intensity` [-]
     default : whether the restitution is the one that follows the mechanism
     """
     rows, walls = [], {}
@@ -64,6 +73,7 @@ def columns(values: list[MotionValue], mechanism: str, law: str, quantity: str, 
                 dimensionless_intensity(p2, motion.housner_intensity, motion.pga),
                 loss,
                 np.sqrt(p2) * motion.pgv / motion.pga,
+                scaled_intensity(p2, motion.velocity_integral, motion.pga, mechanism),
                 number,
                 motion.housner_intensity,
                 motion.pga,
@@ -72,7 +82,7 @@ def columns(values: list[MotionValue], mechanism: str, law: str, quantity: str, 
             )
         )
     if not rows:
-        return Columns(*(np.zeros(0) for _ in range(10)))
+        return Columns(*(np.zeros(0) for _ in range(11)))
     return Columns(*map(np.array, zip(*rows, strict=True)))
 
 
@@ -87,15 +97,20 @@ def set_columns(runs: Columns) -> Columns:
     count = np.bincount(group)
     means = {
         name: np.bincount(group, weights=getattr(runs, name)) / count
-        for name in ("pi", "velocity", "q", "intensity", "pga")
+        for name in ("pi", "velocity", "scaled", "q", "intensity", "pga")
     }
     return Columns(**{name: means.get(name, values[first]) for name, values in vars(runs).items()})
 
 
 @dataclass(frozen=True)
 class LawFit:
-    """A fitted law with its quality. errors : of the coefficients, delete-one-shape jackknife; inside : agreement of
-    the fit itself; outside : of every shape by the fit without it; records, natural : of single motions."""
+    """A fitted law with its quality.
+
+    errors : of the coefficients, delete-one-shape jackknife
+    inside : agreement of the fit itself; outside : of every shape by the fit without it
+    records, natural : of single motions
+    scaled : coefficients of the same form in Lambda
+    """
 
     law: ScaleFreeLaw
     errors: tuple[float, ...]
@@ -105,6 +120,9 @@ class LawFit:
     natural: Agreement | None
     natural_velocity: Agreement | None
     outside_velocity: Agreement
+    natural_scaled: Agreement | None
+    outside_scaled: Agreement
+    scaled: tuple[float, ...]
 
 
 def left_out(sets: Columns, variable: np.ndarray, limit: float) -> tuple[np.ndarray, np.ndarray]:
@@ -131,14 +149,17 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
     errors = np.sqrt((n - 1) / n * ((without - without.mean(axis=0)) ** 2).sum(axis=0))
     by_velocity = fit_law(sets.velocity, sets.loss, sets.q, limit)
     _, velocity_predicted = left_out(sets, sets.velocity, limit)
+    by_scaled = fit_law(sets.scaled, sets.loss, sets.q, limit)
+    _, scaled_predicted = left_out(sets, sets.scaled, limit)
     inside = agreement(law_value(coefficients, limit, sets.pi, sets.loss), sets.q)
     outside = agreement(predicted, sets.q)
     records = agreement(law_value(coefficients, limit, runs.pi, runs.loss), runs.q)
     other = columns(values, mechanism, law, quantity, True)
-    natural = natural_velocity = None
+    natural = natural_velocity = natural_scaled = None
     if other.q.size:
         natural = agreement(law_value(coefficients, limit, other.pi, other.loss), other.q)
         natural_velocity = agreement(law_value(by_velocity, limit, other.velocity, other.loss), other.q)
+        natural_scaled = agreement(law_value(by_scaled, limit, other.scaled, other.loss), other.q)
     a0, a1, b0, b1 = coefficients
     made = ScaleFreeLaw(
         (round(a0, 3), round(a1, 3), round(b0, 3), round(b1, 3)),
@@ -157,6 +178,9 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
         natural,
         natural_velocity,
         agreement(velocity_predicted, sets.q),
+        natural_scaled,
+        agreement(scaled_predicted, sets.q),
+        by_scaled,
     )
 
 

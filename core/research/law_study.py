@@ -85,9 +85,11 @@ def _rival_table(values: list[MotionValue], fits: dict, say: Say) -> Table:
             continue
         add(mechanism, quantity, say("Π, shape left out"), fit.outside)
         add(mechanism, quantity, say("p PGV/PGA, shape left out"), fit.outside_velocity)
-        if fit.natural and fit.natural_velocity:
+        add(mechanism, quantity, say("Λ, shape left out"), fit.outside_scaled)
+        if fit.natural and fit.natural_velocity and fit.natural_scaled:
             add(mechanism, quantity, say("Π, natural records"), fit.natural)
             add(mechanism, quantity, say("p PGV/PGA, natural records"), fit.natural_velocity)
+            add(mechanism, quantity, say("Λ, natural records"), fit.natural_scaled)
         if quantity != "q":
             continue
         sets = set_columns(columns(values, mechanism, law, quantity, False))

@@ -8,10 +8,15 @@ import numpy as np
 import pytest
 
 from core.capacity import scale_free_law as law
+from core.capacity.ida import Search, incremental_dynamic_analysis
+from core.case.rules import parse_wall
 from core.case.study_file import Cell
+from core.ground.ground_motion import GroundMotion
 from core.research.law_fit import columns, fits_of, set_columns
 from core.research.parametric import StudyMotion
 from core.research.set_means import MotionValue
+from core.rocking.methods import METHODS
+from core.setting.scene import model_of
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS, MomentLaw
 from core.wall.restitution import restitution
@@ -29,9 +34,9 @@ def planted():
     for shape in range(8):
         middle = chance.uniform(0.3, 1.4)
         for motion in range(3):
-            drawn = SimpleNamespace(
-                housner_intensity=middle * chance.uniform(0.97, 1.03), pga=2.0, pgv=chance.uniform(0.1, 0.6)
-            )
+            intensity = middle * chance.uniform(0.97, 1.03)
+            drawn = SimpleNamespace(housner_intensity=intensity, pga=2.0, pgv=chance.uniform(0.1, 0.6))
+            drawn.velocity_integral = intensity * (law.SCALED_PERIODS - law.SCALED_PERIODS[0])
             entry = StudyMotion(drawn, f"s{shape}", "g", 10 * shape + motion)
             for alpha, height, e in product((3.0, 8.0), (2.0, 6.0), ("0.8", "0.95")):
                 cell = Cell(alpha, height, "two_sided", e, "rigid", "taylor", 0.005)
@@ -132,3 +137,36 @@ def test_that_the_law_is_its_formula_and_holds_up_to_the_ends_of_its_range():
     ends = [(pi, e) for pi in (0.5, 4.0) for e in (0.75, 1.0)]
     assert all(fitted.holds(*end) for end in ends)
     assert not any(fitted.holds(*end) for end in ((0.499, 0.8), (4.01, 0.8), (1.0, 0.74)))
+
+
+@pytest.mark.parametrize("mechanism", ["two_sided", "one_sided"])
+def test_that_motion_and_wall_stretched_together_leave_q_and_lambda_and_change_pi(mechanism):
+    """t to k t, H to k^2 H, and any amplitude: q is the same to six digits, Lambda to what its periods resolve."""
+    rng = np.random.default_rng(3)
+    time = 0.01 * np.arange(1200)
+    acceleration = np.exp(-(((time - 4.0) / 2.5) ** 2)) * rng.normal(size=time.size).cumsum()
+    acceleration -= np.convolve(acceleration, np.ones(100) / 100.0, "same")
+    found = []
+    for k, amplitude in ((1.0, 1.0), (0.5, 1.0), (2.0, 1.0), (1.0, 3.0)):
+        ground = GroundMotion("stretched", amplitude * acceleration, 0.01 * k)
+        wall = parse_wall({"name": "w", "mechanism": mechanism, "height_m": 4.0 * k * k, "slenderness_deg": 6.0})
+        model, p2 = model_of(wall, mechanism), wall.in_si.block.p2
+        ida = incremental_dynamic_analysis(
+            ground.acceleration, ground.time_step, ground.pga, 1, model, METHODS["taylor"], Search(q_step=0.01)
+        )
+        scaled = law.scaled_intensity(p2, ground.velocity_integral, ground.pga, mechanism)
+        pi = law.dimensionless_intensity(p2, ground.housner_intensity, ground.pga)
+        found.append((ida.q, scaled, pi))
+    (q, scaled, pi), *others = found
+    for other in others:
+        assert other[0] == pytest.approx(q, rel=1e-6) and other[1] == pytest.approx(scaled, rel=5e-3)
+    assert others[2][2] == pytest.approx(pi, rel=1e-9)  # amplitude alone
+    assert abs(others[0][2] / pi - 1.0) > 0.1 and abs(others[1][2] / pi - 1.0) > 0.1
+
+
+def test_that_lambda_is_the_integral_over_the_band_of_the_wall():
+    """A constant pseudo-velocity v: p^2 v (b - a)/p over PGA."""
+    integral = 0.3 * (law.SCALED_PERIODS - law.SCALED_PERIODS[0])
+    for mechanism, (low, high) in law.BANDS.items():
+        expected = 4.0 * 0.3 * (high - low) / 2.0 / 5.0
+        assert law.scaled_intensity(4.0, integral, 5.0, mechanism) == pytest.approx(expected, rel=1e-6)
