@@ -15,6 +15,8 @@ from core.capacity.scale_free_law import (
     loss_ratio,
     scaled_intensity,
 )
+from core.ground.ground_motion import GroundMotion
+from core.ground.provenance import provenance
 from core.research.paper_sets import MECHANISM
 from core.research.set_means import QUANTITIES, MotionValue, exact
 from core.wall.moment_rotation import LAWS
@@ -38,6 +40,7 @@ class Columns:
     pga: np.ndarray
     spectrum: np.ndarray
     default: np.ndarray
+    event: np.ndarray
 
     def __getitem__(self, keep) -> "Columns":
         return Columns(*(values[keep] for values in vars(self).values()))
@@ -48,6 +51,7 @@ def columns(values: list[MotionValue], mechanism: str, law: str, quantity: str, 
 
     velocity : p PGV / PGA [-]; scaled : Lambda, `scaled_intensity` [-]
     default : whether the restitution is the one that follows the mechanism
+    event : earthquake of a natural record
     """
     rows, walls = [], {}
     for value in exact(values):
@@ -79,10 +83,11 @@ def columns(values: list[MotionValue], mechanism: str, law: str, quantity: str, 
                 motion.pga,
                 value.entry.spectrum,
                 default,
+                "" if value.entry.seed is not None else event_of(motion),
             )
         )
     if not rows:
-        return Columns(*(np.zeros(0) for _ in range(11)))
+        return Columns(*(np.zeros(0) for _ in range(12)))
     return Columns(*map(np.array, zip(*rows, strict=True)))
 
 
@@ -110,6 +115,7 @@ class LawFit:
     inside : agreement of the fit itself; outside : of every shape by the fit without it
     records, natural : of single motions
     scaled : coefficients of the same form in Lambda
+    halves : (law in Pi, in Lambda) on the events on which Lambda was chosen, and on the others; empty without records
     """
 
     law: ScaleFreeLaw
@@ -122,7 +128,25 @@ class LawFit:
     outside_velocity: Agreement
     natural_scaled: Agreement | None
     outside_scaled: Agreement
+    halves: tuple[tuple[Agreement, Agreement], ...]
     scaled: tuple[float, ...]
+
+
+SEED = 74
+"""Of the draw of the events on which the form and the bands of Lambda were chosen."""
+
+
+def event_of(motion: GroundMotion) -> str:
+    """The earthquake of a natural record, as its file names it; else its date, else how its name begins."""
+    known = provenance(motion)
+    return known.event or known.date or motion.name[:8]
+
+
+def events_of_choice(events) -> set[str]:
+    """One half of some events, drawn by SEED: Lambda was chosen on these, of the records of the first study."""
+    names = sorted(set(map(str, events)))
+    order = np.random.default_rng(SEED).permutation(len(names))
+    return {names[k] for k in order[: len(names) // 2]}
 
 
 def left_out(sets: Columns, variable: np.ndarray, limit: float) -> tuple[np.ndarray, np.ndarray]:
@@ -156,10 +180,17 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
     records = agreement(law_value(coefficients, limit, runs.pi, runs.loss), runs.q)
     other = columns(values, mechanism, law, quantity, True)
     natural = natural_velocity = natural_scaled = None
+    halves: list[tuple[Agreement, Agreement]] = []
     if other.q.size:
         natural = agreement(law_value(coefficients, limit, other.pi, other.loss), other.q)
         natural_velocity = agreement(law_value(by_velocity, limit, other.velocity, other.loss), other.q)
         natural_scaled = agreement(law_value(by_scaled, limit, other.scaled, other.loss), other.q)
+        chosen = np.isin(other.event, list(events_of_choice(other.event)))
+        for half in (other[chosen], other[~chosen]):
+            if half.q.size:
+                by_pi = law_value(coefficients, limit, half.pi, half.loss)
+                by_lambda = law_value(by_scaled, limit, half.scaled, half.loss)
+                halves.append((agreement(by_pi, half.q), agreement(by_lambda, half.q)))
     a0, a1, b0, b1 = coefficients
     made = ScaleFreeLaw(
         (round(a0, 3), round(a1, 3), round(b0, 3), round(b1, 3)),
@@ -180,6 +211,7 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
         agreement(velocity_predicted, sets.q),
         natural_scaled,
         agreement(scaled_predicted, sets.q),
+        tuple(halves),
         by_scaled,
     )
 

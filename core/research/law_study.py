@@ -90,6 +90,11 @@ def _rival_table(values: list[MotionValue], fits: dict, say: Say) -> Table:
             add(mechanism, quantity, say("Π, natural records"), fit.natural)
             add(mechanism, quantity, say("p PGV/PGA, natural records"), fit.natural_velocity)
             add(mechanism, quantity, say("Λ, natural records"), fit.natural_scaled)
+        for words, (by_pi, by_lambda) in zip(
+            (say("events Λ was chosen on"), say("other events")), fit.halves, strict=False
+        ):
+            add(mechanism, quantity, f"Π, {words}", by_pi)
+            add(mechanism, quantity, f"Λ, {words}", by_lambda)
         if quantity != "q":
             continue
         sets = set_columns(columns(values, mechanism, law, quantity, False))
