@@ -16,6 +16,7 @@ from core.case.rules import TESTED_STRENGTH
 from core.case.schema import Case
 from core.case.values import field_of
 from core.case.wall import AS_IS, DESIGNED, Wall
+from core.codes.target_spectrum import velocity_integral
 from core.errors import InputError
 from core.setting.demand_input import demand_of
 from core.study import wall_result
@@ -25,11 +26,11 @@ from core.wall.block import Block
 
 
 def estimate_lines(session: Session, wall: Wall) -> list[str]:
-    """A first answer without records: q of Ribalta's law at the demand, where its spectrum or SI is given."""
+    """A first answer without records: q of Ribalta's law at the demand, where its spectrum is given."""
     case = session.case
     try:
         demand = demand_of(case, session.base_dir) if case.demand else None
-        if demand is None or not demand.intensity or not wall.has_closed_forms or not wall.mechanism:
+        if demand is None or demand.target is None or not wall.has_closed_forms or not wall.mechanism:
             return []
         answers = [
             estimates(
@@ -37,7 +38,7 @@ def estimate_lines(session: Session, wall: Wall) -> list[str]:
                 wall.restitution_of(mechanism),
                 wall.moment_law(),
                 mechanism == "one_sided",
-                demand.intensity,
+                velocity_integral(demand.target),
                 demand.pga,
             )
             for mechanism in wall.mechanisms()

@@ -14,7 +14,7 @@ from app.views.runs import title_of
 from app.views.table import Table
 from app.views.zeta_rungs import digits
 from core.capacity.closed_forms import closed_form_q_eff
-from core.capacity.scale_free_law import dimensionless_intensity, law_of, loss_ratio
+from core.capacity.scale_free_law import law_of, loss_ratio
 from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
 from core.setting.floors import CHART_PERIODS
 from core.study.results import StudyResult, WallResult
@@ -34,7 +34,7 @@ class IntensityTab(ResultTab):
         self.log = QCheckBox(tr("Logarithmic axes"))
         self.log.toggled.connect(lambda on: self.show_wall(*self.shown) if self.shown else None)
         self.chart = Chart("SI [cm]", "q_eff [-]", tr("q against SI"))
-        self.scale_free = Chart("Π = p² SI/PGA [-]", "q [-]", tr("q against Π"))
+        self.scale_free = Chart("Λ [-]", "q [-]", tr("q against Λ"))
         self.words = Plain()
         self.words.setWordWrap(True)
         layout = QVBoxLayout(self)
@@ -92,20 +92,21 @@ class IntensityTab(ResultTab):
         self.chart.reset()
 
     def _show_law(self, wall: WallResult, known: list) -> None:
-        """Ribalta's law: at each record in the chart of SI, and as a curve with its interval in that of Pi."""
+        """Ribalta's law: at each record in the chart of SI, and as a curve with its interval in that of Lambda."""
         self.scale_free.clear()
         self.scale_free.set_log(self.log.isChecked())
         block = wall.block
-        pi = np.array([dimensionless_intensity(block.p2, entry.intensity, entry.pga) for entry in known])
-        self.scale_free.points(tr("time histories"), pi, [entry.q for entry in known], 0, 9)
+        known = [entry for entry in known if entry.scaled is not None]
+        scaled = np.array([entry.scaled for entry in known])
+        self.scale_free.points(tr("time histories"), scaled, [entry.q for entry in known], 0, 9)
         law = law_of(wall.mechanism == "one_sided", wall.law, "q")
         if law is not None:
             ratio = loss_ratio(block, wall.restitution)
             pga = np.array([entry.pga for entry in known])
             si = np.array([entry.intensity for entry in known])
             name = tr("Ribalta's law (research)")
-            self.chart.points(name, si / CM, law.q(pi, ratio) * G / pga, 2, 8, symbol="d")
-            x = np.geomspace(0.7 * pi.min(), 1.4 * pi.max(), 60)
+            self.chart.points(name, si / CM, law.q(scaled, ratio) * G / pga, 2, 8, symbol="d")
+            x = np.geomspace(0.7 * scaled.min(), 1.4 * scaled.max(), 60)
             y = law.q(x, ratio)
             low, high = (edge / law.q(1.0, ratio) for edge in law.interval(1.0, ratio))
             if not self.log.isChecked():

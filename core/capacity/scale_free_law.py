@@ -1,5 +1,5 @@
-"""Ribalta's law: q of a wall from its velocity ratio and Pi = p^2 SI / PGA alone. A research output, never part of a
-verdict (resources/docs/paper.md, section 3)."""
+"""Ribalta's law: q of a wall from its velocity ratio and Lambda (`scaled_intensity`) alone. A research output, never
+part of a verdict (resources/docs/paper.md, section 3)."""
 
 import math
 from dataclasses import dataclass
@@ -17,39 +17,39 @@ Coefficients = tuple[float, float, float, float]
 
 @dataclass(frozen=True)
 class ScaleFreeLaw:
-    """q = limit + exp(a0 + a1 s) Pi^-(b0 + b1 s), s = sqrt(1 - e): fitted on means of ten generated motions.
+    """q = limit + exp(a0 + a1 s) Lambda^-(b0 + b1 s), s = sqrt(1 - e): fitted on means of ten generated motions.
 
     coefficients : a0, a1, b0, b1
     limit : q of a motion much longer than the wall's own time, 1 of the rigid law, the plateau of a trilinear one
     scatter_set, scatter_record : standard deviation of ln(law / q), of the mean of a set of a shape left out of the
         fit and of a single motion
-    pi_range, loss_range : of Pi and of s in the fit
+    scaled_range, loss_range : of Lambda and of s in the fit
     """
 
     coefficients: Coefficients
     limit: float
     scatter_set: float
     scatter_record: float
-    pi_range: tuple[float, float]
+    scaled_range: tuple[float, float]
     loss_range: tuple[float, float]
 
-    def q(self, pi, velocity_ratio):
-        """q [-] at Pi and e [-], numbers or arrays."""
-        return law_value(self.coefficients, self.limit, pi, np.sqrt(1.0 - np.asarray(velocity_ratio)))
+    def q(self, scaled, velocity_ratio):
+        """q [-] at Lambda and e [-], numbers or arrays."""
+        return law_value(self.coefficients, self.limit, scaled, np.sqrt(1.0 - np.asarray(velocity_ratio)))
 
-    def interval(self, pi: float, velocity_ratio: float) -> tuple[float, float]:
-        """Range of q that holds the mean of a set of compatible motions in nine cases of ten; in three of four below
-        Pi 0.3, and single natural records less often (resources/docs/paper.md, section 3). Under the rigid law not
+    def interval(self, scaled: float, velocity_ratio: float) -> tuple[float, float]:
+        """Range of q that holds the mean of a set of compatible motions in nine cases of ten, and single natural
+        records less often (resources/docs/paper.md, section 3). Under the rigid law not
         below 1."""
-        q = float(self.q(pi, velocity_ratio))
+        q = float(self.q(scaled, velocity_ratio))
         factor = math.exp(1.645 * self.scatter_set)
         return max(q / factor, self.limit if self.limit == 1.0 else 0.0), q * factor
 
-    def holds(self, pi: float, velocity_ratio: float) -> bool:
+    def holds(self, scaled: float, velocity_ratio: float) -> bool:
         """Whether this is within the range of the fit."""
         loss = math.sqrt(1.0 - velocity_ratio)
         low, high = self.loss_range
-        return self.pi_range[0] <= pi <= self.pi_range[1] and low <= loss <= high
+        return self.scaled_range[0] <= scaled <= self.scaled_range[1] and low <= loss <= high
 
 
 @dataclass(frozen=True)
@@ -61,31 +61,33 @@ class Estimate:
     q: float
     low: float
     high: float
-    pi: float
+    scaled: float
     within: bool
 
 
 def estimates(
-    block: Block, restitution: Restitution, law: MomentLaw, one_sided: bool, intensity: float, pga: float
+    block: Block, restitution: Restitution, law: MomentLaw, one_sided: bool, integral: np.ndarray, pga: float
 ) -> tuple[Estimate, ...]:
-    """q and q_slv of the law; none for a moment law it was not fitted on. intensity : SI [m]; pga [m/s2]."""
-    pi, ratio = dimensionless_intensity(block.p2, intensity, pga), loss_ratio(block, restitution)
+    """q and q_slv of the law; none for a moment law it was not fitted on. integral : of the pseudo-velocity up to each
+    of SCALED_PERIODS [m]; pga [m/s2]."""
+    mechanism = "one_sided" if one_sided else "two_sided"
+    scaled, ratio = scaled_intensity(block.p2, integral, pga, mechanism), loss_ratio(block, restitution)
     estimated: list[Estimate] = []
     for quantity in ("q", "q_slv"):
         fitted = law_of(one_sided, law, quantity)
         if fitted is not None:
-            within = fitted.holds(pi, ratio)
-            q, (low, high) = float(fitted.q(pi, ratio)), fitted.interval(pi, ratio)
+            within = fitted.holds(scaled, ratio)
+            q, (low, high) = float(fitted.q(scaled, ratio)), fitted.interval(scaled, ratio)
             for one in estimated:  # q_slv: the two fits may cross by 2 %, the quantities cannot
                 q, low, high = min(q, one.q), min(low, one.low), min(high, one.high)
-            estimated.append(Estimate(quantity, q, low, high, pi, within))
+            estimated.append(Estimate(quantity, q, low, high, scaled, within))
     return tuple(estimated)
 
 
-def law_value(coefficients, limit: float, pi, loss):
-    """limit + exp(a0 + a1 s) Pi^-(b0 + b1 s)."""
+def law_value(coefficients, limit: float, scaled, loss):
+    """limit + exp(a0 + a1 s) x^-(b0 + b1 s), x = Lambda, of a rival another number."""
     a0, a1, b0, b1 = coefficients
-    return limit + np.exp(a0 + a1 * loss - (b0 + b1 * loss) * np.log(pi))
+    return limit + np.exp(a0 + a1 * loss - (b0 + b1 * loss) * np.log(scaled))
 
 
 def dimensionless_intensity(p2: float, intensity: float, pga: float) -> float:
@@ -122,12 +124,12 @@ def limit_of(law: MomentLaw) -> float:
     return 1.0 if law.is_rigid else 1.0 - law.plateau_end
 
 
-def fit_law(pi, loss, q, limit: float) -> Coefficients:
-    """Coefficients by least squares of ln(law / q). pi, loss, q : [-], shape (n,)."""
+def fit_law(scaled, loss, q, limit: float) -> Coefficients:
+    """Coefficients by least squares of ln(law / q). scaled, loss, q : [-], shape (n,)."""
     from scipy.optimize import least_squares
 
     def residual(coefficients):
-        return np.log(law_value(coefficients, limit, pi, loss) / q)
+        return np.log(law_value(coefficients, limit, scaled, loss) / q)
 
     a0, a1, b0, b1 = map(float, least_squares(residual, np.zeros(4)).x)
     return a0, a1, b0, b1
@@ -139,33 +141,37 @@ def law_of(one_sided: bool, law: MomentLaw, quantity: str) -> ScaleFreeLaw | Non
     return None if name is None else FITTED.get(("one_sided" if one_sided else "two_sided", name, quantity))
 
 
-PI_RANGE = (0.13, 10.5)
-PI_TRI = (0.13, 2.5)
+TWO_SIDED, ONE_SIDED = (0.22, 8.5), (0.20, 4.4)
+TWO_SIDED_TRI = (0.22, 3.8)
 TWO, ONE = (0.042, 0.466), (0.042, 0.919)
 TWO_TRI, ONE_TRI = (0.042, 0.419), (0.709, 0.883)
-"""Ranges of Pi and of s in which the fits hold; two-sided trilinear ones fail beyond 2.5, where q may be below the
+"""Ranges of Lambda and of s in which the fits hold; two-sided trilinear ones fail beyond 3.8, where q may be below the
 plateau."""
 
 FITTED: dict[tuple[str, str, str], ScaleFreeLaw] = {
-    ("two_sided", "rigid", "q"): ScaleFreeLaw((-0.092, 3.777, 1.589, -1.087), 1.0, 0.131, 0.194, PI_RANGE, TWO),
-    ("two_sided", "rigid", "q_slv"): ScaleFreeLaw((-1.105, 4.629, 1.679, -1.513), 1.0, 0.155, 0.192, PI_RANGE, TWO),
-    ("two_sided", "doherty", "q"): ScaleFreeLaw((0.147, 3.601, 1.748, -1.299), 0.72, 0.238, 0.319, PI_TRI, TWO_TRI),
+    ("two_sided", "rigid", "q"): ScaleFreeLaw((0.755, 3.167, 1.733, -0.869), 1.0, 0.119, 0.182, TWO_SIDED, TWO),
+    ("two_sided", "rigid", "q_slv"): ScaleFreeLaw((-0.173, 3.722, 1.744, -1.176), 1.0, 0.083, 0.146, TWO_SIDED, TWO),
+    ("two_sided", "doherty", "q"): ScaleFreeLaw(
+        (1.056, 2.922, 1.974, -1.217), 0.72, 0.291, 0.352, TWO_SIDED_TRI, TWO_TRI
+    ),
     ("two_sided", "doherty", "q_slv"): ScaleFreeLaw(
-        (-0.877, 4.247, 1.937, -1.979), 0.72, 0.301, 0.362, PI_TRI, TWO_TRI
+        (0.148, 3.189, 2.119, -1.852), 0.72, 0.309, 0.368, TWO_SIDED_TRI, TWO_TRI
     ),
-    ("two_sided", "al_shawa", "q"): ScaleFreeLaw((0.087, 3.719, 1.733, -1.31), 0.72, 0.225, 0.298, PI_TRI, TWO_TRI),
+    ("two_sided", "al_shawa", "q"): ScaleFreeLaw(
+        (0.988, 3.037, 1.952, -1.214), 0.72, 0.277, 0.332, TWO_SIDED_TRI, TWO_TRI
+    ),
     ("two_sided", "al_shawa", "q_slv"): ScaleFreeLaw(
-        (-1.019, 4.65, 1.954, -2.109), 0.72, 0.286, 0.336, PI_TRI, TWO_TRI
+        (0.017, 3.516, 2.12, -1.955), 0.72, 0.297, 0.345, TWO_SIDED_TRI, TWO_TRI
     ),
-    ("one_sided", "rigid", "q"): ScaleFreeLaw((-0.659, 2.826, 0.652, -0.197), 1.0, 0.138, 0.154, PI_RANGE, ONE),
-    ("one_sided", "rigid", "q_slv"): ScaleFreeLaw((-0.832, 2.691, 0.463, 0.018), 1.0, 0.147, 0.16, PI_RANGE, ONE),
-    ("one_sided", "doherty", "q"): ScaleFreeLaw((-0.386, 2.253, 0.277, 0.319), 0.72, 0.15, 0.166, PI_RANGE, ONE_TRI),
+    ("one_sided", "rigid", "q"): ScaleFreeLaw((-0.54, 2.787, 0.918, -0.204), 1.0, 0.085, 0.114, ONE_SIDED, ONE),
+    ("one_sided", "rigid", "q_slv"): ScaleFreeLaw((-0.751, 2.696, 0.684, 0.057), 1.0, 0.107, 0.127, ONE_SIDED, ONE),
+    ("one_sided", "doherty", "q"): ScaleFreeLaw((-0.329, 2.301, 0.505, 0.386), 0.72, 0.077, 0.111, ONE_SIDED, ONE_TRI),
     ("one_sided", "doherty", "q_slv"): ScaleFreeLaw(
-        (-0.336, 1.781, 0.179, 0.475), 0.72, 0.154, 0.171, PI_RANGE, ONE_TRI
+        (-0.302, 1.864, 0.355, 0.614), 0.72, 0.092, 0.123, ONE_SIDED, ONE_TRI
     ),
-    ("one_sided", "al_shawa", "q"): ScaleFreeLaw((-0.323, 2.249, 0.223, 0.356), 0.72, 0.149, 0.164, PI_RANGE, ONE_TRI),
+    ("one_sided", "al_shawa", "q"): ScaleFreeLaw((-0.275, 2.302, 0.432, 0.437), 0.72, 0.075, 0.109, ONE_SIDED, ONE_TRI),
     ("one_sided", "al_shawa", "q_slv"): ScaleFreeLaw(
-        (-0.262, 1.806, 0.075, 0.557), 0.72, 0.15, 0.165, PI_RANGE, ONE_TRI
+        (-0.246, 1.902, 0.204, 0.736), 0.72, 0.089, 0.118, ONE_SIDED, ONE_TRI
     ),
 }
 """(mechanism, moment law, quantity) -> the fits of `--study law` (resources/docs/paper.md, section 3)."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.errors import InputError, place
-from core.ground.response_spectrum import HOUSNER_PERIODS, SPECTRUM_DAMPING
+from core.ground.response_spectrum import HOUSNER_PERIODS, SCALED_PERIODS, SPECTRUM_DAMPING, integral_of
 from core.units import G
 
 SOILS = ("A", "B", "C", "D", "E")
@@ -170,6 +170,11 @@ def housner_intensity(target: Target) -> float:
     """SI [m] of a target spectrum, Eq. 11 on its pseudo-velocity."""
     velocity = target.acceleration(HOUSNER_PERIODS) * HOUSNER_PERIODS / (2.0 * math.pi)
     return float(np.trapezoid(velocity, HOUSNER_PERIODS))
+
+
+def velocity_integral(target: Target) -> np.ndarray:
+    """Integral of the pseudo-velocity of a target from the first of SCALED_PERIODS to each of them [m]."""
+    return integral_of(target.acceleration(SCALED_PERIODS) * SCALED_PERIODS / (2.0 * math.pi))
 
 
 def ntc2018(ag: float, f0: float, tc_star: float, soil: str, topography: str) -> CodeSpectrum:

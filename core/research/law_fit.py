@@ -114,7 +114,7 @@ class LawFit:
     errors : of the coefficients, delete-one-shape jackknife
     inside : agreement of the fit itself; outside : of every shape by the fit without it
     records, natural : of single motions
-    scaled : coefficients of the same form in Lambda
+    natural_pi, outside_pi : of the same form in Pi
     halves : (law in Pi, in Lambda) on the events on which Lambda was chosen, and on the others; empty without records
     """
 
@@ -126,10 +126,9 @@ class LawFit:
     natural: Agreement | None
     natural_velocity: Agreement | None
     outside_velocity: Agreement
-    natural_scaled: Agreement | None
-    outside_scaled: Agreement
+    natural_pi: Agreement | None
+    outside_pi: Agreement
     halves: tuple[tuple[Agreement, Agreement], ...]
-    scaled: tuple[float, ...]
 
 
 SEED = 74
@@ -167,37 +166,37 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
     if np.unique(runs.spectrum).size < MIN_SHAPES:
         return None
     sets, limit = set_columns(runs), limit_of(LAWS[law])
-    coefficients = fit_law(sets.pi, sets.loss, sets.q, limit)
-    without, predicted = left_out(sets, sets.pi, limit)
+    coefficients = fit_law(sets.scaled, sets.loss, sets.q, limit)
+    without, predicted = left_out(sets, sets.scaled, limit)
     n = len(without)
     errors = np.sqrt((n - 1) / n * ((without - without.mean(axis=0)) ** 2).sum(axis=0))
     by_velocity = fit_law(sets.velocity, sets.loss, sets.q, limit)
     _, velocity_predicted = left_out(sets, sets.velocity, limit)
-    by_scaled = fit_law(sets.scaled, sets.loss, sets.q, limit)
-    _, scaled_predicted = left_out(sets, sets.scaled, limit)
-    inside = agreement(law_value(coefficients, limit, sets.pi, sets.loss), sets.q)
+    by_pi = fit_law(sets.pi, sets.loss, sets.q, limit)
+    _, pi_predicted = left_out(sets, sets.pi, limit)
+    inside = agreement(law_value(coefficients, limit, sets.scaled, sets.loss), sets.q)
     outside = agreement(predicted, sets.q)
-    records = agreement(law_value(coefficients, limit, runs.pi, runs.loss), runs.q)
+    records = agreement(law_value(coefficients, limit, runs.scaled, runs.loss), runs.q)
     other = columns(values, mechanism, law, quantity, True)
-    natural = natural_velocity = natural_scaled = None
+    natural = natural_velocity = natural_pi = None
     halves: list[tuple[Agreement, Agreement]] = []
     if other.q.size:
-        natural = agreement(law_value(coefficients, limit, other.pi, other.loss), other.q)
+        natural = agreement(law_value(coefficients, limit, other.scaled, other.loss), other.q)
         natural_velocity = agreement(law_value(by_velocity, limit, other.velocity, other.loss), other.q)
-        natural_scaled = agreement(law_value(by_scaled, limit, other.scaled, other.loss), other.q)
+        natural_pi = agreement(law_value(by_pi, limit, other.pi, other.loss), other.q)
         chosen = np.isin(other.event, list(events_of_choice(other.event)))
         for half in (other[chosen], other[~chosen]):
             if half.q.size:
-                by_pi = law_value(coefficients, limit, half.pi, half.loss)
-                by_lambda = law_value(by_scaled, limit, half.scaled, half.loss)
-                halves.append((agreement(by_pi, half.q), agreement(by_lambda, half.q)))
+                rival = law_value(by_pi, limit, half.pi, half.loss)
+                own = law_value(coefficients, limit, half.scaled, half.loss)
+                halves.append((agreement(rival, half.q), agreement(own, half.q)))
     a0, a1, b0, b1 = coefficients
     made = ScaleFreeLaw(
         (round(a0, 3), round(a1, 3), round(b0, 3), round(b1, 3)),
         limit,
         round(outside.scatter, 3),
         round(records.scatter, 3),
-        (float(sets.pi.min()), float(sets.pi.max())),
+        (float(sets.scaled.min()), float(sets.scaled.max())),
         (float(sets.loss.min()), float(sets.loss.max())),
     )
     return LawFit(
@@ -209,10 +208,9 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
         natural,
         natural_velocity,
         agreement(velocity_predicted, sets.q),
-        natural_scaled,
-        agreement(scaled_predicted, sets.q),
+        natural_pi,
+        agreement(pi_predicted, sets.q),
         tuple(halves),
-        by_scaled,
     )
 
 

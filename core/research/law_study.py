@@ -43,7 +43,7 @@ def _law_table(fits: dict, say: Say) -> Table:
                 natural.bias if natural else None,
                 natural.scatter if natural else None,
                 natural.n if natural else None,
-                *fit.law.pi_range,
+                *fit.law.scaled_range,
             )
         )
     head = (
@@ -61,11 +61,12 @@ def _law_table(fits: dict, say: Say) -> Table:
         say("natural records, mean - 1"),
         say("natural records, scatter"),
         say("natural records"),
-        say("least Π"),
-        say("largest Π"),
+        say("least Λ"),
+        say("largest Λ"),
     )
     note = say(
-        "q = limit + exp(a0 + a1 s) Π^-(b0 + b1 s), s = sqrt(1 - e), Π = p² SI/PGA. Intervals of 90 % by leaving out "
+        "q = limit + exp(a0 + a1 s) Λ^-(b0 + b1 s), s = sqrt(1 - e), Λ = p²/PGA times the integral of S_v over a band "
+        "of periods over 1/p: 0.2 to 8 two-sided, 0.2 to 5 one-sided. Intervals of 90 % by leaving out "
         "one shape at a time. Natural records were never used in a fit."
     )
     return Table("law", say("Ribalta's law of q, a research output"), head, tuple(rows), note)
@@ -83,13 +84,13 @@ def _rival_table(values: list[MotionValue], fits: dict, say: Say) -> Table:
     for (mechanism, law, quantity), fit in fits.items():
         if law != "rigid":
             continue
-        add(mechanism, quantity, say("Π, shape left out"), fit.outside)
+        add(mechanism, quantity, say("Λ, shape left out"), fit.outside)
+        add(mechanism, quantity, say("Π, shape left out"), fit.outside_pi)
         add(mechanism, quantity, say("p PGV/PGA, shape left out"), fit.outside_velocity)
-        add(mechanism, quantity, say("Λ, shape left out"), fit.outside_scaled)
-        if fit.natural and fit.natural_velocity and fit.natural_scaled:
-            add(mechanism, quantity, say("Π, natural records"), fit.natural)
+        if fit.natural and fit.natural_velocity and fit.natural_pi:
+            add(mechanism, quantity, say("Λ, natural records"), fit.natural)
+            add(mechanism, quantity, say("Π, natural records"), fit.natural_pi)
             add(mechanism, quantity, say("p PGV/PGA, natural records"), fit.natural_velocity)
-            add(mechanism, quantity, say("Λ, natural records"), fit.natural_scaled)
         for words, (by_pi, by_lambda) in zip(
             (say("events Λ was chosen on"), say("other events")), fit.halves, strict=False
         ):
@@ -103,16 +104,16 @@ def _rival_table(values: list[MotionValue], fits: dict, say: Say) -> Table:
         (low, high), (short, tall) = PAPER_RANGE
         near = (sets.alpha >= low) & (sets.alpha <= high) & (sets.height >= short) & (sets.height <= tall)
         number = 15 + (mechanism == "one_sided")
-        own = law_value(fit.law.coefficients, fit.law.limit, sets.pi, sets.loss)
+        own = law_value(fit.law.coefficients, fit.law.limit, sets.scaled, sets.loss)
         for words, which in ((say("all walls"), np.ones(near.size, bool)), (say("walls near the paper's"), near)):
             if which.any():
                 add(mechanism, quantity, f"Eq. {number}, {words}", agreement(form[which], sets.q[which]))
-                add(mechanism, quantity, f"Π, {words}", agreement(own[which], sets.q[which]))
+                add(mechanism, quantity, f"Λ, {words}", agreement(own[which], sets.q[which]))
         if np.unique(sets.spectrum).size >= MIN_SHAPES:
             refit = say("Eq. {number} refitted on these walls, shape left out", number=number)
             add(mechanism, quantity, refit, agreement(_refit(sets), sets.q))
-            _, predicted = left_out(sets, sets.pi, fit.law.limit)
-            add(mechanism, quantity, say("Π on these walls, shape left out"), agreement(predicted, sets.q))
+            _, predicted = left_out(sets, sets.scaled, fit.law.limit)
+            add(mechanism, quantity, say("Λ on these walls, shape left out"), agreement(predicted, sets.q))
     head = (say("mechanism"), say("quantity"), say("law of q"), say("mean - 1"), say("scatter"), "±20 %", "n")
     return Table("rivals", say("Laws of q side by side"), head, tuple(rows))
 
@@ -220,7 +221,7 @@ def _code_figure(values: list[MotionValue], say: Say) -> tuple[Figure, Table, li
 
 
 def _law_figures(values: list[MotionValue], fits: dict, say: Say) -> list[Figure]:
-    """q and q_slv against Pi for both mechanisms, sets of every restitution coloured by their velocity ratio."""
+    """q and q_slv against Lambda for both mechanisms, sets of every restitution coloured by their velocity ratio."""
     figures = []
     for mechanism, quantity in product(MECHANISM, ("q", "q_slv")):
         fit = fits.get((mechanism, "rigid", quantity))
@@ -231,20 +232,18 @@ def _law_figures(values: list[MotionValue], fits: dict, say: Say) -> list[Figure
         edges = np.quantile(sets.loss, (0.0, 0.25, 0.5, 0.75, 1.0))
         series: list[Series] = []
         if natural.q.size:
-            series.append(scatter(say("natural records"), list(zip(natural.pi, natural.q, strict=True)), 7))
-        x = np.geomspace(fit.law.pi_range[0], fit.law.pi_range[1], 30)
+            series.append(scatter(say("natural records"), list(zip(natural.scaled, natural.q, strict=True)), 7))
+        x = np.geomspace(fit.law.scaled_range[0], fit.law.scaled_range[1], 30)
         for k in range(4):
             own = (sets.loss >= edges[k]) & ((sets.loss < edges[k + 1]) | (k == 3))
             if not own.any():
                 continue
             ratio = 1.0 - float(np.median(sets.loss[own])) ** 2
-            series.append(scatter(f"e ≈ {ratio:.2f}", list(zip(sets.pi[own], sets.q[own], strict=True)), k))
+            series.append(scatter(f"e ≈ {ratio:.2f}", list(zip(sets.scaled[own], sets.q[own], strict=True)), k))
             series.append(curve("", list(zip(x, fit.law.q(x, ratio), strict=True)), LINE, k))
-        title = say(
-            "{quantity} against Π = p² SI/PGA, {mechanism}", quantity=quantity, mechanism=say(MECHANISM[mechanism])
-        )
+        title = say("{quantity} against Λ, {mechanism}", quantity=quantity, mechanism=say(MECHANISM[mechanism]))
         figures.append(
-            Figure(f"law_{mechanism}_{quantity}", title, "Π [-]", f"{quantity} [-]", tuple(series), True, True)
+            Figure(f"law_{mechanism}_{quantity}", title, "Λ [-]", f"{quantity} [-]", tuple(series), True, True)
         )
     return figures
 
@@ -261,7 +260,7 @@ def report(result: ParametricResult, values: list[MotionValue], notes: list[str]
             "limit": fit.law.limit,
             "scatter_set": fit.law.scatter_set,
             "scatter_record": fit.law.scatter_record,
-            "pi_range": fit.law.pi_range,
+            "scaled_range": fit.law.scaled_range,
             "loss_range": fit.law.loss_range,
         }
         for key, fit in fits.items()

@@ -63,6 +63,7 @@ class PerRecord:
     q_slv_safe : the lower of q_slv_low and q_slv_robust, which the linear check takes
     intensity : of the record [m]
     pga : of the motion under the wall [m/s2]
+    scaled : Lambda of Ribalta's law (core/capacity/scale_free_law.py); None where the closed forms do not hold
     closed_form_q_eff, closed_form_q : Eq. 15, 16; None above the ground
     """
 
@@ -78,6 +79,7 @@ class PerRecord:
     q_eff: float | None
     intensity: float
     pga: float
+    scaled: float | None
     closed_form_q_eff: float | None
     closed_form_q: float | None
 

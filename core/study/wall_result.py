@@ -5,12 +5,13 @@ import numpy as np
 from core.capacity import closed_forms
 from core.capacity.fragility import fragility
 from core.capacity.ida import TRILINEAR_FLOOR, Ida, multiplier_of, threshold_of
-from core.capacity.scale_free_law import estimates
+from core.capacity.scale_free_law import estimates, scaled_intensity
 from core.case.hinges import Part
 from core.case.wall import Wall
 from core.codes.eq9 import inequality
 from core.codes.limits import MEAN_FROM, MINIMUM_FROM, set_rule, set_value
 from core.codes.masonry_types import TYPES
+from core.codes.target_spectrum import velocity_integral
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import stations
 from core.study.governing import lowest_of
@@ -73,6 +74,7 @@ def _per_record(
     lowest = lowest_of(runs)
     si = motion.housner_intensity
     shape = (block.slenderness, block.height, si)
+    mechanism = "one_sided" if one_sided else "two_sided"
     return PerRecord(
         record=motion.name,
         motion=k,
@@ -86,6 +88,7 @@ def _per_record(
         q_eff=lowest.q_eff if lowest else None,
         intensity=si,
         pga=(felt or motion).pga,
+        scaled=scaled_intensity(block.p2, motion.velocity_integral, motion.pga, mechanism) if closed else None,
         closed_form_q_eff=closed_forms.closed_form_q_eff(*shape, one_sided) if closed else None,
         closed_form_q=closed_forms.closed_form_q(*shape, motion.pga, one_sided) if closed else None,
     )
@@ -139,8 +142,8 @@ def wall_result(part: Part, mechanism, model, runs, motions, search, demand, flo
         )
     restitution = Restitution(MOMENTUM, model.ratio_at_rest) if wall.bends else wall.restitution_of(mechanism)
     estimated = ()
-    if checks and demand.intensity and wall.has_closed_forms:
-        estimated = estimates(block, restitution, law, one_sided, demand.intensity, demand.pga)
+    if checks and demand.target and wall.has_closed_forms:
+        estimated = estimates(block, restitution, law, one_sided, velocity_integral(demand.target), demand.pga)
     law_of_si = None if wall.above_ground else _power_law(with_q)
     fragile = fragility([run.ida for run in runs], search)
     return WallResult(

@@ -269,7 +269,7 @@ def test_that_the_stored_law_holds_for_shapes_and_seeds_it_has_never_seen(paper,
     _, result, _ = paper
     fitted = FITTED[mechanism, "rigid", quantity]
     sets = set_columns(columns(motion_values(result), mechanism, "rigid", quantity, False))
-    found = agreement(fitted.q(sets.pi, 1.0 - sets.loss**2), sets.q)
+    found = agreement(fitted.q(sets.scaled, 1.0 - sets.loss**2), sets.q)
     assert found.n == 9 * 6 * 2
     assert abs(found.bias) < 0.08 and found.scatter < 1.5 * fitted.scatter_record
 

@@ -78,7 +78,7 @@ ESTIMATE = (
     number("q", "-", "value of the law"),
     number("low", "-", "lower end for nine sets of ten"),
     number("high", "-", "upper end"),
-    number("pi", "-", "p2 SI/PGA"),
+    number("scaled", "-", "Lambda: p2/PGA times the pseudo-velocity over the band of the wall"),
     flag("within", "whether the wall is within the range of the fit"),
 )
 
