@@ -21,6 +21,11 @@ def annex(code: str) -> dict[str, Any]:
     return tomllib.loads((FOLDER / f"{code}.toml").read_text(encoding="utf-8"))
 
 
+def code_words(code: str) -> str:
+    """A code of EN 1998 as it is named to people."""
+    return str(annex(code)["name"]) if code in ANNEXES else "EN 1998"
+
+
 def annex_spectrum(code: str, ag: float, soil: str, vs30: float, contribution: float) -> CodeSpectrum:
     """The elastic spectrum of an annex (EN 1998-1 3.2.2.2).
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from core.case.site import Building, Demand, DemandJustification, HazardRow, Spectrum
+from core.codes.annexes import code_words
 from core.codes.assumption import DEFAULT, GIVEN, Shown
 from core.codes.demand import DemandResult
 from core.codes.floor_spectrum import estimated_period, first_mode
@@ -73,7 +74,7 @@ def _of_the_spectrum(scene: Scene) -> Iterator[Raised]:
     elif demand.target is not None and (row := _row_of(demand, asked)) is not None:
         soil = spectrum.soil if spectrum else "A"
         there = _with_spectrum(demand, asked, Spectrum("NTC2018", soil, row.f0, row.tc_star_s, "T1"))
-        given = demand.target.name.split(",")[0] if spectrum else asked.spectrum_file or ""
+        given = code_words(spectrum.code) if spectrum else asked.spectrum_file or ""
         words = sentence("added", "ntc_spectrum", soil=soil)
         yield one_end("spectrum", "lift_spectrum", reasons, given, _under(there, words), name=given, soil=soil)
 
