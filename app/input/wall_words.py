@@ -51,8 +51,13 @@ def estimate_lines(session: Session, wall: Wall) -> list[str]:
             values = {"q": one.q, "low": one.low, "high": one.high, "q_slv": slv.q}
             kind = named(mechanism)
             line = tr(
-                "Research, no records, {kind}: q {q:.1f} ({low:.1f}–{high:.1f}), q SLV {q_slv:.1f}", kind=kind, **values
+                "Research, no records, {kind}: q {q:.1f} ({low:.1f}–{high:.1f} of a set), q SLV {q_slv:.1f}",
+                kind=kind,
+                **values,
             )
+            if one.record_low is not None and one.record_high is not None:
+                ends = {"low": one.record_low, "high": one.record_high}
+                line += ", " + tr("q of one record {low:.1f}–{high:.1f}", **ends)
             lines.append(line if one.within else f"{line}, {tr('outside its range')}")
     return lines
 

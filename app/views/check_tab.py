@@ -284,7 +284,10 @@ class CheckTab(ResultTab):
         for estimate in wall.estimates:
             capacity = wall.model.threshold / G
             wanted = known(result.demand).pga / G / estimate.q
-            between = f"q {number(estimate.low, '.2f')} – {number(estimate.high, '.2f')}"
+            between = tr("q of a set {low:.2f} – {high:.2f}", low=estimate.low, high=estimate.high)
+            if estimate.record_low is not None and estimate.record_high is not None:
+                ends = {"low": estimate.record_low, "high": estimate.record_high}
+                between += ", " + tr("of one record {low:.2f} – {high:.2f}", **ends)
             if not estimate.within:
                 between += ", " + tr("outside its range")
             rows.append(

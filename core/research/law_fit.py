@@ -21,6 +21,9 @@ from core.research.paper_sets import MECHANISM
 from core.research.set_means import QUANTITIES, MotionValue, exact
 from core.wall.moment_rotation import LAWS
 
+MIN_EVENTS = 10
+"""Events from which natural records have an interval."""
+
 MIN_SHAPES = 4
 """Shapes from which a law is fitted."""
 
@@ -115,6 +118,7 @@ class LawFit:
     inside : agreement of the fit itself; outside : of every shape by the fit without it
     records, natural : of single motions
     natural_pi, outside_pi : of the same form in Pi
+    covered : `coverage` of the interval of one record
     halves : (law in Pi, in Lambda) on the events on which Lambda was chosen, and on the others; empty without records
     """
 
@@ -129,6 +133,31 @@ class LawFit:
     natural_pi: Agreement | None
     outside_pi: Agreement
     halves: tuple[tuple[Agreement, Agreement], ...]
+    covered: tuple[float, float] | None
+
+
+TAIL = 0.05
+"""Share of natural records below the interval of one, and above it."""
+
+
+def record_ends(residuals: np.ndarray, events: np.ndarray) -> tuple[float, float]:
+    """ln(q / law) with TAIL of the records below and above, each event of the same weight. shapes (n,)"""
+    _, event, count = np.unique(events, return_inverse=True, return_counts=True)
+    order = np.argsort(residuals)
+    share = np.cumsum((1.0 / count[event])[order]) / count.size
+    low, high = (int(np.searchsorted(share, end)) for end in (TAIL, 1.0 - TAIL))
+    return float(residuals[order][low]), float(residuals[order][min(high, order.size - 1)])
+
+
+def coverage(residuals: np.ndarray, events: np.ndarray) -> tuple[float, float]:
+    """(share inside, share below) of the interval of one record, of each event by the others, mean over the events."""
+    inside, below = [], []
+    for name in np.unique(events):
+        own = events == name
+        low, high = record_ends(residuals[~own], events[~own])
+        inside.append(np.mean((residuals[own] >= low) & (residuals[own] <= high)))
+        below.append(np.mean(residuals[own] < low))
+    return float(np.mean(inside)), float(np.mean(below))
 
 
 SEED = 74
@@ -180,10 +209,16 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
     other = columns(values, mechanism, law, quantity, True)
     natural = natural_velocity = natural_pi = None
     halves: list[tuple[Agreement, Agreement]] = []
+    record = covered = None
     if other.q.size:
         natural = agreement(law_value(coefficients, limit, other.scaled, other.loss), other.q)
         natural_velocity = agreement(law_value(by_velocity, limit, other.velocity, other.loss), other.q)
         natural_pi = agreement(law_value(by_pi, limit, other.pi, other.loss), other.q)
+        low, high = float(sets.scaled.min()), float(sets.scaled.max())
+        within = other[(other.scaled >= low) & (other.scaled <= high)]
+        if np.unique(within.event).size >= MIN_EVENTS:
+            residuals = np.log(within.q / law_value(coefficients, limit, within.scaled, within.loss))
+            record, covered = record_ends(residuals, within.event), coverage(residuals, within.event)
         chosen = np.isin(other.event, list(events_of_choice(other.event)))
         for half in (other[chosen], other[~chosen]):
             if half.q.size:
@@ -198,6 +233,7 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
         round(records.scatter, 3),
         (float(sets.scaled.min()), float(sets.scaled.max())),
         (float(sets.loss.min()), float(sets.loss.max())),
+        record and (round(record[0], 3), round(record[1], 3)),
     )
     return LawFit(
         made,
@@ -211,6 +247,7 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
         natural_pi,
         agreement(pi_predicted, sets.q),
         tuple(halves),
+        covered,
     )
 
 

@@ -262,6 +262,8 @@ def report(result: ParametricResult, values: list[MotionValue], notes: list[str]
             "scatter_record": fit.law.scatter_record,
             "scaled_range": fit.law.scaled_range,
             "loss_range": fit.law.loss_range,
+            "record": fit.law.record,
+            "record_inside_and_below": fit.covered,
         }
         for key, fit in fits.items()
     }

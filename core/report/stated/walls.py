@@ -80,6 +80,8 @@ ESTIMATE = (
     number("high", "-", "upper end"),
     number("scaled", "-", "Lambda: p2/PGA times the pseudo-velocity over the band of the wall"),
     flag("within", "whether the wall is within the range of the fit"),
+    number("record_low", "-", "lower end for nine natural records of ten"),
+    number("record_high", "-", "upper end"),
 )
 
 EQ_9 = (

@@ -12,7 +12,7 @@ from core.capacity.ida import Search, incremental_dynamic_analysis
 from core.case.rules import parse_wall
 from core.case.study_file import Cell
 from core.ground.ground_motion import GroundMotion
-from core.research.law_fit import columns, fits_of, set_columns
+from core.research.law_fit import columns, coverage, fits_of, record_ends, set_columns
 from core.research.parametric import StudyMotion
 from core.research.set_means import MotionValue
 from core.rocking.methods import METHODS
@@ -178,3 +178,34 @@ def test_that_lambda_is_the_integral_over_the_band_of_the_wall():
     for mechanism, (low, high) in law.BANDS.items():
         expected = 4.0 * 0.3 * (high - low) / 2.0 / 5.0
         assert law.scaled_intensity(4.0, integral, 5.0, mechanism) == pytest.approx(expected, rel=1e-6)
+
+
+def test_that_the_interval_of_one_record_holds_events_it_has_not_seen():
+    """Planted residuals of 40 events with a spread of their own: 90 % of those left out, 5 % below."""
+    rng = np.random.default_rng(5)
+    events = np.repeat([f"e{k}" for k in range(40)], 30)
+    residuals = rng.normal(0.0, 0.2, 40).repeat(30) + rng.normal(0.1, 0.2, events.size)
+    low, high = record_ends(residuals, events)
+    deviation = np.hypot(0.2, 0.2)
+    assert low == pytest.approx(0.1 - 1.645 * deviation, abs=0.12) and high == pytest.approx(
+        0.1 + 1.645 * deviation, abs=0.12
+    )
+    inside, below = coverage(residuals, events)
+    assert 0.85 <= inside <= 0.95 and below <= 0.08
+    # an event of many records counts as one
+    many = np.append(events, np.full(5000, "e0")), np.append(residuals, np.full(5000, residuals[0]))
+    assert record_ends(many[1], many[0])[0] == pytest.approx(low, abs=0.05)
+
+
+def test_that_the_interval_of_one_record_is_printed_where_records_were_run():
+    for (_, moment, _), fitted in law.FITTED.items():
+        ends = fitted.record_interval(1.0, 0.9)
+        assert (ends is not None) == (moment == "rigid")
+        if ends is not None:
+            low, high = fitted.interval(1.0, 0.9)
+            assert ends[0] < float(fitted.q(1.0, 0.9)) < ends[1] and ends[1] - ends[0] > high - low
+    page = (ROOT / "resources" / "docs" / "paper.md").read_text(encoding="utf-8")
+    ends = [np.exp(law.FITTED[m, "rigid", q].record) for m in ("two_sided", "one_sided") for q in ("q", "q_slv")]
+    written = re.search(r"same weight: (.*?) two-sided .*?, (.*?) one-sided", " ".join(page.split()))
+    numbers = [float(one) for part in written.groups() for one in re.findall(r"\d\.\d\d", part)]
+    assert numbers == pytest.approx(np.concatenate(ends), abs=0.006)
