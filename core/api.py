@@ -18,7 +18,8 @@ from core import atomic_write
 from core.capacity import ida
 from core.capacity.closed_forms import closed_form_q
 from core.case import reader
-from core.case.rules import parse_case, parse_wall
+from core.case.brought import with_thrust
+from core.case.rules import parse_case
 from core.case.schema import Case
 from core.case.study_file import read_study, shortened
 from core.case.wall import Wall
@@ -31,12 +32,13 @@ from core.report.columns import columns_of
 from core.report.json_report import results
 from core.rocking import history as rocking
 from core.rocking.methods import METHODS
-from core.rocking.outcome import COLLAPSED
+from core.rocking.outcome import COLLAPSED, OUTCOME_WORDS, STABLE
 from core.setting.plan import with_chosen
 from core.setting.scene import model_of
 from core.study import run as study_run
 from core.study.results import StudyResult
 from core.version import NAME, VERSION
+from core.wall.rocking_model import RockingModel
 
 __all__ = [
     "GroundMotion",
@@ -81,7 +83,11 @@ def wall(**keys: Any) -> Wall:
     InputError
         Where a key is unknown, missing or out of its range.
     """
-    return parse_wall({"name": "wall", **keys})
+    plain = {key: one.item() if isinstance(one, np.generic) else one for key, one in keys.items()}
+    table = {"name": "wall", **plain}
+    if "demand" in keys or "record" in keys:
+        raise InputError("api_case", key="demand" if "demand" in keys else "record")
+    return parse_case({"wall": [table]}).wall[0]
 
 
 def read_case(path: str | os.PathLike) -> Case:
@@ -103,7 +109,10 @@ def case(keys: dict[str, Any]) -> Case:
     InputError
         Where the file with this content would be refused.
     """
-    return parse_case(keys)
+    made = parse_case(keys)
+    if made.walls is not None:
+        raise InputError("api_table", key="walls", found=made.walls)
+    return made
 
 
 def motion(acceleration: Sequence[float] | np.ndarray, time_step: float, name: str = "motion") -> GroundMotion:
@@ -121,7 +130,13 @@ def motion(acceleration: Sequence[float] | np.ndarray, time_step: float, name: s
     InputError
         For fewer than 10 samples, samples that are not finite, or zeros alone.
     """
-    return GroundMotion(name, np.asarray(acceleration, dtype=float), float(time_step))
+    try:
+        samples = np.asarray(acceleration, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError("api_samples", key="acceleration") from None
+    if samples.ndim != 1:
+        raise InputError("api_samples", key="acceleration")
+    return GroundMotion(name, samples, float(time_step))
 
 
 def read_record(path: str | os.PathLike, scale: float = 1.0) -> GroundMotion:
@@ -143,8 +158,19 @@ def read_record(path: str | os.PathLike, scale: float = 1.0) -> GroundMotion:
 
 
 def spectrum(ground: GroundMotion, periods: Sequence[float] | np.ndarray, damping: float = 0.05) -> np.ndarray:
-    """Pseudo-acceleration response spectrum [m/s2], shape of `periods` [s]; damping as a share of the critical one."""
-    return pseudo_acceleration_spectrum(ground.acceleration, ground.time_step, np.asarray(periods, float), damping)
+    """Pseudo-acceleration response spectrum [m/s2], shape (n,) of `periods` [s]; damping a share of critical.
+
+    Raises
+    ------
+    InputError
+        For periods that are not above 0, or a damping that is not from 0.001 to 0.5.
+    """
+    asked = np.atleast_1d(np.asarray(periods, float))
+    if asked.ndim != 1 or not np.isfinite(asked).all() or (asked <= 0.0).any():
+        raise InputError("api_number", key="periods", accepted="> 0 s")
+    if not 0.001 <= damping <= 0.5:
+        raise InputError("api_number", key="damping", accepted="0.001 – 0.5")
+    return pseudo_acceleration_spectrum(ground.acceleration, ground.time_step, asked, damping)
 
 
 @dataclass(frozen=True)
@@ -184,9 +210,14 @@ def history(wall: Wall, ground: GroundMotion, scale: float = 1.0, mechanism: str
     Raises
     ------
     InputError
-        For a mechanism the wall has not.
+        For a mechanism the wall has not, a scale or a motion that is no earthquake (10^5 g), and a motion after
+        too many impacts.
     """
-    found = rocking.history(ground.acceleration, ground.time_step, scale, model_of(wall, _mechanism(wall, mechanism)))
+    if not np.isfinite(scale):
+        raise InputError("api_number", key="scale", accepted="-1e6 – 1e6")
+    found = rocking.history(ground.acceleration, ground.time_step, scale, _model(wall, mechanism))
+    if found.outcome not in (STABLE, COLLAPSED):
+        raise InputError("api_no_outcome", wall=wall.title, outcome=OUTCOME_WORDS[found.outcome])
     time = ground.time_step * np.arange(found.rotation.size)
     overturned = found.outcome == COLLAPSED
     return History(time, found.rotation, found.velocity, found.impact_time, found.peak, overturned)
@@ -209,7 +240,9 @@ def search(
     Ida
         ``q``, ``q_slv``, ``q_slc``, ``q_robust`` [-], None where there is none, and ``analyses`` made.
     """
-    model = model_of(wall, _mechanism(wall, mechanism))
+    if not 1e-4 <= q_step <= 0.1:
+        raise InputError("api_number", key="q_step", accepted="0.0001 – 0.1")
+    model = _model(wall, mechanism)
     settings, sign = ida.Search(q_step=q_step), -1 if reverse else 1
     return ida.incremental_dynamic_analysis(
         ground.acceleration, ground.time_step, ground.pga, sign, model, METHODS["taylor"], settings
@@ -217,7 +250,15 @@ def search(
 
 
 def eq15_16(wall: Wall, ground: GroundMotion, mechanism: str | None = None) -> float:
-    """q [-] of the paper's Eq. 15 (two-sided) or 16 (one-sided) for a wall and the intensity of a record."""
+    """q [-] of the paper's Eq. 15 (two-sided) or 16 (one-sided) for a wall and the intensity of a record.
+
+    Raises
+    ------
+    InputError
+        For a wall above the ground, with loads or that bends, where they do not hold.
+    """
+    if not with_thrust(wall).has_closed_forms:
+        raise InputError("api_closed_forms", wall=wall.title)
     block = wall.in_si.block
     one_sided = _mechanism(wall, mechanism) == "one_sided"
     return closed_form_q(block.slenderness, block.height, ground.housner_intensity, ground.pga, one_sided)
@@ -304,6 +345,11 @@ def select(case: Case, base_dir: str | os.PathLike = ".") -> Case:
         Where there is no set that fits.
     """
     return with_chosen(case, Path(base_dir))[0]
+
+
+def _model(wall: Wall, asked: str | None) -> RockingModel:
+    """The model of a wall with all that acts on it."""
+    return model_of(with_thrust(wall), _mechanism(wall, asked))
 
 
 def _mechanism(wall: Wall, asked: str | None) -> str:

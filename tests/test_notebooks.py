@@ -4,6 +4,7 @@ import inspect
 import json
 import re
 
+import numpy as np
 import pytest
 
 import core.api
@@ -42,3 +43,53 @@ def test_that_every_name_has_its_types_units_and_a_row_in_the_page():
             assert signature.return_annotation is not inspect.Signature.empty, name
             for parameter in signature.parameters.values():
                 assert parameter.annotation is not inspect.Parameter.empty, (name, parameter)
+
+
+def sine(scale=2.0):
+    time = np.arange(0.0, 4.0, 0.005)
+    return core.api.motion(np.where(time < 0.8, scale * np.sin(2.0 * np.pi * time / 0.8), 0.0), 0.005)
+
+
+PLAIN = {"mechanism": "two_sided", "height_m": 3.0, "thickness_m": 0.3}
+CORNER = {"length_1_m": 2.4, "length_2_m": 2.4, "thickness_2_m": 0.6}
+PUSHED = {"mechanism": "one_sided", "height_m": 6.0, "thickness_m": 0.6, "length_m": 3.39, "unit_weight_kn_m3": 18.0}
+LOAD = {"kind": "thrust", "kn_m": 200.0, "h_m": 2.0}
+BEHIND = {"unit_weight_kn_m3": 18.0, "back_restraint": "other", "restraint_note": "floors tied"}
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        lambda api: api.history(api.wall(**PLAIN), sine(), scale=float("nan")),
+        lambda api: api.history(api.wall(**PLAIN), sine(), scale=1e7),
+        lambda api: api.wall(mechanism="one_sided"),
+        lambda api: api.wall(**PLAIN, drawing=[{"file": "x.dxf", "layers": "a", "plane": "section", "to_m": 1.0}]),
+        lambda api: api.wall(**PLAIN | {"mechanism": "one_sided", **BEHIND, "load": [LOAD]}),
+        lambda api: api.case({"walls": "walls.xlsx"}),
+        lambda api: api.eq15_16(api.wall(**PLAIN, base_z_m=6.0), sine()),
+        lambda api: api.spectrum(sine(), [0.0, 0.5]),
+        lambda api: api.spectrum(sine(), [0.5], damping=1.5),
+        lambda api: api.search(api.wall(**PLAIN), sine(), q_step=0.0),
+        lambda api: api.motion(np.ones((100, 2)), 0.005),
+        lambda api: api.motion(["a"] * 20, 0.005),
+    ],
+)
+def test_that_what_cannot_be_is_one_sentence_and_no_number(asked):
+    with pytest.raises(core.api.InputError) as refused:
+        asked(core.api)
+    assert str(refused.value) and "\n" not in str(refused.value)
+
+
+def test_that_numbers_of_numpy_are_numbers_and_one_period_is_a_row():
+    wall = core.api.wall(mechanism="two_sided", height_m=np.int64(3), thickness_m=np.float32(0.5))
+    assert wall.height_m == 3.0 and wall.thickness_m == 0.5
+    assert core.api.spectrum(sine(), 0.3).shape == (1,)
+
+
+def test_that_a_corner_is_pushed_in_histories_and_searches_too():
+    quiet, pushed = (
+        core.api.wall(**PUSHED, corner=CORNER | {"thrust_1_kn_m": thrust, "thrust_2_kn_m": thrust})
+        for thrust in (0.0, 0.3)
+    )
+    found = [core.api.history(wall, sine(6.0)).peak for wall in (quiet, pushed)]
+    assert found[0] != found[1]

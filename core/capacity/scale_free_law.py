@@ -89,7 +89,8 @@ def estimates(
     for quantity in ("q", "q_slv"):
         fitted = law_of(one_sided, law, quantity)
         if fitted is not None:
-            within = fitted.holds(scaled, ratio)
+            beyond = BANDS[mechanism][1] / math.sqrt(block.p2) > SCALED_PERIODS[-1]
+            within = fitted.holds(scaled, ratio) and not beyond
             q, (low, high) = float(fitted.q(scaled, ratio)), fitted.interval(scaled, ratio)
             for one in estimated:  # q_slv: the two fits may cross by 2 %, the quantities cannot
                 q, low, high = min(q, one.q), min(low, one.low), min(high, one.high)
@@ -120,7 +121,8 @@ def scaled_intensity(p2: float, integral: np.ndarray, pga: float, mechanism: str
     """Lambda = p^2 / PGA times the integral of the pseudo-velocity from a/p to b/p [-]: free of the scale of the motion
     and of time and wall stretched together, as q is.
 
-    p2 : [1/s2]; integral : `velocity_integral` of the motion [m]; pga [m/s2]; mechanism : whose band is taken
+    p2 : [1/s2]; integral : `velocity_integral` of the motion [m]; pga [m/s2]; mechanism : whose band is taken, up to
+        the last of SCALED_PERIODS: of walls of some 30 m and more a part of it is missing
     """
     ends = np.array(BANDS[mechanism]) / math.sqrt(p2)
     low, high = np.interp(ends, SCALED_PERIODS, integral)

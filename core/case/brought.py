@@ -12,7 +12,6 @@ from core.case.wall import ARCHES, Wall
 from core.errors import InputError, place, section
 from core.known import known
 from core.text.sentence import Key
-from core.wall.arch import TIE
 
 
 def brought(wall: Wall, building: Building | None) -> Wall:
@@ -149,4 +148,4 @@ class Together:
 def _on_corner(wall: Wall) -> float:
     """H that the ends of a wall push with [kN/m]; none where ties along it take it."""
     arch = known((spanning(wall) if wall.mechanism != ARCHES else wall).in_si.arch)
-    return 0.0 if arch.by == TIE else 1e-3 * arch.thrust
+    return 0.0 if arch.tied else 1e-3 * arch.thrust

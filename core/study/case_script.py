@@ -1,5 +1,6 @@
 """A case as a Python script: "Save as Python" of the window. It gives the numbers of the program."""
 
+import re
 from pathlib import Path
 
 from core.case.schema import Case
@@ -20,6 +21,5 @@ def case_script(case: Case, base_dir: Path) -> str:
     text = repr(content) if '"""' in content or "\\" in content else f'"""\\\n{content.rstrip()}\n"""'
     title = " ".join(case.title.replace('"', "'").replace("\\", "/").split())
     script = TEMPLATE.read_text(encoding="utf-8")
-    for place_of, words in (('"{base_dir}"', repr(str(base_dir))), ("{title}", title), ("{line}", line())):
-        script = script.replace(place_of, words)
-    return script.replace('"{text}"', text)
+    words = {'"{base_dir}"': repr(str(base_dir)), "{title}": title, "{line}": line(), '"{text}"': text}
+    return re.sub("|".join(map(re.escape, words)), lambda found: words[found[0]], script)

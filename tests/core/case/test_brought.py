@@ -152,6 +152,8 @@ def test_that_a_corner_that_does_not_stand_the_thrust_says_so():
 def test_that_a_tie_along_the_wall_takes_what_a_corner_then_does_not():
     tied = ARCH | {"tie_kn_m": 40.0, "tie_bar_length_m": 5.0, "tie_elongation_m": 0.1}
     assert case_of(SPANS | {"arch": tied}, CORNER, building=BARE)
+    strong = tied | {"tie_kn_m": 3000.0}  # so strong that the hinges are crushed first
+    assert case_of(SPANS | {"arch": strong}, CORNER, building=BARE)
 
 
 def test_that_two_walls_that_span_to_a_corner_both_push_it_in_every_variant():
