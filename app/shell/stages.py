@@ -36,6 +36,7 @@ from app.shell.live_answer import LiveAnswer
 from app.shell.missing import Missing
 from app.shell.pages import Page, Veil, delete
 from app.work.session import Session
+from core.codes.annexes import annex
 from core.errors import place
 from core.known import known
 
@@ -87,7 +88,7 @@ def name_sections() -> None:
             "[wall.arch]": tr("Span between the transverse walls (horizontal bending)"),
             "NTC2018": "NTC 2018",
             "EN1998": "EN 1998-1",
-            "EN1998-ES": "EN 1998-1, Spain",
+            "EN1998-ES": annex("EN1998-ES")["name"],
             **{f"[[load]] {k}": place("load", n=k).text(current_language()) for k in range(1, 100)},
         }
     )

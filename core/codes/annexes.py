@@ -49,4 +49,5 @@ def annex_spectrum(code: str, ag: float, soil: str, vs30: float, contribution: f
         factor = 1.0 if ag / G > whole["to_g"] else weak + whole["slope"] * beyond * (1.0 - weak)
     t_c = ground["t_c"] * contribution * (c if ground["with_c"] else 1.0)
     t_b, t_d = given["t_b_over_t_c"] * t_c, given["t_d_s"]
-    return CodeSpectrum(f"{given['name']}, {soil}", ag, factor, given["amplification"], t_b, t_c, t_d)
+    name = f"{given['name']}, {soil}, v_s,30 {vs30:.4g} m/s, K {contribution:.3g}"
+    return CodeSpectrum(name, ag, factor, given["amplification"], t_b, t_c, t_d)
