@@ -30,7 +30,7 @@ Reasons = WallJustification | DemandJustification
 
 
 def _of_ties(wall: Wall, leaf: Leaf | None) -> dict[str, bool]:
-    """Of `raised_by_wall` what is of ties, and of the connectors of a leaf."""
+    """Those keys of `raised_by_wall` that ties hold, and the connectors of a leaf."""
     ties = [load for load in wall.load if load.is_tie]
     return {
         "elongation_m": bool(ties),

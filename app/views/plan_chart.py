@@ -65,7 +65,7 @@ def _colour(label: pg.TextItem, chosen: theme.Theme, scale: float) -> None:
 
 
 def _distance(one: Placed, x: float, y: float) -> float:
-    """Of a place from a wall [m]."""
+    """How far a place lies from a wall [m]."""
     (x1, y1), (x2, y2) = one.ends
     along = (x2 - x1) ** 2 + (y2 - y1) ** 2 or 1.0
     share = min(max(((x - x1) * (x2 - x1) + (y - y1) * (y2 - y1)) / along, 0.0), 1.0)

@@ -184,8 +184,8 @@ def _spread(ordered: Sequence, most: int) -> list:
 
 
 def _spans_of_leaf(leaf: Wall) -> list[tuple[float, float]]:
-    """Of the many stretches between rows of connectors those up to the highest row, and the one that starts to bend the
-    soonest."""
+    """The stretches that are looked at of the many between rows of connectors: those up to the highest row, evenly
+    spread, and the one that starts to bend the soonest."""
     spans = spans_of(leaf)
     highest = max((high for _, high in spans), default=0.0)
     kept = _spread(sorted(span for span in spans if span[1] == highest), MOST_SPANS)

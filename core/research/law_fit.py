@@ -161,7 +161,7 @@ def coverage(residuals: np.ndarray, events: np.ndarray) -> tuple[float, float]:
 
 
 SEED = 74
-"""Of the draw of the events on which the form and the bands of Lambda were chosen."""
+"""It draws the events on which the form and the bands of Lambda were chosen."""
 
 
 def event_of(motion: GroundMotion) -> str:

@@ -103,6 +103,20 @@ def test_that_an_estimate_at_slv_is_not_above_that_at_collapse():
             assert (at_slv.q(x, ratio) < 1.03 * at_collapse.q(x, ratio)).all()
 
 
+@pytest.mark.parametrize(("one_sided", "most"), [(False, 33.0), (True, 84.0)])
+def test_that_a_wall_whose_band_ends_beyond_the_integral_is_never_within(one_sided, most):
+    """The Lambda of a wall so tall is too low, its q too high: 8/p and 5/p are of 12 s at R = 16.6 and 42 m."""
+    for share in (0.9, 0.99, 1.01, 1.5, 3.0):
+        block = Block.rectangle(share * most, np.radians(4.0))
+        impact = restitution(block, "one_sided_theoretical" if one_sided else "housner")
+        found = [
+            one.within
+            for velocity in np.geomspace(0.05, 50.0, 60)
+            for one in law.estimates(block, impact, LAWS["rigid"], one_sided, steady(velocity), 3.0)
+        ]
+        assert any(found) == (share < 1.0)
+
+
 @pytest.mark.shows("paper.law")
 def test_that_an_estimate_is_scale_free_and_says_where_it_does_not_hold():
     block = Block.rectangle(7.0, np.radians(6.8))
