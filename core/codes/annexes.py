@@ -26,6 +26,11 @@ def code_words(code: str) -> str:
     return str(annex(code)["name"]) if code in ANNEXES else "EN 1998"
 
 
+def is_unseen(code: str | None) -> bool:
+    """Whether a code is an annex whose table was not compared with print: its spectrum may be too low."""
+    return code in ANNEXES and not annex(str(code))["seen_in_print"]
+
+
 def annex_spectrum(code: str, ag: float, soil: str, vs30: float, contribution: float) -> CodeSpectrum:
     """The elastic spectrum of an annex (EN 1998-1 3.2.2.2).
 

@@ -4,7 +4,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from core.codes.annexes import ANNEXES, annex, code_words
 from core.codes.target_spectrum import Target
 from core.ground.ground_motion import GroundMotion
 from core.text.sentence import Sentence, notice
@@ -74,17 +73,9 @@ def unusual(ag: float) -> list[Sentence]:
     return [notice("large_ag", ag=ag / G, meant=ag / G**2)] if ag > LARGE_AG else []
 
 
-def _of_annex(demand: DemandResult) -> list[Sentence]:
-    """That the table of an annex was not compared with print: its spectrum may be too low."""
-    code = demand.spectrum_code
-    if code is None or code not in ANNEXES or annex(code)["seen_in_print"]:
-        return []
-    return [notice("annex_unseen", name=code_words(code))]
-
-
 def with_records(demand: DemandResult, motions: list[GroundMotion]) -> DemandResult:
     """The demand with what only the records give: an intensity that nothing else states, warnings."""
-    notices = [*unusual(demand.ag), *_of_annex(demand)]
+    notices = unusual(demand.ag)
     if not motions:
         return replace(demand, warnings=tuple(notices))
     if demand.record_scaling == "pga":

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from core.capacity.bisection import BRACKET
+from core.codes.annexes import code_words, is_unseen
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import Check, Kinematic
@@ -236,6 +237,8 @@ def limits_of(seen: Evidence) -> list[Sentence]:
     reasons += _of_what_holds(seen)
     if not demand.soil_factor_stated:
         reasons.append(reason("no_soil_factor"))
+    if is_unseen(demand.spectrum_code):
+        reasons.append(reason("annex_unseen", name=code_words(str(demand.spectrum_code))))
     alpha = 0.0 if seen.wall.arch else math.degrees(seen.wall.block.slenderness)
     if alpha > STOCKY_DEG:
         reasons.append(reason("stocky", alpha=alpha))

@@ -37,6 +37,7 @@ TO_MEND = {
     "bundled": Sentence("reason", "to_bundled"),
     "one_sign": Sentence("reason", "to_one_sign", (("key", Key("polarity")),)),
     "no_soil_factor": Sentence("reason", "to_no_soil_factor"),
+    "annex_unseen": Sentence("reason", "to_annex_unseen", (("key", Key("spectrum_file")),)),
     "period_estimated": Sentence("reason", "to_period_estimated", (("key", Key("period_s")),)),
     "upper_floor": Sentence("reason", "to_building", (("building", Key("[building]")),)),
     "upper_top": Sentence("reason", "to_building", (("building", Key("[building]")),)),
@@ -46,8 +47,9 @@ TO_MEND = {
 """What makes a verdict indicative, or is missing, and the designer can mend -> what to do; the first two are said."""
 
 
-TAKEN = ("no_soil_factor", "period_estimated")
-"""Reasons for which the motion itself rests on a value that was left out: no wall is said to stay at rest under it."""
+TAKEN = ("no_soil_factor", "period_estimated", "annex_unseen")
+"""Reasons for which the motion itself rests on a value left out or not seen in print: no wall is said to stay at rest
+under it."""
 
 
 @dataclass(frozen=True)

@@ -84,6 +84,8 @@ def _ways():
     strong = {WALL + "compressive_strength_mpa": 20.0}
     yield Way("LC3 with a strength of 20 MPa", "facade", LC3 | strong, "compressive_strength_mpa")
     yield Way("no spectrum, no S", "facade", {"demand.spectrum": DROP}, "no_soil_factor")
+    spain = {"code": "EN1998-ES", "soil": "A", "vs30_m_s": 900.0, "contribution_k": 0.5}
+    yield Way("an annex not seen in print", "facade", {"demand.spectrum": spain}, "annex_unseen")
     for soil in (0.9, 1.0):
         yield Way(f"S {soil}, no spectrum", "facade", LINEAR | {"demand.soil_factor": soil}, "linear_alone")
     small = LINEAR | {"demand.soil_factor": 1.0, "demand.housner_intensity_cm": 5.0}
