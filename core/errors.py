@@ -60,7 +60,7 @@ class InputError(ValueError):
         if self.accepted is None:
             return self.text(language, form)
         scaled = self._scaled(*form.scales[self.key]) if self.key in form.scales else {}
-        comma = language == "it" and form is not FILE_NAMES
+        comma = CATALOGUE.comma(language) and form is not FILE_NAMES
         return str(in_words(scaled.get("accepted", self.accepted), language, form, comma))
 
     @property

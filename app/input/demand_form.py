@@ -25,9 +25,9 @@ from app.work.session import Session
 from core.case.place import OF_SPECTRUM, placed
 from core.case.schema import Analysis, Report
 from core.case.site import Demand, Spectrum, least_factor
-from core.codes.annexes import ANNEXES, annex
 from core.codes.demand import unusual
 from core.codes.limits import EXCEEDANCE
+from core.codes.spectrum_codes import CODES, NATIONAL, takes
 from core.codes.target_spectrum import Target
 from core.errors import InputError
 from core.known import known
@@ -121,7 +121,7 @@ class DemandForm(QWidget):
         if self.place is not None:
             self.place.forget()
         self.last: tuple | None = None
-        self.spectra = {code: Spectrum(code, "") for code in ("NTC2018", "EN1998", *ANNEXES)}  # "": not given yet
+        self.spectra = {code: Spectrum(code, "") for code in CODES}  # "": not given yet
 
     def _make_spectrum(self) -> None:
         """How the spectrum is given, with what is said of it."""
@@ -132,9 +132,7 @@ class DemandForm(QWidget):
         self.kind.setAccessibleName(tr("Spectrum"))
         for name, shown in (
             ("none", tr("no spectrum, S given")),
-            ("NTC2018", "NTC 2018"),
-            ("EN1998", "EN 1998-1"),
-            *((code, annex(code)["name"]) for code in ANNEXES),
+            *((name, code.name) for name, code in CODES.items()),
             ("file", tr("spectrum of a file")),
         ):
             self.kind.addItem(shown, name)
@@ -170,7 +168,7 @@ class DemandForm(QWidget):
         for field in self.of_spectrum:
             if spectrum:
                 field.show_value(getattr(spectrum, field.key))
-            field.setVisible(spectrum is not None and field.entry.metadata.get("code", kind) == kind)
+            field.setVisible(spectrum is not None and takes(spectrum.code, field.key) is not False)
         self._show_given(spectrum)
         self.fields["soil_factor"].setVisible(spectrum is None)
         self.fields["housner_intensity_cm"].setVisible(kind == "none")
@@ -220,7 +218,7 @@ class DemandForm(QWidget):
         for key in FROM_PLACE:
             self.fields[key].setVisible(free)
         for key in OF_SPECTRUM:
-            self.fields[key].setVisible(free and spectrum is not None and spectrum.code == "NTC2018")
+            self.fields[key].setVisible(free and spectrum is not None and spectrum.code == NATIONAL)
         self.hazard.setVisible(free)
 
     def _other_states(self, demand: Demand) -> dict:

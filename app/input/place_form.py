@@ -19,6 +19,7 @@ from app.work.session import Session
 from core.case.place import Site
 from core.case.site import Demand, Spectrum
 from core.codes.limits import EXCEEDANCE
+from core.codes.spectrum_codes import NATIONAL
 from core.errors import InputError
 
 GIVEN_BY_PLACE: dict[str, Any] = {"site": "", "coordinates": "", "return_period_years": None, "hazard_file": None}
@@ -155,7 +156,7 @@ class PlaceForm(QWidget):
         demand = replace(demand, **GIVEN_BY_PLACE) if demand else None
         if demand and not (demand.spectrum or demand.spectrum_file or demand.soil_factor):
             # a place without a spectrum and S would be a demand on rock: soil and topography are asked for
-            demand = replace(demand, spectrum=Spectrum("NTC2018", ""), housner_intensity_cm=None)
+            demand = replace(demand, spectrum=Spectrum(NATIONAL, ""), housner_intensity_cm=None)
         self.session.edit(replace(self.session.case, site=site, demand=demand))
 
     def take(self, municipality: str) -> None:

@@ -17,6 +17,7 @@ from core.case.solids import Leaf
 from core.case.wall import BENDS, Wall, WallJustification
 from core.codes.limits import ORDINARY_LIFE
 from core.codes.national_hazard import national_range
+from core.codes.spectrum_codes import NATIONAL
 from core.codes.verdict import CODE_Q
 from core.ground.scattered import SPREAD
 from core.setting.floors import MAX_STOREY, MIN_STOREY
@@ -102,11 +103,11 @@ def _of_the_place(demand: Demand) -> dict[str, bool]:
     share, code = demand.use_class_factor, spectrum.code if spectrum else ""
     known = bool(demand.hazard) or bool(demand.hazard_file)
     least = dict(zip(("f0", "tc_star_s"), (ends[0] for ends in national_range()), strict=True))
-    given = {key: getattr(spectrum, key) for key in least} if code == "NTC2018" else {}
+    given = {key: getattr(spectrum, key) for key in least} if code == NATIONAL else {}
     below = {key: is_number(value) and value < least[key] for key, value in given.items()}
     return below | {
         "nominal_life_years": known and is_number(life) and is_number(share) and life * share < ORDINARY_LIFE,
-        "spectrum": known and (code.startswith("EN1998") or bool(demand.spectrum_file)),
+        "spectrum": known and (code not in ("", NATIONAL) or bool(demand.spectrum_file)),
     }
 
 

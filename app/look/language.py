@@ -14,7 +14,7 @@ followers: list = []
 
 
 def set_language(code: str) -> None:
-    """From now on texts are in "en" or "it"; widgets made before keep theirs."""
+    """From now on texts are in this language; widgets made before keep theirs."""
     _current[:] = [code]
     for follow in followers:
         follow(code)

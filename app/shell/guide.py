@@ -52,7 +52,7 @@ def explain(window: "MainWindow") -> None:
 
 def pages_of(language: str) -> list[Path]:
     """The pages of the guide in their order."""
-    return sorted(FOLDERS[language].glob("*.md"))
+    return sorted(FOLDERS.get(language, FOLDERS["en"]).glob("*.md"))
 
 
 class Guide(QDialog):

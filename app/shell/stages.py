@@ -36,7 +36,7 @@ from app.shell.live_answer import LiveAnswer
 from app.shell.missing import Missing
 from app.shell.pages import Page, Veil, delete
 from app.work.session import Session
-from core.codes.annexes import annex
+from core.codes.spectrum_codes import CODES
 from core.errors import place
 from core.known import known
 
@@ -86,9 +86,7 @@ def name_sections() -> None:
             "[wall.plan]": tr("Place in the key plan"),
             "[wall.leaf]": tr("Outer leaf that comes off"),
             "[wall.arch]": tr("Span between the transverse walls (horizontal bending)"),
-            "NTC2018": "NTC 2018",
-            "EN1998": "EN 1998-1",
-            "EN1998-ES": annex("EN1998-ES")["name"],
+            **{name: code.name for name, code in CODES.items()},
             **{f"[[load]] {k}": place("load", n=k).text(current_language()) for k in range(1, 100)},
         }
     )

@@ -20,6 +20,7 @@ from app.views.table import Table
 from core import atomic_write
 from core.errors import OutputError
 from core.report.plain_cell import plain_cell
+from core.text.catalogue import CATALOGUE
 
 
 def written(value: float, comma: bool) -> str:
@@ -87,18 +88,18 @@ class ChartOutput(QWidget):
         if end != ".csv":
             return figure(self, end, FigureSize())
         text = io.StringIO(newline="")
-        italian = current_language() == "it"
-        writer = csv.writer(text, delimiter=";" if italian else ",")
+        comma = CATALOGUE.comma(current_language())
+        writer = csv.writer(text, delimiter=";" if comma else ",")
         if self.is_stale:
             writer.writerow([tr("The input has changed since these results.")])
         writer.writerow(self.columns)
         for name, xs, ys in self.data:
             label = plain_cell(name)
             for x, y in zip(xs.tolist(), ys.tolist(), strict=True):
-                place = plain_cell(self.names[int(x)]) if self.names else written(x, italian)
-                writer.writerow((label, place, written(y, italian)))
+                place = plain_cell(self.names[int(x)]) if self.names else written(x, comma)
+                writer.writerow((label, place, written(y, comma)))
         # a spreadsheet of Italy takes bytes without a mark for those of Windows
-        return text.getvalue().encode("utf-8-sig" if italian else "utf-8")
+        return text.getvalue().encode("utf-8-sig" if comma else "utf-8")
 
     @property
     def columns(self) -> list[str]:

@@ -6,6 +6,7 @@ from app.work.draft import TO_BE_GIVEN
 from core.case.place import DERIVED, OF_SPECTRUM, derived, placed
 from core.case.schema import Case
 from core.case.site import Demand, HazardRow, Spectrum
+from core.codes.spectrum_codes import NATIONAL
 from core.errors import InputError
 
 DEMAND_DECIMALS = 3
@@ -36,7 +37,7 @@ def released(demand: Demand) -> Demand:
         if not rows or (made.ag_g > rows[-1].ag_g and years > rows[-1].return_period_years):
             rows.append(made)
     spectrum = demand.spectrum
-    if isinstance(spectrum, Spectrum) and spectrum.code == "NTC2018":
+    if isinstance(spectrum, Spectrum) and spectrum.code == NATIONAL:
         spectrum = replace(spectrum, **{key: _rounded(getattr(spectrum, key)) for key in OF_SPECTRUM})
     return replace(demand, ag_g=_rounded(demand.ag_g), spectrum=spectrum, hazard=tuple(rows))
 
@@ -45,7 +46,7 @@ def restored(demand: Demand, before: Demand) -> Demand:
     """A demand whose place gave nothing, with the values from before that place."""
     spectrum = demand.spectrum
     former = before.spectrum
-    if isinstance(spectrum, Spectrum) and isinstance(former, Spectrum) and spectrum.code == former.code == "NTC2018":
+    if isinstance(spectrum, Spectrum) and isinstance(former, Spectrum) and spectrum.code == former.code == NATIONAL:
         spectrum = replace(spectrum, **{key: getattr(former, key) for key in OF_SPECTRUM})
     return replace(demand, spectrum=spectrum, **{key: getattr(before, key) for key in DERIVED})
 

@@ -16,7 +16,6 @@ def key(kind: str, default=None, **rule):
     form : group of the fields of its form; without it the form of its section says by hand where it stands
     filled : the form shows its field where it is given only, and does not let it be emptied
     listed : of a whole number, its field is a list
-    code : of a spectrum, the code that needs it; another one does not take it
     required : also where an optional key stands before it
     columns : of a section or of tables, how the names of their columns in a table of walls begin
     """

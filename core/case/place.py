@@ -17,6 +17,7 @@ from core.codes.national_hazard import (
     municipality,
     reference_life,
 )
+from core.codes.spectrum_codes import NATIONAL
 from core.errors import InputError, section
 from core.text.sentence import Key, Sentence, notice
 
@@ -140,7 +141,7 @@ def filled(site: Site, demand: dict) -> dict:
     for key in DERIVED:
         _agree(made, key, derived_values[key], "[demand]")
     spectrum = demand.get("spectrum")
-    if isinstance(spectrum, dict) and spectrum.get("code") == "NTC2018":
+    if isinstance(spectrum, dict) and spectrum.get("code") == NATIONAL:
         made["spectrum"] = dict(spectrum)
         for key in OF_SPECTRUM:
             _agree(made["spectrum"], key, derived_values[key], "[demand.spectrum]")
@@ -179,7 +180,7 @@ def placed(site: Site | None, demand: Demand | None) -> Demand | None:
     except (InputError, TypeError):
         return demand
     spectrum = demand.spectrum
-    if isinstance(spectrum, Spectrum) and spectrum.code == "NTC2018":
+    if isinstance(spectrum, Spectrum) and spectrum.code == NATIONAL:
         spectrum = replace(spectrum, **{key: values[key] for key in OF_SPECTRUM})
     return replace(demand, spectrum=spectrum, **{key: values[key] for key in DERIVED})
 

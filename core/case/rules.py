@@ -35,6 +35,7 @@ from core.case.values import (
 from core.case.variant_of import expanded
 from core.case.wall import BENDS, Wall
 from core.codes.limits import check_return_period
+from core.codes.spectrum_codes import takes
 from core.errors import InputError, place, section
 from core.text.sentence import Key, Quantity, sentence
 
@@ -452,9 +453,9 @@ def _check_select(case: Case) -> None:
 def check_code_keys(asked, here) -> None:
     """Refuse a spectrum of a code without the keys of that code, or with those of another."""
     for entry in fields(Spectrum):
-        code, given = entry.metadata.get("code"), getattr(asked, entry.name, None) is not None
-        if code and given != (code == asked.code):
-            problem = "code_needs" if code == asked.code else "code_does_not_take"
+        needed, given = takes(asked.code, entry.name), getattr(asked, entry.name, None) is not None
+        if needed is not None and given != needed:
+            problem = "code_needs" if needed else "code_does_not_take"
             raise InputError(problem, place=(here,), key=entry.name, code=Key(asked.code))
 
 

@@ -13,6 +13,7 @@ from core.case.site import Building, Demand
 from core.case.wall import Wall
 from core.ground.scattered import SPREAD
 from core.rocking.methods import AUTO, METHODS
+from core.text.sentence import LANGUAGES
 
 
 @dataclass(frozen=True)
@@ -32,7 +33,7 @@ class Report:
     author: str = text_key()
     revision: str = text_key()
     date: str = text_key()
-    language: str = choice_key("en", "it", default="en")
+    language: str = choice_key(*LANGUAGES, default="en")
     letterhead: str = text_key()
     logo: str = text_key()
     font: str = text_key()

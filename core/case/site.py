@@ -3,24 +3,24 @@
 from dataclasses import MISSING, dataclass
 
 from core.case.keys import choice_key, key, number_key, path_key, text_key
-from core.codes.annexes import ANNEXES
 from core.codes.limits import return_period
+from core.codes.spectrum_codes import CODES
 from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
 from core.known import known
 
 
 @dataclass(frozen=True)
 class Spectrum:
-    """[demand.spectrum]: the elastic spectrum of a code; S follows from it."""
+    """[demand.spectrum]: the elastic spectrum of a code, which says which of the keys it needs; S follows from it."""
 
-    code: str = choice_key("NTC2018", "EN1998", *ANNEXES)
+    code: str = choice_key(*CODES)
     soil: str = choice_key(*SOILS, form="code")
-    f0: float | None = number_key(2.0, 4.0, form="code", filled=True, code="NTC2018")
-    tc_star_s: float | None = number_key(0.05, 1.0, unit="s", form="code", filled=True, code="NTC2018")
-    topography: str | None = choice_key(*NTC_TOPOGRAPHY, default=None, form="code", filled=True, code="NTC2018")
-    type: int | None = number_key(1, 2, whole=True, form="code", filled=True, listed=True, code="EN1998")
-    vs30_m_s: float | None = number_key(50.0, 3000.0, unit="m/s", form="code", filled=True, code="EN1998-ES")
-    contribution_k: float | None = number_key(0.5, 3.0, form="code", filled=True, code="EN1998-ES")
+    f0: float | None = number_key(2.0, 4.0, form="code", filled=True)
+    tc_star_s: float | None = number_key(0.05, 1.0, unit="s", form="code", filled=True)
+    topography: str | None = choice_key(*NTC_TOPOGRAPHY, default=None, form="code", filled=True)
+    type: int | None = number_key(1, 2, whole=True, form="code", filled=True, listed=True)
+    vs30_m_s: float | None = number_key(50.0, 3000.0, unit="m/s", form="code", filled=True)
+    contribution_k: float | None = number_key(0.5, 3.0, form="code", filled=True)
 
 
 @dataclass(frozen=True)

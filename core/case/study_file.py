@@ -11,9 +11,11 @@ from core.case.rules import check_code_keys, parse_wall
 from core.case.schema import Record
 from core.case.values import refuse_unknown, section_of
 from core.case.wall import Wall
+from core.codes.spectrum_codes import CODES
 from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
 from core.errors import InputError, place
 from core.rocking.methods import METHODS
+from core.text.sentence import LANGUAGES
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import MODELS
 
@@ -36,13 +38,15 @@ class Shape:
     """[[group.spectrum]]: the shape of a code's elastic spectrum and the first seed of its motions."""
 
     name: str = text_key(MISSING)
-    code: str = choice_key("NTC2018", "EN1998")
+    code: str = choice_key(*CODES)
     soil: str = choice_key(*SOILS)
     seed: int = number_key(0, 1_000_000, MISSING, whole=True)
     f0: float | None = number_key(2.0, 4.0)
     tc_star_s: float | None = number_key(0.05, 1.0, unit="s")
     topography: str | None = choice_key(*NTC_TOPOGRAPHY, default=None)
     type: int | None = number_key(1, 2, whole=True)
+    vs30_m_s: float | None = number_key(50.0, 3000.0, unit="m/s")
+    contribution_k: float | None = number_key(0.5, 3.0)
 
 
 @dataclass(frozen=True)
@@ -84,7 +88,7 @@ class Study:
 
     title: str = text_key("Ribalta")
     report: str = choice_key("grid", "paper", "law", default="grid")
-    language: str = choice_key("en", "it", default="en")
+    language: str = choice_key(*LANGUAGES, default="en")
     count: int = number_key(1, 50, 7, whole=True)
     group: tuple[Group, ...] = tables_key(Group)
     record: tuple[Record, ...] = tables_key(Record)

@@ -14,7 +14,7 @@ from core.case.wall import Wall
 from core.errors import InputError, place
 from core.quantities import UNITS_WRITTEN, factor_to, unit_of
 from core.text.catalogue import CATALOGUE
-from core.text.sentence import Sentence
+from core.text.sentence import LANGUAGES, Sentence
 
 MAX_LOADS = 4
 
@@ -37,7 +37,8 @@ def columns() -> dict[str, Column]:
     for entry in fields(Wall):
         if entry.metadata["kind"] not in NESTED:
             by_name[entry.name] = Column(
-                entry, frozenset((entry.name, *_titles(entry.name, 0), *_titles(entry.name, 1)))
+                entry,
+                frozenset((entry.name, *(title for k in range(len(LANGUAGES)) for title in _titles(entry.name, k)))),
             )
         for n in range(1, MAX_LOADS + 1) if "columns" in entry.metadata else ():
             inside = [inner for inner in fields(entry.metadata["of"]) if inner.metadata["kind"] not in NESTED]
@@ -53,7 +54,7 @@ def columns() -> dict[str, Column]:
 
 
 def _titles(key: str, language: int) -> list[str]:
-    """What a key is called in a table beside its name, in English (0) or Italian (1): its `.column` in the catalogue,
+    """What a key is called in a table beside its name, in the language of this number: its `.column` in the catalogue,
     else its word."""
     texts = CATALOGUE["key"]
     return texts.get(f"{key}.column", texts[key])[language].lower().split(", ")

@@ -5,13 +5,13 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from core.capacity.bisection import BRACKET
-from core.codes.annexes import code_words, is_unseen
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import Check, Kinematic
 from core.codes.limits import MEAN_FROM, MIN_PGA_SHARE, MINIMUM_FROM
 from core.codes.outcomes import OUTCOMES, PASSES
 from core.codes.record_compatibility import Compliance
+from core.codes.spectrum_codes import CODES
 from core.codes.target_spectrum import displacement_fall
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.wall.masonry import Masonry
@@ -237,8 +237,9 @@ def limits_of(seen: Evidence) -> list[Sentence]:
     reasons += _of_what_holds(seen)
     if not demand.soil_factor_stated:
         reasons.append(reason("no_soil_factor"))
-    if is_unseen(demand.spectrum_code):
-        reasons.append(reason("annex_unseen", name=code_words(str(demand.spectrum_code))))
+    code = CODES[demand.spectrum_code] if demand.spectrum_code else None
+    if code and not code.seen_in_print:
+        reasons.append(reason("annex_unseen", name=code.name))
     alpha = 0.0 if seen.wall.arch else math.degrees(seen.wall.block.slenderness)
     if alpha > STOCKY_DEG:
         reasons.append(reason("stocky", alpha=alpha))

@@ -1,4 +1,4 @@
-"""Elastic spectra of the codes: NTC 2018 3.2.3.2.1, EN 1998-1 3.2.2.2, or a file of two columns."""
+"""Elastic spectra of the demand: NTC 2018 3.2.3.2.1, the branches of every code, or a file of two columns."""
 
 import math
 from dataclasses import dataclass
@@ -21,25 +21,6 @@ NTC_SOIL = {
 }
 NTC_TOPOGRAPHY = {"T1": 1.0, "T2": 1.2, "T3": 1.2, "T4": 1.4}
 """S_T at the top of the relief (NTC 2018 Tab. 3.2.V)."""
-
-EN_SOIL = {
-    # type -> soil -> S, T_B, T_C, T_D (EN 1998-1 Tables 3.2 and 3.3)
-    1: {
-        "A": (1.00, 0.15, 0.40, 2.0),
-        "B": (1.20, 0.15, 0.50, 2.0),
-        "C": (1.15, 0.20, 0.60, 2.0),
-        "D": (1.35, 0.20, 0.80, 2.0),
-        "E": (1.40, 0.15, 0.50, 2.0),
-    },
-    2: {
-        "A": (1.00, 0.05, 0.25, 1.2),
-        "B": (1.35, 0.05, 0.25, 1.2),
-        "C": (1.50, 0.10, 0.25, 1.2),
-        "D": (1.80, 0.10, 0.30, 1.2),
-        "E": (1.60, 0.05, 0.25, 1.2),
-    },
-}
-EN_AMPLIFICATION = 2.5
 
 SI_FROM, SI_TO = float(HOUSNER_PERIODS[0]), float(HOUSNER_PERIODS[-1])
 """Periods of the Housner intensity [s]."""
@@ -192,13 +173,6 @@ def ntc2018(ag: float, f0: float, tc_star: float, soil: str, topography: str) ->
     if not t_c < t_d:
         raise InputError("t_c_above_t_d", stated=tc_star, soil=soil, t_c=t_c, t_d=t_d)
     return CodeSpectrum(f"NTC 2018, {soil}, {topography}", ag, factor, f0, t_c / 3.0, t_c, t_d)
-
-
-def en1998(ag: float, kind: int, soil: str) -> CodeSpectrum:
-    """EN 1998-1 3.2.2.2, recommended spectra of type 1 and 2, Tables 3.2 and 3.3. ag : on rock [m/s2]."""
-    factor, t_b, t_c, t_d = EN_SOIL[kind][soil]
-    name = f"EN 1998-1 type {kind}, {soil}"
-    return CodeSpectrum(name, ag, factor, EN_AMPLIFICATION, t_b, t_c, t_d)
 
 
 def given(name: str, ag: float, soil: float, rows: list[tuple[float, float]]) -> GivenSpectrum:

@@ -1,5 +1,6 @@
 """Which quantities the demand of a case has, with the values of the program."""
 
+from core.codes.spectrum_codes import NATIONAL
 from core.codes.target_spectrum import NTC_SOIL, NTC_TOPOGRAPHY, CodeSpectrum, shape_integral
 from core.derivation import demand as of
 from core.derivation.body import GRAVITY
@@ -16,7 +17,7 @@ def follows_spectrum(result: StudyResult) -> bool:
     return (
         asked.soil_factor is None
         and spectrum is not None
-        and spectrum.code == "NTC2018"
+        and spectrum.code == NATIONAL
         and isinstance(result.required.target, CodeSpectrum)
     )
 
@@ -53,7 +54,7 @@ def demand_section(result: StudyResult) -> Section:
 def _spectrum(result: StudyResult, target: CodeSpectrum) -> tuple[list[Line], dict[str, float]]:
     """Branches of the spectrum of a code; for NTC 2018 S and the periods are live."""
     asked = known(known(result.case.demand).spectrum)
-    if asked.code != "NTC2018":
+    if asked.code != NATIONAL:
         branches = ((of.F0, target.amplification), (of.T_B, target.t_b), (of.T_C, target.t_c), (of.T_D, target.t_d))
         return [Line(given, value, RUN, VALUE) for given, value in branches], {}
     names = ("soil_a", "soil_b", "soil_low", "soil_high", "soil_c", "soil_d")

@@ -29,6 +29,7 @@ from core.report.cells import (
 from core.report.plots import DATA_COLUMN, add_series, new_chart
 from core.report.sure_words import interval_line, verdict_of
 from core.study.results import StudyResult, WallResult
+from core.text.catalogue import CATALOGUE
 from core.text.sentence import word
 from core.units import G
 
@@ -188,7 +189,7 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
         row += 1
         text(sheet, row, 1, word(item.name, book.language))
         # a range of periods, no clause, stands where a value is only shown
-        comma = item.code == "shown" and book.language == "it"
+        comma = item.code == "shown" and CATALOGUE.comma(book.language)
         clause = item.clause.replace(".", ",") if comma else item.clause
         text(sheet, row, 2, clause, color=QUIET, size=9)
         for column, value in ((3, item.value), (4, item.limit)):

@@ -15,7 +15,7 @@ from core.text.sentence import FormNames, word
 @functools.cache
 def names_in(language: str) -> FormNames:
     """Names by which the report calls the keys of a case."""
-    captions = {code: words[language == "it"] for code, words in CATALOGUE["key"].items()}
+    captions = {code: CATALOGUE.of(words, language) for code, words in CATALOGUE["key"].items()}
     for code in CATALOGUE["word"]:
         kind, _, name = code.partition("_")
         if kind == "section":

@@ -10,6 +10,7 @@ import numpy as np
 from core.capacity.ida import Ida, Search, incremental_dynamic_analysis
 from core.case.study_file import Cell, Group, Shape, Study, cells_of, read_record_list
 from core.codes import target_spectrum
+from core.codes.spectrum_codes import CODES
 from core.codes.target_spectrum import CodeSpectrum
 from core.errors import InputError, RecordError
 from core.ground import records
@@ -90,15 +91,12 @@ class ParametricResult:
 
 def target_of(shape: Shape, pga: float) -> CodeSpectrum:
     """The spectrum of this shape with a_g S = pga [m/s2]. Raises InputError where no a_g gives it."""
-    if shape.code == "EN1998":
-        kind = known(shape.type)
-        soil = target_spectrum.en1998(G, kind, shape.soil).soil
-        return target_spectrum.en1998(pga / soil, kind, shape.soil)
+    code = CODES[shape.code]
+    rock = [shape.soil, *(known(getattr(shape, key)) for key in code.keys)]
     # S falls with a_g: from below, the fixed point comes to the smallest a_g
-    rock = (known(shape.f0), known(shape.tc_star_s), shape.soil, known(shape.topography))
-    ag = pga / target_spectrum.ntc2018(1e-6 * G, *rock).soil
+    ag = pga / code.make(1e-6 * G, *rock).soil
     for _ in range(2000):
-        target = target_spectrum.ntc2018(ag, *rock)
+        target = code.make(ag, *rock)
         if abs(target.pga - pga) <= 1e-12 * pga:
             return target
         ag = pga / target.soil

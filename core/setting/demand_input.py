@@ -16,10 +16,10 @@ from core.case.number import parse_number
 from core.case.schema import Case, Generate
 from core.case.site import Demand, HazardRow
 from core.codes import target_spectrum
-from core.codes.annexes import ANNEXES, annex_spectrum
 from core.codes.demand import DemandResult
 from core.codes.limits import SAME_PERIOD, USUAL_LIVES, return_period
 from core.codes.record_compatibility import PERIOD_RANGE
+from core.codes.spectrum_codes import CODES
 from core.codes.target_spectrum import Target
 from core.errors import InputError, place, section
 from core.file_names import name_of
@@ -47,20 +47,14 @@ def target_of(asked: Demand, base_dir: Path) -> Target | None:
     chosen = asked.spectrum
     if chosen is None:
         return None
-    if chosen.code == "EN1998":
-        if chosen.type is None:
-            raise KeyError("type")
-        return target_spectrum.en1998(ag, chosen.type, chosen.soil)
-    if chosen.code in ANNEXES:
-        if chosen.vs30_m_s is None or chosen.contribution_k is None:
-            raise KeyError("vs30_m_s")
-        try:
-            return annex_spectrum(chosen.code, ag, chosen.soil, chosen.vs30_m_s, chosen.contribution_k)
-        except InputError as error:
-            raise error.at(section("[demand.spectrum]")) from None
-    if chosen.f0 is None or chosen.tc_star_s is None or chosen.topography is None:
-        raise KeyError("f0")
-    return target_spectrum.ntc2018(ag, chosen.f0, chosen.tc_star_s, chosen.soil, chosen.topography)
+    code = CODES[chosen.code]
+    values = [getattr(chosen, key) for key in code.keys]
+    if None in values:
+        raise KeyError(code.keys[values.index(None)])
+    try:
+        return code.make(ag, chosen.soil, *values)
+    except InputError as error:
+        raise error.at(section("[demand.spectrum]")) from None
 
 
 def _rows(path: Path) -> list[tuple[float, float]]:

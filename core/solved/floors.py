@@ -6,7 +6,7 @@ from functools import cache
 import numpy as np
 
 from core.codes.floor_spectrum import FloorSpectrum, estimated_period, first_mode, first_participation
-from core.codes.target_spectrum import en1998
+from core.codes.spectrum_codes import en1998
 from core.ground.floor_motion import Mode, floor_acceleration, modal_acceleration
 from core.ground.ground_motion import GroundMotion
 from core.ground.response_spectrum import displacement_spectrum

@@ -8,6 +8,7 @@ from core.codes.demand import DemandResult
 from core.codes.limits import return_period
 from core.codes.national_hazard import SiteHazard, Values, hazard_at
 from core.codes.risk import Risk, letter_of, risk
+from core.codes.spectrum_codes import en1998
 from core.known import known
 from core.solved.solved import Answer, Kind, Solved, printed, row, worded
 from core.units import G
@@ -220,7 +221,7 @@ SPECTRUM_NAMES = {"S": "soil", "T_B": "t_b", "T_C": "t_c", "T_D": "t_d"}
 
 def of_grounds(kind: int) -> tuple[Answer, ...]:
     def found(soil: str, name: str) -> float:
-        return getattr(target_spectrum.en1998(0.25 * G, kind, soil), name)
+        return getattr(en1998(0.25 * G, kind, soil), name)
 
     return tuple(
         Answer(f"{symbol} ({soil})", "s" if symbol != "S" else "", float(value), 1e-12, partial(found, soil, name))
@@ -266,7 +267,7 @@ def of_branches(damping: float) -> tuple[Answer, ...]:
         return plateau * eta * (1.0 if t <= 0.5 else 0.5 / t if t <= 2.0 else 1.0 / t**2)
 
     def found(t: float) -> float:
-        return float(target_spectrum.en1998(0.25 * G, 1, "B").acceleration([t], damping)[0]) / G
+        return float(en1998(0.25 * G, 1, "B").acceleration([t], damping)[0]) / G
 
     return tuple(
         Answer(f"S_e({t:g} s, {100 * damping:g} %)", "g", by_hand(t), 1e-12, partial(found, t))
@@ -276,7 +277,7 @@ def of_branches(damping: float) -> tuple[Answer, ...]:
 
 def spectrum() -> target_spectrum.CodeSpectrum:
     """EN 1998-1 type 1, ground B, 0.26 g."""
-    return target_spectrum.en1998(0.26 * G, 1, "B")
+    return en1998(0.26 * G, 1, "B")
 
 
 RISING = (0.15**2 - 0.1**2) / 2.0 + 10.0 * (0.15**3 - 0.1**3) / 3.0

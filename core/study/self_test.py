@@ -15,7 +15,7 @@ import numpy as np
 from core.capacity.ida import Search, incremental_dynamic_analysis, multiplier_of, threshold_of
 from core.codes.demand import DemandResult
 from core.codes.kinematic import kinematic
-from core.codes.target_spectrum import en1998
+from core.codes.spectrum_codes import en1998
 from core.ground.ground_motion import GroundMotion
 from core.jit import shipped
 from core.rocking.history import by_order_8, history, in_lanes

@@ -30,16 +30,43 @@ GROUPS = (
 
 
 class Catalogue(Mapping):
-    """Group -> code -> (English, Italian)."""
+    """Group -> code -> its texts, one in each language, in English where a language has none.
+
+    languages : code -> {"name": its own name, "decimal_comma": whether numbers have it}: English, Italian, and each
+        that has a folder of its code in that of the catalogue, with language.json and the groups it translates
+    """
 
     def __init__(self, folder):
         self.folder, self.known = folder, {}
+        self.languages = {
+            "en": {"name": "English", "decimal_comma": False},
+            "it": {"name": "Italiano", "decimal_comma": True},
+        }
+        for about in sorted(folder.glob("*/language.json")):
+            self.languages[about.parent.name] = json.loads(about.read_text(encoding="utf-8"))
+
+    def comma(self, language):
+        """Whether numbers have the decimal comma in a language."""
+        return self.languages[language]["decimal_comma"]
+
+    def text(self, group, code, language):
+        """The text of a group and code. Raises KeyError for an unknown one."""
+        return self.of(self[group][code], language)
+
+    def of(self, texts, language):
+        """Of the texts of a code the one in a language."""
+        return texts[list(self.languages).index(language)]
 
     def __getitem__(self, group):
         if group not in self.known:
             if group not in GROUPS:
                 raise KeyError(group)
             self.known[group] = texts_of(self.folder / (group + ".json"))
+            for language in list(self.languages)[2:]:
+                own = self.folder / language / (group + ".json")
+                translated = json.loads(own.read_text(encoding="utf-8")) if own.is_file() else {}
+                for code, texts in self.known[group].items():
+                    self.known[group][code] = (*texts, translated.get(code, texts[0]))
         return self.known[group]
 
     def __iter__(self):
@@ -64,4 +91,4 @@ def texts_of(path):
         raise RuntimeError("the texts of " + str(path) + " cannot be read: " + repr(error)) from error
 
 
-CATALOGUE: "Mapping[str, dict[str, tuple[str, str]]]" = Catalogue(FOLDER)
+CATALOGUE = Catalogue(FOLDER)

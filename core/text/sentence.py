@@ -8,7 +8,8 @@ from pathlib import Path
 from core.file_names import shown
 from core.text.catalogue import CATALOGUE
 
-LANGUAGES = {"en": "English", "it": "Italiano"}
+LANGUAGES = {code: about["name"] for code, about in CATALOGUE.languages.items()}
+"""Code of a language -> its own name."""
 
 
 @dataclass
@@ -74,14 +75,14 @@ class Sentence:
     values: tuple[tuple[str, object], ...] = ()
 
     def text(self, language: str = "en", form: FormNames = FILE_NAMES) -> str:
-        """The words in "en" or "it"; raises KeyError for an unknown code."""
+        """The words in a language; raises KeyError for an unknown code."""
         # an error of a file is in the numbers of the file, which have points
-        comma = language == "it" and not (self.group == "error" and form is FILE_NAMES)
+        comma = CATALOGUE.comma(language) and not (self.group == "error" and form is FILE_NAMES)
         return self.in_numbers(comma, language, form)
 
     def in_numbers(self, comma: bool, language: str, form: FormNames) -> str:
         """`text`, its numbers with the decimal comma or with the point."""
-        template = CATALOGUE[self.group][self.code][language == "it"]
+        template = CATALOGUE.text(self.group, self.code, language)
         keyed = self.group == "error"
         return template.format_map(_Values(self.values, language, form, keyed, comma))
 
@@ -121,7 +122,7 @@ def in_words(value, language: str, form: FormNames = FILE_NAMES, comma: bool = F
         number = in_words(value.value * factor, language, form, comma)
         return f"{number:g} {unit}".strip()
     if isinstance(value, Number):
-        return numeral(value.value, value.form, "it" if comma else "en")
+        return _written(value.value, value.form, comma)
     if isinstance(value, tuple):
         return ", ".join(str(in_words(part, language, form, comma)) for part in value)
     if isinstance(value, float) and comma:
@@ -132,10 +133,14 @@ def in_words(value, language: str, form: FormNames = FILE_NAMES, comma: bool = F
 
 
 def numeral(value: float | None, form: str, language: str) -> str:
-    """A number as it is written in "en" or "it", "–" for None; form : as of format()."""
+    """A number as it is written in a language, "–" for None; form : as of format()."""
+    return _written(value, form, CATALOGUE.comma(language))
+
+
+def _written(value: float | None, form: str, comma: bool) -> str:
     if value is None:
         return "–"
-    return format(CommaFloat(value) if language == "it" else value, form)
+    return format(CommaFloat(value) if comma else value, form)
 
 
 def apart(value: float | None, limit: float, above: bool = False) -> Number:
@@ -157,7 +162,7 @@ def sentence(group: str, code: str, /, **values) -> Sentence:
 
 
 def localized(group: str, code: str, language: str, /, **values) -> str:
-    """The words of a group and code in "en" or "it"."""
+    """The words of a group and code in a language."""
     return sentence(group, code, **values).text(language)
 
 
@@ -178,7 +183,8 @@ def text_of_key(section: str, key: str, part: str, language: str) -> str:
     choice. section : where keys of one name are called otherwise ("load.kind")"""
     known = CATALOGUE["key"]
     code = f"{section}.{key}{part}"
-    return known.get(code if code in known else f"{key}{part}", ("", ""))[language == "it"]
+    texts = known.get(code if code in known else f"{key}{part}")
+    return CATALOGUE.of(texts, language) if texts else ""
 
 
 def choice(name: str, language: str) -> str:

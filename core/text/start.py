@@ -5,16 +5,14 @@ import os
 
 from core.text.catalogue import CATALOGUE
 
-LANGUAGE_CODES = ("en", "it")
-
 
 def system_language():
     """The system's language where it is one of ours, else English."""
     named = next(filter(None, map(os.environ.get, ("LC_ALL", "LC_MESSAGES", "LANG"))), None)
     code = (named or locale.getlocale()[0] or "")[:2].lower()
-    return code if code in LANGUAGE_CODES else "en"
+    return code if code in CATALOGUE.languages else "en"
 
 
 def phrase(text, **values):
     """A text of the terminal in the language of the system."""
-    return CATALOGUE["terminal"][text][system_language() == "it"].format(**values)
+    return CATALOGUE.text("terminal", text, system_language()).format(**values)

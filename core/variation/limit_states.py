@@ -9,6 +9,7 @@ from core.case.schema import Case
 from core.codes.demand import DemandResult, with_records
 from core.codes.limits import return_period
 from core.codes.record_compatibility import Compliance, compliance
+from core.codes.spectrum_codes import NATIONAL
 from core.setting.demand_input import demand_asked, hazard_of, interpolated, within
 from core.setting.plan import Plan
 from core.setting.scene import Scene, scaled
@@ -34,7 +35,7 @@ def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:
             continue
         row = interpolated(hazard, years)
         spectrum = asked.spectrum
-        if spectrum is not None and spectrum.code == "NTC2018":
+        if spectrum is not None and spectrum.code == NATIONAL:
             if row.f0 is None or row.tc_star_s is None:
                 return {}
             spectrum = replace(spectrum, f0=row.f0, tc_star_s=row.tc_star_s)

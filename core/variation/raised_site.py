@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 
 from core.case.site import Building, Demand, DemandJustification, HazardRow, Spectrum
-from core.codes.annexes import code_words
 from core.codes.assumption import DEFAULT, GIVEN, Shown
 from core.codes.demand import DemandResult
 from core.codes.floor_spectrum import estimated_period, first_mode
 from core.codes.limits import ORDINARY_LIFE, return_period
 from core.codes.national_hazard import national_range
+from core.codes.spectrum_codes import CODES, NATIONAL
 from core.codes.target_spectrum import housner_intensity
 from core.setting.demand_input import interpolated, target_of, with_ag, within
 from core.setting.floors import MAX_STOREY, MIN_STOREY, damaged, other_ends
@@ -63,7 +63,7 @@ def _of_the_spectrum(scene: Scene) -> Iterator[Raised]:
     """F_0 and T_C* that no place of Italy has, and another spectrum than that of NTC 2018 which the hazard gives."""
     demand, asked = scene.demand, scene.asked
     reasons, spectrum = asked.justification, asked.spectrum
-    if spectrum is not None and spectrum.code == "NTC2018":
+    if spectrum is not None and spectrum.code == NATIONAL:
         for key, (least, most) in zip(("f0", "tc_star_s"), national_range(), strict=True):
             given = getattr(spectrum, key)
             if given < least * (1.0 - 1e-3):
@@ -73,8 +73,8 @@ def _of_the_spectrum(scene: Scene) -> Iterator[Raised]:
                 yield one_end(key, "lift_outside_italy", reasons, given, _under(there, most), **said)
     elif demand.target is not None and (row := _row_of(demand, asked)) is not None:
         soil = spectrum.soil if spectrum else "A"
-        there = _with_spectrum(demand, asked, Spectrum("NTC2018", soil, row.f0, row.tc_star_s, "T1"))
-        given = code_words(spectrum.code) if spectrum else asked.spectrum_file or ""
+        there = _with_spectrum(demand, asked, Spectrum(NATIONAL, soil, row.f0, row.tc_star_s, "T1"))
+        given = CODES[spectrum.code].name if spectrum else asked.spectrum_file or ""
         words = sentence("added", "ntc_spectrum", soil=soil)
         yield one_end("spectrum", "lift_spectrum", reasons, given, _under(there, words), name=given, soil=soil)
 

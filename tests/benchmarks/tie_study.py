@@ -22,7 +22,7 @@ import numpy as np
 from core.capacity.ida import Search, incremental_dynamic_analysis, multiplier_of, threshold_of
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.study_file import Study
-from core.codes import target_spectrum
+from core.codes.spectrum_codes import en1998
 from core.ground.artificial import compatible_motion
 from core.ground.ground_motion import GroundMotion
 from core.research.parametric import natural_motions
@@ -163,7 +163,7 @@ class TieStudy:
 
 def generated_motions(count: int) -> list[GroundMotion]:
     """Compatible with EN 1998-1 type 1, soil B."""
-    target = target_spectrum.en1998(0.25 * G, 1, "B")
+    target = en1998(0.25 * G, 1, "B")
     return [
         GroundMotion(f"{seed}", compatible_motion(target, seed), 0.01, format="generated")
         for seed in range(1, count + 1)

@@ -18,9 +18,9 @@ import numpy as np
 
 from core.capacity.ida import ROBUST_SHARE, first_with_share
 from core.case.rules import parse_case
-from core.codes import target_spectrum
 from core.codes.dynamic_check import DemandRuns
 from core.codes.multiplier_search import FAILURE_WINDOW, HALF_FAIL, MAX_MULTIPLIER, MULTIPLIER_STEP, Zeta, search_zeta
+from core.codes.spectrum_codes import en1998
 from core.errors import InputError
 from core.ground import records
 from core.ground.artificial import compatible_motion
@@ -87,7 +87,7 @@ def draw(k: int, shelf: list[GroundMotion], small: bool = False):
         motions = [records.read(folder / f"noise_{n}.txt") for n in (1, 2)]
         motions = [replace(motion, acceleration=motion.acceleration[:600]) for motion in motions]
     else:
-        target = target_spectrum.en1998(0.25 * G, 1, str(spectrum["soil"]))
+        target = en1998(0.25 * G, 1, str(spectrum["soil"]))
         motions = [
             GroundMotion(f"{n}", compatible_motion(target, 7 * k + n), 0.01, format="generated") for n in range(7)
         ]

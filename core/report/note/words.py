@@ -7,7 +7,7 @@ from core.text.sentence import Number, localized, numeral, sentence, word
 
 @dataclass(frozen=True)
 class Words:
-    """language : "en" or "it"."""
+    """language : its code."""
 
     language: str
 

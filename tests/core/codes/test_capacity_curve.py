@@ -9,7 +9,7 @@ from core.case.rules import parse_case, parse_wall
 from core.codes.capacity_curve import CURVE_PERIODS, capacity_curve
 from core.codes.floor_spectrum import FloorSpectrum, first_mode
 from core.codes.kinematic import kinematic
-from core.codes.target_spectrum import en1998
+from core.codes.spectrum_codes import en1998
 from core.setting.demand_input import demand_of
 from core.units import G
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from core.codes.floor_spectrum import FloorSpectrum, estimated_period, first_mode
-from core.codes.target_spectrum import en1998
+from core.codes.spectrum_codes import en1998
 from core.ground.floor_motion import Mode
 from core.units import G
 

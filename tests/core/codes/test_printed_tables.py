@@ -9,6 +9,7 @@ from core.case.site import FULL_FACTOR, KNOWLEDGE
 from core.codes import kinematic, limits, national_hazard, record_compatibility, risk, target_spectrum
 from core.codes.floor_spectrum import FloorSpectrum, estimated_period, first_participation
 from core.codes.masonry_types import TYPES
+from core.codes.spectrum_codes import en1998
 from core.ground.floor_motion import Mode
 from core.units import G
 
@@ -75,7 +76,7 @@ def test_that_exponents_of_risk_are_those_of_the_guidelines_of_2017():
 @pytest.mark.shows("kinematic.floor_spectrum")
 @pytest.mark.parametrize(("damping", "amplification"), [(0.05, 4.92), (0.10, 3.48), (0.15, 2.84), (0.20, 2.46)])
 def test_that_a_floor_amplifies_as_c7_2_6_and_c7_2_7(damping, amplification):
-    ground = target_spectrum.en1998(0.2 * G, 1, "A")  # S_e(0.3 s, 5 %) = 2.5 a_g, eta of 8 % is 0.877
+    ground = en1998(0.2 * G, 1, "A")  # S_e(0.3 s, 5 %) = 2.5 a_g, eta of 8 % is 0.877
     floor = FloorSpectrum(ground, (Mode(0.3, damping, 1.2),))
     a_z = 0.5 * G * max(math.sqrt(10.0 / (5.0 + 100.0 * damping)), 0.55) * 1.2 * math.sqrt(1.0 + 4.0 * damping**2)
     assert floor.a_z == pytest.approx(a_z, rel=1e-12)
@@ -91,7 +92,7 @@ def test_that_a_floor_amplifies_as_c7_2_6_and_c7_2_7(damping, amplification):
 @pytest.mark.shows("kinematic.displacement_at_height")
 def test_that_beyond_the_first_period_a_floor_moves_no_less_than_at_it():
     """C8.7.1.12: S_DeZ is not below S_eZ(T_1) (1.1 T_1 / 2 pi)^2."""
-    floor = FloorSpectrum(target_spectrum.en1998(0.2 * G, 1, "A"), (Mode(0.3, 0.01, 1.2),))
+    floor = FloorSpectrum(en1998(0.2 * G, 1, "A"), (Mode(0.3, 0.01, 1.2),))
     first = floor.acceleration([0.3], 0.08)[0] * (0.33 / (2.0 * math.pi)) ** 2
     for period in (0.2, 0.33, 0.36, 0.4, 1.5):
         own = floor.acceleration([period], 0.08)[0] * (period / (2.0 * math.pi)) ** 2

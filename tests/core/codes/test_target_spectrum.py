@@ -11,6 +11,7 @@ from core.case.schema import Case
 from core.case.site import Demand
 from core.codes import target_spectrum as ts
 from core.codes.demand import with_records
+from core.codes.spectrum_codes import en1998
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
 from core.setting.demand_input import demand_of, target_of
@@ -35,8 +36,8 @@ def by_hand(t, ag_s, eta, f0, tb, tc, td):
 @pytest.mark.parametrize("kind", [1, 2])
 @pytest.mark.parametrize("soil", ts.SOILS)
 def test_that_every_branch_of_en1998_is_its_formula(kind, soil, damping):
-    target = ts.en1998(A_G, kind, soil)
-    s, tb, tc, td = ts.EN_SOIL[kind][soil]
+    target = en1998(A_G, kind, soil)
+    s, tb, tc, td = target.soil, target.t_b, target.t_c, target.t_d  # by the print: core/solved/hazard.py
     eta = max(math.sqrt(10.0 / (5.0 + 100.0 * damping)), 0.55)
     periods = [0.0, 0.5 * tb, tb, 0.5 * (tb + tc), tc, 0.5 * (tc + td), td, 3.0 * td]
     found = target.acceleration(periods, damping)
@@ -58,7 +59,7 @@ def test_that_s_of_ntc2018_keeps_within_the_limits_of_its_table(soil, weak, stro
 
 
 def test_that_a_displacement_is_the_acceleration_over_the_squared_frequency():
-    target = ts.en1998(A_G, 1, "B")
+    target = en1998(A_G, 1, "B")
     found = ts.displacement(target, [0.5, 1.0], 0.08)
     expected = target.acceleration([0.5, 1.0], 0.08) / (2.0 * math.pi / np.array([0.5, 1.0])) ** 2
     assert found == pytest.approx(expected, rel=1e-14)
@@ -66,16 +67,16 @@ def test_that_a_displacement_is_the_acceleration_over_the_squared_frequency():
 
 @pytest.mark.shows("demand.branches")
 def test_that_the_branches_meet_at_tb_tc_and_td():
-    for target in (ts.en1998(A_G, 1, "C"), ts.ntc2018(A_G, 2.4, 0.33, "D", "T2")):
+    for target in (en1998(A_G, 1, "C"), ts.ntc2018(A_G, 2.4, 0.33, "D", "T2")):
         for corner in (target.t_b, target.t_c, target.t_d):
             below, above = target.acceleration([corner * (1 - 1e-12), corner * (1 + 1e-12)])
             assert below == pytest.approx(above, rel=1e-10)
 
 
 def test_that_the_wrong_variants_of_public_codes_are_not_ours():
-    two_c = ts.en1998(A_G, 2, "C")
+    two_c = en1998(A_G, 2, "C")
     assert two_c.t_c == 0.25  # not 0.60
-    target = ts.en1998(A_G, 1, "B")
+    target = en1998(A_G, 1, "B")
     assert target.t_d == 2.0  # not 2.5
     # the last branch is TC TD / T^2, not (TC T) / T^2: it falls with the square of T
     two, four = target.acceleration([2.0, 4.0])
@@ -89,7 +90,7 @@ def test_that_the_soil_factor_is_held_within_its_limits():
 
 @pytest.mark.shows("paper.eq_11")
 def test_that_the_intensity_of_a_spectrum_is_the_integral_of_its_velocity():
-    target = ts.en1998(A_G, 1, "B")
+    target = en1998(A_G, 1, "B")
     t = np.linspace(0.1, 2.5, 240001)
     fine = np.trapezoid(target.acceleration(t) * t / (2.0 * math.pi), t)
     # 0.02 s against 1e-5 s: the kinks at T_C and T_D are grid points
@@ -101,8 +102,8 @@ def test_that_the_intensity_of_a_spectrum_is_the_integral_of_its_velocity():
 @pytest.mark.parametrize(
     "target",
     [
-        ts.en1998(A_G, 2, "A"),  # T_B below 0.1 s, T_D within
-        ts.en1998(A_G, 2, "D"),  # T_B at 0.1 s
+        en1998(A_G, 2, "A"),  # T_B below 0.1 s, T_D within
+        en1998(A_G, 2, "D"),  # T_B at 0.1 s
         ts.ntc2018(0.3 * G, 2.4, 0.33, "C", "T1"),  # T_D beyond 2.5 s
     ],
     ids=["early", "at 0.1 s", "late"],
@@ -128,7 +129,7 @@ def test_that_the_largest_displacement_is_that_of_a_fine_grid(span):
     periods = np.concatenate([np.linspace(low, high, 100001), kinks])
     chance = np.random.default_rng(4)
     given = list(zip(np.linspace(0.05, 3.0, 60), chance.uniform(2.0, 9.0, 60), strict=True))
-    for target in (ts.en1998(A_G, 1, "C"), ts.given("f", 3.0, 1.0, FILE), ts.given("g", 3.0, 1.0, given)):
+    for target in (en1998(A_G, 1, "C"), ts.given("f", 3.0, 1.0, FILE), ts.given("g", 3.0, 1.0, given)):
         for damping in (0.05, 0.1):
             found = ts.largest_displacement(target, low, high, damping)
             largest = float(ts.displacement(target, periods, damping).max())
@@ -221,7 +222,7 @@ def test_that_records_far_below_the_demand_are_warned_of():
 def test_that_a_spectrum_of_a_file_whose_displacement_falls_is_doubted_and_no_code_is():
     periods = np.linspace(0.02, 4.0, 200)
     for kind, soil in ((1, "A"), (1, "D"), (2, "A"), (2, "C")):
-        code = ts.en1998(2.0, kind, soil)
+        code = en1998(2.0, kind, soil)
         copy = ts.given("copy", 2.0, code.soil, list(zip(periods, code.acceleration(periods), strict=True)))
         assert ts.displacement_fall(code) is None and ts.displacement_fall(copy) is None
     rows = [(t, a if t < 0.3 else 0.05 * a) for t, a in zip(periods, code.acceleration(periods), strict=True)]

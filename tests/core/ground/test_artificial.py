@@ -4,13 +4,14 @@ import numpy as np
 import pytest
 
 from core.codes import target_spectrum as ts
+from core.codes.spectrum_codes import en1998
 from core.ground.artificial import compatible_motion, filtered_noise
 from core.ground.ground_motion import GroundMotion
 from core.ground.response_spectrum import displacement_spectrum, pseudo_acceleration_spectrum
 from core.units import G
 
 PERIODS = np.arange(0.1, 2.501, 0.02)
-TARGETS = [ts.en1998(0.26 * G, 1, "B"), ts.en1998(0.10 * G, 2, "D"), ts.ntc2018(0.26 * G, 2.4, 0.35, "C", "T1")]
+TARGETS = [en1998(0.26 * G, 1, "B"), en1998(0.10 * G, 2, "D"), ts.ntc2018(0.26 * G, 2.4, 0.35, "C", "T1")]
 
 
 @pytest.mark.shows("demand.generated")
@@ -38,7 +39,7 @@ def test_that_a_set_of_seven_follows_its_spectrum(target, seed):
 @pytest.mark.parametrize("seeds", [6, pytest.param(30, marks=pytest.mark.long)])
 @pytest.mark.parametrize("soil", ["D", "E"])
 def test_that_the_peak_is_a_g_s_where_peaks_stand_side_by_side(soil, seeds):
-    target = ts.en1998(0.26 * G, 1, soil)
+    target = en1998(0.26 * G, 1, soil)
     for seed in range(1, seeds + 1):
         assert np.abs(compatible_motion(target, seed)).max() == pytest.approx(target.pga, abs=1e-6)
 
