@@ -10,6 +10,9 @@ ROOT = Path(__file__).resolve().parents[1]
 PACKED = "base", "gui", "accuracy", "study", "report", "dxf"
 """Groups of the frozen program."""
 
+NOT_PACKED = "numba", "llvmlite"
+"""What the kernels are compiled with; the frozen program has their machine code."""
+
 BESIDE = "Python", "pyinstaller"
 """What is packed beside them: the interpreter, and the starter."""
 
@@ -30,7 +33,7 @@ def of_groups(lock: str, groups: Iterable[str]) -> set[str]:
 
 def allowed() -> set[str]:
     """Names of the packages that may be packed."""
-    return of_groups((ROOT / "requirements.lock").read_text(encoding="utf-8"), PACKED)
+    return of_groups((ROOT / "requirements.lock").read_text(encoding="utf-8"), PACKED) - set(NOT_PACKED)
 
 
 def foreign_modules() -> list[str]:

@@ -1,19 +1,20 @@
-"""Machine code of the kernels for other processors than this one: a library for the frozen program, and the wheel
-`ribalta_kernels` of it in dist.
+"""Machine code of the kernels for other processors than this one: a library for the frozen program, which has no
+compiler, and the wheel `ribalta_kernels` of it in dist.
 
 python3 run.py package --kernels
 
-The batches of the examples and the window say which kernels a user needs, with which types. Those are compiled anew for
-each level and never called, so that this processor need not have what the code is for.
+The batches of the examples, the window and `exercise` say which kernels a user needs, with which types. Those are
+compiled for each level, linked and never called, so that this processor need not have what the code is for.
 """
 
 import base64
 import gc
 import hashlib
 import importlib
+import json
 import os
 import pickle
-import shutil
+import platform
 import subprocess
 import sys
 import tempfile
@@ -34,42 +35,32 @@ Name: ribalta-kernels
 Version: {version}
 Summary: Machine code of the kernels of Ribalta {program}, for its sources {kernels} alone
 License: BSD-3-Clause
-Requires-Python: =={python}.*
-Requires-Dist: numba=={numba}
-Requires-Dist: llvmlite=={llvmlite}
+Requires-Dist: numpy
 """
 WHEEL = "Wheel-Version: 1.0\nGenerator: ribalta\nRoot-Is-Purelib: false\nTag: {tag}\n"
 
+NAMES = "names.json"
+"""File of the names of the kernels beside the machine code of a level."""
+
 
 def listed(folder: Path) -> Path:
-    """The cache of a user, in a folder, who ran the examples by batch and in the window."""
+    """The cache of a user, in a folder, who ran the examples by batch and in the window, and every kernel beside."""
     path = os.pathsep.join(map(str, (ROOT, ROOT / "packaging")))
-    own = {shipped.FORCED_LEVEL: shipped.best_of(shipped.PROCESSOR_LEVELS), "PYTHONPATH": path}
+    own = {shipped.FORCED_LEVEL: levels()[0], "PYTHONPATH": path}
     variables = smoke.variables(folder, **own)
     for case in smoke.CASES:
         smoke.batch([sys.executable, "-P", "-m", "app"], case, folder / "results", variables)
-    entry = ROOT / "packaging" / "entry.py"
-    smoke.window(entry, folder, variables, (sys.executable, "-P"))
+    smoke.window(ROOT / "packaging" / "entry.py", folder, variables, (sys.executable, "-P"))
+    subprocess.run([sys.executable, "-P", ROOT / "packaging" / "exercise.py"], check=True, env=variables)
     return next(Path(variables["RIBALTA_CACHE"]).glob("kernels-*"))
 
 
-def compile_again(folder: Path) -> None:
-    """Compile what a cache holds, for the level of this process. Raises LookupError where a kernel is not found."""
-    for file in stamp.kernel_sources(stamp.CORE):
-        if file.parent.name != "jit":
-            importlib.import_module(".".join(file.relative_to(ROOT).with_suffix("").parts))
-    wanted = {file.name: _overloads(file) for file in folder.glob("*.nbi")}
-    for kernel in [thing for thing in gc.get_objects() if isinstance(thing, Kernel)]:
-        dispatcher = kernel.dispatcher
-        own = dispatcher._cache
-        for key in wanted.get(own._cache_file._index_name, set()).copy():
-            signature, _, code = key
-            if code == own._index_key(signature, dispatcher.targetctx.codegen())[2]:
-                dispatcher.compile(signature)
-                wanted[own._cache_file._index_name].remove(key)
-    cache.close()
-    if any(wanted.values()):
-        raise LookupError(wanted)
+def levels() -> list[str]:
+    """The levels of this kind of processor, the one this processor has first."""
+    if platform.machine().lower() not in ("x86_64", "amd64"):
+        return [shipped.OF_ARM]
+    own = shipped.levels_of(shipped.PROCESSOR_LEVELS)[0]
+    return sorted(shipped.PROCESSOR_LEVELS, key=lambda level: level != own)
 
 
 def _overloads(index: Path) -> set[tuple]:
@@ -79,37 +70,117 @@ def _overloads(index: Path) -> set[tuple]:
         return set(pickle.loads(stream.read())[1])
 
 
-def compiled_again(listed: Path, level: str, user: Path) -> Path:
-    """The cache of a new user, in a folder, with what another one holds, for a level."""
-    user.mkdir()
-    variables = smoke.variables(user, **{shipped.FORCED_LEVEL: level})
-    subprocess.run([sys.executable, "-P", __file__, listed], check=True, env=variables)
-    return next((user / "cache").glob("kernels-*"))
+def wanted_of(folder: Path) -> dict[Kernel, list]:
+    """Kernel that Python calls -> the signatures it has in a cache. Raises LookupError where a kernel of it is not
+    found."""
+    for file in stamp.kernel_sources(stamp.CORE):
+        if file.parent.name != "jit":
+            importlib.import_module(".".join(file.relative_to(ROOT).with_suffix("").parts))
+    known = [thing for thing in gc.get_objects() if isinstance(thing, Kernel) and thing.python_wrapper]
+    left = {file.name: _overloads(file) for file in folder.glob("*.nbi")}
+    wanted: dict[Kernel, list] = {}
+    for kernel in known:
+        own = kernel.dispatcher._cache
+        name = own._cache_file._index_name
+        for key in sorted(left.get(name, ()), key=repr):
+            signature, _, code = key
+            if code == own._index_key(signature, kernel.dispatcher.targetctx.codegen())[2]:
+                wanted.setdefault(kernel, []).append(signature)
+                left[name].remove(key)
+    names = {kernel.dispatcher._cache._cache_file._index_name for kernel in known}
+    if lost := {name: keys for name, keys in left.items() if name in names and keys}:
+        raise LookupError(lost)
+    return wanted
 
 
-def write(target: Path, caches: dict[str, Path], numbers: list[str]) -> None:
-    """A library in a folder. caches : of each level; numbers : of the self-test"""
-    made = {}
-    for level, folder in caches.items():
-        shutil.copytree(folder, target / level, ignore=shutil.ignore_patterns("*.json"), copy_function=shutil.copyfile)
-        files = sorted((target / level).iterdir())
-        made[level] = {file.name: hashlib.sha256(file.read_bytes()).hexdigest() for file in files}
-        print(f"{level}: {len(files)} files, {sum(file.stat().st_size for file in files) / 1e6:.1f} MB", flush=True)
-    content = {"made_for": shipped.made_for(), "levels": made, "self_test": numbers}
+def spelled(kind) -> str:
+    """A type of numba as core.jit.native spells the type of an argument."""
+    from numba.core import types
+
+    if isinstance(kind, types.Array):
+        return f"{spelled(kind.dtype)}{kind.ndim}{kind.layout}"
+    if isinstance(kind, types.BaseTuple):
+        own = getattr(kind, "instance_class", None)
+        return f"{own.__name__ if own else ''}({''.join(map(spelled, kind))})"
+    return {types.float64: "d", types.int64: "q", types.boolean: "?", types.none: "n"}[kind]
+
+
+def compiled(wanted: dict[Kernel, list], level: str, target: Path) -> dict[str, dict[str, list[str]]]:
+    """Compile kernels with these signatures for a level, which is that of this process, as a shared library in a
+    folder; returns the names of the kernels in it, as `shipped.Library` has them."""
+    cache.configure_numba()
+    import llvmlite.binding as llvm
+    from numba import config, njit
+
+    importlib.import_module("core.jit.numba_extensions")
+    whole, names = None, dict[str, dict[str, list[str]]]()
+    for kernel, signatures in wanted.items():
+        for signature in signatures:
+            made = njit(
+                nogil=True, error_model="numpy", _nrt=False, no_cpython_wrapper=True, no_cfunc_wrapper=True
+            )(kernel.py_func)  # fmt: skip
+            made.compile(signature)
+            result = made.overloads[tuple(signature)]
+            module = llvm.parse_assembly(str(result.library._final_module))
+            types = "".join(map(spelled, signature))
+            if types in names.setdefault(kernel.name, {}):
+                continue  # of an array that is written and one that is not
+            symbol = f"kernel_{sum(map(len, names.values()))}"
+            module.get_function(result.fndesc.llvm_func_name).name = symbol
+            letters = spelled(result.fndesc.restype).strip("()")
+            names[kernel.name][types] = [symbol, letters.replace("n", "")]
+            if whole is None:
+                whole = module
+            else:
+                whole.link_in(module)
+    assert whole is not None
+    machine = llvm.Target.from_default_triple().create_target_machine(
+        cpu=level, features="", opt=int(config.OPT), reloc="pic", codemodel="default"
+    )
+    (target / f"{level}.o").write_bytes(machine.emit_object(whole))
+    symbols = [symbol for types in names.values() for symbol, _ in types.values()]
+    link(target / f"{level}.o", target / shipped.file_name(level), symbols)
+    return names
+
+
+def link(made: Path, target: Path, symbols: list[str]) -> None:
+    """A shared library of machine code: by the linker of binutils on Linux, by that of the system elsewhere."""
+    if sys.platform.startswith("linux"):
+        subprocess.run(["ld", "-shared", "-s", "--hash-style=gnu", "-o", target, made], check=True)
+        return
+    from setuptools._distutils.ccompiler import new_compiler
+    from setuptools._distutils.sysconfig import customize_compiler
+
+    linker = new_compiler()
+    customize_compiler(linker)
+    linker.link_shared_object([str(made)], str(target), export_symbols=symbols)
+
+
+def write(target: Path, user: Path, numbers: list[str], of: list[str]) -> None:
+    """A library in a folder. user : cache whose kernels it has; numbers : of the self-test; of : levels"""
+    target.mkdir(parents=True, exist_ok=True)
+    hashes, names = {}, []
+    with tempfile.TemporaryDirectory() as name:
+        place = Path(name)
+        for level in of:
+            own = smoke.variables(place, **{shipped.FORCED_LEVEL: level})
+            subprocess.run([sys.executable, "-P", __file__, user, place], check=True, env=own)
+            content = (place / shipped.file_name(level)).read_bytes()
+            (target / shipped.file_name(level)).write_bytes(content)
+            hashes[level] = hashlib.sha256(content).hexdigest()
+            names.append(json.loads((place / NAMES).read_text(encoding="ascii")))
+            print(f"{level}: {sum(map(len, names[-1].values()))} kernels, {len(content) / 1e6:.1f} MB", flush=True)
+    assert all(one == names[0] for one in names)
+    content = {"made_for": shipped.made_for(), "levels": hashes, "self_test": numbers, "kernels": names[0]}
     (target / shipped.INDEX).write_bytes(shipped.index_of(content))
 
 
-def make(target: Path) -> bool:
-    """A library of all levels in a folder; False where there are none for processors of this kind."""
-    if not shipped.best_of(shipped.PROCESSOR_LEVELS):
-        return False
+def make(target: Path) -> None:
+    """A library of all levels in a folder."""
     from core.study import self_test
 
     with tempfile.TemporaryDirectory() as name:
-        user = listed(Path(name))
-        caches = {level: compiled_again(user, level, Path(name) / level) for level in shipped.PROCESSOR_LEVELS}
-        write(target, caches, self_test.numbers())
-    return True
+        write(target, listed(Path(name)), self_test.numbers(), levels())
 
 
 def wheel(library: Path, dist: Path) -> Path:
@@ -117,8 +188,7 @@ def wheel(library: Path, dist: Path) -> Path:
     about, tag = shipped.made_for(), platforms.tag()
     version = f"{VERSION}+{about['kernels']}"
     own = f"{shipped.PACKAGE}-{version}"
-    python = "{}.{}".format(*sys.version_info[:2])
-    words = about | {"version": version, "program": VERSION, "python": python, "tag": tag}
+    words = about | {"version": version, "program": VERSION, "tag": tag}
     inside = {
         f"{shipped.PACKAGE}/{file.relative_to(library).as_posix()}": file.read_bytes()
         for file in library.rglob("*")
@@ -143,4 +213,5 @@ def wheel(library: Path, dist: Path) -> Path:
 
 
 if __name__ == "__main__":
-    compile_again(Path(sys.argv[1]))
+    found = compiled(wanted_of(Path(sys.argv[1])), os.environ[shipped.FORCED_LEVEL], Path(sys.argv[2]))
+    Path(sys.argv[2], NAMES).write_text(json.dumps(found), encoding="ascii")

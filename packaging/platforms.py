@@ -148,12 +148,12 @@ def this_system():
 
 
 def tag():
-    """The tag of a wheel of machine code made here: for this Python, and the oldest of this system that has wheels of
-    the packages."""
+    """The tag of a wheel of machine code made here: for any Python, on the oldest of this system that has wheels of the
+    packages."""
     place = this_system()[:2]
     row = next(row for row in SYSTEMS if (row["system"], row["processor"]) == place)
     least = numbers(row.get("least", {}).get("base", ""))
-    return "cp{}{}-none-".format(*sys.version_info[:2]) + row["tag"].format(*least)
+    return "py3-none-" + row["tag"].format(*least)
 
 
 def refusal(groups):

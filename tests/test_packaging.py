@@ -165,9 +165,7 @@ def test_that_pip_installs_the_wheel_of_machine_code_and_reads_what_it_is_for(mo
     }
     (about,) = importlib.metadata.distributions(path=[str(target)])
     assert about.version == f"{VERSION}+{stamp()}"
-    assert about.metadata["Requires-Python"] == "=={}.{}.*".format(*sys.version_info[:2])
-    versions = [f"{name}=={importlib.metadata.version(name)}" for name in ("numba", "llvmlite")]
-    assert about.requires == versions
+    assert made.name.partition("-")[2].partition("-")[2].startswith("py3-none-") and about.requires == ["numpy"]
     assert all(file.locate().is_file() for file in about.files)
 
 
@@ -220,7 +218,7 @@ def test_that_only_packages_of_the_groups_of_the_program_are_packed(monkeypatch)
         *project["dependencies"],
         *(one for g in contents.PACKED[1:] for one in project["optional-dependencies"][g]),
     ]
-    assert {contents.plain(re.match(r"[\w.-]+", one)[0]) for one in asked} <= allowed
+    assert {contents.plain(re.match(r"[\w.-]+", one)[0]) for one in asked} - allowed == {"numba"}
     others = contents.of_groups(
         (ROOT / "requirements.lock").read_text(), ("test", "bench", "scheduler", "parquet", "docs")
     )
@@ -228,7 +226,8 @@ def test_that_only_packages_of_the_groups_of_the_program_are_packed(monkeypatch)
         assert name in others and name not in allowed
     foreign = contents.foreign_modules()
     assert {"pytest", "hypothesis", "ruff", "distributed"} & set(foreign)
-    assert not {"numpy", "numba", "openpyxl", "tomlkit", "scipy", "matplotlib", "PySide6", "packaging"} & set(foreign)
+    assert {"numba", "llvmlite"} <= set(foreign)
+    assert not {"numpy", "openpyxl", "tomlkit", "scipy", "matplotlib", "PySide6", "packaging"} & set(foreign)
     contents.refuse_foreign(["numpy", "Python", "pyinstaller", "libxcb1"])
     with pytest.raises(SystemExit) as ended:
         contents.refuse_foreign(["numpy", "hypothesis"])

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from app.look.language import terminal
-from core.jit import cache
+from core.jit import native
 
 BETWEEN_LINES = 10.0
 """Least time between two lines [s]."""
@@ -43,7 +43,7 @@ def progress(quiet: bool) -> Iterator[Shown]:
 
         def runs(done: int, planned: int, left: float | None) -> None:
             nonlocal said
-            if not said and done < planned and cache.lacks_lanes():
+            if not said and done < planned and native.lacks_lanes():
                 tell("the solver is being compiled, once for each version: it takes some seconds")
             said = True
             shown.runs(done, planned, left)

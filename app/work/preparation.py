@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from app.look.language import tr
 from app.work.worker import Job
 from core.errors import InputError
-from core.jit import cache
+from core.jit import cache, native
 
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
@@ -45,7 +45,7 @@ class Preparation:
         if window.word_kind in ("", "ready"):
             window.show_word(
                 tr("Compiling the solver, once for each version: some seconds…")
-                if cache.lacks_lanes()
+                if native.lacks_lanes()
                 else tr("Preparing the solver…"),
                 "preparing",
             )

@@ -162,13 +162,13 @@ class Runner(QObject):
             self.found.emit()
 
     def _progressed(self, done: int, planned: int, left: float | None) -> None:
-        from core.jit import cache
+        from core.jit import native
 
         now = time.monotonic()
         if done and now - self._told_at < BETWEEN_WORDS:  # each paints the bar at once
             return
         self._told_at = now
-        if done == 0 and cache.lacks_lanes():
+        if done == 0 and native.lacks_lanes():
             words = tr("The solver is being compiled, once for each version: some seconds.")
             self.told.emit(words, "message")
         else:

@@ -6,7 +6,6 @@ checked against a hash before numba may load it. RIBALTA_CACHE names another fol
 """
 
 import atexit
-import contextlib
 import hashlib
 import json
 import os
@@ -24,13 +23,6 @@ MANIFEST = "manifest.json"
 
 KEEP_SECONDS = 30 * 86400
 """Caches of other versions are deleted after this time."""
-
-
-@once_for_all
-def name() -> str:
-    """Name that tells this program's folder from others': the sources of kernels, and the level of shipped machine
-    code."""
-    return "-".join(filter(None, [stamp(), shipped.level()]))
 
 
 def user_folder() -> Path:
@@ -55,11 +47,12 @@ def private(folder: Path) -> bool:
 
 def _left_by_this_program(folder: Path) -> bool:
     """Whether a folder is of a version long unused, and nothing else, by its name, its files and its time."""
-    levels = "|".join(shipped.PROCESSOR_LEVELS)
-    named = re.fullmatch(rf"kernels-[0-9a-f]{{16}}(-({levels}))?(-own)?", folder.name)
+    # with a level until 0.30
+    named = re.fullmatch(r"kernels-[0-9a-f]{16}(-x86-64(-v[34])?|-znver3)?(-own)?", folder.name)
     unused = time.time() - folder.lstat().st_mtime > KEEP_SECONDS
     return bool(named and unused and private(folder)) and all(
-        file.suffix in (".nbi", ".nbc") or file.name in (MANIFEST, trial.TRIAL) for file in folder.iterdir()
+        file.suffix in (".nbi", ".nbc") or file.name.startswith((MANIFEST, "trial", trial.PASSED))
+        for file in folder.iterdir()
     )
 
 
@@ -76,8 +69,7 @@ def prepare(base: Path | None, name: str) -> Path:
             for old in base.glob("kernels-*"):
                 if old != folder and _left_by_this_program(old):
                     shutil.rmtree(old, ignore_errors=True)
-            if not trial.under_way(folder):
-                drop_damaged(folder)
+            drop_damaged(folder)
             return folder
     except OSError:
         pass
@@ -146,46 +138,7 @@ def folder() -> Path:
         base = user_folder()
     except RuntimeError:  # no home
         base = None
-    place = prepare(base, name())
-    if trial.given_up(place):
-        return prepare(base, f"{name()}-own")
-    files = shipped.whole_files(shipped.level())
-    if not trial.under_way(place) and (not files or (place / MANIFEST).exists()):
-        return place
-    own = place
-    try:
-        if not trial.claimed(place):
-            own = Path(tempfile.mkdtemp(prefix=TEMPORARY))
-        _begin_trial(own, place, files)
-    except OSError:  # no room for it there
-        shutil.rmtree(own, ignore_errors=True)
-        own = Path(tempfile.mkdtemp(prefix=TEMPORARY))
-        with contextlib.suppress(OSError):
-            _begin_trial(own, own, files)
-    return own
-
-
-def _begin_trial(folder: Path, listed_in: Path, files: dict[str, bytes]) -> None:
-    """Copy shipped machine code into a folder. Raises OSError."""
-    trial.begin(folder, listed_in)
-    for name, content in files.items():
-        (folder / name).write_bytes(content)
-    record(folder)
-
-
-def proven() -> None:
-    """Before a kernel is used: machine code that was shipped has passed its trial. Raises InputError."""
-    folder()
-    trial.pass_it()
-
-
-LANES_FILE = "*.one_pass-*.nbc"
-"""File of the analyses in lanes in the cache, the last that a search compiles."""
-
-
-def lacks_lanes() -> bool:
-    """Whether the analyses in lanes were never compiled for this user and state of the sources."""
-    return not any(folder().glob(LANES_FILE))
+    return prepare(base, stamp())
 
 
 def close() -> None:
@@ -193,22 +146,20 @@ def close() -> None:
     if SECOND_PROCESS in os.environ or not folder.is_made():
         return
     record(folder())
+    trial.withdraw()
     if folder().name.startswith(TEMPORARY):
         shutil.rmtree(folder(), ignore_errors=True)
-    for untried in trial.withdraw():
-        shutil.rmtree(untried, ignore_errors=True)
 
 
 def configure_numba() -> None:
     """Before numba compiles its first kernel: it asks this cache, and optimises at level 2 for a processor with vectors
     of 512 bits and their 32 registers, else at level 1: with 16 registers level 2 spills more than it saves, and a
-    cold start is longer (resources/docs/speed.md). Where machine code was shipped, what is compiled beside it is of
-    the same level."""
+    cold start is longer (resources/docs/speed.md)."""
     os.environ.setdefault(
         "NUMBA_CACHE_LOCATOR_CLASSES",
         f"{__package__}.numba_extensions.Locator,InTreeCacheLocator,UserWideCacheLocator,IPythonCacheLocator",
     )
     os.environ.setdefault("NUMBA_OPT", "2" if shipped.has_wide_vectors() else "1")
-    if shipped.level():
-        os.environ.setdefault("NUMBA_CPU_NAME", shipped.level())
+    if shipped.FORCED_LEVEL in os.environ:
+        os.environ.setdefault("NUMBA_CPU_NAME", os.environ[shipped.FORCED_LEVEL])
         os.environ.setdefault("NUMBA_CPU_FEATURES", "")

@@ -3,7 +3,7 @@ start."""
 
 import functools
 
-from core.jit import cache
+from core.jit import cache, native
 from core.jit.kernel import Kernel, widest_vectors
 
 __all__ = ["Kernel", "inner_kernel", "kernel", "subkernel", "widest_vectors"]
@@ -11,17 +11,22 @@ __all__ = ["Kernel", "inner_kernel", "kernel", "subkernel", "widest_vectors"]
 
 def _compiled(function, inlined: bool, python_wrapper: bool):
     cache.configure_numba()
-    cache.proven()
     from core.jit.numba_extensions import compiled
 
     return compiled(function, inlined, python_wrapper)
 
 
-kernel = functools.partial(Kernel, compiler=_compiled, inlined=False, python_wrapper=True)
+def _found(kernel: Kernel):
+    return native.kernel(kernel.name, kernel.py_func, lambda: kernel.dispatcher)
+
+
+_made = functools.partial(Kernel, compiler=_compiled, finder=_found)
+
+kernel = functools.partial(_made, inlined=False, python_wrapper=True)
 """A kernel that Python calls."""
 
-subkernel = functools.partial(Kernel, compiler=_compiled, inlined=False, python_wrapper=False)
+subkernel = functools.partial(_made, inlined=False, python_wrapper=False)
 """A kernel that kernels call."""
 
-inner_kernel = functools.partial(Kernel, compiler=_compiled, inlined=True, python_wrapper=False)
+inner_kernel = functools.partial(_made, inlined=True, python_wrapper=False)
 """A kernel that becomes part of the kernels that call it."""

@@ -1,5 +1,6 @@
 """A function that numba compiles when it is first called."""
 
+import collections
 import functools
 import threading
 from collections.abc import Callable
@@ -9,7 +10,7 @@ COMPILING = threading.RLock()
 
 
 class Kernel:
-    """A function that numba compiles, or loads from the cache, when it is first called.
+    """A function that was compiled before, or that numba compiles or loads from the cache, when it is first called.
 
     function : the Python function, kept as `py_func`
     compiler : makes numba's dispatcher of (function, inlined, python_wrapper)
@@ -17,13 +18,25 @@ class Kernel:
     python_wrapper : Python may call the compiled code. The wrapper takes longer to compile than most kernels;
         without it a call from Python runs the Python function
     before_compile : called before the function is compiled or loaded, if set
+    name : of what was compiled before: its module in core, its name there, its number among those of this name
     """
 
-    def __init__(self, function, compiler: Callable, inlined: bool, python_wrapper: bool):
+    made = collections.Counter[str]()
+
+    def __init__(self, function, compiler: Callable, finder: Callable, inlined: bool, python_wrapper: bool):
+        """finder(kernel) : what a call from Python goes to"""
         functools.update_wrapper(self, function)
+        name = f"{function.__module__.rpartition('core.')[2]}.{function.__qualname__}"
+        self.name = f"{name}.{Kernel.made[name]}"
+        Kernel.made[name] += 1
+        self._finder, self._found = finder, None
         self.py_func, self.inlined, self.python_wrapper = function, inlined, python_wrapper
         self.before_compile: Callable[[], None] | None = None
         self._compiler, self._dispatcher = compiler, None
+
+    def __getstate__(self):
+        """Its name alone: numba hashes what a kernel encloses, which must be the same before and after a call."""
+        return {"name": self.name}
 
     @property
     def dispatcher(self):
@@ -38,7 +51,11 @@ class Kernel:
         return self._dispatcher
 
     def __call__(self, *arguments):
-        return self.dispatcher(*arguments) if self.python_wrapper else self.py_func(*arguments)
+        if not self.python_wrapper:
+            return self.py_func(*arguments)
+        if self._found is None:
+            self._found = self._finder(self)
+        return self._found(*arguments)
 
 
 def widest_vectors() -> None:

@@ -26,5 +26,5 @@ def energy_ratios(history: History, model: RockingModel) -> np.ndarray:
     if model.bending is not None:
         return held_top.energy_ratios(history.rotation, history.velocity, model)
     ratios = np.empty(history.rotation.size)
-    _fill(history.rotation, history.velocity, model, ratios)
+    _fill(history.rotation, history.velocity, model._replace(bars=()), ratios)
     return ratios

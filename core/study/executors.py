@@ -16,7 +16,7 @@ from core.case.schema import Case
 from core.case.wall import Wall
 from core.errors import Cancelled, InputError, place
 from core.file_names import name_of
-from core.jit import cache
+from core.jit import native
 from core.regular_file import read_regular
 from core.setting.demand_input import MAX_SPECTRUM_BYTES
 from core.setting.plan import Inputs, Plan, plan_of, read_inputs
@@ -81,7 +81,7 @@ def plan_elsewhere(shared: Shared, walls: tuple[Wall, ...]) -> Plan:
     hands out."""
     if program_here() != shared.program:
         raise InputError("worker_of_another", worker=platform.node(), found=program_here(), expected=shared.program)
-    cache.proven()
+    native.ready()
     inputs = _read.get(shared)
     if inputs is None:
         try:

@@ -15,7 +15,7 @@ from core.case.wall import Wall
 from core.codes.demand import with_records
 from core.codes.record_compatibility import compliance, period_range
 from core.errors import Cancelled
-from core.jit import cache
+from core.jit import native
 from core.setting.plan import Floors, Inputs, plan_of, read_inputs, with_chosen
 from core.setting.record_selection import Selection
 from core.study.executors import Shared, files_key, plan_elsewhere, results_from, shared_by
@@ -112,7 +112,7 @@ def group_results(
     on_progress, cancelled : as `run` takes them
     Raises InputError, Cancelled.
     """
-    cache.proven()
+    native.ready()
     todo, floors = list(todo), Floors(FLOORS_KEPT)
     progress, threads = _GroupProgress(large, todo, on_progress), Threads(jobs, cancelled)
     for g in todo:

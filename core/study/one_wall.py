@@ -7,7 +7,7 @@ from pathlib import Path
 from core.case.schema import Case
 from core.codes.assumption import Assumption
 from core.codes.outcomes import worst
-from core.jit import cache
+from core.jit import native
 from core.known import known
 from core.setting.plan import longest_of, plan_of, read_inputs
 from core.study.journal import Journal, Memory
@@ -40,7 +40,7 @@ def run_wall(
     Raises InputError, Cancelled.
     """
     started = Started()
-    cache.proven()
+    native.ready()
     inputs = read_inputs(case, base_dir)
     longest = longest_of(case, known(inputs[0]))
     plan = plan_of(alone(case, row), inputs, longest=longest, walls=len(case.wall))

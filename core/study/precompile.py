@@ -13,8 +13,9 @@ from pathlib import Path
 
 import numpy as np
 
-from core.jit import shipped
-from core.jit.cache import SECOND_PROCESS, TEMPORARY, folder, name
+from core.jit import native
+from core.jit.cache import SECOND_PROCESS, TEMPORARY, folder
+from core.jit.stamp import stamp
 from core.rocking.history import history
 from core.rocking.methods import METHODS
 from core.rocking.taylor import through_sample
@@ -40,7 +41,8 @@ def start(names: set[str]) -> None:
     """Begin to compile the histories by the one of these methods that is of the Taylor series, where none was
     ever compiled. Of two, each process would wait for the wrong one."""
     names = names & {"taylor", "taylor_6"}
-    if cores() < 2 or len(names) != 1 or _second or any(folder().glob(STEP_FILE)) or not sys.executable:
+    compiled = native.library() is not None or any(folder().glob(STEP_FILE))
+    if compiled or cores() < 2 or len(names) != 1 or _second or not sys.executable:
         return
     # the frozen program knows by its environment that it is the second one (packaging/entry.py)
     module = [] if getattr(sys, "frozen", False) else ["-m", __name__]
@@ -49,8 +51,6 @@ def start(names: set[str]) -> None:
     through_sample.before_compile = wait
     atexit.register(end)  # after the cache's own, so that it runs before that is closed
     own = {SECOND_PROCESS: str(folder().absolute()), "PYTHONPATH": os.pathsep.join(path)}
-    if shipped.level():  # the two share a folder
-        own[shipped.FORCED_LEVEL] = shipped.level()
     try:
         process = subprocess.Popen(
             [sys.executable, *module, *sorted(names)],
@@ -83,7 +83,7 @@ def wait() -> None:
 
 def main() -> None:
     """The second process: histories by the methods its arguments name."""
-    if not folder().name.startswith(f"kernels-{name()}") and not folder().name.startswith(TEMPORARY):
+    if not folder().name.startswith(f"kernels-{stamp()}") and not folder().name.startswith(TEMPORARY):
         return  # other sources than those of the process that waits
 
     gc.disable()  # the process ends soon

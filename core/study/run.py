@@ -17,7 +17,7 @@ from core.case.wall import Wall
 from core.codes.demand import DemandResult, with_records
 from core.codes.record_compatibility import compliance
 from core.ground.ground_motion import GroundMotion
-from core.jit import cache
+from core.jit import cache, native
 from core.rocking.history import history, scan
 from core.rocking.methods import AUTO, METHODS, resolve_auto
 from core.setting.plan import Plan, plan_of, read_inputs, refuse_large, with_chosen
@@ -65,7 +65,7 @@ def run(
     """
     started = Started()
     refuse_large(case)
-    cache.proven()
+    native.ready()
     chosen, selection = with_chosen(case, base_dir, cancelled=cancelled)
     inputs = read_inputs(chosen, base_dir)
     plan = plan_of(case, inputs, share)
@@ -197,7 +197,7 @@ def _walls_elsewhere(
 def warm(case: Case, motion: GroundMotion) -> tuple[str, ...]:
     """Make the kernels of a case ready: a few analyses of its first wall; returns the methods whose self-test needs no
     others."""
-    cache.proven()
+    native.ready()
     model = model_of(case.wall[0], case.wall[0].mechanisms()[0])
     method = METHODS.get(case.analysis.method, AUTO)
     _begin_compiling(method, [model], [motion])

@@ -7,25 +7,20 @@ from pathlib import Path
 
 import pytest
 
-from core.jit import cache, shipped, stamp, trial
+from core.jit import cache, shipped, trial
 from tests.core.jit import digest
 from tests.test_packaging import of_packaging
 
-FILES = {"a.nbi": b"index", "a.1.nbc": b"machine code"}
-HASHES = {file: hashlib.sha256(content).hexdigest() for file, content in FILES.items()}
+CODE = b"machine code"
+HASHES = dict.fromkeys(shipped.PROCESSOR_LEVELS, hashlib.sha256(CODE).hexdigest())
 
 
 def make_library(folder, **changed):
-    """A library of the same two files for each level. changed : entries of its index"""
+    """A library with a file for each level. changed : entries of its index"""
+    folder.mkdir(parents=True, mode=0o755)
     for name in shipped.PROCESSOR_LEVELS:
-        (folder / name).mkdir(parents=True, mode=0o755)
-        for file, content in FILES.items():
-            (folder / name / file).write_bytes(content)
-    content = {
-        "made_for": shipped.made_for(),
-        "levels": dict.fromkeys(shipped.PROCESSOR_LEVELS, HASHES),
-        "self_test": ["0x1p0"],
-    }
+        (folder / shipped.file_name(name)).write_bytes(CODE)
+    content = {"made_for": shipped.made_for(), "levels": HASHES, "self_test": ["0x1p0"], "kernels": {}}
     (folder / shipped.INDEX).write_bytes(shipped.index_of(content | changed))
 
 
@@ -33,7 +28,7 @@ def make_library(folder, **changed):
 def places(tmp_path, monkeypatch):
     """A program that tries machine code: (where the frozen one has it, where a package of it is)."""
     monkeypatch.setattr(shipped, "FOLDER", tmp_path / "kernels")
-    monkeypatch.setattr("llvmlite.__file__", str(tmp_path / "site" / "llvmlite" / "__init__.py"))
+    monkeypatch.setattr(shipped.np, "__file__", str(tmp_path / "site" / "numpy" / "__init__.py"))
     monkeypatch.setattr(shipped.platform, "machine", lambda: "x86_64")
     monkeypatch.setattr(trial, "self_test", [lambda: True])
     monkeypatch.delenv(shipped.FORCED_LEVEL, raising=False)
@@ -43,8 +38,7 @@ def places(tmp_path, monkeypatch):
 
 
 def processor(monkeypatch, *features):
-    known = dict.fromkeys(features, True)
-    monkeypatch.setattr("llvmlite.binding.get_host_cpu_features", lambda: known)
+    monkeypatch.setattr(shipped, "features", lambda: set(features))
 
 
 @pytest.mark.parametrize("place", [0, 1])
@@ -61,56 +55,52 @@ def test_that_the_best_level_a_processor_has_is_taken(places, monkeypatch, place
         (v3 - {"fma"}, "x86-64"),
     ):
         processor(monkeypatch, *features)
-        assert shipped.level() == level
-        assert shipped.whole_files(level) == FILES
+        assert shipped.levels()[0] == level and shipped.levels()[-1] == "x86-64"
+        assert shipped.whole_file(level).read_bytes() == CODE
     monkeypatch.setattr(shipped.platform, "machine", lambda: "arm64")
     processor(monkeypatch, *v3)
-    assert shipped.level() == ""
+    assert shipped.levels() == [] and shipped.levels_of([shipped.OF_ARM]) == [shipped.OF_ARM]
 
 
 def test_that_a_level_is_used_only_where_it_was_made(places, monkeypatch):
-    make_library(places[0], levels={"x86-64-v3": HASHES})
+    make_library(places[0], levels={"x86-64-v3": HASHES["x86-64"]})
     processor(monkeypatch, *shipped.PROCESSOR_LEVELS["x86-64-v4"])
-    assert shipped.level() == "x86-64-v3"
+    assert shipped.levels() == ["x86-64-v3"]
     processor(monkeypatch)
-    assert shipped.level() == ""
+    assert shipped.levels() == []
 
 
 def test_that_nothing_is_shipped_with_the_source_tree(places):
-    assert shipped.level() == "" and not shipped.whole_files("x86-64")
+    assert shipped.levels() == [] and shipped.whole_file("x86-64") is None
 
 
 def test_that_machine_code_that_nothing_would_try_is_not_used(places, monkeypatch):
     """A process that calls kernels by itself, such as a benchmark, compiles for its very processor."""
     make_library(places[1])
     monkeypatch.setattr(trial, "self_test", [])
-    assert shipped.level() == "" and not shipped.whole_files("x86-64")
+    assert shipped.levels() == [] and shipped.whole_file("x86-64") is None
 
 
 @pytest.mark.shows("install.made_for")
-@pytest.mark.parametrize("key", ["kernels", "python", "system", "processor", "numba", "llvmlite"])
+@pytest.mark.parametrize("key", ["kernels", "system", "processor"])
 def test_that_a_package_made_for_something_else_is_not_used(places, key):
     make_library(places[1])
     assert shipped.library().levels
     shipped.library.cache_clear()
     index = shipped.index_of(
-        {
-            "made_for": shipped.made_for() | {key: "another"},
-            "levels": dict.fromkeys(shipped.PROCESSOR_LEVELS, HASHES),
-            "self_test": [],
-        }
+        {"made_for": shipped.made_for() | {key: "another"}, "levels": HASHES, "self_test": [], "kernels": {}}
     )
     (places[1] / shipped.INDEX).write_bytes(index)
-    assert shipped.level() == "" and not shipped.whole_files("x86-64")
+    assert shipped.levels() == [] and shipped.whole_file("x86-64") is None
 
 
 @pytest.mark.shows("install.made_for")
 @pytest.mark.skipif(os.name == "nt", reason="owners and modes of POSIX")
-@pytest.mark.parametrize("what", [".", shipped.INDEX, "x86-64", "x86-64/a.nbi"])
+@pytest.mark.parametrize("what", [".", shipped.INDEX, shipped.file_name("x86-64")])
 @pytest.mark.parametrize("harm", [0o020, 0o002, "owner"])
 def test_that_a_package_another_user_can_write_is_not_used(places, what, harm):
     make_library(places[1])
-    assert shipped.whole_files("x86-64") == FILES
+    assert shipped.whole_file("x86-64")
     shipped.library.cache_clear()
     path = places[1] / what
     if harm != "owner":
@@ -119,27 +109,24 @@ def test_that_a_package_another_user_can_write_is_not_used(places, what, harm):
         os.chown(path, 12345, -1)
     else:
         pytest.skip("only root gives a file away")
-    assert not shipped.whole_files("x86-64")
+    assert not (shipped.levels() and shipped.whole_file("x86-64"))
 
 
 @pytest.mark.shows("install.machine_code")
-@pytest.mark.parametrize("harm", ["changed", "missing", "a link", "elsewhere", "no file"])
-def test_that_damaged_machine_code_is_not_used(places, harm):
-    make_library(places[1])
-    folder = places[1] / "x86-64"
+@pytest.mark.parametrize("place", [0, 1])
+@pytest.mark.parametrize("harm", ["changed", "missing", "a link", "a folder"])
+def test_that_damaged_machine_code_is_not_used(places, harm, place):
+    make_library(places[place])
+    file = places[place] / shipped.file_name("x86-64")
     if harm == "changed":
-        (folder / "a.1.nbc").write_bytes(b"machine code?")
-    elif harm == "missing":
-        (folder / "a.nbi").unlink()
-    elif harm == "a link":
-        (folder / "a.nbi").rename(folder / "b")
-        (folder / "a.nbi").symlink_to(folder / "b")
+        file.write_bytes(CODE + b"?")
     else:
-        (places[1] / "b").write_bytes(FILES["a.nbi"])
-        made = [] if harm == "no file" else {"../b": HASHES["a.nbi"]}
-        index = {"made_for": shipped.made_for(), "levels": {"x86-64": made}, "self_test": []}
-        (places[1] / shipped.INDEX).write_bytes(shipped.index_of(index))
-    assert shipped.whole_files("x86-64") == {}
+        file.unlink()
+    if harm == "a link":
+        file.symlink_to(file.with_name("nothing"))
+    elif harm == "a folder":
+        file.mkdir()
+    assert shipped.whole_file("x86-64") is None and shipped.whole_file("x86-64-v3")
 
 
 @pytest.mark.shows("install.machine_code")
@@ -154,7 +141,7 @@ def test_that_a_damaged_index_is_not_used(places, place):
     for content in (b"", b"\n", good[:-1], *flipped, *signed):
         index.write_bytes(content)
         shipped.library.cache_clear()
-        assert shipped.library() == shipped.NO_LIBRARY and shipped.level() == ""
+        assert shipped.library() == shipped.NO_LIBRARY and shipped.levels() == []
 
 
 @pytest.mark.long
@@ -163,20 +150,20 @@ def test_that_a_damaged_index_is_not_used(places, place):
 def test_that_machine_code_made_without_running_it_gives_the_bits_of_own_code_of_its_level(
     tmp_path, monkeypatch, level
 ):
-    """Listed on another level, compiled again for this one, tried, and used: nothing more is compiled."""
-    if shipped.best_of([level]) != level:
+    """Listed on another level, compiled for this one, tried, and used: nothing more is compiled, nor numba imported."""
+    if not shipped.levels_of([level]):
         pytest.skip("not this processor's")
     other = next(name for name in ("x86-64-v3", "x86-64") if name != level)
-    own, folder = digest.run("taylor", RIBALTA_LEVEL=level, RIBALTA_CACHE=str(tmp_path / "own"))
-    listed = Path(digest.run("taylor", RIBALTA_LEVEL=other, RIBALTA_CACHE=str(tmp_path / "listed"))[1])
-    library, kernels = tmp_path / "kernels", of_packaging("kernels", monkeypatch)
-    kernels.write(library, {level: kernels.compiled_again(listed, level, tmp_path / "again")}, [])
+    own, _ = digest.run("taylor", RIBALTA_LEVEL=level, RIBALTA_CACHE=str(tmp_path / "own"))
+    listed = digest.run("taylor", RIBALTA_LEVEL=other, RIBALTA_CACHE=str(tmp_path / "listed"))[1]
+    library = tmp_path / "kernels"
+    of_packaging("kernels", monkeypatch).write(library, listed, [], [level])
     before = (
-        f"import pathlib; from core.jit import shipped, trial; shipped.FOLDER = pathlib.Path({str(library)!r})\n"
-        "trial.self_test[:] = [lambda: True]\n"
+        f"import pathlib, sys; from core.jit import shipped, trial; shipped.FOLDER = pathlib.Path({str(library)!r})\n"
+        "sys.modules['numba'] = None; trial.self_test[:] = [lambda: True]\n"
     )
     found, used = digest.run("taylor", before=before, RIBALTA_CACHE=str(tmp_path / "user"))
-    assert found == own and Path(used).name == f"kernels-{stamp.stamp()}-{level}"
-    names = [{file.name for file in Path(place).glob("*.nb*")} for place in (folder, library / level, used)]
-    assert names[0] == names[1] == names[2] and len(names[0]) > 100
-    assert not (Path(used) / trial.TRIAL).exists() and cache.private(Path(used))
+    assert found == own
+    made = sorted(file.name for file in Path(used).iterdir())
+    assert made[0] == cache.MANIFEST and made[1].startswith(trial.PASSED) and len(made) == 2
+    assert cache.private(Path(used))
