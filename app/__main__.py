@@ -94,9 +94,8 @@ def carry_out(options: argparse.Namespace) -> int:
     if options.study:
         from app.terminal import study
 
-        return study.run(
-            options.study, options.output, options.records, jobs, options.quiet, options.quick, options.resume
-        )
+        how = (options.quiet, options.quick, options.resume, options.pack)
+        return study.run(options.study, options.output, options.records, jobs, *how)
     if options.batch:
         from app.terminal import batch
 

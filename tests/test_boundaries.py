@@ -94,6 +94,7 @@ SHOWN_BY = {
     "report/note/spectra_figure": "tests/core/report/test_selection_rows.py",
     "case/note_file": "tests/core/report/test_pdf.py",
     "report/note/document_subject": "tests/app/test_verification.py",
+    "research/pack": "tests/app/test_study.py",
     "research/motion_archive": "tests/core/research/test_shake_table.py",
     "report/case_text": "tests/app/test_verification.py",
     "report/columns": LARGE,

@@ -17,7 +17,7 @@ from app import __main__ as program
 from app.terminal import batch
 from tests.benchmarks import bench
 from tests.benchmarks.small import small_case
-from tests.conftest import ROOT, shelf_folder
+from tests.conftest import ROOT
 from tests.core.research.test_shake_table import invented
 
 DOCUMENTS = [
@@ -123,7 +123,7 @@ def small_words(words: tuple[str, ...], folder: Path) -> list[str]:
         case ("package" | "docs" as word, *_):  # tests/test_pages.py builds the site
             return [word, "--help"]
         case ("bench", *rest):
-            named = {"--paired": [str(ROOT)], "--against": [str(ROOT)], "--natural": [str(folder / "list.toml")]}
+            named = {"--paired": [str(ROOT)], "--against": [str(ROOT)]}
             named["--ties"] = [str(folder / "ties.toml")] if "LIST.toml" in rest else []
             named["--walls"] = ["12"]
             flags = [word for word in rest if word[:2] == "--" and word not in ("--pairs", "--cases", "--output")]
@@ -224,8 +224,6 @@ def test_that_a_documented_command_runs(command, place):
         case ["python3" | "python" | "py", "run.py", *rest] | ["run.py", *rest]:
             if {"--window", "--screenshots", "--records"} & {*rest}:
                 pytest.importorskip("PySide6.QtWidgets", reason="no Qt", exc_type=ImportError)
-            if "--natural" in rest and shelf_folder() is None:
-                pytest.skip("no shelf of real records")
             if rest and rest[-1] == "--batch":  # "py run.py --batch …": the line above it again
                 rest += ["CASE"]
             started = handed_over(small_words(tuple(rest), place))

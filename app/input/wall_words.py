@@ -58,6 +58,11 @@ def estimate_lines(session: Session, wall: Wall) -> list[str]:
             if one.record_low is not None and one.record_high is not None:
                 ends = {"low": one.record_low, "high": one.record_high}
                 line += ", " + tr("q of one record {low:.1f}–{high:.1f}", **ends)
+            if slv.record_sixth is not None:
+                design = {"low": slv.record_low, "sixth": slv.record_sixth}
+                line += ", " + tr(
+                    "design value of q SLV {low:.1f} (5 % of records below), {sixth:.1f} (16 %)", **design
+                )
             lines.append(line if one.within else f"{line}, {tr('outside its range')}")
     return lines
 

@@ -72,6 +72,7 @@ def parser() -> Parser:
     add("--batch", type=Path, metavar="CASE", help=terminal("run a case without a window"))
     add("--study", metavar="STUDY", help=terminal("run a parametric study: paper, law or a file"))
     add("--quick", action="store_true", help=terminal("a short form of the study"))
+    add("--pack", action="store_true", help=terminal("runs, results, seeds, hashes and versions in one archive too"))
     add(
         "--records",
         type=Path,
@@ -166,8 +167,8 @@ def _apart(asked: argparse.Namespace) -> Iterator[tuple[object, str]]:
     text = "--part goes on by itself and writes no results: leave out --merge, --report and --resume"
     yield asked.part and (asked.merge or asked.report or asked.resume), terminal(text)
     takes_records = asked.study or asked.verify or asked.validate
-    text = "--quick goes with --study, --records with --study, --verify or --validate"
-    yield (asked.quick and not asked.study) or (asked.records and not takes_records), terminal(text)
+    text = "--quick and --pack go with --study, --records with --study, --verify or --validate"
+    yield ((asked.quick or asked.pack) and not asked.study) or (asked.records and not takes_records), terminal(text)
 
 
 def study_file(asked: str) -> Path:

@@ -52,7 +52,7 @@ def refuse_overwriting(study: Study, path: Path, records: Path | None, folder: P
     figures = folder / f"{stem}_figures"
     if figures.exists() and not figures.is_dir():
         raise InputError("would_overwrite", path=figures)
-    ends = (".xlsx", ".json", ".csv", ".journal")
+    ends = (".xlsx", ".json", ".csv", ".journal", "_pack.zip")
     targets = {(folder / (stem + end)).resolve() for end in ends}
     sources = {path.resolve()}
     listed = [(study.record, path.parent)]
@@ -79,7 +79,7 @@ def ours(target: Path) -> bool:
         start = first_bytes(target, 200)
     except OSError:
         return False
-    heads = (",".join(CSV_COLUMNS[:4]).encode(), b'{\n "program"', b"PK", b'{"Ribalta journal"')
+    heads = (",".join([*CSV_COLUMNS][:4]).encode(), b'{\n "program"', b"PK", b'{"Ribalta journal"')
     return start.startswith(heads)
 
 
@@ -131,12 +131,20 @@ def results(
 
 
 def run(
-    asked: str, output: Path | None, records: Path | None, jobs: int, quiet: bool, quick: bool, resume: bool
+    asked: str,
+    output: Path | None,
+    records: Path | None,
+    jobs: int,
+    quiet: bool,
+    quick: bool,
+    resume: bool,
+    packed: bool = False,
 ) -> int:
     """Run a study and write `<stem>.xlsx`, `.json`, `.csv` and a folder of figures; returns the exit code.
 
     output : else beside the file, of a study that comes with the program the current folder
     records : folder of natural records, or a TOML list of them
+    packed : write `<stem>_pack.zip` too, an archive that can be deposited
     Raises InputError for what the user can mend; nothing is written then.
     """
     path = study_file(asked)
@@ -146,7 +154,8 @@ def run(
         try:
             made = results(asked, folder, records, jobs, quick, resume, show.runs, cancel.is_set)
             report = report_of(made.result)
-            write(made.result, report, folder, made.stem, raise_if(cancel), tell=show.writing)
+            source = (path, records) if packed else None
+            write(made.result, report, folder, made.stem, raise_if(cancel), tell=show.writing, source=source)
         except Cancelled:
             journal = folder / f"{stem_of(path, quick)}.journal"
             if journal.exists():
@@ -183,11 +192,13 @@ def write(
     check: Callable[[], None] = lambda: None,
     ready: Callable[[], None] = lambda: None,
     tell: Callable[[int, int], None] = lambda done, planned: None,
+    source: tuple[Path, Path | None] | None = None,
 ) -> None:
     """All files of a study. check : called at every part, to cancel; ready : when all is made and nothing written yet;
-    tell(done, planned) : how far it is. Raises OutputError; what a figure raises, when the other files are written."""
+    tell(done, planned) : how far it is; source : the file of the study and the records given, of which an archive is
+    made too. Raises OutputError; what a figure raises, when the other files are written."""
     from core.report.steps import Steps
-    from core.research import study_files, study_workbook
+    from core.research import pack, study_files, study_workbook
 
     steps = Steps(check, tell)
     steps.take(0)
@@ -209,6 +220,10 @@ def write(
         raise
     except Exception as error:  # the numbers of hours do not go with a figure: raised when they are written
         fault = error
+    if source is not None and not fault:
+        tables = {path.name: one for path, one in files.items() if path.suffix in (".csv", ".json")}
+        figures_of = {path.name: one for path, one in drawn.items()}
+        files[folder / f"{stem}_pack.zip"] = pack.content(result, *source, tables, figures_of)
     ready()
     if fault:
         atomic_write.write(files)

@@ -288,6 +288,9 @@ class CheckTab(ResultTab):
             if estimate.record_low is not None and estimate.record_high is not None:
                 ends = {"low": estimate.record_low, "high": estimate.record_high}
                 between += ", " + tr("of one record {low:.2f} – {high:.2f}", **ends)
+            if estimate.quantity == "q_slv" and estimate.record_sixth is not None:
+                design = {"low": estimate.record_low, "sixth": estimate.record_sixth}
+                between += ", " + tr("design value {low:.2f} (5 % of records below), {sixth:.2f} (16 %)", **design)
             if not estimate.within:
                 between += ", " + tr("outside its range")
             rows.append(

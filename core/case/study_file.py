@@ -5,7 +5,7 @@ from dataclasses import MISSING, dataclass, field, replace
 from itertools import product
 from pathlib import Path
 
-from core.case.keys import choice_key, flag_key, number_key, text_key
+from core.case.keys import choice_key, flag_key, number_key, path_key, text_key
 from core.case.reader import read_toml
 from core.case.rules import check_code_keys, parse_wall
 from core.case.schema import Record
@@ -84,7 +84,12 @@ class Quick:
 
 @dataclass(frozen=True)
 class Study:
-    """A parametric study. count : motions generated for each spectrum."""
+    """A parametric study.
+
+    count : motions generated for each spectrum
+    natural : file of the named set of natural records (core/research/natural_set.py) that is looked for in a folder of
+        records; without it every record of the folder is taken
+    """
 
     title: str = text_key("Ribalta")
     report: str = choice_key("grid", "paper", "law", default="grid")
@@ -92,6 +97,7 @@ class Study:
     count: int = number_key(1, 50, 7, whole=True)
     group: tuple[Group, ...] = tables_key(Group)
     record: tuple[Record, ...] = tables_key(Record)
+    natural: str | None = path_key(None)
     grid: tuple[Grid, ...] = tables_key(Grid)
     quick: Quick | None = field(default=None, metadata={"kind": "tables", "of": Quick})
 

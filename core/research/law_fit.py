@@ -15,14 +15,15 @@ from core.capacity.scale_free_law import (
     loss_ratio,
     scaled_intensity,
 )
-from core.ground.ground_motion import GroundMotion
-from core.ground.provenance import provenance
 from core.research.paper_sets import MECHANISM
 from core.research.set_means import QUANTITIES, MotionValue, exact
 from core.wall.moment_rotation import LAWS
 
 MIN_EVENTS = 10
 """Events from which natural records have an interval."""
+
+STANDARD_ERRORS = 1.645
+"""Standard errors of an interval that holds nine cases of ten."""
 
 MIN_SHAPES = 4
 """Shapes from which a law is fitted."""
@@ -86,7 +87,7 @@ def columns(values: list[MotionValue], mechanism: str, law: str, quantity: str, 
                 motion.pga,
                 value.entry.spectrum,
                 default,
-                "" if value.entry.seed is not None else event_of(motion),
+                value.entry.event,
             )
         )
     if not rows:
@@ -119,6 +120,8 @@ class LawFit:
     records, natural : of single motions
     natural_pi, outside_pi : of the same form in Pi
     covered : `coverage` of the interval of one record
+    held : (share inside, share below) of the interval of a set: of sets of a shape left out, of those of them in the
+        lowest quarter of Lambda and of the others, and of single natural records
     halves : (law in Pi, in Lambda) on the events on which Lambda was chosen, and on the others; empty without records
     """
 
@@ -133,41 +136,39 @@ class LawFit:
     natural_pi: Agreement | None
     outside_pi: Agreement
     halves: tuple[tuple[Agreement, Agreement], ...]
-    covered: tuple[float, float] | None
+    covered: tuple[float, ...] | None
+    held: dict[str, tuple[float, float]]
 
 
-TAIL = 0.05
-"""Share of natural records below the interval of one, and above it."""
+SHARES = (0.05, 0.16, 0.95)
+"""Shares of natural records below the values of one: the ends of its interval, and between them the second design
+value."""
 
 
-def record_ends(residuals: np.ndarray, events: np.ndarray) -> tuple[float, float]:
-    """ln(q / law) with TAIL of the records below and above, each event of the same weight. shapes (n,)"""
+def record_ends(residuals: np.ndarray, events: np.ndarray) -> tuple[float, float, float]:
+    """ln(q / law) with SHARES of the records below, each event of the same weight. shapes (n,)"""
     _, event, count = np.unique(events, return_inverse=True, return_counts=True)
     order = np.argsort(residuals)
     share = np.cumsum((1.0 / count[event])[order]) / count.size
-    low, high = (int(np.searchsorted(share, end)) for end in (TAIL, 1.0 - TAIL))
-    return float(residuals[order][low]), float(residuals[order][min(high, order.size - 1)])
+    places = np.minimum(np.searchsorted(share, SHARES), order.size - 1)
+    low, sixth, high = map(float, residuals[order][places])
+    return low, sixth, high
 
 
-def coverage(residuals: np.ndarray, events: np.ndarray) -> tuple[float, float]:
-    """(share inside, share below) of the interval of one record, of each event by the others, mean over the events."""
+def coverage(residuals: np.ndarray, events: np.ndarray) -> tuple[float, ...]:
+    """(share inside the interval of one record, share below it, share below the value of one in six), of each event by
+    the others, mean over the events."""
     inside, below = [], []
     for name in np.unique(events):
         own = events == name
-        low, high = record_ends(residuals[~own], events[~own])
+        low, sixth, high = record_ends(residuals[~own], events[~own])
         inside.append(np.mean((residuals[own] >= low) & (residuals[own] <= high)))
-        below.append(np.mean(residuals[own] < low))
-    return float(np.mean(inside)), float(np.mean(below))
+        below.append((np.mean(residuals[own] < low), np.mean(residuals[own] < sixth)))
+    return float(np.mean(inside)), *map(float, np.mean(below, axis=0))
 
 
 SEED = 74
 """It draws the events on which the form and the bands of Lambda were chosen."""
-
-
-def event_of(motion: GroundMotion) -> str:
-    """The earthquake of a natural record, as its file names it; else its date, else how its name begins."""
-    known = provenance(motion)
-    return known.event or known.date or motion.name[:8]
 
 
 def events_of_choice(events) -> set[str]:
@@ -187,6 +188,13 @@ def left_out(sets: Columns, variable: np.ndarray, limit: float) -> tuple[np.ndar
         coefficients.append(fit_law(variable[~own], sets.loss[~own], sets.q[~own], limit))
         predicted[own] = law_value(coefficients[-1], limit, variable[own], sets.loss[own])
     return np.array(coefficients), predicted
+
+
+def held_by(law: np.ndarray, q: np.ndarray, scatter: float, limit: float) -> tuple[float, float]:
+    """(share inside, share below) of the interval of a set about a law. shapes (n,); scatter : of ln(law / q)"""
+    factor = np.exp(STANDARD_ERRORS * scatter)
+    low = np.maximum(law / factor, limit if limit == 1.0 else 0.0)
+    return float(np.mean((q >= low) & (q <= law * factor))), float(np.mean(q < low))
 
 
 def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -> LawFit | None:
@@ -209,9 +217,14 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
     other = columns(values, mechanism, law, quantity, True)
     natural = natural_velocity = natural_pi = None
     halves: list[tuple[Agreement, Agreement]] = []
+    lowest = sets.scaled <= np.quantile(sets.scaled, 0.25)
+    parts = {"sets": np.full(lowest.size, True), "lowest_quarter": lowest, "other_quarters": ~lowest}
+    held = {name: held_by(predicted[own], sets.q[own], outside.scatter, limit) for name, own in parts.items()}
     record = covered = None
     if other.q.size:
-        natural = agreement(law_value(coefficients, limit, other.scaled, other.loss), other.q)
+        of_records = law_value(coefficients, limit, other.scaled, other.loss)
+        natural = agreement(of_records, other.q)
+        held["records"] = held_by(of_records, other.q, outside.scatter, limit)
         natural_velocity = agreement(law_value(by_velocity, limit, other.velocity, other.loss), other.q)
         natural_pi = agreement(law_value(by_pi, limit, other.pi, other.loss), other.q)
         low, high = float(sets.scaled.min()), float(sets.scaled.max())
@@ -233,7 +246,7 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
         round(records.scatter, 3),
         (float(sets.scaled.min()), float(sets.scaled.max())),
         (float(sets.loss.min()), float(sets.loss.max())),
-        record and (round(record[0], 3), round(record[1], 3)),
+        record and (round(record[0], 3), round(record[1], 3), round(record[2], 3)),
     )
     return LawFit(
         made,
@@ -248,6 +261,7 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
         agreement(pi_predicted, sets.q),
         tuple(halves),
         covered,
+        held,
     )
 
 

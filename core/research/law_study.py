@@ -1,5 +1,6 @@
 """What a study of the scale-free law shows: fits, rivals, natural records, what q = 2 is worth."""
 
+import math
 from collections.abc import Callable
 from itertools import product
 
@@ -7,14 +8,16 @@ import numpy as np
 
 from core.capacity.closed_forms import closed_form_q
 from core.capacity.regression import Agreement, agreement
-from core.capacity.scale_free_law import law_value
+from core.capacity.scale_free_law import ScaleFreeLaw, law_value, loss_ratio
 from core.research.figures import DASHED, LINE, LINE_POINTS, Figure, Series, StudyReport, Table
-from core.research.law_fit import MIN_SHAPES, Columns, columns, fits_of, left_out, set_columns
+from core.research.law_fit import MIN_SHAPES, STANDARD_ERRORS, Columns, columns, fits_of, left_out, set_columns
 from core.research.paper_figures import curve, scatter
-from core.research.paper_sets import MECHANISM
+from core.research.paper_sets import MECHANISM, THEORETICAL, words
 from core.research.parametric import ParametricResult
 from core.research.set_means import MotionValue
 from core.units import CM, G
+from core.wall.block import Block
+from core.wall.restitution import restitution
 
 Say = Callable[..., str]
 
@@ -22,14 +25,11 @@ CODE_Q = 2.0
 PAPER_RANGE = ((3.0, 12.0), (3.0, 12.0))
 """Slenderness [deg] and H [m] of the cells nearest to those Eq. 15 and 16 were fitted on."""
 
-STANDARD_ERRORS = 1.645
-"""Standard errors of an interval that holds nine cases of ten."""
-
 
 def _law_table(fits: dict, say: Say) -> Table:
     rows = []
     for (mechanism, law, quantity), fit in fits.items():
-        cells: list = [say(MECHANISM[mechanism]), law, quantity]
+        cells: list = [say(MECHANISM[mechanism]), words(say)[law], words(say)[quantity]]
         for value, error in zip(fit.law.coefficients, fit.errors, strict=True):
             cells.append(f"{value:.2f} ± {STANDARD_ERRORS * error:.2f}")
         natural = fit.natural
@@ -78,7 +78,15 @@ def _rival_table(values: list[MotionValue], fits: dict, say: Say) -> Table:
 
     def add(mechanism: str, quantity: str, name: str, distance: Agreement) -> None:
         rows.append(
-            (say(MECHANISM[mechanism]), quantity, name, distance.bias, distance.scatter, distance.within, distance.n)
+            (
+                say(MECHANISM[mechanism]),
+                words(say)[quantity],
+                name,
+                distance.bias,
+                distance.scatter,
+                distance.within,
+                distance.n,
+            )
         )
 
     for (mechanism, law, quantity), fit in fits.items():
@@ -91,11 +99,10 @@ def _rival_table(values: list[MotionValue], fits: dict, say: Say) -> Table:
             add(mechanism, quantity, say("Λ, natural records"), fit.natural)
             add(mechanism, quantity, say("Π, natural records"), fit.natural_pi)
             add(mechanism, quantity, say("p PGV/PGA, natural records"), fit.natural_velocity)
-        for words, (by_pi, by_lambda) in zip(
-            (say("events Λ was chosen on"), say("other events")), fit.halves, strict=False
-        ):
-            add(mechanism, quantity, f"Π, {words}", by_pi)
-            add(mechanism, quantity, f"Λ, {words}", by_lambda)
+        halves = say("events Λ was chosen on"), say("other events")
+        for half, (by_pi, by_lambda) in zip(halves, fit.halves, strict=False):
+            add(mechanism, quantity, f"Π, {half}", by_pi)
+            add(mechanism, quantity, f"Λ, {half}", by_lambda)
         if quantity != "q":
             continue
         sets = set_columns(columns(values, mechanism, law, quantity, False))
@@ -105,10 +112,10 @@ def _rival_table(values: list[MotionValue], fits: dict, say: Say) -> Table:
         near = (sets.alpha >= low) & (sets.alpha <= high) & (sets.height >= short) & (sets.height <= tall)
         number = 15 + (mechanism == "one_sided")
         own = law_value(fit.law.coefficients, fit.law.limit, sets.scaled, sets.loss)
-        for words, which in ((say("all walls"), np.ones(near.size, bool)), (say("walls near the paper's"), near)):
+        for where, which in ((say("all walls"), np.ones(near.size, bool)), (say("walls near the paper's"), near)):
             if which.any():
-                add(mechanism, quantity, f"Eq. {number}, {words}", agreement(form[which], sets.q[which]))
-                add(mechanism, quantity, f"Λ, {words}", agreement(own[which], sets.q[which]))
+                add(mechanism, quantity, f"Eq. {number}, {where}", agreement(form[which], sets.q[which]))
+                add(mechanism, quantity, f"Λ, {where}", agreement(own[which], sets.q[which]))
         if np.unique(sets.spectrum).size >= MIN_SHAPES:
             refit = say("Eq. {number} refitted on these walls, shape left out", number=number)
             add(mechanism, quantity, refit, agreement(_refit(sets), sets.q))
@@ -220,6 +227,85 @@ def _code_figure(values: list[MotionValue], say: Say) -> tuple[Figure, Table, li
     return figure, Table("q_code", title, head, tuple(rows)), sentences
 
 
+SHOWN_SLENDERNESS = (4.0, 7.0, 10.0)
+"""Of walls of the tables of design values and of restitution [deg]."""
+
+E_FACTORS = (0.95, 1.05)
+"""Factors of the velocity ratio of Eq. 4 or 6: tests of blocks lose more energy than it says, and some lose less."""
+
+
+def _default_ratio(alpha: float, mechanism: str) -> float:
+    """Velocity ratio of Eq. 4 or 6. alpha : [deg]"""
+    block = Block.rectangle(3.0, math.radians(alpha))
+    return loss_ratio(block, restitution(block, THEORETICAL[mechanism]))
+
+
+def _design_table(values: list[MotionValue], fits: dict, say: Say) -> tuple[Table, list[str]]:
+    """Up to which Lambda q = 2 is worth it, a share of natural records having q at SLV below it; sentences."""
+    rows, sentences = [], []
+    for mechanism in MECHANISM:
+        fit = fits.get((mechanism, "rigid", "q_slv"))
+        runs = columns(values, mechanism, "rigid", "q_slv", True)
+        if fit is None or fit.law.record is None:
+            continue
+        for alpha in SHOWN_SLENDERNESS:
+            ratio = _default_ratio(alpha, mechanism)
+            ends = [_largest_scaled(fit.law, ratio, math.exp(shift)) for shift in (*fit.law.record[:2], 0.0)]
+            rows.append((say(MECHANISM[mechanism]), alpha, ratio, *ends))
+        below = runs[runs.default].q < CODE_Q
+        sentences.append(
+            say(
+                "Natural records: q at SLV is below 2 in {share:.0%} of the pairs of wall and motion, {mechanism}.",
+                share=below.mean(),
+                mechanism=say(MECHANISM[mechanism]),
+            )
+        )
+    head = (
+        say("mechanism"),
+        "α [°]",
+        "e",
+        say("Λ at which 5 % of records are below 2"),
+        say("Λ at which 16 % are"),
+        say("Λ at which the mean of a set is"),
+    )
+    note = say("q = 2 is worth it up to these Λ: the design values of q at SLV, 5 and 16 %, are 2 there. – : nowhere.")
+    return Table(
+        "design", say("Where q = 2 is worth it: design values of q at SLV"), head, tuple(rows), note
+    ), sentences
+
+
+def _largest_scaled(law: ScaleFreeLaw, ratio: float, factor: float) -> float | None:
+    """Largest Lambda within the range of the fit at which q of the law times a factor is CODE_Q; None where it is below
+    from its least Lambda on."""
+    scaled = np.geomspace(law.scaled_range[0], law.scaled_range[1], 4000)
+    above = law.q(scaled, ratio) * factor >= CODE_Q
+    return float(scaled[above].max()) if above.any() else None
+
+
+def _restitution_table(fits: dict, say: Say) -> Table:
+    """What another velocity ratio than that of Eq. 4 or 6 does to q, by the law."""
+    rows = []
+    for (mechanism, law, quantity), fit in fits.items():
+        if law != "rigid" or quantity not in ("q", "q_slv"):
+            continue
+        scaled = np.geomspace(fit.law.scaled_range[0], fit.law.scaled_range[1], 200)
+        for alpha in SHOWN_SLENDERNESS:
+            ratio = _default_ratio(alpha, mechanism)
+            for factor in E_FACTORS:
+                other = min(factor * ratio, 1.0)
+                changed = fit.law.q(scaled, other) / fit.law.q(scaled, ratio)
+                shares = float(np.median(changed)), float(changed.min()), float(changed.max())
+                rows.append((say(MECHANISM[mechanism]), words(say)[quantity], alpha, ratio, other, *shares))
+    head = (
+        say("mechanism"), say("quantity"), "α [°]", "e", say("another e"),
+        say("q over q of e, median"), say("least"), say("largest"),
+    )  # fmt: skip
+    note = say(
+        "By the law, over its range of Λ; another e is 5 % less and 5 % more than that of Eq. 4 or 6, at most 1."
+    )
+    return Table("restitution", say("What another velocity ratio does to q"), head, tuple(rows), note)
+
+
 def _law_figures(values: list[MotionValue], fits: dict, say: Say) -> list[Figure]:
     """q and q_slv against Lambda for both mechanisms, sets of every restitution coloured by their velocity ratio."""
     figures = []
@@ -241,9 +327,15 @@ def _law_figures(values: list[MotionValue], fits: dict, say: Say) -> list[Figure
             ratio = 1.0 - float(np.median(sets.loss[own])) ** 2
             series.append(scatter(f"e ≈ {ratio:.2f}", list(zip(sets.scaled[own], sets.q[own], strict=True)), k))
             series.append(curve("", list(zip(x, fit.law.q(x, ratio), strict=True)), LINE, k))
-        title = say("{quantity} against Λ, {mechanism}", quantity=quantity, mechanism=say(MECHANISM[mechanism]))
+        named = words(say)[quantity]
+        title = say("{quantity} against Λ, {mechanism}", quantity=named, mechanism=say(MECHANISM[mechanism]))
+        note = (
+            say("One-sided, a motion has the lower of the numbers of both its signs.")
+            if mechanism == "one_sided"
+            else ""
+        )
         figures.append(
-            Figure(f"law_{mechanism}_{quantity}", title, "Λ [-]", f"{quantity} [-]", tuple(series), True, True)
+            Figure(f"law_{mechanism}_{quantity}", title, "Λ [-]", f"{named} [-]", tuple(series), True, True, note)
         )
     return figures
 
@@ -264,13 +356,16 @@ def report(result: ParametricResult, values: list[MotionValue], notes: list[str]
             "loss_range": fit.law.loss_range,
             "record": fit.law.record,
             "record_inside_and_below": fit.covered,
+            "set_inside_and_below": fit.held,
         }
         for key, fit in fits.items()
     }
-    tables = [entry for entry in (_law_table(fits, say), _rival_table(values, fits, say), table) if entry.rows]
+    design, more = _design_table(values, fits, say)
+    made = (_law_table(fits, say), _rival_table(values, fits, say), table, design, _restitution_table(fits, say))
+    tables = [entry for entry in made if entry.rows]
     return StudyReport(
         result.study.title,
-        (*notes, *sentences),
+        (*notes, *sentences, *more),
         (*_law_figures(values, fits, say), *([figure] if figure.series else [])),
         tuple(tables),
         fits=stored,

@@ -13,6 +13,7 @@ from core.research.figures import DASHED, LINE, LINE_POINTS, POINTS, Figure, Ser
 from core.research.paper_sets import (
     EXPERIMENTAL,
     MECHANISM,
+    PAPER_INTENSITIES,
     THEORETICAL,
     c1_points,
     closed_form_of,
@@ -20,6 +21,7 @@ from core.research.paper_sets import (
     natural_values,
     restitution_pairs,
     theoretical,
+    words,
 )
 from core.research.parametric import ParametricResult
 from core.research.set_means import MotionValue, SetMean, chosen, exact
@@ -114,9 +116,8 @@ def q_against_height(sets: list[SetMean], mechanism: str, say: Say) -> list[Figu
                     if entry.spectrum.name == name
                 ]
                 series.append(curve(f"{alpha:g}°, {name}", points, LINE_POINTS, color))
-        title = say(
-            "Fig. {number}: q against H, {restitution}, group B", number=int(number), restitution=models[mechanism]
-        )
+        restitution = words(say)[models[mechanism]]
+        title = say("Fig. {number}: q against H, {restitution}, group B", number=int(number), restitution=restitution)
         figures.append(Figure(f"fig{number}_q_height", title, "H [m]", "q [-]", tuple(series)))
     if everything:
         ours = chosen(
@@ -160,8 +161,8 @@ def restitution_scatter(sets: list[SetMean], mechanism: str, say: Say) -> Figure
     return Figure(
         f"fig{number}_restitution",
         title,
-        f"q [-], {THEORETICAL[mechanism]}",
-        f"q [-], {EXPERIMENTAL[mechanism]}",
+        f"q [-], {words(say)[THEORETICAL[mechanism]]}",
+        f"q [-], {words(say)[EXPERIMENTAL[mechanism]]}",
         (scatter("", points), diagonal(points)),
     )
 
@@ -206,18 +207,16 @@ def q_against_ratio(sets: list[SetMean], mechanism: str, say: Say) -> Figure:
     return Figure(f"q_si_pga_{mechanism}", title, "SI/PGA [cm/g]", "q [-]", tuple(series), True, True)
 
 
-def rigid_against_trilinear(sets: list[SetMean], say: Say) -> Figure:
-    """Fig. 19, for both mechanisms: the paper does not say which."""
+def rigid_against_trilinear(sets: list[SetMean], mechanism: str, say: Say) -> Figure:
+    """Fig. 19, of one mechanism: the paper does not say which it is."""
     series, everything = [], []
-    names = [(mechanism, law) for mechanism in THEORETICAL for law in ("doherty", "al_shawa")]
-    for color, (mechanism, law) in enumerate(names):
+    for color, law in enumerate(("doherty", "al_shawa")):
         points = [(one.q, other.q) for one, other in law_pairs(sets, mechanism, law)]
         everything += points
-        series.append(scatter(f"{say(MECHANISM[mechanism])}, {law}", points, color))
-    title = say("Fig. 19: rigid and trilinear law, 6.8 degrees, 7 m")
-    return Figure(
-        "fig19_trilinear", title, say("q [-], rigid"), say("q [-], trilinear"), (*series, diagonal(everything))
-    )
+        series.append(scatter(words(say)[law], points, color))
+    title = say("Fig. 19: rigid and trilinear law, {mechanism}, 6.8 degrees, 7 m", mechanism=say(MECHANISM[mechanism]))
+    named = say("q [-], rigid"), say("q [-], trilinear")
+    return Figure(f"fig19_trilinear_{mechanism}", title, *named, (*series, diagonal(everything)))
 
 
 def c1_against_height(sets: list[SetMean], mechanism: str, say: Say) -> Figure:
@@ -254,8 +253,11 @@ def numerical_against_analytical(sets: list[SetMean], say: Say) -> Figure:
 
 
 def natural_records(values: list[MotionValue], mechanism: str, say: Say) -> Figure | None:
-    """Fig. 21 and 22: q_eff of natural records with the band of Eq. 15 or 16; None without records."""
-    ours = natural_values(values, mechanism)
+    """Fig. 21 and 22: q_eff of the natural records within the paper's range of SI with the band of Eq. 15 or 16; None
+    without records."""
+    every = natural_values(values, mechanism)
+    low, high = PAPER_INTENSITIES
+    ours = [value for value in every if low <= value.entry.motion.housner_intensity / CM <= high]
     if not ours:
         return None
     number = FIGURE_NUMBERS[mechanism][5]
@@ -280,6 +282,10 @@ def natural_records(values: list[MotionValue], mechanism: str, say: Say) -> Figu
         "Fig. {number}: q_eff of natural records, {mechanism}", number=int(number), mechanism=say(MECHANISM[mechanism])
     )
     note = say("{n} records, {share:.0%} of them within ±20 % of the equation.", n=len(ours), share=share)
+    if beyond := len(every) - len(ours):
+        note += " " + say(
+            "{n} more have an SI beyond the paper's {low:g} to {high:g} cm.", n=beyond, low=low, high=high
+        )
     return Figure(
         f"fig{number}_natural",
         title,
@@ -303,6 +309,7 @@ def figures(result: ParametricResult, values: list[MotionValue], sets: list[SetM
             q_against_ratio(sets, mechanism, say),
             c1_against_height(sets, mechanism, say),
         ]
-    made += [rigid_against_trilinear(sets, say), numerical_against_analytical(sets, say)]
+    made += [rigid_against_trilinear(sets, mechanism, say) for mechanism in THEORETICAL]
+    made.append(numerical_against_analytical(sets, say))
     made += [natural_records(values, mechanism, say) for mechanism in THEORETICAL]
     return [figure for figure in made if figure is not None and any(series.x for series in figure.series)]

@@ -1,5 +1,7 @@
 """The sets of a study that the figures, tables and claims of the paper speak of."""
 
+from collections.abc import Callable
+
 from core.capacity.closed_forms import closed_form_q
 from core.capacity.regression import power_coefficient
 from core.research.set_means import MotionValue, SetMean, chosen, exact
@@ -8,6 +10,29 @@ from core.units import CM
 MECHANISM = {"two_sided": "two-sided", "one_sided": "one-sided"}
 THEORETICAL = {"two_sided": "housner", "one_sided": "one_sided_theoretical"}
 EXPERIMENTAL = {"two_sided": "sorrentino_experimental", "one_sided": "one_sided_experimental"}
+
+
+def words(say: Callable[..., str]) -> dict[str, str]:
+    """Name in a study -> its words in the language of the report."""
+    return {
+        "rigid": say("rigid law"),
+        "doherty": say("trilinear law of Doherty"),
+        "al_shawa": say("trilinear law of Al Shawa"),
+        "housner": "Eq. 4",
+        "sorrentino_experimental": "Eq. 5",
+        "one_sided_theoretical": "Eq. 6",
+        "one_sided_experimental": "Eq. 7",
+        "newmark_paper": say("Newmark of the paper"),
+        "newmark_paper_reset": say("Newmark of the paper, rotation set to 0 at an impact"),
+        "q": "q",
+        "q_slv": say("q at SLV"),
+        "q_slc": say("q at SLC"),
+        "q_robust": say("q robust"),
+    }
+
+
+PAPER_INTENSITIES = (9.04, 137.5)
+"""Range of SI of the paper's natural records, Table 2 [cm]."""
 
 INTERMEDIATE: dict = {"slenderness_deg": 6.8, "height_m": 7.0}
 """The wall of figures 19, 21 and 22."""

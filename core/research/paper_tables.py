@@ -8,7 +8,15 @@ import numpy as np
 from core.capacity.closed_forms import COEFFICIENTS, PowerLaw, closed_form_q_eff, fit_power_law
 from core.capacity.regression import agreement, linear_c1, power_coefficient
 from core.research.figures import Table
-from core.research.paper_sets import MECHANISM, THEORETICAL, c1_points, closed_form_of, natural_values, theoretical
+from core.research.paper_sets import (
+    MECHANISM,
+    THEORETICAL,
+    c1_points,
+    closed_form_of,
+    natural_values,
+    theoretical,
+    words,
+)
 from core.research.parametric import ParametricResult
 from core.research.set_means import MotionValue, SetMean, chosen
 from core.units import CM, G
@@ -28,6 +36,27 @@ def power_laws(sets: list[SetMean], mechanism: str) -> list[tuple[float, float, 
         if law:
             laws.append((alpha, height, law))
     return laws
+
+
+def points_of(sets: list[SetMean], mechanism: str, alpha: float, height: float) -> tuple[np.ndarray, np.ndarray]:
+    """Logarithms of SI [cm] and of q_eff of the sets of a wall of the paper's grid. alpha : [deg]; height : [m]"""
+    members = chosen(theoretical(sets, mechanism), slenderness_deg=alpha, height_m=height)
+    return np.log([e.intensity / CM for e in members]), np.log([e.q_eff for e in members])
+
+
+def exponent_error(x: np.ndarray, y: np.ndarray) -> float:
+    """Half of the interval of 90 % of the exponent of a power law through points, given by their logarithms."""
+    from scipy.special import stdtrit
+
+    free = x.size - 2
+    dx, dy = x - x.mean(), y - y.mean()
+    left = dy - (dx @ dy) / (dx @ dx) * dx
+    return float(stdtrit(free, 0.95) * math.sqrt((left @ left) / free / (dx @ dx)))
+
+
+def residual(x: np.ndarray, y: np.ndarray, law: PowerLaw) -> float:
+    """Largest distance of points, given by their logarithms, from their power law [-]."""
+    return float(np.abs(np.expm1(y - math.log(law.c1) - law.c2 * x)).max())
 
 
 def spectra_table(result: ParametricResult, say: Say) -> Table:
@@ -76,7 +105,9 @@ def power_law_table(sets: list[SetMean], say: Say) -> Table:
                     height,
                     law.c1,
                     law.c2,
+                    exponent_error(*points_of(sets, mechanism, alpha, height)),
                     law.r_squared,
+                    residual(*points_of(sets, mechanism, alpha, height), law),
                     given.coefficients[0],
                     given.r_squared,
                     by_shape.c2 if by_shape else None,
@@ -89,7 +120,9 @@ def power_law_table(sets: list[SetMean], say: Say) -> Table:
         "H [m]",
         "C1",
         "C2",
+        "± 90 %",
         "R²",
+        say("furthest set"),
         say("C1, C2 of the paper"),
         "R²",
         say("exponent of q in SI/PGA"),
@@ -148,7 +181,7 @@ def distance_table(sets: list[SetMean], say: Say) -> Table:
         for step in sorted({e.cell.q_step for e in base} - {0.005}):
             add(say("exact, step {step:g} %", step=100 * step), mechanism, chosen(base, method="taylor", q_step=step))
         for method in sorted({e.cell.method for e in base} - {"taylor"}):
-            add(method, mechanism, chosen(base, method=method))
+            add(words(say)[method] if method in words(say) else method, mechanism, chosen(base, method=method))
         if mechanism == "one_sided":
             add(say("exact, as recorded"), mechanism, theoretical(sets, mechanism), lambda entry: entry.q_recorded)
         ours = theoretical(sets, mechanism)
@@ -170,9 +203,11 @@ def spearman(x, y) -> float:
 def natural_table(values: list[MotionValue], say: Say) -> Table | None:
     """Table 2: the natural records and what the intermediate wall makes of them; None without records."""
     by_record: dict[str, dict[str, MotionValue]] = {}
+    event: dict[str, str] = {}
     for mechanism in THEORETICAL:
         for value in natural_values(values, mechanism):
             by_record.setdefault(value.entry.motion.name, {})[mechanism] = value
+            event[value.entry.motion.name] = value.entry.event
     if not by_record:
         return None
     rows, logs, measures = [], [], []
@@ -193,16 +228,25 @@ def natural_table(values: list[MotionValue], say: Say) -> Table | None:
                 logs.append(math.log(value.q_eff / form))
                 measures.append((motion.pgv, motion.pgv / motion.pga, motion.duration_5_95))
         rows.append(
-            (name, motion.pga / G, motion.pgv / CM, motion.housner_intensity / CM, motion.duration_5_95, *cells)
+            (
+                event[name],
+                name,
+                motion.pga / G,
+                motion.pgv / CM,
+                motion.housner_intensity / CM,
+                motion.duration_5_95,
+                *cells,
+            )
         )
     note = say(
         "The print gives PGA to 0.01 g: its rows of 0.02 and 0.03 g are uncertain by 17 to 25 % and cannot test ±20 %."
     )
     if len(logs) > 3:
         goes = [spearman(column, logs) for column in zip(*measures, strict=True)]
-        words = ", ".join(f"{name} {value:+.2f}" for name, value in zip(OUTLIER_MEASURES, goes, strict=True))
-        note += " " + say("Rank correlation of q_eff over Eq. 15 with {words}.", words=words)
+        named = ", ".join(f"{name} {value:+.2f}" for name, value in zip(OUTLIER_MEASURES, goes, strict=True))
+        note += " " + say("Rank correlation of q_eff over Eq. 15 with {words}.", words=named)
     head = (
+        say("earthquake"),
         say("record"),
         "PGA [g]",
         "PGV [cm/s]",

@@ -13,11 +13,14 @@ from core.codes import target_spectrum
 from core.codes.spectrum_codes import CODES
 from core.codes.target_spectrum import CodeSpectrum
 from core.errors import InputError, RecordError
+from core.file_names import name_of
 from core.ground import records
 from core.ground.artificial import compatible_motion
 from core.ground.ground_motion import GroundMotion
+from core.ground.provenance import provenance
 from core.jit import cache, stamp
 from core.known import known
+from core.research import natural_set
 from core.rocking.methods import METHODS
 from core.setting.record_input import read_records
 from core.study.journal import Journal
@@ -44,12 +47,13 @@ class StudySpectrum:
 
 @dataclass(frozen=True)
 class StudyMotion:
-    """One motion of a study; spectrum and group "" and seed None of a natural record."""
+    """One motion of a study; spectrum and group "" and seed None of a natural record, event "" of a generated one."""
 
     motion: GroundMotion
     spectrum: str = ""
     group: str = ""
     seed: int | None = None
+    event: str = ""
 
 
 class Row(NamedTuple):
@@ -73,6 +77,7 @@ class ParametricResult:
     """A finished study.
 
     refused : (file, error) of the records that could not be read, or are vertical
+    missing : names of the records of the named set that the folder does not hold
     restored : runs an earlier start had finished
     elapsed : [s], of this start
     """
@@ -87,6 +92,7 @@ class ParametricResult:
     refused: tuple[tuple[str, RecordError], ...]
     restored: int
     elapsed: float
+    missing: tuple[str, ...] = ()
 
 
 def target_of(shape: Shape, pga: float) -> CodeSpectrum:
@@ -133,10 +139,25 @@ def one_motion(first: GroundMotion, second: GroundMotion) -> bool:
     return float(np.abs(apart).max()) <= COPY_TOLERANCE
 
 
-def natural_motions(
-    study: Study, base_dir: Path, records_from: Path | None
-) -> tuple[list[StudyMotion], list[tuple[str, RecordError]]]:
-    """The horizontal records of a study, of those of one motion the first; and files that are none or vertical.
+def event_of(motion: GroundMotion) -> str:
+    """The earthquake of a natural record, as its file names it; else its date, else how its name begins."""
+    known = provenance(motion)
+    return known.event or known.date or motion.name[:8]
+
+
+class Natural(NamedTuple):
+    """The natural records of a study.
+
+    refused : files that are none, or vertical; missing : records of the named set that the folder does not hold
+    """
+
+    motions: list[StudyMotion]
+    refused: list[tuple[str, RecordError]]
+    missing: list[str]
+
+
+def natural_motions(study: Study, base_dir: Path, records_from: Path | None) -> Natural:
+    """The horizontal records of a study, of those of one motion the first.
 
     records_from : a folder, or a TOML file of [[record]] tables. Raises InputError.
     """
@@ -144,6 +165,12 @@ def natural_motions(
     refused: list[tuple[str, RecordError]] = []
     if study.record:
         motions = read_records(study, base_dir)[0]
+    if records_from is not None and records_from.is_dir() and study.natural:
+        found, missing = natural_set.find(natural_set.read_set(base_dir / name_of(study.natural)), records_from)
+        if not found:
+            raise InputError("study_no_named_record", place=(records_from,), n=len(missing))
+        named = [StudyMotion(motion, event=one.event) for one, motion in found]
+        return Natural([*map(_natural, motions), *named], [], [one.name for one in missing])
     if records_from is not None and records_from.is_dir():
         more, refused = folder_records(records_from)
         if not more:
@@ -157,7 +184,11 @@ def natural_motions(
             refused.append((motion.name, RecordError("vertical_component")))
         elif not any(one_motion(motion, other) for other in kept):
             kept.append(motion)
-    return [StudyMotion(motion) for motion in kept], refused
+    return Natural(list(map(_natural, kept)), refused, [])
+
+
+def _natural(motion: GroundMotion) -> StudyMotion:
+    return StudyMotion(motion, event=event_of(motion))
 
 
 def model_of(cell: Cell) -> RockingModel:
@@ -192,8 +223,8 @@ def run(
     started = Started()
     threads = Threads(jobs, cancelled)
     spectra = spectra_of(study)
-    natural, refused = natural_motions(study, base_dir, records_from)
-    motions = _generated(study, spectra, threads) + natural
+    natural = natural_motions(study, base_dir, records_from)
+    motions = _generated(study, spectra, threads) + natural.motions
     threads.run({k: entry.motion.measure for k, entry in enumerate(motions)})
     finished = journal(f"{VERSION} {stamp.source_stamp()}") if journal else None
     try:
@@ -208,9 +239,10 @@ def run(
         tuple(entry for entry, _ in spectra),
         tuple(motions),
         rows,
-        tuple(refused),
+        tuple(natural.refused),
         restored,
         started.elapsed,
+        missing=tuple(natural.missing),
     )
 
 

@@ -19,33 +19,35 @@ from core.version import NAME, VERSION, commit
 PALETTE = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#666666", "#1F2D3D")
 """Colours of the series, told apart in print and by the colour-blind."""
 
-CSV_COLUMNS = (
-    "group",
-    "spectrum",
-    "motion",
-    "seed",
-    "pga_g",
-    "pgv_cm_s",
-    "housner_intensity_cm",
-    "slenderness_deg",
-    "height_m",
-    "mechanism",
-    "restitution",
-    "law",
-    "method",
-    "q_step",
-    "polarity",
-    "status",
-    "q",
-    "q_low",
-    "q_slv",
-    "q_slc",
-    "q_robust",
-    "q_eff",
-    "survived_fraction",
-    "pi",
-    "analyses",
-)
+CSV_COLUMNS = {
+    "group": ("", "of the spectrum; empty of a natural record"),
+    "spectrum": ("", "target of a generated motion"),
+    "motion": ("", "its name; of a natural record event, station, component"),
+    "seed": ("", "of a generated motion"),
+    "pga_g": ("g", "peak ground acceleration"),
+    "pgv_cm_s": ("cm/s", "peak ground velocity"),
+    "housner_intensity_cm": ("cm", "SI, of the pseudo-velocity at 5 % from 0.1 to 2.5 s"),
+    "slenderness_deg": ("deg", "alpha of the wall"),
+    "height_m": ("m", "H of the wall"),
+    "mechanism": ("", "two_sided or one_sided"),
+    "restitution": ("", "model, or the velocity ratio itself"),
+    "law": ("", "moment and rotation: rigid, doherty, al_shawa"),
+    "method": ("", "how the motion is integrated"),
+    "q_step": ("-", "step of the search"),
+    "polarity": ("", "1 as recorded, -1 reversed"),
+    "status": ("", "of the search"),
+    "q": ("-", "a_g S / a_RM at the first overturning"),
+    "q_low": ("-", "the largest multiplier survived below it, as q"),
+    "q_slv": ("-", "at the first rotation of 0.40 theta_c"),
+    "q_slc": ("-", "at the first rotation of 0.60 theta_c"),
+    "q_robust": ("-", "smallest q around which 16 % of a window overturn"),
+    "q_eff": ("-", "q g / PGA, Eq. 12"),
+    "survived_fraction": ("-", "share of the multipliers above q that the wall survives"),
+    "pi": ("-", "p2 SI / PGA"),
+    "analyses": ("", "integrations of the search"),
+}
+"""Columns of the CSV of runs -> unit, what it is."""
+
 DPI = 150
 MARKERS = ("o", "s", "^", "D")
 
@@ -118,10 +120,12 @@ def json_text(result: ParametricResult, report: StudyReport, runs: str, runs_sha
                 "spectrum": e.spectrum,
                 "group": e.group,
                 "seed": e.seed,
+                "event": e.event,
                 **stated(MEASURES, e.motion),
             }
             for e in result.motions
         ],
+        "missing": result.missing,
         "refused": [{"file": file, "reason": error.text("en")} for file, error in result.refused],
         "runs": {
             "file": runs,

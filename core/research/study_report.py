@@ -8,6 +8,9 @@ from core.research.set_means import MotionValue, SetMean, motion_values, set_mea
 from core.text.sentence import localized
 from core.units import CM, G
 
+MAX_NAMED = 12
+"""Missing records that a note names; all are in the JSON."""
+
 
 def report_of(result: ParametricResult) -> StudyReport:
     """Figures, tables and claims in the language of the study."""
@@ -32,6 +35,14 @@ def report_of(result: ParametricResult) -> StudyReport:
             say(
                 "{n} files are left out: no accelerograms the program reads, or vertical components.",
                 n=len(result.refused),
+            )
+        )
+    if result.missing:
+        notes.append(
+            say(
+                "{n} records of the named set are not in the folder: {names}.",
+                n=len(result.missing),
+                names="; ".join(result.missing[:MAX_NAMED]) + ("; …" if len(result.missing) > MAX_NAMED else ""),
             )
         )
     if result.study.report == "paper":

@@ -10,6 +10,7 @@ import shutil
 import signal
 import sys
 import xml.etree.ElementTree as ElementTree
+import zipfile
 
 import numpy as np
 import pytest
@@ -21,6 +22,7 @@ from core.capacity.scale_free_law import FITTED
 from core.research.law_fit import columns, set_columns
 from core.research.set_means import motion_values
 from core.research.study_report import report_of
+from core.version import commit
 from tests.app.driving import settle
 from tests.app.test_batch import call, start, waited
 from tests.conftest import ROOT
@@ -212,7 +214,32 @@ def test_that_wrong_input_is_one_sentence_and_nothing_is_written(arguments, word
     assert sorted(tmp_path.iterdir()) == before
 
 
-@pytest.mark.parametrize("arguments", [["--quick"], ["--records", "x"], ["--study", "paper", "--batch", "x"]])
+@pytest.mark.shows("paper.pack")
+def test_that_the_archive_of_a_study_runs_again_to_the_same_bytes(small, tmp_path, capsys):
+    """By the command its README names, in the folder it was unpacked in; every column has its unit."""
+    assert call("--study", small, "--quick", "--quiet", "--pack") == 0
+    unpacked = tmp_path / "unpacked"
+    with zipfile.ZipFile(tmp_path / "small_quick_pack.zip") as archive:
+        archive.extractall(unpacked)
+        names = set(archive.namelist())
+    words = (unpacked / "README.md").read_text(encoding="utf-8")
+    command = re.search(r"^    ribalta (.+)$", words, re.MULTILINE)[1].replace("--records FOLDER ", "").split()
+    place = {"small.toml": unpacked / "small.toml", "again": unpacked / "again"}
+    assert call(*(place.get(word, word) for word in command), "--quiet") == 0
+    runs = (unpacked / "small_quick.csv").read_bytes()
+    assert (unpacked / "again" / "small_quick.csv").read_bytes() == runs
+    assert hashlib.sha256(runs).hexdigest() in words and f"({commit()})" in words and "CC BY 4.0" in words
+    columns = list(csv.reader(io.StringIO((unpacked / "columns.csv").read_text(encoding="utf-8"))))
+    assert [row[0] for row in columns[1:]] == runs.decode().splitlines()[0].split(",")
+    assert all(row[2] for row in columns)
+    assert {"small.toml", "small_quick.json", "LICENCE.txt", "versions.txt", "requirements.lock"} <= names
+    assert any(name.startswith("figures/") for name in names)
+    assert "numba" in (unpacked / "versions.txt").read_text()
+
+
+@pytest.mark.parametrize(
+    "arguments", [["--quick"], ["--pack", "--batch", "x"], ["--records", "x"], ["--study", "paper", "--batch", "x"]]
+)
 def test_that_options_that_do_not_go_together_are_wrong_usage(arguments, capsys):
     with pytest.raises(SystemExit) as ended:
         call(*arguments)

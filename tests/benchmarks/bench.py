@@ -16,7 +16,6 @@
     python3 run.py bench --screenshots [--output DIR]       # every tab, both themes and languages
     python3 run.py bench --screenshots --guide [--output DIR] # the pictures of the guides
     python3 run.py bench --records                          # a million samples read, 200 files previewed
-    python3 run.py bench --natural FILE                     # the natural records of paper.md, for --study --records
     python3 run.py bench --noise [--cases N]                # errors of histories beside the effect of noise
     python3 run.py bench --noise --explain [--cases N]      # what each error is that eight draws do not explain
     python3 run.py bench --tolerances [--cases N] [--pairs N] # the same for other tolerances of a step, and their speed
@@ -52,7 +51,6 @@ BENCHMARKS = {
     "window": "window_speed",
     "screenshots": "screenshots",
     "records": "record_speed",
-    "natural": "natural_list",
     "ties": "tie_study",
     "noise": "noise_promise",
     "tolerances": "tolerance_sweep",
@@ -70,9 +68,8 @@ def options_of(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="run.py bench")
     asked = parser.add_mutually_exclusive_group()
     for word in BENCHMARKS:
-        if word in ("paired", "natural"):
-            named = {"paired": "OTHER_TREE", "natural": "FILE"}[word]
-            asked.add_argument(f"--{word}", type=Path, metavar=named)
+        if word == "paired":
+            asked.add_argument("--paired", type=Path, metavar="OTHER_TREE")
         elif word == "ties":
             asked.add_argument("--ties", type=Path, metavar="LIST.toml", nargs="?", const=True)
         else:

@@ -5,7 +5,7 @@ overturns them without it.
 
 One-sided walls of tie_study.toml, each with one tie. The linear check (C8.7.1.2.1.7, FC 1) with q gives the force of
 the tie; a second table has the least force that keeps the wall within 0.40 theta_c, the largest rotation at SLV.
-Motions of both signs: the natural records of LIST.toml (of `bench --natural`), without it seven generated ones of one
+Motions of both signs: the natural records of LIST.toml ([[record]] tables), without it seven generated ones of one
 spectrum.
 """
 
@@ -172,7 +172,7 @@ def generated_motions(count: int) -> list[GroundMotion]:
 
 def listed_motions(path: Path) -> list[GroundMotion]:
     """The horizontal records of a list, each motion once, but for weak and very long ones."""
-    motions = [entry.motion for entry in natural_motions(Study(), path.parent, path)[0]]
+    motions = [entry.motion for entry in natural_motions(Study(), path.parent, path).motions]
     return [m for m in motions if m.pga > LEAST_PGA and m.acceleration.size <= LONGEST]
 
 

@@ -81,6 +81,7 @@ ESTIMATE = (
     number("scaled", "-", "Lambda: p2/PGA times the pseudo-velocity over the band of the wall"),
     flag("within", "whether the wall is within the range of the fit"),
     number("record_low", "-", "lower end for nine natural records of ten"),
+    number("record_sixth", "-", "one natural record in six is below: with record_low the design values of q_slv"),
     number("record_high", "-", "upper end"),
 )
 

@@ -190,19 +190,6 @@ def test_that_a_vertical_component_is_left_out_and_named(tmp_path):
     assert (name, error.code) == ("UP", "vertical_component")
 
 
-@pytest.mark.long  # the whole shelf; what is left out is shown above
-def test_that_the_natural_set_of_the_paper_holds_no_vertical_and_no_motion_twice(shelf, tmp_path):
-    """58 in version 0.5.0, a spectrally matched one twice; its files were those of four folders."""
-    from tests.benchmarks import bench
-
-    bench.main(["--natural", str(tmp_path / "list.toml")])
-    study = parse_study(table(motions="records"))
-    kept, _ = parametric.natural_motions(study, tmp_path, tmp_path / "list.toml")
-    assert len(kept) == 57
-    assert not any(w.code == "vertical" for entry in kept for w in entry.motion.warnings)
-    assert sum("Matched" in entry.motion.name for entry in kept) == 1
-
-
 def test_that_a_study_without_a_motion_is_refused():
     with pytest.raises(InputError, match="no wall has a motion"):
         run({"grid": table(motions="records")["grid"]})

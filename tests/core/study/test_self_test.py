@@ -32,7 +32,7 @@ def test_that_the_last_digit_of_one_tells_right_from_wrong(monkeypatch):
     assert len(right) > 20
     wrong = [*right[:-1], math.nextafter(float.fromhex(right[-1]), 9.9).hex()]
     for known, expected in ((right, True), (wrong, False), ([], False)):
-        shipped = Library(Path(), {}, known)
+        shipped = Library(Path(), {}, known, {})
         monkeypatch.setattr(self_test.shipped, "library", lambda shipped=shipped: shipped)
         assert self_test.numbers_are_right() is expected
 

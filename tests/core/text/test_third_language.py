@@ -68,7 +68,7 @@ def test_that_the_whole_way_to_the_report_is_in_it(folder, tmp_path):
     (tmp_path / "case.toml").write_text(CASE)
     words = [tmp_path / "case.toml", "--output", tmp_path / "out", "--report", tmp_path / "note.docx"]
     found = subprocess.run(
-        [sys.executable, "-c", PROGRAM, folder, "--batch", *words],
+        [sys.executable, "-c", PROGRAM, folder, "--quiet", "--batch", *words],
         capture_output=True, text=True, cwd=ROOT, env=dict(os.environ, LC_ALL="C.UTF-8"),
     )  # fmt: skip
     assert (found.returncode, found.stderr) == (0, ""), found.stderr

@@ -1,0 +1,102 @@
+"""A study as one archive that can be deposited: runs with units, results, seeds, hashes of the records, the state of
+the program, and how to run it again."""
+
+import csv
+import hashlib
+import importlib.metadata
+import io
+import platform
+import zipfile
+from pathlib import Path
+
+from core.research.parametric import ParametricResult
+from core.research.study_files import CSV_COLUMNS
+from core.version import NAME, VERSION, commit
+
+LOCK = Path(__file__).resolve().parents[2] / "requirements.lock"
+
+MADE_WITH = ("numpy", "numba", "scipy")
+
+README = """# {title}
+{runs} runs, {analyses} integrations, by {name} {version} ({commit}), started {started} UTC.
+
+| file | what it is |
+|---|---|
+| {csv} | every run, a line each, numbers in full; SHA-256 {digest} |
+| columns.csv | the columns of that file with their units |
+| {json} | tables, claims, motions with their seeds and, of natural records, event and measures |
+| {study} | the study: grids, spectra, seeds |
+| *.toml beside it | the natural records by event, station, component and SHA-256; they are of others and not in here |
+| figures/ | PNG and SVG |
+| requirements.lock, versions.txt | packages: those of the program, and those this was made with |
+
+Again, with {name} {version} and a folder of the records, into `again`:
+
+    ribalta --study {study}{quick} --records FOLDER --output again
+
+`again/{csv}` is then the same file, byte for byte ({processor}; on another processor or system numbers may differ in
+their last digits).
+
+Licence: CC BY 4.0 (LICENCE.txt). Cite the program ({name} {version}) and Coccia, Di Carlo, Imperatore (2016).
+"""
+
+LICENCE = """Creative Commons Attribution 4.0 International (CC BY 4.0)
+https://creativecommons.org/licenses/by/4.0/legalcode
+
+The runs, results and figures of this archive may be shared and adapted by anyone, for any purpose, if the source is
+named and changes are said.
+"""
+
+
+def columns_text() -> str:
+    """Columns of the CSV of runs, each with its unit and what it is."""
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow(("column", "unit", "what it is"))
+    writer.writerows((name, unit, words) for name, (unit, words) in CSV_COLUMNS.items())
+    return stream.getvalue()
+
+
+def content(
+    result: ParametricResult, study: Path, records: Path | None, files: dict[str, bytes], figures: dict[str, bytes]
+) -> bytes:
+    """The archive, the same bytes for the same study.
+
+    study : its file; records : a list of records given beside it; files : CSV and JSON by name; figures : by name
+    """
+    (table,) = (name for name in files if name.endswith(".csv"))
+    (stated,) = (name for name in files if name.endswith(".json"))
+    named = [study.parent / result.study.natural] if result.study.natural else []
+    named += [records] if records is not None and records.is_file() else []
+    words = README.format(
+        title=result.study.title, runs=len(result.rows), analyses=sum(row.analyses for row in result.rows),
+        name=NAME, version=VERSION, commit=commit() or "no commit", started=result.started, csv=table, json=stated,
+        study=study.name, quick=" --quick" if result.quick else "",
+        digest=hashlib.sha256(files[table]).hexdigest(), processor=platform.machine(),
+    )  # fmt: skip
+    inside = {
+        "README.md": words.encode(),
+        "LICENCE.txt": LICENCE.encode(),
+        "columns.csv": columns_text().encode(),
+        "versions.txt": _versions().encode(),
+        **files,
+        **{path.name: path.read_bytes() for path in (study, *named)},
+        **({"requirements.lock": LOCK.read_bytes()} if LOCK.is_file() else {}),
+        **{f"figures/{name}": one for name, one in figures.items()},
+    }
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w") as archive:
+        for name in sorted(inside):
+            archive.writestr(zipfile.ZipInfo(name), inside[name], zipfile.ZIP_DEFLATED)
+    return stream.getvalue()
+
+
+def _versions() -> str:
+    """Python and the packages the numbers were made with."""
+    lines = [f"Python {platform.python_version()}"]
+    for name in MADE_WITH:
+        try:
+            lines.append(f"{name} {importlib.metadata.version(name)}")
+        except importlib.metadata.PackageNotFoundError:  # the installed program has no numba
+            continue
+    return "\n".join(lines) + "\n"
