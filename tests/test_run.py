@@ -374,7 +374,7 @@ def test_that_each_word_installs_what_it_needs_and_no_more(run, tmp_path):
         (["nowhere.toml"], 1, "nowhere.toml: there is no such case file"),
         (["--study", "papr"], 1, "papr: there is no such study: paper, law"),
         (["--batch", EXAMPLE, "--report", "a.odt"], 1, "a.odt is neither a PDF nor a Word document"),
-        (["--batch", EXAMPLE, "--quick"], 2, "--quick goes with --study"),
+        (["--batch", EXAMPLE, "--quick"], 2, "--quick and --pack go with --study"),
         (["--batch"], 2, "--batch takes a value"),
         (["--version"], 0, "Ribalta 0."),
         (["--help"], 0, "python3 run.py fuzz"),

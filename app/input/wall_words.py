@@ -63,6 +63,8 @@ def estimate_lines(session: Session, wall: Wall) -> list[str]:
                 line += ", " + tr(
                     "design value of q SLV {low:.1f} (5 % of records below), {sixth:.1f} (16 %)", **design
                 )
+            if mechanism == "one_sided":
+                line += " " + tr("(of each record the lower of both its signs)")
             lines.append(line if one.within else f"{line}, {tr('outside its range')}")
     return lines
 

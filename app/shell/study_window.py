@@ -29,6 +29,7 @@ from app.look.labels import Plain, plain
 from app.look.language import tr
 from app.shell.study_form import StudyForm
 from app.terminal import study
+from app.terminal.command_line import SHIPPED_STUDIES
 from app.views.study_tabs import claims_table, figure_chart, table_view
 from app.work.runner import progress_word
 from app.work.worker import Job
@@ -48,8 +49,7 @@ class StudyWindow(QDialog):
         self.job: Job | None = None
         self.began = 0.0
         self.study = QComboBox()
-        for name in sorted(path.stem for path in study.STUDIES.glob("*.toml")):
-            self.study.addItem(name)
+        self.study.addItems(sorted(SHIPPED_STUDIES))
         self.study.setCurrentText("paper")
         self.study.setEditable(True)
         self.study.setAccessibleName(tr("Study"))

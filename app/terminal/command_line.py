@@ -16,6 +16,7 @@ from core.packages import MAX_WALLS_IN_WORKBOOK
 from core.regular_file import open_regular, read_regular
 
 STUDIES = Path(__file__).resolve().parents[2] / "resources" / "studies"
+SHIPPED_STUDIES = "paper", "law"
 """Studies that come with the program, asked for by name."""
 
 REFUSED = (
@@ -173,8 +174,7 @@ def _apart(asked: argparse.Namespace) -> Iterator[tuple[object, str]]:
 
 def study_file(asked: str) -> Path:
     """The file of a study: a name of those that come with the program, or a path."""
-    shipped = STUDIES / f"{asked}.toml"
-    return shipped if asked.isidentifier() and shipped.is_file() else Path(asked)
+    return STUDIES / f"{asked}.toml" if asked in SHIPPED_STUDIES else Path(asked)
 
 
 def refuse_missing(options: argparse.Namespace) -> None:

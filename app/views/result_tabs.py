@@ -92,7 +92,8 @@ class IntensityTab(ResultTab):
         self.chart.reset()
 
     def _show_law(self, wall: WallResult, known: list) -> None:
-        """Ribalta's law: at each record in the chart of SI, and as a curve with its interval in that of Lambda."""
+        """Ribalta's law: at each record in the chart of SI; in that of Lambda as a curve with the interval of the mean
+        of a set as a band, and the ends of that of one natural record."""
         self.scale_free.clear()
         self.scale_free.set_log(self.log.isChecked())
         block = wall.block
@@ -108,10 +109,14 @@ class IntensityTab(ResultTab):
             self.chart.points(name, si / CM, law.q(scaled, ratio) * G / pga, 2, 8, symbol="d")
             x = np.geomspace(0.7 * scaled.min(), 1.4 * scaled.max(), 60)
             y = law.q(x, ratio)
-            low, high = (edge / law.q(1.0, ratio) for edge in law.interval(1.0, ratio))
+            low, high = np.array([law.interval(one, ratio) for one in x]).T
             if not self.log.isChecked():
-                self.scale_free.band(x, low * y, high * y, 2)
-            self.scale_free.curve(name, x, y, 2, 2.0)
+                self.scale_free.band(x, low, high, 2)
+            self.scale_free.curve(f"{name}, {tr('band: of the mean of a set')}", x, y, 2, 2.0)
+            if law.record is not None:
+                ends = np.array([law.record_values(one, ratio) for one in x])
+                self.scale_free.curve(tr("nine natural records of ten"), x, ends[:, 0], 2, 1.2, dash=True)
+                self.scale_free.curve("", x, ends[:, 2], 2, 1.2, dash=True)
         self.scale_free.reset()
 
 

@@ -89,16 +89,18 @@ def estimates(
     mechanism = "one_sided" if one_sided else "two_sided"
     scaled, ratio = scaled_intensity(block.p2, integral, pga, mechanism), loss_ratio(block, restitution)
     estimated: list[Estimate] = []
+    of_q: tuple[float, float, float] | None = None
     for quantity in ("q", "q_slv"):
         fitted = law_of(one_sided, law, quantity)
         if fitted is not None:
             beyond = BANDS[mechanism][1] / math.sqrt(block.p2) > SCALED_PERIODS[-1]
             within = fitted.holds(scaled, ratio) and not beyond
             q, (low, high) = float(fitted.q(scaled, ratio)), fitted.interval(scaled, ratio)
-            for one in estimated:  # q_slv: the two fits may cross by 2 %, the quantities cannot
+            for one in estimated:  # q_slv: the two fits may cross by 2 %, the quantities cannot, nor those of a record
                 q, low, high = min(q, one.q), min(low, one.low), min(high, one.high)
-            of_record = fitted.record_values(scaled, ratio) or (None, None, None)
-            estimated.append(Estimate(quantity, q, low, high, scaled, within, *of_record))
+            ends = fitted.record_values(scaled, ratio)
+            of_q = (of_q and ends and (min(of_q[0], ends[0]), min(of_q[1], ends[1]), min(of_q[2], ends[2]))) or ends
+            estimated.append(Estimate(quantity, q, low, high, scaled, within, *(of_q or (None, None, None))))
     return tuple(estimated)
 
 

@@ -94,7 +94,7 @@ class NativeKernel:
         self.found, self.symbols, self.otherwise = found, symbols, otherwise
         self.made: dict[str, Callable] = {}
 
-    def __call__(self, *arguments):
+    def __call__(self, *arguments: Any) -> Any:
         key: list[str] = []
         words: list = []
         if trial.failed:

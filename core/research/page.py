@@ -1,6 +1,6 @@
 """The page of the two studies, resources/docs/paper.md: a template whose every number is a cell, and their results.
 
-    python -m core.research.page PAPER.json LAW.json
+    .venv/bin/python -m core.research.page PAPER.json LAW.json
 
 keeps what the page needs of the JSON that `--study paper` and `--study law` wrote, in resources/studies, and writes the
 page. Without files it writes the page of what was kept.

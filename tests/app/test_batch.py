@@ -588,7 +588,7 @@ def test_that_a_bar_of_a_terminal_is_one_line_and_leaves_nothing_there(capsys, m
     from app.terminal import terminal_progress
 
     monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
-    monkeypatch.setattr(terminal_progress.cache, "lacks_lanes", lambda: False)
+    monkeypatch.setattr(terminal_progress.native, "lacks_lanes", lambda: False)
     with terminal_progress.progress(False) as show:
         show.runs(3, 4, 7.0)
         show.writing(1, 2)

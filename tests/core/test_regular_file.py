@@ -89,6 +89,8 @@ OWN = {
     "core/report/cells.py": "sheets that are being written",
     "core/report/note/pdf.py": "a resource of the program",
     "core/solved/histories.py": "a resource of the program",
+    "core/research/pack.py": "what the study itself has read, and the lock of the program",
+    "core/research/page.py": "results of the program's own studies",
     "core/solved/pack.py": "cases of the program",
     "core/study/check_script.py": "a resource of the program",
     "core/study/journal.py": "journals, which are locked",

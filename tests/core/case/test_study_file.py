@@ -4,6 +4,7 @@ import tomllib
 
 import pytest
 
+from app.terminal.command_line import SHIPPED_STUDIES
 from core.case.study_file import Cell, cells_of, parse_study, read_record_list, read_study, shortened
 from core.errors import InputError
 from tests.conftest import ROOT
@@ -16,7 +17,7 @@ def group(name, spectrum, seed):
     return {"name": name, "pga_g": 0.1, "spectrum": [shape]}
 
 
-STUDIES = sorted((ROOT / "resources" / "studies").glob("*.toml"))
+STUDIES = [ROOT / "resources" / "studies" / f"{name}.toml" for name in SHIPPED_STUDIES]
 
 
 @pytest.mark.parametrize("path", STUDIES, ids=lambda path: path.stem)

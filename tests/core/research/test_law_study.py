@@ -95,6 +95,8 @@ def test_that_an_estimate_at_slv_is_not_above_that_at_collapse():
         for model in ("housner", "one_sided_theoretical"):
             one, slv = law.estimates(block, restitution(block, model), LAWS["rigid"], True, steady(velocity), 2.0)
             assert slv.q <= one.q and slv.low <= one.low and slv.high <= one.high
+            assert slv.record_low <= one.record_low and slv.record_sixth <= one.record_sixth
+            assert slv.record_low <= slv.record_sixth <= slv.record_high <= one.record_high
     for one_sided, name in product((False, True), LAWS):
         at_collapse, at_slv = (law.law_of(one_sided, LAWS[name], quantity) for quantity in ("q", "q_slv"))
         low, high = at_collapse.loss_range

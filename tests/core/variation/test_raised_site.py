@@ -134,7 +134,7 @@ def test_that_another_spectrum_than_that_of_ntc_is_shown_with_it_where_the_hazar
     rows, scene = rows_of(asked)
     found = there(rows["spectrum"], scene)
     assert found.target == there_of({}).target and found.spectrum_code == "NTC2018"
-    assert rows["spectrum"].value == "EN 1998" and values(rows["spectrum"], [0.8])["soil"] == "B"
+    assert rows["spectrum"].value == "EN 1998-1" and values(rows["spectrum"], [0.8])["soil"] == "B"
     for changes in (
         {"return_period_years": None},
         {"hazard": None},
