@@ -338,7 +338,7 @@ def install(groups, folder, have):
 
 
 def take_kernels():
-    """Put machine code made for these sources, this Python and system, where its wheel stands in dist, into the
+    """Put machine code made for these sources and this system, where its wheel stands in dist, into the
     environment; what hinders that is one sentence, and the program compiles its own."""
     name = wheel_of_kernels()
     wheel, about = os.path.join(DIST, name), name.rsplit("-", 3)[0] + ".dist-info"
@@ -356,7 +356,7 @@ def take_kernels():
 
 
 def wheel_of_kernels():
-    """Name of the wheel in dist that was made for these sources, this Python and system, "" where there is none."""
+    """Name of the wheel in dist that was made for these sources and this system, "" where there is none."""
     end = f"-{platforms.tag()}.whl"
     if not os.path.isdir(DIST) or not any(name.endswith(end) for name in os.listdir(DIST)):
         return ""

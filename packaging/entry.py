@@ -1,5 +1,4 @@
-"""Entry of the frozen program, of its second process in a cold start (core.study.precompile), and of its trial after a
-build (packaging/smoke.py)."""
+"""Entry of the frozen program, and of its trial after a build (packaging/smoke.py)."""
 
 import os
 import sys
@@ -13,10 +12,6 @@ if "RIBALTA_CHILD" in os.environ:
     from core import child
 
     child.main()
-elif "RIBALTA_SECOND_PROCESS" in os.environ:
-    from core.study import precompile
-
-    precompile.main()
 elif "RIBALTA_SMOKE" in os.environ:
     import window_smoke
 

@@ -15,6 +15,7 @@ import json
 import os
 import pickle
 import platform
+import re
 import subprocess
 import sys
 import tempfile
@@ -105,6 +106,45 @@ def spelled(kind) -> str:
     return {types.float64: "d", types.int64: "q", types.boolean: "?", types.none: "n"}[kind]
 
 
+def may_write(signature) -> list[bool]:
+    """Of each array of a signature of numba, in the order in which `core.jit.native.spell` finds them, whether it may
+    be written."""
+    from numba.core import types
+
+    found = []
+    for kind in signature:
+        if isinstance(kind, types.Array):
+            found.append(kind.mutable)
+        elif isinstance(kind, types.BaseTuple):
+            found += may_write(kind)
+    return found
+
+
+def words_of(kind) -> list[str]:
+    """The words of an argument of a type, of an array "a" for its address."""
+    from numba.core import types
+
+    if isinstance(kind, types.Array):
+        return [*"....a", *"." * (2 * kind.ndim)]
+    if isinstance(kind, types.BaseTuple):
+        return [word for part in kind for word in words_of(part)]
+    return ["."]
+
+
+def written_of(signature, function) -> str:
+    """Of each array "r" where LLVM knows that the function does not write it, else "w". function : of LLVM"""
+    attributes = [" ".join(map(bytes.decode, one.attributes)) for one in function.arguments][2:]
+    words = [word for kind in signature for word in words_of(kind)]
+    assert len(words) == len(attributes)
+    marks = [
+        "r" if "readonly" in a or "readnone" in a else "w"
+        for word, a in zip(words, attributes, strict=True)
+        if word == "a"
+    ]
+    assert all(may or mark == "r" for may, mark in zip(may_write(signature), marks, strict=True)), function.name
+    return "".join(marks)
+
+
 def compiled(wanted: dict[Kernel, list], level: str, target: Path) -> dict[str, dict[str, list[str]]]:
     """Compile kernels with these signatures for a level, which is that of this process, as a shared library in a
     folder; returns the names of the kernels in it, as `shipped.Library` has them."""
@@ -123,12 +163,17 @@ def compiled(wanted: dict[Kernel, list], level: str, target: Path) -> dict[str, 
             result = made.overloads[tuple(signature)]
             module = llvm.parse_assembly(str(result.library._final_module))
             types = "".join(map(spelled, signature))
-            if types in names.setdefault(kernel.name, {}):
-                continue  # of an array that is written and one that is not
+            if types in names.setdefault(kernel.name, {}):  # of an array that may be written and one that may not
+                assert all(
+                    may or mark == "r"
+                    for may, mark in zip(may_write(signature), names[kernel.name][types][2], strict=True)
+                )
+                continue
             symbol = f"kernel_{sum(map(len, names.values()))}"
             module.get_function(result.fndesc.llvm_func_name).name = symbol
-            letters = spelled(result.fndesc.restype).strip("()")
-            names[kernel.name][types] = [symbol, letters.replace("n", "")]
+            letters = re.sub(r"^\((.*)\)$", r"\1", spelled(result.fndesc.restype)).replace("n", "")
+            assert re.fullmatch(r"[dq?]*", letters), letters  # core.jit.native unpacks nothing else
+            names[kernel.name][types] = [symbol, letters, written_of(signature, module.get_function(symbol))]
             if whole is None:
                 whole = module
             else:
@@ -138,7 +183,7 @@ def compiled(wanted: dict[Kernel, list], level: str, target: Path) -> dict[str, 
         cpu=level, features="", opt=int(config.OPT), reloc="pic", codemodel="default"
     )
     (target / f"{level}.o").write_bytes(machine.emit_object(whole))
-    symbols = [symbol for types in names.values() for symbol, _ in types.values()]
+    symbols = [symbol for types in names.values() for symbol, *_ in types.values()]
     link(target / f"{level}.o", target / shipped.file_name(level), symbols)
     return names
 

@@ -16,7 +16,7 @@ from pathlib import Path
 VARIABLE = "RIBALTA_AS_WINDOWS"
 
 REACHED: set[str] = set()
-"""Branches of Windows that asked for the system: files of the program."""
+"""Branches of Windows that asked for the system: file and line of the program."""
 
 
 class _Seen(types.ModuleType):
@@ -30,7 +30,7 @@ class _Seen(types.ModuleType):
         module, file, name, answer = self.__dict__["_of"]
         if asked != name:
             return getattr(module, asked)
-        REACHED.add(file)
+        REACHED.add(f"{file}:{sys._getframe(1).f_lineno}")
         return answer
 
 
@@ -56,6 +56,8 @@ def _refused(function, places):
         for path in paths[:places]:
             if "dir_fd" not in more and held(path):
                 raise PermissionError(errno.EACCES, "The process cannot access the file", os.fspath(path))
+        if function.__name__ == "rename" and os.path.lexists(paths[1]):
+            raise FileExistsError(errno.EEXIST, "Cannot create a file when that file already exists", paths[1])
         return function(*paths, **more)
 
     return guarded
@@ -110,16 +112,16 @@ class _Kernel:
         return feature == 40
 
 
-def asking(root: Path) -> dict[str, tuple[str, ...]]:
-    """Files of the program that ask which system it is -> the modules they ask."""
-    found = {}
+ASKED = {"os": 'os.name == "nt"', "sys": 'sys.platform == "win32"'}
+
+
+def asking(root: Path) -> dict[str, set[str]]:
+    """Lines of the program that ask whether it is on Windows, "file:line" -> the modules they ask."""
+    found: dict[str, set[str]] = {}
     for path in sorted([*(root / "core").rglob("*.py"), *(root / "app").rglob("*.py")]):
-        text = path.read_text(encoding="utf-8")
-        asked = tuple(
-            name for name, words in (("os", 'os.name == "nt"'), ("sys", 'sys.platform == "win32"')) if words in text
-        )
-        if asked:
-            found[path.relative_to(root).as_posix()] = asked
+        for k, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+            if asked := {name for name, words in ASKED.items() if words in line}:
+                found[f"{path.relative_to(root).as_posix()}:{k}"] = asked
     return found
 
 
@@ -128,7 +130,10 @@ def stand_in(patch, root: Path) -> None:
     import ctypes
     import importlib
 
-    for file, asked in asking(root).items():
+    of_file: dict[str, set[str]] = {}
+    for place, asked in asking(root).items():
+        of_file.setdefault(place.partition(":")[0], set()).update(asked)
+    for file, asked in of_file.items():
         module = importlib.import_module(file.removesuffix(".py").replace("/", "."))
         if "os" in asked:
             patch.setattr(module, "os", _Seen(os, file, "name", "nt"))

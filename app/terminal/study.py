@@ -19,7 +19,7 @@ from core.file_names import shown
 from core.ground import records as accelerograms
 from core.packages import require
 from core.regular_file import first_bytes
-from core.research import parametric
+from core.research import pack, parametric
 from core.research.figures import StudyReport
 from core.research.parametric import ParametricResult
 from core.research.study_files import CSV_COLUMNS
@@ -150,6 +150,8 @@ def run(
     path = study_file(asked)
     folder = output or (Path() if path.parent == STUDIES else path.parent)
     cancel, made = threading.Event(), None
+    if packed:
+        pack.refuse_outside(load(path, quick)[0])
     with interrupts(cancel), progress(quiet) as show:
         try:
             made = results(asked, folder, records, jobs, quick, resume, show.runs, cancel.is_set)
@@ -170,6 +172,8 @@ def run(
                 made.book.close()
     if not quiet:
         say(summary(made.result, report, folder, made.stem))
+        if packed:
+            say(shown(f"{folder / made.stem}_pack.zip"))
     without = [row for row in made.result.rows if row.q is None]
     for row in without[:MAX_NAMED]:
         tell(
@@ -198,7 +202,7 @@ def write(
     tell(done, planned) : how far it is; source : the file of the study and the records given, of which an archive is
     made too. Raises OutputError; what a figure raises, when the other files are written."""
     from core.report.steps import Steps
-    from core.research import pack, study_files, study_workbook
+    from core.research import study_files, study_workbook
 
     steps = Steps(check, tell)
     steps.take(0)

@@ -37,10 +37,31 @@ def codes_of(folder: Path) -> dict[str, Code]:
     """The codes by the name a case has for them. folder : of the files of EN 1998-1"""
     known = {NATIONAL: Code("NTC 2018", ("f0", "tc_star_s", "topography"), _of_ntc2018)}
     for path in sorted(folder.glob("*.toml"), key=lambda path: path.stem):
-        given = tomllib.loads(path.read_text(encoding="utf-8"))
-        keys, make = FORMS["table" if "type" in given else "velocity"]
-        known[path.stem] = Code(given["name"], keys, functools.partial(make, given), given["seen_in_print"])
+        try:
+            if path.stem in known:
+                raise ValueError("the name of another code")
+            known[path.stem] = _code_of(tomllib.loads(path.read_text(encoding="utf-8")))
+        except (OSError, ValueError, LookupError, TypeError, AttributeError) as error:
+            raise RuntimeError(f"the annex {path} cannot be used: {error!r}") from error
     return known
+
+
+def _code_of(given: dict[str, Any]) -> Code:
+    """The code of a file. Raises LookupError, TypeError and ValueError where it is not of its form: a file that says of
+    itself that it was compared with print must say so by true."""
+    for key, kind in (("name", str), ("source", str), ("seen_in_print", bool), ("amplification", float)):
+        if not isinstance(given[key], kind):
+            raise TypeError(key)
+    keys, make = FORMS["table" if "type" in given else "velocity"]
+    rows = (
+        [(row["s"], row["t_b"], row["t_c"], row["t_d"]) for rows in given["type"].values() for row in rows.values()]
+        if "type" in given
+        else [(1.0, given["t_b_over_t_c"] * row["t_c"], row["t_c"], given["t_d_s"]) for row in given["soil"].values()]
+    )
+    for factor, t_b, t_c, t_d in rows:
+        if not (0.3 <= factor <= 5.0 and 0.0 < t_b < t_c < t_d):
+            raise ValueError((factor, t_b, t_c, t_d))
+    return Code(given["name"], keys, functools.partial(make, given), given["seen_in_print"])
 
 
 def _of_ntc2018(ag: float, soil: str, f0: float, tc_star: float, topography: str) -> CodeSpectrum:

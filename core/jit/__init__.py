@@ -1,1 +1,2 @@
-"""All that knows numba: the decorators of kernels, the cache of their machine code, the fused product."""
+"""All that knows how kernels become machine code: their decorators, numba and its cache, the library that was compiled
+before, the fused product."""

@@ -51,7 +51,7 @@ def _left_by_this_program(folder: Path) -> bool:
     named = re.fullmatch(r"kernels-[0-9a-f]{16}(-x86-64(-v[34])?|-znver3)?(-own)?", folder.name)
     unused = time.time() - folder.lstat().st_mtime > KEEP_SECONDS
     return bool(named and unused and private(folder)) and all(
-        file.suffix in (".nbi", ".nbc") or file.name.startswith((MANIFEST, "trial", trial.PASSED))
+        file.suffix in (".nbi", ".nbc") or file.name.startswith((MANIFEST, "trial", trial.PASSED, trial.WRONG))
         for file in folder.iterdir()
     )
 

@@ -8,6 +8,7 @@ has.
 
 import ctypes
 import struct
+import warnings
 from collections.abc import Callable
 from typing import Any
 
@@ -16,6 +17,7 @@ import numpy as np
 from core.errors import InputError
 from core.jit import cache, shipped, trial
 from core.jit.stamp import once_for_all
+from core.text.start import phrase
 
 NUMBERS = {float: "d", np.float64: "d", int: "q", np.int64: "q", bool: "?", np.bool_: "?"}
 """Type of a number -> its letter in a key, which is that of `struct` too."""
@@ -24,15 +26,25 @@ ITEMS = {"<f8": "d", "<i8": "q", "|b1": "?"}
 """Items of an array -> their letter."""
 
 
-def spell(value: Any, key: list[str], words: list) -> None:
-    """Add the type of an argument to a key, and its words to those of a call. Raises LookupError for a type that no
-    kernel takes."""
+LEAST_WHOLE, MOST_WHOLE = -(2**63), 2**63 - 1
+"""Whole numbers of 64 bits."""
+
+
+def spell(value: Any, key: list[str], words: list, readonly: list[bool]) -> None:
+    """Add the type of an argument to a key, its words to those of a call, and of each array whether it may not be
+    written. Raises LookupError for a type that no kernel takes."""
     kind = type(value)
     if kind in NUMBERS:
+        if kind is int and not LEAST_WHOLE <= value <= MOST_WHOLE:
+            raise LookupError(value)
         key.append(NUMBERS[kind])
         words.append(value)
     elif kind is np.ndarray:
-        key.append(f"{ITEMS[value.dtype.str]}{value.ndim}{'C' if value.flags.c_contiguous else 'A'}")
+        flags = value.flags
+        if not flags.aligned:
+            raise LookupError(kind)
+        key.append(f"{ITEMS[value.dtype.str]}{value.ndim}{'C' if flags.c_contiguous else 'A'}")
+        readonly.append(not flags.writeable)
         address = value.__array_interface__["data"][0]
         words += (0, 0, value.size, value.itemsize, address, *value.shape, *value.strides)
     elif value is None:
@@ -41,7 +53,7 @@ def spell(value: Any, key: list[str], words: list) -> None:
     elif isinstance(value, tuple):
         key.append("(" if kind is tuple else f"{kind.__name__}(")
         for part in value:
-            spell(part, key, words)
+            spell(part, key, words, readonly)
         key.append(")")
     else:
         raise LookupError(kind)
@@ -55,16 +67,22 @@ def library() -> ctypes.CDLL | None:
         if path is not None and trial.begin(cache.folder(), shipped.library().levels[level]):
             try:
                 return ctypes.CDLL(str(path))
-            except OSError:  # not for this system after all
-                trial.end(right=False)
+            except OSError:  # a folder nothing can be run from, no memory: not the fault of the machine code
+                trial.withdraw()
     return None
 
 
 def ready() -> None:
     """Before a kernel is used: machine code that was shipped has passed its trial, or there is numba. Raises
     InputError."""
-    if (library() is None or not trial.passed()) and not has_numba():
-        raise InputError("machine_code_differs")
+    if has_numba() or (library() is not None and trial.passed()):
+        trial.passed()
+        return
+    whole = [level for level in shipped.levels() if shipped.whole_file(level)]
+    given_up = [one for one in whole if trial.given_up(cache.folder(), shipped.library().levels[one])]
+    if trial.failed or given_up:
+        raise InputError("machine_code_differs", folder=cache.folder())
+    raise InputError("machine_code_missing", folder=shipped.FOLDER)
 
 
 @once_for_all
@@ -87,7 +105,7 @@ def lacks_lanes() -> bool:
 class NativeKernel:
     """A kernel of the library, for the types of arguments it was made for, and what is called for others.
 
-    symbols : types as `spell` writes them -> (name in the library, letters of its result)
+    symbols : types as `spell` writes them -> (name in the library, letters of its result, "r" or "w" of each array)
     """
 
     def __init__(self, found: ctypes.CDLL, symbols: dict[str, list[str]], otherwise: Callable):
@@ -95,22 +113,26 @@ class NativeKernel:
         self.made: dict[str, Callable] = {}
 
     def __call__(self, *arguments: Any) -> Any:
+        if not trial.passed():
+            return self.otherwise(*arguments)
         key: list[str] = []
         words: list = []
-        if trial.failed:
-            return self.otherwise(*arguments)
+        readonly: list[bool] = []
         try:
             for value in arguments:
-                spell(value, key, words)
+                spell(value, key, words, readonly)
             types = "".join(key)
+            writes = self.symbols[types][2]
+            if True in readonly and any(kept and mark == "w" for kept, mark in zip(readonly, writes, strict=True)):
+                raise LookupError(writes)
             call = self.made.get(types) or self._make(types, words)
         except LookupError:
             return self.otherwise(*arguments)
         return call(words)
 
     def _make(self, types: str, words: list) -> Callable:
-        """The call for these types. Raises LookupError where the library has none."""
-        symbol, result = self.symbols[types]
+        """The call for these types."""
+        symbol, result, _ = self.symbols[types]
         function = self.found[symbol]
         function.argtypes = [
             ctypes.c_void_p,
@@ -133,17 +155,21 @@ class NativeKernel:
 
 def kernel(name: str, function: Callable, compiled: Callable[[], Callable]) -> Callable:
     """What a call of a kernel goes to: the library, for the types of arguments that it has, else what numba makes of
-    the function, else that itself. Raises InputError.
+    the function, else that itself, which is said once. Raises InputError.
 
     name : of the kernel; compiled() : numba's dispatcher
     """
     ready()
 
     def otherwise(*arguments):
-        return (compiled() if has_numba() else function)(*arguments)
+        if has_numba():
+            return compiled()(*arguments)
+        text = "{name} is not in the machine code of this program for these values: slow"
+        warnings.warn(phrase(text, name=name), stacklevel=2)
+        return function(*arguments)
 
     found = library() if trial.passed() else None
     symbols = shipped.library().kernels.get(name)
     if found and symbols:
         return NativeKernel(found, symbols, otherwise)
-    return compiled() if has_numba() else function
+    return compiled() if has_numba() else otherwise

@@ -53,7 +53,8 @@ FORCED_LEVEL = "RIBALTA_LEVEL"
 
 class Library(NamedTuple):
     """levels : level -> SHA-256 of its file, the best first; self_test : numbers of core.study.self_test where it was
-    made; kernels : name -> types of its arguments -> its name in the files, and the letters of its result."""
+    made; kernels : name -> types of its arguments -> its name in the files, the letters of its result, and of each
+    array "r" or "w": whether it is written."""
 
     folder: Path
     levels: dict[str, str]
@@ -100,10 +101,9 @@ def library() -> Library:
     if not trial.self_test:
         return NO_LIBRARY
     try:
-        if FOLDER.is_dir():  # a part of the program
-            return read(FOLDER)[0]
-        folder = Path(np.__file__).resolve().parents[1] / PACKAGE
-        if folder.is_dir() and only_own(folder, ROOT) and only_own(folder / INDEX, ROOT):
+        folder = FOLDER if FOLDER.is_dir() else Path(np.__file__).resolve().parents[1] / PACKAGE
+        own = folder == FOLDER or (only_own(folder, ROOT) and only_own(folder / INDEX, ROOT))
+        if folder.is_dir() and own:
             shipped, purpose = read(folder)
             return shipped if purpose == made_for() else NO_LIBRARY
     except (OSError, ValueError, LookupError, TypeError, RecursionError, ImportError):

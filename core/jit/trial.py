@@ -1,66 +1,72 @@
 """The trial of machine code that was shipped: noted in the user's cache once its numbers proved right.
 
-A file of the cache lists the processes that began one. The machine code is given up where the numbers were wrong, or
-two processes ended within the trial: a kill alone does not tell that the machine code was at fault.
+Each process that begins one has a file there until it ends. The machine code is given up where the numbers were wrong,
+or two processes of this machine ended within the trial: a kill alone does not tell that the machine code was at fault.
 """
 
 import contextlib
 import os
+import threading
+import time
 from collections.abc import Callable
 from pathlib import Path
 
 from core import atomic_write
 from core.jit.kernel import COMPILING
 
-TRIAL, PASSED = "trial-", "passed-"
-"""How the names of the file of a trial under way and of one that ended well begin; the hash of the machine code
-follows."""
+TRIAL, PASSED, WRONG = "trial-", "passed-", "wrong-"
+"""How the names of the files begin, the hash of the machine code follows: of a process in its trial, of one that ended
+well, and of one that did not."""
 
-WRONG = "wrong"
 MAX_ENDED = 2
+
+KEEP_SECONDS = 30 * 86400
+"""Age beyond which a process that ended within its trial counts no more."""
 
 self_test: list[Callable[[], bool]] = []
 """Computes what is known and says whether it is right; set by app.__main__, asked before the first kernel is used."""
 
 _begun: list[Path] = []
-"""The file that lists this process."""
+"""The file of this process."""
 failed: list[bool] = []
 """Not empty where the numbers were wrong."""
+_tester: list[int] = []
+"""The thread of the self-test."""
 
 
-def given_up(listed: Path) -> bool:
-    """Whether the machine code of the trial of this file is not to be used."""
-    try:
-        processes = listed.read_text(encoding="ascii", errors="replace").split()
-    except OSError:
-        return False
-    ended = [one for one in processes if not (one.isdigit() and atomic_write.alive(int(one)))]
-    return WRONG in ended or len(ended) >= MAX_ENDED
+def given_up(folder: Path, digest: str) -> bool:
+    """Whether machine code of this hash is not to be used. folder : of the user's cache"""
+    if (folder / f"{WRONG}{digest[:16]}").exists():
+        return True
+    ended = 0
+    for path in folder.glob(f"{TRIAL}{digest[:16]}-{atomic_write.machine()}-*"):
+        number = path.name.rpartition("-")[2]
+        with contextlib.suppress(OSError):
+            recent = time.time() - path.stat().st_mtime < KEEP_SECONDS
+            ended += recent and number.isdigit() and not atomic_write.alive(int(number))
+    return ended >= MAX_ENDED
 
 
 def begin(folder: Path, digest: str) -> bool:
     """Whether machine code of this hash may be used: proven by an earlier process, or to be tried by this one. folder :
     of the user's cache"""
-    listed = folder / f"{TRIAL}{digest[:16]}"
-    if given_up(listed):
+    if (folder / f"{PASSED}{digest[:16]}").exists():
+        return True
+    if given_up(folder, digest):
         return False
-    if not (folder / f"{PASSED}{digest[:16]}").is_file():
-        with contextlib.suppress(OSError), open(listed, "a", encoding="ascii") as stream:
-            stream.write(f"{os.getpid()}\n")
-        _begun.append(listed)
+    _begun.append(folder / f"{TRIAL}{digest[:16]}-{atomic_write.machine()}-{os.getpid()}")
+    with contextlib.suppress(OSError):
+        _begun[-1].touch()
     return True
 
 
 def end(right: bool) -> None:
     """After the self-test: the machine code is kept, or given up."""
     for listed in _begun:
+        digest = listed.name[len(TRIAL) :].partition("-")[0]
         with contextlib.suppress(OSError):
-            if right:
-                listed.with_name(listed.name.replace(TRIAL, PASSED)).touch()
-                listed.unlink(missing_ok=True)
-            else:
-                listed.write_text(WRONG, encoding="ascii")
-    _begun.clear()
+            listed.with_name(f"{PASSED if right else WRONG}{digest}").touch()
+    withdraw()
 
 
 def withdraw() -> None:
@@ -73,11 +79,18 @@ def withdraw() -> None:
 
 def passed() -> bool:
     """Whether machine code that was shipped gives the numbers of the machine it was made on; tried now where it was
-    not."""
-    with COMPILING:
-        if _begun and self_test:
-            right = self_test.pop()()
-            end(right)
-            if not right:
-                failed.append(True)
+    not. Another thread than that of the self-test waits until it has ended."""
+    if _begun and threading.get_ident() not in _tester:
+        with COMPILING:
+            if _begun and self_test:
+                _tester.append(threading.get_ident())
+                try:
+                    right = self_test[-1]()
+                except Exception:  # it computes what is known: whatever ends it is wrong
+                    right = False
+                _tester.clear()
+                self_test.clear()
+                if not right:
+                    failed.append(True)
+                end(right)
     return not failed

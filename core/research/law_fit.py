@@ -122,7 +122,7 @@ class LawFit:
     covered : `coverage` of the interval of one record
     held : (share inside, share below) of the interval of a set: of sets of a shape left out, of those of them in the
         lowest quarter of Lambda and of the others, and of single natural records
-    halves : (law in Pi, in Lambda) on the events on which Lambda was chosen, and on the others; empty without records
+    below : `below_by_half`
     """
 
     law: ScaleFreeLaw
@@ -135,7 +135,7 @@ class LawFit:
     outside_velocity: Agreement
     natural_pi: Agreement | None
     outside_pi: Agreement
-    halves: tuple[tuple[Agreement, Agreement], ...]
+    below: tuple[float, float] | None
     covered: tuple[float, ...] | None
     held: dict[str, tuple[float, float]]
 
@@ -167,15 +167,16 @@ def coverage(residuals: np.ndarray, events: np.ndarray) -> tuple[float, ...]:
     return float(np.mean(inside)), *map(float, np.mean(below, axis=0))
 
 
-SEED = 74
-"""It draws the events on which the form and the bands of Lambda were chosen."""
-
-
-def events_of_choice(events) -> set[str]:
-    """One half of some events, drawn by SEED: Lambda was chosen on these, of the records of the first study."""
-    names = sorted(set(map(str, events)))
-    order = np.random.default_rng(SEED).permutation(len(names))
-    return {names[k] for k in order[: len(names) // 2]}
+def below_by_half(residuals: np.ndarray, scaled: np.ndarray, events: np.ndarray) -> tuple[float, float]:
+    """Share of natural records below the first design value where Lambda is below its median, and where it is above;
+    each event of the same weight. shapes (n,)"""
+    low = record_ends(residuals, events)[0]
+    shares = []
+    for own in (scaled <= np.median(scaled), scaled > np.median(scaled)):
+        names, event = np.unique(events[own], return_inverse=True)
+        count = np.bincount(event)
+        shares.append(float(np.mean(np.bincount(event, residuals[own] < low, names.size) / count)))
+    return shares[0], shares[1]
 
 
 def left_out(sets: Columns, variable: np.ndarray, limit: float) -> tuple[np.ndarray, np.ndarray]:
@@ -216,11 +217,10 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
     records = agreement(law_value(coefficients, limit, runs.scaled, runs.loss), runs.q)
     other = columns(values, mechanism, law, quantity, True)
     natural = natural_velocity = natural_pi = None
-    halves: list[tuple[Agreement, Agreement]] = []
     lowest = sets.scaled <= np.quantile(sets.scaled, 0.25)
     parts = {"sets": np.full(lowest.size, True), "lowest_quarter": lowest, "other_quarters": ~lowest}
     held = {name: held_by(predicted[own], sets.q[own], outside.scatter, limit) for name, own in parts.items()}
-    record = covered = None
+    record = covered = below = None
     if other.q.size:
         of_records = law_value(coefficients, limit, other.scaled, other.loss)
         natural = agreement(of_records, other.q)
@@ -232,12 +232,7 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
         if np.unique(within.event).size >= MIN_EVENTS:
             residuals = np.log(within.q / law_value(coefficients, limit, within.scaled, within.loss))
             record, covered = record_ends(residuals, within.event), coverage(residuals, within.event)
-        chosen = np.isin(other.event, list(events_of_choice(other.event)))
-        for half in (other[chosen], other[~chosen]):
-            if half.q.size:
-                rival = law_value(by_pi, limit, half.pi, half.loss)
-                own = law_value(coefficients, limit, half.scaled, half.loss)
-                halves.append((agreement(rival, half.q), agreement(own, half.q)))
+            below = below_by_half(residuals, within.scaled, within.event)
     a0, a1, b0, b1 = coefficients
     made = ScaleFreeLaw(
         (round(a0, 3), round(a1, 3), round(b0, 3), round(b1, 3)),
@@ -259,7 +254,7 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
         agreement(velocity_predicted, sets.q),
         natural_pi,
         agreement(pi_predicted, sets.q),
-        tuple(halves),
+        below,
         covered,
         held,
     )

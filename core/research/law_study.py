@@ -99,10 +99,6 @@ def _rival_table(values: list[MotionValue], fits: dict, say: Say) -> Table:
             add(mechanism, quantity, say("Λ, natural records"), fit.natural)
             add(mechanism, quantity, say("Π, natural records"), fit.natural_pi)
             add(mechanism, quantity, say("p PGV/PGA, natural records"), fit.natural_velocity)
-        halves = say("events Λ was chosen on"), say("other events")
-        for half, (by_pi, by_lambda) in zip(halves, fit.halves, strict=False):
-            add(mechanism, quantity, f"Π, {half}", by_pi)
-            add(mechanism, quantity, f"Λ, {half}", by_lambda)
         if quantity != "q":
             continue
         sets = set_columns(columns(values, mechanism, law, quantity, False))
@@ -274,11 +270,13 @@ def _design_table(values: list[MotionValue], fits: dict, say: Say) -> tuple[Tabl
     ), sentences
 
 
-def _largest_scaled(law: ScaleFreeLaw, ratio: float, factor: float) -> float | None:
-    """Largest Lambda within the range of the fit at which q of the law times a factor is CODE_Q; None where it is below
-    from its least Lambda on."""
+def _largest_scaled(law: ScaleFreeLaw, ratio: float, factor: float) -> float | str | None:
+    """Largest Lambda within the range of the fit at which q of the law times a factor is CODE_Q: "> end" where it is
+    more there, None where it is less from its least Lambda on."""
     scaled = np.geomspace(law.scaled_range[0], law.scaled_range[1], 4000)
     above = law.q(scaled, ratio) * factor >= CODE_Q
+    if above.all():
+        return f"> {scaled[-1]:.3g}"
     return float(scaled[above].max()) if above.any() else None
 
 
@@ -357,6 +355,7 @@ def report(result: ParametricResult, values: list[MotionValue], notes: list[str]
             "record": fit.law.record,
             "record_inside_and_below": fit.covered,
             "set_inside_and_below": fit.held,
+            "record_below_by_half": fit.below,
         }
         for key, fit in fits.items()
     }

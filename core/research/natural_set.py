@@ -2,7 +2,8 @@
 hold under any name. The records are of others, the names can be published."""
 
 import hashlib
-from dataclasses import MISSING, dataclass
+import re
+from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 
 from core.case.keys import channel_key, choice_key, number_key, path_key, text_key
@@ -61,7 +62,11 @@ def read_set(path: Path) -> NaturalSet:
         raise InputError("study_no_records", place=(path,))
     table, _ = read_toml(path)
     try:
-        return section_of(NaturalSet, table, "records", "records")
+        found = section_of(NaturalSet, table, "records", "records")
+        for one in (*found.record, *found.left_out):
+            if not re.fullmatch("[0-9a-f]{64}", one.file_sha256):
+                raise InputError("natural_hash", key="file_sha256", found=one.file_sha256, file=one.file)
+        return found
     except InputError as error:
         raise error.at(path) from None
 
@@ -81,4 +86,4 @@ def find(named: NaturalSet, folder: Path) -> tuple[list[tuple[NamedRecord, Groun
 
 def _read(one: NamedRecord, path: Path) -> GroundMotion:
     options = Options(one.unit, one.time_step_s, channel=one.channel or None)
-    return records.read(path, options, name=one.name)
+    return replace(records.read(path, options), name=one.name)  # without the name of a channel

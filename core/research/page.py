@@ -176,13 +176,12 @@ def _of_law(law: Results) -> dict[str, str]:
                 f"{short}_{quantity}_sets": f"{held['sets'][0]:.0%} inside, {held['sets'][1]:.0%} below",
                 f"{short}_{quantity}_quarter": f"{held['lowest_quarter'][0]:.0%} and {held['other_quarters'][0]:.0%}",
                 f"{short}_{quantity}_records": f"{held['records'][0]:.0%} inside, {held['records'][1]:.0%} below",
+                f"{short}_{quantity}_halves": "{:.0%} and {:.0%}".format(*fit["record_below_by_half"]),
             }
-            for part in ("shape left out", "natural records", "events Λ was chosen on", "other events"):
-                words = (f"{mechanism[:3]}-sided", "q" if quantity == "q" else "q at SLV")
-                for variable, key in (("Λ", "scaled"), ("Π", "pi")):
-                    (row,) = law.rows("rivals", c0=words[0], c1=words[1], c2=f"{variable}, {part}")
-                    name = f"{short}_{quantity}_{key}_{part.split()[0]}"
-                    made |= {name: f"{row[4]:.2f}", f"{name}_bias": f"{row[3]:+.0%}"}
+            for variable, key in (("Λ", "scaled"), ("Π", "pi"), ("p PGV/PGA", "velocity")):
+                words = {"c0": f"{short}-sided", "c1": SHOWN[quantity == "q_slv"]}
+                (row,) = law.rows("rivals", **words, c2=f"{variable}, natural records")
+                made[f"{short}_{quantity}_{key}"] = f"{row[4]:.2f}"
     for short, number in (("two", 15), ("one", 16)):
         refitted = law.rows("rivals", c0=f"{short}-sided", c2=f"Eq. {number} refitted on these walls, shape left out")
         own = law.rows("rivals", c0=f"{short}-sided", c1="q", c2="Λ on these walls, shape left out")

@@ -84,7 +84,7 @@ def _of_restitution(sets: list[SetMean], values: list[MotionValue], mechanism: s
     return [
         Claim(
             figure,
-            say("q by {theory} is below q by {tests}, {name}, sets", name=name, **models),
+            say("q by {theory} is not above q by {tests}, {name}, sets", name=name, **models),
             *_count(ratio >= 1.0 for ratio in ratios),
             say(
                 "q by {tests} over q by {theory}: {low:.2f} to {high:.2f}",
@@ -95,7 +95,7 @@ def _of_restitution(sets: list[SetMean], values: list[MotionValue], mechanism: s
         ),
         Claim(
             figure,
-            say("q by {theory} is below q by {tests}, {name}, single motions", name=name, **models),
+            say("q by {theory} is not above q by {tests}, {name}, single motions", name=name, **models),
             *_count(other >= one for one, other in _records_of(values, mechanism)),
         ),
     ]

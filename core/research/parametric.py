@@ -163,15 +163,18 @@ def natural_motions(study: Study, base_dir: Path, records_from: Path | None) -> 
     """
     motions: list[GroundMotion] = []
     refused: list[tuple[str, RecordError]] = []
+    events: dict[int, str] = {}
+    missing: list[natural_set.NamedRecord] = []
     if study.record:
         motions = read_records(study, base_dir)[0]
     if records_from is not None and records_from.is_dir() and study.natural:
-        found, missing = natural_set.find(natural_set.read_set(base_dir / name_of(study.natural)), records_from)
+        path = base_dir / name_of(study.natural)
+        found, missing = natural_set.find(natural_set.read_set(path), records_from)
         if not found:
-            raise InputError("study_no_named_record", place=(records_from,), n=len(missing))
-        named = [StudyMotion(motion, event=one.event) for one, motion in found]
-        return Natural([*map(_natural, motions), *named], [], [one.name for one in missing])
-    if records_from is not None and records_from.is_dir():
+            raise InputError("study_no_named_record", place=(records_from,), n=len(missing), path=path)
+        events = {id(motion): one.event for one, motion in found}
+        motions += [motion for _, motion in found]
+    elif records_from is not None and records_from.is_dir():
         more, refused = folder_records(records_from)
         if not more:
             raise InputError("study_no_record", place=(records_from,))
@@ -184,11 +187,8 @@ def natural_motions(study: Study, base_dir: Path, records_from: Path | None) -> 
             refused.append((motion.name, RecordError("vertical_component")))
         elif not any(one_motion(motion, other) for other in kept):
             kept.append(motion)
-    return Natural(list(map(_natural, kept)), refused, [])
-
-
-def _natural(motion: GroundMotion) -> StudyMotion:
-    return StudyMotion(motion, event=event_of(motion))
+    named = [StudyMotion(motion, event=events.get(id(motion)) or event_of(motion)) for motion in kept]
+    return Natural(named, refused, [one.name for one in missing])
 
 
 def model_of(cell: Cell) -> RockingModel:

@@ -44,8 +44,6 @@ def start(names: set[str]) -> None:
     compiled = native.library() is not None or any(folder().glob(STEP_FILE))
     if compiled or cores() < 2 or len(names) != 1 or _second or not sys.executable:
         return
-    # the frozen program knows by its environment that it is the second one (packaging/entry.py)
-    module = [] if getattr(sys, "frozen", False) else ["-m", __name__]
     root = str(Path(__file__).absolute().parents[2])
     path = [root, *filter(None, [os.environ.get("PYTHONPATH")])]
     through_sample.before_compile = wait
@@ -53,7 +51,7 @@ def start(names: set[str]) -> None:
     own = {SECOND_PROCESS: str(folder().absolute()), "PYTHONPATH": os.pathsep.join(path)}
     try:
         process = subprocess.Popen(
-            [sys.executable, *module, *sorted(names)],
+            [sys.executable, "-m", __name__, *sorted(names)],
             cwd=root,
             env=os.environ | own,
             stdin=subprocess.DEVNULL,

@@ -4,6 +4,7 @@ it is first asked for. Read by any Python from 3.6 on."""
 import json
 from collections.abc import Mapping
 from pathlib import Path
+from string import Formatter
 
 FOLDER = Path(__file__).resolve().parents[2] / "resources" / "translations"
 
@@ -43,7 +44,10 @@ class Catalogue(Mapping):
             "it": {"name": "Italiano", "decimal_comma": True},
         }
         for about in sorted(folder.glob("*/language.json")):
-            self.languages[about.parent.name] = json.loads(about.read_text(encoding="utf-8"))
+            told = content_of(about)
+            if about.parent.name in self.languages or set(told) != {"name", "decimal_comma"}:
+                raise RuntimeError(str(about) + " is not of a language more: name and decimal_comma of it")
+            self.languages[about.parent.name] = told
 
     def comma(self, language):
         """Whether numbers have the decimal comma in a language."""
@@ -64,9 +68,9 @@ class Catalogue(Mapping):
             self.known[group] = texts_of(self.folder / (group + ".json"))
             for language in list(self.languages)[2:]:
                 own = self.folder / language / (group + ".json")
-                translated = json.loads(own.read_text(encoding="utf-8")) if own.is_file() else {}
+                translated = content_of(own) if own.is_file() else {}
                 for code, texts in self.known[group].items():
-                    self.known[group][code] = (*texts, translated.get(code, texts[0]))
+                    self.known[group][code] = (*texts, in_its_place(translated.get(code), texts[0]))
         return self.known[group]
 
     def __iter__(self):
@@ -74,6 +78,26 @@ class Catalogue(Mapping):
 
     def __len__(self):
         return len(GROUPS)
+
+
+def content_of(path):
+    """What a JSON object in a file holds; raises RuntimeError where it is damaged: no input is at fault."""
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise RuntimeError("the texts of " + str(path) + " cannot be read: " + repr(error)) from error
+    if not isinstance(content, dict):
+        raise RuntimeError("the texts of " + str(path) + " cannot be read: no object")
+    return content
+
+
+def in_its_place(text, english):
+    """A translated text where it can stand for the English one: a text, with the same placeholders; else that."""
+    try:
+        named = [{name for _, name, _, _ in Formatter().parse(one) if name is not None} for one in (text, english)]
+    except (TypeError, ValueError):
+        return english
+    return text if named[0] == named[1] else english
 
 
 def texts_of(path):

@@ -218,14 +218,9 @@ def test_that_wrong_input_is_one_sentence_and_nothing_is_written(arguments, word
 def test_that_the_archive_of_a_study_runs_again_to_the_same_bytes(small, tmp_path, capsys):
     """By the command its README names, in the folder it was unpacked in; every column has its unit."""
     assert call("--study", small, "--quick", "--quiet", "--pack") == 0
-    unpacked = tmp_path / "unpacked"
-    with zipfile.ZipFile(tmp_path / "small_quick_pack.zip") as archive:
-        archive.extractall(unpacked)
-        names = set(archive.namelist())
-    words = (unpacked / "README.md").read_text(encoding="utf-8")
-    command = re.search(r"^    ribalta (.+)$", words, re.MULTILINE)[1].replace("--records FOLDER ", "").split()
-    place = {"small.toml": unpacked / "small.toml", "again": unpacked / "again"}
-    assert call(*(place.get(word, word) for word in command), "--quiet") == 0
+    words, code, unpacked = rerun(tmp_path, tmp_path / "small_quick_pack.zip")
+    names = {path.relative_to(unpacked).as_posix() for path in unpacked.rglob("*")}
+    assert code == 0 and "FOLDER" not in words
     runs = (unpacked / "small_quick.csv").read_bytes()
     assert (unpacked / "again" / "small_quick.csv").read_bytes() == runs
     assert hashlib.sha256(runs).hexdigest() in words and f"({commit()})" in words and "CC BY 4.0" in words
@@ -235,6 +230,47 @@ def test_that_the_archive_of_a_study_runs_again_to_the_same_bytes(small, tmp_pat
     assert {"small.toml", "small_quick.json", "LICENCE.txt", "versions.txt", "requirements.lock"} <= names
     assert any(name.startswith("figures/") for name in names)
     assert "numba" in (unpacked / "versions.txt").read_text()
+
+
+def rerun(place, archive_of):
+    """Unpack an archive and run the command of its README there, FOLDER as `records` of the place."""
+    unpacked = place / "unpacked"
+    with zipfile.ZipFile(archive_of) as archive:
+        archive.extractall(unpacked)
+    words = (unpacked / "README.md").read_text(encoding="utf-8")
+    command = re.search(r"^    ribalta (.+)$", words, re.MULTILINE)[1].split()
+    for k, word in enumerate(command):
+        if k and not word.startswith("-") and command[k - 1] in ("--study", "--records", "--output"):
+            command[k] = place / "records" if word == "FOLDER" else unpacked / word
+    return words, call(*command, "--quiet"), unpacked
+
+
+def test_that_an_archive_names_what_it_has_and_has_not(small, tmp_path, capsys, undrawn):
+    """A set in a folder below the study runs again; a list of its own name takes no place of it; a set elsewhere
+    is refused before anything runs."""
+    folder = tmp_path / "records"
+    folder.mkdir()
+    shutil.copy(ROOT / "tests" / "motions" / "noise_1.txt", folder / "one.txt")
+    digest = hashlib.sha256((folder / "one.txt").read_bytes()).hexdigest()
+    (tmp_path / "sub").mkdir()
+    (tmp_path / "sub" / "set.toml").write_text(
+        f'[[record]]\nevent = "E"\nstation = "S"\ncomponent = "N"\nfile = "one.txt"\nfile_sha256 = "{digest}"\n'
+    )
+    small.write_text(STUDY.replace("count = 2", 'count = 2\nnatural = "sub/set.toml"', 1) + 'motions = "all"\n')
+    asked = ("--study", small, "--quick", "--quiet", "--pack")
+    assert call(*asked, "--records", folder) == 0
+    words, code, unpacked = rerun(tmp_path, tmp_path / "small_quick_pack.zip")
+    assert code == 0 and "FOLDER holds the records that sub/set.toml names" in words
+    assert (unpacked / "again" / "small_quick.csv").read_bytes() == (unpacked / "small_quick.csv").read_bytes()
+    (tmp_path / "lists").mkdir()
+    (tmp_path / "lists" / "small.toml").write_text(f'[[record]]\nfile = "{(folder / "one.txt").as_posix()}"\n')
+    assert call(*asked, "--records", tmp_path / "lists" / "small.toml") == 0
+    with zipfile.ZipFile(tmp_path / "small_quick_pack.zip") as archive:
+        assert archive.read("small.toml") == small.read_bytes() and b"[[record]]" in archive.read("given/small.toml")
+    small.write_text(small.read_text().replace("sub/set.toml", "../set.toml"))
+    before = sorted(tmp_path.rglob("*"))
+    assert call(*asked) == 1
+    assert "outside of the folder of the study" in capsys.readouterr().err and sorted(tmp_path.rglob("*")) == before
 
 
 @pytest.mark.parametrize(

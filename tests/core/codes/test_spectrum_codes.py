@@ -53,6 +53,36 @@ def test_that_a_file_more_is_a_code_more(tmp_path):
         assert refused.value.code == "annex_ground"
 
 
+TABLE = """name = "AN"
+source = "made"
+seen_in_print = true
+amplification = 2.5
+[type.1]
+A = { s = 1.0, t_b = 0.1, t_c = 0.4, t_d = 2.0 }
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "written", "instead"),
+    [
+        ("EN1998-X", "true", '"false"'),  # would be true
+        ("EN1998-X", 'name = "AN"\n', ""),
+        ("EN1998-X", "t_b = 0.1", "t_b = 0.5"),
+        ("EN1998-X", "s = 1.0", "s = 12.0"),
+        ("EN1998-X", "[type.1]", "[typ.1]"),
+        ("EN1998-X", "name", "name name"),
+        (NATIONAL, "", ""),
+    ],
+)
+def test_that_a_file_that_is_no_annex_stops_the_program(tmp_path, name, written, instead):
+    """No wall is verified by what a file does not plainly say."""
+    (tmp_path / "EN1998-Y.toml").write_text(TABLE)
+    assert codes_of(tmp_path)["EN1998-Y"].seen_in_print is True
+    (tmp_path / f"{name}.toml").write_text(TABLE.replace(written, instead, 1))
+    with pytest.raises(RuntimeError, match=f"{name}.toml cannot be used"):
+        codes_of(tmp_path)
+
+
 def test_that_no_other_module_names_a_code():
     """A country comes in by the table; what asks for one by its name would pass another by."""
     apart = ("core/solved/", "core/codes/spectrum_codes.py", "app/shell/study_form.py")

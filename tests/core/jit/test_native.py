@@ -1,6 +1,7 @@
 """Kernels of a shipped library: the numbers of numba's own, for every kind of argument."""
 
 import ctypes
+import hashlib
 from typing import NamedTuple
 
 import numpy as np
@@ -103,7 +104,23 @@ def test_that_other_types_go_to_numba(library):
     for other in (values[::2], values.astype(np.float32), values.tolist(), np.zeros((6, 1)), 3.0):
         called(other, whole, *rest)
     called(values, whole, 1, *rest[1:])  # a whole number for another
-    assert len(asked) == 6
+    called(values, whole, rest[0], 2**64, *rest[2:])
+    unaligned = np.frombuffer(bytes(49), np.uint8)[1:].view(np.float64)
+    called(unaligned, whole, *rest)
+    assert len(asked) == 8
+
+
+def test_that_an_array_that_is_written_must_allow_it(library):
+    """The machine code would write through to what may be a mapped file."""
+    found, names = library
+    called = native.NativeKernel(found, names[every_kind.name], lambda *given: "numba refuses it")
+    *rest, result = arguments()
+    result.flags.writeable = False
+    assert called(*rest, result) == "numba refuses it" and not result.any()
+    for values in rest[:2]:
+        values.flags.writeable = False  # these are only read
+    rest[5].inner.cube.flags.writeable = False
+    assert called(*rest, np.zeros(6)) == every_kind.py_func(*rest, np.zeros(6))
 
 
 def test_that_a_library_with_wrong_numbers_is_used_no_more(library, monkeypatch):
@@ -121,10 +138,33 @@ def test_that_without_numba_wrong_machine_code_is_refused_and_else_python_runs(l
     monkeypatch.setattr(native, "has_numba", lambda: numba)
     monkeypatch.setattr(trial, "failed", [True] if wrong else [])
     monkeypatch.setattr(shipped, "library", lambda: shipped.NO_LIBRARY._replace(kernels=library[1]))
+    monkeypatch.setattr(shipped, "levels", list)
     if wrong and not numba:
-        with pytest.raises(InputError, match="machine code"):
+        with pytest.raises(InputError, match="machine code supplied with the program does not give"):
             native.kernel(one_number.name, one_number.py_func, lambda: None)
         return
     made = native.kernel(one_number.name, lambda *_: "python", lambda: lambda *_: "numba")
     assert isinstance(made, native.NativeKernel) is not wrong
-    assert made(1.0) == ("numba" if numba else "python")
+    if numba:
+        assert made(1.0) == "numba"
+    else:
+        with pytest.warns(UserWarning, match=r"one_number.* not in the machine code .*: slow"):
+            assert made(1.0) == "python"
+
+
+@pytest.mark.parametrize("harm", ["no library", "damaged", "cannot be loaded"])
+def test_that_a_program_without_its_machine_code_says_so_and_nothing_is_given_up(harm, monkeypatch, tmp_path):
+    (tmp_path / shipped.file_name("x86-64")).write_bytes(b"no library")
+    known = shipped.Library(tmp_path, {"x86-64": hashlib.sha256(b"no library").hexdigest()}, [], {})
+    levels = [] if harm == "no library" else ["x86-64"]
+    monkeypatch.setattr(shipped, "levels", lambda: levels)
+    monkeypatch.setattr(shipped, "library", lambda: known)
+    monkeypatch.setattr(native, "has_numba", lambda: False)
+    monkeypatch.setattr(native, "library", native.library.__wrapped__)
+    monkeypatch.setattr(trial, "failed", [])
+    monkeypatch.setattr(native.cache, "folder", lambda: tmp_path)
+    if harm == "damaged":
+        (tmp_path / shipped.file_name("x86-64")).write_bytes(b"another")
+    with pytest.raises(InputError, match="missing, damaged or cannot be loaded"):
+        native.ready()
+    assert not trial._begun and not list(tmp_path.glob("*-*[0-9a-f]-*"))

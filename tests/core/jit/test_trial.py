@@ -7,6 +7,7 @@ import threading
 
 import pytest
 
+from core import atomic_write
 from core.jit import trial
 
 HASH = "0123456789abcdef" + 48 * "0"
@@ -55,25 +56,46 @@ def test_that_wrong_numbers_are_not_used_nor_ever_again(start):
     assert not start() and not start()
 
 
+def begun(folder, number, machine=None):
+    """The file of a process in its trial."""
+    path = folder / f"trial-0123456789abcdef-{machine or atomic_write.machine()}-{number}"
+    path.touch()
+    return path
+
+
 def test_that_one_process_that_ended_in_its_trial_does_not_condemn_it_and_two_do(start, tmp_path):
-    listed = tmp_path / "trial-0123456789abcdef"
-    listed.write_text(f"{process_that_ended()}\n")  # killed
+    begun(tmp_path, process_that_ended())  # killed
     assert start()
-    both = listed.read_text().split()
-    assert len(both) == 2 and both[1] == str(os.getpid())
-    listed.write_text(f"{both[0]}\n{process_that_ended()}\n")
+    trial.withdraw()
+    begun(tmp_path, process_that_ended(), "another-machine")
+    old = begun(tmp_path, process_that_ended())
+    os.utime(old, (1e9, 1e9))
+    assert start()  # of processes elsewhere nothing is known; one of years ago says nothing
+    trial.withdraw()
+    begun(tmp_path, process_that_ended())
     assert not start()
 
 
 def test_that_starts_at_once_each_have_their_trial(start, tmp_path):
     assert start()
-    first = list(trial._begun)
-    assert start()  # the same process number: alive
+    begun(tmp_path, os.getppid())  # alive
+    assert start()
     trial.self_test.append(lambda: True)
     assert trial.passed()
-    trial._begun[:] = first
-    trial.self_test.append(lambda: True)
-    assert trial.passed() and files(tmp_path) == ["passed-0123456789abcdef"]
+    assert files(tmp_path)[0] == "passed-0123456789abcdef" and len(files(tmp_path)) == 2
+
+
+def test_that_a_process_that_ends_leaves_the_verdict_of_another(start, tmp_path):
+    assert start()
+    (tmp_path / "wrong-0123456789abcdef").touch()  # of another one meanwhile
+    trial.withdraw()
+    assert files(tmp_path) == ["wrong-0123456789abcdef"] and not start()
+
+
+def test_that_a_self_test_that_raises_is_wrong(start):
+    assert start()
+    trial.self_test.append(lambda: 1 // 0)
+    assert not trial.passed() and not trial.passed() and not start()
 
 
 def test_that_a_process_without_its_trial_leaves_nothing(start, tmp_path):

@@ -63,6 +63,24 @@ def test_that_a_text_it_lacks_is_the_english_one(folder):
     assert texts.text("window", "Language", "it") == CATALOGUE["window"]["Language"][1]
 
 
+@pytest.mark.parametrize("text", [["a", "list"], "{", "{stranger}", 5, None])
+def test_that_a_text_that_cannot_stand_for_the_english_one_does_not(folder, text):
+    """Else an error would end in another while it is told."""
+    (folder / "xx" / "error.json").write_text(json.dumps({"no_case_file": text}))
+    assert Catalogue(folder).text("error", "no_case_file", "xx") == CATALOGUE["error"]["no_case_file"][0]
+
+
+@pytest.mark.parametrize(
+    ("place", "content"),
+    [("it", '{"name": "a", "decimal_comma": true}'), ("xx", "{"), ("xx", "[]"), ("xx", '{"name": "a"}')],
+)
+def test_that_a_folder_that_is_no_language_stops_the_program(folder, place, content):
+    (folder / place).mkdir(exist_ok=True)
+    (folder / place / "language.json").write_text(content)
+    with pytest.raises(RuntimeError, match=r"language\.json"):
+        Catalogue(folder)
+
+
 @pytest.mark.shows("window.language")
 def test_that_the_whole_way_to_the_report_is_in_it(folder, tmp_path):
     (tmp_path / "case.toml").write_text(CASE)
