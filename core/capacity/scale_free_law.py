@@ -171,10 +171,10 @@ plateau."""
 
 FITTED: dict[tuple[str, str, str], ScaleFreeLaw] = {
     ("two_sided", "rigid", "q"): ScaleFreeLaw(
-        (0.755, 3.167, 1.733, -0.869), 1.0, 0.119, 0.182, TWO_SIDED, TWO, (-0.315, -0.184, 0.507)
+        (0.755, 3.167, 1.733, -0.869), 1.0, 0.119, 0.182, TWO_SIDED, TWO, (-0.318, -0.172, 0.508)
     ),
     ("two_sided", "rigid", "q_slv"): ScaleFreeLaw(
-        (-0.173, 3.722, 1.744, -1.176), 1.0, 0.083, 0.146, TWO_SIDED, TWO, (-0.171, -0.058, 0.654)
+        (-0.173, 3.722, 1.744, -1.176), 1.0, 0.083, 0.146, TWO_SIDED, TWO, (-0.169, -0.058, 0.653)
     ),
     ("two_sided", "doherty", "q"): ScaleFreeLaw(
         (1.056, 2.922, 1.974, -1.217), 0.72, 0.291, 0.352, TWO_SIDED_TRI, TWO_TRI
@@ -189,10 +189,10 @@ FITTED: dict[tuple[str, str, str], ScaleFreeLaw] = {
         (0.017, 3.516, 2.12, -1.955), 0.72, 0.297, 0.345, TWO_SIDED_TRI, TWO_TRI
     ),
     ("one_sided", "rigid", "q"): ScaleFreeLaw(
-        (-0.54, 2.787, 0.918, -0.204), 1.0, 0.085, 0.114, ONE_SIDED, ONE, (-0.422, -0.245, 0.188)
+        (-0.54, 2.787, 0.918, -0.204), 1.0, 0.085, 0.114, ONE_SIDED, ONE, (-0.318, -0.211, 0.172)
     ),
     ("one_sided", "rigid", "q_slv"): ScaleFreeLaw(
-        (-0.751, 2.696, 0.684, 0.057), 1.0, 0.107, 0.127, ONE_SIDED, ONE, (-0.371, -0.214, 0.27)
+        (-0.751, 2.696, 0.684, 0.057), 1.0, 0.107, 0.127, ONE_SIDED, ONE, (-0.273, -0.177, 0.233)
     ),
     ("one_sided", "doherty", "q"): ScaleFreeLaw((-0.329, 2.301, 0.505, 0.386), 0.72, 0.077, 0.111, ONE_SIDED, ONE_TRI),
     ("one_sided", "doherty", "q_slv"): ScaleFreeLaw(

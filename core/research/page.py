@@ -206,7 +206,7 @@ def main(files: list[str]) -> None:
         content = json.loads(Path(file).read_text(encoding="utf-8"))
         events = [motion["event"] for motion in content["motions"] if motion["seed"] is None]
         counts = {"natural": {"records": len(events), "events": len(set(events))}}
-        text = json.dumps({key: content[key] for key in KEPT} | counts, indent=1, ensure_ascii=False)
+        text = json.dumps({key: content[key] for key in KEPT} | counts, ensure_ascii=False)
         kept(name).write_text(text + "\n", encoding="utf-8")
     PAGE.write_text(page(), encoding="utf-8")
 

@@ -14,7 +14,7 @@ def test_that_the_page_is_of_the_results_that_are_kept():
     assert PAGE.read_text(encoding="utf-8") == page.page()
 
 
-def test_that_every_cell_is_used_and_none_is_left():
+def test_that_every_cell_the_template_asks_for_has_a_value():
     found = [Results(json.loads(kept(name).read_text(encoding="utf-8"))) for name in ("paper", "law")]
     template, values = TEMPLATE.read_text(encoding="utf-8"), cells(*found)
     asked = set(re.findall(r"\{\{(\w+)\}\}", template))
