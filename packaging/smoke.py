@@ -127,6 +127,20 @@ def first_start(program: Path, folder: Path) -> None:
     assert made == {"passed", "manifest.json"}, f"its machine code did not pass its trial: {made}"
 
 
+def statement_of_accuracy(program: Path, folder: Path) -> None:
+    """The second solver, of scipy, which no example asks for."""
+    case = folder / "case.toml"
+    case.write_text(
+        f'[analysis]\naccuracy = true\n[[record]]\nfile = "{(ROOT / "tests/motions/noise_1.txt").as_posix()}"\n'
+        '[[wall]]\nname = "w"\nmechanism = "two_sided"\nheight_m = 3.0\nthickness_m = 0.4\nbase_z_m = 0.0\n',
+        encoding="utf-8",
+    )
+    batch(program, case, folder / "results", variables(folder))
+    with zipfile.ZipFile(folder / "results" / "case.xlsx") as book:
+        assert b'name="Accuracy"' in book.read("xl/workbook.xml"), "no statement of accuracy"
+    print("the statement of accuracy: there")
+
+
 def inspection(program: Path, folder: Path) -> None:
     record = ROOT / "tests" / "motions" / "noise_1.txt"
     words = subprocess.run(
@@ -299,6 +313,7 @@ def full_cache(program: Path, folder: Path) -> None:
 TRIALS = (
     first_start,
     same_as_the_source,
+    statement_of_accuracy,
     inspection,
     other_products,
     the_window,

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy.special import stdtrit
 
 from core.capacity import independent_solver
 from core.capacity.bisection import BRACKET
@@ -12,6 +13,7 @@ from core.case.study_file import parse_study, read_study
 from core.codes.target_spectrum import ntc2018
 from core.errors import Cancelled, InputError
 from core.research import parametric
+from core.research.paper_tables import exponent_error, student
 from core.research.parametric import model_of
 from core.research.set_means import motion_values, set_means
 from core.rocking.methods import METHODS
@@ -199,3 +201,16 @@ def test_that_grids_that_share_a_wall_run_it_once():
     content = table()
     content["grid"] += [{**content["grid"][0], "motions": "all"}, {**content["grid"][0], "restitution": ["housner"]}]
     assert len(run(content).rows) == 2
+
+
+def test_that_the_interval_of_an_exponent_is_that_of_student():
+    """Against scipy's distribution, and of points about a line with a known slope: nine of ten intervals hold it."""
+    for free in (*range(1, 41), 200):
+        assert student(free) == pytest.approx(stdtrit(free, 0.95), abs=6e-5 if free <= 20 else 2e-4)
+    rng, x = np.random.default_rng(3), np.log(np.linspace(20.0, 200.0, 9))
+    held = []
+    for _ in range(2000):
+        y = 2.0 - 0.9 * x + rng.normal(0.0, 0.1, 9)
+        slope = np.polyfit(x, y, 1)[0]
+        held.append(abs(slope + 0.9) <= exponent_error(x, y))
+    assert np.mean(held) == pytest.approx(0.9, abs=0.02)
