@@ -37,7 +37,9 @@ window.close()
 def test_that_the_first_show_makes_no_page_and_imports_no_charts_no_readers_and_no_note(tmp_path):
     pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
     variables = dict(os.environ, PYTHONPATH=str(ROOT), QT_QPA_PLATFORM="offscreen", XDG_DATA_HOME=str(tmp_path))
-    housner_intensity(np.ones(50), 0.01)  # what compiles a kernel imports scipy
+    ground = np.ones(50)
+    ground.flags.writeable = False  # as that of a record
+    housner_intensity(ground, 0.01)  # what compiles a kernel imports scipy
     cache.record(cache.folder())
     found = subprocess.run([sys.executable, "-P", "-c", START], capture_output=True, text=True, env=variables)
     assert found.stdout.splitlines() == ["", ""], found.stderr
