@@ -5,13 +5,10 @@ import subprocess
 import sys
 from dataclasses import replace
 
-import numpy as np
 import pytest
 
 from core.case.schema import Record
 from core.case.site import Spectrum
-from core.ground.response_spectrum import housner_intensity
-from core.jit import cache
 from tests.conftest import ROOT
 
 START = """
@@ -29,7 +26,8 @@ application.processEvents()
 print(*(name for name, page in window.pages.items() if page.made is not None))
 late = ("pyqtgraph", "openpyxl", "core.report.note", "core.ground.records.plain_head", "app.views.chart",
         "app.views.histories_tab", "app.input.import_dialog", "app.shell.sweep_window", "scipy", "matplotlib")
-print(*(name for name in late if name in sys.modules))
+# scipy comes with numba, which the thread asks for that prepares the answer as one types
+print(*(name for name in late if name in sys.modules and not (name == "scipy" and "numba" in sys.modules)))
 window.close()
 """
 
@@ -37,10 +35,6 @@ window.close()
 def test_that_the_first_show_makes_no_page_and_imports_no_charts_no_readers_and_no_note(tmp_path):
     pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
     variables = dict(os.environ, PYTHONPATH=str(ROOT), QT_QPA_PLATFORM="offscreen", XDG_DATA_HOME=str(tmp_path))
-    ground = np.ones(50)
-    ground.flags.writeable = False  # as that of a record
-    housner_intensity(ground, 0.01)  # what compiles a kernel imports scipy
-    cache.record(cache.folder())
     found = subprocess.run([sys.executable, "-P", "-c", START], capture_output=True, text=True, env=variables)
     assert found.stdout.splitlines() == ["", ""], found.stderr
 
