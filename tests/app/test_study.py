@@ -307,7 +307,7 @@ def test_that_the_claims_of_the_paper_are_counted(paper):
 
     assert min(share("q grows with H")) == 1.0
     assert min(share("q grows with alpha")) >= 0.9
-    assert min(share("safe side, two-sided, sets") + share("safe side, one-sided, sets")) == 1.0
+    assert min(share("not above q by Eq. 5, two-sided, sets") + share("not above q by Eq. 7, one-sided, sets")) == 1.0
     assert min(share("PGA alone does not decide")) == 1.0
     assert min(share("more conservative, one-sided")) == 1.0
     assert max(share("more conservative, two-sided")) < 0.5  # not so for walls that rock to both sides
