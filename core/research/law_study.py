@@ -224,7 +224,7 @@ def _code_figure(values: list[MotionValue], say: Say) -> tuple[Figure, Table, li
 
 
 SHOWN_SLENDERNESS = (4.0, 7.0, 10.0)
-"""Of walls of the tables of design values and of restitution [deg]."""
+"""Slenderness that the tables of design values and of restitution show [deg]."""
 
 E_FACTORS = (0.95, 1.05)
 """Factors of the velocity ratio of Eq. 4 or 6: tests of blocks lose more energy than it says, and some lose less."""

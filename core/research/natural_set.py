@@ -17,7 +17,7 @@ from core.ground.records.grammar import Options
 from core.regular_file import read_regular
 
 MAX_BYTES = 50_000_000
-"""Of a file of a folder that may be a record."""
+"""Bytes up to which a file of a folder is looked at: what is larger is no record."""
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ STUDIES = ROOT / "resources" / "studies"
 TEMPLATE, PAGE = STUDIES / "paper_page.txt", ROOT / "resources" / "docs" / "paper.md"
 
 KEPT = ("program", "elapsed_s", "study", "missing", "runs", "notes", "tables", "claims", "fits")
-"""Of the JSON of a study what the page needs, beside the counts of its natural records and of their earthquakes."""
+"""What the page needs of the JSON of a study, beside the counts of its natural records and of their earthquakes."""
 
 NOT_SHOWN = {"law": (7, 13, 14, 15), "table2": (0,)}
 """Table -> columns the page leaves out."""

@@ -58,7 +58,7 @@ class Catalogue(Mapping):
         return self.of(self[group][code], language)
 
     def of(self, texts, language):
-        """Of the texts of a code the one in a language."""
+        """Choose among the texts of a code the one in a language."""
         return texts[list(self.languages).index(language)]
 
     def __getitem__(self, group):
