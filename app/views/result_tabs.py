@@ -115,8 +115,9 @@ class IntensityTab(ResultTab):
             self.scale_free.curve(f"{name}, {tr('band: of the mean of a set')}", x, y, 2, 2.0)
             if law.record is not None:
                 ends = np.array([law.record_values(one, ratio) for one in x])
-                self.scale_free.curve(tr("nine natural records of ten"), x, ends[:, 0], 2, 1.2, dash=True)
-                self.scale_free.curve("", x, ends[:, 2], 2, 1.2, dash=True)
+                of_records = tr("nine natural records of ten")
+                self.scale_free.curve(of_records, x, ends[:, 0], 2, 1.2, dash=True)
+                self.scale_free.curve(of_records, x, ends[:, 2], 2, 1.2, dash=True, legend=False)
         self.scale_free.reset()
 
 

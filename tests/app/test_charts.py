@@ -26,6 +26,7 @@ from app.views.figure_file import FigureSize, figure
 from app.views.hatch import Hatch
 from app.views.table import Table
 from tests.app.conftest import own_windows
+from tests.app.driving import run
 from tests.conftest import ROOT
 
 
@@ -394,3 +395,15 @@ def test_that_the_axis_of_rotations_follows_the_peak_and_names_the_collapse_beyo
         assert min(peak, 1.4) <= top <= min(1.4, max(0.01, 1.16 * peak) / 0.4)
         marks = [item.toPlainText() for item in tab.rotation.edges.items.values() if item.isVisible()]
         assert any("θc" in mark for mark in marks) == (top < 1.0)
+
+
+def test_that_the_chart_of_the_law_names_each_of_its_lines(opened, application):
+    """Both ends for one record have a name in its CSV, and one entry in its legend."""
+    run(application, opened)
+    opened.navigator.show_page("intensity")
+    page = opened.pages["intensity"].content
+    names = [name for name, _, _ in page.scale_free.data]
+    assert all(names) and names.count("nine natural records of ten") == 2
+    lines = page.scale_free.content(".csv").decode("utf-8-sig")
+    assert lines.count("nine natural records of ten") == 120
+    assert sum("nine natural" in label.text for _, label in page.scale_free.plot.legend.items) == 1
