@@ -195,7 +195,7 @@ def distance_table(sets: list[SetMean], say: Say) -> Table:
         for step in sorted({e.cell.q_step for e in base} - {0.005}):
             add(say("exact, step {step:g} %", step=100 * step), mechanism, chosen(base, method="taylor", q_step=step))
         for method in sorted({e.cell.method for e in base} - {"taylor"}):
-            add(words(say)[method] if method in words(say) else method, mechanism, chosen(base, method=method))
+            add(words(say).get(method, method), mechanism, chosen(base, method=method))
         if mechanism == "one_sided":
             add(say("exact, as recorded"), mechanism, theoretical(sets, mechanism), lambda entry: entry.q_recorded)
         ours = theoretical(sets, mechanism)
