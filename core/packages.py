@@ -9,7 +9,7 @@ from core.version import build
 
 PACKAGES = {
     "report": {"docx": "python-docx", "typst": "typst", "pypdf": "pypdf"},
-    "study": {"matplotlib": "matplotlib", "scipy": "scipy"},
+    "study": {"matplotlib": "matplotlib"},
     "accuracy": {"scipy": "scipy"},
     "parquet": {"pyarrow": "pyarrow"},
     "dxf": {"ezdxf": "ezdxf"},

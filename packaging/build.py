@@ -22,6 +22,7 @@ import kernels  # noqa: E402
 import libraries  # noqa: E402
 import licences  # noqa: E402
 import products  # noqa: E402
+import second_solver  # noqa: E402
 import smoke  # noqa: E402
 from products import DIST, FOLDER, INTERNAL, SYSTEM, size  # noqa: E402
 
@@ -54,10 +55,11 @@ def _commit() -> str:
 
 
 def make_parts() -> None:
-    """Icons, the version resource, and what the program knows of its build: commit, and hashes of the sources (that of
-    kernels names the folders of machine code)."""
+    """Icons, the version resource, the solver of scipy, and what the program knows of its build: commit, and hashes of
+    the sources (that of kernels names the folders of machine code)."""
     PARTS.mkdir(parents=True, exist_ok=True)
     icon.write(PARTS)
+    second_solver.write(PARTS / "second_solver")
     numbers = (*map(int, VERSION.split(".")), 0)
     resource = VERSION_RESOURCE.format(numbers=numbers, version=VERSION)
     (PARTS / "version.txt").write_text(resource, encoding="utf-8")

@@ -19,6 +19,8 @@ import uuid
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import second_solver
+
 TEXTS = Path(__file__).with_name("licence_texts")
 
 NAMES = re.compile(r"(licen[cs]e|copying|notice|authors)", re.IGNORECASE)
@@ -58,8 +60,8 @@ class Part:
 
 
 def _inside(name: str, version: str) -> list[tuple[str, str, str]]:
-    if name in ("numpy", "scipy"):
-        built = importlib.import_module(f"{name}.__config__").CONFIG["Build Dependencies"]["blas"]
+    if name == "numpy":
+        built = importlib.import_module("numpy.__config__").CONFIG["Build Dependencies"]["blas"]
         return [("OpenBLAS", built["version"], "BSD-3-Clause")]
     if name == "llvmlite":
         from llvmlite.binding import llvm_version_info
@@ -150,7 +152,9 @@ def parts(work: Path) -> list[Part]:
     for name in ("PYZ-00.toc", "COLLECT-00.toc"):
         for _, source, kind in _listed(work / name):
             file = Path(os.path.normpath(source))
-            if str(file) in owners:
+            if second_solver.__name__ in file.parts:  # its copies of files of scipy
+                distributions.add("scipy")
+            elif str(file) in owners:
                 distributions.add(owners[str(file)])
             elif kind == "BINARY" and not file.resolve().is_relative_to(python):
                 part = of_system(file)

@@ -4,6 +4,7 @@ import hashlib
 import importlib.metadata
 import importlib.util
 import json
+import os
 import re
 import subprocess
 import sys
@@ -31,6 +32,7 @@ def of_packaging(name, monkeypatch):
 
 @pytest.fixture
 def licences(monkeypatch):
+    of_packaging("second_solver", monkeypatch)
     module = of_packaging("licences", monkeypatch)
     monkeypatch.setattr(module.importlib.metadata, "version", lambda name: "6.0")  # of Qt
     return module
@@ -232,6 +234,34 @@ def test_that_only_packages_of_the_groups_of_the_program_are_packed(monkeypatch)
     with pytest.raises(SystemExit) as ended:
         contents.refuse_foreign(["numpy", "hypothesis"])
     assert "hypothesis" in str(ended.value) and "numpy" not in str(ended.value).split(":")[1]
+
+
+TWICE = """import numpy as np
+import scipy.integrate
+from core.capacity import independent_solver
+ground = np.random.default_rng(5).normal(0.0, 2.0, 100)
+for kinks in None, (0.02, 0.05):
+    theta, impacts = independent_solver.history(ground, 0.02, 0.13, 3.0, kinks is None, lambda speed: 0.9, kinks)
+    assert impacts
+    print(*(value.hex() for value in theta))
+print("of scipy:", hasattr(scipy.integrate, "quad"))
+"""
+
+
+def test_that_what_is_packed_of_scipy_gives_the_same_second_opinion(monkeypatch, tmp_path):
+    of_packaging("second_solver", monkeypatch).write(tmp_path)
+    said = []
+    for places in (str(ROOT), f"{tmp_path}{os.pathsep}{ROOT}"):
+        asked = subprocess.run(
+            [sys.executable, "-c", TWICE],
+            env=os.environ | {"PYTHONPATH": places},
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        said.append(asked.stdout.partition("of scipy: "))
+    assert said[0][0] == said[1][0] and said[0][0].count("0x") == 200
+    assert (said[0][2], said[1][2]) == ("True\n", "False\n")
 
 
 def test_that_what_the_system_lacks_is_said_before_the_build_begins(monkeypatch):

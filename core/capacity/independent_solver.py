@@ -1,6 +1,6 @@
 """Independent truth in double precision: scipy's DOP853 restarted at samples and events.
 
-It shares no line with the kernels: uplift, impacts, rest and kinks are its own. A second or two a history.
+It shares no line with the kernels: uplift, impacts, rest and kinks are its own. A second or so a history.
 """
 
 import math
@@ -34,9 +34,9 @@ def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, cancelled=la
     kinks : (phi1, phi2) of the trilinear law [rad], None for the rigid one
     cancelled : asked every few samples
     loads : (a, c) of the restoring moment for positive and for negative rotations [-]
-    Raises Cancelled.
+    Raises Cancelled, and ArithmeticError where the steps of DOP853 become too small.
     """
-    from scipy.integrate import solve_ivp
+    from scipy.integrate import DOP853  # all of scipy that the frozen program has: packaging/second_solver.py
 
     thresholds = [a * math.tan(alpha) + c if kinks is None else 0.0 for a, c in loads]
     if one_sided:
@@ -65,20 +65,20 @@ def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, cancelled=la
                 restoring = law(y[0], alpha, kinks, *on_side)
                 return [y[1], -p2 * (restoring - beta * math.cos(alpha - y[0]))]
 
-            events = [_event(0.0, -1)] + [_event(level, 0) for level in levels if level != phi]
-            solution = solve_ivp(
-                motion, (t, dt), [phi, speed], "DOP853", rtol=3e-14, atol=1e-18, max_step=dt / 4, events=events
-            )
-            t = solution.t[-1]
-            phi, speed = solution.y[:, -1]
-            if solution.status != 1:
+            solver = DOP853(motion, t, [phi, speed], dt, rtol=3e-14, atol=1e-18, max_step=dt / 4)
+            passed, others = None, [0.0, *(level for level in levels if level != phi)]
+            while passed is None and solver.status == "running":
+                if complaint := solver.step():
+                    raise ArithmeticError(complaint)
+                passed = crossing(solver, others)
+            if passed is None:
+                phi, speed = solver.y
                 break
-            if len(solution.t_events[0]) == 0:
-                phi = min(levels, key=lambda level: abs(level - phi))
+            t, speed, phi = passed
+            if phi > 0.0:
                 continue
             impacts += 1
             speed = ratio_of(-speed) * -speed
-            phi = 0.0
             side = side if one_sided else -side
             now = b0 + (b1 - b0) * t / dt
             lifts = now > thresholds[0] or now < -thresholds[1]
@@ -89,13 +89,20 @@ def history(ground, dt, alpha, p2, one_sided, ratio_of, kinks=None, cancelled=la
     return np.array(theta), impacts
 
 
-def _event(level, direction):
-    def crossing(s, y):
-        return y[0] - level
-
-    # attributes by which scipy takes an event
-    vars(crossing).update(terminal=True, direction=direction)
-    return crossing
+def crossing(solver, levels):
+    """(time, speed, level) of the first of some levels that phi passes in the last step of a solver, by halves of its
+    dense output; None where it passes none. The level 0 is passed downwards alone."""
+    found = None
+    for level in levels:
+        above = level == 0.0 or solver.y_old[0] > level
+        if (solver.y[0] > level) == above:
+            continue
+        inside, low, high = solver.dense_output(), solver.t_old, solver.t
+        while (middle := 0.5 * (low + high)) not in (low, high):
+            low, high = (middle, high) if (inside(middle)[0] > level) == above else (low, middle)
+        if found is None or high < found[0]:
+            found = high, inside(high)[1], level
+    return found
 
 
 def uplift(b0, b1, t, dt, thresholds):

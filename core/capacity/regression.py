@@ -1,6 +1,8 @@
-"""Regressions of q: power laws with a given exponent (Eq. 13), C1 in alpha and H (Eq. 14), shares of agreement."""
+"""Regressions of q: power laws with a given exponent (Eq. 13), C1 in alpha and H (Eq. 14), other laws, shares of
+agreement."""
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,6 +29,31 @@ def least_squares(columns, values) -> Fit:
     if rank < matrix.shape[1]:
         raise ValueError("dependent columns")
     return Fit(tuple(map(float, coefficients)), r_squared(values, matrix @ coefficients), values.size)
+
+
+def least_squares_of(residual: Callable[[np.ndarray], np.ndarray], start: Sequence[float]) -> np.ndarray:
+    """Coefficients of a law that is not linear in them, by Levenberg (1944) and Marquardt (1963).
+
+    residual : of the coefficients, shape (n,); start : coefficients to begin with, finite residuals
+    Raises ArithmeticError where 200 steps do not end the search.
+    """
+    best, damping = np.array(start, float), 1e-3
+    left = residual(best)
+    for _ in range(200):
+        widths = 1e-6 * np.maximum(1.0, np.abs(best))
+        slope = np.column_stack([(residual(best + w) - residual(best - w)) / (2.0 * w.max()) for w in np.diag(widths)])
+        normal, moved = slope.T @ slope, False
+        while not moved and damping < 1e12:
+            change = np.linalg.solve(normal + damping * np.diag(np.maximum(normal.diagonal(), 1e-30)), -slope.T @ left)
+            with np.errstate(all="ignore"):  # a step too long is taken back
+                trial = residual(best + change)
+            moved = bool(trial @ trial < left @ left)
+            damping *= 0.1 if moved else 10.0
+            if moved:
+                best, left = best + change, trial
+        if not moved or np.abs(change).max() <= 1e-10 * (1e-10 + np.abs(best).max()):
+            return best
+    raise ArithmeticError("the least squares do not settle")
 
 
 def r_squared(values, fitted) -> float:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from core.capacity.regression import least_squares_of
 from core.ground.response_spectrum import SCALED_PERIODS
 from core.wall.block import Block
 from core.wall.impact import Restitution
@@ -147,12 +148,11 @@ def limit_of(law: MomentLaw) -> float:
 
 def fit_law(scaled, loss, q, limit: float) -> Coefficients:
     """Coefficients by least squares of ln(law / q). scaled, loss, q : [-], shape (n,)."""
-    from scipy.optimize import least_squares
 
     def residual(coefficients):
         return np.log(law_value(coefficients, limit, scaled, loss) / q)
 
-    a0, a1, b0, b1 = map(float, least_squares(residual, np.zeros(4)).x)
+    a0, a1, b0, b1 = map(float, least_squares_of(residual, np.zeros(4)))
     return a0, a1, b0, b1
 
 

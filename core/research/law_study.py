@@ -7,7 +7,7 @@ from itertools import product
 import numpy as np
 
 from core.capacity.closed_forms import closed_form_q
-from core.capacity.regression import Agreement, agreement
+from core.capacity.regression import Agreement, agreement, least_squares_of
 from core.capacity.scale_free_law import ScaleFreeLaw, law_value, loss_ratio
 from core.research.figures import DASHED, LINE, LINE_POINTS, Figure, Series, StudyReport, Table
 from core.research.law_fit import MIN_SHAPES, STANDARD_ERRORS, Columns, columns, fits_of, left_out, set_columns
@@ -133,8 +133,6 @@ def _closed_forms(sets: Columns, mechanism: str) -> np.ndarray:
 
 def _refit(sets: Columns) -> np.ndarray:
     """q of Eq. 13 and 14 with A1, A2, A3 and C2 fitted to these sets without those of its own shape."""
-    from scipy.optimize import least_squares
-
     ratio = np.log(100.0 * sets.intensity / (sets.pga / G))
 
     def value(c, own):
@@ -144,8 +142,8 @@ def _refit(sets: Columns) -> np.ndarray:
     predicted = np.empty(sets.q.size)
     for shape in dict.fromkeys(sets.spectrum):
         own = sets.spectrum == shape
-        fit = least_squares(lambda c, rest=~own: value(c, rest) - np.log(sets.q[rest]), (30.0, 78.0, 90.0, -1.0))
-        predicted[own] = np.exp(value(fit.x, own))
+        fit = least_squares_of(lambda c, rest=~own: value(c, rest) - np.log(sets.q[rest]), (30.0, 78.0, 90.0, -1.0))
+        predicted[own] = np.exp(value(fit, own))
     return predicted
 
 

@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
+from scipy import optimize
 
-from core.capacity import regression
+from core.capacity import regression, scale_free_law
 
 RNG = np.random.default_rng(7)
 
@@ -28,6 +29,26 @@ def test_that_dependent_columns_and_too_few_points_are_refused():
         regression.least_squares([[1.0, 2.0], [2.0, 4.0], [3.0, 6.0]], [1.0, 2.0, 3.0])
     with pytest.raises(ValueError, match="underdetermined"):
         regression.least_squares([[1.0, 2.0]], [1.0])
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_that_a_law_that_is_not_linear_is_fitted_as_scipy_fits_it(seed):
+    draw = np.random.default_rng(seed)
+    x, s = draw.uniform(0.2, 8.0, 60), draw.uniform(0.05, 0.9, 60)
+    q = scale_free_law.law_value((0.7, 3.2, 1.7, -0.9), 1.0, x, s) * np.exp(draw.normal(0.0, 0.1, 60))
+
+    def residual(c):
+        return np.log(scale_free_law.law_value(c, 1.0, x, s) / q)
+
+    theirs = optimize.least_squares(residual, np.zeros(4), xtol=1e-14, ftol=1e-14, gtol=1e-14)
+    ours = regression.least_squares_of(residual, np.zeros(4))
+    assert (residual(ours) ** 2).sum() <= 2.0 * theirs.cost * (1.0 + 1e-12)
+    assert ours == pytest.approx(theirs.x, abs=1e-5)
+
+
+def test_that_a_fit_without_a_least_square_is_refused():
+    with pytest.raises(ArithmeticError, match="settle"):
+        regression.least_squares_of(lambda c: np.exp(-c), [0.0])
 
 
 def test_that_agreement_counts_bias_scatter_and_share():
