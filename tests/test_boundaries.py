@@ -57,6 +57,7 @@ BODIES = "tests/validation/test_bodies.py"
 SOLVED = "tests/core/solved/test_cases.py"
 
 SHOWN_BY = {
+    "codes/annex": "tests/core/codes/test_spectrum_codes.py",
     "api": "tests/test_notebooks.py",
     "report/note/plan_figure": "tests/core/report/test_key_plan.py",
     "codes/evidence": "tests/core/codes/test_verdict.py",

@@ -35,7 +35,7 @@ from core.case.values import (
 from core.case.variant_of import expanded
 from core.case.wall import BENDS, Wall
 from core.codes.limits import check_return_period
-from core.codes.spectrum_codes import takes
+from core.codes.spectrum_codes import refuse_faulty, takes
 from core.errors import InputError, place, section
 from core.text.sentence import Key, Quantity, sentence
 
@@ -451,7 +451,12 @@ def _check_select(case: Case) -> None:
 
 
 def check_code_keys(asked, here) -> None:
-    """Refuse a spectrum of a code without the keys of that code, or with those of another."""
+    """Refuse a spectrum of a code without the keys of that code, or with those of another, or whose file is at
+    fault."""
+    try:
+        refuse_faulty(asked.code)
+    except InputError as error:
+        raise error.at(here) from None
     for entry in fields(Spectrum):
         needed, given = takes(asked.code, entry.name), getattr(asked, entry.name, None) is not None
         if needed is not None and given != needed:

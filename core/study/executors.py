@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 
 from core.case.schema import Case
 from core.case.wall import Wall
+from core.codes.spectrum_codes import CODES
 from core.errors import Cancelled, InputError, place
 from core.file_names import name_of
 from core.jit import native
@@ -28,17 +29,18 @@ MAX_TASKS_AHEAD = 256
 
 
 def files_key(case: Case, base_dir: Path, inputs: Inputs) -> str:
-    """Key of what a case reads: its records, and the file of its spectrum.
+    """Key of what a case reads: its records, the file of its spectrum, the annex that makes it.
 
     base_dir : folder record paths start from
     inputs : of `read_inputs`
     """
     _, motions, kinds = inputs
-    spectrum = b""
+    spectrum, asked = b"", case.demand.spectrum if case.demand else None
+    annex = CODES[asked.code].digest if asked else ""
     if case.demand and case.demand.spectrum_file:
         spectrum = read_regular(base_dir / name_of(case.demand.spectrum_file), MAX_SPECTRUM_BYTES)
     read = [(repr(m), m.samples_sha256, m.warnings, m.details, kind) for m, kind in zip(motions, kinds, strict=True)]
-    return hashlib.sha256(repr((read, hashlib.sha256(spectrum).hexdigest())).encode()).hexdigest()
+    return hashlib.sha256(repr((read, hashlib.sha256(spectrum).hexdigest(), annex)).encode()).hexdigest()
 
 
 @functools.cache

@@ -75,7 +75,6 @@ OWN = {
     "app/work/recovery.py": "drafts of the program",
     "app/work/session.py": "the file that is open, against what is on the disk",
     "core/atomic_write.py": "files beside those that are written",
-    "core/codes/spectrum_codes.py": "a resource of the program",
     "core/study/case_script.py": "a resource of the program",
     "core/child.py": "its own work and answer, in a folder of its own",
     "core/ground/records/container.py": "members of a container in memory",

@@ -4,6 +4,7 @@ from operator import itemgetter
 
 from core.codes.limits import EXCEEDANCE
 from core.codes.national_hazard import RETURN_PERIODS, USE_CLASSES
+from core.codes.spectrum_codes import CODES
 from core.file_names import shown
 from core.ground.provenance import provenance
 from core.report.stated.quantity import flag, many, named, number, numbers, one, per, text, texts, through, whole
@@ -119,6 +120,11 @@ DEMAND = (
     ),
     text("intensity_source", "what SI is of", "required.intensity_source"),
     text("spectrum", "spectrum", lambda result: result.required.target.name if result.required.target else None),
+    text(
+        "annex_sha256",
+        "SHA-256 of the file of EN 1998-1 or of its annex that the spectrum is of",
+        lambda result: CODES[result.required.spectrum_code].digest or None if result.required.spectrum_code else None,
+    ),
     number("confidence_factor", "-", "FC", "required.confidence_factor"),
     number("zeta_target", "-", "zeta_E that is required", "required.zeta_target"),
     text("confidence_on", "where FC acts: capacity or demand", "required.confidence_on"),

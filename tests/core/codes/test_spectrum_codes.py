@@ -8,11 +8,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from core.case.rules import parse_case
+from core.codes import annex
 from core.codes.spectrum_codes import CODES, FOLDER, NATIONAL, codes_of
 from core.errors import InputError
 from core.setting.demand_input import demand_of
+from core.setting.plan import read_inputs
+from core.study.executors import files_key
 from core.study.run import run
 from core.units import G
 from tests.clauses_alone import parse_case as clauses_alone
@@ -62,25 +67,93 @@ A = { s = 1.0, t_b = 0.1, t_c = 0.4, t_d = 2.0 }
 """
 
 
-@pytest.mark.parametrize(
-    ("name", "written", "instead"),
-    [
-        ("EN1998-X", "true", '"false"'),  # would be true
-        ("EN1998-X", 'name = "AN"\n', ""),
-        ("EN1998-X", "t_b = 0.1", "t_b = 0.5"),
-        ("EN1998-X", "s = 1.0", "s = 12.0"),
-        ("EN1998-X", "[type.1]", "[typ.1]"),
-        ("EN1998-X", "name", "name name"),
-        (NATIONAL, "", ""),
-    ],
-)
-def test_that_a_file_that_is_no_annex_stops_the_program(tmp_path, name, written, instead):
-    """No wall is verified by what a file does not plainly say."""
-    (tmp_path / "EN1998-Y.toml").write_text(TABLE)
-    assert codes_of(tmp_path)["EN1998-Y"].seen_in_print is True
-    (tmp_path / f"{name}.toml").write_text(TABLE.replace(written, instead, 1))
-    with pytest.raises(RuntimeError, match=f"{name}.toml cannot be used"):
-        codes_of(tmp_path)
+VELOCITY = (FOLDER / "EN1998-ES.toml").read_text(encoding="utf-8")
+
+FAULTS = [
+    (TABLE, "true", '"false"', "annex_flag"),  # would be true
+    (TABLE, 'name = "AN"\n', "", "annex_keys"),
+    (TABLE, "t_b = 0.1", "t_b = 0.5", "annex_order"),
+    (TABLE, "s = 1.0", "s = 12.0", "annex_value"),
+    (TABLE, "[type.1]", "[typ.1]", "annex_keys"),
+    (TABLE, "name", "name name", "annex_unreadable"),
+    (TABLE, "2.5", "0.25", "annex_value"),  # a wall that falls had zeta 1.98
+    (TABLE, "2.5", "nan", "annex_value"),
+    (TABLE, "2.5", "true", "annex_value"),
+    (TABLE, "t_b = 0.1, t_c = 0.4, t_d = 2.0", "t_b = 0.01, t_c = 0.04, t_d = 0.2", "annex_value"),
+    (TABLE, "t_d = 2.0", "td = 2.0", "annex_keys"),
+    (TABLE, "source = ", "sources = ", "annex_keys"),
+    (VELOCITY, "exponent = 0.465", "exponent = -0.465", "annex_value"),
+    (VELOCITY, "800.0\nexp", "8.0\nexp", "annex_value"),
+    (VELOCITY, "from_g = 0.1\nto_g = 0.4", "from_g = 0.4\nto_g = 0.1", "annex_order"),
+    (VELOCITY, "slope = 3.33", "slope = 33.3", "annex_slope"),
+    (VELOCITY, "slope = 3.33\n", "", "annex_keys"),
+    (VELOCITY, 'weak = "C"', 'weak = "c"', "annex_value"),
+    (VELOCITY, "with_c = true", 'with_c = "no"', "annex_flag"),
+    (VELOCITY, "vs30_m_s = [360.0, 800.0]", "vs30_m_s = [800.0, 360.0]", "annex_order"),
+    (VELOCITY, "vs30_m_s = [360.0, 800.0]", "vs30_m_s = 360.0", "annex_keys"),
+    (VELOCITY, "vs30_m_s = [360.0", "vs = [360.0", "annex_keys"),
+]
+
+
+@pytest.mark.parametrize(("text", "written", "instead", "code"), FAULTS)
+def test_that_a_file_that_is_no_annex_is_a_code_that_no_case_takes(tmp_path, monkeypatch, text, written, instead, code):
+    """No wall is verified by what a file does not plainly say, and no other case is hindered."""
+    (tmp_path / "EN1998-Y.toml").write_text(text)
+    assert codes_of(tmp_path)["EN1998-Y"].fault is None and written in text
+    (tmp_path / "EN1998-X.toml").write_text(text.replace(written, instead, 1))
+    made = codes_of(tmp_path)
+    assert made["EN1998-Y"].fault is None and made["EN1998-X"].fault.code == code
+    monkeypatch.setitem(CODES, "EN1998-ES", made["EN1998-X"])
+    with pytest.raises(InputError) as refused:
+        demand_with()
+    said = refused.value.text("en")
+    assert said.startswith("[demand.spectrum]: resources/annexes/EN1998-X.toml: ") and "{" not in said, said
+
+
+@pytest.mark.parametrize("content", [b'name = "Espa\xf1a"', b"x" * 200_000, b'name = "half'])
+def test_that_a_damaged_file_of_an_annex_is_one_sentence(tmp_path, content):
+    (tmp_path / "EN1998-X.toml").write_bytes(content)
+    assert codes_of(tmp_path)["EN1998-X"].fault.code == "annex_unreadable"
+
+
+def test_that_a_file_does_not_take_the_place_of_the_code_of_the_program(tmp_path):
+    (tmp_path / f"{NATIONAL}.toml").write_text(TABLE)
+    assert codes_of(tmp_path)[NATIONAL].fault.code == "annex_name"
+
+
+@given(st.sampled_from([TABLE, VELOCITY]), st.data())
+def test_that_any_slip_in_a_number_is_refused_or_lowers_nothing_by_half(text, data):
+    """A digit lost or gained, a sign, a point moved: what is still taken keeps the plateau within its range."""
+    spots = list(re.finditer(r"-?\d+\.\d+", text))
+    spot = data.draw(st.sampled_from(spots))
+    value = float(spot[0]) * data.draw(st.sampled_from([0.01, 0.1, 10.0, 100.0, -1.0]))
+    slipped = tomllib.loads(text[: spot.start()] + f"{value:.6f}" + text[spot.end() :])
+    form = annex._Table if "type" in slipped else annex._Velocity
+    try:
+        form.check(slipped)
+    except InputError:
+        return
+    whole = tomllib.loads(text)
+    for soil in "ABCD" if form is annex._Velocity else "A":
+        rest = ({"A": 900.0, "B": 500.0, "C": 300.0, "D": 150.0}[soil], 1.0) if form is annex._Velocity else (1,)
+        try:
+            made, meant = (form.spectrum(one, 0.2 * G, soil, *rest) for one in (slipped, whole))
+        except InputError:
+            continue
+        periods = np.linspace(0.1, 2.0, 50)
+        assert (made.acceleration(periods) > 0.5 * meant.acceleration(periods)).all()
+
+
+def test_that_a_corrected_annex_is_another_key_of_what_is_kept(tmp_path, monkeypatch):
+    """A part of a large case kept rows of an annex that had been corrected since."""
+    case = parse_case({"wall": [WALL], "demand": {"ag_g": 0.23, "spectrum": SPAIN}})
+    inputs = read_inputs(case, tmp_path)
+    keys = [files_key(case, tmp_path, inputs)]
+    for text in (VELOCITY, VELOCITY.replace("false", "true", 1)):
+        (tmp_path / "EN1998-ES.toml").write_text(text)
+        monkeypatch.setitem(CODES, "EN1998-ES", codes_of(tmp_path)["EN1998-ES"])
+        keys.append(files_key(case, tmp_path, inputs))
+    assert keys[0] == keys[1] != keys[2]
 
 
 def test_that_no_other_module_names_a_code():

@@ -57,7 +57,7 @@ OF_NO_SENTENCE = {
         ],
         "what each key of the results is: its page and its schema are in English, as the keys are",
     ),
-    "core/codes/spectrum_codes.py": "errors of whoever adds an annex to the program",
+    "core/capacity/regression.py": "errors of whoever fits a law",
     "core/research/pack.py": "an archive to deposit is in English",
     "core/research/page.py": "a page of the documents is in English",
     "core/research/study_files.py": "what the columns of its CSV are",
