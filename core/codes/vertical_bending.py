@@ -293,9 +293,13 @@ def uplift_multiplier(wall: Masonry, mechanism: str) -> float:
 
 def model_of_bending(outward: Strip, inward: Strip, h1: float | None = None) -> RockingModel:
     """The rocking model of a wall held at its top. inward : the wall mirrored; h1 : height of the hinge between [m],
-    None : where alpha_0 outward is lowest. Raises ValueError as `mechanism`."""
-    first = mechanism(outward, h1)
-    second, held = mechanism(inward, first.h1), HeldTop(outward, inward, first.h1)
+    None : where alpha_0 outward is lowest. Raises InputError where it does not stand to one of its sides."""
+    try:
+        first = mechanism(outward, h1)
+        second = mechanism(inward, first.h1)
+    except ValueError:
+        raise InputError("bending_unstable") from None
+    held = HeldTop(outward, inward, first.h1)
     return bending_model(held, (first.theta0, second.theta0), kept_at_impact(outward, inward, first.h1))
 
 

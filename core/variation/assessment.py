@@ -135,8 +135,9 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
         limits.append(sentence("reason", "assumptions_not_made", n=MANY_WALLS))
     free = unheld or _overturning(scene, cancelled)
     bound, passes = (free.zeta, free.satisfied) if free else (None, None)
-    if free is not None and bound is not None:
-        raised = (*raised, _of_the_restraint(evaluation, free))
+    followed = free is not None and bound is not None
+    if followed or (made and (scene.mechanism == "one_sided" or scene.wall.bends)):
+        raised = (*raised, _of_the_restraint(evaluation, free if followed else None))
     if (arch := kinematic.wall.arch) is not None:
         raised = (*raised, _of_the_arch(evaluation, arch))
     said = verdict(evaluation.evidence, bound, tuple(limits), raised)
@@ -182,22 +183,28 @@ def _by_default(evaluation: Evaluation) -> Sentence:
     return sentence("reason", "by_default", n=len(evaluation.scene.ground), generate=Key("[generate]"), **zetas)
 
 
-def _of_the_restraint(evaluation: Evaluation, free: Evaluation) -> Assumption:
-    """Sentences on what stands behind a wall or holds its top, as it is declared. free : the wall without it"""
+def _of_the_restraint(evaluation: Evaluation, free: Evaluation | None) -> Assumption:
+    """Sentences on what stands behind a wall or holds its top, as it is declared. free : the wall without it, None
+    where it does not stand or no check follows it: what is not known turns what passes, but of a wall that stays at
+    rest to either side"""
     wall, named = evaluation.scene.wall, bool(evaluation.scene.wall.back_restraint)
     shown = wall.restraint_evidence not in (None, "none")
     code = "top_fails" if wall.bends else "restraint_fails"
     if wall.mechanism == ARCHES:
         code = "ends_fail"
+    if free is None:
+        code = "restraint_unfollowed" if evaluation.dynamic is None else "restraint_stands"
+    zeta = free.zeta if free else None
+    stays = free is None and evaluation.outcome == "not_activated" and not wall.bends and wall.in_si.sides_are_alike
     return Assumption(
         RESTRAINT,
-        sentence("reason", code, zeta=Number(free.zeta), restraint=declared(wall.in_si.declared)),
+        sentence("reason", code, zeta=Number(zeta), restraint=declared(wall.in_si.declared)),
         sentence("word", f"choice_{wall.back_restraint}") if named else sentence("accepted", "missing"),
         sentence("accepted", "none"),
         DECLARED if named else LEFT_OUT,
-        free.zeta,
-        free.outcome,
-        turns=evaluation.satisfied and not free.satisfied,
+        zeta,
+        free.outcome if free else "undetermined",
+        turns=evaluation.satisfied and not (stays or (free is not None and free.satisfied)),
         reason=sentence("word", f"evidence_{wall.restraint_evidence}") if named and shown else "",
     )
 

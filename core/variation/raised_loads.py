@@ -59,17 +59,17 @@ def of_the_weights(scene: Scene) -> Iterator[Raised]:
     if t is None or not any(load.is_weight for load in wall.load):
         return
     yield from _of_weights_that_may_go(scene)
-    if not weights:
-        return
     changes: dict[str, list[tuple[Callable[[Wall], tuple[Load, ...]], Sentence]]] = {
-        "mass": [(partial(_of_weights, mass=mass), sentence("word", f"choice_{mass}")) for mass in MASSES],
+        "mass": [(partial(_of_weights, mass=mass), sentence("word", f"choice_{mass}")) for mass in MASSES]
+        if weights
+        else [],
         "d_m": [
             (partial(_moved_weights, by=by), sentence("word", "moved_by", cm=Number(100.0 * by, "+.1f")))
             for by in (-LEVER * t, LEVER * t)
         ],
     }
     for key, ends in changes.items():
-        others = tuple(End(_with_loads(change), said) for change, said in ends if _stands(scene, change(wall)))
+        others = tuple(End(_with_loads(change), said) for change, said in ends if _may_be(scene, change(wall)))
         if others:
             given = weights[0].mass if key == "mass" else None
             value = sentence("word", f"choice_{given}") if given else GIVEN_WORD
@@ -83,17 +83,17 @@ def _of_weights_that_may_go(scene: Scene) -> Iterator[Raised]:
     wall, reasons = scene.wall, scene.wall.justification
     lowest = [load.h_m for load in wall.load if _is_low(wall, load)]
     low, carried = _without(_is_low), _without(lambda _, load: _is_carried(load))
-    if lowest and _stands(scene, tuple(load for load in wall.load if not _is_low(wall, load))):
+    if lowest and _may_be(scene, tuple(load for load in wall.load if not _is_low(wall, load))):
         end, height = End(low, sentence("word", "below_hinge")), Number(min(lowest), ".2f")
         yield one_end("h_m", "lift_low_load", reasons, GIVEN_WORD, end, height=height)
     permanent = tuple(
         replace(load, kn_m=load.g_kn_m, q_kn_m=None, psi_2=None) if load.g_kn_m else load for load in wall.load
     )
     permanent = tuple(load for load in permanent if not _is_variable(load))
-    if any(map(_is_variable, wall.load)) and _stands(scene, permanent):
+    if any(map(_is_variable, wall.load)) and _may_be(scene, permanent):
         end = End(lambda there: there.but(wall=replace(there.wall, load=permanent)), sentence("word", "permanent"))
         yield one_end("load", "lift_variable", reasons, GIVEN_WORD, end)
-    elif any(map(_is_carried, wall.load)) and _stands(scene, tuple(one for one in wall.load if not _is_carried(one))):
+    if any(map(_is_carried, wall.load)) and _may_be(scene, tuple(one for one in wall.load if not _is_carried(one))):
         yield one_end("load", "lift_carried", reasons, GIVEN_WORD, End(carried, NONE_WORD))
 
 
@@ -122,23 +122,27 @@ def _moved_weights(wall: Wall, by: float) -> tuple[Load, ...]:
     assert wall.thickness is not None
 
     def there(load: Load) -> Load:
-        if load.kind != "vertical" or load.d_m is None or wall.thickness is None:
+        if not load.is_weight or load.d_m is None or wall.thickness is None:
             return load
         return replace(load, d_m=min(max(load.d_m + by, 0.0), wall.thickness))
 
     return tuple(there(load) for load in wall.load)
 
 
-def _stands(scene: Scene, loads: tuple[Load, ...]) -> bool:
-    """Whether these loads are other ones that the rules of the wall allow."""
+FALLS = ("unstable_under_loads", "bending_unstable", "arch_unstable", "body_falls", "hold_too_weak")
+"""Codes of the errors of a wall that does not stand: the worst that another end can say."""
+
+
+def _may_be(scene: Scene, loads: tuple[Load, ...]) -> bool:
+    """Whether these loads are other ones, that the rules of the wall allow or under which it does not stand."""
     if loads == scene.wall.load:
         return False
     try:
         wall = replace(scene.wall, load=loads)
         check_loads(wall)
         evaluate(scene.without_records().but(wall=wall))
-    except InputError:
-        return False
+    except InputError as error:
+        return error.code in FALLS
     return True
 
 

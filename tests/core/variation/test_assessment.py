@@ -265,16 +265,27 @@ def test_that_a_restraint_left_out_or_without_evidence_has_no_reason():
             assert (row.source, row.reason) == (source, "")
 
 
-def test_that_a_wall_without_histories_or_that_rocks_both_ways_has_no_bound():
+def test_that_a_restraint_without_which_the_wall_was_not_followed_turns_what_passes_until_it_is_shown():
+    """Without histories nothing says what holds a wall that is free; 60 kN/m at its inner face would overturn it."""
+    bare = {key: value for key, value in WALL.items() if key != "restraint_evidence"}
+    falls = {"load": [FLOOR | {"h_m": 4.0, "d_m": 0.4}], "unloaded_confirmed": False}
+    for scene, code in ((scene_of, "restraint_unfollowed"), (None, "restraint_stands")):
+        for wall, shown in ((bare, False), (WALL, True)):
+            if scene:
+                found = assess(scene(wall, {"ag_g": 0.02, "soil_factor": 1.2, "zeta_target": 1.0}))
+            else:
+                found = by_restraint((1.5, True), (0.8, False), wall | falls)
+            assert found.lower_bound is None and found.verdict.lower_bound is None and found.bound_passes is None
+            (row,) = (row for row in found.verdict.assumptions if row.key == "back_restraint")
+            assert (row.zeta, row.words.code, bool(row.reason)) == (None, code, shown)
+            rests = scene is not None  # it does not lift, to either side
+            assert row.turns == (not rests) and (found.verdict.code == "indicative") == (not rests and not shown)
+
+
+def test_that_a_wall_that_rocks_both_ways_needs_no_restraint():
     two_sided = {key: value for key, value in WALL.items() if key not in ("back_restraint", "restraint_evidence")}
-    for found in (
-        assess(scene_of()),
-        by_restraint((1.5, True), (0.8, False), two_sided | {"mechanism": "two_sided", "free_element": False}),
-        # 60 kN/m at its inner face would overturn it inward
-        by_restraint((1.5, True), (0.8, False), BARE | {"load": [FLOOR | {"h_m": 4.0, "d_m": 0.4}]}),
-    ):
-        assert found.lower_bound is None and found.verdict.lower_bound is None and found.bound_passes is None
-        assert "back_restraint" not in {row.key for row in found.verdict.assumptions}
+    found = by_restraint((1.5, True), (0.8, False), two_sided | {"mechanism": "two_sided", "free_element": False})
+    assert found.lower_bound is None and "back_restraint" not in {row.key for row in found.verdict.assumptions}
 
 
 def test_that_the_wall_without_its_restraint_rocks_by_the_theory():

@@ -234,6 +234,7 @@ WALL = {
     "unit_weight_kn_m3": 18.0,
     "back_restraint": "tied_floors",
     "unloaded_confirmed": True,
+    "restraint_evidence": "drawing",
 }
 SPECTRUM = {"code": "EN1998", "type": 1, "soil": "B"}
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}

@@ -59,6 +59,7 @@ def test_that_a_wall_has_the_worst_outcome_of_its_hinges_and_the_least_zeta(wall
 def test_that_a_hinge_of_worse_outcome_decides_though_another_has_the_lower_zeta():
     wall = {"name": "w", "height_m": 7.0, "thickness_m": 0.4, "mechanism": "one_sided", "base_z_m": 0.0}
     wall |= {"unit_weight_kn_m3": 18.0, "back_restraint": "tied_floors", "unloaded_confirmed": True}
+    wall |= {"restraint_evidence": "drawing"}
     spectrum = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
     building = {"height_m": 9.0, "storeys": 3, "period_s": 0.6}
     result = made({"wall": [wall], "building": building, "demand": {"ag_g": 0.11, "spectrum": spectrum}})

@@ -148,17 +148,17 @@ def test_that_a_weight_is_shown_a_twentieth_of_the_thickness_to_either_side_with
     assert [loads_at(outer["lift_lever"], scene, k)[0].d_m for k in (0, 1)] == pytest.approx([0.0, 0.03])
 
 
-def test_that_a_place_of_a_weight_that_overturns_the_wall_is_not_asked_about():
+def test_that_a_place_of_a_weight_that_overturns_the_wall_is_asked_about():
     """28.8 kN/m at 0.1 m inside the hinge against 40 kN/m 0.055 m outside it; at 0.075 m it falls."""
     found, scene = rows_of(WEIGHT | {"kn_m": 40.0, "d_m": 0.045})
-    (end,) = found["lift_lever"].ends
-    assert end.change(scene).wall.load[0].d_m == pytest.approx(0.065)
+    places = [end.change(scene).wall.load[0].d_m for end in found["lift_lever"].ends]
+    assert places == pytest.approx([0.025, 0.065])
 
 
 def test_that_walls_without_weights_have_no_rows_of_them():
     assert not rows_of(TIE)[0].keys() & {"lift_mass", "lift_lever", "lift_low_load"}
     carried = rows_of(CARRIED)[0]
-    assert not carried.keys() & {"lift_mass", "lift_lever"} and "lift_carried" in carried
+    assert "lift_mass" not in carried and {"lift_carried", "lift_lever"} <= set(carried)
     assert list(of_the_weights(scene_of(WALL))) == []
 
 
@@ -202,7 +202,7 @@ def test_that_without_its_variable_part_a_weight_is_its_permanent_one():
     left, carried = loads_at(row, scene)
     assert scene.wall.load[0].kn_m == pytest.approx(18.0)
     assert (left.kn_m, left.q_kn_m, left.psi_2) == (12.0, None, None) and carried.kind == "carried_mass"
-    assert "lift_carried" not in found and row.ends[0].value.code == "permanent"
+    assert "lift_carried" in found and row.ends[0].value.code == "permanent"
     alone, scene = rows_of({**BOTH_PARTS, "g_kn_m": 0.0}, WEIGHT)
     assert [one.kn_m for one in loads_at(alone["lift_variable"], scene)] == [20.0]
 
@@ -215,12 +215,12 @@ def test_that_a_weight_without_a_variable_part_has_no_row_of_it(part):
     assert "lift_variable" not in rows_of(WEIGHT)[0] and "lift_carried" not in rows_of(WEIGHT)[0]
 
 
-def test_that_a_weight_without_which_the_wall_falls_is_not_asked_about():
-    """W 28.8 kN/m at 0.1 m; a thrust of 1 kN/m at 4 m needs 4 kNm/m: 20 kN/m 0.1 m inside the hinge hold it."""
+def test_that_a_weight_without_which_the_wall_falls_is_asked_about():
+    """The worst that its other end can say; the thrust may be less than it is said to be. W 28.8 kN/m at 0.1 m; a thrust of 1 kN/m at 4 m needs 4 kNm/m: 20 kN/m 0.1 m inside the hinge hold it."""
     thrust = {"kind": "thrust", "kn_m": 1.0, "h_m": 4.0}
     held = rows_of(CARRIED | {"kn_m": 20.0, "h_m": 3.0}, thrust)[0]
-    assert "lift_carried" not in held
+    assert "lift_carried" in held
     low = rows_of(WEIGHT | {"h_m": 1.0}, thrust, hinge_heights="base")[0]
-    assert "lift_low_load" not in low and "lift_low_load" in rows_of(WEIGHT | {"h_m": 1.0}, hinge_heights="base")[0]
+    assert "lift_low_load" in low and "lift_low_load" in rows_of(WEIGHT | {"h_m": 1.0}, hinge_heights="base")[0]
     variable = rows_of(BOTH_PARTS | {"g_kn_m": 1.0, "q_kn_m": 30.0}, thrust)[0]
-    assert "lift_variable" not in variable
+    assert "lift_variable" in variable
