@@ -88,6 +88,14 @@ def hinges_of(wall: Wall, building: Building | None) -> Sequence[float]:
     return storey_ends(wall, building)
 
 
+def unchecked(part: Part, building: Building | None) -> tuple[float, ...]:
+    """Hinges that a wall about its base has too, and whose motion is not known without its building [m]; none where
+    the engineer says which are looked at."""
+    if building is not None or part.body.hinge_heights is not None or part.hinge > 0.0 or not part.turns:
+        return ()
+    return usual_hinges(part.body, None)
+
+
 def storey_ends(wall: Wall, building: Building) -> tuple[float, ...]:
     """Heights of the floors of a building above the base of a wall, between it and the top of the wall [m]."""
     if wall.height_m is None:

@@ -30,6 +30,7 @@ class Circumstances:
     period_estimated : the period of the building that carries the wall was not given
     exact : the integrator is not one for comparison
     unbranched : code of the reason why histories have not the elastic branch the clause asks for, empty where they have
+    unchecked : heights above the base at which a mechanism may start too, and whose motion is not known [m]
     """
 
     stations: int
@@ -39,6 +40,7 @@ class Circumstances:
     period_estimated: bool = False
     exact: bool = True
     unbranched: str = ""
+    unchecked: tuple[float, ...] = ()
 
 
 def governing_check(checks: tuple[Check, ...]) -> Check | None:
@@ -207,6 +209,10 @@ def limits_of(seen: Evidence) -> list[Sentence]:
     """Reasons for which the checks are indicative only."""
     demand, compliance, circumstances = seen.demand, seen.compliance, seen.circumstances
     reasons = []
+    if circumstances.unchecked:
+        heights = tuple(Number(height, ".4g") for height in circumstances.unchecked)
+        keys = {"building": Key("[building]"), "key": Key("hinge_heights")}
+        reasons.append(reason("heights_left_out", heights=heights, **keys))
     if seen.dynamic:
         if compliance is None:
             reasons.append(reason("no_spectrum"))

@@ -228,10 +228,11 @@ def generated_for(asked: Generate, demand: DemandResult) -> list[GroundMotion]:
 
 
 def set_of(motions: Sequence[GroundMotion]) -> Generate | None:
-    """[generate] by which these motions were made; None of others, and of several sets."""
+    """[generate] by which those of these motions were made that are generated; None without any, and of several
+    sets."""
     said = [dict(motion.details) for motion in motions if motion.format == "generated"]
     scatters = {one.get("scatter") for one in said}
-    if not motions or len(said) < len(motions) or len(scatters) > 1 or None in scatters:
+    if len(scatters) != 1 or None in scatters:
         return None
     return Generate(len(said), min(int(one["seed"]) for one in said), float(said[0]["scatter"]))
 

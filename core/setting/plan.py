@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from core.capacity.ida import Search
-from core.case.hinges import Part, count_of, parts_of, shared
+from core.case.hinges import Part, count_of, parts_of, shared, unchecked
 from core.case.schema import Case
 from core.case.site import Building
 from core.case.wall import ARCHES, Wall
@@ -88,6 +88,7 @@ class Plan:
             histories_off=not self.case.analysis.histories,
             many=max(self.walls, len(self.case.wall)) > MANY_WALLS,
             histories=histories,
+            unchecked=unchecked(entry.part, self.case.building),
         )
 
     @property

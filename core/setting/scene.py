@@ -68,6 +68,7 @@ class Scene:
     q_slv : of the searches of this very wall, the one its linear check takes and itself; None where none was made
     histories : `demand_check`, or one that keeps its results
     period_taken : the period of the building is none that is given, but the worst of those it may have
+    unchecked : of `Circumstances`
     """
 
     wall: Wall
@@ -86,6 +87,7 @@ class Scene:
     q_slv: tuple[float | None, float | None] = (None, None)
     histories: Callable[..., Any] = demand_check
     period_taken: bool = False
+    unchecked: tuple[float, ...] = ()
 
     @cached_property
     def model(self) -> RockingModel:
@@ -131,15 +133,21 @@ class Scene:
         """The scene under another demand: motions generated for its spectrum are generated for the new one, records
         used as given follow a_g S. Raises InputError."""
         asked = set_of(self.ground)
-        ground = tuple(generated_for(asked, demand) if asked else scaled(self.ground, self.demand, demand))
+        followed = scaled(self._given if asked else self.ground, self.demand, demand)
+        ground = (*followed, *(generated_for(asked, demand) if asked else ()))
         return self.but(demand=with_records(demand, list(ground)), ground=ground)
 
     def generated_as(self, asked: Generate) -> "Scene":
-        """The scene under another generated set. Raises InputError."""
-        ground = generated_for(asked, self.demand)
-        longest = self.compliance.longest if self.compliance else 0.0
-        demand, kinds = with_records(self.demand, ground), ["artificial"] * len(ground)
+        """The scene under another generated set, beside the records that are given. Raises InputError."""
+        made, longest = generated_for(asked, self.demand), self.compliance.longest if self.compliance else 0.0
+        ground = [*self._given, *made]
+        demand, kinds = with_records(self.demand, ground), ["natural"] * len(self._given) + ["artificial"] * len(made)
         return self.but(ground=tuple(ground), demand=demand, compliance=compliance(ground, kinds, demand, longest))
+
+    @property
+    def _given(self) -> list[GroundMotion]:
+        """The records that are not generated."""
+        return [motion for motion in self.ground if motion.format != "generated"]
 
     @property
     def _felt(self) -> tuple:

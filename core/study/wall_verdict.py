@@ -108,14 +108,16 @@ def by_severity(verdicts: tuple[WallVerdict, ...], walls) -> list[WallVerdict]:
 
 
 def _left_out(asked: Wall, case: Case, walls, indices) -> list[Sentence]:
-    """Heights at which a mechanism may start and that were not checked."""
+    """Heights at which a mechanism may start and that the engineer leaves out; those of a building that is not given
+    are a limit of the hinge at the base."""
+    if asked.hinge_heights is None:
+        return []
     checked = {round(walls[k].part.hinge, 3) for k in indices if walls[k].part.turns}
     usual = [h for h in usual_hinges(brought(asked, case.building), case.building) if round(h, 3) not in checked]
     if not usual:
         return []
     heights = tuple(Number(height, ".4g") for height in usual)
-    code = "heights_left_out" if asked.hinge_heights is None else "hinges_as_asked"
-    return [sentence("reason", code, heights=heights, building=Key("[building]"), key=Key("hinge_heights"))]
+    return [sentence("reason", "hinges_as_asked", heights=heights, key=Key("hinge_heights"))]
 
 
 def assumptions_of(result: StudyResult, verdict: WallVerdict) -> tuple[Assumption, ...]:

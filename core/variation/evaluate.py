@@ -99,6 +99,7 @@ class Evaluation:
             period_estimated=scene.period_taken or (floor is not None and floor.estimated),
             exact=scene.method.name in EXACT_METHODS,
             unbranched=self._unbranched(),
+            unchecked=scene.unchecked,
         )
         parts = (self.checks, self.dynamic, self.kinematic, scene.compliance, circumstances)
         return Evidence(scene.wall.in_si, scene.mechanism, demand, *parts)

@@ -145,8 +145,9 @@ def _of_the_set(evaluation: Evaluation) -> Iterator[Raised]:
     if scene.by_default or not evaluation.satisfied:
         return
     asked = set_of(scene.ground)
-    if asked is None:
+    if asked is None or asked.count < len(scene.ground):
         yield from _of_records_alike(scene)
+    if asked is None:
         return
     if asked.scatter < SPREAD:
         natural = replace(asked, scatter=SPREAD)
@@ -306,6 +307,13 @@ def _of_the_unit_weight(scene: Scene) -> Iterator[Raised]:
     """A unit weight that holds the wall against its loads, or is held by them, at the ends of what the type of masonry
     has, of the table where none is named (Circolare 7/2019, Table C8.5.I)."""
     wall, given = scene.wall, scene.wall.unit_weight_kn_m3
+    own = [solid.unit_weight_kn_m3 for solid in wall.solid if solid.unit_weight_kn_m3 is not None]
+    if any(weight != given for weight in own):  # lighter outside, heavier inside: the weights alone move the centroid
+        even = own[0] if given is None else given
+        solids = tuple(replace(solid, unit_weight_kn_m3=None) for solid in wall.solid)
+        end = End(of_wall(solid=solids, unit_weight_kn_m3=even), even)
+        value = sentence("word", "of_solids")
+        yield one_end("unit_weight_kn_m3", "lift_solid_weight", wall.justification, value, end, even=even)
     if given is None or not (wall.load or wall.mechanism == ARCHES):
         return
     least, most = weights(wall.masonry)

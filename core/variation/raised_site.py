@@ -140,14 +140,14 @@ def _building_at(factor: float, damping: float) -> Change:
     return change
 
 
-def _participating(share: float) -> Change:
-    """The first mode of the building with this participation."""
+def _by_first_mode(share: float) -> Change:
+    """The building by its first mode alone, with this participation."""
 
     def change(scene: Scene) -> Scene:
         building = scene.building
         assert building is not None
-        first, *others = building.modes
-        return scene.but(building=replace(building, modes=(replace(first, participation=share), *others)))
+        first = replace(building.modes[0], participation=share)
+        return scene.but(building=replace(building, modes=(first,)))
 
     return change
 
@@ -191,14 +191,9 @@ def of_the_building(scene: Scene, building: Building) -> Iterator[Raised]:
         _, damping = damaged(building, limit_state)
         z = min(felt, building.height_m)
         (expected,) = first_mode(building.storeys, building.height_m, z, 1.0, damping)
-        share, given_share = expected.participation, building.modes[0].participation
-        if abs(given_share) < abs(share):
-            yield one_end(
-                "participation",
-                "lift_participation",
-                asked.justification,
-                given_share,
-                End(_participating(share), share),
-                given=given_share,
-                expected=share,
-            )
+        given = building.modes[0].participation
+        share = max(abs(expected.participation), abs(given))
+        if len(building.modes) > 1 or abs(given) < share * (1.0 - 1e-6):  # modes of opposite signs take each other's motion away
+            code = "lift_modes" if len(building.modes) > 1 else "lift_participation"
+            end, reasons = End(_by_first_mode(share), share), asked.justification
+            yield one_end("participation", code, reasons, given, end, given=given, expected=share)

@@ -93,9 +93,10 @@ def test_that_each_variant_is_a_wall_of_its_own():
 @pytest.mark.shows("verdict.hinges")
 def test_that_without_a_building_the_heights_left_out_are_named():
     loads = {"load": [{**ROOF, "h_m": 5.0}]}
-    (left,) = made(loads, building=None).verdicts
-    assert [one.code for one in left.extra] == ["heights_left_out"]
-    assert "5 m" in left.extra[0].text("en") and "[building]" in left.extra[0].text("it")
+    result = made(loads, building=None)
+    (left,), said = result.verdicts, result.walls[0].assessed.verdict
+    assert left.extra == () and said.limits[0].code == "heights_left_out"
+    assert "5 m" in said.limits[0].text("en") and "[building]" in said.limits[0].text("it")
     (alone,) = made({**loads, "hinge_heights": "base"}).verdicts
     assert [one.code for one in alone.extra] == ["hinges_as_asked"]
     assert made(loads).verdicts[0].extra == ()

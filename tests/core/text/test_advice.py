@@ -51,6 +51,7 @@ STATES = {
     "lift_inward",
     "lift_one_sided_free",
     "lift_participation",
+    "lift_modes",
     "lift_return_walls",
     "lift_return_wedges",
     "body_leans_back",
