@@ -71,6 +71,7 @@ _FILLERS = """
     to be defined verified confirmed checked know vedi sopra see above relazione report come prassi as usual per from by
     norma normativa code ntc circolare legge law secondo esperienza experience mia my own professionale professional
     giudizio judgement judgment progettista engineer scelta choice ipotesi assumption assunto assumed valore value
+    later dopo poi ora adesso così cosi now soon presto bozza draft provvisorio temporary temporaneo controllare check
     usuale solito asd asdf qwe qwerty bla xxx lorem ipsum dont don t n d e and the a of in on an at is it
 """
 FILLERS = frozenset(_FILLERS.split())

@@ -66,6 +66,11 @@ def check_floors(building: Building | None) -> None:
             raise InputError("floor_to", place=here, key="to_d_m" if floor.to_wall else "to_wall")
         if (floor.q_kn_m2 is None) != (floor.psi_2 is None):
             raise InputError("combined_share", place=here)
+        if floor.to_wall == floor.from_wall:
+            raise InputError("floor_on_itself", place=here, key="to_wall", wall=floor.to_wall)
+    for n, (here, floor) in enumerate(floors := list(_placed(building))):
+        if twin := next((other for _, other in floors[:n] if replace(other, name=floor.name) == floor), None):
+            raise InputError("floor_twice", place=here, twin=twin.name)
 
 
 def _placed(building: Building | None) -> Iterator[tuple[tuple, FloorLoad]]:

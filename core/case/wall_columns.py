@@ -283,7 +283,7 @@ def _cell(key: str, factor: float, cell: str, here: Sentence):
     try:
         if kind != "hinges":
             if factor < OF_A_SMALL_UNIT and THOUSANDS.fullmatch(cell):
-                raise InputError("thousands_or_decimals", text=cell)
+                raise InputError("thousands_or_point", text=cell)
             value = parse_quantity(cell, entry.metadata.get("unit", ""), factor)
             return int(value) if kind == "int" and value == int(value) else value
         if cell.lower() in (FLOORS, "piani"):

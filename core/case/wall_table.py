@@ -180,18 +180,19 @@ def _many_walls(text: str, with_demand: bool) -> ManyWalls:
     first: list[tuple[int, list[str]]] = []
     said = _SEPARATOR.match(text)
     walls = ManyWalls("\n" + text[said.end() :], said[1]) if said else ManyWalls(text, _mark(text))
-    commas, thousands = False, (0, "")
+    commas, thousands, place_of = False, (0, ""), 0  # of a row from the first with something in it, as `_walls` counts
     try:
         for number, row in walls.scan():
             row = [cell.strip() for cell in row]
             if _is_comment(row):
                 continue
+            place_of += bool(place_of or any(row))
             commas = commas or any(map(_COMMA.fullmatch, row))
             if not thousands[0] and (cell := next(filter(THOUSANDS.fullmatch, row), "")):
                 thousands = number, cell
-            if len(first) < 2 and (number == 2 or any(row)):
+            if len(first) < 2 and (place_of == 2 or any(row)):
                 first.append((number, row))
-                if len(first) == 1 or number != 2 or is_units(row):
+                if len(first) == 1 or place_of != 2 or is_units(row):
                     continue
                 first[1] = (0, [])  # the titles name their units
             if any(row):

@@ -30,6 +30,7 @@ class Circumstances:
     period_estimated : the period of the building that carries the wall was not given
     exact : the integrator is not one for comparison
     unbranched : code of the reason why histories have not the elastic branch the clause asks for, empty where they have
+    sound : stations of records that nothing doubts, -1 where nobody looked
     unchecked : heights above the base at which a mechanism may start too, and whose motion is not known [m]
     """
 
@@ -40,6 +41,7 @@ class Circumstances:
     period_estimated: bool = False
     exact: bool = True
     unbranched: str = ""
+    sound: int = -1
     unchecked: tuple[float, ...] = ()
 
 
@@ -228,6 +230,9 @@ def limits_of(seen: Evidence) -> list[Sentence]:
         stations = compliance.stations if compliance else circumstances.stations
         if stations < MINIMUM_FROM:
             reasons.append(reason("few_records", n=stations))
+        rests_on, sound = (MEAN_FROM if stations >= MEAN_FROM else MINIMUM_FROM), circumstances.sound
+        if 0 <= sound < rests_on <= stations:
+            reasons.append(reason("few_sound_records", n=stations - sound, of=stations))
         if weak := seen.dynamic.not_counted:
             reasons.append(reason("too_weak", n=len(weak), names=weak[:3], share=MIN_PGA_SHARE))
         if circumstances.bundled:

@@ -8,6 +8,7 @@ import numpy as np
 
 from core.errors import InputError, RecordError
 from core.ground import records
+from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import Provenance, provenance
 from core.ground.records import plausible
 from core.ground.records.container import names_vertical
@@ -32,6 +33,12 @@ DOUBTED = {
 
 NOT_HORIZONTAL = {"in_structure", "borehole", "vertical"}
 """Notices of records that are no horizontal motion of the ground's surface."""
+
+
+def is_doubted(motion: GroundMotion) -> bool:
+    """Whether a notice of a record says that its samples are no motion of the ground in the open, or may not be."""
+    return any(notice.code in DOUBTED or notice.code in NOT_HORIZONTAL for notice in motion.warnings)
+
 
 _NUMBER = re.compile(r"\d+(?:\.\d+)?")
 _MATCHED = re.compile(r"\bmatched\b", re.IGNORECASE)

@@ -15,8 +15,7 @@ from core.codes.risk import Risk, risk
 from core.codes.verdict import Verdict, passes_with_q2, verdict
 from core.codes.verdict_sentence import declared
 from core.errors import InputError
-from core.ground.ground_motion import GroundMotion
-from core.ground.record_folder import DOUBTED, NOT_HORIZONTAL
+from core.ground.record_folder import is_doubted
 from core.setting.floors import LOW_CODE, building_notes
 from core.setting.plan import MANY_WALLS
 from core.setting.scene import Scene
@@ -165,14 +164,9 @@ def _of_life_and_records(evaluation: Evaluation) -> list[Sentence]:
         limits.append(_by_default(evaluation))
     elif dynamic and any(motion.format == GENERATED for motion in scene.ground):
         limits.append(sentence("reason", "generated_motions"))
-    if dynamic and (doubted := [motion.name for motion in scene.ground if _is_doubted(motion)]):
+    if dynamic and (doubted := [motion.name for motion in scene.ground if is_doubted(motion)]):
         limits.append(sentence("reason", "records_doubted", n=len(doubted), names=", ".join(doubted[:3])))
     return limits
-
-
-def _is_doubted(motion: GroundMotion) -> bool:
-    """Whether a notice of a record says that its samples are no motion of the ground in the open, or may not be."""
-    return any(notice.code in DOUBTED or notice.code in NOT_HORIZONTAL for notice in motion.warnings)
 
 
 def _by_default(evaluation: Evaluation) -> Sentence:

@@ -16,6 +16,7 @@ from core.codes.outcomes import FAILS, OPEN, PASSES, severity, worst
 from core.codes.verdict import outcome_of
 from core.codes.vertical_bending import bending, uplift_multiplier
 from core.errors import InputError
+from core.ground.record_folder import is_doubted
 from core.setting.scene import Scene
 from core.text.sentence import Sentence, sentence
 
@@ -99,6 +100,7 @@ class Evaluation:
             period_estimated=scene.period_taken or (floor is not None and floor.estimated),
             exact=scene.method.name in EXACT_METHODS,
             unbranched=self._unbranched(),
+            sound=len(counted_stations([motion for motion in motions if not is_doubted(motion)], demand)),
             unchecked=scene.unchecked,
         )
         parts = (self.checks, self.dynamic, self.kinematic, scene.compliance, circumstances)

@@ -77,6 +77,10 @@ def _of_the_spectrum(scene: Scene) -> Iterator[Raised]:
         given = CODES[spectrum.code].name if spectrum else asked.spectrum_file or ""
         words = sentence("added", "ntc_spectrum", soil=soil)
         yield one_end("spectrum", "lift_spectrum", reasons, given, _under(there, words), name=given, soil=soil)
+    elif spectrum is not None and spectrum.type == 2:
+        there = _with_spectrum(demand, asked, replace(spectrum, type=1))
+        types = [sentence("word", "spectrum_type", type=n) for n in (2, 1)]
+        yield one_end("spectrum", "lift_type", reasons, types[0], _under(there, types[1]))
 
 
 def _row_of(demand: DemandResult, asked: Demand) -> HazardRow | None:
@@ -193,7 +197,7 @@ def of_the_building(scene: Scene, building: Building) -> Iterator[Raised]:
         (expected,) = first_mode(building.storeys, building.height_m, z, 1.0, damping)
         given = building.modes[0].participation
         share = max(abs(expected.participation), abs(given))
-        if len(building.modes) > 1 or abs(given) < share * (1.0 - 1e-6):  # modes of opposite signs take each other's motion away
+        if len(building.modes) > 1 or abs(given) < share * (1.0 - 1e-6):  # modes of opposite signs cancel
             code = "lift_modes" if len(building.modes) > 1 else "lift_participation"
             end, reasons = End(_by_first_mode(share), share), asked.justification
             yield one_end("participation", code, reasons, given, end, given=given, expected=share)

@@ -55,6 +55,21 @@ def clauses_alone_of(case):
     return replace(case, analysis=replace(case.analysis, histories=False))
 
 
+@pytest.mark.parametrize(
+    ("floors", "code"),
+    [
+        ([FIRST, FIRST], "floor_twice"),
+        ([FIRST, ROOF, FIRST | {"name": "once more"}], "floor_twice"),
+        ([FIRST | {"to_wall": "north"}], "floor_on_itself"),
+    ],
+)
+def test_that_a_floor_does_not_bear_twice(floors, code):
+    """A row pasted twice doubled what holds the wall."""
+    with pytest.raises(InputError) as refused:
+        case_of(building=BUILDING | {"floors": floors})
+    assert refused.value.code == code
+
+
 @pytest.mark.parametrize("name", ["north", "nowhere"])
 def test_that_floors_bear_on_walls_of_a_table(name, tmp_path):
     heads = "name;height_m [m];thickness_m [m];length_m [m];unit_weight_kn_m3 [kN/m3];base_z_m [m];mechanism"

@@ -31,6 +31,10 @@ def walls(count: int) -> list[str]:
     [
         [*HEAD, *walls(20)],
         ["Parete;z [m];H [m];t [cm];Meccanismo", *walls(20)],
+        ["sep=;", "Parete;z [m];H [m];t [cm];Meccanismo", *walls(20)],
+        ["sep=;", *HEAD, *walls(20)],
+        ["# survey of May", "", "Parete;z [m];H [m];t [cm];Meccanismo", *walls(20)],
+        ["", "", "", *HEAD, *walls(20)],
         ["", *HEAD, "", *walls(9), ";;;;", *walls(30)[9:]],
         [
             "notes;" + HEAD[0],

@@ -75,13 +75,7 @@ def test_that_a_set_of_motions_tells_what_was_asked_for_to_make_it():
 
 
 @pytest.mark.parametrize(
-    "motions",
-    [
-        [],
-        [motion()],
-        [motion(seed="1", scatter="0.4"), motion(seed="1", scatter="0")],
-        [motion(seed="1")],
-    ],
+    "motions", [[], [motion()], [motion(seed="1", scatter="0.4"), motion(seed="1", scatter="0")], [motion(seed="1")]]
 )
 def test_that_records_and_two_sets_are_no_generated_set(motions):
     assert set_of(motions) is None

@@ -50,6 +50,8 @@ STATES = {
     "lift_free_element",
     "lift_inward",
     "lift_one_sided_free",
+    "restraint_stands",
+    "restraint_unfollowed",
     "lift_participation",
     "lift_modes",
     "lift_return_walls",

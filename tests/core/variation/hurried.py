@@ -92,6 +92,7 @@ def _ways():
     yield Way("an intensity of 5 cm", "facade", small, "linear_alone")
     for key, value in {"f0": 2.0, "tc_star_s": 0.05}.items():
         yield Way(f"{key} = {value}", "facade", {SPECTRUM + key: value}, key)
+    yield Way("EN 1998 type 2, no hazard", "facade", {"demand.spectrum": EUROPEAN}, "lift_type spectrum")
     yield Way("EN 1998 type 2", "at a site", {"demand.spectrum": EUROPEAN}, "lift_spectrum")
     weak = {"demand.spectrum": DROP, "demand.spectrum_file": "weak.txt"}
     yield Way("a spectrum that begins low, hazard known", "at a site", weak)
@@ -202,8 +203,53 @@ def _ways():
     yield Way("a parapet of stiff masonry", "parapet", {WALL + "elastic_modulus_mpa": 10000.0}, "law elastic_branch")
     held = {WALL + "back_restraint": "other", WALL + "restraint_evidence": "drawing", WALL + "restraint_note": "tetto"}
     yield Way("a parapet that rocks one way", "parapet", held | {WALL + "mechanism": "one_sided"}, "back_restraint")
+    cancels = [{"period_s": 0.26, "damping": 0.1, "participation": share} for share in (9.0 / 7.0, -9.0 / 7.0)]
+    yield Way("modes that cancel", "parapet", {"building.period_s": DROP, "building.modes": cancels}, "participation")
+    yield from _ways_past_a_row()
     thick = [FACADE | BARE | {"name": "thick", "thickness_m": 1.2}, FACADE | BARE]
     yield Way("a thick wall first in the list", "facade", {"wall": thick})
+
+
+def _ways_past_a_row():
+    """Changes that took away the row, or the hinge, that kept a wall from "verified"."""
+    bare, unsaid = {WALL + "unloaded_confirmed": DROP}, {WALL + "restraint_evidence": DROP}
+    thrust, foot = {"kind": "thrust", "kn_m": 1.9, "h_m": 5.0}, {"kind": "vertical", "mass": "none", "kn_m": 60.0}
+    low = bare | {WALL + "load": [thrust, foot | {"h_m": 0.5, "d_m": 0.4}]}
+    yield Way("a thrust under which the wall falls without its low weight", "facade", low, "h_m")
+    fixed = {"kind": "carried_mass", "kn_m": 60.0, "h_m": 2.05, "d_m": 0.45}
+    snow = {
+        "kind": "vertical",
+        "mass": "moving",
+        "g_kn_m": 0.01,
+        "q_kn_m": 0.01,
+        "psi_2": 0.3,
+        "h_m": 5.0,
+        "d_m": 0.225,
+    }
+    yield Way("a little snow beside a carried mass", "facade", bare | {WALL + "load": [fixed, snow]}, "load")
+    thick = unsaid | {WALL + "thickness_m": 0.65}
+    yield Way("no evidence, no histories", "facade", thick | {"analysis": {"histories": False}}, "back_restraint")
+    yield Way("no evidence, no spectrum", "facade", thick | LINEAR | {"demand.soil_factor": 1.5}, "back_restraint")
+    wire = {"kind": "tie", "kn_m": 0.01, "h_m": 5.0, "bar_length_m": 5.0}
+    leans = thick | bare | {WALL + "out_of_plumb_m": 0.001, WALL + "length_m": 5.0, WALL + "load": [wire]}
+    yield Way("no evidence, a tie of 10 N and a lean of 1 mm", "facade", leans, "back_restraint")
+    wedges = {"number": 2, "thickness_m": 1.0, "length_at_top_m": 3.0}
+    behind = unsaid | {WALL + "length_m": 5.0, WALL + "return_wedges": wedges}
+    behind |= {WALL + "justification": {"return_wedges": "survey 3"}}
+    yield Way("no evidence, wedges behind", "facade", behind, "back_restraint")
+    halves = [
+        {"plane": "section", "to_m": 5.0, "unit_weight_kn_m3": weight, "polygon_m": [[a, 0], [b, 0], [b, 5], [a, 5]]}
+        for a, b, weight in ((0.0, 0.225, 5.0), (0.225, 0.45, 40.0))
+    ]
+    yield Way(
+        "light outside, heavy inside", "facade", {WALL + "length_m": 5.0, WALL + "solid": halves}, "unit_weight_kn_m3"
+    )
+    plinth = {WALL + "thickness_m": 1.5, WALL + "length_m": 5.0}
+    plinth |= {WALL + "steps": [{"from_z_m": 0.3, "thickness_m": 0.45, "flush": "outer"}]}
+    yield Way("a plinth below the hinge", "facade", plinth, "heights_left_out")
+    one = {"record": MOTIONS[:1]}
+    yield Way("scatter 0.33 beside a record", "facade", one | {"generate": {"count": 14, "scatter": 0.33}}, "scatter")
+    yield Way("a seed beside a record", "facade", one | {"generate": {"seed": 6}}, "seed")
 
 
 WAYS = tuple(_ways())

@@ -226,6 +226,18 @@ def test_that_doubted_records_are_counted_and_the_first_three_named():
     assert "records_doubted" not in limits(assess(with_histories(scene_of(), lambda *_: history(1.5), sound)))
 
 
+@pytest.mark.parametrize(("doubted", "said"), [(0, False), (1, False), (2, True), (8, True)])
+def test_that_a_set_that_is_one_by_its_doubted_records_alone_is_indicative(doubted, said):
+    """Fourteen vertical components made a mean."""
+    warned = (notice("vertical"),)
+    ground = tuple(
+        GroundMotion(f"r{k}", np.sin(np.arange(200) / 10.0) * (1.0 + 0.01 * k), 0.01, warnings=warned * (k < doubted))
+        for k in range(8)
+    )
+    found = assess(with_histories(scene_of(demand=SPECTRUM), lambda *_: history(1.5), ground))
+    assert ("few_sound_records" in limits(found)) == said
+
+
 # what holds the wall
 
 

@@ -216,7 +216,9 @@ def test_that_a_weight_without_a_variable_part_has_no_row_of_it(part):
 
 
 def test_that_a_weight_without_which_the_wall_falls_is_asked_about():
-    """The worst that its other end can say; the thrust may be less than it is said to be. W 28.8 kN/m at 0.1 m; a thrust of 1 kN/m at 4 m needs 4 kNm/m: 20 kN/m 0.1 m inside the hinge hold it."""
+    """The worst that its other end can say; the thrust may be less than it is said to be.
+
+    W 28.8 kN/m at 0.1 m; a thrust of 1 kN/m at 4 m needs 4 kNm/m: 20 kN/m 0.1 m inside the hinge hold it."""
     thrust = {"kind": "thrust", "kn_m": 1.0, "h_m": 4.0}
     held = rows_of(CARRIED | {"kn_m": 20.0, "h_m": 3.0}, thrust)[0]
     assert "lift_carried" in held

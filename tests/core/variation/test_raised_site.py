@@ -145,7 +145,10 @@ def test_that_another_spectrum_than_that_of_ntc_is_shown_with_it_where_the_hazar
         other = {key: value for key, value in (asked | changes).items() if value is not None}
         if "hazard" in other:
             other["hazard"] = [{key: v for key, v in row.items() if v is not None} for row in other["hazard"]]
-        assert "spectrum" not in rows_of(other)[0]
+        rows, scene = rows_of(other)  # of type 2 without the hazard that of type 1
+        assert there(rows["spectrum"], scene).target.name == "EN 1998-1 type 1, B"
+        first = other | {"spectrum": EUROPEAN | {"type": 1}}
+        assert "spectrum" not in rows_of(first)[0]
 
 
 @pytest.mark.shows("lifts.site")
