@@ -483,7 +483,7 @@ def hand_over(command):
 
 
 def test_steps(arguments):
-    """Style, import contracts, types, tests; with arguments the tests alone."""
+    """Style, import contracts, types, tests; with arguments other than --durations the tests alone."""
     python = interpreter()
     scripts = os.path.dirname(python)
     steps = [
@@ -496,7 +496,7 @@ def test_steps(arguments):
     asked = with_budgets(arguments)
     if asked in ([], ["--budgets"]):
         asked = [*every_core, *asked]
-    return [*([] if arguments else steps), [python, "-m", "pytest", *asked]]
+    return [*([] if set(arguments) - {"--durations"} else steps), [python, "-m", "pytest", *asked]]
 
 
 def with_budgets(arguments):

@@ -6,22 +6,25 @@ Wrong input raises `InputError`, whose text is the sentence that the program pri
 """
 
 import io
+import math
 import os
-from collections.abc import Sequence
+import warnings
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from core import atomic_write
 from core.capacity import ida
-from core.capacity.closed_forms import closed_form_q
+from core.capacity.closed_forms import closed_form_q, range_notices
 from core.case import reader
 from core.case.brought import with_thrust
 from core.case.rules import parse_case
-from core.case.schema import Case
+from core.case.schema import Case, Record
 from core.case.study_file import read_study, shortened
+from core.case.values import section_of
 from core.case.wall import Wall
 from core.errors import InputError
 from core.ground import records
@@ -34,9 +37,11 @@ from core.rocking import history as rocking
 from core.rocking.methods import METHODS
 from core.rocking.outcome import COLLAPSED, OUTCOME_WORDS, STABLE
 from core.setting.plan import with_chosen
+from core.setting.record_input import options_of
 from core.setting.scene import model_of
 from core.study import run as study_run
 from core.study.results import StudyResult
+from core.study.wall_result import model_notices
 from core.version import NAME, VERSION
 from core.wall.rocking_model import RockingModel
 
@@ -61,6 +66,8 @@ __all__ = [
     "wall",
 ]
 
+Kind = TypeVar("Kind")
+
 PAPER = Path(__file__).resolve().parents[1] / "resources" / "studies" / "paper.toml"
 """The study of the paper."""
 
@@ -83,8 +90,7 @@ def wall(**keys: Any) -> Wall:
     InputError
         Where a key is unknown, missing or out of its range.
     """
-    plain = {key: one.item() if isinstance(one, np.generic) else one for key, one in keys.items()}
-    table = {"name": "wall", **plain}
+    table = {"name": "wall", **_plain(keys)}
     if "demand" in keys or "record" in keys:
         raise InputError("api_case", key="demand" if "demand" in keys else "record")
     return parse_case({"wall": [table]}).wall[0]
@@ -98,7 +104,7 @@ def read_case(path: str | os.PathLike) -> Case:
     InputError
         Naming file, place and way out.
     """
-    return reader.read_case(Path(path))
+    return reader.read_case(_path(path))
 
 
 def case(keys: dict[str, Any]) -> Case:
@@ -109,7 +115,7 @@ def case(keys: dict[str, Any]) -> Case:
     InputError
         Where the file with this content would be refused.
     """
-    made = parse_case(keys)
+    made = parse_case(_plain(_of(dict, "keys", keys)))
     if made.walls is not None:
         raise InputError("api_table", key="walls", found=made.walls)
     return made
@@ -130,16 +136,11 @@ def motion(acceleration: Sequence[float] | np.ndarray, time_step: float, name: s
     InputError
         For fewer than 10 samples, samples that are not finite, or zeros alone.
     """
-    try:
-        samples = np.asarray(acceleration, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError("api_samples", key="acceleration") from None
-    if samples.ndim != 1:
-        raise InputError("api_samples", key="acceleration")
-    return GroundMotion(name, samples, float(time_step))
+    step = _number("time_step", time_step, "> 0 s", lambda one: one > 0.0)
+    return GroundMotion(str(name), _row("acceleration", acceleration), step)
 
 
-def read_record(path: str | os.PathLike, scale: float = 1.0) -> GroundMotion:
+def read_record(path: str | os.PathLike, scale: float = 1.0, **said: Any) -> GroundMotion:
     """The accelerogram of a file of any format the program knows.
 
     Parameters
@@ -148,13 +149,18 @@ def read_record(path: str | os.PathLike, scale: float = 1.0) -> GroundMotion:
         PEER .AT2, ESM, ITACA, CSMIP, K-NET, tables, ...: recognised by its content.
     scale
         Factor of the samples [-].
+    **said
+        What the file does not say, by the keys of ``[[record]]``: ``unit``, ``time_step_s``, ``column``,
+        ``skip_lines``, ``channel``.
 
     Raises
     ------
     InputError
         Naming file, place and way out.
     """
-    return records.read(Path(path), scale=scale)
+    place = _path(path)
+    entry = section_of(Record, _plain({"file": str(place), "scale": scale, **said}), "record", "record")
+    return records.read(place, options_of(entry), entry.scale)
 
 
 def spectrum(ground: GroundMotion, periods: Sequence[float] | np.ndarray, damping: float = 0.05) -> np.ndarray:
@@ -165,12 +171,12 @@ def spectrum(ground: GroundMotion, periods: Sequence[float] | np.ndarray, dampin
     InputError
         For periods that are not above 0, or a damping that is not from 0.001 to 0.5.
     """
-    asked = np.atleast_1d(np.asarray(periods, float))
-    if asked.ndim != 1 or not np.isfinite(asked).all() or (asked <= 0.0).any():
+    _of(GroundMotion, "ground", ground)
+    asked = _row("periods", periods)
+    if not np.isfinite(asked).all() or (asked <= 0.0).any():
         raise InputError("api_number", key="periods", accepted="> 0 s")
-    if not 0.001 <= damping <= 0.5:
-        raise InputError("api_number", key="damping", accepted="0.001 – 0.5")
-    return pseudo_acceleration_spectrum(ground.acceleration, ground.time_step, asked, damping)
+    share = _number("damping", damping, "0.001 – 0.5", lambda one: 0.001 <= one <= 0.5)
+    return pseudo_acceleration_spectrum(ground.acceleration, ground.time_step, asked, share)
 
 
 @dataclass(frozen=True)
@@ -200,8 +206,12 @@ class History:
 def history(wall: Wall, ground: GroundMotion, scale: float = 1.0, mechanism: str | None = None) -> History:
     """Rocking history of a wall under a scaled record (Eq. 1), by the Taylor series with located events.
 
+    A one-sided wall that stands under a record may fall under the same one reversed: try both signs.
+
     Parameters
     ----------
+    ground
+        The motion under the wall.
     scale
         Multiplier of the record [-]; negative reverses it.
     mechanism
@@ -210,12 +220,12 @@ def history(wall: Wall, ground: GroundMotion, scale: float = 1.0, mechanism: str
     Raises
     ------
     InputError
-        For a mechanism the wall has not, a scale or a motion that is no earthquake (10^5 g), and a motion after
-        too many impacts.
+        For a mechanism the wall has not, a wall above the ground, whose motion is that of its floor, a scale or a
+        motion that is no earthquake (10^5 g), and a motion after too many impacts.
     """
-    if not np.isfinite(scale):
-        raise InputError("api_number", key="scale", accepted="-1e6 – 1e6")
-    found = rocking.history(ground.acceleration, ground.time_step, scale, _model(wall, mechanism))
+    model = _model(wall, _of(GroundMotion, "ground", ground), mechanism)
+    factor = _number("scale", scale, "-1e6 – 1e6", lambda one: abs(one) <= 1e6)
+    found = rocking.history(ground.acceleration, ground.time_step, factor, model)
     if found.outcome not in (STABLE, COLLAPSED):
         raise InputError("api_no_outcome", wall=wall.title, outcome=OUTCOME_WORDS[found.outcome])
     time = ground.time_step * np.arange(found.rotation.size)
@@ -224,7 +234,7 @@ def history(wall: Wall, ground: GroundMotion, scale: float = 1.0, mechanism: str
 
 
 def search(
-    wall: Wall, ground: GroundMotion, mechanism: str | None = None, q_step: float = 0.005, reverse: bool = False
+    wall: Wall, ground: GroundMotion, mechanism: str | None = None, q_step: float = 0.005, reverse: bool | None = None
 ) -> ida.Ida:
     """The search of q of a wall under a record: incremental dynamic analysis to collapse (Eq. 10).
 
@@ -233,34 +243,54 @@ def search(
     q_step
         Step of ln q [-].
     reverse
-        Whether the record is taken with the other sign.
+        None, as in the program: of a wall whose sides are unlike, as a one-sided one, both signs of the record, of
+        which the one with the lower q; False as recorded, True with the other sign.
 
     Returns
     -------
     Ida
         ``q``, ``q_slv``, ``q_slc``, ``q_robust`` [-], None where there is none, and ``analyses`` made.
+
+    Raises
+    ------
+    InputError
+        For a mechanism the wall has not, and a wall above the ground, whose motion is that of its floor.
     """
-    if not 1e-4 <= q_step <= 0.1:
-        raise InputError("api_number", key="q_step", accepted="0.0001 – 0.1")
-    model = _model(wall, mechanism)
-    settings, sign = ida.Search(q_step=q_step), -1 if reverse else 1
-    return ida.incremental_dynamic_analysis(
-        ground.acceleration, ground.time_step, ground.pga, sign, model, METHODS["taylor"], settings
+    model = _model(wall, _of(GroundMotion, "ground", ground), mechanism)
+    settings = ida.Search(q_step=_number("q_step", q_step, "0.0001 – 0.1", lambda one: 1e-4 <= one <= 0.1))
+    signs = ([1] if model.both_signs_alike else [1, -1]) if reverse is None else [-1 if reverse else 1]
+    made = (
+        ida.incremental_dynamic_analysis(
+            ground.acceleration, ground.time_step, ground.pga, sign, model, METHODS["taylor"], settings
+        )
+        for sign in signs
     )
+    return min(made, key=lambda one: math.inf if one.q is None else one.q)
 
 
 def eq15_16(wall: Wall, ground: GroundMotion, mechanism: str | None = None) -> float:
     """q [-] of the paper's Eq. 15 (two-sided) or 16 (one-sided) for a wall and the intensity of a record.
+
+    Warns
+    -----
+    UserWarning
+        Where wall or record lie outside the ranges the equations were fitted on, or the wall has another velocity
+        ratio or law than they: q by `search` may then be half of theirs.
 
     Raises
     ------
     InputError
         For a wall above the ground, with loads or that bends, where they do not hold.
     """
-    if not with_thrust(wall).has_closed_forms:
+    _of(GroundMotion, "ground", ground)
+    if not with_thrust(_of(Wall, "wall", wall)).has_closed_forms:
         raise InputError("api_closed_forms", wall=wall.title)
-    block = wall.in_si.block
-    one_sided = _mechanism(wall, mechanism) == "one_sided"
+    block, asked = wall.in_si.block, _mechanism(wall, mechanism)
+    one_sided = asked == "one_sided"
+    outside = range_notices(block.slenderness, block.height, [(ground.name, ground.pga)])
+    outside += model_notices(asked, wall.restitution_of(asked), wall.moment_law())
+    for one in outside:
+        warnings.warn(one.text("en"), stacklevel=2)
     return closed_form_q(block.slenderness, block.height, ground.housner_intensity, ground.pga, one_sided)
 
 
@@ -274,7 +304,7 @@ def run(case: Case, base_dir: str | os.PathLike = ".", jobs: int | None = None) 
     jobs
         Threads, which change no result; all processors without it.
     """
-    return study_run.run(case, base_dir=Path(base_dir), jobs=jobs or os.cpu_count() or 1)
+    return study_run.run(_of(Case, "case", case), base_dir=_path(base_dir), jobs=_threads(jobs))
 
 
 def verdicts(result: StudyResult) -> list[dict[str, Any]]:
@@ -314,9 +344,9 @@ def study(path: str | os.PathLike = PAPER, quick: bool = False, jobs: int | None
     """
     from core.research import parametric
 
-    asked, digest = read_study(Path(path))
+    asked, digest = read_study(_path(path))
     asked = shortened(asked) if quick else asked
-    made = parametric.run(asked, digest, base_dir=Path(path).parent, quick=quick, jobs=jobs or os.cpu_count() or 1)
+    made = parametric.run(asked, digest, base_dir=Path(path).parent, quick=quick, jobs=_threads(jobs))
     return [
         {
             "mechanism": row.cell.mechanism,
@@ -344,11 +374,64 @@ def select(case: Case, base_dir: str | os.PathLike = ".") -> Case:
     InputError
         Where there is no set that fits.
     """
-    return with_chosen(case, Path(base_dir))[0]
+    return with_chosen(_of(Case, "case", case), _path(base_dir))[0]
 
 
-def _model(wall: Wall, asked: str | None) -> RockingModel:
-    """The model of a wall with all that acts on it."""
+def _of(kind: type[Kind], key: str, value: Any) -> Kind:
+    """An argument of its kind. Raises InputError for another."""
+    if not isinstance(value, kind):
+        raise InputError("api_kind", key=key, kind=kind.__name__, found=type(value).__name__)
+    return value
+
+
+def _path(path: Any) -> Path:
+    return Path(path if isinstance(path, os.PathLike) else _of(str, "path", path))
+
+
+def _number(key: str, value: Any, accepted: str, holds: Callable[[float], bool]) -> float:
+    """A number in its range. Raises InputError for another, and for a text."""
+    try:
+        number = math.nan if isinstance(value, str | bytes | complex | np.complexfloating) else float(value)
+    except (TypeError, ValueError):
+        number = math.nan
+    if not holds(number):
+        raise InputError("api_number", key=key, accepted=accepted)
+    return number
+
+
+def _row(key: str, values: Any) -> np.ndarray:
+    """Numbers one after the other. Raises InputError for anything else."""
+    try:
+        row = np.atleast_1d(np.asarray(values))
+        if row.ndim != 1 or row.dtype.kind not in "iuf":
+            raise ValueError
+        return row.astype(float)
+    except (TypeError, ValueError):
+        raise InputError("api_samples", key=key) from None
+
+
+def _threads(jobs: Any) -> int:
+    if jobs is None:
+        return os.cpu_count() or 1
+    return int(_number("jobs", jobs, "1 – 1000", lambda one: 1 <= one <= 1000 and one == int(one)))
+
+
+def _plain(value: Any) -> Any:
+    """What numpy made as what a case file holds, throughout a mapping."""
+    if isinstance(value, dict):
+        return {key: _plain(one) for key, one in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(one) for one in value]
+    if isinstance(value, np.float32 | np.float16):  # 4.1 in single precision is meant as 4.1
+        return float(str(value))
+    return value.tolist() if isinstance(value, np.generic | np.ndarray) else value
+
+
+def _model(wall: Wall, ground: GroundMotion, asked: str | None) -> RockingModel:
+    """The model of a wall with all that acts on it. Raises InputError for one above the ground: it is moved by its
+    floor."""
+    if _of(Wall, "wall", wall).above_ground:
+        raise InputError("api_above_ground", wall=wall.title, z=wall.felt_z_m, key="base_z_m", ground=ground.name)
     return model_of(with_thrust(wall), _mechanism(wall, asked))
 
 

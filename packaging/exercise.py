@@ -22,6 +22,7 @@ from core.wall.rocking_model import OtherSide, RockingModel, with_branch
 
 GROUND = np.sin(np.arange(60) / 3.0) * 2.0
 RIGID = RockingModel(0.13, 2.4, 0.0, 0.95, 0.0, 0.0, 0.0)
+STRIP = Strip(3.0, 0.3, 0.0, 16e3)
 WALLS = (
     RIGID,
     RIGID._replace(one_sided=1.0),
@@ -29,7 +30,7 @@ WALLS = (
     RIGID._replace(other=OtherSide.of(0.15, 2.2, 0.93)),
     with_branch(RIGID, 0.1),
     RIGID._replace(bars=(Bar(2.0, 30.0, 0.002, 0.0, 0.05),)),
-    model_of_bending(*2 * [Strip(3.0, 0.3, 0.0, 16e3)]),
+    model_of_bending(STRIP, STRIP),
 )
 
 

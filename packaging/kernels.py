@@ -21,6 +21,7 @@ import sys
 import tempfile
 import zipfile
 from pathlib import Path
+from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT), str(ROOT / "packaging")]
@@ -94,6 +95,15 @@ def wanted_of(folder: Path) -> dict[Kernel, list]:
     return wanted
 
 
+BARE: dict[str, Any] = {"_nrt": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+"""Options of numba for code without anything of Python's."""
+
+
+def parts_of(kind) -> list[Any]:
+    """Types of the parts of a tuple of numba."""
+    return [kind[k] for k in range(len(kind))]
+
+
 def spelled(kind) -> str:
     """A type of numba as core.jit.native spells the type of an argument."""
     from numba.core import types
@@ -102,7 +112,7 @@ def spelled(kind) -> str:
         return f"{spelled(kind.dtype)}{kind.ndim}{kind.layout}"
     if isinstance(kind, types.BaseTuple):
         own = getattr(kind, "instance_class", None)
-        return f"{own.__name__ if own else ''}({''.join(map(spelled, kind))})"
+        return f"{own.__name__ if own else ''}({''.join(map(spelled, parts_of(kind)))})"
     return {types.float64: "d", types.int64: "q", types.boolean: "?", types.none: "n"}[kind]
 
 
@@ -127,7 +137,7 @@ def words_of(kind) -> list[str]:
     if isinstance(kind, types.Array):
         return [*"....a", *"." * (2 * kind.ndim)]
     if isinstance(kind, types.BaseTuple):
-        return [word for part in kind for word in words_of(part)]
+        return [word for part in parts_of(kind) for word in words_of(part)]
     return ["."]
 
 
@@ -156,11 +166,9 @@ def compiled(wanted: dict[Kernel, list], level: str, target: Path) -> dict[str, 
     whole, names = None, dict[str, dict[str, list[str]]]()
     for kernel, signatures in wanted.items():
         for signature in signatures:
-            made = njit(
-                nogil=True, error_model="numpy", _nrt=False, no_cpython_wrapper=True, no_cfunc_wrapper=True
-            )(kernel.py_func)  # fmt: skip
+            made = njit(nogil=True, error_model="numpy", **BARE)(kernel.py_func)
             made.compile(signature)
-            result = made.overloads[tuple(signature)]
+            result: Any = made.overloads[tuple(signature)]
             module = llvm.parse_assembly(str(result.library._final_module))
             types = "".join(map(spelled, signature))
             if types in names.setdefault(kernel.name, {}):  # of an array that may be written and one that may not
@@ -180,7 +188,7 @@ def compiled(wanted: dict[Kernel, list], level: str, target: Path) -> dict[str, 
                 whole.link_in(module)
     assert whole is not None
     machine = llvm.Target.from_default_triple().create_target_machine(
-        cpu=level, features="", opt=int(config.OPT), reloc="pic", codemodel="default"
+        cpu=level, features="", opt=int(vars(config)["OPT"]), reloc="pic", codemodel="default"
     )
     (target / f"{level}.o").write_bytes(machine.emit_object(whole))
     symbols = [symbol for types in names.values() for symbol, *_ in types.values()]

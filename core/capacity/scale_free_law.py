@@ -152,7 +152,7 @@ def fit_law(scaled, loss, q, limit: float) -> Coefficients:
     def residual(coefficients):
         return np.log(law_value(coefficients, limit, scaled, loss) / q)
 
-    a0, a1, b0, b1 = map(float, least_squares_of(residual, np.zeros(4)))
+    a0, a1, b0, b1 = map(float, least_squares_of(residual, (0.0,) * 4))
     return a0, a1, b0, b1
 
 

@@ -1,5 +1,6 @@
 """What a study of the scale-free law shows: fits, rivals, natural records, what q = 2 is worth."""
 
+import functools
 import math
 from collections.abc import Callable
 from itertools import product
@@ -139,10 +140,13 @@ def _refit(sets: Columns) -> np.ndarray:
         level = c[0] * sets.alpha[own] + c[1] * sets.height[own] + c[2]
         return np.log(np.maximum(level, 1e-3)) + c[3] * ratio[own]
 
+    def distance(own, c):
+        return value(c, own) - np.log(sets.q[own])
+
     predicted = np.empty(sets.q.size)
     for shape in dict.fromkeys(sets.spectrum):
         own = sets.spectrum == shape
-        fit = least_squares_of(lambda c, rest=~own: value(c, rest) - np.log(sets.q[rest]), (30.0, 78.0, 90.0, -1.0))
+        fit = least_squares_of(functools.partial(distance, ~own), (30.0, 78.0, 90.0, -1.0))
         predicted[own] = np.exp(value(fit, own))
     return predicted
 

@@ -20,13 +20,18 @@ class Listed(Protocol):
     def record(self) -> tuple[Record, ...]: ...
 
 
+def options_of(entry: Record) -> Options:
+    """What a record says that its file does not."""
+    return Options(entry.unit, entry.time_step_s, entry.column, entry.skip_lines, entry.channel or None)
+
+
 def read_records(case: Listed, base_dir: Path) -> tuple[list[GroundMotion], list[str]]:
     """Records of a case, study or list in order, globs expanded, and their kinds. Raises InputError."""
     motions, kinds, seen = [], [], {}
     for k, entry in enumerate(case.record, start=1):
         if not entry.include:
             continue
-        options = Options(entry.unit, entry.time_step_s, entry.column, entry.skip_lines, entry.channel or None)
+        options = options_of(entry)
         try:
             for path in records.expand(entry.file, base_dir):
                 file = named(path, base_dir, entry.file)

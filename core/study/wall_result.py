@@ -295,6 +295,14 @@ def _power_law_notices(wall, with_q, power_law) -> list[Sentence]:
     return [notice("narrow_si", low=low, high=high)] if high < NARROW_SI * low else []
 
 
+def model_notices(mechanism, restitution, law) -> list[Sentence]:
+    """Notice that a wall has another velocity ratio or law than Eq. 15 and 16."""
+    fitted = "one_sided_theoretical" if mechanism == "one_sided" else "housner"
+    if restitution.model == fitted and law.is_rigid:
+        return []
+    return [notice("eq15_model", fitted=fitted, used=restitution.model + ("" if law.is_rigid else " + D1, D2"))]
+
+
 def _form_notices(wall, block, mechanism, restitution, law, per_record, demand, checks) -> list[Sentence]:
     """Notices on the closed forms, which are not shown above the ground or with loads."""
     if not wall.has_closed_forms:
@@ -303,10 +311,7 @@ def _form_notices(wall, block, mechanism, restitution, law, per_record, demand, 
     if demand:
         pgas.append((sentence("word", "choice_demand"), demand.pga))
     notices = closed_forms.range_notices(block.slenderness, block.height, pgas)
-    fitted = "one_sided_theoretical" if mechanism == "one_sided" else "housner"
-    if restitution.model != fitted or not law.is_rigid:
-        used = restitution.model + ("" if law.is_rigid else " + D1, D2")
-        notices.append(notice("eq15_model", fitted=fitted, used=used))
+    notices += model_notices(mechanism, restitution, law)
     if demand and demand.intensity_source == "records_scaled":
         notices.append(notice("si_from_records", si=demand.intensity / CM))
     if checks:

@@ -1,8 +1,10 @@
 """The branches of Windows, over the rules of its files: tests of what is written, kept and recovered run there too."""
 
+import importlib
 import os
 import subprocess
 import sys
+from typing import IO, Any
 
 import pytest
 
@@ -44,8 +46,7 @@ def test_that_the_stand_in_refuses_what_windows_refuses(tmp_path, monkeypatch):
         for refused in (lambda: os.replace(other, file), lambda: os.rename(file, tmp_path / "c"), file.unlink):
             with pytest.raises(PermissionError):
                 refused()
-        import msvcrt
-
+        msvcrt: Any = importlib.import_module("msvcrt")
         with open(other) as third, open(other) as fourth:
             msvcrt.locking(third.fileno(), msvcrt.LK_NBLCK, 1)
             with pytest.raises(OSError, match="deadlock"):
@@ -65,10 +66,12 @@ def test_that_two_starts_of_run_py_take_turns_on_windows(tmp_path, monkeypatch):
     monkeypatch.setattr(run, "os", windows._Seen(os, "run.py", "name", "nt"))
     said = []
     monkeypatch.setattr(run, "say", said.append)
-    monkeypatch.setattr(run.time, "sleep", lambda seconds: second.close() if said else None)
+    opened: list[IO[str]] = []
+    monkeypatch.setattr(run.time, "sleep", lambda seconds: opened[0].close() if said else None)
     with run.environment_lock():
         pass
     second = open(tmp_path / "env.lock", "a")  # noqa: SIM115
+    opened.append(second)
     sys.modules["msvcrt"].locking(second.fileno(), 2, 1)
     with run.environment_lock():
         assert len(said) == 1 and second.closed
