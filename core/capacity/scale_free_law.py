@@ -1,8 +1,12 @@
 """Ribalta's law: q of a wall from its velocity ratio and Lambda (`scaled_intensity`) alone. A research output, never
 part of a verdict (resources/docs/paper.md, section 3)."""
 
+import functools
+import json
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -17,46 +21,71 @@ Coefficients = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)
+class Ends:
+    """Shares of ln(q / law) about the law, rising: what holds at a Lambda, and at a velocity ratio, is told apart.
+
+    scaled, loss : Lambda and s = sqrt(1 - e) at which they were counted, rising
+    by_scaled, by_loss : ln(q / law) there, a row each: the values that growing shares of the cases are below
+    """
+
+    scaled: tuple[float, ...]
+    by_scaled: tuple[tuple[float, ...], ...]
+    loss: tuple[float, ...]
+    by_loss: tuple[tuple[float, ...], ...]
+
+    def at(self, scaled: float, loss: float) -> tuple[float, ...]:
+        """The shares at Lambda and s, linear in ln Lambda and in s: of both countings the lower one, of the last the
+        upper one."""
+        x, nodes = math.log(scaled), np.log(self.scaled)
+        one = [float(np.interp(x, nodes, column)) for column in zip(*self.by_scaled, strict=True)]
+        other = [float(np.interp(loss, self.loss, column)) for column in zip(*self.by_loss, strict=True)]
+        *low, high = zip(one, other, strict=True)
+        return *map(min, low), max(high)
+
+
+@dataclass(frozen=True)
 class ScaleFreeLaw:
     """q = limit + exp(a0 + a1 s) Lambda^-(b0 + b1 s), s = sqrt(1 - e): fitted on means of ten generated motions.
 
     coefficients : a0, a1, b0, b1
     limit : q of a motion much longer than the wall's own time, 1 of the rigid law, the plateau of a trilinear one
-    scatter_set, scatter_record : standard deviation of ln(law / q), of the mean of a set of a shape left out of the
-        fit and of a single motion
     scaled_range, loss_range : of Lambda and of s in the fit
-    record : ln(q / law) that one natural record in twenty is below, one in six (16 %) is below, and one in twenty is
-        above, each event alike; None where none were run
+    sets : of the means of sets of a shape left out, 5 and 95 %
+    record : of natural records, each event alike, 5, 16 and 95 %; None where none were run
+    record_loss : range of s in which the shares of natural records hold
     """
 
     coefficients: Coefficients
     limit: float
-    scatter_set: float
-    scatter_record: float
     scaled_range: tuple[float, float]
     loss_range: tuple[float, float]
-    record: tuple[float, float, float] | None = None
+    sets: Ends
+    record: Ends | None = None
+    record_loss: tuple[float, float] = (0.0, 1.0)
 
     def q(self, scaled, velocity_ratio):
         """q [-] at Lambda and e [-], numbers or arrays."""
         return law_value(self.coefficients, self.limit, scaled, np.sqrt(1.0 - np.asarray(velocity_ratio)))
 
+    def _about(self, ends: Ends, scaled: float, velocity_ratio: float) -> tuple[float, ...]:
+        """q at some ends; under the rigid law not below 1."""
+        q, least = float(self.q(scaled, velocity_ratio)), self.limit if self.limit == 1.0 else 0.0
+        return tuple(max(q * math.exp(end), least) for end in ends.at(scaled, math.sqrt(1.0 - velocity_ratio)))
+
     def interval(self, scaled: float, velocity_ratio: float) -> tuple[float, float]:
         """Range of q that holds the mean of a set of compatible motions in nine cases of ten, and single natural
-        records less often (resources/docs/paper.md, section 3). Under the rigid law not
-        below 1."""
-        q = float(self.q(scaled, velocity_ratio))
-        factor = math.exp(1.645 * self.scatter_set)
-        return max(q / factor, self.limit if self.limit == 1.0 else 0.0), q * factor
+        records less often (resources/docs/paper.md, section 3)."""
+        low, high = self._about(self.sets, scaled, velocity_ratio)
+        return low, high
 
     def record_values(self, scaled: float, velocity_ratio: float) -> tuple[float, float, float] | None:
         """q that one natural record in twenty, and one in six, stay below, and that one in twenty exceeds; None where
         none were run."""
-        if self.record is None:
+        low, high = self.record_loss
+        if self.record is None or not low <= math.sqrt(1.0 - velocity_ratio) <= high:
             return None
-        q, least = float(self.q(scaled, velocity_ratio)), self.limit if self.limit == 1.0 else 0.0
-        low, sixth, high = (max(q * math.exp(end), least) for end in self.record)
-        return low, sixth, high
+        least, sixth, most = self._about(self.record, scaled, velocity_ratio)
+        return least, sixth, most
 
     def holds(self, scaled: float, velocity_ratio: float) -> bool:
         """Whether this is within the range of the fit."""
@@ -92,14 +121,14 @@ def estimates(
     estimated: list[Estimate] = []
     of_q: tuple[float, float, float] | None = None
     for quantity in ("q", "q_slv"):
-        fitted = law_of(one_sided, law, quantity)
-        if fitted is not None:
+        law_of_q = law_of(one_sided, law, quantity)
+        if law_of_q is not None:
             beyond = BANDS[mechanism][1] / math.sqrt(block.p2) > SCALED_PERIODS[-1]
-            within = fitted.holds(scaled, ratio) and not beyond
-            q, (low, high) = float(fitted.q(scaled, ratio)), fitted.interval(scaled, ratio)
+            within = law_of_q.holds(scaled, ratio) and not beyond
+            q, (low, high) = float(law_of_q.q(scaled, ratio)), law_of_q.interval(scaled, ratio)
             for one in estimated:  # q_slv: the two fits may cross by 2 %, the quantities cannot, nor those of a record
                 q, low, high = min(q, one.q), min(low, one.low), min(high, one.high)
-            ends = fitted.record_values(scaled, ratio)
+            ends = law_of_q.record_values(scaled, ratio)
             of_q = (of_q and ends and (min(of_q[0], ends[0]), min(of_q[1], ends[1]), min(of_q[2], ends[2]))) or ends
             estimated.append(Estimate(quantity, q, low, high, scaled, within, *(of_q or (None, None, None))))
     return tuple(estimated)
@@ -159,48 +188,44 @@ def fit_law(scaled, loss, q, limit: float) -> Coefficients:
 def law_of(one_sided: bool, law: MomentLaw, quantity: str) -> ScaleFreeLaw | None:
     """The fitted law of a mechanism, a named moment law and "q" or "q_slv"; None for another moment law."""
     name = next((name for name, known in LAWS.items() if known == law), None)
-    return None if name is None else FITTED.get(("one_sided" if one_sided else "two_sided", name, quantity))
+    return None if name is None else fitted().get(("one_sided" if one_sided else "two_sided", name, quantity))
 
 
-TWO_SIDED, ONE_SIDED = (0.22, 8.5), (0.20, 4.4)
-TWO_SIDED_TRI = (0.22, 3.8)
-TWO, ONE = (0.042, 0.466), (0.042, 0.919)
-TWO_TRI, ONE_TRI = (0.042, 0.419), (0.709, 0.883)
-"""Ranges of Lambda and of s in which the fits hold; two-sided trilinear ones fail beyond 3.8, where q may be below the
-plateau."""
+RESULTS = Path(__file__).resolve().parents[2] / "resources" / "studies" / "law.results.json"
+"""What `--study law` found (core/research/page.py keeps it)."""
 
-FITTED: dict[tuple[str, str, str], ScaleFreeLaw] = {
-    ("two_sided", "rigid", "q"): ScaleFreeLaw(
-        (0.755, 3.167, 1.733, -0.869), 1.0, 0.119, 0.182, TWO_SIDED, TWO, (-0.318, -0.172, 0.508)
-    ),
-    ("two_sided", "rigid", "q_slv"): ScaleFreeLaw(
-        (-0.173, 3.722, 1.744, -1.176), 1.0, 0.083, 0.146, TWO_SIDED, TWO, (-0.169, -0.058, 0.653)
-    ),
-    ("two_sided", "doherty", "q"): ScaleFreeLaw(
-        (1.056, 2.922, 1.974, -1.217), 0.72, 0.291, 0.352, TWO_SIDED_TRI, TWO_TRI
-    ),
-    ("two_sided", "doherty", "q_slv"): ScaleFreeLaw(
-        (0.148, 3.189, 2.119, -1.852), 0.72, 0.309, 0.368, TWO_SIDED_TRI, TWO_TRI
-    ),
-    ("two_sided", "al_shawa", "q"): ScaleFreeLaw(
-        (0.988, 3.037, 1.952, -1.214), 0.72, 0.277, 0.332, TWO_SIDED_TRI, TWO_TRI
-    ),
-    ("two_sided", "al_shawa", "q_slv"): ScaleFreeLaw(
-        (0.017, 3.516, 2.12, -1.955), 0.72, 0.297, 0.345, TWO_SIDED_TRI, TWO_TRI
-    ),
-    ("one_sided", "rigid", "q"): ScaleFreeLaw(
-        (-0.54, 2.787, 0.918, -0.204), 1.0, 0.085, 0.114, ONE_SIDED, ONE, (-0.318, -0.211, 0.172)
-    ),
-    ("one_sided", "rigid", "q_slv"): ScaleFreeLaw(
-        (-0.751, 2.696, 0.684, 0.057), 1.0, 0.107, 0.127, ONE_SIDED, ONE, (-0.273, -0.177, 0.233)
-    ),
-    ("one_sided", "doherty", "q"): ScaleFreeLaw((-0.329, 2.301, 0.505, 0.386), 0.72, 0.077, 0.111, ONE_SIDED, ONE_TRI),
-    ("one_sided", "doherty", "q_slv"): ScaleFreeLaw(
-        (-0.302, 1.864, 0.355, 0.614), 0.72, 0.092, 0.123, ONE_SIDED, ONE_TRI
-    ),
-    ("one_sided", "al_shawa", "q"): ScaleFreeLaw((-0.275, 2.302, 0.432, 0.437), 0.72, 0.075, 0.109, ONE_SIDED, ONE_TRI),
-    ("one_sided", "al_shawa", "q_slv"): ScaleFreeLaw(
-        (-0.246, 1.902, 0.204, 0.736), 0.72, 0.089, 0.118, ONE_SIDED, ONE_TRI
-    ),
-}
-"""(mechanism, moment law, quantity) -> the fits of `--study law` (resources/docs/paper.md, section 3)."""
+TRILINEAR_TO = 3.8
+"""Lambda beyond which the fits of trilinear walls that rock to both sides fail: q may be below the plateau."""
+
+
+def law_from(stored: dict[str, Any]) -> ScaleFreeLaw:
+    """A law as the study stores it."""
+
+    def ends(kept: dict[str, Any]) -> Ends:
+        rows = (tuple(tuple(row) for row in kept[name]) for name in ("by_scaled", "by_loss"))
+        by_scaled, by_loss = rows
+        return Ends(tuple(kept["scaled"]), by_scaled, tuple(kept["loss"]), by_loss)
+
+    return ScaleFreeLaw(
+        tuple(stored["coefficients"]),
+        stored["limit"],
+        tuple(stored["scaled_range"]),
+        tuple(stored["loss_range"]),
+        ends(stored["sets"]),
+        ends(stored["record"]) if stored["record"] else None,
+        tuple(stored["record_loss"]),
+    )
+
+
+@functools.cache
+def fitted() -> dict[tuple[str, str, str], ScaleFreeLaw]:
+    """(mechanism, moment law, quantity) -> the fits of `--study law` (resources/docs/paper.md, section 3)."""
+    laws = {}
+    for name, stored in json.loads(RESULTS.read_text(encoding="utf-8"))["fits"].items():
+        mechanism, moment, quantity = name.split()
+        law = law_from(stored)
+        if mechanism == "two_sided" and moment != "rigid":
+            law = replace(law, scaled_range=(law.scaled_range[0], min(TRILINEAR_TO, law.scaled_range[1])))
+        if quantity in ("q", "q_slv"):
+            laws[mechanism, moment, quantity] = law
+    return laws

@@ -1,12 +1,13 @@
 """Fits of the scale-free law to the runs of a study, and how they hold on shapes and records left out."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
 
 from core.capacity.regression import Agreement, agreement
 from core.capacity.scale_free_law import (
+    Ends,
     ScaleFreeLaw,
     dimensionless_intensity,
     fit_law,
@@ -119,10 +120,9 @@ class LawFit:
     inside : agreement of the fit itself; outside : of every shape by the fit without it
     records, natural : of single motions
     natural_pi, outside_pi : of the same form in Pi
-    covered : `coverage` of the interval of one record
-    held : (share inside, share below) of the interval of a set: of sets of a shape left out, of those of them in the
-        lowest quarter of Lambda and of the others, and of single natural records
-    below : `below_by_half`
+    covered : `coverage` of the interval of one record, of events left out
+    held : the same of the interval of a set, of shapes left out
+    of_records : (share inside, share below) of the interval of a set, of single natural records
     """
 
     law: ScaleFreeLaw
@@ -135,48 +135,87 @@ class LawFit:
     outside_velocity: Agreement
     natural_pi: Agreement | None
     outside_pi: Agreement
-    below: tuple[float, float] | None
-    covered: tuple[float, ...] | None
-    held: dict[str, tuple[float, float]]
+    covered: "Coverage | None"
+    held: "Coverage"
+    of_records: tuple[float, float] | None
 
 
-SHARES = (0.05, 0.16, 0.95)
-"""Shares of natural records below the values of one: the ends of its interval, and between them the second design
-value."""
+OF_SETS, OF_RECORDS = (0.05, 0.95), (0.05, 0.16, 0.95)
+"""Shares of cases below the ends of an interval; of records between them that below the second design value."""
+
+FIFTHS, FOURTHS = 5, 4
+"""Parts of the range of Lambda, and of s, in which the shares are counted."""
+
+RECORD_LOSS = {"two_sided": 1.0, "one_sided": 0.80}
+"""s up to which natural records have an interval: one-sided walls of 15 degrees and more whose restitution is that of
+Eq. 6 lie up to 30 % below the law (e below 0.36)."""
 
 
-def record_ends(residuals: np.ndarray, events: np.ndarray) -> tuple[float, float, float]:
-    """ln(q / law) with SHARES of the records below, each event of the same weight. shapes (n,)"""
-    _, event, count = np.unique(events, return_inverse=True, return_counts=True)
+def weighted_ends(residuals: np.ndarray, groups: np.ndarray, shares: tuple[float, ...]) -> tuple[float, ...]:
+    """ln(q / law) with these shares of the cases below, each group of the same weight. shapes (n,)"""
+    _, group, count = np.unique(groups, return_inverse=True, return_counts=True)
     order = np.argsort(residuals)
-    share = np.cumsum((1.0 / count[event])[order]) / count.size
-    places = np.minimum(np.searchsorted(share, SHARES), order.size - 1)
-    low, sixth, high = map(float, residuals[order][places])
-    return low, sixth, high
+    share = np.cumsum((1.0 / count[group])[order]) / count.size
+    places = np.minimum(np.searchsorted(share, shares), order.size - 1)
+    return tuple(map(float, residuals[order][places]))
 
 
-def coverage(residuals: np.ndarray, events: np.ndarray) -> tuple[float, ...]:
-    """(share inside the interval of one record, share below it, share below the value of one in six), of each event by
-    the others, mean over the events."""
-    inside, below = [], []
-    for name in np.unique(events):
-        own = events == name
-        low, sixth, high = record_ends(residuals[~own], events[~own])
-        inside.append(np.mean((residuals[own] >= low) & (residuals[own] <= high)))
-        below.append((np.mean(residuals[own] < low), np.mean(residuals[own] < sixth)))
-    return float(np.mean(inside)), *map(float, np.mean(below, axis=0))
+def part_of(values: np.ndarray, parts: int) -> np.ndarray:
+    """Number of the part of its range, of as many cases each, that each value is in."""
+    return np.searchsorted(np.quantile(values, np.arange(1, parts) / parts), values, side="left")
 
 
-def below_by_half(residuals: np.ndarray, scaled: np.ndarray, events: np.ndarray) -> tuple[float, float]:
-    """Share of natural records below the first design value where Lambda is below its median, and where it is above;
-    each event of the same weight. shapes (n,)"""
-    low = record_ends(residuals, events)[0]
-    shares = []
-    for own in (scaled <= np.median(scaled), scaled > np.median(scaled)):
-        names, event = np.unique(events[own], return_inverse=True)
-        count = np.bincount(event)
-        shares.append(float(np.mean(np.bincount(event, residuals[own] < low, names.size) / count)))
-    return shares[0], shares[1]
+def ends_of(cases: "Cases", shares: tuple[float, ...]) -> Ends:
+    """The ends by parts of Lambda and of s."""
+
+    def counted(values: np.ndarray, parts: int) -> tuple[tuple[float, ...], tuple[tuple[float, ...], ...]]:
+        part, found = part_of(values, parts), {}
+        for k in np.unique(part):
+            own = part == k
+            found.setdefault(
+                round(float(np.median(values[own])), 3), weighted_ends(cases.residuals[own], cases.groups[own], shares)
+            )
+        nodes = sorted(found)
+        return tuple(nodes), tuple(tuple(round(end, 3) for end in found[node]) for node in nodes)
+
+    return Ends(*counted(cases.scaled, FIFTHS), *counted(cases.loss, FOURTHS))
+
+
+@dataclass(frozen=True)
+class Cases:
+    """ln(q / law) of cases, with their Lambda, s, and the event or shape they are of. shapes (n,)"""
+
+    residuals: np.ndarray
+    scaled: np.ndarray
+    loss: np.ndarray
+    groups: np.ndarray
+
+    def __getitem__(self, keep) -> "Cases":
+        return Cases(*(values[keep] for values in vars(self).values()))
+
+
+Coverage = dict[str, list[list[float]]]
+""""all", "scaled", "loss" -> of all cases, of each part of Lambda, of each part of s: share inside, and shares below
+each end but the last."""
+
+
+def coverage(cases: Cases, shares: tuple[float, ...]) -> Coverage:
+    """What the ends hold of each group, counted on the others."""
+    flags = np.empty((len(shares), cases.residuals.size))
+    for name in np.unique(cases.groups):
+        own = cases.groups == name
+        ends = ends_of(cases[~own], shares)
+        at = np.array([ends.at(*one) for one in zip(cases.scaled[own], cases.loss[own], strict=True)]).T
+        inside = (cases.residuals[own] >= at[0]) & (cases.residuals[own] <= at[-1])
+        flags[:, own] = [inside, *(cases.residuals[own] < low for low in at[:-1])]
+
+    def means(own: np.ndarray) -> list[float]:
+        each = [flags[:, own & (cases.groups == name)].mean(axis=1) for name in np.unique(cases.groups[own])]
+        return [float(one) for one in np.mean(each, axis=0)]
+
+    parts = {"scaled": part_of(cases.scaled, FIFTHS), "loss": part_of(cases.loss, FOURTHS)}
+    found = {name: [means(part == k) for k in np.unique(part)] for name, part in parts.items()}
+    return {"all": [means(np.full(cases.groups.size, True))], **found}
 
 
 def left_out(sets: Columns, variable: np.ndarray, limit: float) -> tuple[np.ndarray, np.ndarray]:
@@ -189,13 +228,6 @@ def left_out(sets: Columns, variable: np.ndarray, limit: float) -> tuple[np.ndar
         coefficients.append(fit_law(variable[~own], sets.loss[~own], sets.q[~own], limit))
         predicted[own] = law_value(coefficients[-1], limit, variable[own], sets.loss[own])
     return np.array(coefficients), predicted
-
-
-def held_by(law: np.ndarray, q: np.ndarray, scatter: float, limit: float) -> tuple[float, float]:
-    """(share inside, share below) of the interval of a set about a law. shapes (n,); scatter : of ln(law / q)"""
-    factor = np.exp(STANDARD_ERRORS * scatter)
-    low = np.maximum(law / factor, limit if limit == 1.0 else 0.0)
-    return float(np.mean((q >= low) & (q <= law * factor))), float(np.mean(q < low))
 
 
 def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -> LawFit | None:
@@ -216,35 +248,34 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
     outside = agreement(predicted, sets.q)
     records = agreement(law_value(coefficients, limit, runs.scaled, runs.loss), runs.q)
     other = columns(values, mechanism, law, quantity, True)
-    natural = natural_velocity = natural_pi = None
-    lowest = sets.scaled <= np.quantile(sets.scaled, 0.25)
-    parts = {"sets": np.full(lowest.size, True), "lowest_quarter": lowest, "other_quarters": ~lowest}
-    held = {name: held_by(predicted[own], sets.q[own], outside.scatter, limit) for name, own in parts.items()}
-    record = covered = below = None
-    if other.q.size:
-        of_records = law_value(coefficients, limit, other.scaled, other.loss)
-        natural = agreement(of_records, other.q)
-        held["records"] = held_by(of_records, other.q, outside.scatter, limit)
-        natural_velocity = agreement(law_value(by_velocity, limit, other.velocity, other.loss), other.q)
-        natural_pi = agreement(law_value(by_pi, limit, other.pi, other.loss), other.q)
-        low, high = float(sets.scaled.min()), float(sets.scaled.max())
-        within = other[(other.scaled >= low) & (other.scaled <= high)]
-        if np.unique(within.event).size >= MIN_EVENTS:
-            residuals = np.log(within.q / law_value(coefficients, limit, within.scaled, within.loss))
-            record, covered = record_ends(residuals, within.event), coverage(residuals, within.event)
-            below = below_by_half(residuals, within.scaled, within.event)
+    natural = natural_velocity = natural_pi = covered = of_records = record = None
+    of_sets = Cases(np.log(sets.q / predicted), sets.scaled, sets.loss, sets.spectrum)
+    loss = float(sets.loss.min()), float(sets.loss.max())
     a0, a1, b0, b1 = coefficients
     made = ScaleFreeLaw(
         (round(a0, 3), round(a1, 3), round(b0, 3), round(b1, 3)),
         limit,
-        round(outside.scatter, 3),
-        round(records.scatter, 3),
-        (float(sets.scaled.min()), float(sets.scaled.max())),
-        (float(sets.loss.min()), float(sets.loss.max())),
-        record and (round(record[0], 3), round(record[1], 3), round(record[2], 3)),
+        (round(float(sets.scaled.min()), 3), round(float(sets.scaled.max()), 3)),
+        (round(loss[0], 3), round(loss[1], 3)),
+        ends_of(of_sets, OF_SETS),
+        record_loss=(round(loss[0], 3), round(min(loss[1], RECORD_LOSS[mechanism]), 3)),
     )
+    if other.q.size:
+        of_law = law_value(coefficients, limit, other.scaled, other.loss)
+        natural = agreement(of_law, other.q)
+        ranges = np.array([made.interval(x, 1.0 - s * s) for x, s in zip(other.scaled, other.loss, strict=True)]).T
+        below = other.q < ranges[0]
+        of_records = float(np.mean(~below & (other.q <= ranges[1]))), float(np.mean(below))
+        natural_velocity = agreement(law_value(by_velocity, limit, other.velocity, other.loss), other.q)
+        natural_pi = agreement(law_value(by_pi, limit, other.pi, other.loss), other.q)
+        low, high = made.scaled_range
+        (least, most), x, s = made.record_loss, other.scaled, other.loss
+        own = (x >= low) & (x <= high) & (s >= least - 1e-3) & (s <= most + 1e-3)
+        if np.unique(other.event[own]).size >= MIN_EVENTS:
+            cases = Cases(np.log(other.q / of_law), x, s, other.event)[own]
+            record, covered = ends_of(cases, OF_RECORDS), coverage(cases, OF_RECORDS)
     return LawFit(
-        made,
+        replace(made, record=record),
         tuple(map(float, errors)),
         inside,
         outside,
@@ -254,9 +285,9 @@ def fitted(values: list[MotionValue], mechanism: str, law: str, quantity: str) -
         agreement(velocity_predicted, sets.q),
         natural_pi,
         agreement(pi_predicted, sets.q),
-        below,
         covered,
-        held,
+        coverage(of_sets, OF_SETS),
+        of_records,
     )
 
 

@@ -3,6 +3,7 @@
 import functools
 import math
 from collections.abc import Callable
+from dataclasses import asdict
 from itertools import product
 
 import numpy as np
@@ -248,7 +249,7 @@ def _design_table(values: list[MotionValue], fits: dict, say: Say) -> tuple[Tabl
             continue
         for alpha in SHOWN_SLENDERNESS:
             ratio = _default_ratio(alpha, mechanism)
-            ends = [_largest_scaled(fit.law, ratio, math.exp(shift)) for shift in (*fit.law.record[:2], 0.0)]
+            ends = [_largest_scaled(fit.law, ratio, end) for end in (0, 1, None)]
             rows.append((say(MECHANISM[mechanism]), alpha, ratio, *ends))
         below = runs[runs.default].q < CODE_Q
         sentences.append(
@@ -272,14 +273,18 @@ def _design_table(values: list[MotionValue], fits: dict, say: Say) -> tuple[Tabl
     ), sentences
 
 
-def _largest_scaled(law: ScaleFreeLaw, ratio: float, factor: float) -> float | str | None:
-    """Largest Lambda within the range of the fit at which q of the law times a factor is CODE_Q: "> end" where it is
-    more there, None where it is less from its least Lambda on."""
-    scaled = np.geomspace(law.scaled_range[0], law.scaled_range[1], 4000)
-    above = law.q(scaled, ratio) * factor >= CODE_Q
+def _largest_scaled(law: ScaleFreeLaw, ratio: float, end: int | None) -> float | str | None:
+    """Largest Lambda within the range of the fit at which a design value (0 or 1), or the law, is CODE_Q: "> end" where
+    it is more there, None where it is less from its least Lambda on."""
+    scaled = np.geomspace(law.scaled_range[0], law.scaled_range[1], 2000)
+    if end is None:
+        above = law.q(scaled, ratio) >= CODE_Q
+    else:
+        above = np.array([(law.record_values(one, ratio) or (0.0, 0.0))[end] >= CODE_Q for one in scaled])
     if above.all():
         return f"> {scaled[-1]:.3g}"
-    return float(scaled[above].max()) if above.any() else None
+    lost = int(np.argmin(above))  # from here on it is not worth it, though it may be once more
+    return float(scaled[lost - 1]) if lost else None
 
 
 def _restitution_table(fits: dict, say: Say) -> Table:
@@ -350,14 +355,16 @@ def report(result: ParametricResult, values: list[MotionValue], notes: list[str]
         " ".join(key): {
             "coefficients": fit.law.coefficients,
             "limit": fit.law.limit,
-            "scatter_set": fit.law.scatter_set,
-            "scatter_record": fit.law.scatter_record,
+            "scatter_set": fit.outside.scatter,
+            "scatter_record": fit.records.scatter,
             "scaled_range": fit.law.scaled_range,
             "loss_range": fit.law.loss_range,
-            "record": fit.law.record,
-            "record_inside_and_below": fit.covered,
-            "set_inside_and_below": fit.held,
-            "record_below_by_half": fit.below,
+            "sets": asdict(fit.law.sets),
+            "record": fit.law.record and asdict(fit.law.record),
+            "record_loss": fit.law.record_loss,
+            "record_held": fit.covered,
+            "set_held": fit.held,
+            "set_of_records": fit.of_records,
         }
         for key, fit in fits.items()
     }
