@@ -24,6 +24,9 @@ from core.study.variants import changed_keys
 from core.text.sentence import choice, notice
 from core.wall.block import Block
 
+OF_ONE = "law_of_a_set", "law_of_one_record"
+"""What is said of q alone."""
+
 
 def estimate_lines(session: Session, wall: Wall) -> list[str]:
     """A first answer without records: q of Ribalta's law at the demand, where its spectrum is given."""
@@ -48,24 +51,10 @@ def estimate_lines(session: Session, wall: Wall) -> list[str]:
     lines = []
     for mechanism, answer in zip(wall.mechanisms(), answers, strict=True):
         for one, slv in [answer] if answer else []:
-            values = {"q": one.q, "low": one.low, "high": one.high, "q_slv": slv.q}
-            kind = named(mechanism)
-            line = tr(
-                "Research, no records, {kind}: q {q:.1f} ({low:.1f}–{high:.1f} of a set), q SLV {q_slv:.1f}",
-                kind=kind,
-                **values,
-            )
-            if one.record_low is not None and one.record_high is not None:
-                ends = {"low": one.record_low, "high": one.record_high}
-                line += ", " + tr("q of one record {low:.1f}–{high:.1f}", **ends)
-            if slv.record_sixth is not None:
-                design = {"low": slv.record_low, "sixth": slv.record_sixth}
-                line += ", " + tr(
-                    "design value of q SLV {low:.1f} (5 % of records below), {sixth:.1f} (16 %)", **design
-                )
-            if mechanism == "one_sided":
-                line += " " + tr("(of each record the lower of both its signs)")
-            lines.append(line if one.within else f"{line}, {tr('outside its range')}")
+            values = {"q": one.q, "q_slv": slv.q}
+            line = tr("Research, no records, {kind}: q {q:.1f}, q SLV {q_slv:.1f}", kind=named(mechanism), **values)
+            ranges = [*one.ranges[:2], *(said for said in slv.ranges if said.code not in OF_ONE)]
+            lines.append(", ".join([line, *(said.text(current_language()) for said in ranges)]))
     return lines
 
 

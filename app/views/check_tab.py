@@ -284,15 +284,7 @@ class CheckTab(ResultTab):
         for estimate in wall.estimates:
             capacity = wall.model.threshold / G
             wanted = known(result.demand).pga / G / estimate.q
-            between = tr("q of a set {low:.2f} – {high:.2f}", low=estimate.low, high=estimate.high)
-            if estimate.record_low is not None and estimate.record_high is not None:
-                ends = {"low": estimate.record_low, "high": estimate.record_high}
-                between += ", " + tr("of one record {low:.2f} – {high:.2f}", **ends)
-            if estimate.quantity == "q_slv" and estimate.record_sixth is not None:
-                design = {"low": estimate.record_low, "sixth": estimate.record_sixth}
-                between += ", " + tr("design value {low:.2f} (5 % of records below), {sixth:.2f} (16 %)", **design)
-            if not estimate.within:
-                between += ", " + tr("outside its range")
+            between = ", ".join(said.text(self.language) for said in estimate.ranges)
             rows.append(
                 [
                     word(LAW_WORDS[estimate.quantity], self.language),

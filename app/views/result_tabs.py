@@ -14,7 +14,7 @@ from app.views.runs import title_of
 from app.views.table import Table
 from app.views.zeta_rungs import digits
 from core.capacity.closed_forms import closed_form_q_eff
-from core.capacity.scale_free_law import law_of, loss_ratio
+from core.capacity.scale_free_law import law_of, loss_ratio, within
 from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
 from core.setting.floors import CHART_PERIODS
 from core.study.results import StudyResult, WallResult
@@ -106,15 +106,21 @@ class IntensityTab(ResultTab):
             pga = np.array([entry.pga for entry in known])
             si = np.array([entry.intensity for entry in known])
             name = tr("Ribalta's law (research)")
-            self.chart.points(name, si / CM, law.q(scaled, ratio) * G / pga, 2, 8, symbol="d")
-            x = np.geomspace(0.7 * scaled.min(), 1.4 * scaled.max(), 60)
+            own = np.array([within(law, wall.mechanism, block.p2, one, ratio) for one in scaled])
+            if not own.any():  # nothing of it is drawn where it does not hold
+                self.scale_free.reset()
+                return
+            self.chart.points(name, si[own] / CM, law.q(scaled[own], ratio) * G / pga[own], 2, 8, symbol="d")
+            low, high = law.scaled_range
+            x = np.geomspace(max(0.7 * scaled[own].min(), low), min(1.4 * scaled[own].max(), high), 60)
             y = law.q(x, ratio)
             low, high = np.array([law.interval(one, ratio) for one in x]).T
             if not self.log.isChecked():
                 self.scale_free.band(x, low, high, 2)
             self.scale_free.curve(f"{name}, {tr('band: of the mean of a set')}", x, y, 2, 2.0)
-            if law.record is not None:
-                ends = np.array([law.record_values(one, ratio) for one in x])
+            of_one = [values for one in x if (values := law.record_values(one, ratio)) is not None]
+            if of_one:
+                ends = np.array(of_one)
                 of_records = tr("nine natural records of ten")
                 self.scale_free.curve(of_records, x, ends[:, 0], 2, 1.2, dash=True)
                 self.scale_free.curve(of_records, x, ends[:, 2], 2, 1.2, dash=True, legend=False)

@@ -12,6 +12,7 @@ import numpy as np
 
 from core.capacity.regression import least_squares_of
 from core.ground.response_spectrum import SCALED_PERIODS
+from core.text.sentence import Number, Sentence, sentence
 from core.wall.block import Block
 from core.wall.impact import Restitution
 from core.wall.moment_rotation import LAWS, MomentLaw
@@ -96,7 +97,8 @@ class ScaleFreeLaw:
 
 @dataclass(frozen=True)
 class Estimate:
-    """q of the law for one wall and motion. quantity : "q" or "q_slv"; low, high : nine sets of ten lie between;
+    """q of the law for one wall and motion. quantity : "q" or "q_slv"; both_signs : of each motion it is the lower of
+    both; low, high : nine sets of ten lie between;
     within : inside the range of the fit; record_low, record_high : nine natural records of ten lie between, one in
         twenty below; record_sixth : one in six is below. Of q_slv these two are its design values."""
 
@@ -106,9 +108,32 @@ class Estimate:
     high: float
     scaled: float
     within: bool
+    both_signs: bool
     record_low: float | None = None
     record_sixth: float | None = None
     record_high: float | None = None
+
+    @property
+    def ranges(self) -> list[Sentence]:
+        """Which interval is which, in words; a design value rounded down, as no other is safe."""
+        said = [sentence("added", "law_of_a_set", low=_down(self.low), high=Number(self.high))]
+        if self.record_low is not None and self.record_sixth is not None and self.record_high is not None:
+            low, sixth = _down(self.record_low), _down(self.record_sixth)
+            said.append(sentence("added", "law_of_one_record", low=low, high=Number(self.record_high)))
+            if self.quantity == "q_slv":
+                said.append(sentence("added", "law_design", low=low, sixth=sixth))
+        if self.both_signs:
+            said.append(sentence("added", "law_both_signs"))
+        return said if self.within else [*said, sentence("added", "law_outside")]
+
+
+def _down(value: float) -> Number:
+    return Number(math.floor(100.0 * value + 1e-9) / 100.0)
+
+
+def within(law: ScaleFreeLaw, mechanism: str, p2: float, scaled: float, velocity_ratio: float) -> bool:
+    """Whether a wall is within the range of a fit, the band of Lambda of a tall one within its periods."""
+    return law.holds(scaled, velocity_ratio) and BANDS[mechanism][1] / math.sqrt(p2) <= SCALED_PERIODS[-1]
 
 
 def estimates(
@@ -123,14 +148,13 @@ def estimates(
     for quantity in ("q", "q_slv"):
         law_of_q = law_of(one_sided, law, quantity)
         if law_of_q is not None:
-            beyond = BANDS[mechanism][1] / math.sqrt(block.p2) > SCALED_PERIODS[-1]
-            within = law_of_q.holds(scaled, ratio) and not beyond
+            inside = within(law_of_q, mechanism, block.p2, scaled, ratio)
             q, (low, high) = float(law_of_q.q(scaled, ratio)), law_of_q.interval(scaled, ratio)
             for one in estimated:  # q_slv: the two fits may cross by 2 %, the quantities cannot, nor those of a record
                 q, low, high = min(q, one.q), min(low, one.low), min(high, one.high)
             ends = law_of_q.record_values(scaled, ratio)
             of_q = (of_q and ends and (min(of_q[0], ends[0]), min(of_q[1], ends[1]), min(of_q[2], ends[2]))) or ends
-            estimated.append(Estimate(quantity, q, low, high, scaled, within, *(of_q or (None, None, None))))
+            estimated.append(Estimate(quantity, q, low, high, scaled, inside, one_sided, *(of_q or (None, None, None))))
     return tuple(estimated)
 
 

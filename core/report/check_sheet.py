@@ -291,9 +291,8 @@ def _inequality(rows: Rows, result: StudyResult, wall: WallResult, row: int) -> 
             wall.block.threshold_acceleration / G / demand,
             RATIO,
         )
-        words = f"{book.digits(estimate.low, '.2f')} – {book.digits(estimate.high, '.2f')}"
-        if not estimate.within:
-            words += " " + say("outside its range")
-        text(sheet, row, 8, words, color=QUIET, align="center")
+        words = ", ".join(said.text(book.language) for said in estimate.ranges)
+        text(sheet, row, 8, words, color=QUIET, align="center", wrap=True, size=8)
+        heighten(sheet, row, (words, 22))
         rule(sheet, row, 1, 8)
     return row + 2

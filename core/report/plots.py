@@ -13,7 +13,7 @@ from openpyxl.formatting.rule import ColorScaleRule
 from openpyxl.utils import get_column_letter
 
 from core.capacity.closed_forms import closed_form_q_eff, effective_q
-from core.capacity.scale_free_law import law_of, loss_ratio
+from core.capacity.scale_free_law import law_of, loss_ratio, within
 from core.report.cells import (
     ACCENT,
     BAD,
@@ -179,8 +179,10 @@ def _si_data(book: Book, sheet, wall: WallResult, column: int) -> tuple[int, int
         row += 1
         number(sheet, row, column, entry.intensity / CM, RATIO)
         number(sheet, row, column + 1, entry.q_eff, RATIO)
-        if scale_free and entry.scaled is not None:
-            q = scale_free.q(entry.scaled, loss_ratio(wall.block, wall.restitution))
+        ratio = loss_ratio(wall.block, wall.restitution)
+        at = entry.scaled
+        if scale_free and at is not None and within(scale_free, wall.mechanism, wall.block.p2, at, ratio):
+            q = scale_free.q(at, ratio)
             number(sheet, row, column + 7, effective_q(float(q), entry.pga), RATIO)
     # the power law is drawn where the records are, no further
     first = min(entry.intensity for entry in points)

@@ -297,7 +297,7 @@ def _restitution_table(fits: dict, say: Say) -> Table:
         for alpha in SHOWN_SLENDERNESS:
             ratio = _default_ratio(alpha, mechanism)
             for factor in E_FACTORS:
-                other = min(factor * ratio, 1.0)
+                other = min(factor * ratio, 1.0 - fit.law.loss_range[0] ** 2)
                 changed = fit.law.q(scaled, other) / fit.law.q(scaled, ratio)
                 shares = float(np.median(changed)), float(changed.min()), float(changed.max())
                 rows.append((say(MECHANISM[mechanism]), words(say)[quantity], alpha, ratio, other, *shares))
@@ -306,7 +306,7 @@ def _restitution_table(fits: dict, say: Say) -> Table:
         say("q over q of e, median"), say("least"), say("largest"),
     )  # fmt: skip
     note = say(
-        "By the law, over its range of Λ; another e is 5 % less and 5 % more than that of Eq. 4 or 6, at most 1."
+        "By the law, over its range of Λ; another e is 5 % less and 5 % more than that of Eq. 4 or 6, at most the largest of the fit."
     )
     return Table("restitution", say("What another velocity ratio does to q"), head, tuple(rows), note)
 

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from core.capacity.closed_forms import FITTED_PGA
 from core.capacity.scale_free_law import BANDS
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -129,6 +130,31 @@ def _of_paper(paper: Results) -> dict[str, str]:
     return made
 
 
+def _ends(record: dict[str, Any]) -> str:
+    """The factors of q at the ends of the interval of one record, the lowest and the highest of all places."""
+    low, sixth, high = zip(*np.exp([*record["by_scaled"], *record["by_loss"]]), strict=True)
+    return f"{min(low):.2f} to {max(low):.2f}, {min(sixth):.2f} to {max(sixth):.2f}, {min(high):.2f} to {max(high):.2f}"
+
+
+def _held_table(fits: dict[str, Any]) -> str:
+    """What the intervals hold of shapes and events left out: in all, and at worst in a part of Lambda or of s."""
+    rows: list[list] = []
+    for name, fit in fits.items():
+        mechanism, moment, quantity = name.split()
+        if quantity not in ("q", "q_slv"):
+            continue
+        of_wall = [mechanism.replace("_", "-"), moment, SHOWN[quantity == "q_slv"]]
+        for kind, held in (("mean of a set", fit["set_held"]), ("one record", fit["record_held"])):
+            if held is None:
+                continue
+            parts = [*held["scaled"], *held["loss"]]
+            shares = [f"{held['all'][0][k]:.0%} ({(min, max)[k > 0](part[k] for part in parts):.0%})" for k in range(2)]
+            sixth = f"{held['all'][0][2]:.0%} ({max(part[2] for part in parts):.0%})" if kind == "one record" else "–"
+            rows.append([*of_wall, kind, *shares, sixth])
+    head = ["mechanism", "law", "quantity", "interval of", "inside (least)", "below (most)", "below one in six (most)"]
+    return table_text(head, rows)
+
+
 def _of_law(law: Results) -> dict[str, str]:
     study, fits = law.content["study"], law.content["fits"]
     grids = study["grid"]
@@ -141,7 +167,10 @@ def _of_law(law: Results) -> dict[str, str]:
         if name.endswith((" rigid q", " rigid q_slv"))
         for s in fit["loss_range"]
     ]
+    low, high = FITTED_PGA
     made = {
+        "held": _held_table(fits),
+        "eq16_pga": f"{(high / low) ** 0.1 - 1.0:.0%}",
         "law": law.table("law", lambda row: row[2] in SHOWN),
         "rivals": law.table("rivals", lambda row: row[1] in SHOWN),
         "q_code": law.table("q_code"),
@@ -165,18 +194,10 @@ def _of_law(law: Results) -> dict[str, str]:
         short = mechanism[:3]
         for quantity in ("q", "q_slv"):
             fit = fits[f"{mechanism} rigid {quantity}"]
-            low, sixth, high = np.exp(fit["record"])
-            inside, below, sixth_below = fit["record_inside_and_below"]
-            held = fit["set_inside_and_below"]
+            inside, below = fit["set_of_records"]
             made |= {
-                f"{short}_{quantity}_record": f"{low:.2f} to {high:.2f}",
-                f"{short}_{quantity}_sixth": f"{sixth:.2f}",
-                f"{short}_{quantity}_unseen": f"{inside:.0%} inside, {below:.0%} below, {sixth_below:.0%} below the "
-                "value of one in six",
-                f"{short}_{quantity}_sets": f"{held['sets'][0]:.0%} inside, {held['sets'][1]:.0%} below",
-                f"{short}_{quantity}_quarter": f"{held['lowest_quarter'][0]:.0%} and {held['other_quarters'][0]:.0%}",
-                f"{short}_{quantity}_records": f"{held['records'][0]:.0%} inside, {held['records'][1]:.0%} below",
-                f"{short}_{quantity}_halves": "{:.0%} and {:.0%}".format(*fit["record_below_by_half"]),
+                f"{short}_{quantity}_record": _ends(fit["record"]),
+                f"{short}_{quantity}_records": f"{inside:.0%} inside, {below:.0%} below",
             }
             for variable, key in (("Λ", "scaled"), ("Π", "pi"), ("p PGV/PGA", "velocity")):
                 words = {"c0": f"{short}-sided", "c1": SHOWN[quantity == "q_slv"]}
