@@ -28,6 +28,8 @@ PACKAGE = "ribalta_rocking"
 
 def main() -> int:
     argparse.ArgumentParser(description=__doc__.split("\n")[0]).parse_args()
+    if not shutil.which("uv"):
+        raise SystemExit("the wheel is tried by uv, which is not on the PATH: install it (pip install uv) first")
     shutil.rmtree(ROOT / "dist" / "wheel", ignore_errors=True)
     subprocess.run(["uv", "build", "--quiet", "--wheel", "--out-dir", ROOT / "dist" / "wheel", ROOT], check=True)
     wheel = next((ROOT / "dist" / "wheel").glob("*.whl"))

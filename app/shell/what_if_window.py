@@ -12,6 +12,7 @@ from app.look.language import current_language, described, number, tr
 from app.views.ladder import Ladder
 from app.views.zeta_rungs import check_words, rungs_of
 from app.work.worker import Job
+from core.case.brought import with_floors_of
 from core.case.schema import Case
 from core.codes.outcomes import least
 from core.errors import InputError
@@ -380,8 +381,9 @@ class WhatIfWindow(QDialog):
         sizes = ("thickness_m", "slenderness_deg", "height_over_thickness", "height_m", "load")
         walls = list(case.wall)
         kept = {key: getattr(new, key) for key in sizes}
-        walls[self.row] = replace(wall, **kept | {"load": new.load[: len(wall.load)]})  # those of floors stay theirs
-        case = replace(case, wall=tuple(walls))
+        walls[self.row] = replace(wall, **kept | {"load": new.load[: len(wall.load)]})
+        floors = with_floors_of(case.building, wall, new)  # they bear where the sliders moved them
+        case = replace(case, wall=tuple(walls), building=floors)
         if "ag_g" in self.values:
             case = replace(case, demand=replace(known(case.demand), ag_g=self.values["ag_g"]))
         return case

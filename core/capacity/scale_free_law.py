@@ -133,7 +133,7 @@ def _down(value: float) -> Number:
 
 def within(law: ScaleFreeLaw, mechanism: str, p2: float, scaled: float, velocity_ratio: float) -> bool:
     """Whether a wall is within the range of a fit, the band of Lambda of a tall one within its periods."""
-    return law.holds(scaled, velocity_ratio) and BANDS[mechanism][1] / math.sqrt(p2) <= SCALED_PERIODS[-1]
+    return law.holds(scaled, velocity_ratio) and BANDS[mechanism][1] / math.sqrt(p2) <= float(SCALED_PERIODS[-1])
 
 
 def estimates(

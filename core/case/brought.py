@@ -23,6 +23,21 @@ def brought(wall: Wall, building: Building | None) -> Wall:
     return replace(wall, load=(*wall.load, *loads), unloaded_confirmed=False)
 
 
+def with_floors_of(building: Building | None, wall: Wall, brought_to: Wall) -> Building | None:
+    """The building with the places at which its floors bear on a wall taken from the wall they were brought to.
+
+    wall : of the case; brought_to : the same with its floors, whose places moved
+    """
+    if building is None:
+        return None
+    places, floors = iter(brought_to.load[len(wall.load) :]), []
+    for floor in building.floors:
+        ends = {"from_d_m": floor.from_wall, "to_d_m": floor.to_wall}
+        moved = {key: next(places).d_m for key, name in ends.items() if name == wall.name}
+        floors.append(replace(floor, **moved))  # type: ignore[arg-type]
+    return replace(building, floors=tuple(floors))
+
+
 def _load(floor: FloorLoad, d: float, base: float) -> Load:
     """The load of a floor on a wall. d : from its outer face [m]; base : of the wall above the ground [m]"""
     share, q = 0.5 * floor.span_m, floor.q_kn_m2

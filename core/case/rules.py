@@ -37,6 +37,7 @@ from core.case.wall import BENDS, Wall
 from core.codes.limits import check_return_period
 from core.codes.spectrum_codes import refuse_faulty, takes
 from core.errors import InputError, place, section
+from core.text.catalogue import CATALOGUE
 from core.text.sentence import Key, Quantity, sentence
 
 TESTED_STRENGTH = (0.5, 10.0)
@@ -58,6 +59,10 @@ def parse_case(table: dict) -> Case:
 def parse_sections(table: dict) -> Case:
     """The case of a mapping without its walls, of which only the places that are given are noted."""
     refuse_unknown(Case, table, "case")
+    language = str(table["report"].get("language")) if isinstance(table.get("report"), dict) else ""
+    if language in CATALOGUE.faults:
+        folder, why = CATALOGUE.faults[language]
+        raise InputError("language_damaged", place=(section("[report]"),), key="language", folder=folder, reason=why)
     title = value_of(field_of(Case, "title"), table.get("title", "Ribalta"))
     analysis = section_of(Analysis, table.get("analysis", {}), "analysis", section("[analysis]"))
     if round(analysis.robust_window / math.log1p(analysis.q_step)) < 1:

@@ -306,7 +306,8 @@ def _restitution_table(fits: dict, say: Say) -> Table:
         say("q over q of e, median"), say("least"), say("largest"),
     )  # fmt: skip
     note = say(
-        "By the law, over its range of Λ; another e is 5 % less and 5 % more than that of Eq. 4 or 6, at most the largest of the fit."
+        "By the law, over its range of Λ; another e is 5 % less and 5 % more than that of Eq. 4 or 6, at most the "
+        "largest of the fit."
     )
     return Table("restitution", say("What another velocity ratio does to q"), head, tuple(rows), note)
 

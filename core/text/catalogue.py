@@ -35,19 +35,28 @@ class Catalogue(Mapping):
 
     languages : code -> {"name": its own name, "decimal_comma": whether numbers have it}: English, Italian, and each
         that has a folder of its code in that of the catalogue, with language.json and the groups it translates
+    faults : code -> (file, what is wrong) of a language that cannot be used; the others can
     """
 
     def __init__(self, folder):
-        self.folder, self.known = folder, {}
+        self.folder, self.known, self.faults, self.own = folder, {}, {}, {}
         self.languages = {
             "en": {"name": "English", "decimal_comma": False},
             "it": {"name": "Italiano", "decimal_comma": True},
         }
         for about in sorted(folder.glob("*/language.json")):
-            told = content_of(about)
-            if about.parent.name in self.languages or set(told) != {"name", "decimal_comma"}:
-                raise RuntimeError(str(about) + " is not of a language more: name and decimal_comma of it")
-            self.languages[about.parent.name] = told
+            code = about.parent.name
+            try:
+                told = content_of(about)
+                kinds = {key: type(value) for key, value in told.items()}
+                if code in self.languages or kinds != {"name": str, "decimal_comma": bool}:
+                    raise RuntimeError("not a name, and true or false for decimal_comma, of a language more")
+                groups = [path for path in about.parent.glob("*.json") if path.stem in GROUPS]
+                own = {path.stem: content_of(path) for path in groups}
+            except RuntimeError as error:
+                self.faults[code] = (str(about.parent), str(error))
+                continue
+            self.languages[code], self.own[code] = told, own
 
     def comma(self, language):
         """Whether numbers have the decimal comma in a language."""
@@ -67,8 +76,7 @@ class Catalogue(Mapping):
                 raise KeyError(group)
             self.known[group] = texts_of(self.folder / (group + ".json"))
             for language in list(self.languages)[2:]:
-                own = self.folder / language / (group + ".json")
-                translated = content_of(own) if own.is_file() else {}
+                translated = self.own[language].get(group, {})
                 for code, texts in self.known[group].items():
                     self.known[group][code] = (*texts, in_its_place(translated.get(code), texts[0]))
         return self.known[group]
@@ -83,7 +91,7 @@ class Catalogue(Mapping):
 def content_of(path):
     """What a JSON object in a file holds; raises RuntimeError where it is damaged: no input is at fault."""
     try:
-        content = json.loads(path.read_text(encoding="utf-8"))
+        content = json.loads(path.read_text(encoding="utf-8-sig"))
     except (OSError, ValueError) as error:
         raise RuntimeError("the texts of " + str(path) + " cannot be read: " + repr(error)) from error
     if not isinstance(content, dict):

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.case.brought import by_itself
+from core.case.brought import brought, by_itself, with_floors_of
 from core.case.hinges import count_of, parts_of
 from core.case.reader import read_case
 from core.case.rules import parse_case, with_walls
@@ -53,6 +53,19 @@ def test_that_each_wall_bears_half_of_the_span_as_if_the_loads_were_written_on_i
 
 def clauses_alone_of(case):
     return replace(case, analysis=replace(case.analysis, histories=False))
+
+
+def test_that_floors_bear_where_a_slider_moved_them():
+    """What if, Take it: the loads of floors follow the thickness, and the case kept where they bore before."""
+    own = {"kind": "thrust", "kn_m": 0.1, "h_m": 3.0}
+    case = case_of(NORTH, SOUTH | {"load": [own]})
+    wall = case.wall[1]
+    loaded = brought(wall, case.building)
+    moved = replace(loaded, load=tuple(replace(one, d_m=one.d_m and one.d_m + 0.05) for one in loaded.load))
+    building = with_floors_of(case.building, wall, moved)
+    assert brought(wall, building).load == moved.load
+    assert brought(case.wall[0], building) == brought(case.wall[0], case.building)
+    assert with_floors_of(None, wall, moved) is None
 
 
 @pytest.mark.parametrize(

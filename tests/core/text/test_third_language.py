@@ -53,6 +53,30 @@ def folder(tmp_path):
     return place
 
 
+@pytest.mark.parametrize(
+    ("name", "content", "taken"),
+    [
+        ("language.json", b'\xef\xbb\xbf{"name": "Marked", "decimal_comma": true}', True),  # of an editor of Windows
+        ("language.json", b'{"name": "Marked", "decimal_comma": "false"}', False),
+        ("language.json", b'{"name": "Marked"', False),
+        ("language.json", b'["Marked"]', False),
+        ("window.json", b"\xff\xfe", False),
+    ],
+)
+def test_that_a_language_that_cannot_be_used_hinders_no_other(folder, tmp_path, name, content, taken):
+    (folder / "xx" / name).write_bytes(content)
+    (tmp_path / "case.toml").write_text(CASE)
+    (tmp_path / "english.toml").write_text(CASE.replace('"xx"', '"en"'))
+    assert ("xx" in Catalogue(folder).languages) == taken
+    for case, code in (("english", 0), ("case", 0 if taken else 1)):
+        told = ["--batch", tmp_path / f"{case}.toml", "--output", tmp_path / "out", "--quiet", "--force"]
+        found = subprocess.run(
+            [sys.executable, "-c", PROGRAM, folder, *map(str, told)], capture_output=True, text=True, cwd=ROOT
+        )
+        assert found.returncode == code, found.stderr
+        assert code == 0 or ("xx" in found.stderr and found.stderr.count("\n") == 1)
+
+
 def test_that_a_text_it_lacks_is_the_english_one(folder):
     (folder / "xx" / "word.json").write_text('{"passed": "passé"}')
     (folder / "xx" / "window.json").unlink()
@@ -74,11 +98,11 @@ def test_that_a_text_that_cannot_stand_for_the_english_one_does_not(folder, text
     ("place", "content"),
     [("it", '{"name": "a", "decimal_comma": true}'), ("xx", "{"), ("xx", "[]"), ("xx", '{"name": "a"}')],
 )
-def test_that_a_folder_that_is_no_language_stops_the_program(folder, place, content):
+def test_that_a_folder_that_is_no_language_is_a_fault_of_it(folder, place, content):
     (folder / place).mkdir(exist_ok=True)
     (folder / place / "language.json").write_text(content)
-    with pytest.raises(RuntimeError, match=r"language\.json"):
-        Catalogue(folder)
+    made = Catalogue(folder)
+    assert set(made.faults) == {place} and set(made.languages) == {"en", "it", "xx"} - {*made.faults} | {"it"}
 
 
 @pytest.mark.shows("window.language")
