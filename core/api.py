@@ -42,6 +42,7 @@ from core.setting.scene import model_of
 from core.study import run as study_run
 from core.study.results import StudyResult
 from core.study.wall_result import model_notices
+from core.text.sentence import Key
 from core.version import NAME, VERSION
 from core.wall.rocking_model import RockingModel
 
@@ -431,7 +432,8 @@ def _model(wall: Wall, ground: GroundMotion, asked: str | None) -> RockingModel:
     """The model of a wall with all that acts on it. Raises InputError for one above the ground: it is moved by its
     floor."""
     if _of(Wall, "wall", wall).above_ground:
-        raise InputError("api_above_ground", wall=wall.title, z=wall.felt_z_m, key="base_z_m", ground=ground.name)
+        said = {"wall": wall.title, "z": wall.felt_z_m, "ground": ground.name, "building": Key("[building]")}
+        raise InputError("api_above_ground", key="base_z_m", **said)
     return model_of(with_thrust(wall), _mechanism(wall, asked))
 
 

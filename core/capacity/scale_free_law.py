@@ -223,7 +223,11 @@ TRILINEAR_TO = 3.8
 
 
 def law_from(stored: dict[str, Any]) -> ScaleFreeLaw:
-    """A law as the study stores it."""
+    """A law as the study stores it, its ranges in three digits: they hold up to half of the last one."""
+
+    def wide(name: str) -> tuple[float, float]:
+        low, high = stored[name]
+        return low - 0.5e-3, high + 0.5e-3
 
     def ends(kept: dict[str, Any]) -> Ends:
         rows = (tuple(tuple(row) for row in kept[name]) for name in ("by_scaled", "by_loss"))
@@ -233,11 +237,11 @@ def law_from(stored: dict[str, Any]) -> ScaleFreeLaw:
     return ScaleFreeLaw(
         tuple(stored["coefficients"]),
         stored["limit"],
-        tuple(stored["scaled_range"]),
-        tuple(stored["loss_range"]),
+        wide("scaled_range"),
+        wide("loss_range"),
         ends(stored["sets"]),
         ends(stored["record"]) if stored["record"] else None,
-        tuple(stored["record_loss"]),
+        wide("record_loss"),
     )
 
 

@@ -12,7 +12,7 @@ from core.capacity.ida import Search, incremental_dynamic_analysis
 from core.case.rules import parse_wall
 from core.case.study_file import Cell
 from core.ground.ground_motion import GroundMotion
-from core.research.law_fit import columns, coverage, fits_of, record_ends, set_columns
+from core.research.law_fit import OF_RECORDS, Cases, columns, coverage, fits_of, set_columns, weighted_ends
 from core.research.page import kept
 from core.research.parametric import StudyMotion
 from core.research.set_means import MotionValue
@@ -21,6 +21,8 @@ from core.setting.scene import model_of
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS, MomentLaw
 from core.wall.restitution import restitution
+
+ENDS = law.Ends((0.5, 1.0), ((-0.3, -0.1, 0.5), (-0.1, 0.0, 0.5)), (0.2, 0.4), ((-0.2, -0.1, 0.3), (-0.25, -0.15, 0.1)))
 
 PLANTED = (-0.1, 3.8, 1.6, -1.1)
 NOISE = 0.05
@@ -74,9 +76,9 @@ def test_that_sets_are_means_over_the_motions_of_a_wall_and_shape(planted):
     assert columns(planted, "one_sided", "rigid", "q", False).q.size == 0
 
 
-@pytest.mark.parametrize("key", law.FITTED)
+@pytest.mark.parametrize("key", law.fitted())
 def test_that_the_law_has_its_limits_and_falls_with_pi(key):
-    fitted = law.FITTED[key]
+    fitted = law.fitted()[key]
     x = np.geomspace(*fitted.scaled_range, 50)
     for loss in fitted.loss_range:
         q = fitted.q(x, 1.0 - loss**2)
@@ -85,7 +87,6 @@ def test_that_the_law_has_its_limits_and_falls_with_pi(key):
     middle = 1.0 - np.mean(fitted.loss_range) ** 2
     low, high = fitted.interval(1.0, middle)
     assert low < fitted.q(1.0, middle) < high
-    assert high / low == pytest.approx(np.exp(2 * 1.645 * fitted.scatter_set))
 
 
 def test_that_an_estimate_at_slv_is_not_above_that_at_collapse():
@@ -135,30 +136,43 @@ def test_that_an_estimate_is_scale_free_and_says_where_it_does_not_hold():
 
 
 @pytest.mark.shows("paper.law")
-def test_that_the_fits_are_those_of_the_study():
+def test_that_the_laws_are_those_of_the_study():
     """Its results as they are kept, from which resources/docs/paper.md is written; trilinear two-sided ones hold less
     far than their fit."""
     fits = json.loads(kept("law").read_text(encoding="utf-8"))["fits"]
-    assert set(fits) > {" ".join(key) for key in law.FITTED}
-    for key, fitted in law.FITTED.items():
+    assert set(law.fitted()) == {key for name in fits if (key := tuple(name.split()))[2] in ("q", "q_slv")}
+    for key, fitted in law.fitted().items():
         of_study = fits[" ".join(key)]
-        for name in ("coefficients", "limit", "scatter_set", "scatter_record", "record"):
-            value = getattr(fitted, name)
-            assert (list(value) if isinstance(value, tuple) else value) == of_study[name], (key, name)
+        expected = law.law_value(of_study["coefficients"], of_study["limit"], 1.3, 0.75)
+        assert fitted.q(1.3, 1.0 - 0.75**2) == pytest.approx(expected, rel=1e-12)
         low, high = of_study["scaled_range"]
-        assert fitted.scaled_range[0] == pytest.approx(low, rel=0.03) and fitted.scaled_range[1] <= 1.02 * high
-        of_key = (0.20, 4.4) if key[0] == "one_sided" else (0.22, 8.5 if key[1] == "rigid" else 3.8)
-        assert fitted.scaled_range == of_key
-    ranges = {key[:2]: fitted.loss_range for key, fitted in law.FITTED.items()}
-    assert ranges["two_sided", "rigid"] == (0.042, 0.466) and ranges["one_sided", "rigid"] == (0.042, 0.919)
-    assert ranges["two_sided", "al_shawa"] == (0.042, 0.419) and ranges["one_sided", "al_shawa"] == (0.709, 0.883)
+        poor = key[0] == "two_sided" and key[1] != "rigid"
+        assert fitted.scaled_range == pytest.approx((low, min(high, 3.8) if poor else high), abs=0.6e-3)
+        assert fitted.loss_range == pytest.approx(of_study["loss_range"], abs=0.6e-3)
+        assert all(fitted.holds(1.0, 1.0 - s * s) for s in of_study["loss_range"])
+
+
+@pytest.mark.shows("paper.law")
+def test_that_the_intervals_hold_what_they_claim_of_what_was_left_out():
+    """Nine of ten inside, no more than 6 % below, 16 % below the second design value: in all, and no fifth of Lambda
+    nor fourth of s far from it."""
+    fits = json.loads(kept("law").read_text(encoding="utf-8"))["fits"]
+    for name, fit in fits.items():
+        if not name.endswith(("q", "q_slv")):
+            continue
+        held = [(fit["set_held"], 0.06, 0.12)] + ([(fit["record_held"], 0.06, 0.12)] if fit["record_held"] else [])
+        for each, below, worst in held:
+            assert each["all"][0][0] >= 0.85 and each["all"][0][1] <= below, (name, each["all"])
+            for part in (*each["scaled"], *each["loss"]):
+                assert part[1] <= worst, (name, each)
+                assert len(part) < 3 or part[2] <= 0.25, (name, each)
 
 
 def test_that_the_law_is_its_formula_and_holds_up_to_the_ends_of_its_range():
     expected = 0.72 + np.exp(0.1 + 2.0 * 0.6 - (0.5 + 0.3 * 0.6) * np.log(2.0))
     assert law.law_value((0.1, 2.0, 0.5, 0.3), 0.72, 2.0, 0.6) == pytest.approx(expected, rel=1e-14)
     assert law.dimensionless_intensity(2.0, 0.6, 3.0) == pytest.approx(0.4)
-    fitted = law.ScaleFreeLaw((0.1, 2.0, 0.5, 0.3), 1.0, 0.1, 0.2, (0.5, 4.0), (0.0, 0.5))
+    fitted = law.ScaleFreeLaw((0.1, 2.0, 0.5, 0.3), 1.0, (0.5, 4.0), (0.0, 0.5), ENDS)
     ends = [(pi, e) for pi in (0.5, 4.0) for e in (0.75, 1.0)]
     assert all(fitted.holds(*end) for end in ends)
     assert not any(fitted.holds(*end) for end in ((0.499, 0.8), (4.01, 0.8), (1.0, 0.74)))
@@ -197,28 +211,72 @@ def test_that_lambda_is_the_integral_over_the_band_of_the_wall():
         assert law.scaled_intensity(4.0, integral, 5.0, mechanism) == pytest.approx(expected, rel=1e-6)
 
 
-def test_that_the_interval_of_one_record_holds_events_it_has_not_seen():
-    """Planted residuals of 40 events with a spread of their own: 90 % of those left out, 5 % below."""
-    rng = np.random.default_rng(5)
-    events = np.repeat([f"e{k}" for k in range(40)], 30)
-    residuals = rng.normal(0.0, 0.2, 40).repeat(30) + rng.normal(0.1, 0.2, events.size)
-    low, sixth, high = record_ends(residuals, events)
+def cases_of(rng, count=40, each=30, slope=0.0):
+    """Planted residuals of events with a spread of their own, that fall with ln Lambda."""
+    groups = np.repeat([f"e{k}" for k in range(count)], each)
+    scaled, loss = np.exp(rng.uniform(-1.0, 1.5, groups.size)), rng.uniform(0.1, 0.7, groups.size)
+    residuals = rng.normal(0.0, 0.2, count).repeat(each) + rng.normal(0.1, 0.2, groups.size)
+    return Cases(residuals - slope * np.log(scaled), scaled, loss, groups)
+
+
+def test_that_the_ends_hold_events_they_have_not_seen():
+    cases = cases_of(np.random.default_rng(5))
+    low, sixth, high = weighted_ends(cases.residuals, cases.groups, OF_RECORDS)
     deviation = np.hypot(0.2, 0.2)
-    assert low == pytest.approx(0.1 - 1.645 * deviation, abs=0.12) and high == pytest.approx(
-        0.1 + 1.645 * deviation, abs=0.12
-    )
+    assert low == pytest.approx(0.1 - 1.645 * deviation, abs=0.12)
+    assert high == pytest.approx(0.1 + 1.645 * deviation, abs=0.12)
     assert sixth == pytest.approx(0.1 - 0.994 * deviation, abs=0.1)
-    inside, below, below_sixth = coverage(residuals, events)
-    assert 0.85 <= inside <= 0.95 and below <= 0.08 and 0.11 <= below_sixth <= 0.21
+    (inside, below, below_sixth), *_ = coverage(cases, OF_RECORDS)["all"]
+    assert 0.85 <= inside <= 0.97 and below <= 0.08 and 0.08 <= below_sixth <= 0.21
     # an event of many records counts as one
-    many = np.append(events, np.full(5000, "e0")), np.append(residuals, np.full(5000, residuals[0]))
-    assert record_ends(many[1], many[0])[0] == pytest.approx(low, abs=0.05)
+    many = np.append(cases.groups, np.full(5000, "e0")), np.append(cases.residuals, np.full(5000, cases.residuals[0]))
+    assert weighted_ends(many[1], many[0], OF_RECORDS)[0] == pytest.approx(low, abs=0.05)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_that_ends_follow_a_law_that_is_poor_at_one_end(seed):
+    """One pooled share had 35 % of the records of one end below the value of 5 %."""
+    cases = cases_of(np.random.default_rng(seed), slope=0.4)
+    pooled = weighted_ends(cases.residuals, cases.groups, OF_RECORDS)[0]
+    largest = cases.scaled > np.quantile(cases.scaled, 0.8)
+    assert np.mean(cases.residuals[largest] < pooled) > 0.15
+    for part in coverage(cases, OF_RECORDS)["scaled"]:
+        assert part[1] <= 0.10 and part[2] <= 0.26
+
+
+def test_that_of_both_countings_the_wider_holds():
+    for scaled, loss in product((0.1, 0.5, 0.7, 1.0, 9.0), (0.0, 0.2, 0.3, 0.9)):
+        low, sixth, high = ENDS.at(scaled, loss)
+        x = np.interp(np.log(scaled), np.log(ENDS.scaled), [-0.3, -0.1])
+        y = np.interp(loss, ENDS.loss, [-0.2, -0.25])
+        assert low == pytest.approx(min(x, y)) and high == pytest.approx(max(0.5, 0.3 if loss <= 0.2 else high))
+        assert low <= sixth <= high
+    assert ENDS.at(0.5, 0.2) == (-0.3, -0.1, 0.5) and ENDS.at(1.0, 0.4) == (-0.25, -0.15, 0.5)
 
 
 def test_that_the_interval_of_one_record_is_printed_where_records_were_run():
-    for (_, moment, _), fitted in law.FITTED.items():
+    for (_, moment, _), fitted in law.fitted().items():
         ends = fitted.record_values(1.0, 0.9)
         assert (ends is not None) == (moment == "rigid")
         if ends is not None:
             low, high = fitted.interval(1.0, 0.9)
             assert ends[0] < ends[1] < float(fitted.q(1.0, 0.9)) < ends[2] and ends[2] - ends[0] > high - low
+
+
+def test_that_stocky_walls_have_no_design_value():
+    for degrees, given in ((10.0, True), (20.0, False)):
+        block = Block.rectangle(2.0, np.radians(degrees))
+        one, slv = law.estimates(
+            block, restitution(block, "one_sided_theoretical"), LAWS["rigid"], True, steady(0.3), 3.0
+        )
+        assert (slv.record_low is not None) == given == (one.record_high is not None) and one.within
+        assert ("law_design" in {said.code for said in slv.ranges}) == given
+        assert "law_both_signs" in {said.code for said in slv.ranges}
+
+
+@pytest.mark.parametrize(("low", "said"), [(1.956, "1.95"), (2.0, "2.00"), (1.9999, "1.99"), (2.004, "2.00")])
+def test_that_a_design_value_is_rounded_down(low, said):
+    """1.956 was printed as 2.0, the q it is compared with."""
+    estimate = law.Estimate("q_slv", 3.0, low, 4.0, 1.0, True, False, low, low, 5.0)
+    assert all(f"{said} " in f"{one.text('en')} " for one in estimate.ranges)
+    assert "both" not in " ".join(one.text("en") for one in estimate.ranges)
