@@ -55,13 +55,14 @@ def test_that_set_up_and_tear_down_count_and_what_was_not_run_does_not():
 
 
 def test_that_durations_without_a_number_asks_for_the_budgets():
-    """With a number it is pytest's own; alone it is the whole suite on every core."""
+    """With a number it is pytest's own; alone it is the whole suite on every core, style and types before it: a style
+    at fault once passed a whole run by it."""
     run = load()
 
     def arguments(*words):
-        (command,) = run.test_steps(list(words))
-        return command[3:]
+        return run.test_steps(list(words))[-1][3:]
 
+    assert len(run.test_steps(["--durations"])) == len(run.test_steps([])) > len(run.test_steps(["tests/app"])) == 1
     every_core = run.test_steps([])[-1][3:]
     assert arguments("--durations") == [*every_core, "--budgets"]
     assert arguments("tests/app", "--durations", "-n", "2") == ["tests/app", "--budgets", "-n", "2"]

@@ -207,6 +207,17 @@ def _of_what_holds(seen: Evidence) -> list[Sentence]:
     return [reason("no_hold_strength", key=Key("restraint_kn_m"))] if declared.strength is None else []
 
 
+def _of_the_stations(seen: Evidence) -> list[Sentence]:
+    """Too few stations for a set, or for its rule without those whose records are doubted."""
+    stations, sound = seen.circumstances.stations, seen.circumstances.sound
+    if seen.compliance:
+        stations = seen.compliance.stations
+    if stations < MINIMUM_FROM:
+        return [reason("few_records", n=stations)]
+    rests_on = MEAN_FROM if stations >= MEAN_FROM else MINIMUM_FROM
+    return [reason("few_sound_records", n=stations - sound, of=stations)] if 0 <= sound < rests_on else []
+
+
 def limits_of(seen: Evidence) -> list[Sentence]:
     """Reasons for which the checks are indicative only."""
     demand, compliance, circumstances = seen.demand, seen.compliance, seen.circumstances
@@ -227,12 +238,7 @@ def limits_of(seen: Evidence) -> list[Sentence]:
             reasons.append(reason("pga_scaling"))
         if demand.weak_share is not None and seen.checks[0].passed is not None:  # else it is what is missing
             reasons.append(reason("weaker_records", share=demand.weak_share))
-        stations = compliance.stations if compliance else circumstances.stations
-        if stations < MINIMUM_FROM:
-            reasons.append(reason("few_records", n=stations))
-        rests_on, sound = (MEAN_FROM if stations >= MEAN_FROM else MINIMUM_FROM), circumstances.sound
-        if 0 <= sound < rests_on <= stations:
-            reasons.append(reason("few_sound_records", n=stations - sound, of=stations))
+        reasons += _of_the_stations(seen)
         if weak := seen.dynamic.not_counted:
             reasons.append(reason("too_weak", n=len(weak), names=weak[:3], share=MIN_PGA_SHARE))
         if circumstances.bundled:

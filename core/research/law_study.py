@@ -321,6 +321,7 @@ def _law_figures(values: list[MotionValue], fits: dict, say: Say) -> list[Figure
             continue
         sets = set_columns(columns(values, mechanism, "rigid", quantity, False))
         natural = columns(values, mechanism, "rigid", quantity, True)
+        natural = natural[natural.default] if natural.q.size else natural
         edges = np.quantile(sets.loss, (0.0, 0.25, 0.5, 0.75, 1.0))
         series: list[Series] = []
         if natural.q.size:

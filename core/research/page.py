@@ -17,6 +17,7 @@ import numpy as np
 
 from core.capacity.closed_forms import FITTED_PGA
 from core.capacity.scale_free_law import BANDS
+from core.research.paper_sets import words
 
 ROOT = Path(__file__).resolve().parents[2]
 STUDIES = ROOT / "resources" / "studies"
@@ -143,7 +144,7 @@ def _held_table(fits: dict[str, Any]) -> str:
         mechanism, moment, quantity = name.split()
         if quantity not in ("q", "q_slv"):
             continue
-        of_wall = [mechanism.replace("_", "-"), moment, SHOWN[quantity == "q_slv"]]
+        of_wall = [mechanism.replace("_", "-"), words(str)[moment], SHOWN[quantity == "q_slv"]]
         for kind, held in (("mean of a set", fit["set_held"]), ("one record", fit["record_held"])):
             if held is None:
                 continue

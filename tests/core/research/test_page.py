@@ -26,7 +26,7 @@ def test_that_every_cell_the_template_asks_for_has_a_value():
 
 def test_that_a_changed_result_changes_the_page(monkeypatch, tmp_path):
     contents = {name: json.loads(kept(name).read_text(encoding="utf-8")) for name in ("paper", "law")}
-    contents["law"]["fits"]["two_sided rigid q"]["record"][0] = -0.25
+    contents["law"]["fits"]["two_sided rigid q"]["set_of_records"][0] = 0.123
     contents["paper"]["claims"][0]["held"] = 7
     monkeypatch.setattr(page, "STUDIES", tmp_path)
     monkeypatch.setattr(page, "PAGE", tmp_path / "paper.md")
@@ -34,7 +34,7 @@ def test_that_a_changed_result_changes_the_page(monkeypatch, tmp_path):
         (tmp_path / f"{name}.json").write_text(json.dumps(content | {"motions": []}))
     page.main([str(tmp_path / f"{name}.json") for name in ("paper", "law")])
     text = (tmp_path / "paper.md").read_text(encoding="utf-8")
-    assert "0.78 to" in text and "| 7 of " in text and "0.78 to" not in PAGE.read_text(encoding="utf-8")
+    assert "12 % inside" in text and "| 7 of " in text and "12 % inside" not in PAGE.read_text(encoding="utf-8")
     assert set(json.loads((tmp_path / "law.results.json").read_text())) == {*KEPT, "natural"}
 
 

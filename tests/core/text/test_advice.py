@@ -50,6 +50,7 @@ STATES = {
     "lift_free_element",
     "lift_inward",
     "lift_one_sided_free",
+    "floor_on_itself",
     "restraint_stands",
     "restraint_unfollowed",
     "lift_participation",
