@@ -2,6 +2,7 @@
 beyond which it is a slip of who typed it: it makes the spectrum too low, and a wall verified that falls."""
 
 import hashlib
+import itertools
 import tomllib
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -95,7 +96,7 @@ def _number(table: dict[str, Any], key: str, here: str = "") -> float:
 
 
 def _rising(here: str, key: str, *values: float) -> None:
-    if not all(one < other for one, other in zip(values, values[1:], strict=False)):
+    if not all(one < other for one, other in itertools.pairwise(values)):
         raise InputError("annex_order", place=(here,), key=key, found=values)
 
 
