@@ -74,6 +74,7 @@ OWN = {
     "app/shell/client_view.py": "a buffer",
     "app/work/recovery.py": "drafts of the program",
     "app/work/session.py": "the file that is open, against what is on the disk",
+    "core/capacity/scale_free_law.py": "a resource of the program",
     "core/atomic_write.py": "files beside those that are written",
     "core/study/case_script.py": "a resource of the program",
     "core/child.py": "its own work and answer, in a folder of its own",

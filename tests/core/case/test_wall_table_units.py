@@ -113,7 +113,7 @@ def thrust(head: str, value: str, comma: bool = False) -> float:
 def test_that_a_number_that_may_be_a_thousand_times_larger_is_asked_about(head, value, comma):
     with pytest.raises(InputError) as refused:
         thrust(head, value, comma)
-    assert refused.value.code in ("thousands_or_decimals", "unknown_unit")
+    assert refused.value.code in ("thousands_or_decimals", "thousands_or_point", "unknown_unit")
 
 
 def test_that_units_of_cells_and_of_number_formats_count(tmp_path):
