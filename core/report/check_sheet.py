@@ -292,7 +292,6 @@ def _inequality(rows: Rows, result: StudyResult, wall: WallResult, row: int) -> 
             RATIO,
         )
         words = ", ".join(said.text(book.language) for said in estimate.ranges)
-        text(sheet, row, 8, words, color=QUIET, align="center", wrap=True, size=8)
-        heighten(sheet, row, (words, 22))
+        text(sheet, row, 9, words, color=QUIET, size=8)  # beside the table, as long as it is
         rule(sheet, row, 1, 8)
     return row + 2

@@ -134,9 +134,8 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
         limits.append(sentence("reason", "assumptions_not_made", n=MANY_WALLS))
     free = unheld or _overturning(scene, cancelled)
     bound, passes = (free.zeta, free.satisfied) if free else (None, None)
-    followed = free is not None and bound is not None
-    if followed or (made and (scene.mechanism == "one_sided" or scene.wall.bends)):
-        raised = (*raised, _of_the_restraint(evaluation, free if followed else None))
+    if bound is not None or (made and (scene.wall.mechanism == "one_sided" or scene.wall.bends)):
+        raised = (*raised, _of_the_restraint(evaluation, free))
     if (arch := kinematic.wall.arch) is not None:
         raised = (*raised, _of_the_arch(evaluation, arch))
     said = verdict(evaluation.evidence, bound, tuple(limits), raised)

@@ -294,6 +294,11 @@ def test_that_a_restraint_without_which_the_wall_was_not_followed_turns_what_pas
             assert row.turns == (not rests) and (found.verdict.code == "indicative") == (not rests and not shown)
 
 
+def test_that_a_wall_of_both_mechanisms_has_the_other_beside_it_and_no_row_of_its_restraint():
+    found = by_restraint((1.5, True), (0.8, False), WALL | {"mechanism": "both"})
+    assert "back_restraint" not in {row.key for row in found.verdict.assumptions}
+
+
 def test_that_a_wall_that_rocks_both_ways_needs_no_restraint():
     two_sided = {key: value for key, value in WALL.items() if key not in ("back_restraint", "restraint_evidence")}
     found = by_restraint((1.5, True), (0.8, False), two_sided | {"mechanism": "two_sided", "free_element": False})
