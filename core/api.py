@@ -9,8 +9,8 @@ import io
 import math
 import os
 import warnings
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -68,6 +68,9 @@ __all__ = [
 ]
 
 Kind = TypeVar("Kind")
+
+OF_FILE = "unit", "time_step_s", "column", "skip_lines", "channel"
+"""Keys of [[record]] that say what a file does not."""
 
 PAPER = Path(__file__).resolve().parents[1] / "resources" / "studies" / "paper.toml"
 """The study of the paper."""
@@ -138,7 +141,7 @@ def motion(acceleration: Sequence[float] | np.ndarray, time_step: float, name: s
         For fewer than 10 samples, samples that are not finite, or zeros alone.
     """
     step = _number("time_step", time_step, "> 0 s", lambda one: one > 0.0)
-    return GroundMotion(str(name), _row("acceleration", acceleration), step)
+    return GroundMotion(_of(str, "name", name), _row("acceleration", acceleration), step)
 
 
 def read_record(path: str | os.PathLike, scale: float = 1.0, **said: Any) -> GroundMotion:
@@ -160,6 +163,8 @@ def read_record(path: str | os.PathLike, scale: float = 1.0, **said: Any) -> Gro
         Naming file, place and way out.
     """
     place = _path(path)
+    if more := set(said) - set(OF_FILE):
+        raise InputError("api_number", key=min(more), accepted=", ".join(OF_FILE))
     entry = section_of(Record, _plain({"file": str(place), "scale": scale, **said}), "record", "record")
     return records.read(place, options_of(entry), entry.scale)
 
@@ -245,7 +250,7 @@ def search(
         Step of ln q [-].
     reverse
         None, as in the program: of a wall whose sides are unlike, as a one-sided one, both signs of the record, of
-        which the one with the lower q; False as recorded, True with the other sign.
+        each quantity the lower one; False as recorded, True with the other sign.
 
     Returns
     -------
@@ -258,15 +263,19 @@ def search(
         For a mechanism the wall has not, and a wall above the ground, whose motion is that of its floor.
     """
     model = _model(wall, _of(GroundMotion, "ground", ground), mechanism)
+    if not (reverse is None or isinstance(reverse, bool | np.bool_)):
+        raise InputError("api_kind", key="reverse", kind="bool", found=type(reverse).__name__)
     settings = ida.Search(q_step=_number("q_step", q_step, "0.0001 – 0.1", lambda one: 1e-4 <= one <= 0.1))
     signs = ([1] if model.both_signs_alike else [1, -1]) if reverse is None else [-1 if reverse else 1]
-    made = (
+    made = [
         ida.incremental_dynamic_analysis(
             ground.acceleration, ground.time_step, ground.pga, sign, model, METHODS["taylor"], settings
         )
         for sign in signs
-    )
-    return min(made, key=lambda one: math.inf if one.q is None else one.q)
+    ]
+    worst = min(made, key=lambda one: math.inf if one.q is None else one.q)
+    lower: dict[str, Any] = {name: _lower(getattr(one, name) for one in made) for name in OF_BOTH}
+    return replace(worst, analyses=sum(one.analyses for one in made), **lower)
 
 
 def eq15_16(wall: Wall, ground: GroundMotion, mechanism: str | None = None) -> float:
@@ -378,6 +387,15 @@ def select(case: Case, base_dir: str | os.PathLike = ".") -> Case:
     return with_chosen(_of(Case, "case", case), _path(base_dir))[0]
 
 
+OF_BOTH = "q_slv", "q_slc", "q_slv_low", "q_slv_robust", "q_robust"
+"""Quantities of a search of which the lower of both signs counts; what else it tells is of the sign with the lower
+q."""
+
+
+def _lower(values: Iterable[float | None]) -> float | None:
+    return min((value for value in values if value is not None), default=None)
+
+
 def _of(kind: type[Kind], key: str, value: Any) -> Kind:
     """An argument of its kind. Raises InputError for another."""
     if not isinstance(value, kind):
@@ -386,13 +404,19 @@ def _of(kind: type[Kind], key: str, value: Any) -> Kind:
 
 
 def _path(path: Any) -> Path:
-    return Path(path if isinstance(path, os.PathLike) else _of(str, "path", path))
+    place = Path(path if isinstance(path, os.PathLike) else _of(str, "path", path))
+    if "\0" in str(place):
+        raise InputError("api_number", key="path", accepted="a path")
+    return place
+
+
+NO_NUMBERS = str, bytes, bool, np.bool_, complex, np.complexfloating
 
 
 def _number(key: str, value: Any, accepted: str, holds: Callable[[float], bool]) -> float:
     """A number in its range. Raises InputError for another, and for a text."""
     try:
-        number = math.nan if isinstance(value, str | bytes | complex | np.complexfloating) else float(value)
+        number = math.nan if isinstance(value, NO_NUMBERS) else float(value)
     except (TypeError, ValueError):
         number = math.nan
     if not holds(number):
@@ -404,7 +428,7 @@ def _row(key: str, values: Any) -> np.ndarray:
     """Numbers one after the other. Raises InputError for anything else."""
     try:
         row = np.atleast_1d(np.asarray(values))
-        if row.ndim != 1 or row.dtype.kind not in "iuf":
+        if row.ndim != 1 or row.dtype.kind not in "iuf" or np.ma.is_masked(values):
             raise ValueError
         return row.astype(float)
     except (TypeError, ValueError):
@@ -423,9 +447,11 @@ def _plain(value: Any) -> Any:
         return {key: _plain(one) for key, one in value.items()}
     if isinstance(value, list | tuple):
         return [_plain(one) for one in value]
+    if isinstance(value, np.ndarray):
+        return [_plain(one) for one in value]
     if isinstance(value, np.float32 | np.float16):  # 4.1 in single precision is meant as 4.1
         return float(str(value))
-    return value.tolist() if isinstance(value, np.generic | np.ndarray) else value
+    return value.tolist() if isinstance(value, np.generic) else value
 
 
 def _model(wall: Wall, ground: GroundMotion, asked: str | None) -> RockingModel:

@@ -98,6 +98,14 @@ BEHIND = {"unit_weight_kn_m3": 18.0, "back_restraint": "other", "restraint_note"
         lambda api: api.run({}),
         lambda api: api.run(api.case({"wall": [{"name": "w", **PLAIN}]}), jobs="2"),
         lambda api: api.select({}),
+        lambda api: api.search(api.wall(**PLAIN), sine(), reverse="no"),
+        lambda api: api.search(api.wall(**PLAIN), sine(), reverse=np.array([0, 1])),
+        lambda api: api.read_case("a\0b"),
+        lambda api: api.read_record("a.txt", include=False),
+        lambda api: api.motion(np.ma.masked_array(np.ones(50), np.arange(50) < 3), 0.005),
+        lambda api: api.motion(np.ones(50), 0.005, name=None),
+        lambda api: api.history(api.wall(**PLAIN), sine(), scale=True),
+        lambda api: api.run(api.case({"wall": [{"name": "w", **PLAIN}]}), jobs=True),
         lambda api: api.study(None),
     ],
 )
@@ -121,8 +129,10 @@ def test_that_a_one_sided_wall_has_the_lower_q_of_both_signs_as_in_the_program()
     keys = {"wall": [{"name": "w", "mechanism": "one_sided", "height_m": 4.0, "thickness_m": 0.4, "base_z_m": 0.0}]}
     keys |= {"demand": {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}}
     result = core.api.run(core.api.case(keys | {"generate": {"count": 3}}))
-    of_program = [entry.q for entry in result.walls[0].per_record]
-    assert [core.api.search(wall, ground).q for ground in result.motions] == of_program
+    names = ("q", "q_slv", "q_robust", "q_slv_low", "q_slv_robust")
+    for ground, entry in zip(result.motions, result.walls[0].per_record, strict=True):
+        found = core.api.search(wall, ground)
+        assert [getattr(found, name) for name in names] == [getattr(entry, name) for name in names]
 
 
 def test_that_the_equations_of_the_paper_warn_outside_their_ranges():

@@ -64,6 +64,7 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
         or any(load.kind == "thrust" and isinstance(load.kn_m, float) and load.kn_m < 0.0 for load in wall.load),
         "mass": any(load.kind == "vertical" for load in wall.load),
         "d_m": any(load.kind == "vertical" for load in wall.load),
+        "hinge_heights": wall.hinge_heights is not None,
         "h_m": any(load.is_weight and is_number(load.h_m) for load in wall.load),
         "compressive_strength_mpa": wall.compressive_strength_mpa is not None,
         "unit_weight_kn_m3": wall.unit_weight_kn_m3 is not None and bool(wall.load),
@@ -107,7 +108,8 @@ def _of_the_place(demand: Demand) -> dict[str, bool]:
     below = {key: is_number(value) and value < least[key] for key, value in given.items()}
     return below | {
         "nominal_life_years": known and is_number(life) and is_number(share) and life * share < ORDINARY_LIFE,
-        "spectrum": known and (code not in ("", NATIONAL) or bool(demand.spectrum_file)),
+        "spectrum": (known and (code not in ("", NATIONAL) or bool(demand.spectrum_file)))
+        or (spectrum is not None and spectrum.type == 2),
     }
 
 

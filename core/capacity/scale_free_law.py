@@ -120,7 +120,7 @@ class Estimate:
         if self.record_low is not None and self.record_sixth is not None and self.record_high is not None:
             low, sixth = _down(self.record_low), _down(self.record_sixth)
             said.append(sentence("added", "law_of_one_record", low=low, high=Number(self.record_high)))
-            if self.quantity == "q_slv":
+            if self.quantity == "q_slv" and self.within:
                 said.append(sentence("added", "law_design", low=low, sixth=sixth))
         if self.both_signs:
             said.append(sentence("added", "law_both_signs"))

@@ -89,11 +89,16 @@ def hinges_of(wall: Wall, building: Building | None) -> Sequence[float]:
 
 
 def unchecked(part: Part, building: Building | None) -> tuple[float, ...]:
-    """Hinges that a wall about its base has too, and whose motion is not known without its building [m]; none where
-    the engineer says which are looked at."""
-    if building is not None or part.body.hinge_heights is not None or part.hinge > 0.0 or not part.turns:
+    """Hinges that a wall about its base has too and that nobody looks at [m]: their motion is not known without its
+    building, or the engineer leaves them out, and says not why."""
+    wall = part.body
+    if part.hinge > 0.0 or not part.turns or (wall.justification and wall.justification.hinge_heights):
         return ()
-    return usual_hinges(part.body, None)
+    asked = wall.hinge_heights
+    if asked is None:
+        return () if building else usual_hinges(wall, None)
+    looked = turning_hinges(wall, building)
+    return tuple(h for h in usual_hinges(wall, building) if all(abs(h - one) > SAME_HINGE for one in looked))
 
 
 def storey_ends(wall: Wall, building: Building) -> tuple[float, ...]:

@@ -47,6 +47,7 @@ class WallJustification:
     corner: str = text_key()
     leaf: str = text_key()
     contact: str = text_key()
+    hinge_heights: str = text_key()
     free_element: str = text_key()
     base_z_m: str = text_key()
     elongation_m: str = text_key()

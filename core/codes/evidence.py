@@ -31,7 +31,8 @@ class Circumstances:
     exact : the integrator is not one for comparison
     unbranched : code of the reason why histories have not the elastic branch the clause asks for, empty where they have
     sound : stations of records that nothing doubts, -1 where nobody looked
-    unchecked : heights above the base at which a mechanism may start too, and whose motion is not known [m]
+    unchecked : heights above the base at which a mechanism may start too, and that nobody looks at [m]
+    hinges_asked : the engineer says which are looked at
     """
 
     stations: int
@@ -43,6 +44,7 @@ class Circumstances:
     unbranched: str = ""
     sound: int = -1
     unchecked: tuple[float, ...] = ()
+    hinges_asked: bool = False
 
 
 def governing_check(checks: tuple[Check, ...]) -> Check | None:
@@ -225,7 +227,8 @@ def limits_of(seen: Evidence) -> list[Sentence]:
     if circumstances.unchecked:
         heights = tuple(Number(height, ".4g") for height in circumstances.unchecked)
         keys = {"building": Key("[building]"), "key": Key("hinge_heights")}
-        reasons.append(reason("heights_left_out", heights=heights, **keys))
+        code = "hinges_as_asked" if circumstances.hinges_asked else "heights_left_out"
+        reasons.append(reason(code, heights=heights, **keys))
     if seen.dynamic:
         if compliance is None:
             reasons.append(reason("no_spectrum"))

@@ -29,9 +29,11 @@ TO_MEND = {
     "no_end_restraint": Sentence("reason", "to_no_restraint", (("key", Key("back_restraint")),)),
     "no_hold_strength": Sentence("reason", "to_no_hold_strength", (("key", Key("restraint_kn_m")),)),
     "no_arch": Sentence("reason", "to_no_arch", (("arch", Key("[wall.arch]")),)),
-    "heights_left_out": Sentence(
-        "reason", "to_hinges", (("building", Key("[building]")), ("key", Key("hinge_heights")))
+    "heights_left_out": Sentence("reason", "to_hinges", (("building", Key("[building]")),)),
+    "hinges_as_asked": Sentence(
+        "reason", "give_reason", (("key", Key("hinge_heights")), ("reasons", Key("justification")))
     ),
+    "few_sound_records": Sentence("reason", "to_sound_records"),
     "no_spectrum": Sentence("reason", "to_no_spectrum"),
     "not_compatible": Sentence("reason", "to_not_compatible"),
     "few_records": Sentence("reason", "to_few_records"),

@@ -89,6 +89,7 @@ class Plan:
             many=max(self.walls, len(self.case.wall)) > MANY_WALLS,
             histories=histories,
             unchecked=unchecked(entry.part, self.case.building),
+            hinges_asked=entry.part.body.hinge_heights is not None,
         )
 
     @property

@@ -68,7 +68,7 @@ class Scene:
     q_slv : of the searches of this very wall, the one its linear check takes and itself; None where none was made
     histories : `demand_check`, or one that keeps its results
     period_taken : the period of the building is none that is given, but the worst of those it may have
-    unchecked : of `Circumstances`
+    unchecked, hinges_asked : of `Circumstances`
     """
 
     wall: Wall
@@ -88,6 +88,7 @@ class Scene:
     histories: Callable[..., Any] = demand_check
     period_taken: bool = False
     unchecked: tuple[float, ...] = ()
+    hinges_asked: bool = False
 
     @cached_property
     def model(self) -> RockingModel:

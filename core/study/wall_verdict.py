@@ -108,9 +108,9 @@ def by_severity(verdicts: tuple[WallVerdict, ...], walls) -> list[WallVerdict]:
 
 
 def _left_out(asked: Wall, case: Case, walls, indices) -> list[Sentence]:
-    """Heights at which a mechanism may start and that the engineer leaves out; those of a building that is not given
-    are a limit of the hinge at the base."""
-    if asked.hinge_heights is None:
+    """Heights at which a mechanism may start and that the engineer leaves out for a reason; the others are a limit of
+    the hinge at the base."""
+    if asked.hinge_heights is None or not (asked.justification and asked.justification.hinge_heights):
         return []
     checked = {round(walls[k].part.hinge, 3) for k in indices if walls[k].part.turns}
     usual = [h for h in usual_hinges(brought(asked, case.building), case.building) if round(h, 3) not in checked]

@@ -133,6 +133,8 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
     if evaluation.zeta is not None and not made:
         limits.append(sentence("reason", "assumptions_not_made", n=MANY_WALLS))
     free = unheld or _overturning(scene, cancelled)
+    if free is not None and dynamic is None and free.satisfied and scene.wall.mechanism != ARCHES:
+        free = None  # that it overturns only histories say, which lower zeta of the clauses
     bound, passes = (free.zeta, free.satisfied) if free else (None, None)
     if bound is not None or (made and (scene.wall.mechanism == "one_sided" or scene.wall.bends)):
         raised = (*raised, _of_the_restraint(evaluation, free))
@@ -186,9 +188,11 @@ def _of_the_restraint(evaluation: Evaluation, free: Evaluation | None) -> Assump
     if wall.mechanism == ARCHES:
         code = "ends_fail"
     if free is None:
-        code = "restraint_unfollowed" if evaluation.dynamic is None else "restraint_stands"
+        unfollowed = evaluation.dynamic is None and (wall.bends or wall.in_si.rocks_both_ways)
+        code = "restraint_unfollowed" if unfollowed else "restraint_stands"
     zeta = free.zeta if free else None
-    stays = free is None and evaluation.outcome == "not_activated" and not wall.bends and wall.in_si.sides_are_alike
+    alike = not wall.bends and wall.in_si.rocks_both_ways and wall.in_si.sides_are_alike
+    stays = free is None and evaluation.outcome == "not_activated" and alike
     return Assumption(
         RESTRAINT,
         sentence("reason", code, zeta=Number(zeta), restraint=declared(wall.in_si.declared)),

@@ -102,6 +102,7 @@ class Evaluation:
             unbranched=self._unbranched(),
             sound=len(counted_stations([motion for motion in motions if not is_doubted(motion)], demand)),
             unchecked=scene.unchecked,
+            hinges_asked=scene.hinges_asked,
         )
         parts = (self.checks, self.dynamic, self.kinematic, scene.compliance, circumstances)
         return Evidence(scene.wall.in_si, scene.mechanism, demand, *parts)

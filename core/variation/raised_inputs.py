@@ -308,9 +308,9 @@ def _of_the_unit_weight(scene: Scene) -> Iterator[Raised]:
     has, of the table where none is named (Circolare 7/2019, Table C8.5.I)."""
     wall, given = scene.wall, scene.wall.unit_weight_kn_m3
     own = [solid.unit_weight_kn_m3 for solid in wall.solid if solid.unit_weight_kn_m3 is not None]
+    solids = tuple(replace(solid, unit_weight_kn_m3=None) for solid in wall.solid)
     if any(weight != given for weight in own):  # lighter outside, heavier inside: the weights alone move the centroid
         even = own[0] if given is None else given
-        solids = tuple(replace(solid, unit_weight_kn_m3=None) for solid in wall.solid)
         end = End(of_wall(solid=solids, unit_weight_kn_m3=even), even)
         value = sentence("word", "of_solids")
         yield one_end("unit_weight_kn_m3", "lift_solid_weight", wall.justification, value, end, even=even)
@@ -318,7 +318,7 @@ def _of_the_unit_weight(scene: Scene) -> Iterator[Raised]:
         return
     least, most = weights(wall.masonry)
     values = [end for end in (least, most) if abs(end - given) > 1e-9]
-    ends = tuple(End(of_wall(unit_weight_kn_m3=value), value) for value in values)
+    ends = tuple(End(of_wall(unit_weight_kn_m3=value, solid=solids), value) for value in values)
     if not ends:
         return
     words = worst_words("lift_unit_weight", ends)

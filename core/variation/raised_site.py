@@ -16,6 +16,7 @@ from core.codes.limits import ORDINARY_LIFE, return_period
 from core.codes.national_hazard import national_range
 from core.codes.spectrum_codes import CODES, NATIONAL
 from core.codes.target_spectrum import housner_intensity
+from core.errors import InputError
 from core.setting.demand_input import interpolated, target_of, with_ag, within
 from core.setting.floors import MAX_STOREY, MIN_STOREY, damaged, other_ends
 from core.setting.scene import ESTIMATES, Scene
@@ -78,7 +79,10 @@ def _of_the_spectrum(scene: Scene) -> Iterator[Raised]:
         words = sentence("added", "ntc_spectrum", soil=soil)
         yield one_end("spectrum", "lift_spectrum", reasons, given, _under(there, words), name=given, soil=soil)
     elif spectrum is not None and spectrum.type == 2:
-        there = _with_spectrum(demand, asked, replace(spectrum, type=1))
+        try:
+            there = _with_spectrum(demand, asked, replace(spectrum, type=1))
+        except InputError:  # an annex may have the other type alone
+            return
         types = [sentence("word", "spectrum_type", type=n) for n in (2, 1)]
         yield one_end("spectrum", "lift_type", reasons, types[0], _under(there, types[1]))
 

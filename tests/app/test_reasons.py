@@ -55,6 +55,7 @@ def test_that_reasons_are_asked_where_a_value_raises_zeta_and_nowhere_else(opene
         law="doherty",
         free_element=False,
         mechanism="both",
+        hinge_heights="base",
         compressive_strength_mpa=2.0,
         unit_weight_kn_m3=18.0,
         return_walls=ReturnWalls(2, 0.4, 0.2, 0.3),

@@ -67,7 +67,7 @@ A = { s = 1.0, t_b = 0.1, t_c = 0.4, t_d = 2.0 }
 """
 
 
-VELOCITY = (FOLDER / "EN1998-ES.toml").read_text(encoding="utf-8")
+VELOCITY, EUROPE = ((FOLDER / f"{name}.toml").read_text(encoding="utf-8") for name in ("EN1998-ES", "EN1998"))
 
 FAULTS = [
     (TABLE, "true", '"false"', "annex_flag"),  # would be true
@@ -82,6 +82,12 @@ FAULTS = [
     (TABLE, "t_b = 0.1, t_c = 0.4, t_d = 2.0", "t_b = 0.01, t_c = 0.04, t_d = 0.2", "annex_value"),
     (TABLE, "t_d = 2.0", "td = 2.0", "annex_keys"),
     (TABLE, "source = ", "sources = ", "annex_keys"),
+    (TABLE, "2.5", "2.2", "annex_value"),
+    (TABLE, "t_b = 0.1", "t_b = 0.3", "annex_value"),
+    (EUROPE, "t_b = 0.20, t_c = 0.60", "t_b = 0.10, t_c = 0.26", "annex_value"),  # less than that of rock
+    (EUROPE, "C = { s = 1.15", "C = { s = 0.95", "annex_value"),
+    (EUROPE, "t_c = 0.60, t_d = 2.0", "t_c = 0.60, t_d = 0.8", "annex_value"),
+    (TABLE, "amplification = 2.5\n", "amplification = 2.5\na = " + "[" * 40000, "annex_unreadable"),
     (VELOCITY, "exponent = 0.465", "exponent = -0.465", "annex_value"),
     (VELOCITY, "800.0\nexp", "8.0\nexp", "annex_value"),
     (VELOCITY, "from_g = 0.1\nto_g = 0.4", "from_g = 0.4\nto_g = 0.1", "annex_order"),
@@ -114,6 +120,15 @@ def test_that_a_file_that_is_no_annex_is_a_code_that_no_case_takes(tmp_path, mon
 def test_that_a_damaged_file_of_an_annex_is_one_sentence(tmp_path, content):
     (tmp_path / "EN1998-X.toml").write_bytes(content)
     assert codes_of(tmp_path)["EN1998-X"].fault.code == "annex_unreadable"
+
+
+def test_that_an_annex_may_have_one_type_alone(tmp_path, monkeypatch):
+    """The row of type 1 beside type 2 ended all walls where there is no type 1."""
+    (tmp_path / "EN1998-X.toml").write_text(TABLE.replace("[type.1]", "[type.2]"))
+    monkeypatch.setitem(CODES, "EN1998", codes_of(tmp_path)["EN1998-X"])
+    spectrum = {"code": "EN1998", "type": 2, "soil": "A"}
+    result = run(clauses_alone({"wall": [WALL], "demand": {"ag_g": 0.1, "spectrum": spectrum}}), base_dir=Path())
+    assert result.verdicts[0].zeta_least
 
 
 def test_that_a_file_does_not_take_the_place_of_the_code_of_the_program(tmp_path):

@@ -97,10 +97,14 @@ def test_that_without_a_building_the_heights_left_out_are_named():
     (left,), said = result.verdicts, result.walls[0].assessed.verdict
     assert left.extra == () and said.limits[0].code == "heights_left_out"
     assert "5 m" in said.limits[0].text("en") and "[building]" in said.limits[0].text("it")
-    (alone,) = made({**loads, "hinge_heights": "base"}).verdicts
+    alone = made({**loads, "hinge_heights": "base"})
+    said = alone.walls[0].assessed.verdict
+    assert alone.verdicts[0].extra == () and said.limits[0].code == "hinges_as_asked" and said.blocking
+    reasons = {"justification": {"hinge_heights": "ring beam of 2019, drawing 4"}}
+    (alone,) = made({**loads, **reasons, "hinge_heights": "base"}).verdicts
     assert [one.code for one in alone.extra] == ["hinges_as_asked"]
     assert made(loads).verdicts[0].extra == ()
-    (some,) = made({**loads, "hinge_heights": [5.0]}).verdicts
+    (some,) = made({**loads, **reasons, "hinge_heights": [5.0]}).verdicts
     assert "base is checked" not in some.extra[0].text("en") and "5 m" not in some.extra[0].text("en")
 
 

@@ -247,6 +247,23 @@ def _ways_past_a_row():
     plinth = {WALL + "thickness_m": 1.5, WALL + "length_m": 5.0}
     plinth |= {WALL + "steps": [{"from_z_m": 0.3, "thickness_m": 0.45, "flush": "outer"}]}
     yield Way("a plinth below the hinge", "facade", plinth, "heights_left_out")
+    leans = [{"plane": "section", "to_m": 5.0, "polygon_m": [[0, 0], [0.65, 0], [1.35, 5], [0.7, 5]]}]
+    unnamed = unsaid | {WALL + "back_restraint": DROP}
+    bare_lean = {WALL + "thickness_m": 0.65, WALL + "length_m": 5.0, WALL + "solid": leans, "demand.ag_g": 0.05}
+    yield Way("leans inward, nothing behind it", "facade", bare_lean | unnamed, "back_restraint")
+    held = {WALL + "mechanism": "vertical_bending", WALL + "thickness_m": 0.5, WALL + "height_m": 7.0}
+    held |= {WALL + "back_restraint": "tied_floors", WALL + "restraint_kn_m": 50.0, "demand.ag_g": 0.08} | unsaid
+    held |= {"building": {"height_m": 7.0, "storeys": 2, "period_s": 0.2}, "analysis": {"histories": False}}
+    yield Way("held at its top, no evidence, no histories", "facade", held, "back_restraint")
+    inside = [[0, 0], [0.65, 0], [0.65, 5], [0, 5]]
+    heavy = [{"plane": "section", "to_m": 5.0, "unit_weight_kn_m3": 40.0, "polygon_m": inside}]
+    pushed = bare | {WALL + "thickness_m": 0.65, WALL + "length_m": 5.0, WALL + "unit_weight_kn_m3": 40.0}
+    pushed |= {WALL + "load": [{"kind": "thrust", "kn_m": 4.0, "h_m": 5.0}], WALL + "solid": heavy, "demand.ag_g": 0.06}
+    yield Way("the weight of the wall once more in its solid", "facade", pushed, "unit_weight_kn_m3")
+    step = {WALL + "height_m": 9.0, WALL + "thickness_m": 0.65, WALL + "length_m": 5.0, "demand.ag_g": 0.08}
+    step |= {WALL + "steps": [{"from_z_m": 6.0, "thickness_m": 0.25, "flush": "outer"}], WALL + "hinge_heights": "base"}
+    storeys = {"building": {"height_m": 9.0, "storeys": 3, "period_s": 0.26}}
+    yield Way("a hinge left out of those of the building", "facade", step | storeys, "hinges_as_asked")
     one = {"record": MOTIONS[:1]}
     yield Way("scatter 0.33 beside a record", "facade", one | {"generate": {"count": 14, "scatter": 0.33}}, "scatter")
     yield Way("a seed beside a record", "facade", one | {"generate": {"seed": 6}}, "seed")

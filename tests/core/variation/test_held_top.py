@@ -93,7 +93,7 @@ def test_that_the_verdict_rests_on_the_kinematic_checks_and_says_so():
 @pytest.mark.shows("held.restraint")
 def test_that_a_top_nobody_names_gives_no_verification_however_strong_the_wall_is():
     strong = {"thickness_m": 0.9, "load": [TOP | {"kn_m": 200.0, "d_m": 0.45}]}
-    strong |= {"restraint_kn_m": 200.0}
+    strong |= {"restraint_kn_m": 200.0, "restraint_evidence": "drawing"}
     named, unnamed = (study(WALL | strong | {"back_restraint": text}).walls[0] for text in ("kerb", ""))
     assert named.assessment.verdict.code == "not_activated"
     word = study(WALL | strong | {"restraint_kn_m": None}).walls[0]  # how much it stands, nobody says
