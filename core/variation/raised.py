@@ -75,9 +75,14 @@ def worst_words(code: str, ends: tuple[End, ...]) -> Callable[[list[float | None
         k = min(range(len(zetas)), key=lambda k: worth(zetas[k]))
         value = ends[k].value
         end = Number(value, ".2g") if isinstance(value, float) else value
-        return sentence("reason", code, zeta=Number(zetas[k]), end=end, check=named(check))
+        return sentence("reason", code, zeta=zeta_said(zetas[k]), end=end, check=named(check))
 
     return words
+
+
+def zeta_said(zeta: float | None) -> Number | Sentence:
+    """zeta at another end within a sentence; where there is none, that the wall may not stand there."""
+    return sentence("added", "no_zeta") if zeta is None else Number(zeta)
 
 
 def named(check: Check) -> Sentence:
@@ -92,7 +97,7 @@ def one_end(
 
     def words(zetas, check):
         told = {"check": named(check)} if key in OF_LOADS else {}
-        return sentence("reason", code, zeta=Number(zetas[0]), **told, **values)
+        return sentence("reason", code, zeta=zeta_said(zetas[0]), **told, **values)
 
     return Raised(key, reasons, value, (end,), words, source, histories, permitted)
 
