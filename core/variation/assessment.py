@@ -133,9 +133,9 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
     if evaluation.zeta is not None and not made:
         limits.append(sentence("reason", "assumptions_not_made", n=MANY_WALLS))
     free = unheld or _overturning(scene, cancelled)
-    if free is not None and dynamic is None and free.satisfied and scene.wall.mechanism != ARCHES:
-        free = None  # that it overturns only histories say, which lower zeta of the clauses
     bound, passes = (free.zeta, free.satisfied) if free else (None, None)
+    if free is not None and dynamic is None and free.satisfied and scene.wall.mechanism != ARCHES:
+        free, passes = None, False  # that it overturns only histories say, which lower zeta of the clauses
     if bound is not None or (made and (scene.wall.mechanism == "one_sided" or scene.wall.bends)):
         raised = (*raised, _of_the_restraint(evaluation, free))
     if (arch := kinematic.wall.arch) is not None:
