@@ -33,7 +33,7 @@ RANGES = {
     "from_m_s": (50.0, 3000.0),
     "to_m_s": (50.0, 3000.0),
 }
-"""Of the numbers of an annex [-, s, g, m/s]: what printed ones hold, with room. 2.5 is of EN 1998-1 itself (3.2 to
+"""What the numbers of printed annexes lie within, with room [-, s, g, m/s]. 2.5 is of EN 1998-1 itself (3.2 to
 3.5), to which it leaves no choice."""
 
 GROUNDS = ("A", "B", "C", "D", "E")
@@ -151,7 +151,7 @@ class _Table:
 
     @staticmethod
     def spectrum(given: dict[str, Any], ag: float, soil: str, kind: int) -> CodeSpectrum:
-        """Of a type. Raises InputError for a type or a ground that the annex has not."""
+        """Make the spectrum of a type. Raises InputError for a type or a ground that the annex has not."""
         name = f"{given['name']} type {kind}"
         row = _of_ground(given["type"].get(str(kind), {}), soil, name)
         return CodeSpectrum(f"{name}, {soil}", ag, row["s"], given["amplification"], row["t_b"], row["t_c"], row["t_d"])
@@ -190,8 +190,10 @@ class _Velocity:
 
     @staticmethod
     def spectrum(given: dict[str, Any], ag: float, soil: str, vs30: float, contribution: float) -> CodeSpectrum:
-        """Of a ground of this velocity [m/s]; contribution : K of the far earthquakes [-]. Raises InputError for a
-        ground that the annex has not, or that is not of this velocity."""
+        """Make the spectrum of a ground of this velocity [m/s]. contribution : K of the far earthquakes [-]
+
+        Raises InputError for a ground that the annex has not, or that is not of this velocity.
+        """
         ground, whole = _of_ground(given["soil"], soil, given["name"]), given["amplified"]
         low, high = ground["vs30_m_s"]
         if not low <= vs30 <= high:

@@ -52,7 +52,7 @@ def codes_of(folder: Path) -> dict[str, Code]:
 
 
 def _never(*_) -> CodeSpectrum:
-    """Of a code with a fault, which is refused before."""
+    """Make no spectrum: a code with a fault is refused before."""
     raise AssertionError
 
 
