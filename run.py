@@ -581,8 +581,8 @@ def prepare(groups, older_serves):
     except Failure as failure:
         if "parquet" not in groups:
             raise
-        say(str(failure))
         ensure([group for group in groups if group != "parquet"], older_serves=older_serves)
+        say(str(failure))
     if older_serves:
         take_kernels()
 

@@ -1,20 +1,25 @@
 """run.py: what it does before anything is installed."""
 
+import ast
 import importlib.util
 import os
 import re
 import shutil
 import subprocess
 import sys
+import tomllib
 import zipfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 
+from app.terminal import command_line
 from core.text.sentence import LANGUAGES
 from tests.conftest import ROOT
 from tests.core.jit.test_shipped import make_library
 from tests.test_packaging import of_packaging
+from tests.trees import nodes_of
 
 EXAMPLE = str(ROOT / "resources" / "cases" / "example.toml")
 
@@ -392,6 +397,88 @@ def test_that_a_typo_costs_nothing(tmp_path, words, code, said):
     )
     assert (found.returncode, list(tmp_path.iterdir())) == (code, [])
     assert said in found.stdout + found.stderr and "Traceback" not in found.stderr
+
+
+CASE = "resources/cases/verdict.toml"
+SENTENCES = {0: "", 1: "the environment cannot be made in", 2: "did you mean"}
+"""Exit code of a start that can install nothing -> what it prints to stderr."""
+
+STARTS = (
+    ([], 1),
+    ([CASE], 1),
+    (["--batch", CASE], 1),
+    (["--batch", CASE, "--report", "note.pdf", "--resume", "--jobs", "2", "--quiet"], 1),
+    (["--batch", CASE, "--part", "1/2"], 1),
+    (["--batch", CASE, "--merge"], 1),
+    (["--batch", CASE, "--scheduler", "local:2"], 1),
+    (["--study", "paper", "--quick", "--pack"], 1),
+    (["--inspect", CASE], 1),
+    (["--extract", CASE], 1),
+    (["--verify", CASE], 1),
+    (["--validate"], 1),
+    (["validate"], 1),
+    (["--export-check", CASE], 1),
+    (["test"], 1),
+    (["test", "--newest"], 1),
+    *(([word], 1) for word in load().TOOLS),
+    (["--version"], 0),
+    (["--help"], 0),
+    (["--bacth", CASE], 2),
+    (["tset"], 2),
+)
+
+
+def copy_sources(folder):
+    """Copy what a checkout holds of the program, without an environment and without byte code."""
+    for name in ("app", "core", "packaging", "resources", "tests"):
+        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
+    for name in ("run.py", "requirements.lock"):
+        shutil.copy(ROOT / name, folder / name)
+
+
+@pytest.mark.shows("install.front_door")
+def test_that_every_word_starts_with_a_python_that_has_nothing_installed(tmp_path):
+    """With `-I -S` no package can be imported, and in a bare virtual environment none is there: a start ends in its own
+    sentence, never in a traceback. Where nothing can be written, no word gets further than that sentence."""
+    tree, bare = tmp_path / "tree", tmp_path / "bare"
+    tree.mkdir()
+    copy_sources(tree)
+    subprocess.run([sys._base_executable, "-m", "venv", "--without-pip", bare], check=True)
+    (tmp_path / "file").touch()
+    variables = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
+    variables |= {"RIBALTA_ENV": str(tmp_path / "file" / "env"), "LC_ALL": "C.UTF-8"}
+    pythons = [sys._base_executable, "-I", "-S"], [load().interpreter(str(bare))]
+
+    def start(python, words):
+        return subprocess.run([*python, "run.py", *words], cwd=tree, env=variables, capture_output=True, text=True)
+
+    starts = [(python, words, code) for words, code in STARTS for python in pythons]
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        ends = list(pool.map(lambda entry: start(*entry[:2]), starts))
+    for (python, words, code), end in zip(starts, ends, strict=True):
+        assert end.returncode == code, (python, words, end.stderr)
+        assert SENTENCES[code] in end.stderr and "Traceback" not in end.stderr, (python, words, end.stderr)
+        assert code != 1 or len(end.stderr.splitlines()) == 1, (python, words, end.stderr)
+    spoken = {option for words, _ in STARTS for option in words if option.startswith("--")}
+    options = {option for action in command_line.parser()._actions for option in action.option_strings}
+    assert spoken >= options - {"-h", "--output", "--records", "--data", "--force"}
+
+
+def test_that_the_contract_of_the_start_names_all_that_run_py_imports():
+    """The contract forbids packages to the modules it names: run.py imports no other of ours."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    contracts = project["tool"]["importlinter"]["contracts"]
+    contract = next(rule for rule in contracts if rule["name"].startswith("what run.py imports"))
+    imported = set()
+    for source in (ROOT / "run.py", ROOT / "packaging" / "platforms.py"):
+        for node in nodes_of(source):
+            if isinstance(node, ast.ImportFrom) and node.module.startswith(("app", "core")):
+                named = {f"{node.module}.{alias.name}" for alias in node.names}
+                imported |= named if node.module == "app.terminal" else {node.module}
+    sources = tuple(contract["source_modules"])
+    assert imported and all(f"{name}.".startswith(tuple(f"{source}." for source in sources)) for name in imported)
+    base = {re.match(r"[\w-]+", package)[0] for package in project["project"]["dependencies"]}
+    assert base <= set(contract["forbidden_modules"])
 
 
 def test_that_run_py_speaks_the_language_of_the_system(tmp_path):

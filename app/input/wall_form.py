@@ -42,7 +42,8 @@ from core.case.arch import Between
 from core.case.loads import ReturnWalls
 from core.case.solids import InPlan
 from core.case.values import check_value
-from core.case.wall import ARCHES, AS_IS, BENDS, DESIGNED, Wall
+from core.case.variant_names import AS_IS, DESIGNED
+from core.case.wall import ARCHES, BENDS, Wall
 from core.case.wall_table import read_table, text_rows, walls_of
 from core.codes.masonry_types import TYPES
 from core.codes.vertical_bending import bending, uplift_multiplier

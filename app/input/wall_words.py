@@ -15,7 +15,8 @@ from core.case.loads import Load
 from core.case.rules import TESTED_STRENGTH
 from core.case.schema import Case
 from core.case.values import field_of
-from core.case.wall import AS_IS, DESIGNED, Wall
+from core.case.variant_names import AS_IS, DESIGNED
+from core.case.wall import Wall
 from core.codes.target_spectrum import velocity_integral
 from core.errors import InputError
 from core.setting.demand_input import demand_of

@@ -1,6 +1,6 @@
 """The language of what a person reads on screen, and what the forms of the window call the keys of a case."""
 
-from core.case.wall import AS_IS, DESIGNED
+from core.case.variant_names import AS_IS, DESIGNED
 from core.errors import InputError
 from core.text.sentence import FormNames, Sentence, capital, localized, numeral, text_of_key, word
 

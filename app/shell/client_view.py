@@ -20,7 +20,7 @@ from app.look.language import described, named, tr
 from app.shell.film import Film
 from app.views.runs import before_motion
 from core import atomic_write
-from core.case.wall import AS_IS
+from core.case.variant_names import AS_IS
 from core.codes.outcomes import OUTCOMES
 from core.errors import InputError, OutputError
 from core.known import known

@@ -1,7 +1,7 @@
 """`variant_of` in a case file: a wall as the copy of another, of which only what differs is written."""
 
 from core.case.values import repeated
-from core.case.wall import AS_IS, DESIGNED
+from core.case.variant_names import AS_IS, DESIGNED
 from core.errors import InputError, place
 
 KEY = "variant_of"

@@ -11,6 +11,7 @@ from core.case.keys import choice_key, content_of, flag_key, key, number_key, te
 from core.case.loads import Load, ReturnWalls
 from core.case.shape import Shaped
 from core.case.solids import Corner, Drawing, InPlan, Leaf, Opening, Solid, Step, Wedges
+from core.case.variant_names import AS_IS, DESIGNED
 from core.codes.masonry_types import TYPES
 from core.errors import InputError, place
 from core.known import known
@@ -28,10 +29,6 @@ MIN_ELASTIC = 0.001
 """Smallest D1 of a trilinear law that is given by its ends. That of an element free to vibrate may be shorter: it is no
 rigid law all the same. However short, the wall vibrates on it before it rocks, and a motion that would not lift the
 rigid wall drives it off its end with what it has stored there."""
-
-
-AS_IS, DESIGNED = "stato di fatto", "progetto"
-"""Variants of a wall: two walls of one name are compared if each is one of them."""
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,8 @@
 from collections.abc import Container
 from dataclasses import dataclass, fields, replace
 
-from core.case.wall import AS_IS, DESIGNED, Wall
+from core.case.variant_names import AS_IS, DESIGNED
+from core.case.wall import Wall
 from core.study.results import WallResult, WallVerdict
 from core.text.sentence import notice
 

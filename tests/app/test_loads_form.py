@@ -11,7 +11,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMessageBox
 
 from core.case.loads import Bars, Load
-from core.case.wall import AS_IS, DESIGNED
+from core.case.variant_names import AS_IS, DESIGNED
 from tests.app.driving import run, type_into
 
 

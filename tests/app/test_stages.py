@@ -19,7 +19,7 @@ from app.shell import client_view, finder, first_run
 from core.case.loads import Load
 from core.case.reader import read_case
 from core.case.site import Demand
-from core.case.wall import AS_IS, DESIGNED
+from core.case.variant_names import AS_IS, DESIGNED
 from tests.app.driving import run, settle
 
 

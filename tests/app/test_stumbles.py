@@ -17,7 +17,7 @@ from app.views.runs import before_motion
 from core.case.loads import Bars, Load
 from core.case.schema import Generate
 from core.case.site import Spectrum
-from core.case.wall import DESIGNED
+from core.case.variant_names import DESIGNED
 from core.codes.national_hazard import municipality
 from core.codes.outcomes import OUTCOMES
 from core.errors import InputError

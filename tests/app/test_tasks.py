@@ -17,7 +17,7 @@ from app.shell import client_view, files, finder
 from app.shell.pointing import point_at
 from core.case.loads import Bars, Load
 from core.case.site import Building, Demand, Spectrum
-from core.case.wall import AS_IS, DESIGNED
+from core.case.variant_names import AS_IS, DESIGNED
 from tests.app.driving import run, settle
 from tests.conftest import ROOT
 from tests.core.report.test_picture import png

@@ -14,7 +14,8 @@ from core.case.problems import problems
 from core.case.rules import parse_case
 from core.case.schema import Analysis, Case, Record, Report
 from core.case.site import Building, Demand, Spectrum
-from core.case.wall import DESIGNED, Wall
+from core.case.variant_names import DESIGNED
+from core.case.wall import Wall
 from core.case.writer import table_of
 from core.errors import InputError
 

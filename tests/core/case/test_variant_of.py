@@ -7,7 +7,7 @@ import pytest
 
 from core.case.reader import read_case
 from core.case.rules import draft_case, parse_case
-from core.case.wall import AS_IS, DESIGNED
+from core.case.variant_names import AS_IS, DESIGNED
 from core.case.wall_table import text_rows, walls_of
 from core.case.writer import dumps
 from core.errors import InputError
