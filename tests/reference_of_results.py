@@ -43,6 +43,7 @@ KINDS = {
     "frees": "list of objects",
     "any": "number or text",
     "pairs": "list of pairs",
+    "rows": "list of lists of texts",
 }
 
 

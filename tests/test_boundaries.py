@@ -98,6 +98,8 @@ SHOWN_BY = {
     "research/pack": "tests/app/test_study.py",
     "research/motion_archive": "tests/core/research/test_shake_table.py",
     "report/case_text": "tests/app/test_verification.py",
+    "case/case_files": "tests/app/test_verification.py",
+    "case/variant_names": "tests/core/case/test_variant_of.py",
     "report/columns": LARGE,
     "study/executors": "tests/core/study/test_scheduler.py",
     "report/parquet_file": LARGE,

@@ -436,7 +436,7 @@ class WallForm(WallEditor):
             notes = []
 
             def read():
-                walls, notices = read_table(Path(name), self.session.case.demand is not None)
+                walls, notices, *_ = read_table(Path(name), self.session.case.demand is not None)
                 notes.extend(notices)
                 return walls
 

@@ -11,6 +11,7 @@ from app.look.language import described, terminal
 from app.terminal import export
 from app.terminal.batch import say
 from app.terminal.terminal_progress import progress
+from core.case.case_files import CaseFile, choose_held, parse_entries, parse_lines
 from core.case.note_file import CASE, MAX_NOTE_BYTES, NOTE_FILES, files_within, is_note, unpacked
 from core.case.reader import case_of_text
 from core.case.schema import Case
@@ -56,12 +57,12 @@ def compared(report: Path, records: Path | None = None, **how: Any) -> tuple[int
     """
     content, folder = _content(report), records or report.parent
     try:
-        reported, case_text = _reported(report, content)
+        reported, case_text, files = _reported(report, content)
         made_by = reported.get("program", {}).get("version", VERSION)
         if made_by != VERSION:
             text = "made by version {made}, this is {here}: take that version"
             raise Unverifiable(terminal(text, made=made_by, here=VERSION))
-        case = _case(case_text, report, folder)
+        case = _case(case_text, report, folder, files)
         try:
             result = run_study(case, base_dir=folder, **how)
         except InputError as error:
@@ -100,24 +101,33 @@ def _content(report: Path) -> bytes:
         raise InputError("unreadable", reason=error.strerror, place=(report,)) from None
 
 
-def _reported(report: Path, content: bytes) -> tuple[dict, str]:
-    """Results and text of the case within a report. Raises InputError for another file, Unverifiable for one without
-    the text of its case."""
+def _reported(report: Path, content: bytes) -> tuple[dict, str, tuple[CaseFile, ...]]:
+    """Results and text of the case within a report, and the files that the case names. Raises InputError for another
+    file, Unverifiable for one without the text of its case."""
     if is_note(content):
         files = files_within(report)
         table = _loaded(files.get("results.json", b""), report)
-        return table, table.get("case_toml") or files[CASE].decode("utf-8")
+        return table, table.get("case_toml") or files[CASE].decode("utf-8"), _files(parse_entries, table, report)
     if content.startswith(b"PK"):
         require("report")
-        text = _bounded(report, case_of_workbook, content)
+        text, lines = _bounded(report, case_of_workbook, content)
         if not text:
             raise Unverifiable(terminal("it does not hold the text of its case"))
         beside = report.with_suffix(".json")  # it says which records; without it the sheet of them tells
-        return _loaded(_content(beside), beside) if beside.exists() else {"records": []}, text
+        table = _loaded(_content(beside), beside) if beside.exists() else {"records": []}
+        return table, text, _files(parse_lines, lines, report)
     table = _loaded(content, report)
     if not table.get("case_toml"):
         raise Unverifiable(terminal("it does not hold the text of its case"))
-    return table, table["case_toml"]
+    return table, table["case_toml"], _files(parse_entries, table, report)
+
+
+def _files(parse: Callable[[Any], tuple[CaseFile, ...]], content: Any, report: Path) -> tuple[CaseFile, ...]:
+    """The files of a case within a report: of the table of the results, or of lines of a workbook."""
+    try:
+        return parse(content.get("files", ()) if isinstance(content, dict) else content)
+    except (ValueError, RecursionError):
+        raise InputError("not_a_report", place=(report,)) from None
 
 
 def _loaded(content: bytes, place: Path) -> dict:
@@ -141,10 +151,10 @@ def _bounded(report: Path, work: Callable, *given: Any) -> Any:
         raise InputError("not_a_report", place=(report,)) from None
 
 
-def _case(text: str, report: Path, folder: Path) -> Case:
-    """The case of its text, beside the files it reads."""
+def _case(text: str, report: Path, folder: Path, files: tuple[CaseFile, ...]) -> Case:
+    """The case of its text, beside the files it reads that the report does not hold."""
     try:
-        return case_of_text(text, folder / report.name)
+        return case_of_text(text, folder / report.name, choose_held(files, folder))
     except InputError as error:
         raise Unverifiable(described(error)) from None
 

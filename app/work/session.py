@@ -155,9 +155,8 @@ class Session:
                 case = self._judge(self.case)
                 if self.saved.sha256 and not self.dirty:  # what the batch says of the file
                     given = self.saved.given or case.given
-                    case = replace(
-                        case, sha256=self.saved.sha256, given=given, table=self.saved.table, source=self.saved.source
-                    )
+                    read = {key: getattr(self.saved, key) for key in ("sha256", "table", "source", "files")}
+                    case = replace(case, given=given, **read)
                 judged = (case, None)
             except InputError as error:
                 judged = (None, error)

@@ -1,20 +1,25 @@
 """A case file read and checked."""
 
+import contextlib
 import hashlib
 import re
 import tomllib
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 from pathlib import Path
 
+from core.case.case_files import CaseFile, hash_file, hold_rows
 from core.case.drawn_solids import with_drawings
 from core.case.hazard_table import read_hazard
 from core.case.many_walls import ManyWalls, with_many
 from core.case.note_file import CASE, MAX_NOTE_BYTES, files_within, is_note
 from core.case.rules import parse_case, with_walls
 from core.case.schema import Case
-from core.case.wall_table import MANY_BYTES, read_table
+from core.case.wall import Wall
+from core.case.wall_table import read_table, walls_of
 from core.errors import InputError
 from core.file_names import name_of
+from core.known import known
 from core.regular_file import TooLarge, first_bytes, read_regular
 
 MAX_DOTS = 50
@@ -75,31 +80,51 @@ def read_case(path: Path, many: bool = False) -> Case:
     return _case_of(table, content, path, many)
 
 
-def case_of_text(text: str, path: Path) -> Case:
-    """The case of the text of a file as it would be read at a path, which need not be there. Raises InputError."""
+def case_of_text(text: str, path: Path, held: Collection[CaseFile] = ()) -> Case:
+    """The case of the text of a file as it would be read at a path, which need not be there. held : files whose rows
+    are known. Raises InputError."""
     content = text.encode()
-    return _case_of(_table_of(content, path), content, path, False)
+    return _case_of(_table_of(content, path), content, path, False, held)
 
 
-def _case_of(table: dict, content: bytes, path: Path, many: bool) -> Case:
+def _case_of(table: dict, content: bytes, path: Path, many: bool, held: Collection[CaseFile] = ()) -> Case:
     try:
         table, drawings = with_drawings(table, path.parent)
         case = parse_case(table)
-        digest = hashlib.sha256(content)
-        digest.update("".join(drawing.sha256 for drawing in drawings).encode())
+        files = [CaseFile("drawing", drawing.file, drawing.sha256) for drawing in drawings]
         if case.walls is not None:
-            source = path.parent / name_of(case.walls)
-            walls, notes = read_table(source, case.demand is not None, many)
-            digest.update(read_regular(source, MANY_BYTES))
-            table = case.walls
+            walls, file = _walls_of_table(case, path.parent, many, held)
+            files.append(file)
             case = with_many(case, walls) if isinstance(walls, ManyWalls) else with_walls(case, [*case.wall, *walls])
-            case = replace(case, table=table, table_notes=tuple(notes))
+            case = replace(case, table=file.file, table_notes=file.notices)
         if case.demand and case.demand.hazard_file:
-            source = path.parent / name_of(case.demand.hazard_file)
-            read_hazard(source)
-            digest.update(read_regular(source, MAX_BYTES))
-        case = replace(case, sha256=digest.hexdigest(), source=content.decode("utf-8-sig"))
-        notices, files = (tuple(getattr(one, name) for one in drawings) for name in ("notice", "file"))
-        return replace(case, drawings=notices, drawn_from=files)
+            read_hazard(path.parent / name_of(case.demand.hazard_file))
+        files += _files_of_demand(case, path.parent)
+        digest = hashlib.sha256(content)
+        digest.update("".join(file.sha256 for file in files).encode())
+        case = replace(case, sha256=digest.hexdigest(), source=content.decode("utf-8-sig"), files=tuple(files))
+        notices, drawn_from = (tuple(getattr(drawing, name) for drawing in drawings) for name in ("notice", "file"))
+        return replace(case, drawings=notices, drawn_from=drawn_from)
     except InputError as error:
         raise error.at(path) from None
+
+
+def _walls_of_table(
+    case: Case, folder: Path, many: bool, held: Collection[CaseFile]
+) -> tuple[list[Wall] | ManyWalls, CaseFile]:
+    """Read the walls of the table that a case names: of the file, or of its rows where they are held."""
+    name, with_demand = known(case.walls), case.demand is not None
+    for file in held:
+        if (file.role, file.file) == ("walls", name) and file.rows is not None:
+            return walls_of([list(row) for row in file.rows], with_demand), file
+    read = read_table(folder / name_of(name), with_demand, many)
+    return read.walls, CaseFile("walls", name, read.sha256, tuple(read.notices), hold_rows(read.rows))
+
+
+def _files_of_demand(case: Case, folder: Path) -> Iterator[CaseFile]:
+    """Yield the files that a demand names and that are there: who reads one that is not says so."""
+    for key in ("hazard_file", "spectrum_file"):
+        name = getattr(case.demand, key, None)
+        if name:
+            with contextlib.suppress(OSError):
+                yield CaseFile(key, name, hash_file(folder / name_of(name)))

@@ -98,7 +98,7 @@ def sections() -> dict[str, type]:
     return dict([*named, *inside("sensitivity", Ranges, False)])
 
 
-OWN_FIELDS = ("sha256", "given", "table", "table_notes", "drawings", "drawn_from", "source")
+OWN_FIELDS = ("sha256", "given", "table", "table_notes", "drawings", "drawn_from", "source", "files")
 """Fields of a Case that are no keys of a file."""
 
 
@@ -112,6 +112,7 @@ class Case:
     table_notes : Notices on it
     drawings : Notices of the drawings its solids come from; drawn_from : their files
     source : text of the file it was read from, whose comments the note keeps
+    files : that it names beside its records, as they were read (CaseFile)
     """
 
     title: str = text_key("Ribalta")
@@ -133,6 +134,7 @@ class Case:
     drawings: tuple = field(default=(), compare=False)
     drawn_from: tuple[str, ...] = field(default=(), compare=False)
     source: str = field(default="", compare=False, repr=False)
+    files: tuple = field(default=(), compare=False, repr=False)
 
     @property
     def default_histories(self) -> bool:

@@ -1,9 +1,11 @@
 """Walls of a table: .xlsx or .csv, one row a wall; units in a row below the column titles, or in the titles."""
 
 import csv
+import hashlib
 import io
 import re
 from pathlib import Path
+from typing import NamedTuple
 
 from core.case.many_walls import ManyWalls
 from core.case.wall import Wall
@@ -20,15 +22,27 @@ MANY_ROWS, MANY_BYTES = 2_000_000, 500_000_000
 """Limits of a text whose walls are read one after the other."""
 
 
+class WallTable(NamedTuple):
+    """A table of walls as it was read.
+
+    notices : sheet, hidden rows and other sheets that were passed over
+    rows : the cells that `parse_wall_rows` takes; none of ManyWalls
+    sha256 : of the file
+    """
+
+    walls: list[Wall] | ManyWalls
+    notices: list[Sentence]
+    rows: list[list[str]]
+    sha256: str
+
+
 def read_walls(path: Path, with_demand: bool = False) -> list[Wall]:
     """The walls of `read_table`."""
-    return list(read_table(path, with_demand)[0])
+    return list(read_table(path, with_demand).walls)
 
 
-def read_table(
-    path: Path, with_demand: bool = False, many: bool = False
-) -> tuple[list[Wall] | ManyWalls, list[Sentence]]:
-    """The walls of a table, and what was read and passed over: sheet, hidden rows, other sheets.
+def read_table(path: Path, with_demand: bool = False, many: bool = False) -> WallTable:
+    """Read a table of walls.
 
     with_demand : the height of the base is needed
     many : of a text of more than MAX_ROWS rows the walls are ManyWalls, else it is refused
@@ -39,10 +53,11 @@ def read_table(
             raise InputError("table_not_a_file")
         is_text, notes = path.suffix.lower() in (".csv", ".txt"), []
         content = read_regular(path, MANY_BYTES if many and is_text else MAX_BYTES)
+        digest = hashlib.sha256(content).hexdigest()
         if path.suffix.lower() == ".xlsx":
             rows, notes = _xlsx_rows(content)
             try:
-                return walls_of(rows, with_demand), notes
+                return WallTable(walls_of(rows, with_demand), notes, rows, digest)
             except InputError as error:
                 title = dict(notes[0].values)["sheet"]
                 raise error.at(place("sheet", name=title)) from None
@@ -53,8 +68,9 @@ def read_table(
             last = text.rstrip().rsplit("\n", 1)[-1]
             notes.append(notice("table_not_ended", cell=re.split(r"[;,\t]", last)[-1].strip()[-40:] or last[-40:]))
         if many and text.count("\n") >= MAX_ROWS:
-            return _many_walls(text, with_demand), notes
-        return walls_of(text_rows(text), with_demand), notes
+            return WallTable(_many_walls(text, with_demand), notes, [], digest)
+        rows = text_rows(text)
+        return WallTable(walls_of(rows, with_demand), notes, rows, digest)
     except FileNotFoundError:
         raise InputError("no_table", place=(path,)) from None
     except TooLarge as error:

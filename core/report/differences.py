@@ -58,8 +58,9 @@ def _text(value: Any) -> str:
     return "" if value is ... else str(value)[:MAX_LETTERS_SHOWN]
 
 
-def case_of_workbook(content: bytes) -> str:
-    """The text of the case within a workbook, "" where there is none."""
+def case_of_workbook(content: bytes) -> tuple[str, list[str]]:
+    """The text of the case within a workbook, "" if there is none, and the lines of the files it names
+    (core/case/case_files.py)."""
     import openpyxl
 
     book = openpyxl.load_workbook(io.BytesIO(content), read_only=True)  # this sheet alone
@@ -69,13 +70,15 @@ def case_of_workbook(content: bytes) -> str:
             return localized("report", text, language)
 
         name, heading = say("Input"), say("The case as it was run")
+        files_heading = say("The files it names, as they were read")
         if name in book.sheetnames:
             book[name].reset_dimensions()  # a file may claim another size
             column = [row[0] if row else None for row in book[name].iter_rows(values_only=True)]
             if heading in column:
-                lines = column[column.index(heading) + 1 :]
-                return "\n".join("" if line is None else str(line) for line in lines) + "\n"
-    return ""
+                lines = ["" if line is None else str(line) for line in column[column.index(heading) + 1 :]]
+                end = lines.index(files_heading) if files_heading in lines else len(lines)
+                return "\n".join(lines[:end]).rstrip("\n") + "\n", list(filter(None, lines[end + 1 :]))
+    return "", []
 
 
 def of_workbooks(reported: bytes, rerun: bytes) -> list[Difference]:

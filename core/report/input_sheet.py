@@ -2,6 +2,7 @@
 
 from dataclasses import fields
 
+from core.case.case_files import as_lines
 from core.case.keys import pretty
 from core.case.schema import Case, sections
 from core.report.case_text import text_of
@@ -41,8 +42,11 @@ def inputs(book: Book, result: StudyResult) -> None:
     for note in (*case.table_notes, *case.drawings):
         row = paragraph(sheet, row, f"• {note.text(book.language)}", 4, 110, color=QUIET)
     title(sheet, row + 1, book.say("The case as it was run"), 12)
-    for n, line in enumerate(text_of(result).splitlines(), start=row + 2):
-        text(sheet, n, 1, line)
+    for row, line in enumerate(text_of(result).splitlines(), start=row + 2):  # noqa: B020  (the row above is done)
+        text(sheet, row, 1, line)
+    title(sheet, row + 2, book.say("The files it names, as they were read"), 12)
+    for n, line in enumerate(as_lines(case.files), start=row + 3):
+        text(sheet, n, 1, line, size=8, color=QUIET)
     sheet.freeze_panes = "A3"
 
 

@@ -70,7 +70,7 @@ class Shared(NamedTuple):
 
 def shared_by(case: Case, base_dir: Path, inputs: Inputs, longest: float | None) -> Shared:
     """What the tasks of a case have in common. case : its records chosen; inputs, longest : as in Shared"""
-    bare = replace(case, wall=(), source="", table_notes=())
+    bare = replace(case, wall=(), source="", table_notes=(), files=())
     return Shared(bare, base_dir.absolute(), len(case.wall), longest, files_key(case, base_dir, inputs), program_here())
 
 

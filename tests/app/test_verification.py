@@ -92,6 +92,81 @@ def test_that_a_report_whose_case_names_its_record_absolutely_is_equal_wherever_
         assert code == 0, said
 
 
+FILES_CASE = """
+title = "Of files"
+walls = "tables/walls.xlsx"
+report.language = "it"
+[analysis]
+histories = false
+[demand]
+ag_g = 0.12
+spectrum_file = "spectrum.csv"
+hazard_file = "hazard.csv"
+"""
+
+
+@pytest.fixture(scope="module")
+def of_files(tmp_path_factory):
+    """A folder with a case that names a table of walls, a spectrum and a hazard, and its reports."""
+    folder = tmp_path_factory.mktemp("files")
+    (folder / "tables").mkdir()
+    book = openpyxl.Workbook()
+    rows = (
+        ["name", "height_m", "thickness_m", "mechanism", "base_z_m"],
+        ["-", "m", "cm", "-", "m"],
+        ["facade = 1", 5.0, "45", "two_sided", 0],
+        ["gable", "3,5", 30, "two_sided", 0],
+        [None, None, None, None, None],
+        ["hidden", 4.0, 40, "two_sided", 0],
+    )
+    for row in rows:
+        book.active.append(row)
+    book.active.row_dimensions[6].hidden = True
+    book.save(folder / "tables" / "walls.xlsx")
+    (folder / "spectrum.csv").write_text("0.0 0.12\n0.2 0.4\n0.4 0.4\n0.6 0.4\n1.0 0.24\n2.0 0.12\n4.0 0.05\n")
+    (folder / "hazard.csv").write_text("30 0.04 2.5 0.2\n475 0.12 2.5 0.25\n2475 0.2 2.6 0.3\n")
+    (folder / "case.toml").write_text(FILES_CASE)
+    assert main(["--batch", str(folder / "case.toml"), "--report", str(folder / "case.pdf"), "--quiet"]) == 0
+    return folder
+
+
+@pytest.mark.shows("batch.verify_alone")
+@pytest.mark.parametrize("end", [".json", ".xlsx", ".pdf"])
+def test_that_a_report_holds_its_table_of_walls_and_names_what_it_does_not_hold(of_files, tmp_path, capsys, end):
+    report = shutil.copy(of_files / f"case{end}", tmp_path)
+    for name in ("hazard.csv", "spectrum.csv"):
+        code, said = verified(capsys, report)
+        assert code == 6 and f"{name}: the report does not hold this file" in said, said
+        shutil.copy(of_files / name, tmp_path)
+    code, said = verified(capsys, report)
+    assert code == 0, said
+    (tmp_path / "tables").mkdir()
+    (tmp_path / "tables" / "walls.xlsx").write_text("another table of that name")
+    assert verified(capsys, report)[0] == 0
+    (tmp_path / "hazard.csv").write_text("30 0.04 2.5 0.2\n475 0.12 2.5 0.25\n2475 0.2 2.6 0.31\n")
+    code, said = verified(capsys, report)
+    assert code == 6 and "hazard.csv: this is not the file that the report was made from" in said
+    assert verified(capsys, report, "--records", of_files)[0] == 0
+
+
+@pytest.mark.shows("batch.verify_alone")
+def test_that_rows_of_a_table_that_were_edited_in_a_report_are_told(of_files, tmp_path, capsys):
+    results = json.loads((of_files / "case.json").read_text(encoding="utf-8"))
+    report, rows = tmp_path / "case.json", results["files"][0]["rows"]
+    assert results["files"][0]["role"] == "walls" and rows[2][0] == "facade = 1"
+    rows[2][2] = "65"
+    report.write_text(json.dumps(results))
+    for name in ("spectrum.csv", "hazard.csv"):
+        shutil.copy(of_files / name, tmp_path)
+    code, said = verified(capsys, report)  # its numbers are of another wall
+    assert code == 5 and "walls[0]." in said
+    code, said = verified(capsys, report, "--records", of_files)  # the table itself is there
+    assert code == 5 and "files[0].rows[2][2]: reported 65, found 45" in said
+    for broken in ([{}], [{**results["files"][0], "rows": [[1]]}], {"role": 3}, 7, [[]]):
+        report.write_text(json.dumps(results | {"files": broken}))
+        assert verified(capsys, report)[0] == 1
+
+
 @pytest.mark.shows("batch.verify")
 def test_that_every_edited_number_of_the_results_is_named_with_how_much_it_is_off(copied, capsys):
     path = copied / "case.json"

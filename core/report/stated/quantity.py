@@ -13,7 +13,7 @@ class Quantity(NamedTuple):
 
     kind : text, whole, number, flag; texts, wholes, numbers are lists; one is an object of `group`, many a list of
         them, named a mapping of names to them; free is an object whose keys are names, frees a list of them; any is a
-        number, a text or an object of the case; pairs is a list of two numbers each
+        number, a text or an object of the case; pairs is a list of two numbers each, rows one of lists of texts
     unit : "" of what has none
     group : the quantities of an object
     left_out : the key is not written where there is nothing
@@ -124,6 +124,8 @@ def stated(group: Sequence[Quantity], source: Any) -> dict[str, Any]:
                 value = {name: stated(quantity.group, item) for name, item in value.items()}
         elif value is not None and quantity.kind in ("texts", "numbers", "wholes"):
             value = list(value)
+        elif value is not None and quantity.kind == "rows":
+            value = list(map(list, value))
         values[quantity.key] = value
     return values
 
@@ -154,6 +156,9 @@ def _schema_of(quantity: Quantity) -> dict[str, Any]:
     if quantity.kind == "pairs":
         pair = {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}
         return {"description": words, "type": "array", "items": pair}
+    if quantity.kind == "rows":
+        row = {"type": "array", "items": {"type": "string"}}
+        return {"description": words, "type": ["array", "null"], "items": row}
     item = schema(quantity.group) if quantity.kind == "many" else {"type": [SCALARS[quantity.kind[:-1]], "null"]}
     return {"description": words, "type": ["array", "null"], "items": item}
 

@@ -2,6 +2,7 @@
 
 from typing import Any, NamedTuple
 
+from core.case.case_files import as_dict
 from core.report.case_text import text_of
 from core.report.stated.quantity import Quantity, free, many, one, text
 from core.report.stated.records import DEMAND, RECORD, SELECTION
@@ -28,6 +29,20 @@ OF_STUDY = (
     ),
     text("case_toml", "the text of its file, to be run again", text_of),
     text("case_sha256", "SHA-256 of the file of the case", "case.sha256"),
+    many(
+        "files",
+        "the files it names beside its records",
+        (
+            text("role", "the key that names it"),
+            text("file", "as the case names it"),
+            text("sha256", "SHA-256 of its bytes"),
+            Quantity("notices", "frees", "what was said when it was read", lambda file: as_dict(file)["notices"]),
+            Quantity(
+                "rows", "rows", "the cells of a table of walls; null of a file that is not held", lambda file: file.rows
+            ),
+        ),
+        lambda result: result.case.files,
+    ),
     Quantity(
         "drawings",
         "frees",

@@ -46,10 +46,10 @@ def walls(count: int) -> list[str]:
 )
 def test_that_the_walls_are_those_of_the_whole_table(tmp_path, monkeypatch, lines):
     path = written(tmp_path / "walls.csv", lines)
-    many, _ = read_table(path, True, many=True)
+    many, _, *_ = read_table(path, True, many=True)
     assert isinstance(many, ManyWalls)
     monkeypatch.setattr(wall_table, "MAX_ROWS", 2000)
-    known, _ = read_table(path, True)
+    known, _, *_ = read_table(path, True)
     assert list(many) == known == [many[k] for k in range(len(many))]
     with pytest.raises(IndexError):
         many[len(many)]
@@ -102,7 +102,7 @@ def test_that_a_long_table_without_titles_is_refused(tmp_path):
 def test_that_walls_of_one_name_are_never_in_two_groups(tmp_path):
     lines = ["Parete;variant;z;H;t;Meccanismo", ";;m;m;m;"]
     lines += [f"w{k % 13};{('stato di fatto', 'progetto')[k // 13]};0;4;0.4;un lato" for k in range(26)]
-    many, _ = read_table(written(tmp_path / "walls.csv", lines), True, many=True)
+    many, _, *_ = read_table(written(tmp_path / "walls.csv", lines), True, many=True)
     groups = in_groups(many, 3)
     assert sorted(k for group in groups for k in group) == [*range(26)]
     names = [{many[k].name for k in group} for group in groups]
@@ -130,10 +130,10 @@ def test_that_modes_are_refused_with_walls_of_a_long_table_at_two_heights(tmp_pa
 def test_that_thousands_are_asked_about_in_a_long_table_with_decimal_commas_alone(tmp_path):
     """As in a short one: `1.250` is 1.25 where no number has a comma."""
     lines = [*HEAD, *walls(20), "x;1.250;4;40;un lato"]
-    many, _ = read_table(written(tmp_path / "walls.csv", lines), True, many=True)
+    many, _, *_ = read_table(written(tmp_path / "walls.csv", lines), True, many=True)
     assert many[20].base_z_m == 1.25
     commas = [line.replace(".", ",") for line in lines[:-1]]
-    many, _ = read_table(written(tmp_path / "walls.csv", commas), True, many=True)
+    many, _, *_ = read_table(written(tmp_path / "walls.csv", commas), True, many=True)
     assert many[7].height_m == 3.07
     with pytest.raises(InputError, match=r"row 23: .*1\.250"):
         read_table(written(tmp_path / "walls.csv", [*commas, lines[-1]]), True, many=True)

@@ -254,7 +254,7 @@ def workbook(tmp_path, hide=(), sheets=()):
 
 @pytest.mark.shows("case.table_refused")
 def test_that_hidden_rows_and_sheets_are_not_read_and_said(tmp_path):
-    walls, notes = read_table(workbook(tmp_path, hide=(4,), sheets=[("Old", True), ("Note", False)]))
+    walls, notes, *_ = read_table(workbook(tmp_path, hide=(4,), sheets=[("Old", True), ("Note", False)]))
     assert [wall.name for wall in walls] == ["a", "c"]
     assert [note.text() for note in notes] == [
         "Walls read from the sheet Pareti.",
@@ -262,7 +262,7 @@ def test_that_hidden_rows_and_sheets_are_not_read_and_said(tmp_path):
         "Other sheets of the table of walls were not read: Old, Note.",
     ]
     assert "foglio Pareti" in notes[0].text("it")
-    walls, notes = read_table(workbook(tmp_path))
+    walls, notes, *_ = read_table(workbook(tmp_path))
     assert len(walls) == 3 and len(notes) == 1
 
 
@@ -437,7 +437,7 @@ def saved(tmp_path):
 @pytest.mark.shows("case.table")
 @pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
 def test_that_a_table_is_the_same_whoever_wrote_it(writer, saved):
-    walls, notes = read_table(saved(written_by(writer, THRUST, hidden_rows=(4,), others=[("Note", [["x"]])])), True)
+    walls, notes, *_ = read_table(saved(written_by(writer, THRUST, hidden_rows=(4,), others=[("Note", [["x"]])])), True)
     assert walls == walls_of([[("" if c is None else str(c)) for c in row] for row in THRUST[:3] + THRUST[4:]], True)
     assert [note.code for note in notes] == ["table_sheet", "hidden_rows", "other_sheets"]
 
@@ -460,13 +460,13 @@ def test_that_all_cells_without_a_value_of_their_own_are_named_at_once(writer, s
 @pytest.mark.shows("case.table_refused")
 def test_that_hidden_columns_are_not_read_and_said(saved):
     rows = [[*row[:2], *row[2:]] for row in THRUST]
-    walls, notes = read_table(saved(written_by(Writer(), rows, hidden_columns=(7, 8, 9))))
+    walls, notes, *_ = read_table(saved(written_by(Writer(), rows, hidden_columns=(7, 8, 9))))
     assert [wall.load for wall in walls] == [(), (), ()]
     assert notes[1].text() == (
         "Hidden columns of the table of walls were not read: G (Carico 1), H (Carico 1 p), I (Carico 1 h)."
     )
     assert "nascoste" in notes[1].text("it")
-    walls, _ = read_table(
+    walls, _, *_ = read_table(
         saved(written_by(Writer(), [[*row[:2], "?", *row[2:]] for row in THRUST], hidden_columns=(3,)))
     )
     assert [wall.height_m for wall in walls] == [4.0, 4.0, 5.0]
@@ -530,7 +530,7 @@ def test_that_a_table_cut_anywhere_is_refused_read_as_fewer_walls_or_said(tmp_pa
     for n in range(len(TABLE) + 1):
         path.write_text(TABLE[:n], encoding="utf-8")
         try:
-            walls, notes = read_table(path)
+            walls, notes, *_ = read_table(path)
         except InputError:
             refused += 1
             continue
