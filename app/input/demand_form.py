@@ -23,7 +23,7 @@ from app.look.section import Section
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
 from core.case.place import OF_SPECTRUM, placed
-from core.case.schema import Analysis, Report
+from core.case.schema import Analysis, Generate, Report
 from core.case.site import Demand, Spectrum, least_factor
 from core.codes.demand import unusual
 from core.codes.limits import EXCEEDANCE
@@ -91,7 +91,7 @@ class DemandForm(QWidget):
         self.view = QWidget()
         self.curve_place = QVBoxLayout(self.view)
         self.curve_place.addWidget(self.summary)
-        self.no_records = QPushButton(tr("No records yet: generate seven motions →"))
+        self.no_records = QPushButton(tr("No records yet: generate {n} motions →", n=Generate().count))
         self.no_records.setFlat(True)
         self.no_records.setStyleSheet(f"color: {theme.current.curves[0]}; text-align: left;")
         self.no_records.clicked.connect(lambda _=False: self.motions_asked.emit())

@@ -12,6 +12,7 @@ from app.look.labels import Plain
 from app.look.language import tr
 from app.shell.files import EXAMPLE
 from app.work.draft import TO_BE_GIVEN
+from core.case.schema import Generate
 from core.case.site import Demand
 
 if TYPE_CHECKING:
@@ -37,7 +38,11 @@ class FirstRun(QWidget):
             ("table", tr("A table of walls"), tr("Excel or CSV; an empty one is in the menu Help. Then a_g and F5.")),
             ("records", tr("Records to look at"), tr("Any format: what each file is, its spectrum, its measures.")),
             ("paper", tr("The study of the paper"), tr("Force reduction factors of many walls, with figures.")),
-            ("example", tr("An example"), tr("Two walls under seven motions: press F5 and look around.")),
+            (
+                "example",
+                tr("An example"),
+                tr("Two walls under {n} motions: press F5 and look around.", n=Generate().count),
+            ),
             ("facade", tr("A facade"), tr("Of a church: gable, rose window, portal, wedges of the nave walls.")),
         ):
             button = QCommandLinkButton(title, words)

@@ -201,16 +201,8 @@ def summary(result: StudyResult, folder: Path, stem: str) -> str:
             row += [short(verdict.zeta_e), coded(verdict.code), coded(verdict.governing)]
         table.append(row)
     lines = aligned(table)
-    runs = [run for wall in result.walls for run in wall.runs]
-    analyses = sum(run.ida.analyses for run in runs)
-    lines.append(
-        terminal(
-            "{runs} runs, {analyses} analyses in {seconds:.1f} s",
-            runs=len(runs),
-            analyses=analyses,
-            seconds=result.elapsed,
-        )
-    )
+    text = "{analyses} analyses in {seconds:.1f} s"
+    lines.append(terminal(text, analyses=result.analyses, seconds=result.elapsed))
     lines += [shown(str(folder / (stem + end))) for end in (".xlsx", ".json")]
     return "\n".join(lines)
 

@@ -30,6 +30,7 @@ from app.views.runs import title_of
 from app.views.table import Table
 from app.views.zeta_rungs import digits, rung_of
 from core.capacity.limit_states import LIMIT_FRACTION
+from core.case.schema import Generate
 from core.codes.eq9 import LABEL
 from core.codes.outcomes import least
 from core.known import known
@@ -235,7 +236,7 @@ class CheckTab(ResultTab):
         words = {
             "demand": tr("Give the demand"),
             "building": tr("Give the building"),
-            "generate": tr("Generate seven motions"),
+            "generate": tr("Generate {n} motions", n=Generate().count),
         }.get(lead)
         self.no_peaks.setText(f"{html.escape(why)} {link(lead, words)}" if words else html.escape(why))
 

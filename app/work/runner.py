@@ -84,7 +84,7 @@ class Runner(QObject):
         case = self.session.checked()
         if case is None or self.job is not None:
             return
-        generation, made = self.session.generation, self.finished_runs.analyses
+        generation = self.session.generation
         base = self.session.base_dir
         self.planned_results = dict(enumerate(results_by_wall(case)))
         asked = case
@@ -96,8 +96,8 @@ class Runner(QObject):
             if base != self.session.base_dir:  # saved elsewhere meanwhile
                 result = self.session.moved_result(result, base)
             self.arrived.emit(result)
-            count = self.finished_runs.analyses - made
-            self.told.emit(tr("{n} analyses in {seconds:.1f} s", n=count, seconds=result.elapsed), "message")
+            text = "{n} analyses in {seconds:.1f} s"
+            self.told.emit(tr(text, n=result.analyses, seconds=result.elapsed), "message")
 
         from core.study.run import run
 

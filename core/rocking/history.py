@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.rocking import held_lanes, held_top, lane_scheduler, taylor, taylor_with_bars
+from core.rocking.analysis_count import MADE
 from core.rocking.compared.comparison import integrate_comparison, scan_comparison
 from core.rocking.grounds import Grounds
 from core.rocking.methods import METHODS, NO_TABLE, TAYLOR, Method, resolve_auto
@@ -62,6 +63,7 @@ def scan_records(method: Method, grounds: Grounds, which, scales, model, outcome
             clamped[sound] = scan_records(method, grounds, which[sound], scales[sound], model, codes, reached)
             outcomes[sound], peaks[sound] = codes, reached
         return clamped
+    MADE.add(scales.size)
     if model.bending is not None:
         return held_lanes.scan(grounds, which, scales, model, outcomes, peaks)
     if by_order_8(model):
@@ -129,6 +131,7 @@ def history(
     if not (largest <= MAX_GROUND and math.isfinite(start[0]) and math.isfinite(start[1])):
         none = np.zeros(0)
         return History(none, none, none, none, BAD_INPUT, 0.0, 0, none.reshape(0, 0))
+    MADE.add(1)
     method, of_order_8 = resolve_auto(method, model, dt), by_order_8(model)
     trace = np.zeros((2 + len(model.bars), ground.size))
     rotation, velocity = trace[:2]

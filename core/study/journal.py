@@ -289,13 +289,12 @@ class Memory:
     """Finished runs and checks of one process by key, for the studies that follow; as a Journal, but not on disk.
 
     most : room, of a run the digits of its survival map, of a check the letters of all it holds; the oldest go first
-    analyses : made by all runs added so far
     Several threads may add.
     """
 
     def __init__(self, most: int = 20_000_000):
         self.most, self.found = most, {}
-        self.size = self.analyses = 0
+        self.size = 0
         self._lock = threading.Lock()
 
     def get(self, run: str) -> dict | None:
@@ -304,7 +303,6 @@ class Memory:
     def add(self, run: str, result: dict) -> None:
         with self._lock:
             self.found[run] = result
-            self.analyses += result.get("analyses", 0)
             self.size += _room(result)
             while self.size > self.most:
                 self.size -= _room(self.found.pop(next(iter(self.found))))

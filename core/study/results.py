@@ -221,6 +221,7 @@ class StudyResult:
     first : place of the first of them in the whole study, from 0, where these are the results of one wall of it
     verdicts : one for each wall of the case, in its order; empty without a demand
     selection : of [select]
+    elapsed, analyses : of the run [s], and how many it made, each multiplier of a search or a check among them
     """
 
     case: Case
@@ -233,6 +234,7 @@ class StudyResult:
     walls: tuple[WallResult, ...]
     compliance: Compliance | None = None
     elapsed: float = field(compare=False, default=0.0)
+    analyses: int = field(compare=False, default=0)
     verdicts: tuple[WallVerdict, ...] = ()
     selection: Selection | None = None
     first: int = 0

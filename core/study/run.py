@@ -18,6 +18,7 @@ from core.codes.demand import DemandResult, with_records
 from core.codes.record_compatibility import compliance
 from core.ground.ground_motion import GroundMotion
 from core.jit import cache, native
+from core.rocking.analysis_count import MADE
 from core.rocking.history import history, scan
 from core.rocking.methods import AUTO, METHODS, resolve_auto
 from core.setting.plan import Plan, plan_of, read_inputs, refuse_large, with_chosen
@@ -63,7 +64,7 @@ def run(
         (resources/docs/scale.md); what one of them loses is made here
     Raises InputError for what the user can mend, Cancelled when cancelled() is true.
     """
-    started = Started()
+    started, made_before = Started(), MADE.total
     refuse_large(case)
     native.ready()
     chosen, selection = with_chosen(case, base_dir, cancelled=cancelled)
@@ -74,12 +75,14 @@ def run(
     progress, threads = Progress(costs_of(plan), on_progress), Threads(jobs, cancelled)
     how = (on_wall, on_finished, selection, share is None)
     if executor is None or finished is None:
-        return result_of(plan, base_dir, threads, started, finished, progress, *how)
+        result = result_of(plan, base_dir, threads, started, finished, progress, *how)
+        return replace(result, analyses=MADE.total - made_before)
     # what is said beside the checks is made here, where the walls come together
     bare = replace(chosen, sensitivity=None, analysis=replace(chosen.analysis, accuracy=False))
     shared = shared_by(bare, base_dir, inputs, None)
     with contextlib.closing(_walls_elsewhere(executor, shared, plan, finished, cancelled)) as arrivals:
-        return result_of(plan, base_dir, threads, started, finished, progress, *how, awaited(arrivals))
+        result = result_of(plan, base_dir, threads, started, finished, progress, *how, awaited(arrivals))
+    return replace(result, analyses=MADE.total - made_before)
 
 
 def result_of(
@@ -158,15 +161,17 @@ EVERYTHING = sys.maxsize
 """Room of a Memory that forgets nothing."""
 
 
-def wall_alone(shared: Shared, wall: Wall, known: dict[str, dict]) -> dict[str, dict]:
-    """Searches and checks of a wall beside the known ones, as a journal holds them: the task of an executor, in a
-    process of its own or on another machine that sees the same files. Raises InputError."""
+def wall_alone(shared: Shared, wall: Wall, known: dict[str, dict]) -> tuple[dict[str, dict], int]:
+    """Searches and checks of a wall beside the known ones, as a journal holds them, and the analyses made for them: the
+    task of an executor, in a process of its own or on another machine that sees the same files. Raises InputError."""
+    made_before = MADE.total
     plan, memory = plan_elsewhere(shared, (wall,)), Memory(EVERYTHING)
     memory.found |= known
     begin_compiling(plan)
     progress = Progress(costs_of(plan), lambda done, planned, left: None)
     result_of(plan, shared.base_dir, Threads(1, lambda: False), Started(), memory, progress)
-    return {name: result for name, result in memory.found.items() if name not in known}
+    found = {name: result for name, result in memory.found.items() if name not in known}
+    return found, MADE.total - made_before
 
 
 def _walls_elsewhere(
@@ -186,10 +191,12 @@ def _walls_elsewhere(
         return shared, plan.case.wall[k], known
 
     tasks = ((k, given(k)) for k in todo)
-    for k, wall_results in results_from(executor, wall_alone, tasks, cancelled):
-        for name, result in (wall_results or {}).items():
-            journal.add(name, result)
-        if wall_results is not None:
+    for k, arrived in results_from(executor, wall_alone, tasks, cancelled):
+        if arrived is not None:
+            found, analyses = arrived
+            MADE.add(analyses)
+            for name, result in found.items():
+                journal.add(name, result)
             journal.add(names[k], {})  # it has come whole
         yield k
 
