@@ -13,6 +13,7 @@ from pathlib import Path
 from app.look.language import quoted_from_file, set_language, terminal
 from app.terminal import system_libraries
 from app.terminal.command_line import parse, refuse_missing
+from app.terminal.display import refuse_without_display
 from core.errors import InputError
 from core.file_names import shown
 from core.jit import trial
@@ -24,10 +25,7 @@ from core.version import line
 def window(case: Path | None) -> int:
     """The window, imported here so that nothing else needs Qt. Raises InputError where Qt cannot start."""
     if sys.platform.startswith("linux"):  # Qt would end the process
-        displays = {"": {"DISPLAY", "WAYLAND_DISPLAY"}, "xcb": {"DISPLAY"}}
-        needed = displays.get(os.environ.get("QT_QPA_PLATFORM", ""))
-        if needed and not any(map(os.environ.get, needed)):
-            raise InputError("no_display")
+        refuse_without_display(os.environ)
         if not getattr(sys, "frozen", False):  # the frozen program brings them along
             system_libraries.refuse_without()
     try:

@@ -98,9 +98,18 @@ def test_that_a_file_the_system_asks_to_open_opens(tmp_path):
 
 
 @pytest.mark.shows("install.refused")
-@pytest.mark.parametrize(("platform", "displays"), [("", {}), ("xcb", {"WAYLAND_DISPLAY": "w"})])
+@pytest.mark.parametrize(
+    ("platform", "displays", "said"),
+    [
+        ("", {}, "there is no display for the window"),
+        ("xcb", {"WAYLAND_DISPLAY": "w"}, "there is no display for the window"),
+        ("", {"DISPLAY": ":4711"}, "the display of DISPLAY=:4711 does not answer"),
+        ("xcb", {"DISPLAY": "nowhere"}, "the display of DISPLAY=nowhere does not answer"),
+        ("", {"DISPLAY": ":4711", "WAYLAND_DISPLAY": "w"}, "the display of WAYLAND_DISPLAY=w, DISPLAY=:4711 does not"),
+    ],
+)
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="displays are of Linux")
-def test_that_no_display_is_said_in_a_sentence(platform, displays):
+def test_that_a_display_that_is_missing_or_silent_is_said_in_a_sentence(platform, displays, said):
     screens = ("DISPLAY", "WAYLAND_DISPLAY")
     none = {key: value for key, value in os.environ.items() if key not in screens}
     words = subprocess.run(
@@ -110,5 +119,5 @@ def test_that_no_display_is_said_in_a_sentence(platform, displays):
         env=none | displays | {"PYTHONPATH": str(ROOT), "QT_QPA_PLATFORM": platform, "LC_ALL": "C"},
     )
     assert words.returncode == 1
-    assert words.stderr.startswith("error: there is no display for the window")
+    assert words.stderr.startswith(f"error: {said}")
     assert words.stderr.count("\n") == 1
