@@ -10,6 +10,9 @@ from app.look.language import tr
 
 STAGES = ("input", "answer", "why", "report")
 
+MIN_WORDS = 60
+"""Least width of the title and of the notice [px]: a screen of 1280 x 800 at 150 % has 853 x 533."""
+
 
 def stage_names() -> dict[str, str]:
     return {"input": tr("Input"), "answer": tr("Answer"), "why": tr("Why"), "report": tr("Report")}
@@ -37,7 +40,7 @@ class Header(QFrame):
         self.title = Plain()
         self.title.setStyleSheet(f"font-weight: 600; {theme.points(1.2)}")
         self.title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self.title.setMinimumWidth(110)
+        self.title.setMinimumWidth(MIN_WORDS)
         self.stages = QButtonGroup(self)
         self.notice = QPushButton()
         self.notice.setFlat(True)
@@ -48,7 +51,7 @@ class Header(QFrame):
         policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         policy.setRetainSizeWhenHidden(True)
         self.notice.setSizePolicy(policy)
-        self.notice.setMinimumWidth(110)
+        self.notice.setMinimumWidth(MIN_WORDS)
         self.notice.clicked.connect(self.noticed)
         self.run_button = QPushButton(tr("Run (F5)"))
         self.cancel_button = QPushButton(tr("Cancel (Esc)"))
@@ -121,5 +124,5 @@ class Header(QFrame):
 
     def _cut(self) -> None:
         for widget, words, beside in ((self.title, self.words, 0), (self.notice, self.notice_words, 16)):
-            room = max(widget.width(), 110) - beside
+            room = max(widget.width(), MIN_WORDS) - beside
             widget.setText(widget.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, room))

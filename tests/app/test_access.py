@@ -276,6 +276,16 @@ def test_that_no_word_is_cut_in_large_letters(large, fresh, application, monkeyp
     must_be_whole(fresh)
 
 
+@pytest.mark.shows("window.access")
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_that_the_window_fits_a_screen_of_1280_by_800_at_150_percent(fresh, application, language):
+    """Such a screen has 853 x 533 pixels of the window, of which frame and bar of the desktop take some."""
+    fresh.set_choice("language", language)
+    fresh.resize(853, 480)
+    for _ in stages(fresh, application):
+        assert fresh.size().width() == 853 and fresh.size().height() == 480
+
+
 class Recorder:
     """A painter that keeps what it writes: (words, their place, the room they were given), and the bars it fills."""
 
