@@ -196,7 +196,7 @@ def self_test_words(window: "MainWindow") -> str:
 
 def show_self_test(window: "MainWindow") -> None:
     """Compare known searches and histories with their stored answers; off the thread of the window."""
-    from core.study.self_test import Outcome, tell
+    from core.study.self_test import Outcome, compare_answers
 
     def arrived(outcome: Outcome) -> None:
         window.show_word("")
@@ -204,7 +204,7 @@ def show_self_test(window: "MainWindow") -> None:
         if not outcome.wrong:
             QMessageBox.information(window, tr("Self-test"), plain(self_test_words(window)))
 
-    window.runner.start(lambda job: tell(), arrived)
+    window.runner.start(lambda job: compare_answers(), arrived)
 
 
 def save_template(window: "MainWindow") -> None:

@@ -196,11 +196,11 @@ class LiveAnswer(Section):
     def _clauses(self) -> None:
         """The checks of the clauses, of which the letter at hand needs to wait for none."""
         from core.setting.demand_input import demand_of
-        from core.study.one_wall import alone
+        from core.study.one_wall import single_wall_case
         from core.variation.whole_wall import Setting, evaluate_wall
 
         whole, base, row, _ = known(self.at)
-        case = alone(whole, row)
+        case = single_wall_case(whole, row)
         try:
             demand = known(demand_of(case, base))
             setting = Setting(case, base, (demand, [], []))
@@ -301,7 +301,7 @@ class LiveAnswer(Section):
 
     def _turned(self, rows: Sequence[Assumption]) -> None:
         """zeta with what is ticked at its other end."""
-        from core.study.one_wall import turned
+        from core.study.one_wall import run_at_alternatives
 
         ticked = {key for key, box in self.switches.items() if box.isChecked()}
         chosen = [row for row in rows if row.key in ticked]
@@ -313,7 +313,7 @@ class LiveAnswer(Section):
             self._show_run()
             return
         self.say(WAITING)
-        self._start(lambda job: turned(result, chosen, memory, job.cancelled), self._show_turned)
+        self._start(lambda job: run_at_alternatives(result, chosen, memory, job.cancelled), self._show_turned)
 
     def _show_turned(self, evaluation: Evaluation | None) -> None:
         if evaluation is None:

@@ -32,8 +32,8 @@ from core.packages import require
 from core.report.steps import Steps
 from core.report.verdict_words import in_order
 from core.setting.plan import is_large
-from core.study.case_parts import FINISHED, merged, part_journal, part_path
-from core.study.journal import Journal, Memory
+from core.study.case_parts import FINISHED, open_parts, part_journal, part_path
+from core.study.journal import Journal, MemoryJournal
 from core.study.results import StudyResult
 from core.study.run import run as run_study
 
@@ -54,7 +54,7 @@ def run(
     report : of the calculation note, where one is asked for
     merge : the searches and checks are those of the parts of the case, see `run_part`
     force : files of others may be overwritten
-    scheduler : whose workers do the searches and checks, see `core.study.scheduler.scheduled`
+    scheduler : whose workers do the searches and checks, see `core.study.scheduler.open_dask_executor`
 
     Raises InputError for what the user can mend; nothing is written then.
     """
@@ -69,9 +69,9 @@ def run(
     cancel = threading.Event()
     books: list[Journal] = []
 
-    def journal(key: str) -> Journal | Memory:
+    def journal(key: str) -> Journal | MemoryJournal:
         if merge:
-            return merged(folder, stem, case, key)
+            return open_parts(folder, stem, case, key)
         books.append(open_journal(folder / f"{stem}.journal", key, resume))
         return books[0]
 
@@ -112,7 +112,7 @@ def run(
             said += "\n" + explanation(folder / f"{stem}.xlsx", bool(result.demand))
         say(said)
     _name_without_number(result)
-    return WITHOUT_NUMBER if result.without_number else DONE
+    return WITHOUT_NUMBER if result.runs_without_q else DONE
 
 
 def _warn(result: StudyResult) -> None:
@@ -126,7 +126,7 @@ def _warn(result: StudyResult) -> None:
 
 def _name_without_number(result: StudyResult) -> None:
     """Say on the error stream which runs have no number."""
-    for wall, record, polarity, status in result.without_number:
+    for wall, record, polarity, status in result.runs_without_q:
         tell(
             "no number: {wall}, {record} ({sign}): {status}",
             wall=wall,

@@ -12,7 +12,7 @@ from app.terminal.terminal_progress import tell
 from core import atomic_write
 from core.errors import Cancelled, InputError
 from core.study.journal import SYNC_SECONDS, Journal
-from core.study.scheduler import Scheduled, scheduled
+from core.study.scheduler import DaskExecutor, open_dask_executor
 from core.text.sentence import numeral, word
 
 DONE, WITHOUT_NUMBER, CANCELLED = 0, 3, 130
@@ -69,12 +69,12 @@ def say(text: str) -> None:
 
 
 @contextlib.contextmanager
-def executor_of(word: str | None) -> Iterator[Scheduled | None]:
+def executor_of(word: str | None) -> Iterator[DaskExecutor | None]:
     """The executor of --scheduler, none without a word. Raises InputError where no scheduler answers."""
     if word is None:
         yield None
         return
-    with scheduled(word) as executor:
+    with open_dask_executor(word) as executor:
         if not executor.threads():
             tell("{address} has no worker yet: waiting for the first", address=word)
         yield executor

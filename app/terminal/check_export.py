@@ -12,7 +12,7 @@ from core.errors import InputError
 from core.file_names import file_name, shown
 from core.regular_file import first_bytes
 from core.setting.plan import plan_of, read_inputs
-from core.study.check_script import TEMPLATE, NoCheck, check_script
+from core.study.check_script import TEMPLATE, ScriptUnavailable, check_script
 
 REASON_WORDS = {
     "between_walls": "it spans between transverse walls: no histories are made of it",
@@ -40,7 +40,7 @@ def run(case_path: Path, output: Path | None) -> int:
             stem = f"check_{file_name(entry.part.wall.name)}_{entry.mechanism}"
             try:
                 script = check_script(plan, k)
-            except NoCheck as reason:
+            except ScriptUnavailable as reason:
                 refused.append((entry.part.wall.name, str(reason)))
                 continue
             taken[stem.casefold()] = number = taken.get(stem.casefold(), 0) + 1

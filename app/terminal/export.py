@@ -241,7 +241,7 @@ def write(
     """
     report, steps = Report(result.case, check), Steps(check, tell)
     steps.take(WALL_STEPS)
-    for wall in steps.each(result.by_wall()):
+    for wall in steps.each(result.split_by_wall()):
         report.add(wall)
     report.write(result, folder, stem, ready, steps=steps)
 

@@ -36,7 +36,7 @@ from core.report.large_report import Tally
 from core.setting.plan import results_in
 from core.study.case_parts import FINISHED, MergedParts, part_key, part_path
 from core.study.journal import Journal, journal_key
-from core.study.large_case import LargeCase, group_results, groups_elsewhere, in_order, without_walls
+from core.study.large_case import LargeCase, common_result, group_results, prepare_large_case, run_groups_remotely
 from core.version import NAME, VERSION
 
 MAX_WALLS_SHOWN = 20
@@ -72,7 +72,7 @@ def run(
         export.refuse_foreign(case, folder, stem, None, force)
         book: Journal | MergedParts | None = None
         try:
-            large = in_order(case, case_path.parent, cancel.is_set)
+            large = prepare_large_case(case, case_path.parent, cancel.is_set)
             if merge:
                 book, mine = _merged(large, case, folder, stem), range(0)
             else:
@@ -104,7 +104,7 @@ def run_part(case: Case, case_path: Path, output: Path | None, jobs: int, quiet:
     cancel, path = threading.Event(), part_path(folder, stem, k, n)
     with made(case_path, folder), interrupts(cancel), progress(quiet) as show:
         try:
-            large = in_order(case, case_path.parent, cancel.is_set)
+            large = prepare_large_case(case, case_path.parent, cancel.is_set)
             book = Journal(path, part_key(_key(large), case, k, n), True)
             try:
                 mine = range(k - 1, len(large.groups), n)
@@ -151,7 +151,7 @@ def _work(
     there is none, from here."""
     todo = [g for g in mine if g not in book]
     if executor is not None:
-        for g, rows in groups_elsewhere(large, todo, executor, columns_of, show.runs, cancel.is_set):
+        for g, rows in run_groups_remotely(large, todo, executor, columns_of, show.runs, cancel.is_set):
             book.add(g, rows)
             yield g
         todo = [g for g in todo if g not in book]
@@ -187,7 +187,7 @@ def _write(
         parquet_file.write(stream, rows(), {"program": f"{NAME} {VERSION}", "case_sha256": large.case.sha256})
 
     def put_summary(stream: BinaryIO) -> None:  # after the table, whose rows it counts
-        content = large_report.summary(large.case, without_walls(large), tally, table.name)
+        content = large_report.summary(large.case, common_result(large), tally, table.name)
         stream.write(large_report.dumps(content).encode())
 
     atomic_write.write({table: put_table, folder / f"{stem}.json": put_summary})

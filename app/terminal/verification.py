@@ -184,7 +184,7 @@ def _compared(report: Path, content: bytes, reported: dict, result: StudyResult,
             yield Difference(terminal("file"), terminal("written again by another program"), terminal("other bytes"))
         return
     made = export.Report(result.case)
-    for wall in result.by_wall():
+    for wall in result.split_by_wall():
         made.add(wall)
     with tempfile.TemporaryDirectory() as name:
         made.write(result, Path(name), report.stem)

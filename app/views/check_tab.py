@@ -38,7 +38,7 @@ from core.report.sure_words import risk_of, verdict_of
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import lines_of, sentence_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
-from core.study.wall_verdict import zetas_of
+from core.study.wall_verdict import zeta_by_hinge
 from core.text.sentence import word
 from core.units import G
 
@@ -180,7 +180,7 @@ class CheckTab(ResultTab):
         assessment = wall.assessment
         self.peaks.clear()
         self.curve.show_in_place_of(self.peaks, result, wall)
-        self.drawing.show_wall(wall.part.body, zetas_of(result, wall))
+        self.drawing.show_wall(wall.part.body, zeta_by_hinge(result, wall))
         shade = verdict_color(result, wall) if assessment else theme.current.edge
         tint = QColor(shade)
         tint.setAlpha(26)

@@ -16,7 +16,7 @@ from core.report.stated.quantity import of_keys, stated
 from core.report.stated.verdicts import VERDICT, OfWall
 from core.report.verdict_words import outcome_of
 from core.study.results import StudyResult, WallResult, WallVerdict
-from core.study.variants import WallComparison, wall_comparisons
+from core.study.variants import WallComparison, compare_walls
 from core.text.sentence import word
 from core.variation.limit_states import STATES
 
@@ -142,7 +142,7 @@ class WallsTab(ResultTab):
         if shown is not None:
             self.table.selectRow(self.order.index(shown))
         self._show_plan(result)
-        pairs = wall_comparisons(result.verdicts)
+        pairs = compare_walls(result.verdicts)
         self.below.setVisible(bool(pairs))
         self.pairs.show_rows([self._pair(result, one) for one in pairs])
 

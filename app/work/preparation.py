@@ -51,13 +51,13 @@ class Preparation:
             )
 
         def work(job):
-            from core.study.run import warm
-            from core.study.self_test import tell
+            from core.study.run import warm_kernels
+            from core.study.self_test import compare_answers
 
-            ready = warm(case, motion)
+            ready = warm_kernels(case, motion)
             cache.record(cache.folder())
             if ready:
-                job.found.emit(tell(ready))
+                job.found.emit(compare_answers(ready))
             with contextlib.suppress(InputError):  # without its packages the note says so itself
                 from core.report.note.archive import Note
                 from core.report.note.parts import Paragraph

@@ -16,7 +16,7 @@ from core.case.schema import Case
 from core.errors import InputError
 from core.known import known
 from core.setting.plan import results_by_wall
-from core.study.journal import Memory
+from core.study.journal import MemoryJournal
 from core.study.results import StudyResult, WallResult
 
 TICK_MS = 500
@@ -62,7 +62,7 @@ class Runner(QObject):
     def __init__(self, session: Session, parent: QObject):
         super().__init__(parent)
         self.session = session
-        self.finished_runs = Memory()
+        self.finished_runs = MemoryJournal()
         self.job: Job | None = None
         self.to_end = self.cancelled = False
         self.finished_walls: list[WallResult] = []
@@ -228,7 +228,7 @@ class Runner(QObject):
         result = self.session.result
         if result is None or not 0 <= k < len(result.walls) or self.job is not None or self.session.stale:
             return
-        from core.study.wall_work import accuracy_of
+        from core.study.wall_tasks import make_accuracy_statement
 
         wall, motions, method, search = result.walls[k], result.motions, result.method, result.search
 
@@ -241,4 +241,4 @@ class Runner(QObject):
                 self.session.result = replace(now, walls=tuple(walls))
                 self.accuracy_stated.emit(k, accuracy)
 
-        self.start(lambda job: accuracy_of(wall, motions, method, search, job.cancelled), arrived)
+        self.start(lambda job: make_accuracy_statement(wall, motions, method, search, job.cancelled), arrived)

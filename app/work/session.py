@@ -28,7 +28,7 @@ from core.errors import InputError, OutputError
 from core.file_names import key_of, name_of
 from core.known import known
 from core.setting.demand_input import target_of
-from core.study.journal import lock
+from core.study.journal import lock_file
 from core.study.results import StudyResult
 from core.text.sentence import Sentence
 
@@ -356,7 +356,7 @@ class Session:
             self.recovery_folder.mkdir(parents=True, exist_ok=True)
             self._lock_file = open(self.recovery_folder / f"{self.token}.lock", "ab")  # noqa: SIM115  (to the end)
             weakref.finalize(self, self._lock_file.close)
-            lock(self._lock_file)
+            lock_file(self._lock_file)
 
     def autosave(self) -> bool:
         """Keep the unsaved case in the recovery file, and return whether it is kept; a full disk must not disturb the
@@ -396,7 +396,7 @@ class Session:
             if not place.is_file():
                 return False
             with open(place, "ab") as stream:
-                lock(stream)
+                lock_file(stream)
             place.unlink(missing_ok=True)
         except OSError:
             return True

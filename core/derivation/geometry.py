@@ -132,7 +132,11 @@ def _loaded(wall: WallResult) -> list[Line | Columns]:
     where = "Loads, about the outer hinge" if side > 0.0 else "Loads, about the inner hinge"
     rows = []
     tied, at_limit = any(load.is_tie for load in asked.load), forces_at_limit(wall)
-    counted = wall.assessed.kinematic.wall if wall.assessment and wall.assessed.kinematic else asked.in_si
+    counted = (
+        wall.required_assessment.kinematic.wall
+        if wall.assessment and wall.required_assessment.kinematic
+        else asked.in_si
+    )
     for load in asked.in_si.loads:
         force = as_force(load, asked.in_si, side)
         pushed = 1e-3 * load.force if load.pushes else 0.0
@@ -177,7 +181,7 @@ def _loaded(wall: WallResult) -> list[Line | Columns]:
 
 def forces_at_limit(wall: WallResult) -> list[float]:
     """Force the displacement check counts of each tie at its limit [kN/m]."""
-    kinematic = wall.assessed.kinematic if wall.assessment else None
+    kinematic = wall.required_assessment.kinematic if wall.assessment else None
     given = [load for load in wall.wall.load if load.is_tie]
     if not (kinematic and kinematic.d_limit is not None and kinematic.chain.ties):
         return [0.0 for _ in given]

@@ -18,7 +18,7 @@ def follows_spectrum(result: StudyResult) -> bool:
         asked.soil_factor is None
         and spectrum is not None
         and spectrum.code == NATIONAL
-        and isinstance(result.required.target, CodeSpectrum)
+        and isinstance(result.demand_required.target, CodeSpectrum)
     )
 
 

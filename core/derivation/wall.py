@@ -75,7 +75,7 @@ def chain(wall: WallResult) -> Section:
 
 def linear(result: StudyResult, wall: WallResult) -> Section:
     """Linear check: zeta_SLD = a_g,SLD / a_g, and q zeta_SLD."""
-    kinematic, demand = wall.mechanics, result.required
+    kinematic, demand = wall.mechanics, result.demand_required
     if kinematic.zeta_sld is None:
         return Section("Linear check", [])
     lines, zeta_sld = _demand_at(wall), checks.zeta_sld
@@ -87,9 +87,9 @@ def linear(result: StudyResult, wall: WallResult) -> Section:
         zeta_sld = checks.zeta_sld_on_floor
     else:
         lines.append(against)
-    sld = next((check for check in wall.assessed.checks if check.label == "linear_sld"), None)
+    sld = next((check for check in wall.required_assessment.checks if check.label == "linear_sld"), None)
     lines.append(Line(zeta_sld, kinematic.zeta_sld, note=FULL, passed=sld.passed if sld else None))
-    for check in wall.assessed.checks:
+    for check in wall.required_assessment.checks:
         if not check.name.startswith("linear") or check is sld or check.zeta is None:
             continue
         if check.name == "linear_q_slv":
@@ -166,8 +166,8 @@ def _branch(target: CodeSpectrum, period: float) -> int:
 
 def displacement(result: StudyResult, wall: WallResult) -> Section:
     """Section of the displacement check: d_limit against S_De."""
-    kinematic, state = wall.mechanics, result.required.limit_state
-    check = next((one for one in wall.assessed.checks if one.name == "nonlinear"), None)
+    kinematic, state = wall.mechanics, result.demand_required.limit_state
+    check = next((one for one in wall.required_assessment.checks if one.name == "nonlinear"), None)
     title = "Displacement check"
     if check is None:
         return Section(title, [])
@@ -184,8 +184,8 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
     largest = "largest, T_0 to T_{state}"
     if kinematic.floor:
         s_de = Line(checks.S_DEZ_GIVEN, kinematic.s_de, RUN, VALUE, largest)
-    elif isinstance(result.required.target, CodeSpectrum):
-        branch = checks.S_DE_BRANCHES[_branch(result.required.target, known(kinematic.period))]
+    elif isinstance(result.demand_required.target, CodeSpectrum):
+        branch = checks.S_DE_BRANCHES[_branch(result.demand_required.target, known(kinematic.period))]
         s_de = Line(checks.s_de, kinematic.s_de, LIVE, FULL, largest, shown_by=branch)
     else:
         s_de = Line(checks.S_DE_GIVEN, kinematic.s_de, RUN, VALUE, largest)
@@ -254,7 +254,7 @@ def _without_ties(bare: Displacement, s_de: Line) -> list[Line]:
 
 def dynamic(wall: WallResult) -> Section:
     """Section of the dynamic check by time histories."""
-    check, title = wall.assessed.dynamic, "Time histories"
+    check, title = wall.required_assessment.dynamic, "Time histories"
     if check is None:
         return Section(title, [])
     rule = "mean of the peaks" if check.set_rule == "mean" else "largest peak"
@@ -287,10 +287,10 @@ def _centroid_at_collapse(wall: WallResult) -> Line:
 def risk(result: StudyResult, wall: WallResult) -> Section:
     """PGA_C, T_R,C by both exponents, IS-V of this mechanism, from the zeta of the check that decides: of histories it
     is that of the run, and so are the demand and T_R."""
-    capacity, demand, title = wall.assessed.risk, result.required, "What the mechanism withstands"
+    capacity, demand, title = wall.required_assessment.risk, result.demand_required, "What the mechanism withstands"
     if capacity is None:
         return Section(title, [])
-    of_histories = wall.assessed.verdict.governing == "dynamic"
+    of_histories = wall.required_assessment.verdict.governing == "dynamic"
     other = {"zeta": deciding(wall, demand), "demand_pga": "demand_pga_run" if of_histories else "demand_pga"}
     note = "of the run" if of_histories else ""
     lines: list[Line | Columns] = [Line(checks.pga_c, capacity.pga / G, LIVE, FULL, note, other=other)]
@@ -312,7 +312,7 @@ def risk(result: StudyResult, wall: WallResult) -> Section:
 
 def deciding(wall: WallResult, demand) -> str:
     """Name of the zeta of the check that decides."""
-    governing = wall.assessed.verdict.governing
+    governing = wall.required_assessment.verdict.governing
     return "zeta_sld" if demand.limit_state == "SLD" and governing == "linear_q_code" else f"{governing}_zeta"
 
 

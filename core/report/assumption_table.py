@@ -5,7 +5,7 @@ from collections.abc import Callable
 from core.codes.assumption import TOGETHER, shown
 from core.report.verdict_words import names_in
 from core.study.results import StudyResult, WallResult
-from core.study.wall_verdict import assumptions_of
+from core.study.wall_verdict import collect_assumptions
 from core.text.sentence import numeral, word
 
 COLUMN_SHARES = 2.4, 2.0, 1.3, 2.0, 0.9, 1.9, 2.2
@@ -30,7 +30,7 @@ def rows_of(result: StudyResult, wall: WallResult, language: str) -> list[tuple[
     result that does not."""
     verdict = next((one for one in result.verdicts if result.walls[one.governing] is wall), None)
     rows = []
-    for row in assumptions_of(result, verdict) if verdict else ():
+    for row in collect_assumptions(result, verdict) if verdict else ():
         last = row.key == TOGETHER
         cells = [
             word("together" if last else f"key_{row.key}", language),
@@ -47,5 +47,5 @@ def rows_of(result: StudyResult, wall: WallResult, language: str) -> list[tuple[
 
 def tabled(wall: WallResult, language: str) -> set[str]:
     """Lines of what limits the verdict of a result that are rows of the table of its wall."""
-    rows = wall.assessed.verdict.assumptions if wall.assessment else ()
+    rows = wall.required_assessment.verdict.assumptions if wall.assessment else ()
     return {f"{word('limits', language)}: {row.words.text(language, names_in(language))}" for row in rows}

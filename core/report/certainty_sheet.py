@@ -38,7 +38,7 @@ def certainty(book: Book, result: StudyResult) -> None:
 
 def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, row: int) -> int:
     say, language = book.say, book.language
-    zeta = book.digits(result.walls[verdict.governing].assessed.verdict.zeta_e, ".2f")
+    zeta = book.digits(result.walls[verdict.governing].required_assessment.verdict.zeta_e, ".2f")
     title(sheet, row, f"{verdict.title}: ζ_E {zeta}", 12)
     row += 1
     if line := sure_words.interval_line(say, verdict, language):

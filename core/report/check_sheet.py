@@ -34,7 +34,7 @@ from core.report.rows import changed_cell, close_inputs, heads, live_row
 from core.report.sheets import rule_word
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import lines_of, sentence_of
-from core.study.results import Q_SOURCES, PerRecord, StudyResult, WallResult
+from core.study.results import Q_SOURCES, RecordResult, StudyResult, WallResult
 from core.text.sentence import word
 from core.units import CM, G
 
@@ -189,7 +189,7 @@ def _records(rows: Rows, wall: WallResult, row: int) -> int:
     return row
 
 
-def _record_row(rows: Rows, wall, entry: PerRecord, scale, row: int) -> None:
+def _record_row(rows: Rows, wall, entry: RecordResult, scale, row: int) -> None:
     book, sheet = rows.book, rows.sheet
     cells = rows.cells | {"collapse_scale": f"D{row}", "pga": f"C{row}", "q": f"E{row}", "demand_si": f"B{row}"}
     sign = {1: " (+)", -1: " (−)", None: ""}[entry.polarity]
@@ -283,7 +283,7 @@ def _inequality(rows: Rows, result: StudyResult, wall: WallResult, row: int) -> 
         )
         number(sheet, row, 2, estimate.q, RATIO, color=QUIET)
         book.formula(sheet.cell(row, 3), f"={name}a_rm", wall.block.threshold_acceleration / G, ACCELERATION)
-        demand = result.required.pga / G / estimate.q
+        demand = result.demand_required.pga / G / estimate.q
         book.formula(sheet.cell(row, 4), formula(eq.demand_over_q, rows.cells | {"q": f"B{row}"}), demand, ACCELERATION)
         book.formula(
             sheet.cell(row, 6),

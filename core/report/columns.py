@@ -66,7 +66,7 @@ def _of_records(one: Quantity) -> Quantity:
 
 def _of_the_wall(row: Row) -> Any:
     """Verdict of the wall, that of its worst hinge; None without a demand."""
-    return known(row.result).walls[row.verdict.governing].assessed.verdict if row.verdict else None
+    return known(row.result).walls[row.verdict.governing].required_assessment.verdict if row.verdict else None
 
 
 def _zeta(name: str) -> Quantity:
@@ -101,7 +101,7 @@ def _limits(row: Row) -> list[str] | None:
     if row.wall.assessment is None:
         return None
     extra = row.verdict.extra if row.verdict and row.decides else ()
-    return _codes((*row.wall.assessed.verdict.limits, *extra))
+    return _codes((*row.wall.required_assessment.verdict.limits, *extra))
 
 
 def _of(source: Callable[[Row], Any], name: str) -> Callable[[Row], Any]:

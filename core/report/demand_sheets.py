@@ -42,7 +42,7 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
     widths = [34, 12, 12, 12, 13, 13, 14]
     sheet = book.sheet("Dynamic check", widths)
     title(sheet, 1, say("Dynamic check, Circolare 7/2019 C8.7.1.2.1.9"))
-    walls = [wall for wall in result.walls if wall.assessment and wall.assessed.dynamic]
+    walls = [wall for wall in result.walls if wall.assessment and wall.required_assessment.dynamic]
     if not walls:
         text(sheet, 3, 1, say("Not made: it needs records, a demand at SLV or SLC, and a wall on the ground."))
         return
@@ -64,7 +64,7 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
         color=QUIET,
     )
     for wall in book.steps.each(walls):
-        row = _wall(book, sheet, wall, wall.assessed.dynamic, row + 1)
+        row = _wall(book, sheet, wall, wall.required_assessment.dynamic, row + 1)
         verdict = verdict_of(result, wall)
         line = interval_line(say, verdict, book.language) if verdict else ""
         row = paragraph(sheet, row, line, 7, 105, color=QUIET) if line else row
@@ -179,7 +179,7 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
     if compliance is None:
         text(sheet, 3, 1, say("Not shown: it needs records and a target spectrum, from a code or a file."))
         return
-    target = result.required.target
+    target = result.demand_required.target
     name = target.name if target else ""
     verdict = say("The set is compatible") if compliance.compatible else say("The set is not compatible")
     text(sheet, 2, 1, f"{verdict}: {name}", bold=True, color=GOOD if compliance.compatible else BAD)

@@ -25,7 +25,7 @@ def results(result: StudyResult) -> dict:
 def dumps(result: StudyResult) -> str:
     """The results as JSON text; raises ValueError should a number not be finite."""
     text = JsonReport()
-    for wall in result.by_wall():
+    for wall in result.split_by_wall():
         text.add(wall)
     return text.content(result).decode()
 

@@ -54,7 +54,7 @@ def key_plan(result: StudyResult) -> list[Placed]:
 
 
 def _order(one: Placed) -> tuple[int, bool, float]:
-    verdict = one.wall.assessed.verdict
+    verdict = one.wall.required_assessment.verdict
     return severity(verdict.code, verdict.zeta_e, verdict.zeta_target)
 
 

@@ -38,7 +38,7 @@ class Phrases:
     """Says the lines of a section one after the other: a line needs the symbols and values of those before it."""
 
     def __init__(self, result: StudyResult, language: str, known: "Phrases | None" = None):
-        state = result.required.limit_state if result.demand else ""
+        state = result.demand_required.limit_state if result.demand else ""
         self.language = language
         self.symbols: dict[str, str] = dict(known.symbols) if known else {}
         self.shown: dict[str, Shown] = dict(known.shown) if known else {}

@@ -6,7 +6,7 @@ from core.report.cells import ACCELERATION, QUIET, RATIO, Book, header, heighten
 from core.report.tie_words import tie_words
 from core.report.verdict_words import in_order, outcome_of
 from core.study.results import StudyResult, WallResult
-from core.study.variants import wall_comparisons
+from core.study.variants import compare_walls
 from core.text.sentence import word
 from core.units import G
 from core.variation.limit_states import STATES
@@ -18,7 +18,7 @@ LAST_COLUMN = 11
 def has_risk(result: StudyResult) -> bool:
     """Whether a wall has a zeta, and something beside it that the Summary does not show."""
     assessments = [wall.assessment for wall in result.walls if wall.assessment]
-    beside = any(one.states or one.tie for one in assessments) or bool(wall_comparisons(result.verdicts))
+    beside = any(one.states or one.tie for one in assessments) or bool(compare_walls(result.verdicts))
     return beside and any(one.risk for one in assessments)
 
 
@@ -71,7 +71,7 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
     text(sheet, row, 1, say("smallest"), bold=True)
     number(sheet, row, 3, least(w.assessment.verdict.zeta_e for w in result.walls if w.assessment), RATIO)
     for column, state in enumerate(STATES, start=9):
-        states = [one for wall in result.walls for one in (wall.assessed.states if wall.assessment else ())]
+        states = [one for wall in result.walls for one in (wall.required_assessment.states if wall.assessment else ())]
         if there := [one.zeta for one in states if one.state == state]:
             number(sheet, row, column, least(there), RATIO)
     rule(sheet, row, 1, LAST_COLUMN)
@@ -105,7 +105,7 @@ def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
 def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
     """The force of each tie asked for, by every check, and what it does to its bar."""
     say = book.say
-    designed = [wall for wall in result.walls if wall.assessment and wall.assessed.tie]
+    designed = [wall for wall in result.walls if wall.assessment and wall.required_assessment.tie]
     if not designed:
         return row
     title(sheet, row, say("Tie for the ζ required"), 12)
@@ -114,7 +114,7 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
     header(sheet, row + 1, [say("Wall"), "h [m]", *heads, say("named"), say("ultimate [mm]")], 1, 45)
     row += 1
     for wall in designed:
-        tie = known(wall.assessed.tie)
+        tie = known(wall.required_assessment.tie)
         row += 1
         text(sheet, row, 1, wall.name, wrap=True)
         number(sheet, row, 2, tie.height, RATIO)
@@ -130,7 +130,7 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
 
 def _variants(book: Book, sheet, result: StudyResult, row: int) -> int:
     """The walls as they are beside the walls as they are designed."""
-    say, pairs, language = book.say, wall_comparisons(result.verdicts), book.language
+    say, pairs, language = book.say, compare_walls(result.verdicts), book.language
     if not pairs:
         return row
     title(sheet, row, say("Before and after"), 12)

@@ -161,7 +161,7 @@ def _provenance(book: Book, sheet, result: StudyResult, row: int) -> int:
         heighten(sheet, row, (motion.name, 24), (station, 40))
         text(sheet, row, 3, word(kind, book.language))
         if result.demand:
-            number(sheet, row, 4, motion.scale * result.required.scaling(motion), ACCELERATION)
+            number(sheet, row, 4, motion.scale * result.demand_required.scaling(motion), ACCELERATION)
         cells = (where.date, where.magnitude, where.distance_km, where.site_class, where.filter_and_processing)
         for column, value in zip((5, 7, 9, 11, 13), cells, strict=True):
             text(sheet, row, column, value, size=8)

@@ -142,7 +142,7 @@ def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult]
         row += 1
         text(sheet, row, 1, wall.name, wrap=True)
         text(sheet, row, 2, word(wall.mechanism, book.language))
-        verdict = wall.assessed.verdict if wall.assessment else None
+        verdict = wall.required_assessment.verdict if wall.assessment else None
         label = word(verdict.code, book.language) if verdict else "–"
         heighten(sheet, row, (wall.name, 24), (label, 26))
         weight = wall.wall.weight
@@ -178,7 +178,7 @@ def _link(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) ->
         links[6] = f"{links[3]}/{links[4]}"
         if wall.wall.weight:
             links[9] = f"{wall.wall.weight / 1000.0 / (wall.height * wall.thickness)!r}*{size}"
-    if wall.assessment and wall.assessed.verdict.governing:
+    if wall.assessment and wall.required_assessment.verdict.governing:
         links[12] = name + deciding(wall, result.demand)
     for column, target in links.items():
         cell = sheet.cell(row, column)
@@ -190,7 +190,7 @@ def _link(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) ->
 
 def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) -> int:
     """The wall with the lowest zeta: table of methods, verdict."""
-    say, assessment = book.say, wall.assessed
+    say, assessment = book.say, wall.required_assessment
     label = f"{wall.name} – {word(wall.mechanism, book.language)}"
     title(sheet, row, label, 12)
     if risk := risk_of(result, wall):
@@ -284,7 +284,7 @@ def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most:
     """Write each warning once, with the walls or records it belongs to."""
     owners: dict[str, list[str]] = {}
     # first what all the walls rest on: more than most are not shown
-    for warning in result.required.warnings if result.demand else ():
+    for warning in result.demand_required.warnings if result.demand else ():
         owners.setdefault(warning.text(book.language), []).append(book.say("demand"))
     named: list[WallResult | GroundMotion] = [*result.walls, *result.motions]
     for owner in named:

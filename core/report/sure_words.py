@@ -34,7 +34,7 @@ def risk_of(result: StudyResult, wall: WallResult) -> Risk | None:
     verdict = verdict_of(result, wall)
     if verdict is not None:
         return verdict.risk
-    return wall.assessed.risk if wall.assessment else None
+    return wall.required_assessment.risk if wall.assessment else None
 
 
 def has_certainty(result: StudyResult) -> bool:
@@ -82,7 +82,7 @@ def still_lines(say: Say, result: StudyResult, verdict: WallVerdict, language: s
     """Sentences with which the moves are to be read: whether the verdict is one, the inputs that do not move zeta,
     those that cannot be moved so."""
     sensitivity, lines = known(verdict.sensitivity), []
-    code = result.walls[verdict.governing].assessed.verdict.code
+    code = result.walls[verdict.governing].required_assessment.verdict.code
     if code in ("indicative", "undetermined"):
         lines.append(say("The verdict is indicative, and so are these values: none of them verifies the wall."))
     if sensitivity.still:

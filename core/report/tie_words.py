@@ -18,7 +18,7 @@ def force_words(tie: TieDesign, name: str, language: str) -> str:
 
 def tie_words(say: Callable[..., str], wall: WallResult, language: str) -> str:
     """Sentences on what a tie must hold, for a wall for which one is designed."""
-    tie = known(wall.assessed.tie)
+    tie = known(wall.required_assessment.tie)
     names = [name for name in FORCE_NAMES if tie.forces[name] is not None]
     forces = "; ".join(f"{word(f'tie_{name}', language)} {force_words(tie, name, language)}" for name in names)
     values = {"h": tie.height, "forces": forces, "largest": 1e-3 * tie.largest}
@@ -91,7 +91,7 @@ def tie_lines(wall: WallResult, language: str) -> list[str]:
     def say(english: str, /, **values) -> str:
         return localized("report", english, language, **values)
 
-    tie = wall.assessed.tie if wall.assessment else None
+    tie = wall.required_assessment.tie if wall.assessment else None
     asked = wall.part.asked.tie_height_m is not None and wall.part.hinge == 0.0 and wall.mechanism == "one_sided"
     if tie is None and wall.assessment and asked:
         return [
@@ -172,8 +172,8 @@ def of_ties(say: Callable[..., str], wall: WallResult, language: str) -> list[st
 def elongations(wall: WallResult, bar: TieBar) -> dict[str, float | None]:
     """Elongation of a bar at the largest peak of the histories, at the limit of the displacement check and at d_0 [m];
     None where that is not made, or a wall overturns."""
-    kinematic = wall.assessed.kinematic if wall.assessment else None
-    dynamic = wall.assessed.dynamic if wall.assessment else None
+    kinematic = wall.required_assessment.kinematic if wall.assessment else None
+    dynamic = wall.required_assessment.dynamic if wall.assessment else None
     rotations: dict[str, float | None] = {"demand": None, "d_limit": None, "d_0": wall.model.collapse_rotation}
     if kinematic and kinematic.d_limit is not None:
         rotations["d_limit"] = kinematic.chain.rotation(kinematic.d_limit)

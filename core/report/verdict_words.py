@@ -7,7 +7,7 @@ from core.case.site import DemandJustification
 from core.case.wall import WallJustification
 from core.codes.outcomes import OUTCOMES
 from core.study.results import StudyResult, WallResult, WallVerdict
-from core.study.wall_verdict import by_severity, where
+from core.study.wall_verdict import hinge_location, sort_by_severity
 from core.text.catalogue import CATALOGUE
 from core.text.sentence import FormNames, word
 
@@ -26,7 +26,7 @@ def names_in(language: str) -> FormNames:
 def in_order(result: StudyResult) -> list[tuple[WallResult, bool]]:
     """(result, whether it is the one that decides about its wall): the worst wall first, of each its worst hinge first;
     without a demand all as they are."""
-    ordered = by_severity(result.verdicts, result.walls)
+    ordered = sort_by_severity(result.verdicts, result.walls)
     if not ordered:
         return [(wall, True) for wall in result.walls]
     return [(result.walls[k], k == one.governing) for one in ordered for k in one.results]
@@ -34,7 +34,9 @@ def in_order(result: StudyResult) -> list[tuple[WallResult, bool]]:
 
 def sentence_of(wall: WallResult, language: str) -> str:
     """The verdict of a result in words: of its wall where it decides about it, else of its hinge."""
-    return wall.assessed.verdict.text(language, wall.part.asked.title, where(wall), names_in(language))
+    return wall.required_assessment.verdict.text(
+        language, wall.part.asked.title, hinge_location(wall), names_in(language)
+    )
 
 
 def outcome_of(result: StudyResult, verdict: WallVerdict) -> tuple[str, str | None]:
@@ -54,7 +56,7 @@ def lines_of(
 ) -> list[str]:
     """Lines that follow the sentence, each kind with its word: what to do, what limits the result, notes, reasons
     given."""
-    verdict = wall.assessed.verdict
+    verdict = wall.required_assessment.verdict
     extra = [one.extra for one in result.verdicts if result.walls[one.governing] is wall]
     said = (verdict.to_do, (*verdict.limits, *(extra[0] if extra else ())), verdict.notes)
     lines = [
@@ -84,5 +86,5 @@ def tone_of(result: StudyResult, wall: WallResult) -> str:
     """good, amber or bad; good only where nothing is left to read; "" without a verdict."""
     if wall.assessment is None:
         return ""
-    tone = OUTCOMES[wall.assessed.verdict.code].tone
-    return "amber" if tone == "good" and result.left_to_read(wall) else tone
+    tone = OUTCOMES[wall.required_assessment.verdict.code].tone
+    return "amber" if tone == "good" and result.has_remarks(wall) else tone

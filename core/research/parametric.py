@@ -23,9 +23,9 @@ from core.known import known
 from core.research import natural_set
 from core.rocking.methods import METHODS
 from core.setting.record_input import read_records
+from core.study.check_cache import run_key
 from core.study.journal import Journal
-from core.study.kept_checks import run_key
-from core.study.progress import OnProgress, Progress, Started, run_cost
+from core.study.progress import OnProgress, Progress, StartTime, run_cost
 from core.threads import Threads
 from core.units import G
 from core.version import VERSION
@@ -220,7 +220,7 @@ def run(
     journal, on_progress, cancelled : as of `core.study.run.run`
     Raises InputError for what the user can mend, Cancelled when cancelled() is true.
     """
-    started = Started()
+    started = StartTime()
     threads = Threads(jobs, cancelled)
     spectra = spectra_of(study)
     natural = natural_motions(study, base_dir, records_from)

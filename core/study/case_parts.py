@@ -10,8 +10,18 @@ from typing import BinaryIO
 from core.case.schema import Case
 from core.errors import InputError
 from core.regular_file import open_regular
-from core.study.journal import HEAD_KEY, SYNC_SECONDS, Journal, Memory, Place, ours, parsed, read_at, scanned
-from core.study.run import EVERYTHING
+from core.study.journal import (
+    HEAD_KEY,
+    SYNC_SECONDS,
+    Journal,
+    LineSpan,
+    MemoryJournal,
+    is_journal,
+    parse_line,
+    read_line,
+    scan_journal,
+)
+from core.study.run import UNLIMITED
 
 FINISHED = "finished"
 """Key of the last line of a part."""
@@ -32,7 +42,7 @@ def part_journal(folder: Path, stem: str, case: Case, key: str, k: int, n: int) 
     return Journal(part_path(folder, stem, k, n), part_key(key, case, k, n), True, SYNC_SECONDS)
 
 
-def parts_in(folder: Path, stem: str) -> Iterator[tuple[int, int, Path]]:
+def find_parts(folder: Path, stem: str) -> Iterator[tuple[int, int, Path]]:
     """(k, n, journal) of the parts of a case in a folder. Raises InputError where there is none, where they are of two
     divisions, and at one that is missing."""
     shape = re.compile(re.escape(stem) + r"\.part-(\d+)-of-(\d+)\.journal")
@@ -60,10 +70,10 @@ class MergedParts:
 
     def __init__(self, folder: Path, stem: str, keys: Callable[[int, int], str]):
         self.streams: list[BinaryIO] = []
-        self.places: dict[str, tuple[BinaryIO, Place]] = {}
+        self.places: dict[str, tuple[BinaryIO, LineSpan]] = {}
         with contextlib.ExitStack() as opened:
             opened.callback(self.close)
-            for k, n, path in parts_in(folder, stem):
+            for k, n, path in find_parts(folder, stem):
                 self._add(path, k, n, keys(k, n))
             opened.pop_all()  # all are there, and stay open
 
@@ -73,8 +83,8 @@ class MergedParts:
         except OSError as error:
             raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
         self.streams.append(stream)
-        head, _, lines = scanned(stream) if ours(stream) else (b"", 0, [])
-        if parsed(head) != {HEAD_KEY: key}:
+        head, _, lines = scan_journal(stream) if is_journal(stream) else (b"", 0, [])
+        if parse_line(head) != {HEAD_KEY: key}:
             raise InputError("part_of_another", path=path)
         places = {name: (stream, place) for name, place in lines}
         if FINISHED not in places:
@@ -86,16 +96,16 @@ class MergedParts:
     def get(self, name: int | str) -> dict | None:
         """What was found under a name, None where nothing was."""
         place = self.places.get(str(name))
-        return None if place is None else read_at(*place)
+        return None if place is None else read_line(*place)
 
     def close(self) -> None:
         for stream in self.streams:
             stream.close()
 
 
-def merged(folder: Path, stem: str, case: Case, key: str) -> Memory:
+def open_parts(folder: Path, stem: str, case: Case, key: str) -> MemoryJournal:
     """What all parts of a case found. Raises InputError as MergedParts."""
-    parts, memory = MergedParts(folder, stem, lambda k, n: part_key(key, case, k, n)), Memory(EVERYTHING)
+    parts, memory = MergedParts(folder, stem, lambda k, n: part_key(key, case, k, n)), MemoryJournal(UNLIMITED)
     with contextlib.closing(parts):
         memory.found |= {name: result for name in parts.places if name != FINISHED and (result := parts.get(name))}
     return memory

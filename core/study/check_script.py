@@ -41,7 +41,7 @@ Q_THAT_MOVES = 1.5
 """q at which a motion is taken that does not move the wall at the demand."""
 
 
-class NoCheck(Exception):
+class ScriptUnavailable(Exception):
     """Why a wall has no script: held_at_top, between_walls, no_records or too_sensitive."""
 
 
@@ -54,7 +54,7 @@ class Answer(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Chosen:
+class ScriptHistory:
     """One history.
 
     scale : multiplier of the motion, its sign that of the record
@@ -74,7 +74,7 @@ def check_script(plan: Plan, k: int) -> str:
     """The script that checks the k-th entry of a plan. Raises NoCheck."""
     entry = plan.entries[k]
     if entry.part.wall.bends:
-        raise NoCheck("held_at_top" if entry.part.wall.arch is None else "between_walls")
+        raise ScriptUnavailable("held_at_top" if entry.part.wall.arch is None else "between_walls")
     demand = with_records(plan.demand, plan.motions) if plan.demand else None
     one = _chosen(plan, k, demand)
     lines = {**_of(entry, one), **_model_lines(one), **_wall_lines(entry)}
@@ -103,12 +103,12 @@ def _runs(plan: Plan, k: int, demand: DemandResult | None) -> Iterator[tuple[Gro
                 yield motion, sign * factor, there
 
 
-def _chosen(plan: Plan, k: int, demand: DemandResult | None) -> Chosen:
+def _chosen(plan: Plan, k: int, demand: DemandResult | None) -> ScriptHistory:
     """The history that governs at the demand, or the next one if noise in the last digits of the samples decides it.
     Raises NoCheck."""
     runs = [(*run, answered) for run in _runs(plan, k, demand) if (answered := _answer(*run))]
     if not runs:
-        raise NoCheck("no_records")
+        raise ScriptUnavailable("no_records")
     runs.sort(key=lambda run: (run[3].overturns, run[3].rotation), reverse=True)
     chosen = "of all records and signs the largest rotation" + (" at the demand, with FC" if demand else "")
     if demand and demand.weak_share is not None:
@@ -123,8 +123,8 @@ def _chosen(plan: Plan, k: int, demand: DemandResult | None) -> Chosen:
         tolerance = _tolerance(motion, scale, model, answer)
         if tolerance <= MAX_TOLERANCE * model.collapse_rotation:
             words = chosen if n == 0 else f"{chosen}, after {n} that the last digits of the samples decide"
-            return Chosen(motion, scale, model, words, answer, tolerance)
-    raise NoCheck("too_sensitive")
+            return ScriptHistory(motion, scale, model, words, answer, tolerance)
+    raise ScriptUnavailable("too_sensitive")
 
 
 def _answer(
@@ -153,7 +153,7 @@ def _tolerance(motion: GroundMotion, scale: float, model: RockingModel, answer: 
     return max(MIN_TOLERANCE * model.collapse_rotation, TIMES_NOISE * effect)
 
 
-def _of(entry: Entry, one: Chosen) -> dict[str, Any]:
+def _of(entry: Entry, one: ScriptHistory) -> dict[str, Any]:
     """Lines of what is checked."""
     return {
         "WALL": f"{entry.part.wall.name} ({entry.mechanism})",
@@ -163,7 +163,7 @@ def _of(entry: Entry, one: Chosen) -> dict[str, Any]:
     }
 
 
-def _model_lines(one: Chosen) -> dict[str, Any]:
+def _model_lines(one: ScriptHistory) -> dict[str, Any]:
     """Lines of the equation of motion."""
     model = one.model
     sides = {}

@@ -49,14 +49,14 @@ def demand_histories(result: StudyResult, wall: WallResult) -> list[DemandHistor
 def history_at_demand(result: StudyResult, wall: WallResult, run: DemandRun) -> tuple[GroundMotion, History]:
     """The motion of a run of the dynamic check and the history of the wall under it, with FC and the elastic branch
     as in the check."""
-    motion, demand, check = result.motion_of(wall, run.motion), result.demand, wall.assessed.dynamic
+    motion, demand, check = result.motion_of(wall, run.motion), result.demand, wall.required_assessment.dynamic
     assert demand is not None and check is not None
-    model, factor = at_demand(wall.deciding_model, demand, check.confidence_on, motion)
+    model, factor = at_demand(wall.governing_model, demand, check.confidence_on, motion)
     return motion, history(motion.acceleration, motion.time_step, run.polarity * factor, model, result.method)
 
 
 def control_displacement(wall: WallResult, rotation: np.ndarray) -> np.ndarray:
     """d [m] of the control point (C8.7.1.4)."""
-    kinematic = wall.assessed.kinematic
+    kinematic = wall.required_assessment.kinematic
     assert kinematic is not None
     return np.sign(rotation) * kinematic.chain.displacement(np.abs(rotation))

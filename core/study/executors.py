@@ -22,10 +22,10 @@ from core.regular_file import read_regular
 from core.setting.demand_input import MAX_SPECTRUM_BYTES
 from core.setting.plan import Inputs, Plan, plan_of, read_inputs
 from core.study.journal import journal_key
-from core.study.scheduler import Scheduled
+from core.study.scheduler import DaskExecutor
 
 MAX_TASKS_AHEAD = 256
-"""Tasks an executor holds at a time; a `Scheduled` says it by its workers."""
+"""Tasks an executor holds at a time; a `DaskExecutor` says it by its workers."""
 
 
 def files_key(case: Case, base_dir: Path, inputs: Inputs) -> str:
@@ -44,20 +44,20 @@ def files_key(case: Case, base_dir: Path, inputs: Inputs) -> str:
 
 
 @functools.cache
-def program_here() -> str:
+def program_fingerprint() -> str:
     """This program, the state of its sources, and the packages its numbers are made with."""
     packages = (f"{name} {metadata.version(name)}" for name in ("numba", "numpy"))
     return ", ".join([journal_key(), f"Python {platform.python_version()}", *packages])
 
 
-class Shared(NamedTuple):
+class TaskContext(NamedTuple):
     """What the tasks of a study have in common, sent with each of them.
 
     case : without walls, its records chosen
     base_dir : folder record paths start from, absolute
     walls : of the whole case
     longest : period of the mechanisms of all walls [s]; None where a wall alone is a task
-    files, program : `files_key` and `program_here` of the process that hands out
+    files, program : `files_key` and `program_fingerprint` of the process that hands out
     """
 
     case: Case
@@ -68,21 +68,25 @@ class Shared(NamedTuple):
     program: str
 
 
-def shared_by(case: Case, base_dir: Path, inputs: Inputs, longest: float | None) -> Shared:
+def make_task_context(case: Case, base_dir: Path, inputs: Inputs, longest: float | None) -> TaskContext:
     """What the tasks of a case have in common. case : its records chosen; inputs, longest : as in Shared"""
     bare = replace(case, wall=(), source="", table_notes=(), files=())
-    return Shared(bare, base_dir.absolute(), len(case.wall), longest, files_key(case, base_dir, inputs), program_here())
+    return TaskContext(
+        bare, base_dir.absolute(), len(case.wall), longest, files_key(case, base_dir, inputs), program_fingerprint()
+    )
 
 
-_read: dict[Shared, Inputs] = {}
+_read: dict[TaskContext, Inputs] = {}
 """Inputs of the last study that this process, working for an executor, took a task of."""
 
 
-def plan_elsewhere(shared: Shared, walls: tuple[Wall, ...]) -> Plan:
+def make_remote_plan(shared: TaskContext, walls: tuple[Wall, ...]) -> Plan:
     """The plan of a task. Raises InputError where this process has another program or other files than the one that
     hands out."""
-    if program_here() != shared.program:
-        raise InputError("worker_of_another", worker=platform.node(), found=program_here(), expected=shared.program)
+    if program_fingerprint() != shared.program:
+        raise InputError(
+            "worker_of_another", worker=platform.node(), found=program_fingerprint(), expected=shared.program
+        )
     native.ready()
     inputs = _read.get(shared)
     if inputs is None:
@@ -97,7 +101,7 @@ def plan_elsewhere(shared: Shared, walls: tuple[Wall, ...]) -> Plan:
     return plan_of(replace(shared.case, wall=walls), inputs, None, shared.longest, None, shared.walls)
 
 
-def results_from(
+def iterate_results(
     executor: Executor, task: Callable, arguments: Iterable[tuple[Hashable, tuple]], cancelled: Callable[[], bool]
 ) -> Iterator[tuple[Any, Any]]:
     """(key, what the task returned) as the tasks come back, in any order; None for one that was lost with its process.
@@ -126,7 +130,7 @@ def results_from(
 
 
 def _room(executor: Executor) -> int:
-    return executor.room() if isinstance(executor, Scheduled) else MAX_TASKS_AHEAD
+    return executor.room() if isinstance(executor, DaskExecutor) else MAX_TASKS_AHEAD
 
 
 def _handed(executor: Executor, task: Callable, given: tuple) -> Future:
@@ -150,7 +154,7 @@ def _returned(future: Future) -> Any:
     return None
 
 
-def awaited(arrivals: Iterator[int]) -> Callable[[int], None]:
+def make_waiter(arrivals: Iterator[int]) -> Callable[[int], None]:
     """A function that returns once a number has arrived. arrivals : numbers, in any order"""
     come: set[int] = set()
 

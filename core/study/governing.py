@@ -7,12 +7,12 @@ from core.rocking.history import history
 from core.study.results import CollapseHistories, Run, StudyResult, WallResult
 
 
-def lowest_run(wall: WallResult) -> Run | None:
+def governing_run(wall: WallResult) -> Run | None:
     """The run with the lowest q of a wall; None without a collapse."""
-    return lowest_of(wall.runs)
+    return run_with_lowest_q(wall.runs)
 
 
-def lowest_of(runs: Iterable[Run]) -> Run | None:
+def run_with_lowest_q(runs: Iterable[Run]) -> Run | None:
     """The run with the lowest q; None without a collapse."""
     with_q = [(q, run) for run in runs if (q := run.ida.q) is not None]
     return min(with_q, key=lambda pair: pair[0])[1] if with_q else None
@@ -21,7 +21,7 @@ def lowest_of(runs: Iterable[Run]) -> Run | None:
 def collapse_histories(result: StudyResult, wall: WallResult) -> CollapseHistories | None:
     """Integrate the governing record of a wall again on both sides of its first collapse; None
     without a collapse. The governing record is the one with the lowest q."""
-    lowest = lowest_run(wall)
+    lowest = governing_run(wall)
     if lowest is None or lowest.ida.bracket is None:
         return None
     motion = result.motion_of(wall, lowest.motion)

@@ -31,7 +31,7 @@ def journal_key() -> str:
     return f"{VERSION} {stamp.source_stamp()}"
 
 
-class Place(NamedTuple):
+class LineSpan(NamedTuple):
     """Where a line of a journal begins, and its length, line end included [bytes]."""
 
     start: int
@@ -54,7 +54,7 @@ class Journal:
 
     def __init__(self, path: Path, key: str, resume: bool, sync_seconds: float = 0.0):
         self.path, self.dropped = path, 0
-        self.places: dict[str, Place] = {}
+        self.places: dict[str, LineSpan] = {}
         self._lock = threading.Lock()
         self._sync_seconds, self._synced = sync_seconds, 0.0
         self.set_aside: Path | None = None
@@ -71,19 +71,19 @@ class Journal:
 
     def _begin(self, key: str, resume: bool) -> None:
         try:
-            lock(self._stream)
+            lock_file(self._stream)
         except OSError as error:
             if error.errno not in (errno.EAGAIN, errno.EACCES, errno.EWOULDBLOCK, errno.EDEADLK):
                 raise
             raise OutputError("batch_running", place=(self.path,)) from None
-        if not is_at(self._stream, self.path):
+        if not is_same_file(self._stream, self.path):
             raise OutputError("batch_just_ended", place=(self.path,))
-        if not ours(self._stream):
+        if not is_journal(self._stream):
             raise OutputError("not_a_journal", place=(self.path,))
-        head, end, lines = scanned(self._stream)
+        head, end, lines = scan_journal(self._stream)
         self.places = {name: place for name, place in lines if name}
         self.dropped = sum(not name for name, _ in lines)
-        mine = end > 0 and parsed(head) == {HEAD_KEY: key}  # a head without its line end is written again
+        mine = end > 0 and parse_line(head) == {HEAD_KEY: key}  # a head without its line end is written again
         if (self.places and not resume) or (lines and not mine):
             self.set_aside, mine = self._copied(), False
         if not mine:
@@ -113,7 +113,7 @@ class Journal:
         with open(place, "xb") as stream:  # nobody else's
             stream.write(head + b"\n")
             for name, (at, length) in self.places.items():
-                places[name] = Place(stream.tell(), length)
+                places[name] = LineSpan(stream.tell(), length)
                 self._stream.seek(at)
                 stream.write(self._stream.read(length))
             stream.flush()
@@ -123,14 +123,14 @@ class Journal:
             damaged.close()
         os.replace(place, self.path)
         self._stream = open(self.path, "a+b", buffering=0)  # noqa: SIM115
-        lock(self._stream)
+        lock_file(self._stream)
         damaged.close()
 
-    def _put(self, entry: dict) -> Place:
+    def _put(self, entry: dict) -> LineSpan:
         """Append a line, safe from a kill when this returns, from a power cut where the last sync is sync_seconds ago;
         its place. Raises OSError where not all of it could be written."""
         content = json.dumps(entry).encode() + b"\n"
-        place = Place(self._stream.seek(0, os.SEEK_END), len(content))
+        place = LineSpan(self._stream.seek(0, os.SEEK_END), len(content))
         try:
             while content:
                 content = content[self._stream.write(content) :]
@@ -149,13 +149,13 @@ class Journal:
         """What was found under a name, None where nothing was."""
         with self._lock:
             place = self.places.get(str(name))
-            return None if place is None else read_at(self._stream, place)
+            return None if place is None else read_line(self._stream, place)
 
     def add(self, name: int | str, result: dict) -> None:
         """Keep what was found under a name."""
         try:
             with self._lock:
-                self.places[str(name)] = self._put(valid(str(name), result))
+                self.places[str(name)] = self._put(entry_with_hash(str(name), result))
         except OSError as error:
             raise OutputError("journal_not_writable", reason=error.strerror, place=(self.path,)) from None
 
@@ -165,7 +165,7 @@ class Journal:
     def remove(self) -> None:
         """The batch is done: where the system can, the file goes while nobody else can hold it, and only while it is
         the one that was opened."""
-        mine = is_at(self._stream, self.path)
+        mine = is_same_file(self._stream, self.path)
         if os.name == "nt":
             self._stream.close()
         with contextlib.suppress(OSError):
@@ -178,7 +178,7 @@ MAX_JOURNAL_LINE = 200_000_000
 """Bytes of a line; what is longer has no end."""
 
 
-def scanned(file: BinaryIO) -> tuple[bytes, int, list[tuple[str, Place]]]:
+def scan_journal(file: BinaryIO) -> tuple[bytes, int, list[tuple[str, LineSpan]]]:
     """(first line, end of the last whole line, (name, place) of each other line, no name of one that is damaged)."""
     os.lseek(file.fileno(), 0, os.SEEK_SET)
     lines = []
@@ -188,15 +188,15 @@ def scanned(file: BinaryIO) -> tuple[bytes, int, list[tuple[str, Place]]]:
         for line in iter(lambda: stream.readline(MAX_JOURNAL_LINE), b""):
             if not line.endswith(b"\n"):  # what a kill cut off
                 break
-            entry = parsed(line)
-            whole = entry is not None and entry == valid(entry.get("run"), entry.get("result"))
-            lines.append((str(entry["run"]) if entry and whole else "", Place(place, len(line))))
+            entry = parse_line(line)
+            whole = entry is not None and entry == entry_with_hash(entry.get("run"), entry.get("result"))
+            lines.append((str(entry["run"]) if entry and whole else "", LineSpan(place, len(line))))
             place += len(line)
             end = place
     return head.removesuffix(b"\n"), end, lines
 
 
-def read_at(file: BinaryIO, place: Place) -> dict:
+def read_line(file: BinaryIO, place: LineSpan) -> dict:
     """What the line at a place of a journal holds."""
     file.seek(place.start)
     return json.loads(file.read(place.length) or b"")["result"]
@@ -206,7 +206,7 @@ HEAD_KEY = "Ribalta journal"
 """The key of the first line: no other program's file begins with it."""
 
 
-def ours(stream: BinaryIO) -> bool:
+def is_journal(stream: BinaryIO) -> bool:
     """Whether a file is a journal, or what a kill left of the first line of one."""
     start = b'{"' + HEAD_KEY.encode() + b'": "'
     stream.seek(0)
@@ -214,7 +214,7 @@ def ours(stream: BinaryIO) -> bool:
     return content == start[: len(content)]
 
 
-def is_at(stream, path: Path) -> bool:
+def is_same_file(stream, path: Path) -> bool:
     """Whether this name still is the file that was opened: another batch may have removed it in between."""
     try:
         return os.path.samestat(os.fstat(stream.fileno()), path.stat())
@@ -222,7 +222,7 @@ def is_at(stream, path: Path) -> bool:
         return False
 
 
-def lock(stream) -> None:
+def lock_file(stream) -> None:
     """Hold a file for this process alone, until it is closed; raises OSError where another one does."""
     if sys.platform == "win32":
         import msvcrt
@@ -235,7 +235,7 @@ def lock(stream) -> None:
         fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
 
-def parsed(line: bytes) -> dict | None:
+def parse_line(line: bytes) -> dict | None:
     """The entry of a line, None where it is none."""
     try:
         entry = json.loads(line)
@@ -244,19 +244,19 @@ def parsed(line: bytes) -> dict | None:
     return entry if isinstance(entry, dict) else None
 
 
-def valid(run: str | None, result: dict | None) -> dict:
+def entry_with_hash(run: str | None, result: dict | None) -> dict:
     """The entry of a run with the hash of itself."""
     entry = {"run": run, "result": result}
-    return {**entry, "hash": hash_of(entry)}
+    return {**entry, "hash": entry_hash(entry)}
 
 
-def hash_of(entry: dict) -> str:
+def entry_hash(entry: dict) -> str:
     """Hash what a line says, whatever hash it states."""
     content = json.dumps([entry.get("run"), entry.get("result")])
     return hashlib.sha256(content.encode()).hexdigest()[:16]
 
 
-def rebuilt(kind: Any, value: Any) -> Any:
+def dataclass_from_json(kind: Any, value: Any) -> Any:
     """What a dataclass declares, from the JSON of its `asdict`: doubles are exact there, tuples are lists. None where
     the value is None or not of this kind."""
     try:
@@ -285,7 +285,7 @@ def _room(result: dict) -> int:
     return len(result.get("outcomes") or repr(result))
 
 
-class Memory:
+class MemoryJournal:
     """Finished runs and checks of one process by key, for the studies that follow; as a Journal, but not on disk.
 
     most : room, of a run the digits of its survival map, of a check the letters of all it holds; the oldest go first

@@ -18,17 +18,17 @@ from core.errors import Cancelled
 from core.jit import native
 from core.setting.plan import Floors, Inputs, plan_of, read_inputs, with_chosen
 from core.setting.record_selection import Selection
-from core.study.executors import Shared, files_key, plan_elsewhere, results_from, shared_by
-from core.study.progress import OnProgress, Progress, Started, costs_of
+from core.study.executors import TaskContext, files_key, iterate_results, make_remote_plan, make_task_context
+from core.study.progress import OnProgress, Progress, StartTime, task_costs
 from core.study.results import StudyResult
-from core.study.run import begin_compiling, result_of
+from core.study.run import run_plan, start_compilation
 from core.threads import Threads
 from core.variation.limit_states import demands_of, unsaid
 
 MAX_GROUP, MAX_SEARCHES = 128, 4096
 """Walls of a group, and searches of one: what is lost when a run is killed, and what stands in memory at a time."""
 
-FLOORS_KEPT = 16
+MAX_CACHED_FLOORS = 16
 """Heights above the ground whose motions are kept from one group to the next."""
 
 
@@ -57,7 +57,7 @@ class LargeCase(NamedTuple):
         return hashlib.sha256(repr(parts).encode()).hexdigest()
 
 
-def in_order(case: Case, base_dir: Path, cancelled: Callable[[], bool] = lambda: False) -> LargeCase:
+def prepare_large_case(case: Case, base_dir: Path, cancelled: Callable[[], bool] = lambda: False) -> LargeCase:
     """A case in groups, every wall of which was looked at: what the user can mend is refused before the first analysis.
 
     base_dir : folder record paths start from
@@ -67,13 +67,13 @@ def in_order(case: Case, base_dir: Path, cancelled: Callable[[], bool] = lambda:
     inputs = read_inputs(chosen, base_dir)
     demand, motions, kinds = inputs
     size = max(1, min(MAX_GROUP, MAX_SEARCHES // max(1, 2 * len(motions))))
-    groups, floors = in_groups(case.wall, size), Floors(FLOORS_KEPT)
+    groups, floors = in_groups(case.wall, size), Floors(MAX_CACHED_FLOORS)
     tasks, longest = [], 0.0
     for group in groups:
         if cancelled():
             raise Cancelled
         plan = _plan(case, inputs, group, 0.0, floors)
-        tasks.append(len(costs_of(plan)))
+        tasks.append(len(task_costs(plan)))
         longest = max(longest, replace(plan, longest=None).longest_period)
     if demand and demand.target and motions:
         period_range(kinds, longest, demand)
@@ -86,7 +86,7 @@ def _plan(case: Case, inputs: Inputs, group: list[int], longest: float, floors: 
     return plan_of(replace(case, wall=walls), inputs, None, longest, floors, len(case.wall))
 
 
-def without_walls(large: LargeCase) -> StudyResult:
+def common_result(large: LargeCase) -> StudyResult:
     """Result that all groups have in common: demand, records, whether these comply with it."""
     case, (demand, motions, kinds) = replace(large.case, wall=()), large.inputs
     plan, rules = plan_of(case, large.inputs, None, large.longest), None
@@ -94,7 +94,9 @@ def without_walls(large: LargeCase) -> StudyResult:
         demand = with_records(demand, motions)
         rules = compliance(motions, kinds, demand, large.longest)
         demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, demands_of(case, large.base_dir))))
-    result = StudyResult(case, Started().utc, plan.method, plan.search, demand, tuple(motions), tuple(kinds), (), rules)
+    result = StudyResult(
+        case, StartTime().utc, plan.method, plan.search, demand, tuple(motions), tuple(kinds), (), rules
+    )
     return replace(result, selection=large.selection)
 
 
@@ -113,13 +115,13 @@ def group_results(
     Raises InputError, Cancelled.
     """
     native.ready()
-    todo, floors = list(todo), Floors(FLOORS_KEPT)
+    todo, floors = list(todo), Floors(MAX_CACHED_FLOORS)
     progress, threads = _GroupProgress(large, todo, on_progress), Threads(jobs, cancelled)
     for g in todo:
         plan = _plan(large.case, large.inputs, large.groups[g], large.longest, floors)
         if g == todo[0]:
-            begin_compiling(plan)
-        yield g, result_of(plan, large.base_dir, threads, Started(), None, Progress(costs_of(plan), progress.within))
+            start_compilation(plan)
+        yield g, run_plan(plan, large.base_dir, threads, StartTime(), None, Progress(task_costs(plan), progress.within))
         progress.finished(g)
 
 
@@ -146,16 +148,16 @@ Rows = Callable[[StudyResult, Sequence[int]], Any]
 """What is kept of a group, from its result and the numbers of its walls: of `core.report.columns.columns_of`."""
 
 
-def group_alone(shared: Shared, walls: tuple[Wall, ...], numbers: list[int], rows: Rows) -> Any:
+def run_group_task(shared: TaskContext, walls: tuple[Wall, ...], numbers: list[int], rows: Rows) -> Any:
     """Rows of a group of walls: the task of an executor, in a process of its own or on another machine that sees the
     same files. numbers : of its walls in the case. Raises InputError."""
-    plan = plan_elsewhere(shared, walls)
-    begin_compiling(plan)
-    progress = Progress(costs_of(plan), lambda done, planned, left: None)
-    return rows(result_of(plan, shared.base_dir, Threads(1, lambda: False), Started(), None, progress), numbers)
+    plan = make_remote_plan(shared, walls)
+    start_compilation(plan)
+    progress = Progress(task_costs(plan), lambda done, planned, left: None)
+    return rows(run_plan(plan, shared.base_dir, Threads(1, lambda: False), StartTime(), None, progress), numbers)
 
 
-def groups_elsewhere(
+def run_groups_remotely(
     large: LargeCase,
     todo: list[int],
     executor: Executor,
@@ -168,14 +170,14 @@ def groups_elsewhere(
     chosen = large.case
     if large.selection:
         chosen = replace(chosen, select=None, record=large.selection.chosen.records)
-    shared = shared_by(chosen, large.base_dir, large.inputs, large.longest)
+    shared = make_task_context(chosen, large.base_dir, large.inputs, large.longest)
     progress = _GroupProgress(large, todo, on_progress)
 
     def given(group: list[int]) -> tuple:
         return shared, tuple(large.case.wall[k] for k in group), group, rows
 
     tasks = ((g, given(large.groups[g])) for g in todo)
-    for g, group_rows in results_from(executor, group_alone, tasks, cancelled):
+    for g, group_rows in iterate_results(executor, run_group_task, tasks, cancelled):
         if group_rows is not None:
             yield g, group_rows
             progress.finished(g)

@@ -10,17 +10,17 @@ from core.codes.outcomes import worst
 from core.jit import native
 from core.known import known
 from core.setting.plan import longest_of, plan_of, read_inputs
-from core.study.journal import Journal, Memory
-from core.study.kept_checks import KeptChecks
-from core.study.progress import Progress, Started, costs_of
+from core.study.check_cache import CheckCache
+from core.study.journal import Journal, MemoryJournal
+from core.study.progress import Progress, StartTime, task_costs
 from core.study.results import StudyResult
-from core.study.run import result_of
+from core.study.run import run_plan
 from core.threads import Threads
 from core.variation.assumptions import at_other_ends
 from core.variation.evaluate import Evaluation, evaluate
 
 
-def alone(case: Case, row: int) -> Case:
+def single_wall_case(case: Case, row: int) -> Case:
     """The case with one of its walls, without what is made beside a verdict."""
     return replace(case, wall=(case.wall[row],), sensitivity=None, analysis=replace(case.analysis, accuracy=False))
 
@@ -29,7 +29,7 @@ def run_wall(
     case: Case,
     row: int,
     base_dir: Path,
-    journal: Journal | Memory | None,
+    journal: Journal | MemoryJournal | None,
     jobs: int = 1,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> StudyResult:
@@ -39,19 +39,19 @@ def run_wall(
     base_dir, journal, jobs, cancelled : as `run` takes them
     Raises InputError, Cancelled.
     """
-    started = Started()
+    started = StartTime()
     native.ready()
     inputs = read_inputs(case, base_dir)
     longest = longest_of(case, known(inputs[0]))
-    plan = plan_of(alone(case, row), inputs, longest=longest, walls=len(case.wall))
-    progress = Progress(costs_of(plan), lambda done, planned, left: None)
-    return result_of(plan, base_dir, Threads(jobs, cancelled), started, journal, progress)
+    plan = plan_of(single_wall_case(case, row), inputs, longest=longest, walls=len(case.wall))
+    progress = Progress(task_costs(plan), lambda done, planned, left: None)
+    return run_plan(plan, base_dir, Threads(jobs, cancelled), started, journal, progress)
 
 
-def turned(
+def run_at_alternatives(
     result: StudyResult,
     rows: Iterable[Assumption],
-    journal: Journal | Memory | None,
+    journal: Journal | MemoryJournal | None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Evaluation | None:
     """The hinge of the wall of a result of `run_wall` that decides with these rows at their other ends, each hinge at
@@ -65,9 +65,9 @@ def turned(
     plan = plan_of(result.case, (demand, list(result.motions), list(result.kinds)))
     evaluations = []
     for k, wall in enumerate(result.walls):
-        scene = plan.scene(k, demand, result.compliance, KeptChecks(journal))
+        scene = plan.scene(k, demand, result.compliance, CheckCache(journal))
         as_it_is = evaluate(replace(scene, q_slv=(wall.q_slv_safe_set, wall.q_slv_set)), cancelled=cancelled)
-        own = [row for row in wall.assessed.verdict.assumptions if row.key in keys and row.has_switch]
+        own = [row for row in wall.required_assessment.verdict.assumptions if row.key in keys and row.has_switch]
         there = at_other_ends(as_it_is, own, cancelled) if own else as_it_is
         if there is None:
             return None

@@ -30,7 +30,7 @@ STEP_FILE = "taylor.through_sample-*.nbc"
 _second: list[subprocess.Popen] = []
 
 
-def cores() -> int:
+def available_cores() -> int:
     """Processors this process may use."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
@@ -42,7 +42,7 @@ def start(names: set[str]) -> None:
     ever compiled. Of two, each process would wait for the wrong one."""
     names = names & {"taylor", "taylor_6"}
     compiled = native.library() is not None or any(folder().glob(STEP_FILE))
-    if compiled or cores() < 2 or len(names) != 1 or _second or not sys.executable:
+    if compiled or available_cores() < 2 or len(names) != 1 or _second or not sys.executable:
         return
     root = str(Path(__file__).absolute().parents[2])
     path = [root, *filter(None, [os.environ.get("PYTHONPATH")])]

@@ -11,7 +11,7 @@ from core.ground.ground_motion import GroundMotion
 from core.setting.plan import Plan
 
 
-class Started:
+class StartTime:
     """When work began: utc by the clock of the system, which may be set meanwhile, elapsed by one that only runs."""
 
     def __init__(self) -> None:
@@ -51,7 +51,7 @@ def check_cost(motions: Iterable[GroundMotion], signs: int, floor: bool) -> floa
     return 1.0 + CHECK_COST * signs * samples * (FLOOR_COST if floor else 1.0)
 
 
-def costs_of(plan: Plan) -> dict[Any, float]:
+def task_costs(plan: Plan) -> dict[Any, float]:
     """Cost of each task, in samples that the bisections of a search go through."""
     search = plan.search
     costs: dict[Any, float] = {

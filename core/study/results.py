@@ -55,7 +55,7 @@ class Run:
 
 
 @dataclass(frozen=True)
-class PerRecord:
+class RecordResult:
     """Governing values of one record: the lower of both signs, quantity by quantity.
 
     record : its name for people; motion : its index in the study
@@ -95,7 +95,7 @@ class WallResult:
     law: MomentLaw
     model: RockingModel
     runs: tuple[Run, ...]
-    per_record: tuple[PerRecord, ...]
+    per_record: tuple[RecordResult, ...]
     set_rule: str | None
     q_set: float | None
     q_min: float | None
@@ -126,7 +126,7 @@ class WallResult:
         return self.part.wall.name
 
     @property
-    def assessed(self) -> Assessment:
+    def required_assessment(self) -> Assessment:
         """Checks of the wall, in a study with a demand."""
         assert self.assessment is not None
         return self.assessment
@@ -134,7 +134,7 @@ class WallResult:
     @property
     def mechanics(self) -> Kinematic:
         """Closed-form checks of the wall, in a study with a demand."""
-        kinematic = self.assessed.kinematic
+        kinematic = self.required_assessment.kinematic
         assert kinematic is not None
         return kinematic
 
@@ -144,7 +144,7 @@ class WallResult:
         return shared(self.part, self.mechanism)
 
     @property
-    def deciding_model(self) -> RockingModel:
+    def governing_model(self) -> RockingModel:
         """The model whose histories decide at the demand: with the elastic branch, or the hinge, that fares worst."""
         dynamic = self.assessment.dynamic if self.assessment else None
         return dynamic.branch.of(self.model) if dynamic and dynamic.branch else self.model
@@ -169,7 +169,7 @@ class WallResult:
 
 
 @dataclass(frozen=True)
-class StateOutcome:
+class LimitStateOutcome:
     """A wall at a limit state. code : of the verdict, or no_hazard; zeta, check : of the worst hinge, or None"""
 
     code: str
@@ -195,7 +195,7 @@ class WallVerdict:
     wall: Wall
     governing: int
     results: tuple[int, ...]
-    states: dict[str, StateOutcome]
+    states: dict[str, LimitStateOutcome]
     extra: tuple[Sentence, ...] = ()
     zeta_least: float | None = None
     risk: Risk | None = None
@@ -240,7 +240,7 @@ class StudyResult:
     first: int = 0
 
     @property
-    def required(self) -> DemandResult:
+    def demand_required(self) -> DemandResult:
         """Demand the walls have to withstand, in a study with one."""
         assert self.demand is not None
         return self.demand
@@ -253,7 +253,7 @@ class StudyResult:
         """
         return replace(self, walls=tuple(walls), verdicts=verdicts, first=first)
 
-    def by_wall(self) -> Iterator["StudyResult"]:
+    def split_by_wall(self) -> Iterator["StudyResult"]:
         """The results of each wall of the case alone, in its order."""
         verdicts = {one.governing: one for one in self.verdicts}
         for _, group in groupby(enumerate(self.walls), lambda entry: entry[1].part.origin):
@@ -277,7 +277,7 @@ class StudyResult:
             return self.method.name
         return f"{self.method.name} ({', '.join(sorted(used))})"
 
-    def left_to_read(self, wall: WallResult) -> bool:
+    def has_remarks(self, wall: WallResult) -> bool:
         """Whether a warning or a reason stands beside the verdict of a wall."""
         verdict = wall.assessment.verdict if wall.assessment else None
         reasons = (*verdict.to_do, *verdict.limits) if verdict else ()
@@ -291,7 +291,7 @@ class StudyResult:
         return {id(wall): number for number, wall in enumerate(self.walls, start=self.first + 1)}
 
     @property
-    def without_number(self) -> list[tuple[str, str, int, str]]:
+    def runs_without_q(self) -> list[tuple[str, str, int, str]]:
         """(wall, record, polarity, status) of the runs that end without a q."""
         return [
             (f"{wall.name} ({wall.mechanism})", run.record, run.polarity, run.ida.status)

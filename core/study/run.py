@@ -25,13 +25,13 @@ from core.setting.plan import Plan, plan_of, read_inputs, refuse_large, with_cho
 from core.setting.record_selection import Selection
 from core.setting.scene import model_of
 from core.study import precompile
-from core.study.executors import Shared, awaited, plan_elsewhere, results_from, shared_by
-from core.study.how_sure import ag_of
-from core.study.journal import Journal, Memory, journal_key
-from core.study.progress import OnProgress, Progress, Started, costs_of
+from core.study.executors import TaskContext, iterate_results, make_remote_plan, make_task_context, make_waiter
+from core.study.journal import Journal, MemoryJournal, journal_key
+from core.study.progress import OnProgress, Progress, StartTime, task_costs
 from core.study.results import StudyResult, WallResult, WallVerdict
-from core.study.self_test import order_of
-from core.study.wall_work import Finished, Given, search_key, works
+from core.study.self_test import find_kernel_order
+from core.study.verdict_uncertainty import make_ag_function
+from core.study.wall_tasks import StudyContext, WallOutcome, search_key, wall_tasks
 from core.threads import Threads
 from core.variation.limit_states import demands_of, rules_of, unsaid
 
@@ -41,7 +41,7 @@ def run(
     *,
     base_dir: Path,
     jobs: int = 1,
-    journal: Callable[[str], Journal | Memory] | None = None,
+    journal: Callable[[str], Journal | MemoryJournal] | None = None,
     on_progress: OnProgress = lambda done, planned, left: None,
     cancelled: Callable[[], bool] = lambda: False,
     on_wall: Callable[[WallResult], None] = lambda wall: None,
@@ -64,33 +64,33 @@ def run(
         (resources/docs/scale.md); what one of them loses is made here
     Raises InputError for what the user can mend, Cancelled when cancelled() is true.
     """
-    started, made_before = Started(), MADE.total
+    started, made_before = StartTime(), MADE.total
     refuse_large(case)
     native.ready()
     chosen, selection = with_chosen(case, base_dir, cancelled=cancelled)
     inputs = read_inputs(chosen, base_dir)
     plan = plan_of(case, inputs, share)
-    begin_compiling(plan)
-    finished = journal(journal_key()) if journal else Memory(EVERYTHING) if executor else None
-    progress, threads = Progress(costs_of(plan), on_progress), Threads(jobs, cancelled)
+    start_compilation(plan)
+    finished = journal(journal_key()) if journal else MemoryJournal(UNLIMITED) if executor else None
+    progress, threads = Progress(task_costs(plan), on_progress), Threads(jobs, cancelled)
     how = (on_wall, on_finished, selection, share is None)
     if executor is None or finished is None:
-        result = result_of(plan, base_dir, threads, started, finished, progress, *how)
+        result = run_plan(plan, base_dir, threads, started, finished, progress, *how)
         return replace(result, analyses=MADE.total - made_before)
     # what is said beside the checks is made here, where the walls come together
     bare = replace(chosen, sensitivity=None, analysis=replace(chosen.analysis, accuracy=False))
-    shared = shared_by(bare, base_dir, inputs, None)
+    shared = make_task_context(bare, base_dir, inputs, None)
     with contextlib.closing(_walls_elsewhere(executor, shared, plan, finished, cancelled)) as arrivals:
-        result = result_of(plan, base_dir, threads, started, finished, progress, *how, awaited(arrivals))
+        result = run_plan(plan, base_dir, threads, started, finished, progress, *how, make_waiter(arrivals))
     return replace(result, analyses=MADE.total - made_before)
 
 
-def result_of(
+def run_plan(
     plan: Plan,
     base_dir: Path,
     threads: Threads,
-    started: Started,
-    journal: Journal | Memory | None,
+    started: StartTime,
+    journal: Journal | MemoryJournal | None,
     progress: Progress,
     on_wall: Callable[[WallResult], None] = lambda wall: None,
     on_finished: Callable[[StudyResult], None] = lambda wall: None,
@@ -130,7 +130,7 @@ def result_of(
             selection=selection,
         )
 
-        def ended(wall: Finished) -> None:
+        def ended(wall: WallOutcome) -> None:
             walls, own_verdicts = wall
             first = len(results)
             results.extend(walls)
@@ -139,10 +139,10 @@ def result_of(
 
         # of a group of walls the rows alone are kept, without what is beside the verdict
         rated = demand is not None and demand.hazard and plan.longest is None
-        ag = ag_of(demand, plan.case.demand, base_dir) if demand and rated else None
+        ag = make_ag_function(demand, plan.case.demand, base_dir) if demand and rated else None
         state_rules = rules_of(plan, demand, by_state) if demand else {}
-        given = Given(plan, base_dir, demand, rules, by_state, state_rules, ag, journal, progress, on_wall)
-        threads.run_works(works(given, threads.jobs, wait_for), ended)
+        given = StudyContext(plan, base_dir, demand, rules, by_state, state_rules, ag, journal, progress, on_wall)
+        threads.run_works(wall_tasks(given, threads.jobs, wait_for), ended)
     finally:
         cache.record(cache.folder())
     return replace(head, walls=tuple(results), verdicts=tuple(verdicts) if whole else (), elapsed=started.elapsed)
@@ -157,25 +157,25 @@ def _demand(plan: Plan, base_dir: Path) -> tuple[DemandResult | None, dict[str, 
     return replace(demand, warnings=(*demand.warnings, *unsaid(demand, by_state), *of_place)), by_state
 
 
-EVERYTHING = sys.maxsize
+UNLIMITED = sys.maxsize
 """Room of a Memory that forgets nothing."""
 
 
-def wall_alone(shared: Shared, wall: Wall, known: dict[str, dict]) -> tuple[dict[str, dict], int]:
+def run_wall_task(shared: TaskContext, wall: Wall, known: dict[str, dict]) -> tuple[dict[str, dict], int]:
     """Searches and checks of a wall beside the known ones, as a journal holds them, and the analyses made for them: the
     task of an executor, in a process of its own or on another machine that sees the same files. Raises InputError."""
     made_before = MADE.total
-    plan, memory = plan_elsewhere(shared, (wall,)), Memory(EVERYTHING)
+    plan, memory = make_remote_plan(shared, (wall,)), MemoryJournal(UNLIMITED)
     memory.found |= known
-    begin_compiling(plan)
-    progress = Progress(costs_of(plan), lambda done, planned, left: None)
-    result_of(plan, shared.base_dir, Threads(1, lambda: False), Started(), memory, progress)
+    start_compilation(plan)
+    progress = Progress(task_costs(plan), lambda done, planned, left: None)
+    run_plan(plan, shared.base_dir, Threads(1, lambda: False), StartTime(), memory, progress)
     found = {name: result for name, result in memory.found.items() if name not in known}
     return found, MADE.total - made_before
 
 
 def _walls_elsewhere(
-    executor: Executor, shared: Shared, plan: Plan, journal: Journal | Memory, cancelled: Callable[[], bool]
+    executor: Executor, shared: TaskContext, plan: Plan, journal: Journal | MemoryJournal, cancelled: Callable[[], bool]
 ) -> Generator[int]:
     """Numbers of the walls in a plan as their searches and checks come into the journal, in any order; those of a wall
     that is lost with its process do not. Raises Cancelled, and InputError."""
@@ -191,7 +191,7 @@ def _walls_elsewhere(
         return shared, plan.case.wall[k], known
 
     tasks = ((k, given(k)) for k in todo)
-    for k, arrived in results_from(executor, wall_alone, tasks, cancelled):
+    for k, arrived in iterate_results(executor, run_wall_task, tasks, cancelled):
         if arrived is not None:
             found, analyses = arrived
             MADE.add(analyses)
@@ -201,7 +201,7 @@ def _walls_elsewhere(
         yield k
 
 
-def warm(case: Case, motion: GroundMotion) -> tuple[str, ...]:
+def warm_kernels(case: Case, motion: GroundMotion) -> tuple[str, ...]:
     """Make the kernels of a case ready: a few analyses of its first wall; returns the methods whose self-test needs no
     others."""
     native.ready()
@@ -212,10 +212,10 @@ def warm(case: Case, motion: GroundMotion) -> tuple[str, ...]:
     scales = np.full(16, multiplier_of(1.1, motion.pga, threshold_of(model)))
     scan(method, ground, dt, scales, model, np.zeros(16, np.int64), np.zeros(16))
     history(ground, dt, scales[0], model, method)
-    return order_of(method, model, dt)
+    return find_kernel_order(method, model, dt)
 
 
-def begin_compiling(plan: Plan) -> None:
+def start_compilation(plan: Plan) -> None:
     felt = [motion for entry in plan.entries for motion in entry.felt]
     _begin_compiling(plan.method, [entry.model for entry in plan.entries], felt)
 

@@ -43,7 +43,7 @@ class _Call:
         return self.call, ()
 
 
-class Scheduled(Executor):
+class DaskExecutor(Executor):
     """Tasks on the workers of a scheduler, which does again what a lost worker was at.
 
     client : distributed.Client
@@ -114,7 +114,7 @@ def _reason(error: BaseException) -> str:
 
 
 @contextlib.contextmanager
-def scheduled(word: str) -> Iterator[Scheduled]:
+def open_dask_executor(word: str) -> Iterator[DaskExecutor]:
     """The executor of a scheduler; at the end its workers go on for others, those of `local:` end.
 
     word : its address, tcp://host:8786, or local:8 for so many processes of this machine
@@ -150,4 +150,4 @@ def scheduled(word: str) -> Iterator[Scheduled]:
             client = opened.enter_context(Client(where, timeout=CONNECT_SECONDS, set_as_default=False))
         except (OSError, ValueError, RuntimeError) as error:
             raise InputError("no_scheduler", address=word, reason=_reason(error)) from None
-        yield Scheduled(client, word)
+        yield DaskExecutor(client, word)

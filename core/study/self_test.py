@@ -45,7 +45,7 @@ class Outcome(NamedTuple):
     exact: bool
 
 
-def answers(method: str) -> dict[str, list[str]]:
+def compute_answers(method: str) -> dict[str, list[str]]:
     """Question -> doubles, as hexadecimal text: the Housner intensity of a motion; q, SLV and a history of a wall 3 m
     high, rigid and free to rock to both sides, then one-sided, rigid and trilinear, beside a transverse wall; its
     checks by the clauses. The motion is made of whole numbers, so that it is the same everywhere. method : of ORDERS"""
@@ -74,32 +74,32 @@ def _by_clauses(block: Block) -> list[float]:
     return [mechanism.alpha0, mechanism.d0, mechanism.period, mechanism.s_de]
 
 
-def numbers() -> list[str]:
+def compute_order_8_answers() -> list[str]:
     """All answers of the series of order 8, as a library of machine code keeps them."""
-    return [number for values in answers(ORDERS[0]).values() for number in values]
+    return [number for values in compute_answers(ORDERS[0]).values() for number in values]
 
 
 def numbers_are_right() -> bool:
     """Whether they are those of the machine on which the machine code was made: to the last bit where numba can compile
     in its place, else within LAST_DIGITS, for functions such as the sine are of the system."""
-    found, known = numbers(), shipped.library().self_test
+    found, known = compute_order_8_answers(), shipped.library().self_test
     if has_numba() or len(found) != len(known):
         return found == known
     pairs = [(float.fromhex(one), float.fromhex(other)) for one, other in zip(found, known, strict=True)]
     return all(abs(one - other) <= LAST_DIGITS * max(1.0, abs(other)) for one, other in pairs)
 
 
-def order_of(method: Method, model: RockingModel, dt: float) -> tuple[str, ...]:
+def find_kernel_order(method: Method, model: RockingModel, dt: float) -> tuple[str, ...]:
     """Find which of ORDERS names the kernels that analyses of a wall compile; none where they are others. dt : [s]"""
     resolved = resolve_auto(method, model, dt)
     own = by_order_8(model) or model.bending is not None
     return (resolved.name,) if in_lanes(resolved, model) and not own else ()
 
 
-def tell(methods: Iterable[str] = ORDERS) -> Outcome:
+def compare_answers(methods: Iterable[str] = ORDERS) -> Outcome:
     """What is not as it is stored, some 0.1 s once the kernels are there; the name of the file where that is damaged.
     methods : of ORDERS"""
-    computed = {method: answers(method) for method in methods}
+    computed = {method: compute_answers(method) for method in methods}
     try:
         stored = json.loads(STORED.read_bytes())
         wrong = [
@@ -122,4 +122,6 @@ def _differs(values: list[str], stored: list[str]) -> bool:
 
 
 if __name__ == "__main__":  # python -m core.study.self_test, after a change of a result that the changelog names
-    STORED.write_text(json.dumps({method: answers(method) for method in ORDERS}, indent=1) + "\n", encoding="ascii")
+    STORED.write_text(
+        json.dumps({method: compute_answers(method) for method in ORDERS}, indent=1) + "\n", encoding="ascii"
+    )

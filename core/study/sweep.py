@@ -16,11 +16,11 @@ from core.case.wall import Wall
 from core.case.writer import table_of
 from core.errors import InputError
 from core.setting.plan import with_chosen
-from core.study.journal import Memory
+from core.study.journal import MemoryJournal
 from core.study.results import StudyResult
 from core.study.run import run
 
-OF_A_TIE_TO_DESIGN = "tie_"
+TIE_DESIGN_KEYS = "tie_"
 """How the keys of the tie that is sought begin: no check counts it."""
 
 NOT_SWEPT = ("zeta_target", "q_code")
@@ -67,7 +67,7 @@ def sweep_keys(case: Case, k: int) -> list[SweepKey]:
     """The numbers of the k-th wall, and of the case as far as it is given, that can be swept."""
     wall = case.wall[k]
     other = OF_GENERAL_BLOCK if wall.radius_m is None else OF_RECTANGLE
-    keys = [key for key in _keys(Wall) if not key.name.startswith(OF_A_TIE_TO_DESIGN) and key.name not in other]
+    keys = [key for key in _keys(Wall) if not key.name.startswith(TIE_DESIGN_KEYS) and key.name not in other]
     for n, load in enumerate(wall.load):
         keys += _given(load, n)
         keys += _given(load.bar, n) if load.bar else []
@@ -104,10 +104,10 @@ def _holder(case: Case, wall: Wall, key: SweepKey) -> Any:
     return ({Wall: wall} | loads | of_case)[key.section]
 
 
-def with_value(case: Case, k: int, key: SweepKey, value: float) -> Case:
+def set_swept_value(case: Case, k: int, key: SweepKey, value: float) -> Case:
     """The case with the k-th wall alone and another value of a key; another way to give the same size goes, and no tie
     is sought. Raises InputError where a rule is broken."""
-    designed: dict[str, Any] = {e.name: None for e in fields(Wall) if e.name.startswith(OF_A_TIE_TO_DESIGN)}
+    designed: dict[str, Any] = {e.name: None for e in fields(Wall) if e.name.startswith(TIE_DESIGN_KEYS)}
     case = by_itself(case, k)
     wall = replace(case.wall[0], **designed)
     changed = replace(_holder(case, wall, key), **{key.name: value})
@@ -136,7 +136,7 @@ def sweep(
     *,
     base_dir: Path,
     jobs: int = 1,
-    finished: Memory | None = None,
+    finished: MemoryJournal | None = None,
     on_progress: Callable[[int, float], None] = lambda n, share: None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Iterator[SweepPoint]:
@@ -148,7 +148,7 @@ def sweep(
     on_progress : index of the value and the share of it that is done
     Raises Cancelled.
     """
-    memory = finished or Memory()
+    memory = finished or MemoryJournal()
     case, _ = with_chosen(case, base_dir, cancelled=cancelled)  # the same records at every value
     for n, value in enumerate(values):
 
@@ -157,14 +157,14 @@ def sweep(
 
         options: dict[str, Any] = {"base_dir": base_dir, "jobs": jobs, "on_progress": tell, "cancelled": cancelled}
         try:
-            result = run(with_value(case, k, key, value), journal=lambda _: memory, **options)
+            result = run(set_swept_value(case, k, key, value), journal=lambda _: memory, **options)
         except InputError as error:
             yield SweepPoint(value, {}, error=error)
             continue
-        yield point_of(value, result)
+        yield make_sweep_point(value, result)
 
 
-def point_of(value: float, result: StudyResult) -> SweepPoint:
+def make_sweep_point(value: float, result: StudyResult) -> SweepPoint:
     """Point of a sweep from the result of one wall."""
     zeta: dict[str, float | None] = {}
     for wall in result.walls:
@@ -173,7 +173,7 @@ def point_of(value: float, result: StudyResult) -> SweepPoint:
             zeta[check.label] = None if check.zeta is None or known is None else min(known, check.zeta)
     unknown = any(wall.set_rule == "incomplete" for wall in result.walls)
     q_values = [] if unknown else [wall.q_set for wall in result.walls if wall.q_set is not None]
-    verdict = result.walls[result.verdicts[0].governing].assessed.verdict if result.verdicts else None
+    verdict = result.walls[result.verdicts[0].governing].required_assessment.verdict if result.verdicts else None
     return SweepPoint(
         value,
         zeta,

@@ -32,7 +32,7 @@ def changed_keys(before: Wall, after: Wall) -> tuple[str, ...]:
     )
 
 
-def comparisons(walls: tuple[WallResult, ...]) -> tuple[Comparison, ...]:
+def compare_results(walls: tuple[WallResult, ...]) -> tuple[Comparison, ...]:
     """The pairs of a study, in its order."""
     after = {w.pair: w for w in walls if w.wall.variant == DESIGNED}
     pairs = []
@@ -54,7 +54,7 @@ class WallComparison:
     changed: tuple[str, ...]
 
 
-def wall_comparisons(verdicts: tuple[WallVerdict, ...]) -> tuple[WallComparison, ...]:
+def compare_walls(verdicts: tuple[WallVerdict, ...]) -> tuple[WallComparison, ...]:
     """The walls of a study as they are beside as they are designed, in its order; empty without a demand."""
     after = {one.wall.name: one for one in verdicts if one.wall.variant == DESIGNED}
     before = [one for one in verdicts if one.wall.variant == AS_IS and one.wall.name in after]
@@ -65,7 +65,7 @@ def wall_comparisons(verdicts: tuple[WallVerdict, ...]) -> tuple[WallComparison,
 OTHER_VARIANT = {AS_IS: DESIGNED, DESIGNED: AS_IS}
 
 
-def with_variant_alone(wall: WallResult, known: Container) -> WallResult:
+def flag_missing_variant(wall: WallResult, known: Container) -> WallResult:
     """A result; with a notice where it is a variant whose counterpart is missing. known : of `Plan.variants`"""
     variant = wall.wall.variant
     if variant is None or (wall.pair, OTHER_VARIANT[variant]) in known:

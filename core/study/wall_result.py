@@ -14,8 +14,8 @@ from core.codes.masonry_types import TYPES
 from core.codes.target_spectrum import velocity_integral
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import stations
-from core.study.governing import lowest_of
-from core.study.results import Q_SOURCES, PerRecord, Run, WallResult
+from core.study.governing import run_with_lowest_q
+from core.study.results import Q_SOURCES, RecordResult, Run, WallResult
 from core.text.sentence import Key, Sentence, notice, sentence
 from core.units import CM
 from core.wall.block import Block
@@ -68,14 +68,14 @@ def _per_record(
     one_sided: bool,
     felt: GroundMotion | None,
     closed: bool,
-) -> PerRecord:
+) -> RecordResult:
     """Governing values of one record from its runs. felt : motion of the floor of a wall above the ground; closed : Eq.
     15 and 16 hold."""
-    lowest = lowest_of(runs)
+    lowest = run_with_lowest_q(runs)
     si = motion.housner_intensity
     shape = (block.slenderness, block.height, si)
     mechanism = "one_sided" if one_sided else "two_sided"
-    return PerRecord(
+    return RecordResult(
         record=motion.name,
         motion=k,
         polarity=lowest.polarity if lowest else None,
@@ -94,7 +94,7 @@ def _per_record(
     )
 
 
-def _power_law(with_q: list[PerRecord]) -> closed_forms.PowerLaw | None:
+def _power_law(with_q: list[RecordResult]) -> closed_forms.PowerLaw | None:
     """The law of the records with a q."""
     points = [(entry.intensity, q_eff) for entry in with_q if (q_eff := entry.q_eff) is not None]
     return closed_forms.fit_power_law([si for si, _ in points], [q_eff for _, q_eff in points])

@@ -11,18 +11,18 @@ from core.codes.outcomes import FAILS, NO_HAZARD, OUTCOMES, PASSES, least, worst
 from core.codes.outcomes import severity as severity_of
 from core.codes.risk import least_risk
 from core.codes.verdict_sentence import at_hinge
-from core.study.results import StateOutcome, StudyResult, WallResult, WallVerdict
+from core.study.results import LimitStateOutcome, StudyResult, WallResult, WallVerdict
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.variation.limit_states import STATES
 
 
-def severity(wall: WallResult) -> tuple[int, bool, float]:
+def wall_severity(wall: WallResult) -> tuple[int, bool, float]:
     """Order of the hinges of a wall, and of walls: by the table of outcomes, worst first."""
-    verdict = wall.assessed.verdict
+    verdict = wall.required_assessment.verdict
     return severity_of(verdict.code, verdict.zeta_e, verdict.zeta_target)
 
 
-HIDDEN = "hidden_rows", "hidden_columns"
+HIDDEN_CELL_NOTICES = "hidden_rows", "hidden_columns"
 """Notices on what of a table of walls nobody sees, and is not read."""
 
 
@@ -36,21 +36,21 @@ def wall_verdicts(case: Case, walls: tuple[WallResult, ...]) -> tuple[WallVerdic
         by_origin.setdefault(wall.part.origin, []).append(k)
     verdicts = []
     for origin, indices in by_origin.items():
-        ordered = sorted(indices, key=lambda k: severity(walls[k]))
+        ordered = sorted(indices, key=lambda k: wall_severity(walls[k]))
         hinges = [walls[k] for k in ordered]
         asked, states = case.wall[origin], _states(demand, hinges)
-        hidden = [note for note in case.table_notes if note.code in HIDDEN]
+        hidden = [note for note in case.table_notes if note.code in HIDDEN_CELL_NOTICES]
         extra = [*_lower_elsewhere(hinges), *_left_out(asked, case, walls, indices), *_other_states(demand, states)]
         extra += hidden
-        zeta_least = least(wall.assessed.verdict.zeta_e for wall in hinges)
-        withstands = least_risk([wall.assessed.risk for wall in hinges])
+        zeta_least = least(wall.required_assessment.verdict.zeta_e for wall in hinges)
+        withstands = least_risk([wall.required_assessment.risk for wall in hinges])
         verdicts.append(WallVerdict(asked, ordered[0], tuple(ordered), states, tuple(extra), zeta_least, withstands))
     return tuple(verdicts)
 
 
 def _lower_elsewhere(hinges: list[WallResult]) -> list[Sentence]:
     """The hinge with the lowest zeta, where another one has the worse outcome and decides. hinges : worst first"""
-    zetas = [zeta for hinge in hinges if (zeta := hinge.assessed.verdict.zeta_e) is not None]
+    zetas = [zeta for hinge in hinges if (zeta := hinge.required_assessment.verdict.zeta_e) is not None]
     if len(zetas) < len(hinges):
         return []
     k = zetas.index(min(zetas))
@@ -61,24 +61,24 @@ def _lower_elsewhere(hinges: list[WallResult]) -> list[Sentence]:
     return [sentence("reason", "lower_elsewhere", zeta=Number(zetas[k]), hinge=height, mechanism=mechanism)]
 
 
-def _states(demand: Demand, ordered: list[WallResult]) -> dict[str, StateOutcome]:
+def _states(demand: Demand, ordered: list[WallResult]) -> dict[str, LimitStateOutcome]:
     """The outcome at each limit state; at that of the demand it is the verdict itself."""
     outcomes = {}
     for state in STATES:
         if state == demand.limit_state:
-            verdict = ordered[0].assessed.verdict
-            outcomes[state] = StateOutcome(verdict.code, verdict.zeta_e, verdict.governing)
+            verdict = ordered[0].required_assessment.verdict
+            outcomes[state] = LimitStateOutcome(verdict.code, verdict.zeta_e, verdict.governing)
             continue
-        there = [one for wall in ordered for one in wall.assessed.states if one.state == state]
+        there = [one for wall in ordered for one in wall.required_assessment.states if one.state == state]
         if not there:
-            outcomes[state] = StateOutcome(NO_HAZARD)
+            outcomes[state] = LimitStateOutcome(NO_HAZARD)
             continue
         least_of = worst(there, lambda one: (one.code, one.zeta, one.zeta_target))
-        outcomes[state] = StateOutcome(least_of.code, least_of.zeta, least_of.check)
+        outcomes[state] = LimitStateOutcome(least_of.code, least_of.zeta, least_of.check)
     return outcomes
 
 
-def _other_states(demand: Demand, states: dict[str, StateOutcome]) -> list[Sentence]:
+def _other_states(demand: Demand, states: dict[str, LimitStateOutcome]) -> list[Sentence]:
     """Other limit states at which the wall fails: they limit the verdict, and never change its code."""
     return [
         sentence(
@@ -95,16 +95,16 @@ def _other_states(demand: Demand, states: dict[str, StateOutcome]) -> list[Sente
     ]
 
 
-def _zeta_of(state: StateOutcome, target: float) -> Number | Sentence:
+def _zeta_of(state: LimitStateOutcome, target: float) -> Number | Sentence:
     """zeta of a state that fails; where it reaches what is required, with the words that the rule fails there."""
     if state.zeta is None or OUTCOMES[state.code].judgement != FAILS or state.zeta < target:
         return Number(state.zeta)
     return sentence("added", "fails_at_demand", zeta=Number(state.zeta))
 
 
-def by_severity(verdicts: tuple[WallVerdict, ...], walls) -> list[WallVerdict]:
+def sort_by_severity(verdicts: tuple[WallVerdict, ...], walls) -> list[WallVerdict]:
     """The walls of a study, the worst first."""
-    return sorted(verdicts, key=lambda verdict: severity(walls[verdict.governing]))
+    return sorted(verdicts, key=lambda verdict: wall_severity(walls[verdict.governing]))
 
 
 def _left_out(asked: Wall, case: Case, walls, indices) -> list[Sentence]:
@@ -120,7 +120,7 @@ def _left_out(asked: Wall, case: Case, walls, indices) -> list[Sentence]:
     return [sentence("reason", "hinges_as_asked", heights=heights, key=Key("hinge_heights"))]
 
 
-def assumptions_of(result: StudyResult, verdict: WallVerdict) -> tuple[Assumption, ...]:
+def collect_assumptions(result: StudyResult, verdict: WallVerdict) -> tuple[Assumption, ...]:
     """The table of assumptions of a wall: of all its hinges and mechanisms, of each input the row that matters most.
     The last row is that of the hinge that decides: each hinge has its own."""
     rows: list[Assumption] = []
@@ -131,13 +131,13 @@ def assumptions_of(result: StudyResult, verdict: WallVerdict) -> tuple[Assumptio
     return table(rows)
 
 
-def deciding(wall: WallResult) -> Check | None:
+def governing_check_of_wall(wall: WallResult) -> Check | None:
     """The check that decides about a hinge."""
-    governing = wall.assessed.verdict.governing
-    return next((check for check in wall.assessed.checks if check.name == governing), None)
+    governing = wall.required_assessment.verdict.governing
+    return next((check for check in wall.required_assessment.checks if check.name == governing), None)
 
 
-def where(wall: WallResult) -> Sentence | str:
+def hinge_location(wall: WallResult) -> Sentence | str:
     """Words that say where the hinge of a result is."""
     if (arch := wall.wall.in_si.arch) is not None:
         return sentence("added", "between_walls", spacing=arch.spacing)
@@ -153,12 +153,12 @@ def _at_height(wall: WallResult) -> Sentence | str:
     """Words that say at what height the hinge of a result is."""
     height, kinematic = wall.part.hinge, wall.assessment.kinematic if wall.assessment else None
     if kinematic is not None:
-        of_check = kinematic.moved if wall.assessed.verdict.governing == "nonlinear" else kinematic.chain
+        of_check = kinematic.moved if wall.required_assessment.verdict.governing == "nonlinear" else kinematic.chain
         height = height + of_check.bending.h1 if of_check.bending is not None else height
     return at_hinge(height, (wall.part.asked.base_z_m or 0.0))
 
 
-def zetas_of(result: StudyResult, wall: WallResult) -> list[tuple[float, float | None]]:
+def zeta_by_hinge(result: StudyResult, wall: WallResult) -> list[tuple[float, float | None]]:
     """Every hinge of the wall a result is of, with the smallest zeta there, None where one is not known; none where it
     has one alone."""
     by_hinge: dict[float, list[float | None]] = {}

@@ -79,11 +79,11 @@ def fresh(application, tmp_path, monkeypatch, faults):
 @pytest.fixture(scope="session")
 def accuracy(of_seven, kept):
     """The statement of accuracy of the first wall of verdict.toml, made once: it takes seconds."""
-    from core.study.wall_work import accuracy_of
+    from core.study.wall_tasks import make_accuracy_statement
 
     result = of_seven
     arguments = result.walls[0], result.motions, result.method, result.search
-    return kept("accuracy", lambda: accuracy_of(*arguments, lambda: False))
+    return kept("accuracy", lambda: make_accuracy_statement(*arguments, lambda: False))
 
 
 @pytest.fixture(scope="module")
@@ -196,10 +196,10 @@ class SharedWindow:
     """
 
     def __init__(self, application):
-        from core.study.journal import Memory
+        from core.study.journal import MemoryJournal
 
         self.application, self.made = application, None
-        self.finished_runs = Memory()
+        self.finished_runs = MemoryJournal()
 
     def lend(self, folder):
         """The window on the small case of this folder."""

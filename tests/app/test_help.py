@@ -141,9 +141,9 @@ def test_that_the_self_test_runs_in_the_background_of_a_start_and_about_and_help
 
 @pytest.mark.shows("window.self_test")
 def test_that_a_wrong_answer_of_the_self_test_is_said_in_the_window_and_stays(application, opened, monkeypatch):
-    said, stored = [], self_test.answers("taylor")
+    said, stored = [], self_test.compute_answers("taylor")
     wrong = {**stored, "one_sided_q": stored["two_sided_q"], "kinematic": stored["kinematic"][::-1]}
-    monkeypatch.setattr(self_test, "answers", lambda method: wrong)
+    monkeypatch.setattr(self_test, "compute_answers", lambda method: wrong)
     monkeypatch.setattr(guide.QMessageBox, "warning", lambda *given: said.append(given[2]))
     opened.preparation.begin()
     settle(application, lambda: opened.preparation.job is None)

@@ -15,14 +15,14 @@ from core.case.rules import parse_case
 from core.case.schema import Record
 from core.case.writer import dumps, table_of
 from core.setting.plan import read_inputs
-from core.study.journal import Memory
+from core.study.journal import MemoryJournal
 from core.variation.evaluate import GLANCE, RUN
 from core.variation.whole_wall import evaluate_wall, setting_of
 from tests.app.driving import Held, settle
-from tests.core.study.test_how_sure import ROWS
+from tests.core.study.test_verdict_uncertainty import ROWS
 from tests.core.variation.test_sensitivity import LOADED, SPECTRUM
 
-KNOWN, RESULTS = Memory(), {}
+KNOWN, RESULTS = MemoryJournal(), {}
 """Searches, checks and results of these windows, each made once: the case is the same."""
 
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 from PySide6.QtWidgets import QMessageBox
 
-from core.study.journal import Memory
+from core.study.journal import MemoryJournal
 from tests.app.driving import Held, run, settle
 
 
@@ -14,7 +14,7 @@ def two_walls(opened) -> None:
     """A second wall beside that of the case, nothing of either computed before."""
     wall = opened.session.case.wall[0]
     opened.session.edit(replace(opened.session.case, wall=(wall, replace(wall, name="second", height_m=5.5))))
-    opened.runner.finished_runs = Memory()
+    opened.runner.finished_runs = MemoryJournal()
 
 
 def run_until_cancelled(opened, application, signal) -> None:
@@ -43,13 +43,13 @@ def test_that_a_job_that_cannot_stop_is_left_at_once_and_nothing_of_it_arrives(o
 
 @pytest.mark.shows("window.reuse")
 def test_that_finished_runs_are_used_again(opened, application, monkeypatch):
-    from core.study import wall_work
+    from core.study import wall_tasks
 
-    opened.runner.finished_runs = Memory()
+    opened.runner.finished_runs = MemoryJournal()
     run(application, opened)
     first = opened.session.result
     opened.session.edit(replace(opened.session.case, title="another"))
-    monkeypatch.setattr(wall_work, "incremental_dynamic_analyses", lambda *_: pytest.fail("again"))
+    monkeypatch.setattr(wall_tasks, "incremental_dynamic_analyses", lambda *_: pytest.fail("again"))
     run(application, opened)
     assert opened.session.result is not first
     assert opened.session.result.walls == first.walls
@@ -94,7 +94,7 @@ def test_that_kernels_of_a_method_chosen_later_are_made_ready_and_a_failure_is_s
         if case.analysis.method == "rk4":
             raise RuntimeError("no compiler")
 
-    monkeypatch.setattr(study, "warm", warm)
+    monkeypatch.setattr(study, "warm_kernels", warm)
     opened.preparation.begin()
     settle(application, lambda: opened.preparation.job is None)
     opened.session.edit_section("analysis", method="rk4")
@@ -164,10 +164,10 @@ def test_that_a_finished_job_is_kept_by_nobody(opened, application):
 
 
 def test_that_the_accuracy_statement_survives_a_save(opened, application, monkeypatch, accuracy):
-    from core.study import wall_work
+    from core.study import wall_tasks
 
     run(application, opened)
-    held = Held(monkeypatch, wall_work, "accuracy_of", lambda *_: accuracy)
+    held = Held(monkeypatch, wall_tasks, "accuracy_of", lambda *_: accuracy)
     opened.runner.state_accuracy(opened.navigator.shown)
     held.await_call()
     opened.files.save()
@@ -195,9 +195,9 @@ def test_that_results_saved_after_the_run_name_the_file(opened, application, tmp
 
 
 def test_that_the_memory_of_runs_is_bounded_and_takes_many_threads():
-    from core.study.journal import Memory
+    from core.study.journal import MemoryJournal
 
-    memory = Memory(most=1000)
+    memory = MemoryJournal(most=1000)
 
     def add(first: int) -> None:
         for k in range(2000):

@@ -15,21 +15,21 @@ from core.case.reader import read_case
 from core.case.schema import Case
 from core.case.sensitivity import Ranges
 from core.setting.plan import read_inputs
-from core.study.journal import Memory
-from core.study.run import EVERYTHING, run
+from core.study.journal import MemoryJournal
+from core.study.run import UNLIMITED, run
 from core.variation.evaluate import GLANCE, Precision
 from core.variation.whole_wall import evaluate_wall, setting_of
 
 CASES = Path(__file__).resolve().parents[2] / "resources" / "cases"
 
 
-def _book(known: Memory, _: str) -> Memory:
+def _book(known: MemoryJournal, _: str) -> MemoryJournal:
     return known
 
 
 def beside(case: Case, repeats: int) -> float:
     """Seconds that [sensitivity] adds to a run whose searches and checks are known, on all cores: the median."""
-    book = Memory(EVERYTHING)
+    book = MemoryJournal(UNLIMITED)
     run_with = functools.partial(run, base_dir=CASES, jobs=os.cpu_count() or 1)
     plain = replace(case, sensitivity=None)
     run_with(plain, journal=lambda _: book)
@@ -38,7 +38,7 @@ def beside(case: Case, repeats: int) -> float:
         start = time.perf_counter()
         run_with(plain, journal=lambda _: book)
         middle = time.perf_counter()
-        known = Memory(EVERYTHING)
+        known = MemoryJournal(UNLIMITED)
         known.found |= book.found
         run_with(replace(plain, sensitivity=Ranges()), journal=functools.partial(_book, known))
         found.append(time.perf_counter() - middle - (middle - start))

@@ -335,7 +335,7 @@ def main(options: argparse.Namespace) -> None:
     QStandardPaths.setTestModeEnabled(True)
     from app.shell import start as program
     from app.views.figure_file import FigureSize
-    from core.study.journal import Memory
+    from core.study.journal import MemoryJournal
 
     application, window = program.make([])
     program.show(window)
@@ -346,7 +346,7 @@ def main(options: argparse.Namespace) -> None:
 
         def run() -> None:
             window.session.result = None
-            window.runner.finished_runs = Memory()
+            window.runner.finished_runs = MemoryJournal()
             window.run()
             assert window.runner.job is not None, "the study did not start"
 

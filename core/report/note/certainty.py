@@ -5,7 +5,7 @@ from core.report import sure_words
 from core.report.note.parts import Curve, Figure, Figures, Heading, Item, Part, Table, path
 from core.report.note.words import Words
 from core.study.results import StudyResult, WallResult, WallVerdict
-from core.study.wall_verdict import by_severity
+from core.study.wall_verdict import sort_by_severity
 from core.variation.swings import Sensitivity
 
 MAX_TOLD = 24
@@ -23,7 +23,7 @@ def certainty(result: StudyResult, words: Words) -> list[Part]:
     """The section of the walls whose inputs were moved, or whose site has a hazard; the worst first."""
     say, language = words.say, words.language
     parts: list[Part] = []
-    for verdict in by_severity(result.verdicts, result.walls)[:MAX_TOLD]:
+    for verdict in sort_by_severity(result.verdicts, result.walls)[:MAX_TOLD]:
         if not verdict.sensitivity and not verdict.rates:
             continue
         parts.append(Heading(verdict.title, 3))
@@ -41,7 +41,7 @@ def _moved(result: StudyResult, verdict: WallVerdict, words: Words) -> list[Part
     """The inputs that move zeta: figure and table; what zeta required asks of thickness, ties and a_g."""
     say, language = words.say, words.language
     parts: list[Part] = []
-    sensitivity, target = known(verdict.sensitivity), result.required.zeta_target
+    sensitivity, target = known(verdict.sensitivity), result.demand_required.zeta_target
     rows = sure_words.moved_rows(sensitivity, language)
     if rows:
         cells = []

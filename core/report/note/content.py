@@ -222,7 +222,7 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
     rows = []
     for motion, kind in zip(result.motions, result.kinds, strict=True):
         where = provenance(motion)
-        at_demand = result.required.scaling(motion) if result.demand else 1.0
+        at_demand = result.demand_required.scaling(motion) if result.demand else 1.0
         scale = motion.scale * at_demand
         station = ", ".join(part for part in (where.event, where.station) if part)
         cells = [
@@ -325,7 +325,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
 
 def _checks(result: StudyResult, wall: WallResult, words: Words) -> Bars:
     """zeta of each check of a wall over the zeta required."""
-    assessed = wall.assessed
+    assessed = wall.required_assessment
     rows = [
         (
             words.short(check),
@@ -336,7 +336,7 @@ def _checks(result: StudyResult, wall: WallResult, words: Words) -> Bars:
         )
         for check in assessed.checks
     ]
-    target = result.required.zeta_target
+    target = result.demand_required.zeta_target
     caption = words.say(
         "ζ of each check; the mark is the ζ required, {zeta}; bold: the check that decides",
         zeta=words.number(target, ".2f"),
@@ -371,7 +371,7 @@ def _closing(result: StudyResult, words: Words) -> list[Part]:
         ticks.append(Item(localized("assumption", code, words.language), sign="☑" if ticked else "☐"))
     shared = [(motion.name, warning.text(words.language)) for motion in result.motions for warning in motion.warnings]
     if result.demand:
-        shared += [(say("demand"), warning.text(words.language)) for warning in result.required.warnings]
+        shared += [(say("demand"), warning.text(words.language)) for warning in result.demand_required.warnings]
     parts: list[Part] = []
     if shared:
         parts = [

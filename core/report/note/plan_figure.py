@@ -35,7 +35,7 @@ def _ranked(placed: list[Placed], words: Words) -> Table:
             one.wall.name,
             words.word(one.wall.mechanism),
             words.number(one.zeta, ".2f"),
-            words.word(one.wall.assessed.verdict.code),
+            words.word(one.wall.required_assessment.verdict.code),
         ]
         for n, one in enumerate(placed, start=1)
     ]

@@ -11,7 +11,7 @@ from core.report.place_lines import place_of, states_of
 from core.report.verdict_words import outcome_of
 from core.setting.floors import Floor, damaged
 from core.study.results import StudyResult, WallResult
-from core.study.variants import wall_comparisons
+from core.study.variants import compare_walls
 from core.units import G
 
 
@@ -63,7 +63,7 @@ def building(result: StudyResult, words: Words) -> list[Part]:
     floors = {wall.floor.z: wall.floor for wall in result.walls if wall.floor is not None}
     if asked is None or not floors:
         return []
-    factor, damping = damaged(asked, result.required.limit_state if result.demand else "SLV")
+    factor, damping = damaged(asked, result.demand_required.limit_state if result.demand else "SLV")
     period = asked.period_s or estimated_period(asked.height_m)
     steps = [Step("H_b", asked.height_m, ".2f", "m"), Step("n", asked.storeys, ".0f", "–", label=say("storeys"))]
     if not asked.modes:
@@ -147,7 +147,7 @@ def solids(wall: WallResult, words: Words) -> list[Part]:
 def before_and_after(result: StudyResult, words: Words) -> list[Part]:
     """The walls as they are beside the walls as they are designed."""
     say, rows = words.say, []
-    for one in wall_comparisons(result.verdicts):
+    for one in compare_walls(result.verdicts):
         row = [one.name]
         for verdict in (one.before, one.after):
             code, label = outcome_of(result, verdict)

@@ -158,8 +158,8 @@ def _corners(h: float, t: float, u: float, angle: float) -> list[tuple[float, fl
 
 def capacity(result: StudyResult, wall: WallResult, words: Words) -> Figure | None:
     """The capacity curve over the demand; None where the nonlinear check is not made."""
-    mechanism, state = wall.mechanics, result.required.limit_state
-    curve = capacity_curve(mechanism, result.required)
+    mechanism, state = wall.mechanics, result.demand_required.limit_state
+    curve = capacity_curve(mechanism, result.demand_required)
     if curve is None:
         return None
     percent = words.number(100.0 * curve.damping, "g")
@@ -203,7 +203,7 @@ def histories(result: StudyResult, wall: WallResult, words: Words) -> Figure | N
         times = [k * one.motion.time_step for k in chosen]
         curves.append(Curve(f"{one.run.record} ({sign})", times, (moved[chosen] / CM).tolist(), color, width=0.9))
         last = max(last, times[-1])
-    state = result.required.limit_state
+    state = result.demand_required.limit_state
     limit = LIMIT_FRACTION[state] * d0
     both_ways = wall.model.one_sided == 0.0
     for level, name, color in ((limit, f"d_{state}", "amber"), (d0, "d_0", "ink")):
@@ -222,7 +222,9 @@ def forces_of_ties(result: StudyResult, wall: WallResult, words: Words) -> Figur
     if not deciding:
         return None
     worst, curves, last = deciding[0], [], 0.0
-    weakened, _ = at_demand(wall.model, result.required, known(wall.assessed.dynamic).confidence_on, worst.motion)
+    weakened, _ = at_demand(
+        wall.model, result.demand_required, known(wall.required_assessment.dynamic).confidence_on, worst.motion
+    )
     of_bars = bar_histories(wall.wall, worst.history, wall.model.p2 / weakened.p2)
     for one, color in zip(of_bars, ("accent", "bad", "amber", "ink") * 9, strict=False):
         size = min(one.force.size, worst.motion.acceleration.size)
@@ -238,7 +240,7 @@ def forces_of_ties(result: StudyResult, wall: WallResult, words: Words) -> Figur
 
 def tie_heights(wall: WallResult, words: Words) -> Figure | None:
     """Force the displacement check asks of a tie, by its height; None where no tie is designed or none does it."""
-    tie = wall.assessed.tie
+    tie = wall.required_assessment.tie
     asked = [(h, 1e-3 * force) for h, force in tie.curve if force is not None] if tie else []
     if tie is None or len(asked) < 2 or not any(force for _, force in asked):
         return None
@@ -253,7 +255,7 @@ def tie_heights(wall: WallResult, words: Words) -> Figure | None:
 
 def peaks(wall: WallResult, words: Words) -> Figure | None:
     """Largest rotation of each record at the demand; None without a dynamic check."""
-    check = wall.assessed.dynamic
+    check = wall.required_assessment.dynamic
     if check is None:
         return None
     both = len({run.polarity for run in check.runs}) > 1

@@ -66,6 +66,6 @@ class Derivations:
     def wall(self, wall: WallResult) -> list[tuple[str, list[Step]]]:
         """(title, steps) of the sections of a wall that has a kinematic mechanism, or of its block alone."""
         sections = [geometry(wall)]
-        if wall.assessment and wall.assessed.kinematic:
+        if wall.assessment and wall.required_assessment.kinematic:
             sections += of_wall.checks_of(self.result, wall)
         return [(section.title, self.steps(section)) for section in sections]

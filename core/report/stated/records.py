@@ -108,36 +108,46 @@ SITE = (
 )
 
 DEMAND = (
-    text("limit_state", "SLO, SLD, SLV or SLC", "required.limit_state"),
-    number("ag_g", "g", "a_g on rock", per(G, "required.ag")),
-    number("soil_factor", "-", "S", "required.soil_factor"),
-    number("pga_g", "g", "a_g S", per(G, "required.pga")),
+    text("limit_state", "SLO, SLD, SLV or SLC", "demand_required.limit_state"),
+    number("ag_g", "g", "a_g on rock", per(G, "demand_required.ag")),
+    number("soil_factor", "-", "S", "demand_required.soil_factor"),
+    number("pga_g", "g", "a_g S", per(G, "demand_required.pga")),
     number(
         "housner_intensity_cm",
         "cm",
         "SI of the demand, null without a spectrum",
-        lambda result: result.required.intensity / CM if result.required.intensity else None,
+        lambda result: result.demand_required.intensity / CM if result.demand_required.intensity else None,
     ),
-    text("intensity_source", "what SI is of", "required.intensity_source"),
-    text("spectrum", "spectrum", lambda result: result.required.target.name if result.required.target else None),
+    text("intensity_source", "what SI is of", "demand_required.intensity_source"),
+    text(
+        "spectrum",
+        "spectrum",
+        lambda result: result.demand_required.target.name if result.demand_required.target else None,
+    ),
     text(
         "annex_sha256",
         "SHA-256 of the file of EN 1998-1 or of its annex that the spectrum is of",
-        lambda result: CODES[result.required.spectrum_code].digest or None if result.required.spectrum_code else None,
+        lambda result: (
+            CODES[result.demand_required.spectrum_code].digest or None if result.demand_required.spectrum_code else None
+        ),
     ),
-    number("confidence_factor", "-", "FC", "required.confidence_factor"),
-    number("zeta_target", "-", "zeta_E that is required", "required.zeta_target"),
-    text("confidence_on", "where FC acts: capacity or demand", "required.confidence_on"),
-    number("return_period_years", "years", "return period of the demand", "required.return_period"),
+    number("confidence_factor", "-", "FC", "demand_required.confidence_factor"),
+    number("zeta_target", "-", "zeta_E that is required", "demand_required.zeta_target"),
+    text("confidence_on", "where FC acts: capacity or demand", "demand_required.confidence_on"),
+    number("return_period_years", "years", "return period of the demand", "demand_required.return_period"),
     many(
         "hazard",
         "a_g at return periods, as given",
         HAZARD_ROW[:2],
-        lambda result: [(years, ag / G) for years, ag in result.required.hazard],
+        lambda result: [(years, ag / G) for years, ag in result.demand_required.hazard],
     ),
-    text("demand_scaling", "how records are scaled: as_given, pga or si", "required.record_scaling"),
+    text("demand_scaling", "how records are scaled: as_given, pga or si", "demand_required.record_scaling"),
     one("compliance", "the records against the spectrum", COMPLIANCE, lambda result: result.compliance or None),
-    texts("warnings", "remarks on the demand", lambda result: [warning.text() for warning in result.required.warnings]),
+    texts(
+        "warnings",
+        "remarks on the demand",
+        lambda result: [warning.text() for warning in result.demand_required.warnings],
+    ),
     one("site", "the place", SITE, lambda result: result.case.site).optional(),
 )
 """Quantities read from StudyResult with a demand."""

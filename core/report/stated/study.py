@@ -9,7 +9,7 @@ from core.report.stated.records import DEMAND, RECORD, SELECTION
 from core.report.stated.verdicts import PAIR, VERDICT, Compared, OfWall
 from core.report.stated.walls import WALL, OfWallResult
 from core.study.results import StudyResult
-from core.study.variants import comparisons, wall_comparisons
+from core.study.variants import compare_results, compare_walls
 from core.version import NAME, VERSION, commit
 
 OF_STUDY = (
@@ -88,10 +88,10 @@ def _pairs(result: StudyResult) -> list[Pair] | None:
     """By the hinge that decides, without a demand by q of each hinge and mechanism; None where there are none."""
     pairs: list[Any]
     if result.verdicts:
-        pairs = list(wall_comparisons(result.verdicts))
+        pairs = list(compare_walls(result.verdicts))
         sides = [[Compared.of(OfWall(side, result)) for side in (one.before, one.after)] for one in pairs]
     else:
-        pairs = list(comparisons(result.walls))
+        pairs = list(compare_results(result.walls))
         sides = [[Compared(q_set=side.q_set) for side in (one.before, one.after)] for one in pairs]
     return [Pair(one.name, one.changed, *both) for one, both in zip(pairs, sides, strict=True)] or None
 

@@ -6,7 +6,7 @@ from core.codes.assumption import Shown
 from core.report.stated.quantity import Quantity, flag, many, named, number, one, text, texts, whole
 from core.report.verdict_words import outcome_of
 from core.study.results import StudyResult, WallResult, WallVerdict
-from core.study.wall_verdict import assumptions_of, deciding, where
+from core.study.wall_verdict import collect_assumptions, governing_check_of_wall, hinge_location
 from core.text.sentence import Sentence
 from core.units import G
 from core.variation.limit_states import STATES
@@ -119,15 +119,15 @@ class OfWall:
     def __init__(self, one: WallVerdict, result: StudyResult):
         self.one, self.result = one, result
         self.governing: WallResult = result.walls[one.governing]
-        self.verdict = self.governing.assessed.verdict
-        self.check = deciding(self.governing)
+        self.verdict = self.governing.required_assessment.verdict
+        self.check = governing_check_of_wall(self.governing)
 
     @property
     def hinges(self) -> list[WallResult]:
         return [self.result.walls[k] for k in self.one.results]
 
     def text(self, language: str) -> str:
-        return self.verdict.text(language, self.one.title, where(self.governing))
+        return self.verdict.text(language, self.one.title, hinge_location(self.governing))
 
 
 VERDICT = (
@@ -152,7 +152,10 @@ VERDICT = (
     text("decides", "what decides", lambda of: of.verdict.decides.text("en") if of.verdict.decides else ""),
     many("to_do", "what the engineer has to do", SAID, "verdict.to_do"),
     many(
-        "assumptions", "what raises zeta and nobody measured", ASSUMPTION, lambda of: assumptions_of(of.result, of.one)
+        "assumptions",
+        "what raises zeta and nobody measured",
+        ASSUMPTION,
+        lambda of: collect_assumptions(of.result, of.one),
     ),
     many("limits", "what the number is to be read with", SAID, lambda of: (*of.verdict.limits, *of.one.extra)),
     many("notes", "what a reader may pass over", SAID, "verdict.notes"),
@@ -162,9 +165,9 @@ VERDICT = (
         (
             number("hinge_m", "m", "height above the base", "part.hinge"),
             text("mechanism", "mechanism"),
-            text("code", "outcome", "assessed.verdict.code"),
-            number("zeta_e", "-", "zeta_E", "assessed.verdict.zeta_e"),
-            text("check", "check that decides", "assessed.verdict.governing"),
+            text("code", "outcome", "required_assessment.verdict.code"),
+            number("zeta_e", "-", "zeta_E", "required_assessment.verdict.zeta_e"),
+            text("check", "check that decides", "required_assessment.verdict.governing"),
         ),
     ),
     named(

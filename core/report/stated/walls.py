@@ -243,7 +243,7 @@ class OfAssessment:
 def _with_factor(of: OfWallResult) -> OfAssessment | None:
     if of.found is None or of.found.kinematic is None:
         return None
-    return OfAssessment(of.found, known(of.result).required.confidence_factor)
+    return OfAssessment(of.found, known(of.result).demand_required.confidence_factor)
 
 
 WALL = (

@@ -18,7 +18,7 @@ from core.case.writer import dumps
 from core.codes.kinematic_chain import chain
 from core.errors import InputError
 from core.study.run import run
-from core.study.sweep import SweepKey, with_value
+from core.study.sweep import SweepKey, set_swept_value
 
 NORTH = {"name": "north", "mechanism": "one_sided", "height_m": 7.0, "thickness_m": 0.5, "length_m": 8.0}
 NORTH |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "back_restraint": "other", "restraint_note": "floors tied"}
@@ -48,7 +48,9 @@ def test_that_each_wall_bears_half_of_the_span_as_if_the_loads_were_written_on_i
         assert [part.wall for part in made] == [part.wall for part in asked]
         assert len(made) == count_of(case.wall[k], case.building)
     one, other = (run(clauses_alone_of(each), base_dir=Path()) for each in (case, written))
-    assert [w.assessed.verdict.zeta_e for w in one.walls] == [w.assessed.verdict.zeta_e for w in other.walls]
+    assert [w.required_assessment.verdict.zeta_e for w in one.walls] == [
+        w.required_assessment.verdict.zeta_e for w in other.walls
+    ]
 
 
 def clauses_alone_of(case):
@@ -255,7 +257,7 @@ def test_that_one_wall_alone_has_its_floors_as_its_own_loads():
         assert [part.wall for part in parts_of(0, alone.wall[0], alone.building)] == [
             part.wall for part in parts_of(k, case.wall[k], case.building)
         ]
-    swept = with_value(case, 0, SweepKey(Wall, "thickness_m", None), 0.7)
+    swept = set_swept_value(case, 0, SweepKey(Wall, "thickness_m", None), 0.7)
     assert swept.wall[0].thickness == 0.7 and len(swept.wall[0].load) == 1
 
 

@@ -79,7 +79,7 @@ def test_that_the_worst_direction_is_the_verdict_and_each_has_its_histories():
     table = {"wall": [PINNACLE | {"unloaded_confirmed": True, "elastic_modulus_mpa": 1000.0}], "demand": DEMAND}
     result = run(clauses_alone(table), base_dir=Path())
     assert [wall.part.aspect for wall in result.walls] == ["", "90°", "53.1°"]
-    zetas = [wall.assessed.verdict.zeta_e for wall in result.walls]
+    zetas = [wall.required_assessment.verdict.zeta_e for wall in result.walls]
     (verdict,) = result.verdicts
     assert verdict.zeta_least == min(zetas) and verdict.governing == zetas.index(min(zetas))
 

@@ -49,21 +49,24 @@ def outcome(result):
 @pytest.mark.shows("arch.needed")
 def test_that_cross_walls_without_their_spacing_give_no_more_than_an_indication():
     bare = study()
-    verdict = outcome(bare).assessed.verdict
+    verdict = outcome(bare).required_assessment.verdict
     assert verdict.code == "indicative" and [one.code for one in verdict.limits][:1] == ["no_arch"]
     assert "[wall.arch]" in verdict.to_do[0].text("en")
-    assert outcome(study(back_restraint="tied_floors")).assessed.verdict.code == "verified"
-    assert outcome(study(arch={"spacing_m": 5.0, **TIE}, justification=SHOWN)).assessed.verdict.code == "verified"
+    assert outcome(study(back_restraint="tied_floors")).required_assessment.verdict.code == "verified"
+    assert (
+        outcome(study(arch={"spacing_m": 5.0, **TIE}, justification=SHOWN)).required_assessment.verdict.code
+        == "verified"
+    )
 
 
 @pytest.mark.shows("arch.needed")
 def test_that_the_worse_of_overturning_and_spanning_decides_and_says_where():
     result = study(arch={"spacing_m": 8.0, **TIE, "tie_kn_m": 0.5, "tie_bar_length_m": 8.0}, justification=SHOWN)
     assert [wall.mechanism for wall in result.walls] == ["one_sided", "horizontal_bending"]
-    turns, spans = (wall.assessed.verdict for wall in result.walls)
+    turns, spans = (wall.required_assessment.verdict for wall in result.walls)
     assert turns.code == "verified" and spans.code == "not_verified"
     worst = outcome(result)
-    assert worst.name == "facade (L 8 m)" and worst.assessed.dynamic is None
+    assert worst.name == "facade (L 8 m)" and worst.required_assessment.dynamic is None
     said = result.verdicts[0]
     assert said.zeta_least == spans.zeta_e
     from core.report.verdict_words import sentence_of
@@ -74,7 +77,7 @@ def test_that_the_worse_of_overturning_and_spanning_decides_and_says_where():
 
 @pytest.mark.shows("arch.needed")
 def test_that_a_thrust_without_a_reason_is_no_more_than_an_indication_and_its_row_says_so():
-    verdict = outcome(study(arch={"spacing_m": 4.0, **TIE})).assessed.verdict
+    verdict = outcome(study(arch={"spacing_m": 4.0, **TIE})).required_assessment.verdict
     (row,) = [row for row in verdict.assumptions if row.key == "arch"]
     assert verdict.code == "indicative" and row.turns and row.zeta == 0.0 and not row.has_switch
     thrust = next(one for one in verdict.limits if one.code == "arch_thrust").text("en")
@@ -82,7 +85,7 @@ def test_that_a_thrust_without_a_reason_is_no_more_than_an_indication_and_its_ro
 
 
 def test_that_its_demand_is_that_at_its_top_and_needs_the_building():
-    verdict = outcome(study(building=None, arch={"spacing_m": 4.0, **TIE})).assessed.verdict
+    verdict = outcome(study(building=None, arch={"spacing_m": 4.0, **TIE})).required_assessment.verdict
     assert verdict.code == "undetermined" and verdict.decides.code == "upper_top"
     assert spanning(wall_of(arch={"spacing_m": 4.0, **TIE})).felt_z_m == 3.5
 
@@ -96,7 +99,7 @@ def test_that_more_of_what_holds_it_never_lowers_zeta_of_its_linear_check():
 
         def zetas(f=2.4, arch=arch, **changes):
             wall = study(arch=arch | changes, compressive_strength_mpa=f).walls[1]
-            return [check.zeta for check in wall.assessed.checks if check.name == "linear_q_code"]
+            return [check.zeta for check in wall.required_assessment.checks if check.name == "linear_q_code"]
 
         base = zetas()
         for more in (zetas(tie_kn_m=1.3 * arch["tie_kn_m"]), zetas(shoulder_length_m=3.5), zetas(f=3.0)):
@@ -201,39 +204,41 @@ def test_that_a_tie_holds_nothing_before_it_is_stretched():
     tied = study(arch={"spacing_m": 5.0, **TIE, "tie_elongation_m": 0.02}, justification=SHOWN).walls[1]
     found = tied.assessment.kinematic
     assert found.chain.alpha0_bare < 1e-4 < found.alpha0
-    check = next(one for one in tied.assessed.checks if one.name == "nonlinear")
+    check = next(one for one in tied.required_assessment.checks if one.name == "nonlinear")
     assert check.zeta == pytest.approx(check.capacity / check.demand, rel=1e-12)  # no a_g,SLD of the tie in it
     calm = {**DEMAND, "ag_g": 0.02}
     for more in ({}, {"limit_state": "SLD"}):
         table = {"wall": [{**WALL, "arch": {"spacing_m": 5.0, **TIE}, "justification": SHOWN}], "building": BUILDING}
         wall = run(clauses_alone({**table, "demand": calm | more}), base_dir=Path()).walls[1]
-        assert wall.assessed.verdict.code == ("not_verified" if more else "verified")
+        assert wall.required_assessment.verdict.code == ("not_verified" if more else "verified")
     assert study(arch={"spacing_m": 5.0, **BEYOND}).walls[1].assessment.kinematic.chain.alpha0_bare > 0.1
 
 
 def test_that_ends_which_push_against_nothing_fail_and_are_not_refused():
     wall = study(arch={"spacing_m": 5.0, "shoulder_length_m": 0.1, "shoulder_thickness_m": 0.45}).walls[1]
-    assert wall.assessed.verdict.code == "not_verified" and wall.assessed.verdict.zeta_e < 1e-3
+    assert wall.required_assessment.verdict.code == "not_verified" and wall.required_assessment.verdict.zeta_e < 1e-3
 
 
 @pytest.mark.shows("arch.needed")
 def test_that_a_wall_said_to_span_shows_the_wall_that_overturns():
     table = {"mechanism": "horizontal_bending", "arch": {"spacing_m": 5.0, **TIE}, "justification": SHOWN}
-    verdict = study(**table).walls[0].assessed.verdict
+    verdict = study(**table).walls[0].required_assessment.verdict
     (row,) = [row for row in verdict.assumptions if row.key == "back_restraint"]
     assert row.words.code == "ends_fail" and row.zeta == pytest.approx(
-        study().walls[0].assessed.checks[0].zeta, rel=0.02
+        study().walls[0].required_assessment.checks[0].zeta, rel=0.02
     )
     nameless = run(clauses_alone({"wall": [{k: v for k, v in {**WALL, **table}.items() if k != "back_restraint"}],
                                   "demand": DEMAND, "building": BUILDING}), base_dir=Path())  # fmt: skip
-    assert "no_end_restraint" in [one.code for one in nameless.walls[0].assessed.verdict.limits]
+    assert "no_end_restraint" in [one.code for one in nameless.walls[0].required_assessment.verdict.limits]
     floors = study(**table, back_restraint="tied_floors")  # a floor does not hold the ends of a wall
-    assert "no_end_restraint" in [one.code for one in floors.walls[0].assessed.verdict.limits]
+    assert "no_end_restraint" in [one.code for one in floors.walls[0].required_assessment.verdict.limits]
 
 
 def test_that_a_lighter_unit_weight_is_a_row_of_its_own():
     verdict = (
-        study(arch={"spacing_m": 5.0, **TIE}, unit_weight_kn_m3=14.0, masonry="solid_brick").walls[1].assessed.verdict
+        study(arch={"spacing_m": 5.0, **TIE}, unit_weight_kn_m3=14.0, masonry="solid_brick")
+        .walls[1]
+        .required_assessment.verdict
     )
     (row,) = [row for row in verdict.assumptions if row.key == "unit_weight_kn_m3"]
     assert row.zeta < verdict.zeta_e
@@ -243,7 +248,7 @@ def test_that_a_lighter_unit_weight_is_a_row_of_its_own():
     "said", ["pareti trasversali ammorsate", "pareti ortogonali", "setti di controvento", "buttress"]
 )
 def test_that_no_wording_of_cross_walls_passes_by_their_spacing(said):
-    verdict = outcome(study(back_restraint=said)).assessed.verdict
+    verdict = outcome(study(back_restraint=said)).required_assessment.verdict
     assert "no_arch" in [one.code for one in verdict.limits] and verdict.code == "indicative"
 
 
@@ -265,7 +270,7 @@ def test_that_a_tie_that_breaks_early_takes_nothing_from_the_masonry_beyond():
     def zeta_of(arch):
         result = study(arch={"spacing_m": 5.0, **arch}, justification=SHOWN)
         assert note(result, "en")
-        return next(one.zeta for one in result.walls[1].assessed.checks if one.name == "nonlinear")
+        return next(one.zeta for one in result.walls[1].required_assessment.checks if one.name == "nonlinear")
 
     assert zeta_of(brittle) == pytest.approx(zeta_of(BEYOND), rel=1e-9)
     lasting = {**brittle, "tie_elongation_m": 0.5}

@@ -14,7 +14,7 @@ from core.report.note.parts import Figures, Heading, Item, Table
 from core.report.sure_words import rate_lines, rate_row
 from core.study.run import run
 from tests.core.report import whole_workbook
-from tests.core.study.test_how_sure import ROWS
+from tests.core.study.test_verdict_uncertainty import ROWS
 from tests.core.variation.test_sensitivity import LOADED, SPECTRUM
 
 

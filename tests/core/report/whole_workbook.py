@@ -18,6 +18,6 @@ def build(result: StudyResult, histories: list[CollapseHistories]) -> Book:
 
 def _made(result: StudyResult) -> WorkbookReport:
     made = WorkbookReport(result.case.report.language)
-    for wall in result.by_wall():
+    for wall in result.split_by_wall():
         made.add(wall)
     return made

@@ -18,8 +18,8 @@ from core.case.reader import read_case
 from core.errors import InputError
 from core.report import json_report
 from core.setting.plan import plan_of, read_inputs
-from core.study.case_parts import merged, part_path
-from core.study.progress import costs_of
+from core.study.case_parts import open_parts, part_path
+from core.study.progress import task_costs
 from core.study.run import journal_key, run
 from core.study.scheduler import OWN_SERVER
 from tests.conftest import ROOT
@@ -71,7 +71,7 @@ def test_that_parts_in_any_order_and_number_are_the_undivided_run(case, whole, t
     for k in order:
         assert batch.run_part(case, tmp_path, 1, True, k, n) == batch.DONE
     asked = read_case(case)
-    book = merged(tmp_path, "five", asked, journal_key())
+    book = open_parts(tmp_path, "five", asked, journal_key())
     before = dict(book.found)
     result = run(asked, base_dir=case.parent, journal=lambda key: book)
     assert timeless(result) == whole and book.found == before  # nothing was searched again
@@ -85,7 +85,7 @@ def test_that_a_part_that_was_stopped_goes_on(case, tmp_path):
     whole = path.read_bytes()
     path.write_bytes(b"\n".join(whole.split(b"\n")[:-6]) + b"\n")
     with pytest.raises(InputError) as caught:
-        merged(tmp_path, "five", read_case(case), journal_key())
+        open_parts(tmp_path, "five", read_case(case), journal_key())
     assert caught.value.code == "part_not_finished"
     batch.run_part(case, tmp_path, 1, True, 1, 2)
     assert sorted(path.read_bytes().split(b"\n")) == sorted(whole.split(b"\n"))
@@ -97,7 +97,7 @@ def test_that_a_part_that_does_not_belong_is_refused(case, tmp_path):
 
     def refused(code, **changes):
         with pytest.raises(InputError) as caught:
-            merged(tmp_path, "five", changes.get("case", asked), changes.get("key", key))
+            open_parts(tmp_path, "five", changes.get("case", asked), changes.get("key", key))
         assert caught.value.code == code
         assert "{" not in caught.value.text("en") + caught.value.text("it")
 
@@ -214,7 +214,7 @@ def test_that_a_scheduler_that_only_starts_programs_makes_the_parts(case, whole,
     command = [*STARTERS[starter], *part, "--part", "{}/3"]
     variables = {**os.environ, "PYTHONPATH": str(ROOT)}
     subprocess.run(command, input="1\n2\n3\n", text=True, check=True, cwd=ROOT, env=variables)
-    book = merged(tmp_path, "five", read_case(case), journal_key())
+    book = open_parts(tmp_path, "five", read_case(case), journal_key())
     assert timeless(run(read_case(case), base_dir=case.parent, journal=lambda key: book)) == whole
 
 
@@ -238,5 +238,5 @@ def test_that_the_statement_of_accuracy_is_made_where_the_parts_come_together(ca
     asked = read_case(case)
     asked = replace(asked, analysis=replace(asked.analysis, accuracy=True))
     inputs = read_inputs(asked, case.parent)
-    stated = [("accuracy", 0) in costs_of(plan_of(asked, inputs, share)) for share in (None, (0, 2))]
+    stated = [("accuracy", 0) in task_costs(plan_of(asked, inputs, share)) for share in (None, (0, 2))]
     assert stated == [True, False]

@@ -41,9 +41,9 @@ def test_that_the_script_prints_the_numbers_of_the_program(title, tmp_path, fine
     assert done.returncode == 0, done.stderr
     (verdict,) = result.verdicts
     lines = done.stdout.splitlines()
-    deciding = result.walls[verdict.governing].assessed.verdict
+    deciding = result.walls[verdict.governing].required_assessment.verdict
     assert lines[0] == f"{WALL['name']} {deciding.code} zeta {deciding.zeta_e}"
-    rows = [f"{w.name} {w.mechanism} q {w.q_set} zeta {w.assessed.verdict.zeta_e}" for w in result.walls]
+    rows = [f"{w.name} {w.mechanism} q {w.q_set} zeta {w.required_assessment.verdict.zeta_e}" for w in result.walls]
     assert lines[1:] == rows and len(rows) == 2
 
 

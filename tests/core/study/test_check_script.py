@@ -9,7 +9,7 @@ from core.case.rules import parse_case
 from core.errors import InputError
 from core.setting.plan import plan_of, read_inputs
 from core.study import check_script as check_script_module
-from core.study.check_script import NoCheck, check_script
+from core.study.check_script import ScriptUnavailable, check_script
 from tests.conftest import ROOT
 
 SPECTRUM = {"code": "EN1998", "type": 1, "soil": "B"}
@@ -81,10 +81,10 @@ def test_that_a_record_that_moves_no_wall_is_taken_so_strong_that_it_does(folder
 
 
 def test_that_a_wall_without_a_history_to_compare_has_no_script(folder, monkeypatch):
-    with pytest.raises(NoCheck, match="held_at_top"):
+    with pytest.raises(ScriptUnavailable, match="held_at_top"):
         written(folder, {**WALL, "mechanism": "vertical_bending", "back_restraint": "floor"})
     monkeypatch.setattr(check_script_module, "MAX_TOLERANCE", 0.0)
-    with pytest.raises(NoCheck, match="too_sensitive"):
+    with pytest.raises(ScriptUnavailable, match="too_sensitive"):
         written(folder, KINDS["Eq. 7"])
 
 
@@ -130,7 +130,7 @@ def test_that_random_walls_come_to_the_numbers_of_the_program(folder, seed, caps
         script = written(
             folder, drawn(chance), chance.integers(1, 8), ag_g=chance.uniform(0.08, 0.4), confidence_on=side
         )
-    except (InputError, NoCheck):
+    except (InputError, ScriptUnavailable):
         return  # no wall of the model, or one whose history noise decides
     code, said = run(script, capsys)
     assert code == 0, said

@@ -270,9 +270,9 @@ def test_that_neither_a_note_nor_a_statement_of_accuracy_is_made_of_so_many_wall
 def test_that_a_group_holds_so_many_searches_at_most(case, monkeypatch):
     asked = read_case(case)
     monkeypatch.setattr(large_case, "MAX_SEARCHES", 6)
-    alone = large_case.in_order(asked, case.parent)
+    alone = large_case.prepare_large_case(asked, case.parent)
     assert sorted(len(group) for group in alone.groups) == [*[1] * 6, 2]  # variants stay together
-    assert alone.longest == large_case.in_order(asked, case.parent)._replace().longest > 0.0
+    assert alone.longest == large_case.prepare_large_case(asked, case.parent)._replace().longest > 0.0
 
 
 def test_that_the_terminal_shows_the_worst_walls_and_the_counts(table, tmp_path):

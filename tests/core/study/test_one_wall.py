@@ -3,8 +3,8 @@
 import pytest
 
 from core.case.rules import parse_case
-from core.study.journal import Memory
-from core.study.one_wall import run_wall, turned
+from core.study.journal import MemoryJournal
+from core.study.one_wall import run_at_alternatives, run_wall
 from core.study.run import run
 from tests.conftest import ROOT
 
@@ -58,14 +58,14 @@ def test_that_a_wall_run_alone_is_judged_as_beside_all_others(case):
 
 @pytest.mark.parametrize(("case", "row"), [(CASES[0], 0), (CASES[1], 1)])
 def test_that_each_row_turned_has_the_zeta_of_the_table(case, row):
-    memory = Memory()
+    memory = MemoryJournal()
     result = run_wall(case, row, ROOT, memory)
     rows = result.walls[result.verdicts[0].governing].assessment.verdict.assumptions
     switched = [one for one in rows if one.has_switch]
     assert switched
     made = len(memory.found)
     for one in switched:
-        found = turned(result, [one], memory)
+        found = run_at_alternatives(result, [one], memory)
         zetas = (None,) if found is None else {check.zeta for check in found.checks}
         assert one.zeta in zetas, one.key
     assert len(memory.found) == made  # all of them were made for the table

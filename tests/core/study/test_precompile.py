@@ -31,7 +31,7 @@ precompile.end()
 
 
 @pytest.mark.long
-@pytest.mark.skipif(precompile.cores() < 2, reason="one processor: there is no second process")
+@pytest.mark.skipif(precompile.available_cores() < 2, reason="one processor: there is no second process")
 def test_that_a_second_process_compiles_the_step_where_nothing_is_compiled(tmp_path):
     def cold(executable, folder):
         found = subprocess.run(

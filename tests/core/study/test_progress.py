@@ -49,4 +49,4 @@ def test_that_a_clock_that_is_set_back_changes_no_elapsed_time(monkeypatch):
     ticks = iter([5.0, 7.5])
     monkeypatch.setattr(module.time, "monotonic", lambda: next(ticks))
     monkeypatch.setattr(module.time, "time", lambda: 0.0)
-    assert module.Started().elapsed == 2.5
+    assert module.StartTime().elapsed == 2.5

@@ -15,7 +15,7 @@ from core.errors import Cancelled, InputError
 from core.packages import PACKAGES
 from core.report import json_report
 from core.study import run as study
-from core.study import wall_work
+from core.study import wall_tasks
 from core.study.governing import collapse_histories
 from core.study.journal import Journal
 from core.units import CM, G
@@ -77,7 +77,7 @@ def test_that_q_is_c_pga_over_a_rm(result):
 
 @pytest.mark.shows("mechanics.impact_limit")
 def test_that_an_impact_limit_makes_the_set_incomplete(folder, monkeypatch):
-    real = wall_work.incremental_dynamic_analyses
+    real = wall_tasks.incremental_dynamic_analyses
     calls = []
 
     def limited(*arguments, **keywords):
@@ -87,7 +87,7 @@ def test_that_an_impact_limit_makes_the_set_incomplete(folder, monkeypatch):
             return [replace(found[0], status="impact_limit", q=None, bracket=None), *found[1:]]
         return found
 
-    monkeypatch.setattr(wall_work, "incremental_dynamic_analyses", limited)
+    monkeypatch.setattr(wall_tasks, "incremental_dynamic_analyses", limited)
     wall = run(case(), base_dir=folder).walls[0]
     assert wall.set_rule == "incomplete"
     assert wall.q_set is None and wall.q_robust_set is None
@@ -143,7 +143,7 @@ def test_that_a_resume_with_every_run_done_makes_no_analysis(folder, tmp_path, r
     first = run(asked, base_dir=folder, journal=(path, False))
     assert first.walls[0].assessment.tie and first.walls[1].assessment.sensitivity
     monkeypatch.setattr(dynamic_check, "scan_records", lambda *_: pytest.fail("checked again"))
-    monkeypatch.setattr(wall_work, "incremental_dynamic_analyses", lambda *_: pytest.fail("run again"))
+    monkeypatch.setattr(wall_tasks, "incremental_dynamic_analyses", lambda *_: pytest.fail("run again"))
     told = []
     again = run(asked, base_dir=folder, journal=(path, True), on_progress=lambda *state: told.append(state))
     assert numbers(again) == numbers(first)

@@ -26,9 +26,9 @@ from core.report.columns import columns_of
 from core.setting import plan
 from core.setting.plan import read_inputs
 from core.study import executors, large_case, scheduler
-from core.study.executors import plan_elsewhere, results_from, shared_by
-from core.study.run import wall_alone
-from core.study.scheduler import OWN_SERVER, Scheduled, scheduled
+from core.study.executors import iterate_results, make_remote_plan, make_task_context
+from core.study.run import run_wall_task
+from core.study.scheduler import OWN_SERVER, DaskExecutor, open_dask_executor
 from tests.conftest import ROOT
 from tests.core.study.cases import DEMAND
 
@@ -192,10 +192,10 @@ def test_that_a_run_without_a_scheduler_goes_on_with_what_one_made(folder, whole
 def test_that_searches_of_a_run_without_a_scheduler_are_not_made_again(folder):
     """It left those of a wall in its journal, but not all of its checks."""
     case = read_case(folder / "few.toml")
-    shared = shared_by(case, folder, read_inputs(case, folder), None)
-    found, analyses = wall_alone(shared, case.wall[0], {})
+    shared = make_task_context(case, folder, read_inputs(case, folder), None)
+    found, analyses = run_wall_task(shared, case.wall[0], {})
     known = {name: result for name, result in found.items() if "outcomes" in result}
-    again, fewer = wall_alone(shared, case.wall[0], known)
+    again, fewer = run_wall_task(shared, case.wall[0], known)
     assert known and again == {k: v for k, v in found.items() if k not in known} and fewer < analyses
 
 
@@ -213,11 +213,11 @@ def test_that_rows_are_written_as_they_come_and_only_in_the_journal_before(folde
         real(stream, told(), metadata)
 
     def reordered(large, todo, *arguments):
-        found = dict(large_case.groups_elsewhere(large, todo, *arguments))
+        found = dict(large_case.run_groups_remotely(large, todo, *arguments))
         yield from ((g, found[g]) for g in (0, 2, 1))
 
     monkeypatch.setattr(large_batch.parquet_file, "write", watched)
-    monkeypatch.setattr(large_batch, "groups_elsewhere", reordered)
+    monkeypatch.setattr(large_batch, "run_groups_remotely", reordered)
     use(monkeypatch, Counting())
     assert batch.run(folder / "many.toml", tmp_path, 1, True, False, scheduler="tcp://h:1") == batch.DONE
     assert seen == [([1, 2], 1), ([3, 4], 3), ([5, 6], 3)]
@@ -225,8 +225,8 @@ def test_that_rows_are_written_as_they_come_and_only_in_the_journal_before(folde
 
 def test_that_progress_counts_groups_as_they_come(folder, few):
     case = read_case(folder / "many.toml")
-    large, told = large_case.in_order(case, folder), []
-    groups = large_case.groups_elsewhere(large, [1, 2], Counting(), columns_of, lambda *one: told.append(one))
+    large, told = large_case.prepare_large_case(case, folder), []
+    groups = large_case.run_groups_remotely(large, [1, 2], Counting(), columns_of, lambda *one: told.append(one))
     assert [g for g, _ in groups] == [1, 2]
     assert [done for done, _, _ in told] == [large.tasks[0] + large.tasks[1], sum(large.tasks)]
     assert told[-1][1:] == (sum(large.tasks), 0.0)
@@ -242,7 +242,7 @@ def test_that_no_more_is_handed_out_than_there_is_room_and_the_rest_is_taken_bac
             yield k, ()
 
     with ThreadPoolExecutor(1) as pool:
-        results = results_from(pool, free.wait, arguments(), stop.is_set)
+        results = iterate_results(pool, free.wait, arguments(), stop.is_set)
         threading.Timer(0.2, stop.set).start()
         with pytest.raises(Cancelled):
             next(results)
@@ -253,7 +253,7 @@ def test_that_no_more_is_handed_out_than_there_is_room_and_the_rest_is_taken_bac
 @pytest.mark.parametrize("threads, room", [(0, scheduler.MIN_ROOM), (1000, 2000)])
 def test_that_what_is_handed_out_goes_with_the_workers(threads, room):
     client = type("Client", (), {"get_executor": lambda self, pure: None, "nthreads": lambda self: {"a": threads}})()
-    assert Scheduled(client, "tcp://h:1").room() == room
+    assert DaskExecutor(client, "tcp://h:1").room() == room
 
 
 def refused(code, folder, tmp_path, word, name="few.toml"):
@@ -292,18 +292,18 @@ def test_that_a_worker_of_another_program_or_other_files_is_refused(folder, tmp_
     for changed, code in (({"program": "0.1 abc"}, "worker_of_another"), ({"files": "0"}, "worker_other_files")):
 
         def shared(*arguments, changed=changed):
-            return shared_by(*arguments)._replace(**changed)
+            return make_task_context(*arguments)._replace(**changed)
 
-        monkeypatch.setattr("core.study.run.shared_by", shared)
-        monkeypatch.setattr(large_case, "shared_by", shared)
+        monkeypatch.setattr("core.study.run.make_task_context", shared)
+        monkeypatch.setattr(large_case, "make_task_context", shared)
         refused(code, folder, tmp_path, address, name)
 
 
 def test_that_a_worker_that_does_not_see_a_record_is_named(folder, tmp_path):
     case = read_case(folder / "few.toml")
-    shared = shared_by(case, folder, read_inputs(case, folder), None)
+    shared = make_task_context(case, folder, read_inputs(case, folder), None)
     with pytest.raises(InputError) as caught:
-        plan_elsewhere(shared._replace(base_dir=tmp_path), case.wall[:1])
+        make_remote_plan(shared._replace(base_dir=tmp_path), case.wall[:1])
     assert caught.value.text().startswith("worker ") and "short.txt" in caught.value.text()
 
 
@@ -334,7 +334,7 @@ class Ending(Executor):
 )
 def test_that_what_a_scheduler_gives_up_ends_the_run_with_a_sentence(folder, tmp_path, monkeypatch, error, code):
     client = type("Client", (), {"get_executor": lambda self, pure: Ending(error), "nthreads": lambda self: {"a": 1}})()
-    use(monkeypatch, Scheduled(client, "tcp://h:1"))
+    use(monkeypatch, DaskExecutor(client, "tcp://h:1"))
     text = refused(code, folder, tmp_path, "tcp://h:1")
     assert "tcp://h:1" in text or "workers ended" in text
 
@@ -345,7 +345,7 @@ def test_that_a_scheduler_that_goes_away_ends_the_run(folder):
 
     client = type("Client", (), {"get_executor": lambda self, pure: None, "nthreads": gone})()
     with pytest.raises(InputError) as caught:
-        list(results_from(Scheduled(client, "tcp://h:1"), os.getpid, [(0, ())], lambda: False))
+        list(iterate_results(DaskExecutor(client, "tcp://h:1"), os.getpid, [(0, ())], lambda: False))
     assert caught.value.code == "scheduler_lost"
 
 
@@ -353,7 +353,7 @@ def test_that_waiting_for_the_first_worker_is_said(folder, monkeypatch, capsys):
     from app.terminal import case_run
 
     client = type("Client", (), {"get_executor": lambda self, pure: None, "nthreads": lambda self: {}})()
-    monkeypatch.setattr(case_run, "scheduled", lambda word: contextlib.nullcontext(Scheduled(client, word)))
+    monkeypatch.setattr(case_run, "open_dask_executor", lambda word: contextlib.nullcontext(DaskExecutor(client, word)))
     with case_run.executor_of("tcp://h:1"):
         assert "tcp://h:1 has no worker yet" in capsys.readouterr().err
 
@@ -484,8 +484,8 @@ def test_that_ctrl_c_ends_the_workers_too_and_a_resume_makes_the_same_bytes(long
 @pytest.mark.long
 @pytest.mark.shows("batch.scheduler")
 def test_that_a_task_that_ends_its_workers_is_given_up_with_a_sentence():
-    with scheduled("local:2") as executor, pytest.raises(InputError) as caught:
-        list(results_from(executor, os._exit, [(0, (1,))], lambda: False))
+    with open_dask_executor("local:2") as executor, pytest.raises(InputError) as caught:
+        list(iterate_results(executor, os._exit, [(0, (1,))], lambda: False))
     assert caught.value.code == "worker_lost_often" and "4 workers ended" in caught.value.text()
 
 
@@ -496,7 +496,7 @@ def test_that_what_starts_here_listens_to_this_machine_alone_and_takes_no_port_o
         with contextlib.suppress(OSError):  # somebody else has it already
             taken.bind(("127.0.0.1", 8787))
             taken.listen()
-        with scheduled("local:1") as made:
+        with open_dask_executor("local:1") as made:
             assert made.threads() == 1
             here = psutil.Process()
             processes = here, *here.children(recursive=True)

@@ -14,11 +14,11 @@ from core.study import self_test
 
 @pytest.mark.shows("window.self_test")
 def test_that_the_stored_answers_come_out_to_the_last_bit_by_both_orders():
-    assert self_test.tell() == ((), True)
+    assert self_test.compare_answers() == ((), True)
 
 
 def test_that_the_answers_are_of_walls_that_overturn_and_follow_from_the_clauses():
-    found = {name: list(map(float.fromhex, values)) for name, values in self_test.answers("taylor").items()}
+    found = {name: list(map(float.fromhex, values)) for name, values in self_test.compute_answers("taylor").items()}
     assert all(len(set(values)) > 1 and max(map(abs, values)) > 1e-3 for name, values in found.items() if "_" in name)
     assert all(values[0] > values[1] > 1.0 for name, values in found.items() if name.endswith("_q"))
     alpha0, d0, period, s_de = found["kinematic"]
@@ -28,7 +28,7 @@ def test_that_the_answers_are_of_walls_that_overturn_and_follow_from_the_clauses
 
 
 def test_that_the_last_digit_of_one_tells_right_from_wrong(monkeypatch):
-    right = self_test.numbers()
+    right = self_test.compute_order_8_answers()
     assert len(right) > 20
     wrong = [*right[:-1], math.nextafter(float.fromhex(right[-1]), 9.9).hex()]
     for known, expected in ((right, True), (wrong, False), ([], False)):
@@ -46,10 +46,10 @@ def test_that_the_last_digit_of_one_tells_right_from_wrong(monkeypatch):
     ],
 )
 def test_that_a_stored_answer_that_is_not_what_comes_out_is_named(monkeypatch, name, factor, outcome):
-    found = self_test.answers("taylor")
+    found = self_test.compute_answers("taylor")
     moved = {**found, name: [(factor * float.fromhex(number)).hex() for number in found[name]]}
-    monkeypatch.setattr(self_test, "answers", lambda method: moved)
-    assert self_test.tell(["taylor"]) == outcome
+    monkeypatch.setattr(self_test, "compute_answers", lambda method: moved)
+    assert self_test.compare_answers(["taylor"]) == outcome
 
 
 def test_that_a_kernel_that_takes_another_loss_at_an_impact_is_seen(monkeypatch):
@@ -59,7 +59,7 @@ def test_that_a_kernel_that_takes_another_loss_at_an_impact_is_seen(monkeypatch)
         return right(ground, dt, scale, model._replace(ratio_at_rest=model.ratio_at_rest - 1e-4), method)
 
     monkeypatch.setattr(self_test, "history", wrong_kernel)
-    wrong, exact = self_test.tell(["taylor"])
+    wrong, exact = self_test.compare_answers(["taylor"])
     assert set(wrong) == {"two_sided_history", "trilinear_history", "one_sided_history"} and not exact
 
 
@@ -69,6 +69,8 @@ def test_that_a_start_is_told_the_order_whose_kernels_its_first_wall_needs():
     plain, tied = (
         model_of(parse_case({"wall": [{**wall, **more}]}).wall[0], "one_sided") for more in ({}, {"load": [tie]})
     )
-    assert self_test.order_of(AUTO, plain, 0.01) == ("taylor",)
-    assert self_test.order_of(AUTO, plain, 0.001) == ("taylor_6",)
-    assert self_test.order_of(METHODS["rk4"], plain, 0.01) == self_test.order_of(AUTO, tied, 0.01) == ()
+    assert self_test.find_kernel_order(AUTO, plain, 0.01) == ("taylor",)
+    assert self_test.find_kernel_order(AUTO, plain, 0.001) == ("taylor_6",)
+    assert (
+        self_test.find_kernel_order(METHODS["rk4"], plain, 0.01) == self_test.find_kernel_order(AUTO, tied, 0.01) == ()
+    )

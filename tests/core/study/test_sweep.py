@@ -14,7 +14,7 @@ from core.case.wall import Wall
 from core.case.writer import table_of
 from core.errors import Cancelled
 from core.study.run import run
-from core.study.sweep import SweepKey, point_of, sweep, sweep_keys, value_at, with_value
+from core.study.sweep import SweepKey, make_sweep_point, set_swept_value, sweep, sweep_keys, value_at
 from tests.conftest import ROOT
 
 CASES, SHIPPED = ROOT / "tests" / "cases", ROOT / "resources" / "cases"
@@ -38,7 +38,7 @@ def test_that_the_point_of_the_value_at_hand_is_the_run_of_the_wall(case):
     now = value_at(case, 0, THICKNESS)
     (point,) = points(case, THICKNESS, [now])
     alone = parse_case(table_of(replace(case, wall=case.wall[:1])))
-    assert point == point_of(now, run(alone, base_dir=CASES))
+    assert point == make_sweep_point(now, run(alone, base_dir=CASES))
     assert point.zeta and point.q and point.verdict and table_of(case) == before
 
 
@@ -62,12 +62,12 @@ def test_that_a_refused_value_is_named_and_the_others_have_numbers(case):
     keys = sweep_keys(case, 0)
     size = SweepKey(Load, "kn_m", 0)
     assert size in keys and value_at(case, 0, size) == 5.0
-    assert with_value(case, 0, size, 8.0).wall[0].load[0].kn_m == 8.0
+    assert set_swept_value(case, 0, size, 8.0).wall[0].load[0].kn_m == 8.0
 
 
 def test_that_one_way_to_give_a_size_replaces_the_other_and_no_tie_is_sought(case):
     by_angle = replace(case.wall[0], thickness_m=None, slenderness_deg=6.0, tie_height_m=3.0)
-    changed = with_value(replace(case, wall=(by_angle,)), 0, THICKNESS, 0.5).wall[0]
+    changed = set_swept_value(replace(case, wall=(by_angle,)), 0, THICKNESS, 0.5).wall[0]
     assert (changed.thickness_m, changed.slenderness_deg, changed.tie_height_m) == (0.5, None, None)
 
 
@@ -82,7 +82,7 @@ def test_that_every_key_offered_of_a_shipped_case_can_be_changed(name):
         for key in keys:
             value = value_at(case, k, key)
             if value is not None and getattr(wall, key.name, value) is not None:
-                same = with_value(case, k, key, value)
+                same = set_swept_value(case, k, key, value)
                 assert value_at(same, 0, key) == value
 
 

@@ -7,7 +7,7 @@ import pytest
 from core.errors import InputError
 from core.report import json_report
 from core.study import run as study
-from core.study.variants import comparisons
+from core.study.variants import compare_results
 from tests.clauses_alone import parse_case
 from tests.validation.test_loaded_walls import DEMAND, ROOF, TIE, WALL
 
@@ -20,7 +20,7 @@ def test_that_two_walls_of_one_name_are_compared_and_what_changed_is_named():
     walls = [BEFORE, AFTER, {**WALL, "name": "other"}, {**BEFORE, "name": "alone"}]
     table = {"wall": walls, "demand": DEMAND}
     result = study.run(parse_case(table), base_dir=Path())
-    (pair,) = comparisons(result.walls)
+    (pair,) = compare_results(result.walls)
     assert pair.name == "facade" and pair.before.name == "facade (stato di fatto)"
     assert pair.changed == ("thickness_m", "load")
     alone = study.run(parse_case({**table, "wall": [AFTER]}), base_dir=Path()).walls[0]
@@ -39,7 +39,7 @@ def test_that_a_variant_without_its_counterpart_is_said():
 def test_that_hinges_are_compared_each_with_its_own():
     walls = [{**one, "hinge_heights": [1.0]} for one in (BEFORE, AFTER)]
     result = study.run(parse_case({"wall": walls, "demand": DEMAND}), base_dir=Path())
-    assert [pair.name for pair in comparisons(result.walls)] == ["facade", "facade (+1 m)"]
+    assert [pair.name for pair in compare_results(result.walls)] == ["facade", "facade (+1 m)"]
 
 
 @pytest.mark.parametrize("walls", [[BEFORE, BEFORE], [BEFORE, {**AFTER, "variant": "after"}]])

@@ -123,7 +123,7 @@ def test_that_a_standing_wall_is_left_out_and_counted(folder):
     assert {run.ida.status for run in wall.runs} == {"no_collapse_found"}
     assert wall.q_set is None and wall.power_law is None
     assert any(notice.code == "no_collapse" for notice in wall.warnings)
-    assert len(found.without_number) == 3
+    assert len(found.runs_without_q) == 3
     assert json.loads(json_report.dumps(found))["walls"][0]["runs"][0]["q"] is None
 
 

@@ -8,7 +8,7 @@ import pytest
 from core.case.rules import parse_case
 from core.report import json_report
 from core.study.run import run
-from core.study.wall_verdict import severity, wall_verdicts
+from core.study.wall_verdict import wall_severity, wall_verdicts
 from tests.conftest import ROOT
 
 WALL = {
@@ -61,7 +61,7 @@ def test_that_hinges_are_ordered_by_the_table_of_outcomes_and_then_by_zeta():
         fake(0.9, "not_activated"),
     ]
     for turned in (order[::-1], order[3:] + order[:3]):
-        assert sorted(turned, key=severity) == order
+        assert sorted(turned, key=wall_severity) == order
 
 
 @pytest.mark.shows("verdict.worst")
@@ -94,11 +94,11 @@ def test_that_each_variant_is_a_wall_of_its_own():
 def test_that_without_a_building_the_heights_left_out_are_named():
     loads = {"load": [{**ROOF, "h_m": 5.0}]}
     result = made(loads, building=None)
-    (left,), said = result.verdicts, result.walls[0].assessed.verdict
+    (left,), said = result.verdicts, result.walls[0].required_assessment.verdict
     assert left.extra == () and said.limits[0].code == "heights_left_out"
     assert "5 m" in said.limits[0].text("en") and "[building]" in said.limits[0].text("it")
     alone = made({**loads, "hinge_heights": "base"})
-    said = alone.walls[0].assessed.verdict
+    said = alone.walls[0].required_assessment.verdict
     assert alone.verdicts[0].extra == () and said.limits[0].code == "hinges_as_asked" and said.blocking
     reasons = {"justification": {"hinge_heights": "ring beam of 2019, drawing 4"}}
     (alone,) = made({**loads, **reasons, "hinge_heights": "base"}).verdicts

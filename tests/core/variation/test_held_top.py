@@ -13,7 +13,7 @@ from core.errors import InputError
 from core.report.json_report import dumps
 from core.setting.floors import modes_at
 from core.study.run import run
-from core.study.variants import comparisons
+from core.study.variants import compare_results
 from core.units import G
 from core.variation import evaluate
 from tests.clauses_alone import parse_case
@@ -153,7 +153,7 @@ def test_that_it_has_histories_as_other_walls_have(folder):
         demand_check(branch.of(bends.model), motions, (1,), result.demand, result.method, evaluate.RUN.value).zeta
         for branch in hinges_in_histories(bends.model, bends.assessment.kinematic.moved.bending)
     )
-    assert dynamic.zeta == worst and bends.deciding_model.bending.h1 == dynamic.branch.h1
+    assert dynamic.zeta == worst and bends.governing_model.bending.h1 == dynamic.branch.h1
 
 
 def test_that_without_a_demand_it_is_read_and_shown():
@@ -185,7 +185,7 @@ def test_that_a_wall_to_be_held_at_its_top_is_compared_with_the_wall_that_overtu
         "variant": "stato di fatto",
     }
     result = study(as_is, WALL | {"variant": "progetto"})
-    (one,) = comparisons(result.walls)
+    (one,) = compare_results(result.walls)
     assert (one.before.mechanism, one.after.mechanism) == ("one_sided", "vertical_bending")
     assert one.after.assessment.verdict.lower_bound == pytest.approx(one.before.assessment.verdict.zeta_e)
     assert all("variant_alone" not in [one.code for one in wall.warnings] for wall in result.walls)

@@ -236,7 +236,7 @@ def test_that_the_sheet_risk_has_each_state_in_its_own_column():
 def workbook_bytes(result):
     """The workbook of a result."""
     report = WorkbookReport("en")
-    for wall in result.by_wall():
+    for wall in result.split_by_wall():
         report.add(wall)
     return report.content(result, [], Steps())
 

@@ -484,7 +484,7 @@ def test_that_of_many_walls_the_table_is_left_out_where_no_row_changes_the_outco
     bounded = run(case, base_dir=Path())
     said = 0
     for whole, some in zip(every.walls, bounded.walls, strict=True):
-        one, other = whole.assessed.verdict, some.assessed.verdict
+        one, other = whole.required_assessment.verdict, some.required_assessment.verdict
         assert (one.code, one.zeta_e) == (other.code, other.zeta_e)
         left = any(words.code == "assumptions_not_made" for words in other.limits)
         assert other.assumptions == (() if left else one.assumptions)

@@ -19,8 +19,8 @@ from core.codes.record_sample import RecordPeaks, SampleInterval, record_peaks, 
 from core.ground.provenance import MIN_STATIONS, station_of
 from core.setting.demand_input import pga_with_ag
 from core.setting.plan import Floors, Plan
-from core.study.journal import rebuilt
-from core.study.kept_checks import KeptChecks, check_key
+from core.study.check_cache import CheckCache, check_key
+from core.study.journal import dataclass_from_json
 from core.study.progress import Progress
 from core.study.results import WallResult, WallVerdict
 from core.text.sentence import sentence
@@ -37,7 +37,7 @@ MAX_WALLS_WITH_INTERVAL = 50
 """Walls of a case up to which the interval is made without being asked for: a tenth of the time of a wall."""
 
 
-def with_certainty(
+def add_uncertainty(
     plan: Plan,
     base_dir: Path,
     demand: DemandResult,
@@ -49,9 +49,9 @@ def with_certainty(
 ) -> Work:
     """The work whose result is the verdict of a wall with what is beside it.
 
-    base_dir, journal, progress : as `core.study.run.result_of` takes them
+    base_dir, journal, progress : as `core.study.run.run_plan` takes them
     demand : with what the records add
-    ag : of `ag_of`, made once for all walls; None without a hazard
+    ag : of `make_ag_function`, made once for all walls; None without a hazard
     results : of the wall, to which the verdict points
     """
     verdict = yield from _with_interval(plan, demand, results, verdict, journal)
@@ -77,9 +77,9 @@ def _interval(plan: Plan, wall: WallResult, demand: DemandResult, journal, stop)
     """Interval of zeta of one hinge whose histories have a zeta; taken from the journal where it is there."""
     motions, zeta = _felt(plan, wall), _zeta(wall)
     assert zeta is not None
-    parts = wall.deciding_model, motions, _signs(wall), demand, plan.method, zeta, "interval"
+    parts = wall.governing_model, motions, _signs(wall), demand, plan.method, zeta, "interval"
     key = check_key(*parts) if journal else ""
-    known = rebuilt(SampleInterval, journal.get(key)) if journal else None
+    known = dataclass_from_json(SampleInterval, journal.get(key)) if journal else None
     if known is not None:
         return known
     interval = sample_interval(_peaks_of(plan, wall, demand, zeta, stop), motions, zeta)
@@ -97,10 +97,10 @@ def _with_sensitivity(
     journal,
     progress: Progress,
 ) -> Work:
-    """Add to a verdict the moves of its inputs; the parameters are those of `with_certainty`."""
+    """Add to a verdict the moves of its inputs; the parameters are those of `add_uncertainty`."""
     ranges, origin = plan.case.sensitivity, results[0].part.origin
     assert ranges is not None
-    kept = KeptChecks(journal) if journal else demand_check
+    kept = CheckCache(journal) if journal else demand_check
     setting = setting_of(plan.case, origin, base_dir, (demand, plan.motions, plan.kinds), kept)
     hinges = [results[k] for k in verdict.results]
     known = [one.assessment for one in hinges if one.assessment is not None]
@@ -146,10 +146,10 @@ def _signs(wall: WallResult) -> tuple[int, ...]:
 
 def _peaks_of(plan: Plan, wall: WallResult, demand: DemandResult, zeta: float, stop) -> RecordPeaks:
     """The peaks of a wall under each record. zeta : of its histories"""
-    return record_peaks(wall.deciding_model, _felt(plan, wall), _signs(wall), demand, plan.method, zeta, stop)
+    return record_peaks(wall.governing_model, _felt(plan, wall), _signs(wall), demand, plan.method, zeta, stop)
 
 
-def ag_of(demand: DemandResult, asked: Demand | None, base_dir: Path) -> Callable[[float], float]:
+def make_ag_function(demand: DemandResult, asked: Demand | None, base_dir: Path) -> Callable[[float], float]:
     """a_g on rock [m/s2] of a multiplier of the demand: that whose a_g S is as many times as large, for S of NTC 2018
     follows a_g. asked : of the case"""
     if asked is None or demand.target is None:
@@ -165,13 +165,13 @@ def ag_of(demand: DemandResult, asked: Demand | None, base_dir: Path) -> Callabl
     return found
 
 
-def capacities(
+def record_capacities(
     wall: WallResult, motions: list, demand: DemandResult, end: float, ag: Callable[[float], float]
 ) -> dict[str, list[float]] | None:
     """a_g on rock [m/s2] at which each record first brings a wall to each limit state, of both signs the lower; a
     search in vain stands for its end. None where a run has no number.
 
-    motions : that move it; end : q_limit of the search; ag : of `ag_of`
+    motions : that move it; end : q_limit of the search; ag : of `make_ag_function`
     """
     ag_values: dict[str, list[float]] = {state: [] for state in RATE_STATES}
     for k, motion in enumerate(motions):
@@ -199,10 +199,10 @@ def _worst_rates(
     plan: Plan, demand: DemandResult, hinges: list[WallResult], ag: Callable[[float], float]
 ) -> tuple[StateRate, ...]:
     """How often each limit state is exceeded, of the hinge where that is most often; empty without hazard and records,
-    and where a hinge has no number. ag : of `ag_of`"""
+    and where a hinge has no number. ag : of `make_ag_function`"""
     if not demand.hazard or not all(one.runs for one in hinges):
         return ()
-    by_hinge = [capacities(one, _felt(plan, one), demand, plan.search.q_limit, ag) for one in hinges]
+    by_hinge = [record_capacities(one, _felt(plan, one), demand, plan.search.q_limit, ag) for one in hinges]
     known = [one for one in by_hinge if one is not None]
     names = [station_of(motion, k) for k, motion in enumerate(_felt(plan, hinges[0]))]
     if len(known) < len(by_hinge) or len(set(names)) < MIN_STATIONS:

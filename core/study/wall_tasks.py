@@ -12,13 +12,13 @@ from core.codes.record_compatibility import Compliance
 from core.rocking.history import in_lanes
 from core.setting.plan import Plan
 from core.setting.scene import Scene
-from core.study.governing import lowest_run
-from core.study.how_sure import with_certainty
-from core.study.journal import Journal, Memory, rebuilt
-from core.study.kept_checks import KeptChecks, run_key
+from core.study.check_cache import CheckCache, run_key
+from core.study.governing import governing_run
+from core.study.journal import Journal, MemoryJournal, dataclass_from_json
 from core.study.progress import Progress
 from core.study.results import Assessment, WallResult, WallVerdict
-from core.study.variants import with_variant_alone
+from core.study.variants import flag_missing_variant
+from core.study.verdict_uncertainty import add_uncertainty
 from core.study.wall_result import run_result, wall_result
 from core.study.wall_verdict import wall_verdicts
 from core.threads import Batch, Work
@@ -30,13 +30,13 @@ MIN_TASKS, MAX_SAMPLES = 8, 40_000
 """Least tasks for a thread where runs of a wall are searched side by side; most samples of them, for a quick cancel."""
 
 
-class Given(NamedTuple):
+class StudyContext(NamedTuple):
     """Values that the walls of a study have in common.
 
     plan, base_dir : of the study
     demand : with what the records add; rules : whether they comply with it, None without a spectrum
     by_state : demands of the limit states, of `demands_of`; state_rules : of `rules_of`
-    ag : of `core.study.how_sure.ag_of`, None without a hazard
+    ag : of `core.study.how_sure.make_ag_function`, None without a hazard
     journal : of finished searches and checks
     progress : told of each task
     on_wall : told of each WallResult that has its checks
@@ -49,21 +49,21 @@ class Given(NamedTuple):
     by_state: dict[str, DemandResult]
     state_rules: dict[str, Compliance | None]
     ag: Callable[[float], float] | None
-    journal: Journal | Memory | None
+    journal: Journal | MemoryJournal | None
     progress: Progress
     on_wall: Callable[[WallResult], None]
 
 
-Finished = tuple[list[WallResult], tuple[WallVerdict, ...]]
+WallOutcome = tuple[list[WallResult], tuple[WallVerdict, ...]]
 """Results of one wall of the case, and its verdict, whose numbers of results count from 0; no verdict without a
 demand."""
 
 
-def works(given: Given, jobs: int, wait_for: Callable[[int], None] | None = None) -> Iterator[Work]:
+def wall_tasks(given: StudyContext, jobs: int, wait_for: Callable[[int], None] | None = None) -> Iterator[Work]:
     """The work of each wall of a case, which returns Finished. wait_for : as `result_of` takes it"""
     plan, known = given.plan, {}
     for one in plan.runs:
-        ida = rebuilt(Ida, given.journal.get(search_key(plan, one))) if given.journal else None
+        ida = dataclass_from_json(Ida, given.journal.get(search_key(plan, one))) if given.journal else None
         if ida is not None:
             known[one] = ida
     given.progress.known(known)
@@ -91,11 +91,11 @@ class _Wall:
     """
 
     def __init__(
-        self, given: Given, known: dict[tuple[int, int, int], Ida], most: int, span: list[int], elsewhere: bool
+        self, given: StudyContext, known: dict[tuple[int, int, int], Ida], most: int, span: list[int], elsewhere: bool
     ):
         self.given, self.known, self.most, self.elsewhere = given, known, most, elsewhere
         self.entries = {k: given.plan.entries[k] for k in span}
-        self.kept = {k: KeptChecks(given.journal) for k in span}
+        self.kept = {k: CheckCache(given.journal) for k in span}
         self.results: dict[int, WallResult] = {}
 
     def work(self) -> Work:
@@ -106,14 +106,14 @@ class _Wall:
             yield from self._assessed(given.demand)
             yield from self._at_limit_states(given.demand)
             yield from self._with_tie(given.demand)
-            self.results = {k: with_variant_alone(one, plan.variants) for k, one in self.results.items()}
+            self.results = {k: flag_missing_variant(one, plan.variants) for k, one in self.results.items()}
         if plan.case.analysis.accuracy:
             yield from self._with_accuracy()
         results = list(self.results.values())
         verdicts = wall_verdicts(plan.case, tuple(results))
         if given.demand and verdicts and plan.longest is None:  # of a group of walls the rows alone are kept
             beside = plan, given.base_dir, given.demand, given.ag, results, verdicts[0], given.journal, given.progress
-            verdicts = ((yield from with_certainty(*beside)),)
+            verdicts = ((yield from add_uncertainty(*beside)),)
         return results, verdicts
 
     def _searched(self) -> Work:
@@ -136,7 +136,7 @@ class _Wall:
 
         if self.elsewhere and given.journal:
             for one in [one for k in self.entries for one in plan.runs_of(k) if one not in idas]:
-                if (kept_ida := rebuilt(Ida, given.journal.get(search_key(plan, one)))) is not None:
+                if (kept_ida := dataclass_from_json(Ida, given.journal.get(search_key(plan, one)))) is not None:
                     idas[one] = kept_ida
                     given.progress.done(one)
         groups = []
@@ -182,7 +182,7 @@ class _Wall:
 
         def task(k: int, wall: WallResult):
             scene = self._scene(k, demand)
-            return lambda stop: at_states(scene, wall.assessed, given.by_state, given.state_rules, stop)
+            return lambda stop: at_states(scene, wall.required_assessment, given.by_state, given.state_rules, stop)
 
         states = yield Batch({k: task(k, wall) for k, wall in self.results.items()} if given.by_state else {})
         for k, state_zetas in states.items():
@@ -194,14 +194,14 @@ class _Wall:
         counted = [k for k, entry in self.entries.items() if entry.part.wall.tie_height_m is not None]
         asked = next(iter(self.entries.values())).part.asked
         group = {k: wall for k, wall in self.results.items() if wall.mechanism == "one_sided"}
-        whole = asked.tie_height_m is not None and all(wall.assessed.kinematic for wall in group.values())
+        whole = asked.tie_height_m is not None and all(wall.required_assessment.kinematic for wall in group.values())
         if not whole:
             for k in counted:
                 given.progress.done(("tie", k), False)
             return
         hinges = []
         for k, wall in group.items():
-            hinges.append(Hinge(wall.part.hinge, self._scene(k, demand), wall.assessed.dynamic))
+            hinges.append(Hinge(wall.part.hinge, self._scene(k, demand), wall.required_assessment.dynamic))
 
         def told(_, __) -> None:
             for k in counted:
@@ -215,7 +215,7 @@ class _Wall:
         given, plan = self.given, self.given.plan
 
         def task(wall: WallResult):
-            return lambda stop: accuracy_of(wall, plan.motions, plan.method, plan.search, stop)
+            return lambda stop: make_accuracy_statement(wall, plan.motions, plan.method, plan.search, stop)
 
         statements = yield Batch(
             {k: task(wall) for k, wall in self.results.items()},
@@ -227,12 +227,12 @@ class _Wall:
     def _add(self, k: int, **parts) -> None:
         """Add parts to the assessment of an entry."""
         wall = self.results[k]
-        self.results[k] = replace(wall, assessment=replace(wall.assessed, **parts))
+        self.results[k] = replace(wall, assessment=replace(wall.required_assessment, **parts))
 
 
-def accuracy_of(wall: WallResult, motions, method, search, cancelled) -> Accuracy | None:
+def make_accuracy_statement(wall: WallResult, motions, method, search, cancelled) -> Accuracy | None:
     """Accuracy statement on the governing run of a wall; None without a q. motions : of the ground."""
-    lowest = lowest_run(wall)
+    lowest = governing_run(wall)
     if lowest is None:
         return None
     motion = (wall.floor.motions if wall.floor else motions)[lowest.motion]

@@ -8,18 +8,18 @@ from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck, demand_check
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
-from core.study.journal import Journal, Memory, rebuilt
+from core.study.journal import Journal, MemoryJournal, dataclass_from_json
 from core.wall.rocking_model import RockingModel
 
 
-class KeptChecks:
+class CheckCache:
     """Makes `demand_check` of one wall, with the same parameters, or takes its result from the journal.
 
     journal : of the finished checks; None keeps none
     made : how many were not there
     """
 
-    def __init__(self, journal: Journal | Memory | None):
+    def __init__(self, journal: Journal | MemoryJournal | None):
         self.journal, self.made = journal, 0
 
     def __call__(
@@ -35,7 +35,7 @@ class KeptChecks:
     ) -> DemandCheck | None:
         decides = (polarities, demand, method, every, other)
         key = check_key(model, motions, *decides) if self.journal else ""
-        known = rebuilt(DemandCheck, self.journal.get(key)) if self.journal else None
+        known = dataclass_from_json(DemandCheck, self.journal.get(key)) if self.journal else None
         if known is not None:
             return known
         check = demand_check(model, motions, *decides, cancelled)

@@ -27,7 +27,7 @@ def test_that_walls_are_told_of_in_their_order_as_they_are_in_the_result(folder,
     told: list[StudyResult] = []
     result = study.run(many(6), base_dir=folder, jobs=jobs, on_finished=told.append)
     assert [[wall.name for wall in one.walls] for one in told] == [[f"w{k}"] * 2 for k in range(6)]
-    assert told == list(result.by_wall())
+    assert told == list(result.split_by_wall())
     assert [one.first for one in told] == [0, 2, 4, 6, 8, 10]
     for one in told:
         (verdict,) = one.verdicts
@@ -89,7 +89,7 @@ def test_that_a_block_of_the_sheet_check_needs_its_own_wall_alone(folder):
 
     result = study.run(many(3), base_dir=folder)
     sheets = []
-    for parts in ([result], list(result.by_wall())):
+    for parts in ([result], list(result.split_by_wall())):
         check = CheckSheet(Book("en"), result)
         for part in parts:
             check.add(part)

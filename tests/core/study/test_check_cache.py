@@ -7,24 +7,24 @@ import pytest
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import DemandCheck, demand_check
 from core.rocking.methods import AUTO, METHODS
-from core.study import kept_checks
-from core.study.journal import Journal, Memory, rebuilt
-from core.study.kept_checks import KeptChecks, check_key
+from core.study import check_cache
+from core.study.check_cache import CheckCache, check_key
+from core.study.journal import Journal, MemoryJournal, dataclass_from_json
 
 
 @pytest.mark.parametrize("where", ["disk", "memory"])
 def test_that_a_kept_check_is_the_one_that_was_made(result, tmp_path, monkeypatch, where):
     wall, motions = result.walls[1], list(result.motions)
     asked = (wall.model, motions, (1, -1), result.demand, AUTO, 4)
-    book = Journal(tmp_path / "c.journal", "key", True) if where == "disk" else Memory()
-    first = KeptChecks(book)
+    book = Journal(tmp_path / "c.journal", "key", True) if where == "disk" else MemoryJournal()
+    first = CheckCache(book)
     made = first(*asked)
     assert made == demand_check(*asked) and first.made == 1
     if where == "disk":
         book.close()
         book = Journal(tmp_path / "c.journal", "key", True)
-    monkeypatch.setattr(kept_checks, "demand_check", lambda *_: pytest.fail("made again"))
-    again = KeptChecks(book)
+    monkeypatch.setattr(check_cache, "demand_check", lambda *_: pytest.fail("made again"))
+    again = CheckCache(book)
     assert again(*asked) == made and again.made == 0
     book.close()
 
@@ -65,7 +65,7 @@ def test_that_every_number_of_the_demand_is_in_the_key(result):
 def test_that_a_line_that_is_no_check_is_made_again(result):
     check = result.walls[1].assessment.dynamic
     content = asdict(check)
-    assert rebuilt(DemandCheck, content) == check
+    assert dataclass_from_json(DemandCheck, content) == check
     wrong_parts = ({"runs": 5}, {"new": 1}, {"zeta_spread": [1.0]})
     for wrong in (None, {}, [], *({**content, **part} for part in wrong_parts)):
-        assert rebuilt(DemandCheck, wrong) is None
+        assert dataclass_from_json(DemandCheck, wrong) is None

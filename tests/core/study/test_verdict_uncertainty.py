@@ -11,9 +11,9 @@ from core.case.writer import table_of
 from core.codes.collapse_rate import state_rate
 from core.errors import Cancelled
 from core.setting.demand_input import with_ag
-from core.study import how_sure
-from core.study.how_sure import ag_of, capacities
+from core.study import verdict_uncertainty
 from core.study.run import run
+from core.study.verdict_uncertainty import make_ag_function, record_capacities
 from core.units import G
 from tests.conftest import ROOT
 from tests.core.variation.test_sensitivity import LOADED
@@ -48,18 +48,18 @@ def test_that_the_rates_are_of_the_capacities_of_the_searches(result):
     (verdict,), wall = result.verdicts, result.walls[0]
     motions = list(wall.floor.motions)
     ag = result.demand.ag
-    found = capacities(wall, motions, result.demand, result.search.q_limit, lambda multiplier: multiplier * ag)
+    found = record_capacities(wall, motions, result.demand, result.search.q_limit, lambda multiplier: multiplier * ag)
     by_hand = [min(run.scale for run in wall.runs if run.motion == k) * 0.2 * G for k in range(14)]
     assert found["collapse"] == pytest.approx(by_hand, rel=1e-12)
     assert np.all(np.array(found["SLV"]) <= found["SLC"]) and np.all(np.array(found["SLC"]) <= found["collapse"])
     assert np.all(np.array(found["SLD"]) < found["SLV"])
     # each record is scaled to a_g S first
     to_pga = replace(result.demand, record_scaling="pga", pga=2.0 * result.demand.pga)
-    found = capacities(wall, motions, to_pga, result.search.q_limit, lambda multiplier: multiplier * ag)
+    found = record_capacities(wall, motions, to_pga, result.search.q_limit, lambda multiplier: multiplier * ag)
     scalings = [to_pga.pga / (motion.ground_pga or motion.pga) for motion in motions]
     assert found["collapse"] == pytest.approx(np.divide(by_hand, scalings), rel=1e-12)
     hazard = [(t, ag * G) for t, ag in ROWS]
-    follows = ag_of(result.demand, result.case.demand, CASES)
+    follows = make_ag_function(result.demand, result.case.demand, CASES)
     true = [follows(one / (0.2 * G)) for one in by_hand]
     expected = state_rate("collapse", true, [f"file {k}" for k in range(14)], hazard, 1.35, 50.0)
     assert verdict.rates[-1].rate == pytest.approx(expected.rate, rel=1e-12)
@@ -71,7 +71,7 @@ def test_that_the_rates_are_of_the_capacities_of_the_searches(result):
 @pytest.mark.shows("search.sample")
 def test_that_the_interval_is_beside_the_verdict_and_changes_nothing(result, monkeypatch, case):
     assert result.verdicts[0].interval.stations == 14
-    monkeypatch.setattr(how_sure, "MAX_WALLS_WITH_INTERVAL", 0)
+    monkeypatch.setattr(verdict_uncertainty, "MAX_WALLS_WITH_INTERVAL", 0)
     plain = run(case, base_dir=CASES)
     assert plain.verdicts[0].interval is None
     assert plain.walls[0].assessment == result.walls[0].assessment
@@ -82,10 +82,10 @@ def test_that_a_search_in_vain_stands_for_its_end_and_a_run_without_a_number_for
     wall, motions = result.walls[0], list(result.walls[0].floor.motions)
     idas = [replace(run.ida, status="no_collapse_found", q=None, q_slv=None, q_slc=None) for run in wall.runs]
     lost = replace(wall, runs=tuple(replace(run, ida=ida) for run, ida in zip(wall.runs, idas, strict=True)))
-    found = capacities(lost, motions, result.demand, 10.0, lambda one: one)
+    found = record_capacities(lost, motions, result.demand, 10.0, lambda one: one)
     assert found["collapse"] == found["SLV"] == pytest.approx([10.0 * one for one in found["SLD"]])
     broken = replace(wall, runs=(replace(wall.runs[0], ida=replace(idas[0], status="impact_limit")), *wall.runs[1:]))
-    assert capacities(broken, motions, result.demand, 10.0, lambda one: one) is None
+    assert record_capacities(broken, motions, result.demand, 10.0, lambda one: one) is None
 
 
 def test_that_a_cancel_during_the_moves_ends_the_run(case):
@@ -108,11 +108,11 @@ def test_that_s_follows_a_g_where_the_code_says_so(result):
     """a S(a) of the a_g found is the multiplier times a_g S of the demand."""
     demand, asked = result.demand, result.case.demand
     for multiplier in (0.2, 0.9, 1.7, 4.0):
-        ag = ag_of(demand, asked, CASES)(multiplier)
+        ag = make_ag_function(demand, asked, CASES)(multiplier)
         there = with_ag(demand, asked, CASES, ag / demand.ag)
         assert there.pga == pytest.approx(multiplier * demand.pga, rel=1e-4)
-    assert ag_of(demand, asked, CASES)(1.7) > 1.7 * demand.ag * 1.005  # soil B: S falls
-    assert ag_of(replace(demand, target=None), asked, CASES)(1.7) == 1.7 * demand.ag
+    assert make_ag_function(demand, asked, CASES)(1.7) > 1.7 * demand.ag * 1.005  # soil B: S falls
+    assert make_ag_function(replace(demand, target=None), asked, CASES)(1.7) == 1.7 * demand.ag
 
 
 @pytest.mark.shows("risk.rate")
@@ -130,11 +130,11 @@ def test_that_of_several_hinges_each_state_has_the_rate_of_the_worst(case):
     result = run(parse_case({key: value for key, value in table.items() if key != "records"}), base_dir=CASES)
     (verdict,) = result.verdicts
     assert len(verdict.results) == 2
-    ag, names = ag_of(result.demand, result.case.demand, CASES), [f"file {k}" for k in range(3)]
+    ag, names = make_ag_function(result.demand, result.case.demand, CASES), [f"file {k}" for k in range(3)]
     of_hinges = []
     for hinge in result.walls:
         motions = list(hinge.floor.motions) if hinge.floor else result.motions
-        found = capacities(hinge, motions, result.demand, result.search.q_limit, ag)
+        found = record_capacities(hinge, motions, result.demand, result.search.q_limit, ag)
         of_hinges.append([state_rate(state, found[state], names, result.demand.hazard, 1.35, 50.0) for state in found])
     for here, *each in zip(verdict.rates, *of_hinges, strict=True):
         assert here == max(each, key=lambda one: one.rate) and each[0].rate != each[1].rate
@@ -143,7 +143,9 @@ def test_that_of_several_hinges_each_state_has_the_rate_of_the_worst(case):
 def test_that_a_g_of_a_multiplier_is_made_once_for_all_walls(case, monkeypatch):
     """400 spectra: 24 ms a wall, in the thread that hands out the tasks."""
     calls = []
-    monkeypatch.setattr("core.study.run.ag_of", lambda *given: calls.append(given) or ag_of(*given))
+    monkeypatch.setattr(
+        "core.study.run.make_ag_function", lambda *given: calls.append(given) or make_ag_function(*given)
+    )
     walls = tuple(replace(case.wall[0], name=f"parapet {k}") for k in range(2))
     found = run(replace(case, wall=walls, record=()), base_dir=CASES)
     assert len(found.verdicts) == 2 and len(calls) == 1
