@@ -72,11 +72,11 @@ def light_histories():
     COARSE-th point of its grid: what both do to a verdict is the same. Searches asked for directly are as they are."""
     from core.case.schema import Generate
     from core.setting import demand_input
-    from core.variation.evaluate import RUN
+    from core.variation.evaluate import FULL_PRECISION
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(demand_input, "DEFAULT_SET", Generate(count=2))
-        patch.setattr(RUN, "_value_", COARSE)
+        patch.setattr(FULL_PRECISION, "_value_", COARSE)
         yield
 
 
@@ -89,10 +89,10 @@ def fine():
 
 @contextlib.contextmanager
 def whole_grid():
-    from core.variation.evaluate import RUN
+    from core.variation.evaluate import FULL_PRECISION
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(RUN, "_value_", 1)
+        patch.setattr(FULL_PRECISION, "_value_", 1)
         yield
 
 
@@ -101,7 +101,7 @@ def without_the_row_of_histories(request, monkeypatch):
     """Where histories are switched off their row is not made: it costs the histories. Tests that ask for
     `row_of_histories` have it."""
     if "row_of_histories" not in request.fixturenames:
-        monkeypatch.setattr("core.variation.raised_inputs._histories_left_out", lambda found: False)
+        monkeypatch.setattr("core.variation.favourable_wall_inputs._histories_left_out", lambda found: False)
 
 
 @pytest.fixture

@@ -197,13 +197,13 @@ class LiveAnswer(Section):
         """The checks of the clauses, of which the letter at hand needs to wait for none."""
         from core.setting.demand_input import demand_of
         from core.study.one_wall import single_wall_case
-        from core.variation.whole_wall import Setting, evaluate_wall
+        from core.variation.wall_evaluation import WallContext, evaluate_wall
 
         whole, base, row, _ = known(self.at)
         case = single_wall_case(whole, row)
         try:
             demand = known(demand_of(case, base))
-            setting = Setting(case, base, (demand, [], []))
+            setting = WallContext(case, base, (demand, [], []))
             evaluated = evaluate_wall(setting, None)
         except InputError as error:
             self.ladder.hide()

@@ -19,10 +19,17 @@ from core.errors import InputError
 from core.known import known
 from core.report.sure_words import reach_written
 from core.setting.plan import Inputs, read_inputs
-from core.variation.evaluate import GLANCE, RUN, Precision
-from core.variation.swings import Reach
-from core.variation.turned_round import keys_of, moved_keys, reach_of, with_values
-from core.variation.whole_wall import NONE, Setting, WholeWall, evaluate_wall, setting_of, with_wall
+from core.variation.evaluate import COARSE_PRECISION, FULL_PRECISION, Precision
+from core.variation.inverse_design import design_keys, find_target_value, set_values, slider_keys
+from core.variation.swings import TargetValue
+from core.variation.wall_evaluation import (
+    NO_EVALUATION,
+    WallContext,
+    WallEvaluation,
+    evaluate_wall,
+    make_wall_context,
+    replace_wall,
+)
 
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
@@ -88,7 +95,7 @@ class WhatIfWindow(QDialog):
         self.resize(760, 560)
         self.owner, self.row, self.base_dir = window, 0, window.session.base_dir
         self.case: Case | None = None
-        self.setting: Setting | None = None
+        self.setting: WallContext | None = None
         self.jobs: dict[str, Job] = {}
         self.zetas: dict[str, float | None] = {}
         self.sliders: dict[str, QSlider] = {}
@@ -143,7 +150,7 @@ class WhatIfWindow(QDialog):
         case, base, session = self.case, self.base_dir, self.owner.session
 
         def arrived(inputs: Inputs) -> None:
-            self.setting = setting_of(case, self.row, base, inputs)
+            self.setting = make_wall_context(case, self.row, base, inputs)
             self.zetas = self._of_the_run()
             self._show_setting()
             self._moved()
@@ -215,12 +222,12 @@ class WhatIfWindow(QDialog):
 
         def stands(key: str, value: float) -> bool:
             try:
-                with_values(setting, {key: value})
+                set_values(setting, {key: value})
             except InputError:
                 return False
             return True
 
-        movable = moved_keys(setting)
+        movable = slider_keys(setting)
         if why_ag_stays(known(self.case)):
             movable.pop("ag_g", None)
         return {key: now for key, now in movable.items() if any(stands(key, share * now) for share in TRIED)}
@@ -255,54 +262,54 @@ class WhatIfWindow(QDialog):
             evaluated = evaluate_wall(moved, None)
         except InputError as error:
             self.word.setText(described(error))
-            evaluated = NONE
+            evaluated = NO_EVALUATION
         self._show(evaluated, None)
         self.timer.start()
 
-    def _setting(self) -> Setting | None:
+    def _setting(self) -> WallContext | None:
         """With the values of the sliders; None, and why, where the wall does not stand with them."""
         if self.setting is None:
             return None
         try:
-            return self._rounded(with_values(self.setting, self.values))
+            return self._rounded(set_values(self.setting, self.values))
         except InputError as error:
             self.stop()
             self.word.setText(described(error))
-            self._show(NONE)
+            self._show(NO_EVALUATION)
             return None
 
-    def _rounded(self, moved: Setting) -> Setting:
+    def _rounded(self, moved: WallContext) -> WallContext:
         """With the loads that follow a slider in the digits they are written with."""
         wall, loads = moved.case.wall[0], []
         for was, load in zip(known(self.setting).case.wall[0].load, wall.load, strict=True):
             decimals = {"kn_m": FORCE, "d_m": PLACE}
             other = {key: getattr(load, key) for key in decimals if getattr(load, key) != getattr(was, key)}
             loads.append(replace(load, **{key: round(value, decimals[key]) for key, value in other.items()}))
-        return with_wall(moved, replace(wall, load=tuple(loads)))
+        return replace_wall(moved, replace(wall, load=tuple(loads)))
 
     def follow(self) -> None:
         """The histories of the values now, off the thread of the window: at a glance, then as a run finds them. Earlier
         ones are left."""
         if (moved := self._setting()) is not None:
-            self._search_zeta(moved, GLANCE)
+            self._search_zeta(moved, COARSE_PRECISION)
 
-    def _search_zeta(self, moved: Setting, precision: Precision) -> None:
+    def _search_zeta(self, moved: WallContext, precision: Precision) -> None:
         self.stop("zeta")
         first, base = not self.values, self.base_dir
-        asked = known(self.case).generate and "ag_g" in self.values and precision is RUN
+        asked = known(self.case).generate and "ag_g" in self.values and precision is FULL_PRECISION
         taken = self._taken(moved) if asked else None
 
-        def work(job: Job) -> WholeWall:
+        def work(job: Job) -> WallEvaluation:
             at = replace(moved, inputs=read_inputs(taken, base)) if taken else moved  # motions made for that spectrum
             return evaluate_wall(at, precision, cancelled=job.cancelled)
 
-        def arrived(whole: WholeWall) -> None:
+        def arrived(whole: WallEvaluation) -> None:
             if first:
                 self.zetas = dict(whole.by_check) | self._of_the_run()
-            again = precision is GLANCE and "dynamic" in whole.by_check
-            self._show(whole, GLANCE if again else RUN)
+            again = precision is COARSE_PRECISION and "dynamic" in whole.by_check
+            self._show(whole, COARSE_PRECISION if again else FULL_PRECISION)
             if again:
-                self._search_zeta(moved, RUN)
+                self._search_zeta(moved, FULL_PRECISION)
 
         self._start("zeta", work, arrived)
 
@@ -322,14 +329,14 @@ class WhatIfWindow(QDialog):
             return
         self.stop("search")
         self.word.setText(tr("Searching…"))
-        keys = {key: now for key, now in keys_of(moved).items() if key in self.given}
+        keys = {key: now for key, now in design_keys(moved).items() if key in self.given}
 
-        def work(job: Job) -> list[Reach]:
-            return [reach_of(moved, key, now, job.cancelled) for key, now in keys.items()]
+        def work(job: Job) -> list[TargetValue]:
+            return [find_target_value(moved, key, now, job.cancelled) for key, now in keys.items()]
 
         self._start("search", work, self._found)
 
-    def _found(self, reached: list[Reach]) -> None:
+    def _found(self, reached: list[TargetValue]) -> None:
         lines, names = [], captions()
         for one in reached:
             ends = []
@@ -356,7 +363,7 @@ class WhatIfWindow(QDialog):
     def _check(self, label: str) -> str:
         return check_words(label, known(known(self.case).demand).q_code)
 
-    def _show(self, whole: WholeWall, precision: Precision | None = RUN) -> None:
+    def _show(self, whole: WallEvaluation, precision: Precision | None = FULL_PRECISION) -> None:
         """The ladder; zeta as it is beside each. precision : of the histories, None while none are made; those of a
         run follow"""
         setting, moved = known(self.setting), bool(self.values)
@@ -374,7 +381,7 @@ class WhatIfWindow(QDialog):
         self._moved()
         self.follow()
 
-    def _taken(self, moved: Setting) -> Case:
+    def _taken(self, moved: WallContext) -> Case:
         """The case with the values of the sliders."""
         case = known(self.case)
         wall, new = case.wall[self.row], moved.case.wall[0]

@@ -18,11 +18,11 @@ from core.report.verdict_words import outcome_of
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.variants import WallComparison, compare_walls
 from core.text.sentence import word
-from core.variation.limit_states import STATES
+from core.variation.limit_states import LIMIT_STATES
 
 OF_HINGE = ("name", "mechanism", "zeta_e", "verdict", "check", "q_set")
 OF_WALL = ("pga_c_g", "return_period_c_years", "is_v")
-KEYS = (*OF_HINGE, *OF_WALL, *STATES)
+KEYS = (*OF_HINGE, *OF_WALL, *LIMIT_STATES)
 """Quantities of the results in the columns: about the hinge that decides, and of the whole wall."""
 MOST_IN_PLAN = 1000
 """Walls of a case among which one with a place in the key plan is looked for."""
@@ -84,7 +84,7 @@ class WallsTab(ResultTab):
                 "PGA_C [g]",
                 "T_R,C",
                 "IS-V",
-                *(f"ζ {state}" for state in STATES),
+                *(f"ζ {state}" for state in LIMIT_STATES),
             ],
         )
         self.table.cellDoubleClicked.connect(lambda row, _: self._picked(row))
@@ -176,7 +176,7 @@ class WallsTab(ResultTab):
             digits(values.get("pga_c_g"), 3),
             (risk.years if risk else None) or "–",
             "–" if index is None else f"{number(index, '.2f')} {values['is_v_letter']}",
-            *(digits(values.get(state)) for state in STATES),
+            *(digits(values.get(state)) for state in LIMIT_STATES),
         ]
 
     def _pair(self, result: StudyResult, one: WallComparison) -> list[str]:

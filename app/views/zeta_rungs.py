@@ -7,8 +7,8 @@ from app.views.ladder import Rung
 from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import Check
 from core.text.sentence import Number, sentence
-from core.variation.evaluate import RUN, Precision
-from core.variation.whole_wall import WholeWall
+from core.variation.evaluate import FULL_PRECISION, Precision
+from core.variation.wall_evaluation import WallEvaluation
 
 
 def check_words(label: str, q: float | None) -> str:
@@ -35,7 +35,7 @@ def rung_of(check: Check, decides: bool, dynamic: DemandCheck | None) -> Rung:
 
 
 def rungs_of(
-    whole: WholeWall,
+    whole: WallEvaluation,
     q_code: float,
     precision: Precision | None,
     given: Mapping[str, float | None],
@@ -55,14 +55,14 @@ def rungs_of(
         labels.insert(0, "dynamic")
     for k, label in enumerate(labels):
         zeta, as_it_is = whole.by_check.get(label), given.get(label)
-        said = "" if precision is RUN or label != "dynamic" else "…" if precision is None else tr("about")
+        said = "" if precision is FULL_PRECISION or label != "dynamic" else "…" if precision is None else tr("about")
         values = tr("as it is {zeta}", zeta=number(as_it_is, ".2f")) if as_it_is is not None and moved else said
         rungs.append(Rung(check_words(label, q_code), said, zeta, values, _tone(whole, label, precision), k == 0))
     return rungs
 
 
-def _tone(whole: WholeWall, label: str, precision: Precision | None) -> str:
+def _tone(whole: WallEvaluation, label: str, precision: Precision | None) -> str:
     """Green where a check is surely satisfied; a glance of the histories says no outcome."""
-    if whole.by_check.get(label) is None or (label == "dynamic" and precision is not RUN):
+    if whole.by_check.get(label) is None or (label == "dynamic" and precision is not FULL_PRECISION):
         return "amber"
     return {True: "good", False: "bad", None: "amber"}[whole.satisfied.get(label)]

@@ -11,7 +11,7 @@ from core.report.stated.quantity import Quantity, flag, number, numbers, of_keys
 from core.report.stated.walls import FRAGILITY, PER_RECORD, WALL, OfWallResult
 from core.study.results import Q_SOURCES, StudyResult, WallResult, WallVerdict
 from core.text.sentence import Sentence
-from core.variation.limit_states import STATES
+from core.variation.limit_states import LIMIT_STATES
 
 
 class Row(NamedTuple):
@@ -137,7 +137,7 @@ COLUMNS = (
     number("lower_bound_zeta", "-", "zeta_E where what holds the wall fails", _of(_verdict, "lower_bound")),
     *map(_zeta, CHECKS),
     *_taken(AT_DEMAND, _dynamic, "zeta_16", "zeta_first"),
-    *map(_zeta_at, STATES),
+    *map(_zeta_at, LIMIT_STATES),
     *(_eq9(k, source) for k, source in enumerate(Q_SOURCES)),
     *_taken(RISK, _risk, "pga_c_g", "return_period_c_years", "is_v"),
     number("tie_kn_m", "kN/m", "force of the tie asked for", _tie),

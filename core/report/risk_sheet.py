@@ -9,7 +9,7 @@ from core.study.results import StudyResult, WallResult
 from core.study.variants import compare_walls
 from core.text.sentence import word
 from core.units import G
-from core.variation.limit_states import STATES
+from core.variation.limit_states import LIMIT_STATES
 from core.variation.tie_design import FORCE_NAMES
 
 LAST_COLUMN = 11
@@ -59,7 +59,7 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
             "PGA_C [g]",
             "T_R,C",
             "IS-V",
-            *(f"ζ {state}" for state in STATES),
+            *(f"ζ {state}" for state in LIMIT_STATES),
         ],
         1,
         30,
@@ -70,7 +70,7 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
     row += 1
     text(sheet, row, 1, say("smallest"), bold=True)
     number(sheet, row, 3, least(w.assessment.verdict.zeta_e for w in result.walls if w.assessment), RATIO)
-    for column, state in enumerate(STATES, start=9):
+    for column, state in enumerate(LIMIT_STATES, start=9):
         states = [one for wall in result.walls for one in (wall.required_assessment.states if wall.assessment else ())]
         if there := [one.zeta for one in states if one.state == state]:
             number(sheet, row, column, least(there), RATIO)
@@ -98,7 +98,7 @@ def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
         letter = assessment.risk.letter
         text(sheet, row, 8, f"{book.digits(assessment.risk.index, '.2f')}  {letter}" if letter else "–", align="right")
     zetas = {one.state: one.zeta for one in assessment.states}
-    for column, state in enumerate(STATES, start=9):
+    for column, state in enumerate(LIMIT_STATES, start=9):
         number(sheet, row, column, zetas.get(state), RATIO)
 
 

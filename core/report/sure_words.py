@@ -11,7 +11,7 @@ from core.report.verdict_words import names_in
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.text.sentence import Number, numeral, sentence, word
 from core.units import G
-from core.variation.swings import Reach, Sensitivity, Swing, move_words
+from core.variation.swings import Sensitivity, Swing, TargetValue, describe_swing_end
 
 Say = Callable[..., str]
 """Says a text of the group "report"."""
@@ -67,7 +67,7 @@ def moved_rows(sensitivity: Sensitivity, language: str) -> list[Moved]:
     return [
         Moved(
             swing_name(swing, language),
-            [(move_words(swing, end).text(language), end.zeta, end.sure) for end in swing.ends],
+            [(describe_swing_end(swing, end).text(language), end.zeta, end.sure) for end in swing.ends],
         )
         for swing in sensitivity.swings
     ]
@@ -125,7 +125,7 @@ def reach_names(say: Say) -> dict[str, str]:
     return {"thickness_m": say("thickness [cm]"), "tie_kn_m": say("ties together [kN/m]"), "ag_g": "a_g [g]"}
 
 
-def reach_row(say: Say, reach: Reach, labels: list[str], language: str) -> list[str]:
+def reach_row(say: Say, reach: TargetValue, labels: list[str], language: str) -> list[str]:
     """Row of an input of inverse design: its value now, and the value each check needs."""
     values = [reach_written(reach.key, reach.by_check.get(label), language) for label in labels]
     by_check = [say("any") if label in reach.throughout else value for label, value in zip(labels, values, strict=True)]

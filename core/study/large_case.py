@@ -23,7 +23,7 @@ from core.study.progress import OnProgress, Progress, StartTime, task_costs
 from core.study.results import StudyResult
 from core.study.run import run_plan, start_compilation
 from core.threads import Threads
-from core.variation.limit_states import demands_of, unsaid
+from core.variation.limit_states import limit_state_demands, unused_hazard_notices
 
 MAX_GROUP, MAX_SEARCHES = 128, 4096
 """Walls of a group, and searches of one: what is lost when a run is killed, and what stands in memory at a time."""
@@ -93,7 +93,10 @@ def common_result(large: LargeCase) -> StudyResult:
     if demand:
         demand = with_records(demand, motions)
         rules = compliance(motions, kinds, demand, large.longest)
-        demand = replace(demand, warnings=(*demand.warnings, *unsaid(demand, demands_of(case, large.base_dir))))
+        demand = replace(
+            demand,
+            warnings=(*demand.warnings, *unused_hazard_notices(demand, limit_state_demands(case, large.base_dir))),
+        )
     result = StudyResult(
         case, StartTime().utc, plan.method, plan.search, demand, tuple(motions), tuple(kinds), (), rules
     )

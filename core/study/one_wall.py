@@ -16,7 +16,7 @@ from core.study.progress import Progress, StartTime, task_costs
 from core.study.results import StudyResult
 from core.study.run import run_plan
 from core.threads import Threads
-from core.variation.assumptions import at_other_ends
+from core.variation.assumptions import evaluate_at_alternatives
 from core.variation.evaluate import Evaluation, evaluate
 
 
@@ -68,7 +68,7 @@ def run_at_alternatives(
         scene = plan.scene(k, demand, result.compliance, CheckCache(journal))
         as_it_is = evaluate(replace(scene, q_slv=(wall.q_slv_safe_set, wall.q_slv_set)), cancelled=cancelled)
         own = [row for row in wall.required_assessment.verdict.assumptions if row.key in keys and row.has_switch]
-        there = at_other_ends(as_it_is, own, cancelled) if own else as_it_is
+        there = evaluate_at_alternatives(as_it_is, own, cancelled) if own else as_it_is
         if there is None:
             return None
         evaluations.append(there)

@@ -33,7 +33,7 @@ from core.study.self_test import find_kernel_order
 from core.study.verdict_uncertainty import make_ag_function
 from core.study.wall_tasks import StudyContext, WallOutcome, search_key, wall_tasks
 from core.threads import Threads
-from core.variation.limit_states import demands_of, rules_of, unsaid
+from core.variation.limit_states import limit_state_compliance, limit_state_demands, unused_hazard_notices
 
 
 def run(
@@ -140,7 +140,7 @@ def run_plan(
         # of a group of walls the rows alone are kept, without what is beside the verdict
         rated = demand is not None and demand.hazard and plan.longest is None
         ag = make_ag_function(demand, plan.case.demand, base_dir) if demand and rated else None
-        state_rules = rules_of(plan, demand, by_state) if demand else {}
+        state_rules = limit_state_compliance(plan, demand, by_state) if demand else {}
         given = StudyContext(plan, base_dir, demand, rules, by_state, state_rules, ag, journal, progress, on_wall)
         threads.run_works(wall_tasks(given, threads.jobs, wait_for), ended)
     finally:
@@ -152,9 +152,9 @@ def _demand(plan: Plan, base_dir: Path) -> tuple[DemandResult | None, dict[str, 
     """(demand with what the records add, demands of the limit states). base_dir : as `run` takes it"""
     if plan.demand is None:
         return None, {}
-    demand, by_state = with_records(plan.demand, plan.motions), demands_of(plan.case, base_dir)
+    demand, by_state = with_records(plan.demand, plan.motions), limit_state_demands(plan.case, base_dir)
     of_place = notices(plan.case.site, demand.limit_state) if plan.case.site else []
-    return replace(demand, warnings=(*demand.warnings, *unsaid(demand, by_state), *of_place)), by_state
+    return replace(demand, warnings=(*demand.warnings, *unused_hazard_notices(demand, by_state), *of_place)), by_state
 
 
 UNLIMITED = sys.maxsize

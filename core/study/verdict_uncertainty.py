@@ -25,10 +25,10 @@ from core.study.progress import Progress
 from core.study.results import WallResult, WallVerdict
 from core.text.sentence import sentence
 from core.threads import Batch, Work
-from core.variation.sensitivity import moved_wall, moves, records_left_out, sensitivity_of
-from core.variation.swings import Sensitivity, move_words
-from core.variation.turned_round import keys_of, reach_of
-from core.variation.whole_wall import setting_of
+from core.variation.inverse_design import design_keys, find_target_value
+from core.variation.sensitivity import evaluate_move, leave_one_out_moves, list_input_moves, summarise_sensitivity
+from core.variation.swings import Sensitivity, describe_swing_end
+from core.variation.wall_evaluation import make_wall_context
 
 AG_RANGE = 0.01, 100.0
 """Least and largest multiple of a_g between which S follows it."""
@@ -101,28 +101,28 @@ def _with_sensitivity(
     ranges, origin = plan.case.sensitivity, results[0].part.origin
     assert ranges is not None
     kept = CheckCache(journal) if journal else demand_check
-    setting = setting_of(plan.case, origin, base_dir, (demand, plan.motions, plan.kinds), kept)
+    setting = make_wall_context(plan.case, origin, base_dir, (demand, plan.motions, plan.kinds), kept)
     hinges = [results[k] for k in verdict.results]
     known = [one.assessment for one in hinges if one.assessment is not None]
     if least(one.verdict.zeta_e for one in known) is None:
         progress.done(("sensitivity", origin))
         return replace(verdict, sensitivity=Sensitivity(None, (), (), ()))
-    made, turned = moves(setting, ranges), keys_of(setting)
+    made, turned = list_input_moves(setting, ranges), design_keys(setting)
     zetas = [zeta for hinge in hinges if (zeta := _zeta(hinge)) is not None]
     if ranges.record_left_out and len(zetas) == len(hinges) and len(plan.motions) > 1:
         tasks = enumerate(zip(hinges, zetas, strict=True))
         peaks = yield Batch({k: functools.partial(_peaks_of, plan, one, demand, zeta) for k, (one, zeta) in tasks})
-        made += records_left_out([peaks[k] for k in range(len(hinges))])
+        made += leave_one_out_moves([peaks[k] for k in range(len(hinges))])
     floors = Floors()
     work: dict[tuple[str, int | str], Callable] = {
-        ("move", m): functools.partial(moved_wall, setting, move, floors) for m, move in enumerate(made)
+        ("move", m): functools.partial(evaluate_move, setting, move, floors) for m, move in enumerate(made)
     }
-    work |= {("reach", key): functools.partial(reach_of, setting, key, given) for key, given in turned.items()}
+    work |= {("reach", key): functools.partial(find_target_value, setting, key, given) for key, given in turned.items()}
     done = yield Batch(work)
     progress.done(("sensitivity", origin))
-    moved = sensitivity_of(setting, ranges, made, [done["move", m] for m in range(len(made))], known)
+    moved = summarise_sensitivity(setting, ranges, made, [done["move", m] for m in range(len(made))], known)
     moved = replace(moved, reach=tuple(done["reach", key] for key in turned))
-    turning = tuple(move_words(one, one.turning) for one in moved.swings if one.key in moved.turning)
+    turning = tuple(describe_swing_end(one, one.turning) for one in moved.swings if one.key in moved.turning)
     extra = (sentence("reason", "turned", moves=turning),) if turning else ()
     return replace(verdict, sensitivity=moved, extra=(*verdict.extra, *extra))
 

@@ -23,8 +23,8 @@ from core.study.wall_result import run_result, wall_result
 from core.study.wall_verdict import wall_verdicts
 from core.threads import Batch, Work
 from core.variation.assessment import assess
-from core.variation.limit_states import at_states
-from core.variation.tie_design import Hinge, tie_design
+from core.variation.limit_states import check_limit_states
+from core.variation.tie_design import Hinge, design_tie
 
 MIN_TASKS, MAX_SAMPLES = 8, 40_000
 """Least tasks for a thread where runs of a wall are searched side by side; most samples of them, for a quick cancel."""
@@ -35,7 +35,7 @@ class StudyContext(NamedTuple):
 
     plan, base_dir : of the study
     demand : with what the records add; rules : whether they comply with it, None without a spectrum
-    by_state : demands of the limit states, of `demands_of`; state_rules : of `rules_of`
+    by_state : demands of the limit states, of `limit_state_demands`; state_rules : of `limit_state_compliance`
     ag : of `core.study.how_sure.make_ag_function`, None without a hazard
     journal : of finished searches and checks
     progress : told of each task
@@ -182,7 +182,9 @@ class _Wall:
 
         def task(k: int, wall: WallResult):
             scene = self._scene(k, demand)
-            return lambda stop: at_states(scene, wall.required_assessment, given.by_state, given.state_rules, stop)
+            return lambda stop: check_limit_states(
+                scene, wall.required_assessment, given.by_state, given.state_rules, stop
+            )
 
         states = yield Batch({k: task(k, wall) for k, wall in self.results.items()} if given.by_state else {})
         for k, state_zetas in states.items():
@@ -207,7 +209,7 @@ class _Wall:
             for k in counted:
                 given.progress.done(("tie", k), k in group)
 
-        designs = yield Batch({"tie": lambda stop: tie_design(hinges, asked, stop)}, told)
+        designs = yield Batch({"tie": lambda stop: design_tie(hinges, asked, stop)}, told)
         self._add(next(iter(group)), tie=designs["tie"])
 
     def _with_accuracy(self) -> Work:

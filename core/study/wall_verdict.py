@@ -13,7 +13,7 @@ from core.codes.risk import least_risk
 from core.codes.verdict_sentence import at_hinge
 from core.study.results import LimitStateOutcome, StudyResult, WallResult, WallVerdict
 from core.text.sentence import Key, Number, Sentence, sentence
-from core.variation.limit_states import STATES
+from core.variation.limit_states import LIMIT_STATES
 
 
 def wall_severity(wall: WallResult) -> tuple[int, bool, float]:
@@ -64,7 +64,7 @@ def _lower_elsewhere(hinges: list[WallResult]) -> list[Sentence]:
 def _states(demand: Demand, ordered: list[WallResult]) -> dict[str, LimitStateOutcome]:
     """The outcome at each limit state; at that of the demand it is the verdict itself."""
     outcomes = {}
-    for state in STATES:
+    for state in LIMIT_STATES:
         if state == demand.limit_state:
             verdict = ordered[0].required_assessment.verdict
             outcomes[state] = LimitStateOutcome(verdict.code, verdict.zeta_e, verdict.governing)

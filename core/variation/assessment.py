@@ -21,16 +21,16 @@ from core.setting.plan import MANY_WALLS
 from core.setting.scene import Scene
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.units import G
-from core.variation.assumptions import assumptions
-from core.variation.changes import thinner
-from core.variation.evaluate import Evaluation, evaluate, histories
+from core.variation.assumptions import evaluate_assumptions
+from core.variation.changes import rescale_thickness
+from core.variation.evaluate import Evaluation, check_by_histories, evaluate
 from core.variation.tie_design import TieDesign
 from core.wall.arch import Arch
 
-OF_THE_FLOOR = ("other_building", "at_centroid")
+FLOOR_REMARK_CODES = ("other_building", "at_centroid")
 """Codes of what lifts zeta above the ground."""
 
-THICKER = (1.05, 1.1, 1.2, 1.3)
+TRIAL_THICKNESS_FACTORS = (1.05, 1.1, 1.2, 1.3)
 """Multiples of the thickness at which zeta is looked at as well."""
 
 GENERATED = "generated"
@@ -38,7 +38,7 @@ GENERATED = "generated"
 
 
 @dataclass(frozen=True)
-class StateZeta:
+class LimitStateCheck:
     """A wall about one hinge at one limit state, evaluated as at that of the demand: by its kinematic checks, linear at
     SLD, displacement and linear with q of the code at SLV, displacement at SLC; by time histories where they are asked
     for.
@@ -85,7 +85,7 @@ class Assessment:
     code_over_records: float | None = None
     risk: Risk | None = None
     tie: TieDesign | None = None
-    states: tuple[StateZeta, ...] = ()
+    states: tuple[LimitStateCheck, ...] = ()
     bound_passes: bool | None = None
 
     @property
@@ -119,8 +119,8 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
     unheld = _without_restraint(scene, dynamic, cancelled)
     below = unheld.dynamic if unheld else None
     made = evaluation.zeta is not None and not (scene.many and _fails_whatever_is_assumed(evaluation))
-    raised = assumptions(evaluation, cancelled) if made else ()
-    limits, ratio = [one for one in (evaluation.lower_q,) if one is not None], None
+    raised = evaluate_assumptions(evaluation, cancelled) if made else ()
+    limits, ratio = [one for one in (evaluation.lower_q_remark,) if one is not None], None
     if scene.floor is not None and scene.building is not None:
         limits += building_notes(scene.building, demand.limit_state)
         ratio = scene.floor.code_over_records(kinematic)
@@ -141,7 +141,7 @@ def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Asses
     if (arch := kinematic.wall.arch) is not None:
         raised = (*raised, _of_the_arch(evaluation, arch))
     said = verdict(evaluation.evidence, bound, tuple(limits), raised)
-    sensitivity = {row.words.code: row.zeta for row in raised if row.words.code in OF_THE_FLOOR}
+    sensitivity = {row.words.code: row.zeta for row in raised if row.words.code in FLOOR_REMARK_CODES}
     parts = (kinematic, evaluation.checks, dynamic, below, said, sensitivity, ratio, _capacity(evaluation))
     return Assessment(*parts, bound_passes=passes)
 
@@ -297,7 +297,7 @@ def _of_ties_that_lower(evaluation: Evaluation, cancelled: Callable[[], bool]) -
         said.append(sentence("reason", "ties_displacement", tied=Number(pair[0]), bare=Number(pair[1])))
     if evaluation.dynamic is None or evaluation.dynamic.zeta is None:
         return said
-    bare = histories(scene.but(wall=scene.wall.without_ties()), cancelled=cancelled)
+    bare = check_by_histories(scene.but(wall=scene.wall.without_ties()), cancelled=cancelled)
     if bare is not None and bare.zeta is not None and round(bare.zeta, 2) > round(evaluation.dynamic.zeta, 2):
         values = {"tied": Number(evaluation.dynamic.zeta), "bare": Number(bare.zeta)}
         said.append(sentence("reason", "ties_histories", **values))
@@ -312,9 +312,9 @@ def _of_a_thicker_wall(evaluation: Evaluation) -> list[Sentence]:
     if check is None or check.zeta is None or check.name == "dynamic" or thickness is None or scene.wall.solid:
         return []
     zetas = {}
-    for factor in THICKER:
+    for factor in TRIAL_THICKNESS_FACTORS:
         try:
-            there = scene.without_records().but(wall=thinner(scene.wall, factor * thickness))
+            there = scene.without_records().but(wall=rescale_thickness(scene.wall, factor * thickness))
             thicker = evaluate(there).made(check.name)
         except InputError:
             continue

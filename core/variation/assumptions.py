@@ -11,8 +11,14 @@ from core.codes.verdict import outcome_of
 from core.errors import InputError
 from core.text.sentence import Key, Number, sentence
 from core.variation.evaluate import Evaluation, evaluate
-from core.variation.raised import OF_LOADS, Change, Ends, Raised, worth
-from core.variation.raised_inputs import raised
+from core.variation.favourable_input import (
+    LOAD_AND_MASONRY_KEYS,
+    AlternativeEvaluations,
+    FavourableInput,
+    SceneChange,
+    zeta_for_sorting,
+)
+from core.variation.favourable_wall_inputs import favourable_inputs
 
 
 def _there(end: Evaluation, check: Check) -> Check | None:
@@ -34,7 +40,9 @@ def _turns(end: Evaluation | None, check: Check) -> bool:
     return end is None or end.judgement(_there(end, check)) != PASSES
 
 
-def assumptions(evaluation: Evaluation, cancelled: Callable[[], bool] = lambda: False) -> tuple[Assumption, ...]:
+def evaluate_assumptions(
+    evaluation: Evaluation, cancelled: Callable[[], bool] = lambda: False
+) -> tuple[Assumption, ...]:
     """The inputs of a wall that raise zeta, each with zeta and the outcome at the other end of its range, and all of
     them together; where no one of them turns the outcome, all together without a reason may.
 
@@ -44,7 +52,7 @@ def assumptions(evaluation: Evaluation, cancelled: Callable[[], bool] = lambda: 
     decides, q_check = evaluation.decides, evaluation.made("linear_q_code")
     assert decides is not None
 
-    def at(change: Change, by_histories: bool) -> Evaluation | None:
+    def at(change: SceneChange, by_histories: bool) -> Evaluation | None:
         there = evaluation.scene if by_histories else evaluation.scene.without_records()
         try:
             return evaluate(change(there), other=False, cancelled=cancelled)
@@ -52,8 +60,8 @@ def assumptions(evaluation: Evaluation, cancelled: Callable[[], bool] = lambda: 
             return None
 
     rows: list[Assumption] = []
-    worst: list[tuple[Assumption, Change]] = []
-    for one in raised(evaluation):
+    worst: list[tuple[Assumption, SceneChange]] = []
+    for one in favourable_inputs(evaluation):
         touched = decides.name != "dynamic" or one.histories
         judged = [check for check in (decides if touched else None, q_check) if check is not None]
         if not judged:
@@ -63,7 +71,7 @@ def assumptions(evaluation: Evaluation, cancelled: Callable[[], bool] = lambda: 
         if told is None:
             continue
         zetas = [_zeta(end, told) for end in ends]
-        lowest = min(range(len(zetas)), key=lambda k: worth(zetas[k]))
+        lowest = min(range(len(zetas)), key=lambda k: zeta_for_sorting(zetas[k]))
         turns = {check.name for check in judged if any(_turns(end, check) for end in ends)}
         row = Assumption(
             one.key,
@@ -77,7 +85,7 @@ def assumptions(evaluation: Evaluation, cancelled: Callable[[], bool] = lambda: 
             reason=one.reason,
             turns_q=bool(q_check and q_check.passed) and "linear_q_code" in turns,
             permitted=one.permitted,
-            raises=worth(zetas[lowest]) < worth(told.zeta),
+            raises=zeta_for_sorting(zetas[lowest]) < zeta_for_sorting(told.zeta),
             check="" if told.name == decides.name else told.name,
         )
         rows.append(row)
@@ -86,12 +94,12 @@ def assumptions(evaluation: Evaluation, cancelled: Callable[[], bool] = lambda: 
     return _together(rows, worst, evaluation, at)
 
 
-def _all_of(changes: Iterable[Change]) -> Change:
+def _all_of(changes: Iterable[SceneChange]) -> SceneChange:
     """Several changes, one after the other."""
     return lambda scene: reduce(lambda changed, change: change(changed), tuple(changes), scene)
 
 
-def at_other_ends(
+def evaluate_at_alternatives(
     evaluation: Evaluation, rows: Iterable[Assumption], cancelled: Callable[[], bool] = lambda: False
 ) -> Evaluation | None:
     """The wall with the inputs of these rows of its table at the other ends that they show; None where it does not
@@ -101,7 +109,13 @@ def at_other_ends(
     Raises Cancelled.
     """
     shown = {row.key: row.other_end for row in rows}
-    ends = [end for one in raised(evaluation) if one.key in shown for end in one.ends if end.value == shown[one.key]]
+    ends = [
+        end
+        for one in favourable_inputs(evaluation)
+        if one.key in shown
+        for end in one.ends
+        if end.value == shown[one.key]
+    ]
     changes = [end.change for end in ends]
     try:
         return evaluate(_all_of(changes)(evaluation.scene), other=False, cancelled=cancelled)
@@ -120,22 +134,26 @@ def _outcome(end: Evaluation | None, evaluation: Evaluation, touched: bool) -> s
     return outcome_of(evaluation.evidence._replace(checks=checks))
 
 
-def _told(one: Raised, judged: list[Check], ends: Ends, evaluation: Evaluation) -> Check | None:
+def _told(
+    one: FavourableInput, judged: list[Check], ends: AlternativeEvaluations, evaluation: Evaluation
+) -> Check | None:
     """The check whose zeta the words of a raised input give, None where it raises none: of what concerns the linear
     check alone that one, of a wall declared free or not the one that fares worst, of loads the first that they raise.
     judged : the checks the input moves; ends : at its other ends"""
-    if one.key in OF_LOADS:
-        lowest = ((check, min(worth(_zeta(end, check)) for end in ends)) for check in judged)
-        return next((check for check, zeta in lowest if zeta < worth(check.zeta)), None)
+    if one.key in LOAD_AND_MASONRY_KEYS:
+        lowest = ((check, min(zeta_for_sorting(_zeta(end, check)) for end in ends)) for check in judged)
+        return next((check for check, zeta in lowest if zeta < zeta_for_sorting(check.zeta)), None)
     if one.key != "free_element":
         return evaluation.decides if one.histories else evaluation.made("linear_q_code")
-    told = min(judged, key=lambda check: worth(_zeta(ends[0], check)))
-    raises_none = evaluation.scene.wall.free_element and worth(_zeta(ends[0], told)) >= worth(told.zeta)
+    told = min(judged, key=lambda check: zeta_for_sorting(_zeta(ends[0], check)))
+    raises_none = evaluation.scene.wall.free_element and zeta_for_sorting(_zeta(ends[0], told)) >= zeta_for_sorting(
+        told.zeta
+    )
     return None if raises_none else told
 
 
 def _together(
-    rows: list[Assumption], worst: list[tuple[Assumption, Change]], evaluation: Evaluation, at
+    rows: list[Assumption], worst: list[tuple[Assumption, SceneChange]], evaluation: Evaluation, at
 ) -> tuple[Assumption, ...]:
     """The rows, and the last one, all of them; where none turns a check alone, and all without a reason do together,
     each of these does.

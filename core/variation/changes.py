@@ -9,7 +9,7 @@ WITHOUT_PARTS: dict[str, Any] = {"g_kn_m": None, "q_kn_m": None, "psi_2": None}
 """A weight that is moved is no longer the sum of its parts."""
 
 
-def thinner(wall: Wall, thickness: float) -> Wall:
+def rescale_thickness(wall: Wall, thickness: float) -> Wall:
     """A wall of another thickness [m]; its loads keep their share of it, and so do its steps."""
     assert wall.thickness is not None
     share = thickness / wall.thickness
@@ -20,7 +20,7 @@ def thinner(wall: Wall, thickness: float) -> Wall:
     )
 
 
-def loaded(wall: Wall, factor: float) -> Wall:
+def scale_loads(wall: Wall, factor: float) -> Wall:
     """A wall whose loads but ties are so many times as large."""
     loads = (
         load if load.is_tie or load.kn_m is None else replace(load, kn_m=factor * load.kn_m, **WITHOUT_PARTS)
@@ -29,7 +29,7 @@ def loaded(wall: Wall, factor: float) -> Wall:
     return replace(wall, load=tuple(loads))
 
 
-def of_theory(wall: Wall, factor: float) -> Wall:
+def scale_theory_ratio(wall: Wall, factor: float) -> Wall:
     """A wall whose velocity ratio is that of Eq. 4 or 6 times a factor, at most 1; of a wall that is not symmetric, or
     that rocks by both mechanisms, the larger one."""
     by_theory = replace(wall, restitution=None, velocity_ratio=None)
@@ -40,7 +40,7 @@ def of_theory(wall: Wall, factor: float) -> Wall:
     return replace(by_theory, velocity_ratio=min(1.0, factor * max(ratios)))
 
 
-def set_back(wall: Wall, setback: float) -> Wall:
+def replace_setback(wall: Wall, setback: float) -> Wall:
     """The wall with another hinge setback [m]; where a strength gives the setback, with the strength that gives this
     one, so that it follows the weight above each hinge."""
     if wall.compressive_strength_mpa is None:

@@ -23,7 +23,7 @@ from core.text.sentence import Sentence, sentence
 EXACT_METHODS = ("auto", "taylor", "taylor_6", "dormand_prince")
 """Methods whose result a verdict may rest on; the others are for comparison."""
 
-BUNDLED = "# Ribalta example motion"
+BUNDLED_HEADER = "# Ribalta example motion"
 """How the header of a bundled motion begins."""
 
 AT_LIMIT = "at_limit"
@@ -41,7 +41,7 @@ class Precision(Enum):
     GLANCE = 4
 
 
-RUN, GLANCE = Precision.RUN, Precision.GLANCE
+FULL_PRECISION, COARSE_PRECISION = Precision.RUN, Precision.GLANCE
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ class Evaluation:
     kinematic: Kinematic | None
     dynamic: DemandCheck | None
     checks: tuple[Check, ...]
-    precision: Precision = RUN
+    precision: Precision = FULL_PRECISION
 
     @property
     def decides(self) -> Check | None:
@@ -94,7 +94,7 @@ class Evaluation:
         motions, demand, floor = scene.motions, scene.demand, scene.floor
         circumstances = Circumstances(
             stations=len(counted_stations(motions, demand)),
-            bundled=any(value.startswith(BUNDLED) for motion in motions for _, value in motion.details),
+            bundled=any(value.startswith(BUNDLED_HEADER) for motion in motions for _, value in motion.details),
             strongest=max((demand.scaling(motion) * motion.pga for motion in motions), default=0.0),
             both_signs=scene.model.both_signs_alike or len(scene.signs) == 2,
             period_estimated=scene.period_taken or (floor is not None and floor.estimated),
@@ -118,7 +118,7 @@ class Evaluation:
     def outcome(self) -> str:
         """Code of the table of outcomes, before what raises zeta is looked at; "undetermined" at a glance, which says
         none."""
-        return outcome_of(self.evidence) if self.precision is RUN else "undetermined"
+        return outcome_of(self.evidence) if self.precision is FULL_PRECISION else "undetermined"
 
     @property
     def satisfied(self) -> bool:
@@ -126,7 +126,7 @@ class Evaluation:
         return self.judgement(self.decides) == PASSES
 
     @property
-    def lower_q(self) -> Sentence | None:
+    def lower_q_remark(self) -> Sentence | None:
         """That the linear check with q SLV passes with q SLV and not with the q it takes."""
         low, high = (_counted(self.kinematic, q) if self.kinematic else None for q in self.scene.q_slv)
         check, demand = self.made("linear_q_slv"), self.scene.demand
@@ -139,7 +139,10 @@ class Evaluation:
 
 
 def evaluate(
-    scene: Scene, precision: Precision = RUN, other: bool = True, cancelled: Callable[[], bool] = lambda: False
+    scene: Scene,
+    precision: Precision = FULL_PRECISION,
+    other: bool = True,
+    cancelled: Callable[[], bool] = lambda: False,
 ) -> Evaluation:
     """The checks of a scene.
 
@@ -159,7 +162,7 @@ def evaluate(
     kinematic = scene.kinematic
     if kinematic is None:
         return Evaluation(scene, None, None, (), precision)
-    dynamic = histories(scene, precision, other, cancelled)
+    dynamic = check_by_histories(scene, precision, other, cancelled)
     made = checks_of(kinematic, scene.demand, _counted(kinematic, scene.q_slv[0]))
     checks = _with_histories(made, dynamic, scene)
     evaluation = Evaluation(scene, kinematic, dynamic, checks, precision)
@@ -201,8 +204,11 @@ def _worse_first(evaluation: Evaluation) -> tuple[Check, ...]:
     return (*sorted(pair, key=place), *others)
 
 
-def histories(
-    scene: Scene, precision: Precision = RUN, other: bool = False, cancelled: Callable[[], bool] = lambda: False
+def check_by_histories(
+    scene: Scene,
+    precision: Precision = FULL_PRECISION,
+    other: bool = False,
+    cancelled: Callable[[], bool] = lambda: False,
 ) -> DemandCheck | None:
     """The check of a scene by time histories alone; the parameters are those of `evaluate`."""
     if not (motions := scene.motions) or scene.wall.mechanism == ARCHES:

@@ -14,12 +14,12 @@ from core.setting.demand_input import demand_asked, hazard_of, interpolated, wit
 from core.setting.plan import Plan
 from core.setting.scene import Scene, scaled
 from core.text.sentence import Sentence, notice
-from core.variation.assessment import Assessment, StateZeta, assess
+from core.variation.assessment import Assessment, LimitStateCheck, assess
 
-STATES = ("SLD", "SLV", "SLC")
+LIMIT_STATES = ("SLD", "SLV", "SLC")
 
 
-def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:
+def limit_state_demands(case: Case, base_dir: Path) -> dict[str, DemandResult]:
     """The demand of each limit state; empty without the hazard, or V_N and C_U, or where a spectrum of NTC 2018 is
     asked and the hazard has no F_0 and T_C*; without the states whose return period lies outside its rows. Raises
     InputError."""
@@ -29,7 +29,7 @@ def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:
     if asked.reference_period is None:
         return {}
     demands = {}
-    for state in STATES:
+    for state in LIMIT_STATES:
         years = return_period(asked.reference_period, state)
         if not within(hazard, years):
             continue
@@ -44,26 +44,26 @@ def demands_of(case: Case, base_dir: Path) -> dict[str, DemandResult]:
     return demands
 
 
-def unsaid(demand: DemandResult | None, demands: dict[str, DemandResult]) -> list[Sentence]:
+def unused_hazard_notices(demand: DemandResult | None, demands: dict[str, DemandResult]) -> list[Sentence]:
     """Notices on limit states a hazard was given for, and that are not among those found."""
     if demand is None or not demand.hazard:
         return []
     if not demands:
         return [notice("hazard_incomplete")]
-    missing = [state for state in STATES if state not in demands]
+    missing = [state for state in LIMIT_STATES if state not in demands]
     return [notice("hazard_too_short", states=", ".join(missing))] if missing else []
 
 
-def at_states(
+def check_limit_states(
     scene: Scene,
     known: Assessment,
     demands: dict[str, DemandResult],
     rules: dict[str, Compliance | None],
     cancelled: Callable[[], bool] = lambda: False,
-) -> tuple[StateZeta, ...]:
+) -> tuple[LimitStateCheck, ...]:
     """The wall at each limit state; at that of the demand it is what is known of it there.
 
-    demands : of `demands_of`
+    demands : of `limit_state_demands`
     rules : whether the records comply with the spectrum of a state; of the states by histories alone
     Raises InputError where a spectrum ends too early, and Cancelled.
     """
@@ -78,7 +78,7 @@ def at_states(
         years, target = demand.return_period, demand.zeta_target
         assert years is not None
         state_zetas.append(
-            StateZeta(state, years, demand.ag, verdict.code, label, verdict.zeta_e, target, there.checks)
+            LimitStateCheck(state, years, demand.ag, verdict.code, label, verdict.zeta_e, target, there.checks)
         )
     return tuple(state_zetas)
 
@@ -92,7 +92,9 @@ def _at(scene: Scene, demand: DemandResult, rules: dict[str, Compliance | None])
     return scene.but(demand=with_records(demand, list(ground)), ground=ground, compliance=rules[demand.limit_state])
 
 
-def rules_of(plan: Plan, demand: DemandResult, demands: dict[str, DemandResult]) -> dict[str, Compliance | None]:
+def limit_state_compliance(
+    plan: Plan, demand: DemandResult, demands: dict[str, DemandResult]
+) -> dict[str, Compliance | None]:
     """Whether the records comply with the spectrum of each limit state that is asked for by histories."""
     asked = plan.case.demand.limit_states if plan.case.demand and plan.motions else ()
     rules = {}

@@ -21,9 +21,17 @@ from core.setting.demand_input import with_ag
 from core.setting.floors import damaged
 from core.setting.plan import Floors
 from core.variation.assessment import Assessment
-from core.variation.changes import loaded, of_theory, set_back, thinner
-from core.variation.swings import End, Sensitivity, Swing
-from core.variation.whole_wall import NONE, Setting, WholeWall, evaluate_wall, with_demand, with_wall, without_record
+from core.variation.changes import replace_setback, rescale_thickness, scale_loads, scale_theory_ratio
+from core.variation.swings import Sensitivity, Swing, SwingEnd
+from core.variation.wall_evaluation import (
+    NO_EVALUATION,
+    WallContext,
+    WallEvaluation,
+    drop_record,
+    evaluate_wall,
+    replace_demand,
+    replace_wall,
+)
 
 DAMPINGS = (0.01, 0.30)
 """Dampings of a building that a case accepts."""
@@ -35,10 +43,10 @@ FALLS_AT_REST = "unstable_under_loads", "hold_too_weak", "arch_unstable", "bendi
 """Errors of a wall that falls without an earthquake, or pushes away what holds it: it has no zeta. What is refused for
 another reason is not moved."""
 
-Change = Callable[[Setting], Setting]
+Change = Callable[[WallContext], WallContext]
 
 
-class Move(NamedTuple):
+class InputMove(NamedTuple):
     """An input at one end. key : of the ranges; given, value : of the input, in its unit; change : to that end"""
 
     key: str
@@ -47,7 +55,9 @@ class Move(NamedTuple):
     change: Change
 
 
-def moved_wall(setting: Setting, move: Move, floors: Floors, stop: Callable[[], bool]) -> WholeWall | InputError:
+def evaluate_move(
+    setting: WallContext, move: InputMove, floors: Floors, stop: Callable[[], bool]
+) -> WallEvaluation | InputError:
     """The wall at the end of a move, as the run of the moved case says, or why there is none.
 
     floors : of the setting, kept for the next move; stop : tells it to
@@ -57,33 +67,33 @@ def moved_wall(setting: Setting, move: Move, floors: Floors, stop: Callable[[], 
         same = there.case.building == setting.case.building and there.inputs is setting.inputs
         return evaluate_wall(there, floors=floors if same else None, cancelled=stop)
     except InputError as error:
-        return NONE if error.code in FALLS_AT_REST else error
+        return NO_EVALUATION if error.code in FALLS_AT_REST else error
 
 
-def moves(setting: Setting, ranges: Ranges) -> list[Move]:
-    """Moves of the inputs of a wall. setting : of `setting_of`"""
+def list_input_moves(setting: WallContext, ranges: Ranges) -> list[InputMove]:
+    """Moves of the inputs of a wall. setting : of `make_wall_context`"""
     moved = (*_of_wall(setting, ranges), *_of_building(setting, ranges), *_of_demand(setting, ranges))
-    return [Move(key, given, value, change) for key, given, ends in moved for value, change in ends]
+    return [InputMove(key, given, value, change) for key, given, ends in moved for value, change in ends]
 
 
-def records_left_out(peaks: Sequence[RecordPeaks]) -> list[Move]:
+def leave_one_out_moves(peaks: Sequence[RecordPeaks]) -> list[InputMove]:
     """The wall without the record that lowers zeta most, and without the one that raises it most: their places are the
     values. peaks : of all its hinges"""
     top = [one.multipliers[-1] for one in peaks]
     without = np.array([np.minimum(one_left_out(one), last) for one, last in zip(peaks, top, strict=True)]).min(axis=0)
 
     def change(k: int) -> Change:
-        return lambda now: without_record(now, k)
+        return lambda now: drop_record(now, k)
 
     places = dict.fromkeys((int(without.argmin()), int(without.argmax())))
-    return [Move("record_left_out", None, float(k), change(k)) for k in places]
+    return [InputMove("record_left_out", None, float(k), change(k)) for k in places]
 
 
 Ends = list[tuple[float, Change]]
 """(value of an input there, what changes the setting) of each end."""
 
 
-def _of_wall(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | None, Ends]]:
+def _of_wall(setting: WallContext, ranges: Ranges) -> Iterator[tuple[str, float | None, Ends]]:
     """(key, value given, ends) of the inputs of a wall."""
     wall = setting.case.wall[0]
 
@@ -92,15 +102,15 @@ def _of_wall(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | No
 
     if (given := wall.thickness) is not None and not wall.solid:
         values = [factor * given for factor in _others(ranges.thickness_factor)]
-        yield "thickness_factor", given, ends(values, lambda value: thinner(wall, value))
+        yield "thickness_factor", given, ends(values, lambda value: rescale_thickness(wall, value))
     if (given := wall.unit_weight_kn_m3) is not None:
         values = [factor * given for factor in _others(ranges.unit_weight_factor)]
         yield "unit_weight_factor", given, ends(values, lambda value: replace(wall, unit_weight_kn_m3=value))
     if any(not load.is_tie for load in wall.load):
-        yield "load_factor", 1.0, ends(_others(ranges.load_factor), lambda factor: loaded(wall, factor))
+        yield "load_factor", 1.0, ends(_others(ranges.load_factor), lambda factor: scale_loads(wall, factor))
     if wall.thickness is not None:
         values = [wall.setback + added for added in ranges.setback_m if added]
-        yield "setback_m", wall.setback, ends(values, lambda value: set_back(wall, value))
+        yield "setback_m", wall.setback, ends(values, lambda value: replace_setback(wall, value))
     if _may_lean(wall):
         given, storeys = wall.out_of_plumb_m or 0.0, max(1.0, known(wall.height_m) / DEFAULT_HEIGHT)
         values = [given + storeys * added for added in ranges.out_of_plumb_m if added]
@@ -110,7 +120,7 @@ def _of_wall(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | No
         yield "modulus_factor", given, ends(values, lambda value: replace(wall, elastic_modulus_mpa=value))
     if setting.has_histories:
         factors = list(ranges.velocity_ratio_factor)
-        yield "velocity_ratio_factor", None, ends(factors, lambda factor: of_theory(wall, factor))
+        yield "velocity_ratio_factor", None, ends(factors, lambda factor: scale_theory_ratio(wall, factor))
 
 
 def _may_lean(wall: Wall) -> bool:
@@ -120,11 +130,11 @@ def _may_lean(wall: Wall) -> bool:
     return not (shaped or wall.bends or None in sizes)
 
 
-def _with(wall: Wall, setting: Setting) -> Setting:
-    return with_wall(setting, wall)
+def _with(wall: Wall, setting: WallContext) -> WallContext:
+    return replace_wall(setting, wall)
 
 
-def _on(building: Building, setting: Setting) -> Setting:
+def _on(building: Building, setting: WallContext) -> WallContext:
     return replace(setting, case=replace(setting.case, building=building))
 
 
@@ -133,7 +143,7 @@ def _others(factors: tuple[float, float]) -> list[float]:
     return [factor for factor in factors if factor != 1.0]
 
 
-def _of_building(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | None, Ends]]:
+def _of_building(setting: WallContext, ranges: Ranges) -> Iterator[tuple[str, float | None, Ends]]:
     """Moves of the building under a wall, as `_of_wall`: of its period and its damping."""
     building, wall = setting.case.building, setting.case.wall[0]
     if building is None or not any(part.wall.above_ground for part in parts_of(0, wall, building)):
@@ -161,27 +171,27 @@ def _of_building(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float 
     yield "building_damping_factor", damping, ends([value for value in dampings if value != damping], damped)
 
 
-def _of_demand(setting: Setting, ranges: Ranges) -> Iterator[tuple[str, float | None, Ends]]:
+def _of_demand(setting: WallContext, ranges: Ranges) -> Iterator[tuple[str, float | None, Ends]]:
     """Moves of a_g on rock, as `_of_wall`: records that are used as given follow it, and so does S."""
     asked, demand = setting.case.demand, setting.demand
     assert asked is not None
 
     def scaled_by(factor: float) -> Change:
-        return lambda now: with_demand(now, with_ag(demand, asked, now.base_dir, factor))
+        return lambda now: replace_demand(now, with_ag(demand, asked, now.base_dir, factor))
 
     yield "ag_factor", asked.ag_g, [(factor * asked.ag_g, scaled_by(factor)) for factor in _others(ranges.ag_factor)]
 
 
-def sensitivity_of(
-    setting: Setting,
+def summarise_sensitivity(
+    setting: WallContext,
     ranges: Ranges,
-    made: Sequence[Move],
-    walls: Sequence[WholeWall | InputError],
+    made: Sequence[InputMove],
+    walls: Sequence[WallEvaluation | InputError],
     hinges: Sequence[Assessment],
 ) -> Sensitivity:
     """The sensitivity of one wall.
 
-    made : of `moves` and `records_left_out`; walls : what the task of each gave
+    made : of `list_input_moves` and `leave_one_out_moves`; walls : what the task of each gave
     hinges : of all its hinges and mechanisms
     """
     base = least(one.verdict.zeta_e for one in hinges)
@@ -196,7 +206,7 @@ def sensitivity_of(
             continue
         left_out = move.key == "record_left_out"
         name = names[int(move.value)] if left_out else ""
-        end = End(None if left_out else move.value, there.zeta, there.sure, name)
+        end = SwingEnd(None if left_out else move.value, there.zeta, there.sure, name)
         known = swings.setdefault(move.key, Swing(move.key, move.given, ()))
         swings[move.key] = replace(known, ends=(*known.ends, end))
     if ranges.restraint_lost and (lost := _restraint_lost(hinges)) is not None:
@@ -218,7 +228,7 @@ def _differs(zeta: float | None, base: float | None) -> bool:
     return not math.isclose(zeta, base, rel_tol=1e-9)
 
 
-def _restraint_lost(hinges: Sequence[Assessment]) -> End | None:
+def _restraint_lost(hinges: Sequence[Assessment]) -> SwingEnd | None:
     """The wall where nothing holds it from behind, or at its top; None where nothing does now."""
     if all(one.verdict.lower_bound is None for one in hinges):
         return None
@@ -227,4 +237,4 @@ def _restraint_lost(hinges: Sequence[Assessment]) -> End | None:
         OUTCOMES[one.verdict.code].judgement == PASSES if one.bound_passes is None else one.bound_passes
         for one in hinges
     ]
-    return End(None, zeta, all(passing))
+    return SwingEnd(None, zeta, all(passing))

@@ -24,7 +24,7 @@ SWING_FORMATS = {
 
 
 @dataclass(frozen=True)
-class End:
+class SwingEnd:
     """An input moved to one end of its range.
 
     value : of the input there, in the unit of its key, a factor of loads; None of what is lost or left out
@@ -45,14 +45,14 @@ class Swing:
 
     key: str
     given: float | None
-    ends: tuple[End, ...]
+    ends: tuple[SwingEnd, ...]
 
     @property
-    def lowest(self) -> End:
+    def lowest(self) -> SwingEnd:
         return min(self.ends, key=_worth)
 
     @property
-    def turning(self) -> End:
+    def turning(self) -> SwingEnd:
         """The end that is not surely satisfied, the lower one of two."""
         return min((end for end in self.ends if not end.sure), key=_worth, default=self.lowest)
 
@@ -65,7 +65,7 @@ class Swing:
 
 
 @dataclass(frozen=True)
-class Reach:
+class TargetValue:
     """Inverse design for one input: its value at which each check reaches what is required.
 
     key : thickness_m, tie_kn_m or ag_g; given : its value now
@@ -95,15 +95,15 @@ class Sensitivity:
     swings: tuple[Swing, ...]
     still: tuple[str, ...]
     turning: tuple[str, ...]
-    reach: tuple[Reach, ...] = ()
+    reach: tuple[TargetValue, ...] = ()
     refused: tuple[tuple[str, InputError], ...] = ()
 
 
-def _worth(end: End) -> float:
+def _worth(end: SwingEnd) -> float:
     return -math.inf if end.zeta is None else end.zeta
 
 
-def move_words(swing: Swing, end: End) -> Sentence:
+def describe_swing_end(swing: Swing, end: SwingEnd) -> Sentence:
     """An end of a swing in words: 79 cm instead of 83."""
     code, factor, form = SWING_FORMATS[swing.key]
     given, value = (None if one is None else factor * one for one in (swing.given, end.value))

@@ -23,7 +23,7 @@ from core.codes.kinematic import ZETA_ROUNDING
 from core.codes.outcomes import least
 from core.errors import InputError
 from core.setting.scene import Scene, model_of
-from core.variation.evaluate import GLANCE, RUN, Evaluation, Precision, evaluate
+from core.variation.evaluate import COARSE_PRECISION, FULL_PRECISION, Evaluation, Precision, evaluate
 from core.wall import ties
 from core.wall.masonry import as_force
 
@@ -46,7 +46,7 @@ MAX_FORCE = 1e7
 ASSUMED_LENGTH = 10.0
 """Length of a bar that nobody describes [m], and the elongation it stands: whatever the displacement check asks."""
 
-CURVE = 13
+STRENGTH_CURVE = 13
 """Heights of the curve of forces."""
 
 MIN_TIE_HEIGHT = 0.3
@@ -121,7 +121,7 @@ class Hinge:
         return height - self.height
 
 
-def with_tie(wall: Wall, force: float, height: float) -> Wall:
+def add_tie(wall: Wall, force: float, height: float) -> Wall:
     """The wall with one more tie of this force at yield [N/m], at this height above its hinge [m]."""
     if force <= 0.0:
         return wall
@@ -131,7 +131,7 @@ def with_tie(wall: Wall, force: float, height: float) -> Wall:
     return replace(wall, load=(*wall.load, tie), unloaded_confirmed=False)
 
 
-def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], bool] = lambda: False) -> TieDesign:
+def design_tie(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], bool] = lambda: False) -> TieDesign:
     """The tie for all hinges of a wall, the base first. asked : the wall of the case. Raises Cancelled."""
     height, top = asked.tie_height_m, asked.height_m
     assert height is not None and top is not None
@@ -163,9 +163,11 @@ def tie_design(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
         if asked.tie_spacing_m is not None:
             bars = ties.bars_for(force, asked.tie_spacing_m)
     if asked.tie_bar_length_m is not None:
-        tie = with_tie(below[0].scene.wall, 1.0, height).load[-1].tie(asked.length_m)
+        tie = add_tie(below[0].scene.wall, 1.0, height).load[-1].tie(asked.length_m)
         stands, more = tie.bar.stands, tie.stands_more
-    curve = tuple((float(h), _at_height(hinges, float(h))) for h in np.linspace(MIN_TIE_HEIGHT * top, top, CURVE))
+    curve = tuple(
+        (float(h), _at_height(hinges, float(h))) for h in np.linspace(MIN_TIE_HEIGHT * top, top, STRENGTH_CURVE)
+    )
     return TieDesign(
         height,
         {name: forces[name] for name in FORCE_NAMES},
@@ -213,7 +215,7 @@ def _bending(base: Hinge, force: float, height: float, cancelled: Callable[[], b
     zetas = []
     if base.height > 0.0:
         return None, None
-    for low, high in spans_of(tied := with_tie(base.scene.wall, force, height)):
+    for low, high in spans_of(tied := add_tie(base.scene.wall, force, height)):
         part = between(tied, low, high)
         try:
             evaluation = evaluate(base.scene.but(wall=part, mechanism=part.mechanism), other=False, cancelled=cancelled)
@@ -245,9 +247,7 @@ def _largest(hinge: Hinge, height: float) -> float:
     """Force [N/m] up to which the part above a hinge turns about it as one block."""
     wall, above = hinge.scene.wall, hinge.raised(height)
     weight = wall.in_si.weight + wall.in_si.vertical_loads
-    limit = edge(
-        lambda force: carries(with_tie(wall, force, above)), weight, (FORCE_DIGIT, MAX_FORCE), False, 2.0, 1e-9
-    )
+    limit = edge(lambda force: carries(add_tie(wall, force, above)), weight, (FORCE_DIGIT, MAX_FORCE), False, 2.0, 1e-9)
     return limit.good or 0.0
 
 
@@ -292,7 +292,7 @@ def _least(name: str, hinge: Hinge, above: float, target: float) -> float | None
     scene = hinge.scene
 
     def holds(force: float) -> bool:
-        return _reaches(_zeta(name, scene, with_tie(scene.wall, force, above)), target)
+        return _reaches(_zeta(name, scene, add_tie(scene.wall, force, above)), target)
 
     if holds(0.0):
         return 0.0
@@ -301,7 +301,7 @@ def _least(name: str, hinge: Hinge, above: float, target: float) -> float | None
 
 def _held(hinge: Hinge, force: float, height: float, precision: Precision, cancelled) -> Evaluation:
     """Checks of a hinge with the tie."""
-    wall = with_tie(hinge.scene.wall, force, hinge.raised(height))
+    wall = add_tie(hinge.scene.wall, force, hinge.raised(height))
     return evaluate(hinge.scene.but(wall=wall), precision, other=False, cancelled=cancelled)
 
 
@@ -319,7 +319,7 @@ def _of_histories(
     if all(hinge.satisfied for hinge in below):
         return 0.0
 
-    def holds(force: float, precision: Precision = GLANCE) -> bool:
+    def holds(force: float, precision: Precision = COARSE_PRECISION) -> bool:
         return all(_held(hinge, force, height, precision, cancelled).satisfied for hinge in below)
 
     start = min(others["linear_q_code"] or 1e4, largest)
@@ -329,7 +329,7 @@ def _of_histories(
         more = written_up(FORCE_MARGIN * candidate, FORCE_DIGIT)
         if candidate > largest:
             return None
-        if holds(candidate, RUN) and (more > largest or holds(more, RUN)):
+        if holds(candidate, FULL_PRECISION) and (more > largest or holds(more, FULL_PRECISION)):
             return candidate
         candidate = more
     return None
@@ -340,7 +340,7 @@ def _with(
 ) -> tuple[dict[str, float | None], dict[str, float | None]]:
     """(zeta of each check with a tie of this force, the least of all hinges; elongations of its bar about the base)."""
     names = ("nonlinear", "linear_q_code", "linear_q_1")
-    walls = [(hinge.scene, with_tie(hinge.scene.wall, force, hinge.raised(height))) for hinge in below]
+    walls = [(hinge.scene, add_tie(hinge.scene.wall, force, hinge.raised(height))) for hinge in below]
     zeta = {name: least(_zeta(name, scene, wall) for scene, wall in walls) for name in names}
     base, wall = walls[0]
     elongation: dict[str, float | None] = dict.fromkeys(("demand", "d_slv", "d_0"))
@@ -350,7 +350,7 @@ def _with(
     if kinematic is not None and kinematic.d_limit is not None:
         elongation["d_slv"] = height * math.sin(kinematic.chain.rotation(kinematic.d_limit))
     if not missing:
-        held = [_held(hinge, force, height, RUN, cancelled).dynamic for hinge in below]
+        held = [_held(hinge, force, height, FULL_PRECISION, cancelled).dynamic for hinge in below]
         zeta["dynamic"] = least(check.zeta if check else None for check in held)
         if held[0] is not None and held[0].max_peak_ratio is not None:
             elongation["demand"] = height * math.sin(held[0].max_peak_ratio * theta_c)

@@ -16,8 +16,8 @@ from core.case.schema import Record
 from core.case.writer import dumps, table_of
 from core.setting.plan import read_inputs
 from core.study.journal import MemoryJournal
-from core.variation.evaluate import GLANCE, RUN
-from core.variation.whole_wall import evaluate_wall, setting_of
+from core.variation.evaluate import COARSE_PRECISION, FULL_PRECISION
+from core.variation.wall_evaluation import evaluate_wall, make_wall_context
 from tests.app.driving import Held, settle
 from tests.core.study.test_verdict_uncertainty import ROWS
 from tests.core.variation.test_sensitivity import LOADED, SPECTRUM
@@ -122,7 +122,7 @@ def test_that_the_sliders_give_the_zeta_of_the_changed_wall_and_change_nothing_u
     assert plain.session.case.demand.ag_g == 0.191
     case = plain.session.checked()
     inputs = read_inputs(case, plain.session.base_dir)
-    taken = evaluate_wall(setting_of(case, 0, plain.session.base_dir, inputs)).by_check
+    taken = evaluate_wall(make_wall_context(case, 0, plain.session.base_dir, inputs)).by_check
     assert taken == pytest.approx({"dynamic": fine} | kinematic, rel=1e-9)
     plain.session.undo()
     assert plain.session.case == before
@@ -145,10 +145,10 @@ def test_that_a_bar_is_green_only_where_the_check_is_surely_satisfied(applicatio
         asked.clear()
         sliders = sliders_of(plain)
         settle_bars(application, sliders)
-        assert asked[-2:] == [GLANCE, RUN]
+        assert asked[-2:] == [COARSE_PRECISION, FULL_PRECISION]
         named = {label: sliders._check(label) for label in ("dynamic", "nonlinear")}
         assert tones(sliders)[named["dynamic"]] == tone and tones(sliders)[named["nonlinear"]] == "good"
-        sliders._show(found(None, GLANCE), GLANCE)
+        sliders._show(found(None, COARSE_PRECISION), COARSE_PRECISION)
         assert tones(sliders)[named["dynamic"]] == "amber"
         sliders.reject()
 
@@ -156,13 +156,13 @@ def test_that_a_bar_is_green_only_where_the_check_is_surely_satisfied(applicatio
 def test_that_satisfied_is_what_the_run_says(plain):
     result = plain.session.result
     inputs = (result.demand, list(result.motions), list(result.kinds))
-    found = evaluate_wall(setting_of(result.case, 0, plain.session.base_dir, inputs))
+    found = evaluate_wall(make_wall_context(result.case, 0, plain.session.base_dir, inputs))
     assessment, target = result.walls[0].assessment, result.demand.zeta_target
     run = {check.label: check.passed for check in assessment.checks}
     run["dynamic"] = None if assessment.dynamic.within_spread(target) else run["dynamic"]
     assert found.satisfied == {label: run[label] for label in found.by_check}
     on_it = replace(result.demand, zeta_target=assessment.dynamic.zeta_spread[0])
-    close = evaluate_wall(setting_of(result.case, 0, plain.session.base_dir, (on_it, *inputs[1:])))
+    close = evaluate_wall(make_wall_context(result.case, 0, plain.session.base_dir, (on_it, *inputs[1:])))
     assert not close.satisfied["dynamic"]  # not surely
 
 

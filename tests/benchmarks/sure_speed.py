@@ -17,8 +17,8 @@ from core.case.sensitivity import Ranges
 from core.setting.plan import read_inputs
 from core.study.journal import MemoryJournal
 from core.study.run import UNLIMITED, run
-from core.variation.evaluate import GLANCE, Precision
-from core.variation.whole_wall import evaluate_wall, setting_of
+from core.variation.evaluate import COARSE_PRECISION, Precision
+from core.variation.wall_evaluation import evaluate_wall, make_wall_context
 
 CASES = Path(__file__).resolve().parents[2] / "resources" / "cases"
 
@@ -47,14 +47,14 @@ def beside(case: Case, repeats: int) -> float:
 
 def under_the_hand(case: Case, repeats: int) -> tuple[float, float]:
     """(seconds of the checks of the clauses, of these and the histories) of one place of a slider: medians."""
-    setting = setting_of(case, 0, CASES, read_inputs(case, CASES))
-    times: dict[Precision | None, list[float]] = {None: [], GLANCE: []}
+    setting = make_wall_context(case, 0, CASES, read_inputs(case, CASES))
+    times: dict[Precision | None, list[float]] = {None: [], COARSE_PRECISION: []}
     for _ in range(repeats + 1):
         for precision, taken in times.items():
             start = time.perf_counter()
             evaluate_wall(setting, precision)
             taken.append(time.perf_counter() - start)
-    return statistics.median(times[None][1:]), statistics.median(times[GLANCE][1:])
+    return statistics.median(times[None][1:]), statistics.median(times[COARSE_PRECISION][1:])
 
 
 def main(options: argparse.Namespace) -> None:

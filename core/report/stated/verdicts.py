@@ -9,8 +9,8 @@ from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import collect_assumptions, governing_check_of_wall, hinge_location
 from core.text.sentence import Sentence
 from core.units import G
-from core.variation.limit_states import STATES
-from core.variation.swings import move_words
+from core.variation.limit_states import LIMIT_STATES
+from core.variation.swings import describe_swing_end
 
 SAID = (
     text("key", "which remark", "code"),
@@ -70,8 +70,8 @@ END = (
     text("record", "record left out", lambda pair: pair[1].name or None),
     number("zeta", "-", "zeta_E there", lambda pair: pair[1].zeta),
     flag("satisfied", "whether the check is surely satisfied", lambda pair: pair[1].sure),
-    text("text_it", "in Italian", lambda pair: move_words(*pair).text("it")),
-    text("text_en", "in English", lambda pair: move_words(*pair).text("en")),
+    text("text_it", "in Italian", lambda pair: describe_swing_end(*pair).text("it")),
+    text("text_en", "in English", lambda pair: describe_swing_end(*pair).text("en")),
 )
 """Quantities read from (Swing, its end)."""
 
@@ -174,7 +174,7 @@ VERDICT = (
         "states",
         "the limit states",
         (text("code", "outcome"), number("zeta_e", "-", "zeta_E", "zeta"), text("check", "check that decides")),
-        lambda of: {state: of.one.states[state] for state in STATES},
+        lambda of: {state: of.one.states[state] for state in LIMIT_STATES},
     ),
     one("interval", "of zeta_E for other samples of records", INTERVAL, "one.interval"),
     many("rates", "how often limit states are exceeded", RATE, "one.rates"),

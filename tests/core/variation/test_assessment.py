@@ -129,7 +129,7 @@ def test_that_histories_say_zeta_without_the_ties_where_it_is_larger_in_two_digi
         asked.append(scene.wall.load)
         return history(bare)
 
-    monkeypatch.setattr(assessment, "histories", without)
+    monkeypatch.setattr(assessment, "check_by_histories", without)
     words = limits(assess(scene)).get("ties_histories")
     assert asked == [()] and (words is not None) == said
     if said:
@@ -137,11 +137,11 @@ def test_that_histories_say_zeta_without_the_ties_where_it_is_larger_in_two_digi
 
 
 def test_that_no_zeta_without_ties_is_asked_of_a_wall_without_ties_or_whose_histories_have_no_number(monkeypatch):
-    monkeypatch.setattr(assessment, "histories", lambda *_, **__: pytest.fail("asked"))
+    monkeypatch.setattr(assessment, "check_by_histories", lambda *_, **__: pytest.fail("asked"))
     assert "ties_histories" not in limits(assess(judged(1.2)))
     assert "ties_histories" not in limits(assess(judged(None, BARE | {"load": [TIE]}, passed=False)))
     assert "ties_histories" not in limits(assess(scene_of(BARE | {"load": [TIE]})))
-    monkeypatch.setattr(assessment, "histories", lambda *_, **__: None)
+    monkeypatch.setattr(assessment, "check_by_histories", lambda *_, **__: None)
     assert "ties_histories" not in limits(assess(judged(1.2, BARE | {"load": [TIE]})))
 
 

@@ -11,7 +11,7 @@ from core.study.run import run
 from core.text.sentence import sentence
 from core.variation import assumptions as assumption_table
 from core.variation.evaluate import evaluate
-from core.variation.raised import End, Raised
+from core.variation.favourable_input import Alternative, FavourableInput
 from core.wall.restitution import MODELS
 from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
@@ -40,9 +40,11 @@ def falling(scene):
 
 
 def one(key, *changes, reasons=None, histories=True, permitted=False):
-    ends = tuple(End(weaker(change) if isinstance(change, float) else change, k) for k, change in enumerate(changes))
+    ends = tuple(
+        Alternative(weaker(change) if isinstance(change, float) else change, k) for k, change in enumerate(changes)
+    )
     words = lambda zetas, check: sentence("reason", "lift_mass", zeta=zetas[0], end="", check=check.name)  # noqa: E731
-    return Raised(key, reasons, 0.0, ends, words, "given", histories, permitted)
+    return FavourableInput(key, reasons, 0.0, ends, words, "given", histories, permitted)
 
 
 @pytest.fixture
@@ -60,8 +62,8 @@ def table(monkeypatch):
                 return history(value, value >= 1.0, zeta_spread=spread and tuple(value * share for share in spread))
 
             scene = with_histories(scene, said, by_default=by_default)
-        monkeypatch.setattr(assumption_table, "raised", lambda found: iter(inputs))
-        return assumption_table.assumptions(evaluate(scene))
+        monkeypatch.setattr(assumption_table, "favourable_inputs", lambda found: iter(inputs))
+        return assumption_table.evaluate_assumptions(evaluate(scene))
 
     return rows
 
@@ -285,7 +287,7 @@ def test_that_a_model_of_experiments_is_shown_by_theory_too(model):
 
 def test_that_with_nothing_changed_every_check_has_its_own_zeta(monkeypatch):
     seen = []
-    monkeypatch.setattr("core.variation.assessment.assumptions", lambda found, _: seen.append(found) or ())
+    monkeypatch.setattr("core.variation.assessment.evaluate_assumptions", lambda found, _: seen.append(found) or ())
     made()
     (found,) = seen
     assert {check.name for check in found.checks} == set(CHECKS)

@@ -9,7 +9,14 @@ from core.codes.outcomes import FAILS, OPEN, PASSES
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import AUTO, METHODS
-from core.variation.evaluate import AT_LIMIT, BUNDLED, GLANCE, RUN, evaluate, histories
+from core.variation.evaluate import (
+    AT_LIMIT,
+    BUNDLED_HEADER,
+    COARSE_PRECISION,
+    FULL_PRECISION,
+    check_by_histories,
+    evaluate,
+)
 from tests.core.variation.one_evaluation import BARE, MOTION, NTC, SOIL, WALL, history, scene_of, with_histories
 
 TIE = {"kind": "tie", "kn_m": 1.0, "h_m": 4.0, "bar_length_m": 6.0}
@@ -90,14 +97,14 @@ def test_that_a_check_that_fails_decides_over_one_that_passes_and_of_two_that_fa
 
 def test_that_a_glance_has_no_outcome():
     scene = with_histories(scene_of(), lambda *_: history(1.3))
-    assert evaluate(scene).outcome == "indicative" and evaluate(scene, GLANCE).outcome == "undetermined"
+    assert evaluate(scene).outcome == "indicative" and evaluate(scene, COARSE_PRECISION).outcome == "undetermined"
 
 
 @pytest.mark.parametrize("asked, other", [({}, True), ({"other": True}, True), ({"other": False}, False)])
 def test_that_fc_on_the_other_side_is_looked_at_too_unless_it_is_not_asked(asked, other):
     def said(*parts):
         *_, every, searched, cancelled = parts
-        assert (every, searched, cancelled()) == (RUN.value, other, False)
+        assert (every, searched, cancelled()) == (FULL_PRECISION.value, other, False)
         return history(1.3)
 
     assert evaluate(replace(scene_of(), ground=(MOTION,), histories=said), **asked).zeta == 1.3
@@ -137,14 +144,14 @@ def test_that_q_of_the_searches_multiplies_what_uplifts_the_wall_without_its_tie
 )
 def test_that_a_linear_check_that_fails_by_the_spread_of_its_q_alone_is_said(q, said):
     """It takes q = 2.70 to reach zeta 1."""
-    words = evaluate(scene_of().but(q_slv=q)).lower_q
+    words = evaluate(scene_of().but(q_slv=q)).lower_q_remark
     assert (words is not None) == said
     if words:
         assert words.code == "lower_q_slv" and dict(words.values) == {"low": q[0], "q": q[1]}
 
 
 def test_that_a_verdict_knows_the_strongest_motion_and_whether_one_is_of_the_example():
-    weak = GroundMotion("s", 0.5 * np.sin(np.arange(200) / 10.0), 0.01, details=(("a", f"{BUNDLED} 3"),))
+    weak = GroundMotion("s", 0.5 * np.sin(np.arange(200) / 10.0), 0.01, details=(("a", f"{BUNDLED_HEADER} 3"),))
     for ground, bundled in (((MOTION,), False), ((MOTION, weak), True), ((weak,), True)):
         seen = evaluate(with_histories(scene_of(), lambda *_: history(1.3), ground)).evidence.circumstances
         assert seen.strongest == pytest.approx(1.0 if MOTION in ground else 0.5, rel=1e-3) and seen.bundled == bundled
@@ -211,7 +218,7 @@ def test_that_the_worst_branch_decides_and_of_an_assumed_modulus_the_soft_end_is
         zeta, passed = zetas["soft" if model.plateau_end == soft.of(scene.model).plateau_end else "stiff"]
         return history(zeta, passed)
 
-    assert histories(with_histories(scene, said)).zeta == worst and len(seen) == calls
+    assert check_by_histories(with_histories(scene, said)).zeta == worst and len(seen) == calls
 
 
 def test_that_with_a_given_modulus_both_branches_are_analysed_though_the_first_fails():
@@ -221,14 +228,14 @@ def test_that_with_a_given_modulus_both_branches_are_analysed_though_the_first_f
         seen.append(model.plateau_end)
         return history(0.9 - 0.1 * len(seen), False)
 
-    found = histories(with_histories(scene, said))
+    found = check_by_histories(with_histories(scene, said))
     assert len(set(seen)) == 2 and found.zeta == pytest.approx(0.7) and not found.branch.assumed
 
 
 def test_that_histories_are_of_the_model_as_it_is_where_it_has_no_branch_and_none_without_records():
     rigid = scene_of(PARAPET | {"law": "rigid"})
-    said = histories(with_histories(rigid, lambda model, *_: history(1.1 + model.plateau_end)))
-    assert said.zeta == 1.1 and said.branch is None and histories(rigid) is None
+    said = check_by_histories(with_histories(rigid, lambda model, *_: history(1.1 + model.plateau_end)))
+    assert said.zeta == 1.1 and said.branch is None and check_by_histories(rigid) is None
 
 
 @pytest.mark.parametrize(

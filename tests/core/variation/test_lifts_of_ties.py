@@ -148,7 +148,7 @@ def test_that_two_reasons_of_the_loads_change_the_wall_together():
     from core.rocking.methods import AUTO
     from core.setting.demand_input import demand_of
     from core.setting.scene import Scene
-    from core.variation.raised_loads import _of_ties, _without
+    from core.variation.favourable_loads import _of_ties, _without
 
     wall = parse_case({"wall": [{**WALL, "load": [LONG, {**TIE, "kn_m": 0.05}]}], "demand": DEMAND}).wall[0]
     demand = demand_of(parse_case({"wall": [WALL | {"unloaded_confirmed": True}], "demand": DEMAND}), ROOT)

@@ -10,7 +10,7 @@ from core.errors import InputError
 from core.setting.demand_input import demand_of
 from core.study.run import run
 from core.units import G
-from core.variation.limit_states import demands_of, interpolated, unsaid
+from core.variation.limit_states import interpolated, limit_state_demands, unused_hazard_notices
 from tests.clauses_alone import parse_case
 from tests.validation.test_loaded_walls import WALL
 
@@ -42,7 +42,7 @@ def test_that_the_hazard_is_linear_in_logarithms_between_its_rows():
 @pytest.mark.shows("risk.states")
 def test_that_each_limit_state_has_its_return_period_and_its_own_check():
     case = site()
-    demands = demands_of(case, Path())
+    demands = limit_state_demands(case, Path())
     assert [round(d.return_period) for d in demands.values()] == [50, 475, 975]
     result = run(case, base_dir=Path())
     assessment = result.walls[0].assessment
@@ -66,11 +66,11 @@ def test_that_each_limit_state_has_its_return_period_and_its_own_check():
 
 def test_that_a_limit_state_outside_the_rows_has_none_and_is_said():
     case = site(hazard=HAZARD[:2], nominal_life_years=50.0)
-    found = demands_of(case, Path())
+    found = limit_state_demands(case, Path())
     assert list(found) == ["SLD", "SLV"]
-    (words,) = unsaid(demand_of(case, Path()), found)
+    (words,) = unused_hazard_notices(demand_of(case, Path()), found)
     assert "SLC" in words.text("en")
-    (words,) = unsaid(demand_of(case, Path()), {})
+    (words,) = unused_hazard_notices(demand_of(case, Path()), {})
     assert "V_N" in words.text("it")
 
 
@@ -136,14 +136,14 @@ def test_that_a_scale_that_has_no_effect_is_refused():
     ],
 )
 def test_that_without_what_it_takes_there_is_none(changes):
-    assert demands_of(site(**changes), Path()) == {}
+    assert limit_state_demands(site(**changes), Path()) == {}
 
 
 def test_that_a_file_of_the_hazard_is_the_same_as_its_rows(tmp_path):
     lines = [" ".join(str(value) for value in row.values()) for row in HAZARD]
     (tmp_path / "site.txt").write_text("\n".join(lines))
-    given = demands_of(site(), Path())
-    read = demands_of(
+    given = limit_state_demands(site(), Path())
+    read = limit_state_demands(
         parse_case(
             {
                 "wall": [WALL],

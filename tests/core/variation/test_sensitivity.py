@@ -16,9 +16,15 @@ from core.errors import InputError
 from core.rocking.methods import AUTO
 from core.setting.plan import Floors, plan_of, read_inputs
 from core.study.run import run
-from core.variation.sensitivity import Move, moved_wall, moves, records_left_out, sensitivity_of
-from core.variation.swings import End, Sensitivity, Swing, move_words
-from core.variation.whole_wall import setting_of
+from core.variation.sensitivity import (
+    InputMove,
+    evaluate_move,
+    leave_one_out_moves,
+    list_input_moves,
+    summarise_sensitivity,
+)
+from core.variation.swings import Sensitivity, Swing, SwingEnd, describe_swing_end
+from core.variation.wall_evaluation import make_wall_context
 from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
 
@@ -188,7 +194,7 @@ def test_that_moves_are_asked_for_and_are_accepted_only_with_a_demand():
         with pytest.raises(InputError, match="two factors"):
             parse_case({**case_of(LOADED), "sensitivity": {"thickness_factor": wrong}})
     swing = found.sensitivity.swings[0]
-    assert move_words(swing, swing.ends[0]).text("en")
+    assert describe_swing_end(swing, swing.ends[0]).text("en")
 
 
 def test_that_the_building_is_moved_where_a_hinge_alone_is_above_the_ground():
@@ -307,14 +313,14 @@ def test_that_what_was_not_surely_satisfied_is_turned_by_nothing_and_without_zet
         verdict = SimpleNamespace(code=code, zeta_e=zeta, lower_bound=None)
         return SimpleNamespace(verdict=verdict, lower_bound=None)
 
-    made = [Move("thickness_factor", 0.5, 0.475, lambda now: now)]
+    made = [InputMove("thickness_factor", 0.5, 0.475, lambda now: now)]
     thinner = SimpleNamespace(zeta=0.9, sure=False)
     for code, turning in (("verified", ("thickness_factor",)), ("at_limit", ()), ("not_verified", ())):
-        assert sensitivity_of(setting, ranges, made, [thinner], [hinge(code, 1.3)]).turning == turning
+        assert summarise_sensitivity(setting, ranges, made, [thinner], [hinge(code, 1.3)]).turning == turning
     same = SimpleNamespace(zeta=1.3, sure=True)
-    assert sensitivity_of(setting, ranges, made, [same], [hinge("verified", 1.3)]).still == ("thickness_factor",)
+    assert summarise_sensitivity(setting, ranges, made, [same], [hinge("verified", 1.3)]).still == ("thickness_factor",)
     both = [hinge("verified", 1.3), hinge("undetermined", None)]
-    assert sensitivity_of(setting, ranges, made, [same], both) == Sensitivity(None, (), (), ())
+    assert summarise_sensitivity(setting, ranges, made, [same], both) == Sensitivity(None, (), (), ())
 
 
 def test_that_the_record_left_out_is_the_one_whose_loss_moves_zeta_most_and_its_zeta_that_of_the_others(fine):
@@ -324,26 +330,26 @@ def test_that_the_record_left_out_is_the_one_whose_loss_moves_zeta_most_and_its_
     wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa", "free_element")}
     table = case_of(wall | {"unloaded_confirmed": True}, demand={"ag_g": 0.2}, generate={"scatter": 0.0, "count": 7})
     case = parse_case(table)
-    setting = setting_of(case, 0, CASES, read_inputs(case, CASES))
-    made = records_left_out([RecordPeaks(multipliers, peaks, 0.4, True)])
+    setting = make_wall_context(case, 0, CASES, read_inputs(case, CASES))
+    made = leave_one_out_moves([RecordPeaks(multipliers, peaks, 0.4, True)])
     assert {move.value for move in made} >= {3.0} and len(made) == 2
     demand, motions, _ = setting.inputs
     (entry,) = plan_of(setting.case, setting.inputs).entries
     for move in made:
         others = [motion for k, motion in enumerate(motions) if k != int(move.value)]
         there = demand_check(entry.model, others, entry.signs, demand, AUTO, 1, False)
-        assert moved_wall(setting, move, Floors(), lambda: False).zeta == there.zeta
+        assert evaluate_move(setting, move, Floors(), lambda: False).zeta == there.zeta
 
 
 def test_that_a_move_finds_the_floors_of_its_own_demand_and_building():
     """Whatever was moved before it: floors that are kept are those of the wall as it is."""
     table = case_of(PARAPET | {"base_z_m": 6.0}, building={"height_m": 9.0, "storeys": 3, "period_s": 0.26})
     case = parse_case(table)
-    setting, kept = setting_of(case, 0, CASES, read_inputs(case, CASES)), Floors()
-    made = moves(setting, Ranges())
+    setting, kept = make_wall_context(case, 0, CASES, read_inputs(case, CASES)), Floors()
+    made = list_input_moves(setting, Ranges())
     assert {move.key for move in made} >= {"ag_factor", "building_period_factor", "thickness_factor"}
     for move in [*made, *made[::-1]]:
-        shared, own = (moved_wall(setting, move, floors, lambda: False).zeta for floors in (kept, Floors()))
+        shared, own = (evaluate_move(setting, move, floors, lambda: False).zeta for floors in (kept, Floors()))
         assert shared == own, move.key
 
 
@@ -353,13 +359,13 @@ def test_that_a_set_that_fails_nowhere_reaches_the_last_multiplier_and_moves_zet
     mild, severe = np.full(160, 0.1), np.full(160, 0.1)
     severe[-1] = np.inf
     peaks = RecordPeaks(multipliers, np.array([mild, severe]), 0.4, False)
-    assert [move.value for move in records_left_out([peaks])] == [0.0, 1.0]
+    assert [move.value for move in leave_one_out_moves([peaks])] == [0.0, 1.0]
     # about another hinge, where each fails alone, the first lowers zeta more when it is gone
     early = np.array([np.where(np.arange(160) < 60, 0.1, np.inf), np.where(np.arange(160) < 50, 0.1, np.inf)])
     other = RecordPeaks(multipliers, early, 0.4, False)
-    assert [move.value for move in records_left_out([peaks, other])] == [0.0, 1.0]
-    assert [move.value for move in records_left_out([peaks, replace(other, peaks=early[::-1])])] == [1.0, 0.0]
-    assert [move.key for move in records_left_out([peaks])] == ["record_left_out"] * 2
+    assert [move.value for move in leave_one_out_moves([peaks, other])] == [0.0, 1.0]
+    assert [move.value for move in leave_one_out_moves([peaks, replace(other, peaks=early[::-1])])] == [1.0, 0.0]
+    assert [move.key for move in leave_one_out_moves([peaks])] == ["record_left_out"] * 2
 
 
 @pytest.mark.parametrize(
@@ -377,15 +383,15 @@ def test_that_a_set_that_fails_nowhere_reaches_the_last_multiplier_and_moves_zet
     ],
 )
 def test_that_a_move_is_said_in_the_unit_of_its_words(key, given, value, words):
-    end = End(value, 0.9, False)
-    assert move_words(Swing(key, given, (end,)), end).text("en") == words
+    end = SwingEnd(value, 0.9, False)
+    assert describe_swing_end(Swing(key, given, (end,)), end).text("en") == words
 
 
 def test_that_a_swing_reaches_from_the_lowest_zeta_to_the_highest():
-    ends = End(0.9, 0.8, False), End(1.1, 1.3, True)
+    ends = SwingEnd(0.9, 0.8, False), SwingEnd(1.1, 1.3, True)
     swing = Swing("ag_factor", 1.0, ends)
     assert swing.width(1.0) == pytest.approx(0.5) and swing.width(1.5) == pytest.approx(0.7)
     assert swing.lowest is ends[0] and Swing("ag_factor", 1.0, ends[::-1]).lowest is ends[0]
-    fallen = End(0.5, None, False)
+    fallen = SwingEnd(0.5, None, False)
     assert Swing("ag_factor", 1.0, (ends[0], fallen)).lowest is fallen
     assert Swing("ag_factor", 1.0, (ends[0], fallen)).width(1.0) == swing.width(None) == math.inf

@@ -23,7 +23,7 @@ from core.setting.scene import model_of
 from core.study.run import run
 from core.text.sentence import Number, sentence
 from core.variation.evaluate import evaluate
-from core.variation.raised_site import of_what_is_required
+from core.variation.favourable_site import favourable_demand
 from tests.clauses_alone import parse_case
 from tests.core.ooxml.writers import WRITERS, workbook
 
@@ -452,7 +452,7 @@ def test_that_the_other_spectrum_has_the_a_g_of_the_demand_it_is_judged_at():
     scene = scene_of(WALL, {"ag_g": 0.2, "spectrum": NTC | {"f0": 2.05}}, analysis={"histories": False})
     moved = with_ag(scene.demand, scene.asked, Path(), 1.7)
     for demand in (scene.demand, moved):
-        (row,) = (one for one in of_what_is_required(scene.but(demand=demand)) if one.key == "f0")
+        (row,) = (one for one in favourable_demand(scene.but(demand=demand)) if one.key == "f0")
         there = row.ends[0].change(scene.but(demand=demand)).demand
         assert there.ag == pytest.approx(demand.ag) and there.target.ag == pytest.approx(demand.ag)
 

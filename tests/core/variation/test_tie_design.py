@@ -16,8 +16,8 @@ from core.setting.demand_input import demand_of
 from core.study import run as study
 from core.units import G
 from core.variation import tie_design as tie_module
-from core.variation.evaluate import RUN
-from core.variation.tie_design import FORCE_NAMES, Hinge, tie_design, with_tie
+from core.variation.evaluate import FULL_PRECISION
+from core.variation.tie_design import FORCE_NAMES, Hinge, add_tie, design_tie
 from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
 from tests.core.case.test_between_holds import FACADE
@@ -54,14 +54,14 @@ def designed(monkeypatch):
             a, b = lines[round(wall.height_m, 6)][name]
             return a + b * sum(load.kn_m for load in wall.load if load.is_tie)
 
-        def histories(scene, precision=RUN):
+        def histories(scene, precision=FULL_PRECISION):
             names = lines[round(scene.wall.height_m, 6)]
             if "dynamic" not in names:
                 return None
-            zeta = line(scene.wall, "run" if "run" in names and precision is RUN else "dynamic")
+            zeta = line(scene.wall, "run" if "run" in names and precision is FULL_PRECISION else "dynamic")
             return history(zeta, zeta >= target)
 
-        def stated(scene, precision=RUN, other=True, cancelled=None):
+        def stated(scene, precision=FULL_PRECISION, other=True, cancelled=None):
             scale = 0.5 * scene.demand.q_code
             zetas = {"nonlinear": line(scene.wall, "nonlinear"), "linear_q_code": scale * line(scene.wall, "linear")}
             assert cancelled is None or not other  # FC on the other side is searched for no force that is tried
@@ -73,14 +73,14 @@ def designed(monkeypatch):
             )
 
         monkeypatch.setattr(tie_module, "evaluate", stated)
-        monkeypatch.setattr(tie_module, "CURVE", curve)
+        monkeypatch.setattr(tie_module, "STRENGTH_CURVE", curve)
         stands = lambda wall: sum(load.kn_m for load in wall.load if load.is_tie) <= 6.0  # noqa: E731
         monkeypatch.setattr(tie_module, "carries", stands)
         monkeypatch.setattr(tie_module, "_bending", lambda *_: (None, None))
         scenes = [quick_scene(asked, demand, k=k, building=BUILDING) for k in (0, 1)]
         hinges = [Hinge(at, scene, histories(scene)) for at, scene in zip((0.0, 3.0), scenes, strict=True)]
         whole = quick_scene(asked, demand).wall
-        return tie_design(hinges, replace(whole, tie_height_m=height)), hinges
+        return design_tie(hinges, replace(whole, tie_height_m=height)), hinges
 
     return found
 
@@ -241,13 +241,13 @@ def test_that_the_curve_goes_from_three_tenths_of_the_height_to_the_top(designed
 
 def test_that_no_tie_is_added_for_no_force_and_a_bar_nobody_describes_is_ten_metres_long():
     wall = quick_scene(TALL).wall
-    assert with_tie(wall, 0.0, 5.5) is wall and with_tie(wall, -1.0, 5.5) is wall
-    (tie,) = with_tie(wall, 1.0, 5.5).load
+    assert add_tie(wall, 0.0, 5.5) is wall and add_tie(wall, -1.0, 5.5) is wall
+    (tie,) = add_tie(wall, 1.0, 5.5).load
     assert (tie.kn_m, tie.h_m, tie.bar_length_m, tie.elongation_m) == (1e-3, 5.5, 10.0, 10.0)
-    assert not with_tie(wall, 0.05, 5.5).unloaded_confirmed and len(with_tie(wall, 0.05, 5.5).load) == 1
-    (given,) = with_tie(replace(wall, **BAR), 2e3, 5.5).load
+    assert not add_tie(wall, 0.05, 5.5).unloaded_confirmed and len(add_tie(wall, 0.05, 5.5).load) == 1
+    (given,) = add_tie(replace(wall, **BAR), 2e3, 5.5).load
     assert (given.kn_m, given.bar_length_m, given.elongation_m) == (2.0, 8.0, 0.4)
-    (brittle,) = with_tie(replace(wall, tie_bar_length_m=8.0), 2e3, 5.5).load
+    (brittle,) = add_tie(replace(wall, tie_bar_length_m=8.0), 2e3, 5.5).load
     assert brittle.elongation_m is None
 
 
@@ -368,9 +368,9 @@ def test_that_the_design_is_of_all_hinges_together_and_stands_at_the_base(tmp_pa
     demand = demand_of(parse_case({"wall": [{**WALL}], "demand": DEMAND}), Path())
     for wall, above in ((base, 5.5), (upper, 2.5)):
         floor = wall.floor.spectrum if wall.floor else None
-        found = kinematic(with_tie(wall.wall, tie.forces["nonlinear"], above).in_si, "one_sided", demand, floor)
+        found = kinematic(add_tie(wall.wall, tie.forces["nonlinear"], above).in_si, "one_sided", demand, floor)
         assert nonlinear(found, demand).zeta >= 1.0 - 1e-9
-        found = kinematic(with_tie(wall.wall, tie.forces["linear_q_code"], above).in_si, "one_sided", demand, floor)
+        found = kinematic(add_tie(wall.wall, tie.forces["linear_q_code"], above).in_si, "one_sided", demand, floor)
         assert linear("linear_q_code", found, demand, 2.0).zeta >= 1.0 - 1e-9
 
 

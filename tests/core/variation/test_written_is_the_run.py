@@ -14,12 +14,12 @@ from core.setting.demand_input import interpolated, set_of
 from core.setting.plan import Floors, plan_of, read_inputs
 from core.study.run import run
 from core.variation.evaluate import AT_LIMIT, evaluate
-from core.variation.limit_states import demands_of
-from core.variation.raised_inputs import raised
-from core.variation.sensitivity import moved_wall, moves
-from core.variation.tie_design import with_tie
-from core.variation.turned_round import CHANGES, keys_of, reach_of
-from core.variation.whole_wall import NONE, setting_of
+from core.variation.favourable_wall_inputs import favourable_inputs
+from core.variation.inverse_design import VALUE_SETTERS, design_keys, find_target_value
+from core.variation.limit_states import limit_state_demands
+from core.variation.sensitivity import evaluate_move, list_input_moves
+from core.variation.tie_design import add_tie
+from core.variation.wall_evaluation import NO_EVALUATION, make_wall_context
 from tests.clauses_alone import parse_case
 from tests.core.variation.random_walls import random_tables
 
@@ -84,7 +84,7 @@ def check_raised(table):
         found = evaluate(scene, other=False)
         if found.zeta is None:
             continue
-        for one in raised(found):
+        for one in favourable_inputs(found):
             for end in one.ends:
                 try:
                     there = end.change(scene)
@@ -102,10 +102,10 @@ def check_moves(table):
     case, count = parse_case(table), 0
     if made(case) is None:
         return 0
-    setting = setting_of(case, 0, HERE, read_inputs(case, HERE))
-    for move in moves(setting, Ranges()):
-        found = moved_wall(setting, move, Floors(), lambda: False)
-        if isinstance(found, InputError) or found is NONE:
+    setting = make_wall_context(case, 0, HERE, read_inputs(case, HERE))
+    for move in list_input_moves(setting, Ranges()):
+        found = evaluate_move(setting, move, Floors(), lambda: False)
+        if isinstance(found, InputError) or found is NO_EVALUATION:
             continue
         there = move.change(setting).case
         if move.key == "ag_factor":
@@ -130,7 +130,7 @@ def check_states(table):
     case, count = parse_case(table), 0
     if (result := made(case)) is None:
         return 0
-    for state, demand in demands_of(case, HERE).items():
+    for state, demand in limit_state_demands(case, HERE).items():
         row = interpolated(case.demand.hazard, demand.return_period)
         spectrum = replace(case.demand.spectrum, f0=row.f0, tc_star_s=row.tc_star_s)
         there = {"limit_state": state, "ag_g": row.ag_g, "return_period_years": demand.return_period}
@@ -152,12 +152,12 @@ def check_turned_round(table):
     case, count = parse_case(table), 0
     if made(case) is None or case.demand.hazard:
         return 0
-    setting = setting_of(case, 0, HERE, read_inputs(case, HERE))
-    for key, given in keys_of(setting).items():
-        for label, value in reach_of(setting, key, given).by_check.items():
+    setting = make_wall_context(case, 0, HERE, read_inputs(case, HERE))
+    for key, given in design_keys(setting).items():
+        for label, value in find_target_value(setting, key, given).by_check.items():
             if value is None or (key == "ag_g" and case.generate):
                 continue
-            there = CHANGES[key](setting, value).case
+            there = VALUE_SETTERS[key](setting, value).case
             asked = replace(case.demand, ag_g=value) if key == "ag_g" else case.demand
             result = made(replace(there, demand=asked))
             if result is None:
@@ -237,7 +237,7 @@ def test_that_the_wall_with_the_tie_designed_has_the_zeta_written_of_it():
         tie = made(case).walls[0].assessment.tie
         assert tie.force > 0.0
         own = replace(case.wall[0], tie_height_m=None, tie_bar_length_m=None, tie_elongation_m=None)
-        held = replace(own, load=with_tie(case.wall[0], tie.force, 5.7).load, unloaded_confirmed=False)
+        held = replace(own, load=add_tie(case.wall[0], tie.force, 5.7).load, unloaded_confirmed=False)
         checks = {c.name: c for c in made(replace(case, wall=(held,))).walls[0].assessment.checks}
         named = ["nonlinear", "linear_q_code", *(["dynamic"] if records else [])]
         assert {name: checks[name].zeta for name in named} == {name: tie.zeta[name] for name in named}

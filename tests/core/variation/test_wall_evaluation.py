@@ -10,8 +10,15 @@ from core.codes.outcomes import FAILS, PASSES
 from core.errors import InputError
 from core.setting.plan import read_inputs
 from core.study.run import run
-from core.variation.changes import of_theory
-from core.variation.whole_wall import NONE, evaluate_wall, setting_of, with_demand, with_wall, without_record
+from core.variation.changes import scale_theory_ratio
+from core.variation.wall_evaluation import (
+    NO_EVALUATION,
+    drop_record,
+    evaluate_wall,
+    make_wall_context,
+    replace_demand,
+    replace_wall,
+)
 from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
 from tests.core.variation.test_sensitivity import CASES, LOADED, case_of
@@ -21,7 +28,7 @@ def test_that_zeta_of_all_hinges_is_that_of_the_run():
     table = case_of(LOADED, building={"height_m": 6.0, "storeys": 3, "period_s": 0.3})
     result = run(parse_case(table), base_dir=CASES)
     case = parse_case(table)
-    found = evaluate_wall(setting_of(case, 0, CASES, read_inputs(case, CASES)))
+    found = evaluate_wall(make_wall_context(case, 0, CASES, read_inputs(case, CASES)))
     assert len(result.walls) > 1
     for label, zeta in found.by_check.items():
         each = [check.zeta for wall in result.walls for check in wall.assessment.checks if check.label == label]
@@ -38,17 +45,17 @@ def test_that_every_point_of_the_grid_gives_zeta_of_the_run():
     inputs = read_inputs(case, CASES)
     result = run(case, base_dir=CASES)
     for k, verdict in enumerate(result.verdicts):
-        found = evaluate_wall(setting_of(case, k, CASES, inputs))
+        found = evaluate_wall(make_wall_context(case, k, CASES, inputs))
         assert found.by_check["dynamic"] == result.walls[verdict.governing].assessment.dynamic.zeta
-        kinematic = evaluate_wall(setting_of(case, k, CASES, inputs), None)
+        kinematic = evaluate_wall(make_wall_context(case, k, CASES, inputs), None)
         assert "dynamic" not in kinematic.by_check and set(kinematic.by_check) < set(found.by_check)
 
 
 def test_that_a_wall_that_breaks_a_rule_is_refused():
     case = parse_case(case_of(LOADED))
-    here = setting_of(case, 0, CASES, read_inputs(case, CASES))
+    here = make_wall_context(case, 0, CASES, read_inputs(case, CASES))
     with pytest.raises(InputError):
-        with_wall(here, replace(here.case.wall[0], hinge_setback_m=0.4))
+        replace_wall(here, replace(here.case.wall[0], hinge_setback_m=0.4))
 
 
 def check_of(zeta, passed=True, spread=None):
@@ -84,42 +91,44 @@ def test_that_a_wall_is_as_its_hinges_are_together(each, satisfied, judgement, f
         return left.pop(0)
 
     inputs = read_inputs(case, CASES)
-    found = evaluate_wall(setting_of(case, 0, CASES, inputs, histories))
+    found = evaluate_wall(make_wall_context(case, 0, CASES, inputs, histories))
     assert not left
     assert (found.satisfied["dynamic"], found.sure) == (satisfied, judgement == PASSES)
     assert found.zeta == found.by_check["dynamic"] == min(one.zeta for one in each)
-    clauses = evaluate_wall(setting_of(case, 0, CASES, inputs), None)
+    clauses = evaluate_wall(make_wall_context(case, 0, CASES, inputs), None)
     assert {label: found.satisfied[label] for label in clauses.satisfied} == clauses.satisfied
     assert clauses.satisfied and None not in clauses.satisfied.values()
 
 
 def test_that_only_records_used_as_given_follow_a_g():
     case = parse_case(case_of(LOADED, generate={"scatter": 0.0, "count": 2}))
-    here = setting_of(case, 0, CASES, read_inputs(case, CASES))
+    here = make_wall_context(case, 0, CASES, read_inputs(case, CASES))
     before = here.inputs[1]
     for share in (0.9, 1.1):
         demand = replace(here.demand, pga=share, record_scaling="as_given")
-        after = with_demand(replace(here, inputs=(replace(here.demand, pga=1.0), *here.inputs[1:])), demand).inputs[1]
+        after = replace_demand(replace(here, inputs=(replace(here.demand, pga=1.0), *here.inputs[1:])), demand).inputs[
+            1
+        ]
         for one, other in zip(before, after, strict=True):
             assert np.array_equal(other.acceleration, share * one.acceleration)
         demand = replace(demand, record_scaling="pga")
-        same = with_demand(here, demand).inputs[1]
+        same = replace_demand(here, demand).inputs[1]
         assert all(one is other for one, other in zip(same, before, strict=True))
 
 
 def test_that_a_record_is_left_out_with_its_kind_and_no_other():
     case = parse_case(case_of(LOADED, generate={"scatter": 0.0, "count": 3}))
-    here = setting_of(case, 0, CASES, read_inputs(case, CASES))
+    here = make_wall_context(case, 0, CASES, read_inputs(case, CASES))
     demand, motions, _ = here.inputs
     here = replace(here, inputs=(demand, motions, ["first", "second", "third"]))
     for k, left in enumerate(((1, 2), (0, 2), (0, 1))):
-        less, fewer, named = without_record(here, k).inputs
+        less, fewer, named = drop_record(here, k).inputs
         assert less is demand and fewer == [motions[n] for n in left]
         assert named == [("first", "second", "third")[n] for n in left]
 
 
 def test_that_a_wall_that_does_not_stand_is_satisfied_by_nothing():
-    assert NONE.zeta is None and NONE.by_check == {} and not NONE.sure
+    assert NO_EVALUATION.zeta is None and NO_EVALUATION.by_check == {} and not NO_EVALUATION.sure
 
 
 @pytest.mark.parametrize("mechanism", ["one_sided", "two_sided", "both"])
@@ -130,13 +139,13 @@ def test_that_a_velocity_ratio_is_a_share_of_the_theoretical_and_at_most_one(mec
     by_theory = replace(own, velocity_ratio=None)
     theory = [by_theory.restitution_of(one) for one in own.mechanisms()]
     largest = max(ratio for one in theory for ratio in (one.ratio_at_rest, one.ratio_inward or 0.0))
-    assert of_theory(own, 0.9).velocity_ratio == pytest.approx(0.9 * largest, rel=1e-12)
-    assert of_theory(own, 5.0).velocity_ratio == 1.0
+    assert scale_theory_ratio(own, 0.9).velocity_ratio == pytest.approx(0.9 * largest, rel=1e-12)
+    assert scale_theory_ratio(own, 5.0).velocity_ratio == 1.0
 
 
 def test_that_histories_decide_where_there_are_records():
     case = parse_case(case_of(LOADED, generate={"scatter": 0.0, "count": 2}))
-    here = setting_of(case, 0, CASES, read_inputs(case, CASES))
+    here = make_wall_context(case, 0, CASES, read_inputs(case, CASES))
     assert here.has_histories
     demand, motions, kinds = here.inputs
     for other in ((demand, [], kinds), (replace(demand, limit_state="SLD"), motions, kinds)):

@@ -8,10 +8,10 @@ import pytest
 from core.errors import InputError
 from core.setting.plan import read_inputs
 from core.study.run import run
-from core.variation import turned_round
-from core.variation.evaluate import GLANCE, RUN
-from core.variation.turned_round import keys_of, moved_keys, reach_of
-from core.variation.whole_wall import evaluate_wall, setting_of
+from core.variation import inverse_design
+from core.variation.evaluate import COARSE_PRECISION, FULL_PRECISION
+from core.variation.inverse_design import design_keys, find_target_value, slider_keys
+from core.variation.wall_evaluation import evaluate_wall, make_wall_context
 from tests.clauses_alone import parse_case
 from tests.core.variation.test_sensitivity import CASES, LOADED, case_of, moved
 
@@ -28,7 +28,7 @@ PLACES = {
 
 def setting(table):
     case = parse_case(table)
-    return setting_of(case, 0, CASES, read_inputs(case, CASES))
+    return make_wall_context(case, 0, CASES, read_inputs(case, CASES))
 
 
 def checks_of(table):
@@ -49,10 +49,10 @@ def with_thickness(table, key, value):
 def test_that_the_value_found_gives_what_is_required(wall, keys):
     table = case_of(wall, demand={"ag_g": 0.2})
     here = setting(table)
-    assert sorted(keys_of(here)) == sorted(keys)
+    assert sorted(design_keys(here)) == sorted(keys)
     found = 0
-    for key, given in keys_of(here).items():
-        for label, value in reach_of(here, key, given).by_check.items():
+    for key, given in design_keys(here).items():
+        for label, value in find_target_value(here, key, given).by_check.items():
             if value is None:
                 continue
             zeta = checks_of(with_thickness(table, key, value))[label]
@@ -71,15 +71,15 @@ def test_that_histories_hold_in_the_run_at_what_is_found(count):
     table["demand"]["spectrum"] = {**table["demand"]["spectrum"], "soil": "A"}
     table["analysis"] = {"q_step": 0.05}
     here = setting(table)
-    thickness = reach_of(here, "thickness_m", 0.5).by_check["dynamic"]
+    thickness = find_target_value(here, "thickness_m", 0.5).by_check["dynamic"]
     found = run(parse_case(moved(table, PLACES["thickness_m"], thickness)), base_dir=CASES).walls[0].assessment.dynamic
     assert found.passed and not found.within_spread(1.0)
     thinner = run(parse_case(moved(table, PLACES["thickness_m"], 0.85 * thickness)), base_dir=CASES)
     assert not thinner.walls[0].assessment.dynamic.passed
-    of_ag = reach_of(here, "ag_g", 0.35)
+    of_ag = find_target_value(here, "ag_g", 0.35)
     ag = of_ag.by_check["dynamic"]
     assert of_ag.throughout == ()
-    now = evaluate_wall(here, GLANCE).by_check["dynamic"]
+    now = evaluate_wall(here, COARSE_PRECISION).by_check["dynamic"]
     assert 0.75 * now < ag / 0.35 < 1.03 * now
 
 
@@ -88,7 +88,7 @@ def test_that_what_no_value_reaches_is_none():
     """A thin wall on which nothing but its own height acts: no tie, and a_g far beyond the search."""
     bare = {key: value for key, value in LOADED.items() if key not in ("load", "free_element")}
     table = case_of(bare | {"thickness_m": 0.12, "height_m": 12.0, "unloaded_confirmed": True}, demand={"ag_g": 1.9})
-    found = reach_of(setting(table), "thickness_m", 0.12).by_check
+    found = find_target_value(setting(table), "thickness_m", 0.12).by_check
     assert found["linear_q_code"] is None
 
 
@@ -98,13 +98,13 @@ def test_that_a_check_satisfied_throughout_has_no_value_and_a_refused_one_is_no_
 
     case = read_case(CASES / "facade.toml")
     case = replace(case, generate=replace(case.generate, scatter=0.0, count=3))
-    wedges = setting_of(case, 1, CASES, read_inputs(case, CASES))
-    found = reach_of(wedges, "thickness_m", 0.9)
+    wedges = make_wall_context(case, 1, CASES, read_inputs(case, CASES))
+    found = find_target_value(wedges, "thickness_m", 0.9)
     assert found.by_check["nonlinear"] is None and found.by_check["dynamic"] is None
     assert set(found.throughout) == {"nonlinear", "dynamic"} and found.by_check["linear_q_code"] > 0.9
     bare = {key: value for key, value in LOADED.items() if key not in ("load", "free_element")}
     back = bare | {"unloaded_confirmed": True, "hinge_setback_m": 0.15}
-    low = reach_of(setting(case_of(back, demand={"ag_g": 0.01})), "thickness_m", 0.5)
+    low = find_target_value(setting(case_of(back, demand={"ag_g": 0.01})), "thickness_m", 0.5)
     assert low.by_check == {"nonlinear": None, "linear_q_code": None}
     assert low.throughout == ("nonlinear", "linear_q_code")
 
@@ -121,12 +121,12 @@ def found_where(monkeypatch):
             return value
 
         def known(value, precision, *, cancelled):
-            there = (sure or holds) if precision is RUN else holds
+            there = (sure or holds) if precision is FULL_PRECISION else holds
             return SimpleNamespace(hinges=(1,), by_check={label: 1.0}, satisfied={label: there(value)})
 
-        monkeypatch.setattr(turned_round, "CHANGES", {key: change})
-        monkeypatch.setattr(turned_round, "evaluate_wall", known)
-        reach = reach_of(SimpleNamespace(), key, given)
+        monkeypatch.setattr(inverse_design, "VALUE_SETTERS", {key: change})
+        monkeypatch.setattr(inverse_design, "evaluate_wall", known)
+        reach = find_target_value(SimpleNamespace(), key, given)
         assert (reach.key, reach.given) == (key, given) and set(reach.throughout) <= {label}
         return reach.by_check[label], bool(reach.throughout)
 
@@ -141,7 +141,7 @@ def test_that_a_value_is_sought_within_the_range_stated_and_found_to_two_thousan
         limit = 0.3 * share
         value, everywhere = found_where(key, 0.3, lambda v: v <= limit if key == "ag_g" else v >= limit)  # noqa: B023
         assert not everywhere
-        unit = turned_round.DIGIT_OF_KEY[key]
+        unit = inverse_design.ROUNDING_STEPS[key]
         assert 1.0 <= (limit / value if key == "ag_g" else value / limit) <= 1.003 + unit / limit
     for share in (1.001 * widest, 1.0 / (1.001 * widest)):
         limit = 0.3 * share
@@ -202,7 +202,7 @@ def test_that_histories_hold_a_little_beyond_and_surely_in_the_run(found_where):
 
 
 def test_that_loads_are_moved_where_something_but_a_tie_acts():
-    assert moved_keys(setting(case_of(LOADED)))["load_factor"] == 1.0
+    assert slider_keys(setting(case_of(LOADED)))["load_factor"] == 1.0
     tie = {**LOADED, "load": TIED["load"][1:]}
-    keys = moved_keys(setting(case_of(tie)))
+    keys = slider_keys(setting(case_of(tie)))
     assert "load_factor" not in keys and keys["tie_kn_m"] == 4.0 and keys["height_m"] == 6.0

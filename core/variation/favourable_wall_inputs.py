@@ -24,20 +24,20 @@ from core.setting.demand_input import default_motions, set_of
 from core.setting.scene import Scene
 from core.text.sentence import Number, Sentence, sentence
 from core.variation.evaluate import Evaluation
-from core.variation.raised import (
+from core.variation.favourable_input import (
     GIVEN_WORD,
     NONE_WORD,
-    Change,
-    End,
-    Raised,
-    named,
-    of_demand,
-    of_wall,
-    one_end,
-    worst_words,
+    Alternative,
+    FavourableInput,
+    SceneChange,
+    check_phrase,
+    demand_change,
+    lowest_zeta_sentence,
+    single_alternative,
+    wall_change,
 )
-from core.variation.raised_loads import of_the_loads, of_the_weights
-from core.variation.raised_site import of_the_building, of_what_is_required
+from core.variation.favourable_loads import favourable_ties_and_forces, favourable_weights
+from core.variation.favourable_site import favourable_building, favourable_demand
 from core.wall.restitution import MODELS
 from core.wall.solids import clipped
 
@@ -58,25 +58,25 @@ MIN_SETBACK = 0.01
 MIN_SPREAD_SHARE = 0.5
 """Share of the spread of natural motions about a spectrum below which given records are said to be too much alike."""
 
-MORE_RATIO = 0.1
+RATIO_INCREMENT = 0.1
 """Added to a given velocity ratio: its zeta is shown as well."""
 
 
-def raised(evaluation: Evaluation) -> Iterator[Raised]:
+def favourable_inputs(evaluation: Evaluation) -> Iterator[FavourableInput]:
     """Inputs of the case that raise zeta."""
     scene, q_check = evaluation.scene, evaluation.made("linear_q_code")
     wall, demand, asked = scene.wall, scene.demand, scene.asked
     model, dynamic = wall.restitution_model(scene.mechanism), evaluation.dynamic is not None
     if dynamic and not MODELS[model].by_theory:
         given = wall.restitution_of(scene.mechanism).ratio_at_rest
-        more = min(given + MORE_RATIO, 1.0)
+        more = min(given + RATIO_INCREMENT, 1.0)
         key = "velocity_ratio" if model == "user" else "restitution"
         ratio = replace(wall, restitution=None, velocity_ratio=None).restitution_of(scene.mechanism).ratio_at_rest
         ends = (
-            End(of_wall(restitution=None, velocity_ratio=more), more),
-            End(of_wall(restitution=None, velocity_ratio=None), ratio),
+            Alternative(wall_change(restitution=None, velocity_ratio=more), more),
+            Alternative(wall_change(restitution=None, velocity_ratio=None), ratio),
         )
-        yield Raised(
+        yield FavourableInput(
             key,
             wall.justification,
             given,
@@ -94,36 +94,38 @@ def raised(evaluation: Evaluation) -> Iterator[Raised]:
     if dynamic:
         yield from _of_the_law(evaluation)
     if demand.confidence_factor < FULL_FACTOR:
-        yield one_end(
+        yield single_alternative(
             "confidence_factor",
             "lift_confidence_factor",
             asked.justification,
             demand.confidence_factor,
-            End(of_demand(confidence_factor=FULL_FACTOR), FULL_FACTOR),
+            Alternative(demand_change(confidence_factor=FULL_FACTOR), FULL_FACTOR),
             fc=demand.confidence_factor,
             level=asked.knowledge_level or "",
             investigations=asked.investigations,
         )
     if q_check is not None and q_check.q is not None and q_check.q > CODE_Q:
-        end = End(of_demand(q_code=CODE_Q), CODE_Q)
+        end = Alternative(demand_change(q_code=CODE_Q), CODE_Q)
         reasons = asked.justification
-        yield one_end("q_code", "lift_q_code", reasons, demand.q_code, end, histories=False, q=demand.q_code)
+        yield single_alternative("q_code", "lift_q_code", reasons, demand.q_code, end, histories=False, q=demand.q_code)
     if wall.return_walls is not None and q_check is not None:
-        end = End(of_wall(return_walls=None), NONE_WORD)
-        yield one_end("return_walls", "lift_return_walls", wall.justification, GIVEN_WORD, end, histories=False)
-    yield from of_what_is_required(scene)
+        end = Alternative(wall_change(return_walls=None), NONE_WORD)
+        yield single_alternative(
+            "return_walls", "lift_return_walls", wall.justification, GIVEN_WORD, end, histories=False
+        )
+    yield from favourable_demand(scene)
     yield from _of_the_set(evaluation)
-    yield from of_the_loads(scene, not dynamic)
-    yield from of_the_weights(scene)
+    yield from favourable_ties_and_forces(scene, not dynamic)
+    yield from favourable_weights(scene)
     if wall.free_element is not None and wall.free_element != replace(wall.in_si, free=None).is_free(scene.mechanism):
         code = "lift_one_sided_free" if wall.free_element else "lift_free_element"
-        end = End(of_wall(free_element=None), _free(not wall.free_element))
-        yield Raised(
+        end = Alternative(wall_change(free_element=None), _free(not wall.free_element))
+        yield FavourableInput(
             "free_element",
             wall.justification,
             _free(wall.free_element),
             (end,),
-            lambda zetas, check: sentence("reason", code, zeta=Number(zetas[0]), check=named(check)),
+            lambda zetas, check: sentence("reason", code, zeta=Number(zetas[0]), check=check_phrase(check)),
             DECLARED,
             histories=False,
         )
@@ -133,13 +135,13 @@ def raised(evaluation: Evaluation) -> Iterator[Raised]:
     yield from _of_the_unit_weight(scene)
     if not dynamic and _histories_left_out(evaluation):
         there = tuple(default_motions(demand))
-        end = End(lambda scene: scene.but(ground=there, by_default=True), sentence("word", "made"))
-        yield one_end("histories", "lift_histories", asked.justification, sentence("word", "not_made"), end)
+        end = Alternative(lambda scene: scene.but(ground=there, by_default=True), sentence("word", "made"))
+        yield single_alternative("histories", "lift_histories", asked.justification, sentence("word", "not_made"), end)
     if wall.above_ground and scene.building is not None:
-        yield from of_the_building(scene, scene.building)
+        yield from favourable_building(scene, scene.building)
 
 
-def _of_the_set(evaluation: Evaluation) -> Iterator[Raised]:
+def _of_the_set(evaluation: Evaluation) -> Iterator[FavourableInput]:
     """A generated set that scatters less than nature does, or has fewer motions than the usual one."""
     scene, usual = evaluation.scene, demand_input.DEFAULT_SET.count
     if scene.by_default or not evaluation.satisfied:
@@ -151,24 +153,24 @@ def _of_the_set(evaluation: Evaluation) -> Iterator[Raised]:
         return
     if asked.scatter < SPREAD:
         natural = replace(asked, scatter=SPREAD)
-        end, reasons = End(lambda scene: scene.generated_as(natural), SPREAD), scene.asked.justification
-        yield one_end("scatter", "lift_scatter", reasons, asked.scatter, end, given=asked.scatter)
+        end, reasons = Alternative(lambda scene: scene.generated_as(natural), SPREAD), scene.asked.justification
+        yield single_alternative("scatter", "lift_scatter", reasons, asked.scatter, end, given=asked.scatter)
     if asked.count != usual:
         more = replace(asked, count=usual)
-        end = End(lambda scene: scene.generated_as(more), float(usual))
+        end = Alternative(lambda scene: scene.generated_as(more), float(usual))
         said = {"given": asked.count, "usual": usual}
         permitted = MEAN_FROM <= asked.count < usual  # fewer are no set whose mean counts, more may be chosen by zeta
         code = "lift_count" if asked.count < usual else "lift_more"
         reasons = None if permitted else scene.asked.justification
-        yield one_end("count", code, reasons, float(asked.count), end, permitted=permitted, **said)
+        yield single_alternative("count", code, reasons, float(asked.count), end, permitted=permitted, **said)
     first = demand_input.DEFAULT_SET.seed
     if asked.seed != first:
         other = replace(asked, seed=first)
-        end = End(lambda scene: scene.generated_as(other), float(first))
-        yield one_end("seed", "lift_seed", None, float(asked.seed), end, seed=asked.seed, first=first)
+        end = Alternative(lambda scene: scene.generated_as(other), float(first))
+        yield single_alternative("seed", "lift_seed", None, float(asked.seed), end, seed=asked.seed, first=first)
 
 
-def _of_records_alike(scene: Scene) -> Iterator[Raised]:
+def _of_records_alike(scene: Scene) -> Iterator[FavourableInput]:
     """Given records that all but follow the spectrum, as matched ones do, whatever their files are called."""
     seen = scene.compliance
     if seen is None or len(seen.spectra) < MINIMUM_FROM:
@@ -176,26 +178,26 @@ def _of_records_alike(scene: Scene) -> Iterator[Raised]:
     spread = float(np.log(seen.spectra).std(axis=0, ddof=1).mean())
     if spread < MIN_SPREAD_SHARE * SPREAD:
         reasons = scene.asked.justification
-        end = End(lambda scene: scene.generated_as(demand_input.DEFAULT_SET), SPREAD)
-        yield one_end("scatter", "lift_alike", reasons, spread, end, given=spread, usual=SPREAD)
+        end = Alternative(lambda scene: scene.generated_as(demand_input.DEFAULT_SET), SPREAD)
+        yield single_alternative("scatter", "lift_alike", reasons, spread, end, given=spread, usual=SPREAD)
 
 
-def _of_the_law(evaluation: Evaluation) -> Iterator[Raised]:
+def _of_the_law(evaluation: Evaluation) -> Iterator[FavourableInput]:
     """Inputs of the moment law that raise zeta: a trilinear law, the branch of an element free to vibrate, and a rigid
     law in its place."""
     scene, wall = evaluation.scene, evaluation.scene.wall
     if not wall.moment_law().is_rigid:
-        end = End(of_wall(law="rigid"), "rigid")
-        yield one_end("law", "lift_law", wall.justification, _law_named(wall.law), end)
+        end = Alternative(wall_change(law="rigid"), "rigid")
+        yield single_alternative("law", "lift_law", wall.justification, _law_named(wall.law), end)
     if evaluation.dynamic is not None and isinstance(evaluation.dynamic.branch, Branch):
         yield _of_the_branch(evaluation.dynamic.branch)
     given = wall.law == "rigid" and wall.in_si.is_free(scene.mechanism) and evaluation.satisfied
     if given and can_have_branch(wall.in_si, scene.mechanism):  # a wall that fails without it is not asked
-        end = End(of_wall(law=ELASTIC), sentence("word", "with_branch"))
-        yield one_end("law", "lift_rigid", wall.justification, sentence("word", "choice_rigid"), end)
+        end = Alternative(wall_change(law=ELASTIC), sentence("word", "with_branch"))
+        yield single_alternative("law", "lift_rigid", wall.justification, sentence("word", "choice_rigid"), end)
 
 
-def _of_the_branch(branch: Branch) -> Raised:
+def _of_the_branch(branch: Branch) -> FavourableInput:
     """The elastic branch of an element free to vibrate, with the rigid law beside it: the clause asks for the branch,
     also where the rigid wall fares worse."""
     said = {
@@ -205,8 +207,11 @@ def _of_the_branch(branch: Branch) -> Raised:
         "limit": Number(branch.limit, ".2g"),
         "own": Number(branch.own_period, ".3f"),
     }
-    value, end = sentence("word", "with_branch"), End(of_wall(law="rigid"), sentence("word", "choice_rigid"))
-    return one_end("law", "elastic_branch", None, value, end, DEFAULT, permitted=True, **said)
+    value, end = (
+        sentence("word", "with_branch"),
+        Alternative(wall_change(law="rigid"), sentence("word", "choice_rigid")),
+    )
+    return single_alternative("law", "elastic_branch", None, value, end, DEFAULT, permitted=True, **said)
 
 
 def _histories_left_out(evaluation: Evaluation) -> bool:
@@ -217,7 +222,7 @@ def _histories_left_out(evaluation: Evaluation) -> bool:
     return can and scene.histories_off and not scene.ground and evaluation.satisfied
 
 
-def _of_the_edge(scene: Scene) -> Iterator[Raised]:
+def _of_the_edge(scene: Scene) -> Iterator[FavourableInput]:
     """A hinge nearer to the edge than the weakest masonry of its type lets it be, or than MIN_SETBACK: FC 1.35 lets
     one leave the strength out (C8.7.1.2.1.3), and alpha_0 then counts on more than there is."""
     wall = scene.wall
@@ -227,30 +232,32 @@ def _of_the_edge(scene: Scene) -> Iterator[Raised]:
     weakest, least = least_strength(wall.masonry), _setback_at(wall, wall.masonry)
     of_any = _setback_at(wall, None)
     if wall.masonry and of_any > max(least, wall.setback) and wall.compressive_strength_mpa is None:
-        end = End(_turning_inside(wall, of_any, masonry=None), sentence("word", "masonry_unknown"))
+        end = Alternative(_turning_inside(wall, of_any, masonry=None), sentence("word", "masonry_unknown"))
         named_type = sentence("word", f"choice_{wall.masonry}")
         said = {"masonry": named_type, "cm": 100.0 * of_any}
-        yield one_end("masonry", "lift_masonry", None, named_type, end, permitted=True, **said)
+        yield single_alternative("masonry", "lift_masonry", None, named_type, end, permitted=True, **said)
     if wall.setback >= least * (1.0 - 1e-9):
         return
     there = _turning_inside(wall, least)
     f, cm = wall.compressive_strength_mpa, 100.0 * least
     if f is None:
         source = GIVEN if wall.hinge_setback_m else DEFAULT
-        given, end = wall.hinge_setback_m, End(there, least)
+        given, end = wall.hinge_setback_m, Alternative(there, least)
         said = {"given": 100.0 * given, "cm": cm, "f": weakest}
         code = "lift_edge" if wall.thickness is not None else "lift_edge_of_body"
-        yield one_end("hinge_setback_m", code, None, given, end, source, permitted=True, **said)
+        yield single_alternative("hinge_setback_m", code, None, given, end, source, permitted=True, **said)
     elif f > weakest:
         tested = scene.demand.confidence_factor < FULL_FACTOR  # then the strength is that of tests, as it must be
         reasons = wall.justification
         if tested and not (reasons and reasons.compressive_strength_mpa):
             reasons = replace(reasons or WallJustification(), compressive_strength_mpa=scene.asked.investigations)
-        end = End(there, weakest)
-        yield one_end("compressive_strength_mpa", "lift_strength", reasons, f, end, given=f, f=weakest, cm=cm)
+        end = Alternative(there, weakest)
+        yield single_alternative(
+            "compressive_strength_mpa", "lift_strength", reasons, f, end, given=f, f=weakest, cm=cm
+        )
 
 
-def _of_the_hinges(scene: Scene) -> Iterator[Raised]:
+def _of_the_hinges(scene: Scene) -> Iterator[FavourableInput]:
     """A strength above the lowest of its masonry, by which the hinges of an arch lie nearer to the faces and its ends
     are crushed by a larger thrust."""
     wall = scene.wall
@@ -258,9 +265,9 @@ def _of_the_hinges(scene: Scene) -> Iterator[Raised]:
     if f <= weakest:
         return
     there = known(replace(wall, compressive_strength_mpa=weakest).in_si.arch)
-    end = End(of_wall(compressive_strength_mpa=weakest), weakest)
+    end = Alternative(wall_change(compressive_strength_mpa=weakest), weakest)
     said = {"given": f, "f": weakest, "cm": 100.0 * there.setback}
-    yield one_end("compressive_strength_mpa", "lift_strength", wall.justification, f, end, **said)
+    yield single_alternative("compressive_strength_mpa", "lift_strength", wall.justification, f, end, **said)
 
 
 def _setback_at(wall: Wall, masonry: str | None) -> float:
@@ -277,7 +284,7 @@ def _setback_at(wall: Wall, masonry: str | None) -> float:
     return MIN_SETBACK
 
 
-def _turning_inside(given: Wall, setback: float, **values: Any) -> Change:
+def _turning_inside(given: Wall, setback: float, **values: Any) -> SceneChange:
     """The hinge at least so far inside the edge [m], whatever else has moved it. given : the wall as it is"""
 
     def change(scene: Scene) -> Scene:
@@ -303,7 +310,7 @@ def _hinge_at(wall: Wall, setback: float) -> dict[str, Any]:
     return {"radius_m": radius, "slenderness_deg": math.degrees(math.atan2(x, z)), "inertia_over_mass_m2": inertia}
 
 
-def _of_the_unit_weight(scene: Scene) -> Iterator[Raised]:
+def _of_the_unit_weight(scene: Scene) -> Iterator[FavourableInput]:
     """A unit weight that holds the wall against its loads, or is held by them, at the ends of what the type of masonry
     has, of the table where none is named (Circolare 7/2019, Table C8.5.I)."""
     wall, given = scene.wall, scene.wall.unit_weight_kn_m3
@@ -311,22 +318,22 @@ def _of_the_unit_weight(scene: Scene) -> Iterator[Raised]:
     solids = tuple(replace(solid, unit_weight_kn_m3=None) for solid in wall.solid)
     if any(weight != given for weight in own):  # lighter outside, heavier inside: the weights alone move the centroid
         even = own[0] if given is None else given
-        end = End(of_wall(solid=solids, unit_weight_kn_m3=even), even)
+        end = Alternative(wall_change(solid=solids, unit_weight_kn_m3=even), even)
         value = sentence("word", "of_solids")
-        yield one_end("unit_weight_kn_m3", "lift_solid_weight", wall.justification, value, end, even=even)
+        yield single_alternative("unit_weight_kn_m3", "lift_solid_weight", wall.justification, value, end, even=even)
     if given is None or not (wall.load or wall.mechanism == ARCHES):
         return
     least, most = weights(wall.masonry)
     values = [end for end in (least, most) if abs(end - given) > 1e-9]
-    ends = tuple(End(of_wall(unit_weight_kn_m3=value, solid=solids), value) for value in values)
+    ends = tuple(Alternative(wall_change(unit_weight_kn_m3=value, solid=solids), value) for value in values)
     if not ends:
         return
-    words = worst_words("lift_unit_weight", ends)
+    words = lowest_zeta_sentence("lift_unit_weight", ends)
     permitted = least <= given <= most
-    yield Raised("unit_weight_kn_m3", wall.justification, given, ends, words, permitted=permitted)
+    yield FavourableInput("unit_weight_kn_m3", wall.justification, given, ends, words, permitted=permitted)
 
 
-def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
+def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[FavourableInput]:
     """Inputs of the shape that raise zeta: what a body drags along behind its base, and a restraint that it meets below
     its top."""
     if not wall.has_shape:
@@ -337,10 +344,13 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
         steep = replace(corner, length_1_m=0.5 * corner.length_1_m, length_2_m=0.5 * corner.length_2_m)
         turned = [(replace(corner, angle_deg=angle), Number(angle, ".0f")) for angle in CORNER_ANGLES]
         ends = (
-            End(of_wall(corner=steep), sentence("word", "half_as_long")),
-            *(End(of_wall(corner=one), sentence("word", "turning_at", angle=angle)) for one, angle in turned),
+            Alternative(wall_change(corner=steep), sentence("word", "half_as_long")),
+            *(
+                Alternative(wall_change(corner=one), sentence("word", "turning_at", angle=angle))
+                for one, angle in turned
+            ),
         )
-        yield Raised("corner", wall.justification, GIVEN_WORD, ends, worst_words("lift_corner", ends))
+        yield FavourableInput("corner", wall.justification, GIVEN_WORD, ends, lowest_zeta_sentence("lift_corner", ends))
         return
     kept = [clipped(part, wall.thickness) for part in parts]
     if any(kept) and any(one is not part for one, part in zip(kept, parts, strict=True)):
@@ -348,32 +358,36 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[Raised]:
         solids = tuple(
             replace(solid, polygon_m=one.polygon, from_m=one.ends[0], to_m=one.ends[1]) for solid, one in left if one
         )
-        end = End(of_wall(return_wedges=None, solid=solids), NONE_WORD)
-        yield one_end("return_wedges", "lift_return_wedges", wall.justification, GIVEN_WORD, end)
+        end = Alternative(wall_change(return_wedges=None, solid=solids), NONE_WORD)
+        yield single_alternative("return_wedges", "lift_return_wedges", wall.justification, GIVEN_WORD, end)
     top = known(wall.top)
     if (
         mechanism == "one_sided"
         and MODELS[wall.restitution_model(mechanism)].one_sided
         and wall.height_m < MAX_RESTRAINT_SHARE * top
     ):
-        end = End(of_wall(height_m=top), top)
-        yield one_end("contact", "lift_contact", wall.justification, wall.height_m, end, h=wall.height_m, top=top)
+        end = Alternative(wall_change(height_m=top), top)
+        yield single_alternative(
+            "contact", "lift_contact", wall.justification, wall.height_m, end, h=wall.height_m, top=top
+        )
 
 
-def _of_the_body(scene: Scene) -> Iterator[Raised]:
+def _of_the_body(scene: Scene) -> Iterator[FavourableInput]:
     """Inputs of the body that raise zeta: a moment of inertia above that of a slender rectangle, and a modulus above
     the lowest of the masonry."""
     wall = scene.wall
     given, radius = wall.inertia_over_mass_m2, wall.radius_m
     if given is not None and radius is not None and given > RECTANGLE_INERTIA * radius**2 * (1.0 + 1e-9):
-        end = End(of_wall(inertia_over_mass_m2=RECTANGLE_INERTIA * radius**2), RECTANGLE_INERTIA * radius**2)
-        yield one_end("inertia_over_mass_m2", "lift_inertia", None, given, end, given=given, least=end.value)
+        end = Alternative(
+            wall_change(inertia_over_mass_m2=RECTANGLE_INERTIA * radius**2), RECTANGLE_INERTIA * radius**2
+        )
+        yield single_alternative("inertia_over_mass_m2", "lift_inertia", None, given, end, given=given, least=end.value)
     modulus, (least, most) = wall.elastic_modulus_mpa, moduli(wall.masonry)
     if modulus is not None and wall.in_si.is_free(scene.mechanism) and modulus > least:
-        end = End(of_wall(elastic_modulus_mpa=least), least)
+        end = Alternative(wall_change(elastic_modulus_mpa=least), least)
         said = {"given": modulus, "least": least, "most": most}
         permitted = modulus <= most
-        yield one_end("elastic_modulus_mpa", "lift_modulus", None, modulus, end, permitted=permitted, **said)
+        yield single_alternative("elastic_modulus_mpa", "lift_modulus", None, modulus, end, permitted=permitted, **said)
 
 
 def _law_named(law: str | dict) -> str:

@@ -6,7 +6,7 @@ import math
 import pytest
 
 from core.variation.evaluate import evaluate
-from core.variation.raised_loads import of_the_loads, of_the_weights
+from core.variation.favourable_loads import favourable_ties_and_forces, favourable_weights
 from tests.core.variation.one_evaluation import BARE, SOIL, WALL, scene_of
 
 WEIGHT = {"kind": "vertical", "kn_m": 20.0, "d_m": 0.2, "h_m": 4.0, "mass": "none"}
@@ -20,7 +20,7 @@ def rows_of(*load, demand=SOIL, clauses=True, building=None, **wall):
     """Code of its words -> the row, of the loads of a wall; its wall."""
     scene = scene_of(BARE | {"load": [*load]} | wall, demand, **({"building": building} if building else {}))
     (check,) = evaluate(scene_of()).checks
-    rows = itertools.chain(of_the_loads(scene, clauses), of_the_weights(scene))
+    rows = itertools.chain(favourable_ties_and_forces(scene, clauses), favourable_weights(scene))
     return {row.words([1.0] * len(row.ends), check).code: row for row in rows}, scene
 
 
@@ -159,7 +159,7 @@ def test_that_walls_without_weights_have_no_rows_of_them():
     assert not rows_of(TIE)[0].keys() & {"lift_mass", "lift_lever", "lift_low_load"}
     carried = rows_of(CARRIED)[0]
     assert "lift_mass" not in carried and {"lift_carried", "lift_lever"} <= set(carried)
-    assert list(of_the_weights(scene_of(WALL))) == []
+    assert list(favourable_weights(scene_of(WALL))) == []
 
 
 # weights that may not be there

@@ -11,10 +11,17 @@ from core.case.held_top import with_top_loads
 from core.case.wall import Wall
 from core.errors import InputError
 from core.setting.demand_input import with_ag
-from core.variation.changes import loaded, thinner
-from core.variation.evaluate import GLANCE, RUN, Precision
-from core.variation.swings import Reach
-from core.variation.whole_wall import NONE, Setting, WholeWall, evaluate_wall, with_demand, with_wall
+from core.variation.changes import rescale_thickness, scale_loads
+from core.variation.evaluate import COARSE_PRECISION, FULL_PRECISION, Precision
+from core.variation.swings import TargetValue
+from core.variation.wall_evaluation import (
+    NO_EVALUATION,
+    WallContext,
+    WallEvaluation,
+    evaluate_wall,
+    replace_demand,
+    replace_wall,
+)
 
 SEARCH_TOLERANCE = 0.002
 """Width of the bracket of a value, of the value [-]."""
@@ -22,7 +29,7 @@ SEARCH_TOLERANCE = 0.002
 VALUE_MARGIN = 1.02
 """More of the value at which histories must hold as well: their rule is not monotone."""
 
-STRONGER = (1.05, 1.1, 1.2, 1.3, 1.5)
+CONFIRMATION_FACTORS = (1.05, 1.1, 1.2, 1.3, 1.5)
 """More of the value at which a check of the clauses must hold too: a tie that breaks early makes a step."""
 
 RETRY_STEP, TRIES = 0.01, 30
@@ -31,42 +38,42 @@ RETRY_STEP, TRIES = 0.01, 30
 SEARCH_FACTOR = 1.25
 """Factor by which a search goes on until its outcome changes."""
 
-WIDEST = {"thickness_m": 4.0, "tie_kn_m": 64.0, "ag_g": 16.0}
+SEARCH_RANGE_FACTORS = {"thickness_m": 4.0, "tie_kn_m": 64.0, "ag_g": 16.0}
 """Factor of the value given up to which, and share of it down to which, it is searched."""
 
-DIGIT_OF_KEY = {"thickness_m": 1e-3, "tie_kn_m": 1e-2, "ag_g": 1e-3}
+ROUNDING_STEPS = {"thickness_m": 1e-3, "tie_kn_m": 1e-2, "ag_g": 1e-3}
 """Last digit a value is written with; it is rounded to the safe side."""
 
-Change = Callable[[Setting, float], Setting]
+Change = Callable[[WallContext, float], WallContext]
 """Change of a setting: the setting with this value of the key."""
 
 
-def _of_thickness(setting: Setting, thickness: float) -> Setting:
-    return with_wall(setting, thinner(setting.case.wall[0], thickness))
+def _of_thickness(setting: WallContext, thickness: float) -> WallContext:
+    return replace_wall(setting, rescale_thickness(setting.case.wall[0], thickness))
 
 
-def _of_ties(setting: Setting, force: float) -> Setting:
+def _of_ties(setting: WallContext, force: float) -> WallContext:
     wall = setting.case.wall[0]
     share = force / tie_force(wall)
     loads = (
         replace(load, kn_m=share * load.kn_m) if load.is_tie and load.kn_m is not None else load for load in wall.load
     )
-    return with_wall(setting, replace(wall, load=tuple(loads)))
+    return replace_wall(setting, replace(wall, load=tuple(loads)))
 
 
-def _of_ag(setting: Setting, ag_g: float) -> Setting:
+def _of_ag(setting: WallContext, ag_g: float) -> WallContext:
     asked = setting.case.demand
     assert asked is not None
-    return with_demand(setting, with_ag(setting.demand, asked, setting.base_dir, ag_g / asked.ag_g))
+    return replace_demand(setting, with_ag(setting.demand, asked, setting.base_dir, ag_g / asked.ag_g))
 
 
-def _of_height(setting: Setting, height: float) -> Setting:
+def _of_height(setting: WallContext, height: float) -> WallContext:
     wall = setting.case.wall[0]
-    return with_wall(setting, with_top_loads(wall, replace(wall, height_m=height)))
+    return replace_wall(setting, with_top_loads(wall, replace(wall, height_m=height)))
 
 
-def _of_loads(setting: Setting, factor: float) -> Setting:
-    return with_wall(setting, loaded(setting.case.wall[0], factor))
+def _of_loads(setting: WallContext, factor: float) -> WallContext:
+    return replace_wall(setting, scale_loads(setting.case.wall[0], factor))
 
 
 def tie_force(wall: Wall) -> float:
@@ -75,7 +82,7 @@ def tie_force(wall: Wall) -> float:
     return 0.0 if None in ties else math.fsum(force for force in ties if force is not None)
 
 
-def keys_of(setting: Setting) -> dict[str, float]:
+def design_keys(setting: WallContext) -> dict[str, float]:
     """Keys whose value is searched for a wall -> their value now."""
     wall, demand = setting.case.wall[0], setting.case.demand
     assert demand is not None
@@ -87,7 +94,7 @@ def keys_of(setting: Setting) -> dict[str, float]:
     return values
 
 
-CHANGES: dict[str, Change] = {
+VALUE_SETTERS: dict[str, Change] = {
     "thickness_m": _of_thickness,
     "height_m": _of_height,
     "tie_kn_m": _of_ties,
@@ -97,56 +104,58 @@ CHANGES: dict[str, Change] = {
 """Key -> the setting with another value of it, in the order they are applied; loads in shares of what they are."""
 
 
-def moved_keys(setting: Setting) -> dict[str, float]:
+def slider_keys(setting: WallContext) -> dict[str, float]:
     """Keys of a wall that can be moved by hand -> their value now."""
     wall = setting.case.wall[0]
-    values = keys_of(setting)
+    values = design_keys(setting)
     if wall.height_m is not None and not wall.solid:
         values["height_m"] = wall.height_m
     if any(not load.is_tie for load in wall.load):
         values["load_factor"] = 1.0
-    return {key: values[key] for key in CHANGES if key in values}
+    return {key: values[key] for key in VALUE_SETTERS if key in values}
 
 
-def with_values(setting: Setting, values: dict[str, float]) -> Setting:
+def set_values(setting: WallContext, values: dict[str, float]) -> WallContext:
     """The setting with several values at once. Raises InputError where the wall does not stand with them."""
-    for key, change in CHANGES.items():
+    for key, change in VALUE_SETTERS.items():
         if key in values:
             setting = change(setting, values[key])
     return setting
 
 
-def reach_of(setting: Setting, key: str, given: float, cancelled: Callable[[], bool] = lambda: False) -> Reach:
+def find_target_value(
+    setting: WallContext, key: str, given: float, cancelled: Callable[[], bool] = lambda: False
+) -> TargetValue:
     """The value of a key from which on zeta of each check reaches what is required, nearest to the value now: of a_g
     up to which, in the digits it is written with. How far beyond it is looked: STRONGER, of histories VALUE_MARGIN.
 
     given : its value now
     Raises Cancelled.
     """
-    known: dict[tuple[float, Precision | None], WholeWall] = {}
+    known: dict[tuple[float, Precision | None], WallEvaluation] = {}
 
-    def at(value: float, precision: Precision | None) -> WholeWall:
+    def at(value: float, precision: Precision | None) -> WallEvaluation:
         if (value, precision) not in known:
             try:
-                moved = CHANGES[key](setting, value)
+                moved = VALUE_SETTERS[key](setting, value)
                 known[value, precision] = evaluate_wall(moved, precision, cancelled=cancelled)
             except InputError:
-                known[value, precision] = NONE
+                known[value, precision] = NO_EVALUATION
         return known[value, precision]
 
     by_check: dict[str, float | None] = {}
     throughout = []
-    for label in at(given, GLANCE).by_check:
+    for label in at(given, COARSE_PRECISION).by_check:
         edge_of = _searched(functools.partial(_holds_at, at, label), key, given, label == "dynamic")
         by_check[label] = None if edge_of.bad is None else edge_of.good
         # what ends at a value that is refused holds at all that are accepted
         if edge_of.good is not None and (edge_of.bad is None or edge_of.refused):
             by_check[label], throughout = None, [*throughout, label]
-    return Reach(key, given, by_check, tuple(throughout))
+    return TargetValue(key, given, by_check, tuple(throughout))
 
 
 def _holds_at(
-    at: Callable[[float, Precision | None], WholeWall], label: str, value: float, precision: Precision | None
+    at: Callable[[float, Precision | None], WallEvaluation], label: str, value: float, precision: Precision | None
 ) -> bool | None:
     """Whether a check surely holds about every hinge at a value; None where the wall is refused."""
     there = at(value, precision)
@@ -158,28 +167,33 @@ def _searched(holds: Callable[[float, Precision | None], bool | None], key: str,
     of the histories, which must hold in the run itself near what a glance finds"""
     falls = key == "ag_g"
     sign = -1.0 if falls else 1.0
-    ends = given / WIDEST[key], given * WIDEST[key]
+    ends = given / SEARCH_RANGE_FACTORS[key], given * SEARCH_RANGE_FACTORS[key]
 
     def fine(value: float, precision: Precision | None) -> bool | None:
         held = holds(value, precision)
-        beyond = (VALUE_MARGIN,) if dynamic else STRONGER
+        beyond = (VALUE_MARGIN,) if dynamic else CONFIRMATION_FACTORS
         # where it is refused it fails for another reason
         return held and all(holds(value * factor**sign, precision) is not False for factor in beyond)
 
     boundary = edge(
-        lambda value: fine(value, GLANCE if dynamic else None), given, ends, not falls, SEARCH_FACTOR, SEARCH_TOLERANCE
+        lambda value: fine(value, COARSE_PRECISION if dynamic else None),
+        given,
+        ends,
+        not falls,
+        SEARCH_FACTOR,
+        SEARCH_TOLERANCE,
     )
     if boundary.good is None or boundary.bad is None or boundary.refused:
         return boundary
     for k in range(TRIES if dynamic else 1):
         value = _written(key, boundary.good * (1.0 + RETRY_STEP) ** (sign * k))
-        if holds(value, RUN if dynamic else None):
+        if holds(value, FULL_PRECISION if dynamic else None):
             return boundary._replace(good=value)
     return Edge(None, boundary.bad)
 
 
 def _written(key: str, value: float) -> float:
     """A value rounded to the safe side, of a_g down, else up."""
-    unit = DIGIT_OF_KEY[key]
+    unit = ROUNDING_STEPS[key]
     rounded = math.floor(value / unit + 1e-9) if key == "ag_g" else math.ceil(value / unit - 1e-9)
     return round(rounded * unit, 6)

@@ -16,20 +16,29 @@ from core.errors import InputError
 from core.setting.scene import Scene
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.variation.evaluate import evaluate
-from core.variation.raised import GIVEN_WORD, NONE_WORD, Change, End, Raised, named, one_end, worst_words
+from core.variation.favourable_input import (
+    GIVEN_WORD,
+    NONE_WORD,
+    Alternative,
+    FavourableInput,
+    SceneChange,
+    check_phrase,
+    lowest_zeta_sentence,
+    single_alternative,
+)
 from core.wall.masonry import COUNTED
 
 
-def _with_loads(change: Callable[[Wall], tuple[Load, ...]]) -> Change:
+def _with_loads(change: Callable[[Wall], tuple[Load, ...]]) -> SceneChange:
     return lambda scene: scene.but(wall=replace(scene.wall, load=change(scene.wall)))
 
 
-def _of_ties(**values) -> Change:
+def _of_ties(**values) -> SceneChange:
     """Change that gives all ties of the wall these values."""
     return _with_loads(lambda wall: tuple(replace(load, **values) if load.is_tie else load for load in wall.load))
 
 
-def _without(goes: Callable[[Wall, Load], bool]) -> Change:
+def _without(goes: Callable[[Wall, Load], bool]) -> SceneChange:
     """Change that takes away the loads that go."""
     return _with_loads(lambda wall: tuple(load for load in wall.load if not goes(wall, load)))
 
@@ -51,7 +60,7 @@ LEVER = 0.05
 """Distance, over the thickness, by which the point where a load stands may be another [-]."""
 
 
-def of_the_weights(scene: Scene) -> Iterator[Raised]:
+def favourable_weights(scene: Scene) -> Iterator[FavourableInput]:
     """What the mass of vertical loads does, and where they stand, otherwise; the wall without what is carried low, is
     variable, or moves with it."""
     wall, t = scene.wall, scene.wall.thickness
@@ -69,32 +78,34 @@ def of_the_weights(scene: Scene) -> Iterator[Raised]:
         ],
     }
     for key, ends in changes.items():
-        others = tuple(End(_with_loads(change), said) for change, said in ends if _may_be(scene, change(wall)))
+        others = tuple(Alternative(_with_loads(change), said) for change, said in ends if _may_be(scene, change(wall)))
         if others:
             given = weights[0].mass if key == "mass" else None
             value = sentence("word", f"choice_{given}") if given else GIVEN_WORD
-            words = worst_words("lift_mass" if key == "mass" else "lift_lever", others)
-            yield Raised(key, wall.justification, value, others, words)
+            words = lowest_zeta_sentence("lift_mass" if key == "mass" else "lift_lever", others)
+            yield FavourableInput(key, wall.justification, value, others, words)
 
 
-def _of_weights_that_may_go(scene: Scene) -> Iterator[Raised]:
+def _of_weights_that_may_go(scene: Scene) -> Iterator[FavourableInput]:
     """The wall without the weights that stand low above the hinge, without variable ones, and without masses it
     carries. A permanent load of a floor is there; what may not be, and lifts, is asked about."""
     wall, reasons = scene.wall, scene.wall.justification
     lowest = [load.h_m for load in wall.load if _is_low(wall, load)]
     low, carried = _without(_is_low), _without(lambda _, load: _is_carried(load))
     if lowest and _may_be(scene, tuple(load for load in wall.load if not _is_low(wall, load))):
-        end, height = End(low, sentence("word", "below_hinge")), Number(min(lowest), ".2f")
-        yield one_end("h_m", "lift_low_load", reasons, GIVEN_WORD, end, height=height)
+        end, height = Alternative(low, sentence("word", "below_hinge")), Number(min(lowest), ".2f")
+        yield single_alternative("h_m", "lift_low_load", reasons, GIVEN_WORD, end, height=height)
     permanent = tuple(
         replace(load, kn_m=load.g_kn_m, q_kn_m=None, psi_2=None) if load.g_kn_m else load for load in wall.load
     )
     permanent = tuple(load for load in permanent if not _is_variable(load))
     if any(map(_is_variable, wall.load)) and _may_be(scene, permanent):
-        end = End(lambda there: there.but(wall=replace(there.wall, load=permanent)), sentence("word", "permanent"))
-        yield one_end("load", "lift_variable", reasons, GIVEN_WORD, end)
+        end = Alternative(
+            lambda there: there.but(wall=replace(there.wall, load=permanent)), sentence("word", "permanent")
+        )
+        yield single_alternative("load", "lift_variable", reasons, GIVEN_WORD, end)
     if any(map(_is_carried, wall.load)) and _may_be(scene, tuple(one for one in wall.load if not _is_carried(one))):
-        yield one_end("load", "lift_carried", reasons, GIVEN_WORD, End(carried, NONE_WORD))
+        yield single_alternative("load", "lift_carried", reasons, GIVEN_WORD, Alternative(carried, NONE_WORD))
 
 
 def _is_low(wall: Wall, load: Load) -> bool:
@@ -129,7 +140,7 @@ def _moved_weights(wall: Wall, by: float) -> tuple[Load, ...]:
     return tuple(there(load) for load in wall.load)
 
 
-FALLS = ("unstable_under_loads", "bending_unstable", "arch_unstable", "body_falls", "hold_too_weak")
+UNSTABLE = ("unstable_under_loads", "bending_unstable", "arch_unstable", "body_falls", "hold_too_weak")
 """Codes of the errors of a wall that does not stand: the worst that another end can say."""
 
 
@@ -142,40 +153,45 @@ def _may_be(scene: Scene, loads: tuple[Load, ...]) -> bool:
         check_loads(wall)
         evaluate(scene.without_records().but(wall=wall))
     except InputError as error:
-        return error.code in FALLS
+        return error.code in UNSTABLE
     return True
 
 
-def of_the_loads(scene: Scene, clauses: bool) -> Iterator[Raised]:
+def favourable_ties_and_forces(scene: Scene, clauses: bool) -> Iterator[FavourableInput]:
     """Inputs of the ties, and of forces that always pull inward, that raise zeta. clauses : no histories are made"""
     wall, reasons = scene.wall, scene.wall.justification
     given = [load for load in wall.load if load.is_tie]
     if any(tie.stands_more for tie in (wall.in_si.ties if given else ())):
-        end = End(_of_ties(elongation_m=None, elongation=None), NONE_WORD)
-        yield one_end("elongation_m", "lift_elongation", reasons, GIVEN_WORD, end)
+        end = Alternative(_of_ties(elongation_m=None, elongation=None), NONE_WORD)
+        yield single_alternative("elongation_m", "lift_elongation", reasons, GIVEN_WORD, end)
     if any(_breaks(wall, load, scene) for load in given):  # no clause follows a bar that breaks
-        end = End(_without(lambda there, load: _breaks(there, load, scene)), _no_ties())
-        yield one_end("elongation_m", "lift_brittle", reasons, GIVEN_WORD, end, histories=clauses)
+        end = Alternative(_without(lambda there, load: _breaks(there, load, scene)), _no_ties())
+        yield single_alternative("elongation_m", "lift_brittle", reasons, GIVEN_WORD, end, histories=clauses)
     if any(load.slack_mm for load in given):
-        ends = (End(_of_ties(slack_mm=None), NONE_WORD), End(_without(lambda _, load: bool(load.slack_mm)), _no_ties()))
-        words = lambda zetas, check: sentence(  # noqa: E731
-            "reason", "lift_slack", zeta_taut=Number(zetas[0]), zeta=Number(zetas[1]), check=named(check)
+        ends = (
+            Alternative(_of_ties(slack_mm=None), NONE_WORD),
+            Alternative(_without(lambda _, load: bool(load.slack_mm)), _no_ties()),
         )
-        yield Raised("slack_mm", reasons, GIVEN_WORD, ends, words)
+        words = lambda zetas, check: sentence(  # noqa: E731
+            "reason", "lift_slack", zeta_taut=Number(zetas[0]), zeta=Number(zetas[1]), check=check_phrase(check)
+        )
+        yield FavourableInput("slack_mm", reasons, GIVEN_WORD, ends, words)
     if any(_anchorage_open(load) for load in given):
-        end = End(_without(lambda _, load: _anchorage_open(load)), _no_ties())
+        end = Alternative(_without(lambda _, load: _anchorage_open(load)), _no_ties())
         unsaid = sentence("accepted", "missing")
-        yield one_end(
+        yield single_alternative(
             "anchorage_kn", "lift_anchorage", reasons, unsaid, end, LEFT_OUT, anchorage_kn=Key("anchorage_kn")
         )
     if any(load.prestress for load in given):
-        yield one_end("prestress", "lift_prestress", reasons, GIVEN_WORD, End(_of_ties(prestress=None), NONE_WORD))
+        yield single_alternative(
+            "prestress", "lift_prestress", reasons, GIVEN_WORD, Alternative(_of_ties(prestress=None), NONE_WORD)
+        )
     if wall.mechanism == BENDS:
-        end = End(_bent_inward, sentence("word", "inward"))
-        yield one_end("load", "lift_bends_inward", reasons, sentence("word", "outward"), end)
+        end = Alternative(_bent_inward, sentence("word", "inward"))
+        yield single_alternative("load", "lift_bends_inward", reasons, sentence("word", "outward"), end)
     if any(map(_pulls_inward, wall.load)):
-        end = End(_without(lambda _, load: _pulls_inward(load)), NONE_WORD)
-        yield one_end("load", "lift_inward", reasons, GIVEN_WORD, end)
+        end = Alternative(_without(lambda _, load: _pulls_inward(load)), NONE_WORD)
+        yield single_alternative("load", "lift_inward", reasons, GIVEN_WORD, end)
 
 
 def _no_ties() -> Sentence:

@@ -6,7 +6,7 @@ import pytest
 
 from core.codes.kinematic import Check
 from core.units import G
-from core.variation.raised_site import of_the_building, of_what_is_required
+from core.variation.favourable_site import favourable_building, favourable_demand
 from tests.core.variation.one_evaluation import NTC, SOIL, WALL, scene_of
 
 CHECK = Check("nonlinear", "C8.7.1.2.1.8", "m", 0.1, 0.1, 1.0, True)
@@ -15,7 +15,7 @@ CHECK = Check("nonlinear", "C8.7.1.2.1.8", "m", 0.1, 0.1, 1.0, True)
 def rows_of(demand, wall=WALL):
     """(key -> row of what is required, the scene) of a demand."""
     scene = scene_of(wall, demand)
-    return {row.key: row for row in of_what_is_required(scene)}, scene
+    return {row.key: row for row in favourable_demand(scene)}, scene
 
 
 def there(row, scene, k=0):
@@ -177,7 +177,7 @@ MODES = [
 def of_building(building, wall=HIGH, state="SLV"):
     """(key -> row, the scene) of a wall in a building."""
     scene = scene_of(wall, {"ag_g": 0.05, "spectrum": NTC, "limit_state": state}, building=building)
-    return {row.key: row for row in of_the_building(scene, scene.building)}, scene
+    return {row.key: row for row in favourable_building(scene, scene.building)}, scene
 
 
 def buildings(row, scene):
@@ -229,7 +229,7 @@ def test_that_a_period_that_is_not_given_has_no_row():
     rows, scene = of_building({"height_m": 9.0, "storeys": 3})
     assert "period_s" not in rows
     taken = scene.but(period_taken=True, building=replace(scene.building, period_s=0.3))
-    assert "period_s" not in {row.key for row in of_the_building(taken, taken.building)}
+    assert "period_s" not in {row.key for row in favourable_building(taken, taken.building)}
 
 
 @pytest.mark.shows("lifts.building")

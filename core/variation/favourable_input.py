@@ -11,25 +11,25 @@ from core.setting.scene import Scene
 from core.text.sentence import Number, Sentence, sentence
 from core.variation.evaluate import Evaluation
 
-Ends = list[Evaluation | None]
+AlternativeEvaluations = list[Evaluation | None]
 """The wall at the other ends of the range of an input; None where it does not stand there."""
 
 
-Change = Callable[[Scene], Scene]
+SceneChange = Callable[[Scene], Scene]
 
 
 GIVEN_WORD, NONE_WORD = sentence("accepted", "given"), sentence("accepted", "none")
 
 
-class End(NamedTuple):
+class Alternative(NamedTuple):
     """The other end of the range of an input: the change to it, and its value as the table shows it."""
 
-    change: Change
+    change: SceneChange
     value: Shown
 
 
 @dataclass(frozen=True)
-class Raised:
+class FavourableInput:
     """An input that raises zeta.
 
     key : of the case and of the reasons; reasons : sections of them, or None
@@ -43,7 +43,7 @@ class Raised:
     key: str
     reasons: object
     value: Shown
-    ends: tuple[End, ...]
+    ends: tuple[Alternative, ...]
     words: Callable[[list[float | None], Check], Sentence]
     source: str = GIVEN
     histories: bool = True
@@ -55,52 +55,69 @@ class Raised:
         return str(getattr(self.reasons, self.key, "") or "") if self.reasons else ""
 
 
-def worth(zeta: float | None) -> float:
+def zeta_for_sorting(zeta: float | None) -> float:
     """zeta for comparing: a number that is missing is the least."""
     return -math.inf if zeta is None else zeta
 
 
-def of_wall(**values) -> Change:
+def wall_change(**values) -> SceneChange:
     return lambda scene: scene.but(wall=replace(scene.wall, **values))
 
 
-def of_demand(**values) -> Change:
+def demand_change(**values) -> SceneChange:
     return lambda scene: scene.but(demand=replace(scene.demand, **values))
 
 
-def worst_words(code: str, ends: tuple[End, ...]) -> Callable[[list[float | None], Check], Sentence]:
+def lowest_zeta_sentence(code: str, ends: tuple[Alternative, ...]) -> Callable[[list[float | None], Check], Sentence]:
     """The words of an input by the other end with the lowest zeta."""
 
     def words(zetas: list[float | None], check: Check) -> Sentence:
-        k = min(range(len(zetas)), key=lambda k: worth(zetas[k]))
+        k = min(range(len(zetas)), key=lambda k: zeta_for_sorting(zetas[k]))
         value = ends[k].value
         end = Number(value, ".2g") if isinstance(value, float) else value
-        return sentence("reason", code, zeta=zeta_said(zetas[k]), end=end, check=named(check))
+        return sentence("reason", code, zeta=zeta_phrase(zetas[k]), end=end, check=check_phrase(check))
 
     return words
 
 
-def zeta_said(zeta: float | None) -> Number | Sentence:
+def zeta_phrase(zeta: float | None) -> Number | Sentence:
     """zeta at another end within a sentence; where there is none, that the wall may not stand there."""
     return sentence("added", "no_zeta") if zeta is None else Number(zeta)
 
 
-def named(check: Check) -> Sentence:
+def check_phrase(check: Check) -> Sentence:
     """A check within a sentence."""
     return sentence("short", check.label, q=Number(check.q, "g"))
 
 
-def one_end(
-    key: str, code: str, reasons, value: Shown, end: End, source=GIVEN, histories=True, permitted=False, **values
-) -> Raised:
+def single_alternative(
+    key: str,
+    code: str,
+    reasons,
+    value: Shown,
+    end: Alternative,
+    source=GIVEN,
+    histories=True,
+    permitted=False,
+    **values,
+) -> FavourableInput:
     """An input with one alternative value; its sentence reports zeta there."""
 
     def words(zetas, check):
-        told = {"check": named(check)} if key in OF_LOADS else {}
-        return sentence("reason", code, zeta=zeta_said(zetas[0]), **told, **values)
+        told = {"check": check_phrase(check)} if key in LOAD_AND_MASONRY_KEYS else {}
+        return sentence("reason", code, zeta=zeta_phrase(zetas[0]), **told, **values)
 
-    return Raised(key, reasons, value, (end,), words, source, histories, permitted)
+    return FavourableInput(key, reasons, value, (end,), words, source, histories, permitted)
 
 
-OF_LOADS = ("elongation_m", "slack_mm", "prestress", "anchorage_kn", "load", "h_m", "unit_weight_kn_m3", "masonry")
+LOAD_AND_MASONRY_KEYS = (
+    "elongation_m",
+    "slack_mm",
+    "prestress",
+    "anchorage_kn",
+    "load",
+    "h_m",
+    "unit_weight_kn_m3",
+    "masonry",
+)
 """Keys of what loads and masonry raise, told only where the other end is the lower one."""

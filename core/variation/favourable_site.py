@@ -22,10 +22,19 @@ from core.setting.floors import MAX_STOREY, MIN_STOREY, damaged, other_ends
 from core.setting.scene import ESTIMATES, Scene
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.units import G
-from core.variation.raised import Change, End, Raised, of_demand, of_wall, one_end, worst_words, worth
+from core.variation.favourable_input import (
+    Alternative,
+    FavourableInput,
+    SceneChange,
+    demand_change,
+    lowest_zeta_sentence,
+    single_alternative,
+    wall_change,
+    zeta_for_sorting,
+)
 
 
-def of_what_is_required(scene: Scene) -> Iterator[Raised]:
+def favourable_demand(scene: Scene) -> Iterator[FavourableInput]:
     """Inputs that make the demand milder than the code's: a limit state whose a_g nothing shows to be its own, a zeta
     required below 1, a soil factor below 1, a short reference period, a spectrum that is not the code's."""
     demand, asked = scene.demand, scene.asked
@@ -34,19 +43,21 @@ def of_what_is_required(scene: Scene) -> Iterator[Raised]:
         if demand.return_period is not None and not (reasons and reasons.limit_state):
             years = f"T_R {demand.return_period:.0f}"
             reasons = replace(reasons or DemandJustification(), limit_state=years)
-        end = End(of_demand(limit_state="SLV"), "SLV")
-        yield one_end("limit_state", "lift_limit_state", reasons, "SLC", end)
+        end = Alternative(demand_change(limit_state="SLV"), "SLV")
+        yield single_alternative("limit_state", "lift_limit_state", reasons, "SLC", end)
     if demand.zeta_target < 1.0:
-        end, target = End(of_demand(zeta_target=1.0), 1.0), demand.zeta_target
-        yield one_end("zeta_target", "lift_zeta_target", reasons, target, end, target=target)
+        end, target = Alternative(demand_change(zeta_target=1.0), 1.0), demand.zeta_target
+        yield single_alternative("zeta_target", "lift_zeta_target", reasons, target, end, target=target)
     if demand.target is None and demand.soil_factor < 1.0:
-        end = End(of_demand(soil_factor=1.0, pga=demand.ag), 1.0)
-        yield one_end("soil_factor", "lift_soil_factor", reasons, demand.soil_factor, end, given=demand.soil_factor)
+        end = Alternative(demand_change(soil_factor=1.0, pga=demand.ag), 1.0)
+        yield single_alternative(
+            "soil_factor", "lift_soil_factor", reasons, demand.soil_factor, end, given=demand.soil_factor
+        )
     yield from _of_the_life(scene)
     yield from _of_the_spectrum(scene)
 
 
-def _of_the_life(scene: Scene) -> Iterator[Raised]:
+def _of_the_life(scene: Scene) -> Iterator[FavourableInput]:
     """A reference period shorter than that of ordinary works of class II, where the hazard says what a_g is then."""
     demand, asked = scene.demand, scene.asked
     life = asked.reference_period
@@ -56,11 +67,13 @@ def _of_the_life(scene: Scene) -> Iterator[Raised]:
     ag = math.exp(float(np.interp(math.log(return_period(ORDINARY_LIFE, demand.limit_state)), years, known)))
     there = with_ag(demand, asked, Path(), ag / demand.ag)
     reasons, given = asked.justification, sentence("added", "reference_life", years=life)
-    end = End(lambda scene: scene.under(there), sentence("added", "reference_life", years=ORDINARY_LIFE))
-    yield one_end("nominal_life_years", "lift_life", reasons, given, end, years=life, least=ORDINARY_LIFE, ag=ag / G)
+    end = Alternative(lambda scene: scene.under(there), sentence("added", "reference_life", years=ORDINARY_LIFE))
+    yield single_alternative(
+        "nominal_life_years", "lift_life", reasons, given, end, years=life, least=ORDINARY_LIFE, ag=ag / G
+    )
 
 
-def _of_the_spectrum(scene: Scene) -> Iterator[Raised]:
+def _of_the_spectrum(scene: Scene) -> Iterator[FavourableInput]:
     """F_0 and T_C* that no place of Italy has, and another spectrum than that of NTC 2018 which the hazard gives."""
     demand, asked = scene.demand, scene.asked
     reasons, spectrum = asked.justification, asked.spectrum
@@ -71,20 +84,22 @@ def _of_the_spectrum(scene: Scene) -> Iterator[Raised]:
                 worst: dict[str, Any] = {key: most}
                 there = _with_spectrum(demand, asked, replace(spectrum, **worst))
                 said = {"name": Key(key), "given": given, "least": least, "most": most}
-                yield one_end(key, "lift_outside_italy", reasons, given, _under(there, most), **said)
+                yield single_alternative(key, "lift_outside_italy", reasons, given, _under(there, most), **said)
     elif demand.target is not None and (row := _row_of(demand, asked)) is not None:
         soil = spectrum.soil if spectrum else "A"
         there = _with_spectrum(demand, asked, Spectrum(NATIONAL, soil, row.f0, row.tc_star_s, "T1"))
         given = CODES[spectrum.code].name if spectrum else asked.spectrum_file or ""
         words = sentence("added", "ntc_spectrum", soil=soil)
-        yield one_end("spectrum", "lift_spectrum", reasons, given, _under(there, words), name=given, soil=soil)
+        yield single_alternative(
+            "spectrum", "lift_spectrum", reasons, given, _under(there, words), name=given, soil=soil
+        )
     elif spectrum is not None and spectrum.type == 2:
         try:
             there = _with_spectrum(demand, asked, replace(spectrum, type=1))
         except InputError:  # an annex may have the other type alone
             return
         types = [sentence("word", "spectrum_type", type=n) for n in (2, 1)]
-        yield one_end("spectrum", "lift_type", reasons, types[0], _under(there, types[1]))
+        yield single_alternative("spectrum", "lift_type", reasons, types[0], _under(there, types[1]))
 
 
 def _row_of(demand: DemandResult, asked: Demand) -> HazardRow | None:
@@ -110,11 +125,11 @@ def _with_spectrum(demand: DemandResult, asked: Demand, spectrum: Spectrum) -> D
     )
 
 
-def _under(there: DemandResult, value: Shown) -> End:
-    return End(lambda scene: scene.under(there), value)
+def _under(there: DemandResult, value: Shown) -> Alternative:
+    return Alternative(lambda scene: scene.under(there), value)
 
 
-def _of_building(**values) -> Change:
+def _of_building(**values) -> SceneChange:
     def change(scene: Scene) -> Scene:
         assert scene.building is not None
         return scene.but(building=replace(scene.building, **values))
@@ -122,7 +137,7 @@ def _of_building(**values) -> Change:
     return change
 
 
-def _with_period(building: Building, period: float) -> Change:
+def _with_period(building: Building, period: float) -> SceneChange:
     """The building with this first period [s], all its modes in proportion."""
     if not building.modes:
         return _of_building(period_s=period)
@@ -135,7 +150,7 @@ def _building_words(factor: float, damping: float) -> Sentence:
     return sentence("added", "period_and_damping", factor=factor, damping=damping)
 
 
-def _building_at(factor: float, damping: float) -> Change:
+def _building_at(factor: float, damping: float) -> SceneChange:
     """The building at this ratio to its elastic period, and with this damping."""
 
     def change(scene: Scene) -> Scene:
@@ -148,7 +163,7 @@ def _building_at(factor: float, damping: float) -> Change:
     return change
 
 
-def _by_first_mode(share: float) -> Change:
+def _by_first_mode(share: float) -> SceneChange:
     """The building by its first mode alone, with this participation."""
 
     def change(scene: Scene) -> Scene:
@@ -160,7 +175,7 @@ def _by_first_mode(share: float) -> Change:
     return change
 
 
-def of_the_building(scene: Scene, building: Building) -> Iterator[Raised]:
+def favourable_building(scene: Scene, building: Building) -> Iterator[FavourableInput]:
     """Inputs of the building, and of the height at which its motion is taken, that raise zeta."""
     wall, asked, limit_state = scene.wall, scene.asked, scene.demand.limit_state
     base, felt = wall.base_z_m, wall.felt_z_m
@@ -168,33 +183,35 @@ def of_the_building(scene: Scene, building: Building) -> Iterator[Raised]:
     storey = building.height_m / building.storeys
     if not MIN_STOREY <= storey <= MAX_STOREY and not building.modes:
         many = math.ceil(building.height_m / MIN_STOREY)
-        end, reasons = End(_of_building(storeys=many), float(many)), asked.justification
-        yield one_end("storeys", "lift_storeys", reasons, float(building.storeys), end, storey=storey, many=many)
+        end, reasons = Alternative(_of_building(storeys=many), float(many)), asked.justification
+        yield single_alternative(
+            "storeys", "lift_storeys", reasons, float(building.storeys), end, storey=storey, many=many
+        )
     first = building.modes[0].period_s if building.modes else building.period_s
     if first is not None and not scene.period_taken:
         estimated = estimated_period(building.height_m)
         periods = [factor * estimated for factor in ESTIMATES]
-        there = tuple(End(_with_period(building, t), t) for t in periods if abs(t / first - 1.0) > 0.01)
-        yield Raised("period_s", asked.justification, first, there, worst_words("lift_period", there))
+        there = tuple(Alternative(_with_period(building, t), t) for t in periods if abs(t / first - 1.0) > 0.01)
+        yield FavourableInput("period_s", asked.justification, first, there, lowest_zeta_sentence("lift_period", there))
     if ends := other_ends(building, limit_state):
 
         def words(zetas, _):
-            k = min(range(len(ends)), key=lambda k: worth(zetas[k]))
+            k = min(range(len(ends)), key=lambda k: zeta_for_sorting(zetas[k]))
             factor, damping = ends[k]
             return sentence("reason", "other_building", factor=factor, damping=damping, zeta=Number(zetas[k]))
 
         given = bool(building.modes) or (building.period_factor, building.damping) != (None, None)
-        there = tuple(End(_building_at(*end), _building_words(*end)) for end in ends)
+        there = tuple(Alternative(_building_at(*end), _building_words(*end)) for end in ends)
         value = _building_words(*damaged(building, limit_state))
         source = GIVEN if given else DEFAULT
-        yield Raised("building", asked.justification, value, there, words, source, permitted=not given)
+        yield FavourableInput("building", asked.justification, value, there, words, source, permitted=not given)
     half = 0.5 * (wall.height_m or wall.block().height)
     if wall.has_shape:
         half = wall.in_si.bare.centroid[1]
     centroid = min(base + half, building.height_m)
     if not building.modes and centroid > felt:
-        end = End(of_wall(base_z_m=centroid), centroid)
-        yield one_end("base_z_m", "at_centroid", wall.justification, base, end, z=centroid)
+        end = Alternative(wall_change(base_z_m=centroid), centroid)
+        yield single_alternative("base_z_m", "at_centroid", wall.justification, base, end, z=centroid)
     if building.modes:
         _, damping = damaged(building, limit_state)
         z = min(felt, building.height_m)
@@ -203,5 +220,5 @@ def of_the_building(scene: Scene, building: Building) -> Iterator[Raised]:
         share = max(abs(expected.participation), abs(given))
         if len(building.modes) > 1 or abs(given) < share * (1.0 - 1e-6):  # modes of opposite signs cancel
             code = "lift_modes" if len(building.modes) > 1 else "lift_participation"
-            end, reasons = End(_by_first_mode(share), share), asked.justification
-            yield one_end("participation", code, reasons, given, end, given=given, expected=share)
+            end, reasons = Alternative(_by_first_mode(share), share), asked.justification
+            yield single_alternative("participation", code, reasons, given, end, given=given, expected=share)

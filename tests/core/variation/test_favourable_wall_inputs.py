@@ -9,9 +9,9 @@ import pytest
 
 from core.case.schema import Generate
 from core.setting import demand_input
-from core.variation import raised_inputs
+from core.variation import favourable_wall_inputs
 from core.variation.evaluate import evaluate
-from core.variation.raised_inputs import raised
+from core.variation.favourable_wall_inputs import favourable_inputs
 from tests.core.variation.one_evaluation import BARE, MOTION, NTC, SOIL, WALL, history, scene_of, with_histories
 
 SPECTRUM = {"ag_g": 0.05, "spectrum": NTC}
@@ -32,7 +32,7 @@ def rows_of(wall=WALL, demand=SOIL, zeta=None, ground=(MOTION,), scene=None, **v
         scene = with_histories(scene, lambda *_: history(zeta, **values), ground)
     found = evaluate(scene)
     check = found.checks[0]
-    return {row.words([1.0] * len(row.ends), check).code: row for row in raised(found)}, found.scene
+    return {row.words([1.0] * len(row.ends), check).code: row for row in favourable_inputs(found)}, found.scene
 
 
 def wall_at(row, scene, k=0):
@@ -460,7 +460,7 @@ def test_that_a_restraint_that_meets_a_body_below_its_top_is_shown_at_it(h, said
 
 
 def test_that_histories_that_are_switched_off_are_a_row_of_a_wall_that_passes(row_of_histories, monkeypatch):
-    monkeypatch.setattr(raised_inputs, "default_motions", lambda demand: [MOTION])
+    monkeypatch.setattr(favourable_wall_inputs, "default_motions", lambda demand: [MOTION])
     rows, scene = rows_of(demand=SPECTRUM)
     row = rows["lift_histories"]
     there = row.ends[0].change(scene)

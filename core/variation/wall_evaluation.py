@@ -16,11 +16,11 @@ from core.codes.dynamic_check import demand_check
 from core.codes.outcomes import FAILS, OPEN, least
 from core.setting.plan import Floors, Inputs, plan_of
 from core.setting.scene import scaled
-from core.variation.evaluate import AT_LIMIT, RUN, Evaluation, Precision, evaluate
+from core.variation.evaluate import AT_LIMIT, FULL_PRECISION, Evaluation, Precision, evaluate
 
 
 @dataclass(frozen=True)
-class WholeWall:
+class WallEvaluation:
     """A wall evaluated about each of its hinges, by each of its mechanisms; none of a wall that does not stand.
 
     The linear check with the wall's own q is not made: it asks for a search.
@@ -61,12 +61,12 @@ class WholeWall:
         return bool(self.hinges) and all(hinge.satisfied for hinge in self.hinges)
 
 
-NONE = WholeWall(())
+NO_EVALUATION = WallEvaluation(())
 """A wall that does not stand."""
 
 
 @dataclass(frozen=True)
-class Setting:
+class WallContext:
     """Setting that stays the same while inputs of a wall move.
 
     case : with that wall alone; inputs : of `read_inputs`; histories : `demand_check`, or one that keeps its results
@@ -90,7 +90,9 @@ class Setting:
         return bool(self.inputs[1]) and self.demand.limit_state in LIMIT_FRACTION
 
 
-def setting_of(case: Case, k: int, base_dir: Path, inputs: Inputs, histories: Callable = demand_check) -> Setting:
+def make_wall_context(
+    case: Case, k: int, base_dir: Path, inputs: Inputs, histories: Callable = demand_check
+) -> WallContext:
     """Setting of the k-th wall of a case with a demand; no tie is sought."""
     case = by_itself(case, k)
     wall = replace(case.wall[0], tie_height_m=None, tie_bar_length_m=None, tie_elongation_m=None, tie_spacing_m=None)
@@ -98,32 +100,32 @@ def setting_of(case: Case, k: int, base_dir: Path, inputs: Inputs, histories: Ca
     demand = replace(case.demand, confidence_factor=FULL_FACTOR) if case.demand else None
     analysis = replace(case.analysis, accuracy=False)
     alone = replace(case, wall=(wall,), demand=demand, sensitivity=None, analysis=analysis)
-    return Setting(alone, base_dir, inputs, histories)
+    return WallContext(alone, base_dir, inputs, histories)
 
 
-def with_wall(setting: Setting, wall: Wall) -> Setting:
+def replace_wall(setting: WallContext, wall: Wall) -> WallContext:
     """The setting with another wall. Raises InputError where it breaks a rule, or does not stand."""
     return replace(setting, case=with_walls(setting.case, [wall]))
 
 
-def with_demand(setting: Setting, demand: DemandResult) -> Setting:
+def replace_demand(setting: WallContext, demand: DemandResult) -> WallContext:
     """The setting with another demand; records that are used as given follow its a_g S."""
     _, motions, kinds = setting.inputs
     return replace(setting, inputs=(demand, [*scaled(motions, setting.demand, demand)], kinds))
 
 
-def without_record(setting: Setting, k: int) -> Setting:
+def drop_record(setting: WallContext, k: int) -> WallContext:
     """The setting without its k-th record."""
     demand, motions, kinds = setting.inputs
     return replace(setting, inputs=(demand, motions[:k] + motions[k + 1 :], kinds[:k] + kinds[k + 1 :]))
 
 
 def evaluate_wall(
-    setting: Setting,
-    precision: Precision | None = RUN,
+    setting: WallContext,
+    precision: Precision | None = FULL_PRECISION,
     floors: Floors | None = None,
     cancelled: Callable[[], bool] = lambda: False,
-) -> WholeWall:
+) -> WallEvaluation:
     """The wall of a setting about all its hinges.
 
     precision : of the histories; None makes none
@@ -133,5 +135,5 @@ def evaluate_wall(
     plan = plan_of(setting.case, setting.inputs, floors=floors)
     scenes = [plan.scene(k, setting.demand, histories=setting.histories) for k in range(len(plan.entries))]
     if precision is None:
-        return WholeWall(tuple(evaluate(scene.without_records()) for scene in scenes))
-    return WholeWall(tuple(evaluate(scene, precision, other=False, cancelled=cancelled) for scene in scenes))
+        return WallEvaluation(tuple(evaluate(scene.without_records()) for scene in scenes))
+    return WallEvaluation(tuple(evaluate(scene, precision, other=False, cancelled=cancelled) for scene in scenes))
