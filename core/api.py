@@ -36,9 +36,9 @@ from core.report.json_report import results
 from core.rocking import history as rocking
 from core.rocking.methods import METHODS
 from core.rocking.outcome import COLLAPSED, OUTCOME_WORDS, STABLE
-from core.setting.plan import with_chosen
-from core.setting.record_input import options_of
-from core.setting.scene import model_of
+from core.setting.check_input import make_rocking_model
+from core.setting.plan import select_case_records
+from core.setting.record_input import record_options
 from core.study import run as study_run
 from core.study.results import StudyResult
 from core.study.wall_result import model_notices
@@ -166,7 +166,7 @@ def read_record(path: str | os.PathLike, scale: float = 1.0, **said: Any) -> Gro
     if more := set(said) - set(OF_FILE):
         raise InputError("api_number", key=min(more), accepted=", ".join(OF_FILE))
     entry = section_of(Record, _plain({"file": str(place), "scale": scale, **said}), "record", "record")
-    return records.read(place, options_of(entry), entry.scale)
+    return records.read(place, record_options(entry), entry.scale)
 
 
 def spectrum(ground: GroundMotion, periods: Sequence[float] | np.ndarray, damping: float = 0.05) -> np.ndarray:
@@ -384,7 +384,7 @@ def select(case: Case, base_dir: str | os.PathLike = ".") -> Case:
     InputError
         Where there is no set that fits.
     """
-    return with_chosen(_of(Case, "case", case), _path(base_dir))[0]
+    return select_case_records(_of(Case, "case", case), _path(base_dir))[0]
 
 
 OF_BOTH = "q_slv", "q_slc", "q_slv_low", "q_slv_robust", "q_robust"
@@ -460,7 +460,7 @@ def _model(wall: Wall, ground: GroundMotion, asked: str | None) -> RockingModel:
     if _of(Wall, "wall", wall).above_ground:
         said = {"wall": wall.title, "z": wall.felt_z_m, "ground": ground.name, "building": Key("[building]")}
         raise InputError("api_above_ground", key="base_z_m", **said)
-    return model_of(with_thrust(wall), _mechanism(wall, asked))
+    return make_rocking_model(with_thrust(wall), _mechanism(wall, asked))
 
 
 def _mechanism(wall: Wall, asked: str | None) -> str:

@@ -31,7 +31,7 @@ from core.codes.spectrum_codes import CODES, NATIONAL, takes
 from core.codes.target_spectrum import Target
 from core.errors import InputError
 from core.known import known
-from core.setting.demand_input import target_of
+from core.setting.demand_input import read_target_spectrum
 from core.units import G
 
 if TYPE_CHECKING:
@@ -175,7 +175,7 @@ class DemandForm(QWidget):
         self.file.setVisible(kind == "file")
         self.file.setText(demand.spectrum_file or tr("Choose file…"))
         try:
-            target = target_of(demand, self.session.base_dir)
+            target = read_target_spectrum(demand, self.session.base_dir)
         except InputError as error:
             target = None
             self.summary.setText(described(error))
@@ -228,7 +228,7 @@ class DemandForm(QWidget):
             return {}
         others = (state for state in EXCEEDANCE if state != demand.limit_state)
         return {
-            state: target_of(known(placed(site, replace(demand, limit_state=state))), self.session.base_dir)
+            state: read_target_spectrum(known(placed(site, replace(demand, limit_state=state))), self.session.base_dir)
             for state in others
         }
 

@@ -11,7 +11,7 @@ from app.work.session import Session
 from core.case.hazard_table import parse_hazard, read_hazard
 from core.case.site import HazardRow
 from core.errors import InputError
-from core.setting.demand_input import hazard_of
+from core.setting.demand_input import read_hazard_rows
 
 
 class HazardForm(QGroupBox):
@@ -42,7 +42,7 @@ class HazardForm(QGroupBox):
             self.words.setText("")
             return
         try:
-            rows = hazard_of(demand, self.session.base_dir)
+            rows = read_hazard_rows(demand, self.session.base_dir)
         except InputError as error:
             self.words.setText(quoted_from_file(error))
             return

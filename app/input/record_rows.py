@@ -8,8 +8,8 @@ from app.look.language import described, named, number, tr
 from core.case.schema import Case, Record
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
-from core.setting.demand_input import demand_of, generated
-from core.setting.plan import with_chosen
+from core.setting.demand_input import generate_motions, read_demand
+from core.setting.plan import select_case_records
 from core.setting.record_input import read_records
 from core.units import CM, G
 
@@ -53,9 +53,9 @@ def read_rows(
     rows: list[Row] = [(k, motion) for k, entry in enumerate(case.record) for motion in read(entry, base)]
     if case.generate or case.select:
         try:
-            asked = demand_of(case, base)
-            made = generated(case, asked) if asked and asked.target else []
-            chosen, _ = with_chosen(case, base, cancelled=cancelled)
+            asked = read_demand(case, base)
+            made = generate_motions(case, asked) if asked and asked.target else []
+            chosen, _ = select_case_records(case, base, cancelled=cancelled)
             made += read_records(chosen, base)[0] if case.select else []
             rows += [(None, motion) for motion in made]
         except InputError as error:

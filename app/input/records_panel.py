@@ -36,7 +36,7 @@ from core.errors import InputError
 from core.file_names import name_of
 from core.ground.ground_motion import GroundMotion
 from core.known import known
-from core.setting.demand_input import demand_of
+from core.setting.demand_input import read_demand
 
 
 class RecordsPanel(QWidget):
@@ -353,7 +353,7 @@ class RecordsPanel(QWidget):
             self.words.setText(why)
             return
         try:
-            asked = demand_of(case, self.session.base_dir) if case.demand else None
+            asked = read_demand(case, self.session.base_dir) if case.demand else None
         except (InputError, TypeError, KeyError):
             asked = None
         rows = {

@@ -35,7 +35,7 @@ from core.case.writer import table_of
 from core.errors import InputError
 from core.file_names import key_of, name_of
 from core.report.selection_words import lines_of
-from core.setting.plan import with_chosen
+from core.setting.plan import select_case_records
 from core.setting.record_selection import Selection
 from core.text.sentence import localized
 from core.units import G
@@ -142,7 +142,7 @@ class SelectionDialog(QDialog):
         folder = key_of(self.folder.text().strip())
         asked = replace(self.asked, folder=folder, count=self.count.value(), scaling=self.scaling.currentData())
         case = replace(self.case, record=(), generate=None, select=asked)
-        job = self.job = Job(lambda job: with_chosen(case, self.base, job.progress, job.cancelled)[1])
+        job = self.job = Job(lambda job: select_case_records(case, self.base, job.progress, job.cancelled)[1])
         job.done.connect(self._arrived)
         job.failed.connect(lambda sentence, log: self.words.setText(f"{sentence} {log}".strip()))
         job.progressed.connect(lambda done, planned, left: self.bar.setValue(100 * done // max(planned, 1)))

@@ -19,7 +19,7 @@ from core.case.variant_names import AS_IS, DESIGNED
 from core.case.wall import Wall
 from core.codes.target_spectrum import velocity_integral
 from core.errors import InputError
-from core.setting.demand_input import demand_of
+from core.setting.demand_input import read_demand
 from core.study import wall_result
 from core.study.variants import changed_keys
 from core.text.sentence import choice, notice
@@ -33,7 +33,7 @@ def estimate_lines(session: Session, wall: Wall) -> list[str]:
     """A first answer without records: q of Ribalta's law at the demand, where its spectrum is given."""
     case = session.case
     try:
-        demand = demand_of(case, session.base_dir) if case.demand else None
+        demand = read_demand(case, session.base_dir) if case.demand else None
         if demand is None or demand.target is None or not wall.has_closed_forms or not wall.mechanism:
             return []
         answers = [

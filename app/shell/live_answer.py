@@ -195,14 +195,14 @@ class LiveAnswer(Section):
 
     def _clauses(self) -> None:
         """The checks of the clauses, of which the letter at hand needs to wait for none."""
-        from core.setting.demand_input import demand_of
+        from core.setting.demand_input import read_demand
         from core.study.one_wall import single_wall_case
         from core.variation.wall_evaluation import WallContext, evaluate_wall
 
         whole, base, row, _ = known(self.at)
         case = single_wall_case(whole, row)
         try:
-            demand = known(demand_of(case, base))
+            demand = known(read_demand(case, base))
             setting = WallContext(case, base, (demand, [], []))
             evaluated = evaluate_wall(setting, None)
         except InputError as error:

@@ -22,7 +22,7 @@ from core.case.sensitivity import Ranges
 from core.case.wall import Wall
 from core.errors import InputError
 from core.known import known
-from core.setting.demand_input import target_of
+from core.setting.demand_input import read_target_spectrum
 from core.study.results import StudyResult, WallResult
 
 OF_A_RESULT = ("check", "histories", "sure", "capacity", "intensity", "validation")
@@ -211,7 +211,7 @@ class Navigator(QObject):
         """The spectra of the input as it stands. page : beside the records; None is that of the stage Why"""
         demand = self.session.case.demand
         try:
-            target = target_of(demand, self.session.base_dir) if demand else None
+            target = read_target_spectrum(demand, self.session.base_dir) if demand else None
         except (InputError, TypeError, KeyError):  # still to be given
             target = None
         result = self.session.result

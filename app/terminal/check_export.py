@@ -11,7 +11,7 @@ from core.case.reader import read_case
 from core.errors import InputError
 from core.file_names import file_name, shown
 from core.regular_file import first_bytes
-from core.setting.plan import plan_of, read_inputs
+from core.setting.plan import make_plan, read_inputs
 from core.study.check_script import TEMPLATE, ScriptUnavailable, check_script
 
 REASON_WORDS = {
@@ -32,7 +32,7 @@ def run(case_path: Path, output: Path | None) -> int:
     case = read_case(case_path)
     folder, _ = results_of(case_path, output)
     with made(case_path, folder):
-        plan = plan_of(case, read_inputs(case, case_path.parent))
+        plan = make_plan(case, read_inputs(case, case_path.parent))
         files: dict[Path, bytes] = {}
         taken: dict[str, int] = {}
         refused = []

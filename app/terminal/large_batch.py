@@ -33,7 +33,7 @@ from core.packages import require
 from core.report import large_report, parquet_file
 from core.report.columns import columns_of
 from core.report.large_report import Tally
-from core.setting.plan import results_in
+from core.setting.plan import count_results
 from core.study.case_parts import FINISHED, MergedParts, part_key, part_path
 from core.study.journal import Journal, journal_key
 from core.study.large_case import LargeCase, common_result, group_results, prepare_large_case, run_groups_remotely
@@ -46,7 +46,7 @@ MAX_WALLS_SHOWN = 20
 def refuse(case: Case, note: Path | None = None) -> None:
     """Raise InputError for what is not made of so many walls."""
     if note is not None or case.analysis.accuracy or case.sensitivity:
-        raise InputError("large_without", found=results_in(case))
+        raise InputError("large_without", found=count_results(case))
 
 
 def run(

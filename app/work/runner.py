@@ -15,7 +15,7 @@ from core.capacity.accuracy import Accuracy
 from core.case.schema import Case
 from core.errors import InputError
 from core.known import known
-from core.setting.plan import results_by_wall
+from core.setting.plan import count_results_by_wall
 from core.study.journal import MemoryJournal
 from core.study.results import StudyResult, WallResult
 
@@ -86,7 +86,7 @@ class Runner(QObject):
             return
         generation = self.session.generation
         base = self.session.base_dir
-        self.planned_results = dict(enumerate(results_by_wall(case)))
+        self.planned_results = dict(enumerate(count_results_by_wall(case)))
         asked = case
 
         def arrived(result: StudyResult) -> None:

@@ -27,7 +27,7 @@ from core.case.writer import dumps, table_of
 from core.errors import InputError, OutputError
 from core.file_names import key_of, name_of
 from core.known import known
-from core.setting.demand_input import target_of
+from core.setting.demand_input import read_target_spectrum
 from core.study.journal import lock_file
 from core.study.results import StudyResult
 from core.text.sentence import Sentence
@@ -143,7 +143,7 @@ class Session:
         demand = self.case.demand
         if demand and demand.spectrum_file and self.result.demand:
             with contextlib.suppress(InputError, TypeError):
-                if target_of(demand, self.base_dir) != self.result.demand.target:
+                if read_target_spectrum(demand, self.base_dir) != self.result.demand.target:
                     return True
         used = {m.samples_sha256 for m in self.result.motions if m.format != "generated"}
         return self.samples is not None and not used <= self.samples

@@ -37,7 +37,7 @@ SPECTRUM_UNITS = ("t", "se/g", "sa/g", "s", "sec", "secondi", "seconds", "g", "-
 """Units of a spectrum file, as they are written."""
 
 
-def target_of(asked: Demand, base_dir: Path) -> Target | None:
+def read_target_spectrum(asked: Demand, base_dir: Path) -> Target | None:
     """The elastic spectrum of a demand. Raises InputError, and KeyError of a draft some of whose values are still to be
     given."""
     ag = asked.ag_g * G
@@ -85,16 +85,16 @@ def _rows(path: Path) -> list[tuple[float, float]]:
     return rows
 
 
-def demand_of(case: Case, base_dir: Path) -> DemandResult | None:
+def read_demand(case: Case, base_dir: Path) -> DemandResult | None:
     """The demand of a case, None without one. Raises InputError."""
-    return None if case.demand is None else demand_asked(case.demand, base_dir)
+    return None if case.demand is None else read_stated_demand(case.demand, base_dir)
 
 
-def demand_asked(asked: Demand, base_dir: Path) -> DemandResult:
+def read_stated_demand(asked: Demand, base_dir: Path) -> DemandResult:
     """The demand but for an intensity that only records can give. Raises InputError."""
-    hazard = hazard_of(asked, base_dir)
+    hazard = read_hazard_rows(asked, base_dir)
     check_hazard(asked, hazard)
-    target = target_of(asked, base_dir)
+    target = read_target_spectrum(asked, base_dir)
     ag = asked.ag_g * G
     soil = target.soil if target else asked.soil_factor or 1.0
     intensity, source = None, None
@@ -123,35 +123,35 @@ def demand_asked(asked: Demand, base_dir: Path) -> DemandResult:
     )
 
 
-def with_ag(demand: DemandResult, asked: Demand, base_dir: Path, factor: float) -> DemandResult:
+def rescale_ag(demand: DemandResult, asked: Demand, base_dir: Path, factor: float) -> DemandResult:
     """A demand with another a_g: that of the demand times this factor; S_S of NTC follows it, a spectrum of a file is
     scaled. asked : of the case. Raises InputError."""
     ag, target = factor * demand.ag, demand.target
     if isinstance(target, target_spectrum.GivenSpectrum):
         target = replace(target, ag=ag, values=tuple(factor * value for value in target.values))
     elif target:
-        target = target_of(replace(asked, ag_g=ag / G), base_dir)
+        target = read_target_spectrum(replace(asked, ag_g=ag / G), base_dir)
     soil = target.soil if target else demand.soil_factor
     intensity = target_spectrum.housner_intensity(target) if target else demand.intensity
     return replace(demand, ag=ag, soil_factor=soil, pga=ag * soil, target=target, intensity=intensity)
 
 
-def pga_with_ag(demand: DemandResult, asked: Demand, base_dir: Path, factor: float) -> float:
-    """PGA of `with_ag` alone [m/s2], without the spectrum and its intensity. Raises InputError."""
+def rescaled_pga(demand: DemandResult, asked: Demand, base_dir: Path, factor: float) -> float:
+    """PGA of `rescale_ag` alone [m/s2], without the spectrum and its intensity. Raises InputError."""
     ag, target = factor * demand.ag, demand.target
     if target and not isinstance(target, target_spectrum.GivenSpectrum):
-        target = target_of(replace(asked, ag_g=ag / G), base_dir)
+        target = read_target_spectrum(replace(asked, ag_g=ag / G), base_dir)
     return ag * (target.soil if target else demand.soil_factor)
 
 
-def hazard_of(asked: Demand, base_dir: Path) -> tuple[HazardRow, ...]:
+def read_hazard_rows(asked: Demand, base_dir: Path) -> tuple[HazardRow, ...]:
     """The hazard of the site, of the case or of its file. Raises InputError."""
     if asked.hazard_file:
         return read_hazard(base_dir / name_of(asked.hazard_file))
     return asked.hazard
 
 
-def interpolated(hazard: tuple[HazardRow, ...], years: float) -> HazardRow:
+def interpolate_hazard(hazard: tuple[HazardRow, ...], years: float) -> HazardRow:
     """The hazard at this return period [years] within its rows: a_g, F_0 and T_C* each linear in the logarithms between
     the rows beside it (NTC 2018, Annex A, Eq. [2])."""
     known = np.log([row.return_period_years for row in hazard])
@@ -176,9 +176,9 @@ def check_hazard(asked: Demand, hazard: tuple[HazardRow, ...]) -> None:
     shortest = years is None
     if years is None:
         years = return_period(life, asked.limit_state)
-    if not hazard or not within(hazard, years):
+    if not hazard or not hazard_covers(hazard, years):
         return
-    row, spectrum = interpolated(hazard, years), asked.spectrum
+    row, spectrum = interpolate_hazard(hazard, years), asked.spectrum
     pairs = [("ag_g", asked.ag_g, row.ag_g)]
     if spectrum is not None and not shortest:
         pairs += [(key, getattr(spectrum, key), getattr(row, key)) for key in ("f0", "tc_star_s")]
@@ -194,7 +194,7 @@ def check_hazard(asked: Demand, hazard: tuple[HazardRow, ...]) -> None:
             raise InputError("hazard_disagrees", place=(section("[demand]"),), **values)
 
 
-def within(hazard: tuple[HazardRow, ...], years: float) -> bool:
+def hazard_covers(hazard: tuple[HazardRow, ...], years: float) -> bool:
     """Whether the rows of a hazard hold this return period [years]."""
     low, high = hazard[0].return_period_years, hazard[-1].return_period_years
     return (1.0 - SAME_PERIOD) * low <= years <= (1.0 + SAME_PERIOD) * high
@@ -209,25 +209,25 @@ DEFAULT_SET = Generate()
 """Set generated where no records are given."""
 
 
-def generated(case: Case, demand: DemandResult) -> list[GroundMotion]:
+def generate_motions(case: Case, demand: DemandResult) -> list[GroundMotion]:
     """The motions of [generate], in their mean compatible with the demand's spectrum; those of DEFAULT_SET where no
     records are given and nothing forbids histories."""
     asked = DEFAULT_SET if case.default_histories and demand.limit_state in LIMIT_FRACTION else case.generate
-    return [] if asked is None else generated_for(asked, demand)
+    return [] if asked is None else generate_requested_motions(asked, demand)
 
 
 def default_motions(demand: DemandResult) -> list[GroundMotion]:
     """The motions of DEFAULT_SET for a demand with a spectrum."""
-    return generated_for(DEFAULT_SET, demand)
+    return generate_requested_motions(DEFAULT_SET, demand)
 
 
-def generated_for(asked: Generate, demand: DemandResult) -> list[GroundMotion]:
+def generate_requested_motions(asked: Generate, demand: DemandResult) -> list[GroundMotion]:
     """The motions that are asked for a demand with a spectrum."""
     assert demand.target is not None
     return list(_set(demand.target, asked, demand.period_range or PERIOD_RANGE))
 
 
-def set_of(motions: Sequence[GroundMotion]) -> Generate | None:
+def find_generation_settings(motions: Sequence[GroundMotion]) -> Generate | None:
     """[generate] by which those of these motions were made that are generated; None without any, and of several
     sets."""
     said = [dict(motion.details) for motion in motions if motion.format == "generated"]

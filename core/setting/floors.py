@@ -86,24 +86,24 @@ class Floor:
 
 def modes_at(building: Building, z: float, limit_state: str) -> tuple[Mode, ...]:
     """Modes at this height [m] of the building as damaged at a limit state."""
-    factor, damping = damaged(building, limit_state)
+    factor, damping = damaged_period_and_damping(building, limit_state)
     if building.modes:
         return tuple(Mode(factor * mode.period_s, mode.damping, mode.participation) for mode in building.modes)
     period = building.period_s or estimated_period(building.height_m)
     return first_mode(building.storeys, building.height_m, z, factor * period, damping)
 
 
-def damaged(building: Building, limit_state: str) -> tuple[float, float]:
+def damaged_period_and_damping(building: Building, limit_state: str) -> tuple[float, float]:
     """(period over the elastic one, damping) of the building at a limit state."""
     factor, damping = DEFAULTS.get(limit_state, ULTIMATE)
     return building.period_factor or factor, building.damping or damping
 
 
-def other_ends(building: Building, limit_state: str) -> tuple[tuple[float, float], ...]:
+def period_and_damping_bounds(building: Building, limit_state: str) -> tuple[tuple[float, float], ...]:
     """(period over the elastic one, damping) at the ends of what C8.7.1.2.1.4 allows, to show what hangs on it: of a
     building that is not given as damaged the far end alone. At SLD, where it allows one, that one."""
     ends = (DEFAULTS[limit_state],) if limit_state in DEFAULTS else (ULTIMATE, OTHER_BUILDING)
-    factor, damping = damaged(building, limit_state)
+    factor, damping = damaged_period_and_damping(building, limit_state)
     if building.modes:
         damping = building.modes[0].damping
     return tuple(end for end in ends if end != (factor, damping))
@@ -119,14 +119,14 @@ def building_notes(building: Building, limit_state: str) -> list[Sentence]:
     expected = estimated_period(building.height_m)
     if period is not None and not expected / ODD_PERIOD <= period <= expected * ODD_PERIOD:
         notes.append(sentence("reason", "odd_building_period", period=period, expected=expected))
-    factor, damping = damaged(building, limit_state)
+    factor, damping = damaged_period_and_damping(building, limit_state)
     weaker = factor < ULTIMATE[0] or (damping < ULTIMATE[1] and not building.modes)
     if limit_state not in DEFAULTS and weaker:
         notes.append(sentence("reason", "stiff_building", factor=factor, damping=damping))
     return notes
 
 
-def floor_of(
+def make_floor(
     wall: Wall, building: Building | None, demand: DemandResult | None, motions: Sequence[GroundMotion]
 ) -> Floor | None:
     """The floor of a wall above the ground; None on it or without [building]. Without a demand the building is that of

@@ -20,15 +20,15 @@ from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
 from core.packages import MAX_WALLS_IN_WORKBOOK
 from core.rocking.methods import AUTO, METHODS, Method
-from core.setting.demand_input import demand_of, generated
-from core.setting.floors import Floor, floor_of
-from core.setting.record_input import joined, read_records
+from core.setting.check_input import CheckInput, make_rocking_model, select_polarities
+from core.setting.demand_input import generate_motions, read_demand
+from core.setting.floors import Floor, make_floor
+from core.setting.record_input import join_motions, read_records
 from core.setting.record_selection import Selection, select_records
-from core.setting.scene import Scene, model_of, polarities_of
 from core.wall.rocking_model import RockingModel
 
 
-class Entry(NamedTuple):
+class PlannedWall(NamedTuple):
     """One wall of a study about one hinge, by one mechanism.
 
     signs : each record is taken with, 1 as recorded, -1 reversed
@@ -63,17 +63,17 @@ class Plan:
     kinds: list[str]
     method: Method
     search: Search
-    entries: list[Entry]
+    entries: list[PlannedWall]
     longest: float | None = None
     walls: int = 0
 
     def scene(
         self, k: int, demand: DemandResult, compliance: Compliance | None = None, histories: Callable = demand_check
-    ) -> Scene:
+    ) -> CheckInput:
         """Scene of the checks of an entry. demand : with what the records add; histories : as of a Scene"""
         entry, asked = self.entries[k], self.case.demand
         assert asked is not None
-        return Scene(
+        return CheckInput(
             entry.part.wall,
             entry.mechanism,
             demand,
@@ -133,14 +133,14 @@ Inputs = tuple[DemandResult | None, list[GroundMotion], list[str]]
 
 def read_inputs(case: Case, base_dir: Path) -> Inputs:
     """Read the demand, the motions and their kinds that a case names. Raises InputError."""
-    case, _ = with_chosen(case, base_dir)
-    demand = demand_of(case, base_dir)
+    case, _ = select_case_records(case, base_dir)
+    demand = read_demand(case, base_dir)
     motions, kinds = read_records(case, base_dir)
-    made = generated(case, demand) if demand else []
-    return demand, joined(motions, made), kinds + ["artificial"] * len(made)
+    made = generate_motions(case, demand) if demand else []
+    return demand, join_motions(motions, made), kinds + ["artificial"] * len(made)
 
 
-def with_chosen(
+def select_case_records(
     case: Case,
     base_dir: Path,
     told: Callable[[int, int], None] = lambda done, planned: None,
@@ -153,9 +153,9 @@ def with_chosen(
     """
     if case.select is None:
         return case, None
-    demand = demand_of(case, base_dir)
+    demand = read_demand(case, base_dir)
     assert demand is not None
-    selection = select_records(case.select, base_dir, demand, longest_of(case, demand), told, cancelled)
+    selection = select_records(case.select, base_dir, demand, longest_mechanism_period(case, demand), told, cancelled)
     return replace(case, select=None, record=selection.chosen.records), selection
 
 
@@ -163,21 +163,21 @@ MANY_WALLS = 50
 """Walls of a case beyond which the table of assumptions is made only of walls it can bring to another outcome: a wall
 without histories costs 4 ms, its table some 100 to 400 ms."""
 
-GROUP = 128
+GROUP_SIZE = 128
 """Walls whose mechanisms are looked at together."""
 
 
-def longest_of(case: Case, demand: DemandResult) -> float:
+def longest_mechanism_period(case: Case, demand: DemandResult) -> float:
     """Longest period of the mechanisms of a case [s], known before its records. Raises InputError."""
-    floors, longest = Floors(16), 0.0
-    for first in range(0, len(case.wall), GROUP):
-        walls = tuple(case.wall[k] for k in range(first, min(first + GROUP, len(case.wall))))
-        plan = plan_of(replace(case, wall=walls), (demand, [], []), floors=floors)
+    floors, longest = FloorCache(16), 0.0
+    for first in range(0, len(case.wall), GROUP_SIZE):
+        walls = tuple(case.wall[k] for k in range(first, min(first + GROUP_SIZE, len(case.wall))))
+        plan = make_plan(replace(case, wall=walls), (demand, [], []), floors=floors)
         longest = max(longest, plan.longest_period)
     return longest
 
 
-class Floors:
+class FloorCache:
     """The floors that walls at some heights stand on, those asked for last. most : heights kept at a time; None, all"""
 
     def __init__(self, most: int | None = None):
@@ -187,18 +187,18 @@ class Floors:
         """The floor of a wall, None on the ground. Raises InputError."""
         z = wall.felt_z_m, wall.bends
         if z not in self._known:
-            self._known[z] = floor_of(wall, building, demand, motions)
+            self._known[z] = make_floor(wall, building, demand, motions)
             if self.most is not None and len(self._known) > self.most:
                 del self._known[next(iter(self._known))]
         return self._known[z]
 
 
-def plan_of(
+def make_plan(
     case: Case,
     inputs: Inputs,
     share: tuple[int, int] | None = None,
     longest: float | None = None,
-    floors: Floors | None = None,
+    floors: FloorCache | None = None,
     walls: int = 0,
 ) -> Plan:
     """The walls of a case. Raises InputError where the records and the demand do not go together: before hours of work,
@@ -218,38 +218,38 @@ def plan_of(
         case = replace(case, sensitivity=None, analysis=replace(case.analysis, accuracy=False))
     mine = [k for k in range(len(case.wall)) if share is None or k % share[1] == share[0]]
     hinged = [part for k in mine for part in parts_of(k, case.wall[k], case.building)]
-    at_height = Floors() if floors is None else floors
+    at_height = FloorCache() if floors is None else floors
     entries = []
     for part in hinged:
         wall, floor = part.wall, at_height.of(part.wall, case.building, demand, motions)
         for mechanism in wall.mechanisms():
-            model, closed_form = model_of(wall, mechanism), None
+            model, closed_form = make_rocking_model(wall, mechanism), None
             if demand and (floor or not wall.above_ground):
                 closed_form = kinematic(wall.in_si, mechanism, demand, floor.spectrum if floor else None)
-            signs, felt = polarities_of(model, chosen.polarity), list(floor.motions) if floor else motions
-            entries.append(Entry(part, mechanism, model, signs, floor, felt, closed_form))
+            signs, felt = select_polarities(model, chosen.polarity), list(floor.motions) if floor else motions
+            entries.append(PlannedWall(part, mechanism, model, signs, floor, felt, closed_form))
     plan = Plan(case, demand, motions, kinds, method, search, entries, longest, walls)
     if demand and demand.target and motions:
         period_range(kinds, plan.longest_period, demand)
     return plan
 
 
-def results_by_wall(case: Case) -> Iterator[int]:
+def count_results_by_wall(case: Case) -> Iterator[int]:
     """Number of results of each wall of a case: about each hinge, by each mechanism."""
     return (count_of(wall, case.building) for wall in case.wall)
 
 
-def results_in(case: Case) -> int:
+def count_results(case: Case) -> int:
     """Number of results of a case."""
-    return sum(results_by_wall(case))
+    return sum(count_results_by_wall(case))
 
 
 def is_large(case: Case) -> bool:
     """Whether a case has more results than a workbook holds."""
-    return results_in(case) > MAX_WALLS_IN_WORKBOOK
+    return count_results(case) > MAX_WALLS_IN_WORKBOOK
 
 
 def refuse_large(case: Case) -> None:
     """Raise InputError for a case no workbook holds."""
     if is_large(case):
-        raise InputError("too_many_walls", found=results_in(case), most=MAX_WALLS_IN_WORKBOOK)
+        raise InputError("too_many_walls", found=count_results(case), most=MAX_WALLS_IN_WORKBOOK)

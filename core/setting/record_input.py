@@ -13,28 +13,28 @@ from core.ground.ground_motion import GroundMotion
 from core.ground.records.grammar import Options
 
 
-class Listed(Protocol):
+class HasRecords(Protocol):
     """A case, study or list: what has [[record]] tables."""
 
     @property
     def record(self) -> tuple[Record, ...]: ...
 
 
-def options_of(entry: Record) -> Options:
+def record_options(entry: Record) -> Options:
     """What a record says that its file does not."""
     return Options(entry.unit, entry.time_step_s, entry.column, entry.skip_lines, entry.channel or None)
 
 
-def read_records(case: Listed, base_dir: Path) -> tuple[list[GroundMotion], list[str]]:
+def read_records(case: HasRecords, base_dir: Path) -> tuple[list[GroundMotion], list[str]]:
     """Records of a case, study or list in order, globs expanded, and their kinds. Raises InputError."""
     motions, kinds, seen = [], [], {}
     for k, entry in enumerate(case.record, start=1):
         if not entry.include:
             continue
-        options = options_of(entry)
+        options = record_options(entry)
         try:
             for path in records.expand(entry.file, base_dir):
-                file = named(path, base_dir, entry.file)
+                file = case_relative_path(path, base_dir, entry.file)
                 motion = replace(records.read(path, options, entry.scale), file=file)
                 here = (file, motion.channel)
                 twin, of_it = seen.setdefault(motion.samples_sha256, here)
@@ -48,7 +48,7 @@ def read_records(case: Listed, base_dir: Path) -> tuple[list[GroundMotion], list
     return _told_apart(motions), kinds
 
 
-def joined(motions: list[GroundMotion], made: list[GroundMotion]) -> list[GroundMotion]:
+def join_motions(motions: list[GroundMotion], made: list[GroundMotion]) -> list[GroundMotion]:
     """Join the records of a case and the motions generated for it. Raises InputError where a record is one of these."""
     files = {motion.samples_sha256: motion.file for motion in motions}
     for motion in made:
@@ -64,7 +64,7 @@ def _told_apart(motions: list[GroundMotion]) -> list[GroundMotion]:
     return [replace(m, name=f"{m.file} {m.channel}".strip()) for m in motions]
 
 
-def named(path: Path, base_dir: Path, given: str) -> str:
+def case_relative_path(path: Path, base_dir: Path, given: str) -> str:
     """Path of a file as a case of this folder names it: from its folder, absolute where it is so given, by which a
     report says the same wherever its case is run again.
 

@@ -17,7 +17,7 @@ from core.errors import Cancelled, InputError, RecordError, section
 from core.file_names import key_of, name_of
 from core.ground.record_folder import Candidate, LeftOut, Limits, files_in, one_of_each, read_file
 from core.ground.selection import OWN_FIT, OWN_PGA, Bounds, Found, nearest_sets, own_factors
-from core.setting.record_input import named
+from core.setting.record_input import case_relative_path
 from core.text.sentence import Sentence
 from core.threads import Threads
 
@@ -154,7 +154,7 @@ def select_records(
         raise InputError("select_no_set", place=(here,), found=len(candidates), count=asked.count, **stated)
 
     def name(path: Path) -> str:
-        return named(path, base_dir, asked.folder)
+        return case_relative_path(path, base_dir, asked.folder)
 
     made = [_set_of(one, candidates, factors, scaled, periods, target, asked_bounds, name) for one in sets]
     return Selection(

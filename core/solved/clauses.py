@@ -10,7 +10,7 @@ from core.codes.kinematic import elastic_period
 from core.codes.kinematic_chain import chain, friction
 from core.known import known
 from core.rocking.history import history
-from core.setting.demand_input import demand_of
+from core.setting.demand_input import read_demand
 from core.solved.shipped import SHIPPED
 from core.solved.solved import Answer, Head, Kind, Sketch, Solved, printed, row, worded
 from core.solved.walls import EN_B, NTC_C, Asked
@@ -262,7 +262,7 @@ def shipped_facade():
     from core.codes.kinematic import kinematic, linear
 
     case = read_case(SHIPPED / "facade.toml")
-    demand = known(demand_of(case, SHIPPED))
+    demand = known(read_demand(case, SHIPPED))
     mechanism = kinematic(case.wall[0].in_si, "one_sided", demand)
     return mechanism, known(linear("linear_q_code", mechanism, demand, 2.0))
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from core.case.rules import parse_case
 from core.codes.kinematic import Kinematic, kinematic
 from core.codes.vertical_bending import Bending, mechanism
-from core.setting.demand_input import demand_of
+from core.setting.demand_input import read_demand
 from core.solved import published_rocking
 from core.solved.experiments import section
 from core.solved.solved import Kind, Sketch, Solved, answer, told
@@ -41,7 +41,7 @@ def mechanism_of(wall: dict, *loads: dict, **more) -> Kinematic:
     reasons = {"histories": "the checks of the clauses alone"}
     demand = {"ag_g": 0.26, "spectrum": {"code": "EN1998", "soil": "B", "type": 1}, "justification": reasons}
     case = parse_case({"wall": [table], "demand": demand, "analysis": {"histories": False}})
-    (made,), asked = case.wall, demand_of(case, Path())
+    (made,), asked = case.wall, read_demand(case, Path())
     assert asked is not None
     return kinematic(made.in_si, made.mechanism, asked)
 

@@ -12,9 +12,9 @@ from core.codes.floor_spectrum import FloorSpectrum
 from core.codes.kinematic import Kinematic, kinematic, linear
 from core.known import known
 from core.report.outlines import in_section
-from core.setting.demand_input import demand_of
-from core.setting.floors import floor_of
-from core.setting.scene import model_of
+from core.setting.check_input import make_rocking_model
+from core.setting.demand_input import read_demand
+from core.setting.floors import make_floor
 from core.solved.solved import Outline, Sketch
 from core.wall.rocking_model import RockingModel
 
@@ -57,18 +57,18 @@ class Asked:
 
     @cached_property
     def model(self) -> RockingModel:
-        return model_of(self.wall, self.mechanism)
+        return make_rocking_model(self.wall, self.mechanism)
 
     @cached_property
     def demand(self) -> DemandResult:
-        return known(demand_of(self.case, Path()))
+        return known(read_demand(self.case, Path()))
 
     @cached_property
     def floor(self) -> FloorSpectrum | None:
         """Spectrum of the floor that moves the wall; there is none on the ground."""
         if self.case.building is None or not self.wall.above_ground:
             return None
-        return known(floor_of(self.wall, self.case.building, self.demand, ())).spectrum
+        return known(make_floor(self.wall, self.case.building, self.demand, ())).spectrum
 
     @cached_property
     def checked(self) -> Kinematic:

@@ -19,7 +19,7 @@ from core.ground.ground_motion import GroundMotion
 from core.rocking.history import history
 from core.rocking.methods import AUTO
 from core.rocking.outcome import COLLAPSED, STABLE
-from core.setting.plan import Entry, Plan
+from core.setting.plan import Plan, PlannedWall
 from core.units import G
 from core.version import line
 from core.wall.masonry import as_force
@@ -153,7 +153,7 @@ def _tolerance(motion: GroundMotion, scale: float, model: RockingModel, answer: 
     return max(MIN_TOLERANCE * model.collapse_rotation, TIMES_NOISE * effect)
 
 
-def _of(entry: Entry, one: ScriptHistory) -> dict[str, Any]:
+def _of(entry: PlannedWall, one: ScriptHistory) -> dict[str, Any]:
     """Lines of what is checked."""
     return {
         "WALL": f"{entry.part.wall.name} ({entry.mechanism})",
@@ -180,7 +180,7 @@ def _model_lines(one: ScriptHistory) -> dict[str, Any]:
     }
 
 
-def _wall_lines(entry: Entry) -> dict[str, Any]:
+def _wall_lines(entry: PlannedWall) -> dict[str, Any]:
     """Lines of the geometry and the loads, as they are worked by hand; what is no number is an expression."""
     wall = entry.kinematic.wall if entry.kinematic else entry.part.wall.in_si
     bare, t, u = wall.bare, wall.thickness, wall.setback
@@ -208,7 +208,7 @@ def _wall_lines(entry: Entry) -> dict[str, Any]:
     }
 
 
-def _demand_lines(entry: Entry, demand: DemandResult) -> dict[str, Any]:
+def _demand_lines(entry: PlannedWall, demand: DemandResult) -> dict[str, Any]:
     """Lines of the checks by hand."""
     lines: dict[str, Any] = {"FC": demand.confidence_factor}
     if (state := demand.limit_state) in LIMIT_FRACTION:
@@ -218,7 +218,7 @@ def _demand_lines(entry: Entry, demand: DemandResult) -> dict[str, Any]:
     return lines
 
 
-def _by_hand(entry: Entry, demand: DemandResult | None, model: RockingModel) -> dict[str, float]:
+def _by_hand(entry: PlannedWall, demand: DemandResult | None, model: RockingModel) -> dict[str, float]:
     """Name in the script -> number of the program."""
     numbers, own = {}, entry.kinematic
     for side, name in ((1.0, "outer"), (-1.0, "inner")) if entry.mechanism == "two_sided" else ((1.0, "outer"),):

@@ -20,7 +20,7 @@ from core.file_names import name_of
 from core.jit import native
 from core.regular_file import read_regular
 from core.setting.demand_input import MAX_SPECTRUM_BYTES
-from core.setting.plan import Inputs, Plan, plan_of, read_inputs
+from core.setting.plan import Inputs, Plan, make_plan, read_inputs
 from core.study.journal import journal_key
 from core.study.scheduler import DaskExecutor
 
@@ -98,7 +98,7 @@ def make_remote_plan(shared: TaskContext, walls: tuple[Wall, ...]) -> Plan:
             raise InputError("worker_other_files", worker=platform.node(), path=shared.base_dir)
         _read.clear()
         _read[shared] = inputs
-    return plan_of(replace(shared.case, wall=walls), inputs, None, shared.longest, None, shared.walls)
+    return make_plan(replace(shared.case, wall=walls), inputs, None, shared.longest, None, shared.walls)
 
 
 def iterate_results(

@@ -16,7 +16,7 @@ from core.codes.demand import with_records
 from core.codes.record_compatibility import compliance, period_range
 from core.errors import Cancelled
 from core.jit import native
-from core.setting.plan import Floors, Inputs, plan_of, read_inputs, with_chosen
+from core.setting.plan import FloorCache, Inputs, make_plan, read_inputs, select_case_records
 from core.setting.record_selection import Selection
 from core.study.executors import TaskContext, files_key, iterate_results, make_remote_plan, make_task_context
 from core.study.progress import OnProgress, Progress, StartTime, task_costs
@@ -63,11 +63,11 @@ def prepare_large_case(case: Case, base_dir: Path, cancelled: Callable[[], bool]
     base_dir : folder record paths start from
     Raises InputError, Cancelled.
     """
-    chosen, selection = with_chosen(case, base_dir, cancelled=cancelled)
+    chosen, selection = select_case_records(case, base_dir, cancelled=cancelled)
     inputs = read_inputs(chosen, base_dir)
     demand, motions, kinds = inputs
     size = max(1, min(MAX_GROUP, MAX_SEARCHES // max(1, 2 * len(motions))))
-    groups, floors = in_groups(case.wall, size), Floors(MAX_CACHED_FLOORS)
+    groups, floors = in_groups(case.wall, size), FloorCache(MAX_CACHED_FLOORS)
     tasks, longest = [], 0.0
     for group in groups:
         if cancelled():
@@ -80,16 +80,16 @@ def prepare_large_case(case: Case, base_dir: Path, cancelled: Callable[[], bool]
     return LargeCase(case, base_dir, inputs, groups, tasks, longest, selection)
 
 
-def _plan(case: Case, inputs: Inputs, group: list[int], longest: float, floors: Floors):
+def _plan(case: Case, inputs: Inputs, group: list[int], longest: float, floors: FloorCache):
     """The plan of a group of walls. longest : of the mechanisms of all walls [s]"""
     walls = tuple(case.wall[k] for k in group)
-    return plan_of(replace(case, wall=walls), inputs, None, longest, floors, len(case.wall))
+    return make_plan(replace(case, wall=walls), inputs, None, longest, floors, len(case.wall))
 
 
 def common_result(large: LargeCase) -> StudyResult:
     """Result that all groups have in common: demand, records, whether these comply with it."""
     case, (demand, motions, kinds) = replace(large.case, wall=()), large.inputs
-    plan, rules = plan_of(case, large.inputs, None, large.longest), None
+    plan, rules = make_plan(case, large.inputs, None, large.longest), None
     if demand:
         demand = with_records(demand, motions)
         rules = compliance(motions, kinds, demand, large.longest)
@@ -118,7 +118,7 @@ def group_results(
     Raises InputError, Cancelled.
     """
     native.ready()
-    todo, floors = list(todo), Floors(MAX_CACHED_FLOORS)
+    todo, floors = list(todo), FloorCache(MAX_CACHED_FLOORS)
     progress, threads = _GroupProgress(large, todo, on_progress), Threads(jobs, cancelled)
     for g in todo:
         plan = _plan(large.case, large.inputs, large.groups[g], large.longest, floors)

@@ -9,7 +9,7 @@ from core.codes.assumption import Assumption
 from core.codes.outcomes import worst
 from core.jit import native
 from core.known import known
-from core.setting.plan import longest_of, plan_of, read_inputs
+from core.setting.plan import longest_mechanism_period, make_plan, read_inputs
 from core.study.check_cache import CheckCache
 from core.study.journal import Journal, MemoryJournal
 from core.study.progress import Progress, StartTime, task_costs
@@ -42,8 +42,8 @@ def run_wall(
     started = StartTime()
     native.ready()
     inputs = read_inputs(case, base_dir)
-    longest = longest_of(case, known(inputs[0]))
-    plan = plan_of(single_wall_case(case, row), inputs, longest=longest, walls=len(case.wall))
+    longest = longest_mechanism_period(case, known(inputs[0]))
+    plan = make_plan(single_wall_case(case, row), inputs, longest=longest, walls=len(case.wall))
     progress = Progress(task_costs(plan), lambda done, planned, left: None)
     return run_plan(plan, base_dir, Threads(jobs, cancelled), started, journal, progress)
 
@@ -62,7 +62,7 @@ def run_at_alternatives(
     Raises Cancelled.
     """
     demand, keys = known(result.demand), {row.key for row in rows}
-    plan = plan_of(result.case, (demand, list(result.motions), list(result.kinds)))
+    plan = make_plan(result.case, (demand, list(result.motions), list(result.kinds)))
     evaluations = []
     for k, wall in enumerate(result.walls):
         scene = plan.scene(k, demand, result.compliance, CheckCache(journal))

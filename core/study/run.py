@@ -21,9 +21,9 @@ from core.jit import cache, native
 from core.rocking.analysis_count import MADE
 from core.rocking.history import history, scan
 from core.rocking.methods import AUTO, METHODS, resolve_auto
-from core.setting.plan import Plan, plan_of, read_inputs, refuse_large, with_chosen
+from core.setting.check_input import make_rocking_model
+from core.setting.plan import Plan, make_plan, read_inputs, refuse_large, select_case_records
 from core.setting.record_selection import Selection
-from core.setting.scene import model_of
 from core.study import precompile
 from core.study.executors import TaskContext, iterate_results, make_remote_plan, make_task_context, make_waiter
 from core.study.journal import Journal, MemoryJournal, journal_key
@@ -67,9 +67,9 @@ def run(
     started, made_before = StartTime(), MADE.total
     refuse_large(case)
     native.ready()
-    chosen, selection = with_chosen(case, base_dir, cancelled=cancelled)
+    chosen, selection = select_case_records(case, base_dir, cancelled=cancelled)
     inputs = read_inputs(chosen, base_dir)
-    plan = plan_of(case, inputs, share)
+    plan = make_plan(case, inputs, share)
     start_compilation(plan)
     finished = journal(journal_key()) if journal else MemoryJournal(UNLIMITED) if executor else None
     progress, threads = Progress(task_costs(plan), on_progress), Threads(jobs, cancelled)
@@ -205,7 +205,7 @@ def warm_kernels(case: Case, motion: GroundMotion) -> tuple[str, ...]:
     """Make the kernels of a case ready: a few analyses of its first wall; returns the methods whose self-test needs no
     others."""
     native.ready()
-    model = model_of(case.wall[0], case.wall[0].mechanisms()[0])
+    model = make_rocking_model(case.wall[0], case.wall[0].mechanisms()[0])
     method = METHODS.get(case.analysis.method, AUTO)
     _begin_compiling(method, [model], [motion])
     ground, dt = motion.acceleration, motion.time_step

@@ -15,7 +15,7 @@ from core.case.variant_of import ALTERNATIVES
 from core.case.wall import Wall
 from core.case.writer import table_of
 from core.errors import InputError
-from core.setting.plan import with_chosen
+from core.setting.plan import select_case_records
 from core.study.journal import MemoryJournal
 from core.study.results import StudyResult
 from core.study.run import run
@@ -149,7 +149,7 @@ def sweep(
     Raises Cancelled.
     """
     memory = finished or MemoryJournal()
-    case, _ = with_chosen(case, base_dir, cancelled=cancelled)  # the same records at every value
+    case, _ = select_case_records(case, base_dir, cancelled=cancelled)  # the same records at every value
     for n, value in enumerate(values):
 
         def tell(done: int, of: int, left: float | None, n: int = n) -> None:

@@ -17,8 +17,8 @@ from core.codes.dynamic_check import demand_check
 from core.codes.outcomes import least
 from core.codes.record_sample import RecordPeaks, SampleInterval, record_peaks, sample_interval
 from core.ground.provenance import MIN_STATIONS, station_of
-from core.setting.demand_input import pga_with_ag
-from core.setting.plan import Floors, Plan
+from core.setting.demand_input import rescaled_pga
+from core.setting.plan import FloorCache, Plan
 from core.study.check_cache import CheckCache, check_key
 from core.study.journal import dataclass_from_json
 from core.study.progress import Progress
@@ -113,7 +113,7 @@ def _with_sensitivity(
         tasks = enumerate(zip(hinges, zetas, strict=True))
         peaks = yield Batch({k: functools.partial(_peaks_of, plan, one, demand, zeta) for k, (one, zeta) in tasks})
         made += leave_one_out_moves([peaks[k] for k in range(len(hinges))])
-    floors = Floors()
+    floors = FloorCache()
     work: dict[tuple[str, int | str], Callable] = {
         ("move", m): functools.partial(evaluate_move, setting, move, floors) for m, move in enumerate(made)
     }
@@ -155,7 +155,7 @@ def make_ag_function(demand: DemandResult, asked: Demand | None, base_dir: Path)
     if asked is None or demand.target is None:
         return lambda multiplier: multiplier * demand.ag
     factors = np.geomspace(*AG_RANGE, 400)
-    shares = [pga_with_ag(demand, asked, base_dir, float(factor)) / demand.pga for factor in factors]
+    shares = [rescaled_pga(demand, asked, base_dir, float(factor)) / demand.pga for factor in factors]
 
     def found(multiplier: float) -> float:
         inside = float(np.clip(multiplier, shares[0], shares[-1]))

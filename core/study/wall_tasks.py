@@ -10,8 +10,8 @@ from core.capacity.ida import Ida, Run, incremental_dynamic_analyses
 from core.codes.demand import DemandResult
 from core.codes.record_compatibility import Compliance
 from core.rocking.history import in_lanes
+from core.setting.check_input import CheckInput
 from core.setting.plan import Plan
-from core.setting.scene import Scene
 from core.study.check_cache import CheckCache, run_key
 from core.study.governing import governing_run
 from core.study.journal import Journal, MemoryJournal, dataclass_from_json
@@ -157,7 +157,7 @@ class _Wall:
                 part, mechanism, model, run_results, motions, plan.search, given.demand, floor
             )
 
-    def _scene(self, k: int, demand: DemandResult) -> Scene:
+    def _scene(self, k: int, demand: DemandResult) -> CheckInput:
         """Scene of the checks of an entry, with q of its searches."""
         wall, scene = self.results[k], self.given.plan.scene(k, demand, self.given.rules, self.kept[k])
         return replace(scene, q_slv=(wall.q_slv_safe_set, wall.q_slv_set))

@@ -16,9 +16,9 @@ from core.codes.verdict import Verdict, passes_with_q2, verdict
 from core.codes.verdict_sentence import declared
 from core.errors import InputError
 from core.ground.record_folder import is_doubted
+from core.setting.check_input import CheckInput
 from core.setting.floors import LOW_CODE, building_notes
 from core.setting.plan import MANY_WALLS
-from core.setting.scene import Scene
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.units import G
 from core.variation.assumptions import evaluate_assumptions
@@ -108,7 +108,7 @@ class Assessment:
         return tuple(rows)
 
 
-def assess(scene: Scene, cancelled: Callable[[], bool] = lambda: False) -> Assessment:
+def assess(scene: CheckInput, cancelled: Callable[[], bool] = lambda: False) -> Assessment:
     """Dynamic, kinematic and simplified checks of a wall (Circolare 7/2019 C8.7.1.2.1); above the ground none where
     the motion of its floor is not known. Raises Cancelled, and InputError where a spectrum ends too early."""
     evaluation = evaluate(scene, cancelled=cancelled)
@@ -206,16 +206,18 @@ def _of_the_restraint(evaluation: Evaluation, free: Evaluation | None) -> Assump
     )
 
 
-def _without_restraint(scene: Scene, dynamic: DemandCheck | None, cancelled: Callable[[], bool]) -> Evaluation | None:
+def _without_restraint(
+    scene: CheckInput, dynamic: DemandCheck | None, cancelled: Callable[[], bool]
+) -> Evaluation | None:
     """A one-sided wall with histories as it rocks both ways where what restrains it fails; None of another wall."""
     wall = scene.wall
     if dynamic is None or wall.mechanism != "one_sided" or not wall.in_si.rocks_both_ways:
         return None
     free = replace(wall, mechanism="two_sided", restitution=None, velocity_ratio=None)
-    return evaluate(scene.but(wall=free, mechanism="two_sided"), other=False, cancelled=cancelled)
+    return evaluate(scene.replace_parts(wall=free, mechanism="two_sided"), other=False, cancelled=cancelled)
 
 
-def _overturning(scene: Scene, cancelled: Callable[[], bool]) -> Evaluation | None:
+def _overturning(scene: CheckInput, cancelled: Callable[[], bool]) -> Evaluation | None:
     """A wall held at its top, were it not: it overturns about its base. None of another wall, where its loads
     would overturn it without an earthquake, and where a spectrum ends before its period."""
     wall = scene.wall
@@ -223,7 +225,7 @@ def _overturning(scene: Scene, cancelled: Callable[[], bool]) -> Evaluation | No
         return None
     try:
         alone = replace(wall, mechanism="one_sided", arch=None)
-        free = scene.but(wall=alone, mechanism="one_sided")
+        free = scene.replace_parts(wall=alone, mechanism="one_sided")
         return evaluate(free, other=False, cancelled=cancelled)
     except InputError:
         return None
@@ -297,7 +299,7 @@ def _of_ties_that_lower(evaluation: Evaluation, cancelled: Callable[[], bool]) -
         said.append(sentence("reason", "ties_displacement", tied=Number(pair[0]), bare=Number(pair[1])))
     if evaluation.dynamic is None or evaluation.dynamic.zeta is None:
         return said
-    bare = check_by_histories(scene.but(wall=scene.wall.without_ties()), cancelled=cancelled)
+    bare = check_by_histories(scene.replace_parts(wall=scene.wall.without_ties()), cancelled=cancelled)
     if bare is not None and bare.zeta is not None and round(bare.zeta, 2) > round(evaluation.dynamic.zeta, 2):
         values = {"tied": Number(evaluation.dynamic.zeta), "bare": Number(bare.zeta)}
         said.append(sentence("reason", "ties_histories", **values))
@@ -314,7 +316,7 @@ def _of_a_thicker_wall(evaluation: Evaluation) -> list[Sentence]:
     zetas = {}
     for factor in TRIAL_THICKNESS_FACTORS:
         try:
-            there = scene.without_records().but(wall=rescale_thickness(scene.wall, factor * thickness))
+            there = scene.without_records().replace_parts(wall=rescale_thickness(scene.wall, factor * thickness))
             thicker = evaluate(there).made(check.name)
         except InputError:
             continue

@@ -17,7 +17,7 @@ from core.codes.verdict import outcome_of
 from core.codes.vertical_bending import bending, uplift_multiplier
 from core.errors import InputError
 from core.ground.record_folder import is_doubted
-from core.setting.scene import Scene
+from core.setting.check_input import CheckInput
 from core.text.sentence import Sentence, sentence
 
 EXACT_METHODS = ("auto", "taylor", "taylor_6", "dormand_prince")
@@ -54,7 +54,7 @@ class Evaluation:
     precision : of the histories
     """
 
-    scene: Scene
+    scene: CheckInput
     kinematic: Kinematic | None
     dynamic: DemandCheck | None
     checks: tuple[Check, ...]
@@ -139,7 +139,7 @@ class Evaluation:
 
 
 def evaluate(
-    scene: Scene,
+    scene: CheckInput,
     precision: Precision = FULL_PRECISION,
     other: bool = True,
     cancelled: Callable[[], bool] = lambda: False,
@@ -151,7 +151,7 @@ def evaluate(
     Where something is left out that has several readings, by the worst of them: the scene returned is that one.
     Raises InputError where a check cannot be made of the wall, and Cancelled.
     """
-    if readings := scene.readings:
+    if readings := scene.period_alternatives:
         return worst(
             (evaluate(one, precision, other, cancelled) for one in readings),
             lambda one: (one.outcome, one.zeta, one.scene.demand.zeta_target),
@@ -169,7 +169,7 @@ def evaluate(
     return replace(evaluation, checks=_worse_first(evaluation)) if scene.by_default else evaluation
 
 
-def _refuse_weak_hold(scene: Scene) -> None:
+def _refuse_weak_hold(scene: CheckInput) -> None:
     """Raise InputError where a wall pushes more on what holds its top than that stands: of no case, but of a value
     moved."""
     wall, strength = scene.wall.in_si, scene.wall.in_si.declared.strength
@@ -180,7 +180,7 @@ def _refuse_weak_hold(scene: Scene) -> None:
         raise InputError("hold_too_weak", key="restraint_kn_m", found=1e-3 * strength, least=1e-3 * pushes)
 
 
-def _with_histories(made: tuple[Check, ...], dynamic: DemandCheck | None, scene: Scene) -> tuple[Check, ...]:
+def _with_histories(made: tuple[Check, ...], dynamic: DemandCheck | None, scene: CheckInput) -> tuple[Check, ...]:
     """The checks with that by histories, which decides: under records as given that no usual factor brings to the
     demand a wall may fail, and how much more it bears is not known; then the others decide, where they are made."""
     if dynamic is None:
@@ -205,7 +205,7 @@ def _worse_first(evaluation: Evaluation) -> tuple[Check, ...]:
 
 
 def check_by_histories(
-    scene: Scene,
+    scene: CheckInput,
     precision: Precision = FULL_PRECISION,
     other: bool = False,
     cancelled: Callable[[], bool] = lambda: False,

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from core.codes.assumption import GIVEN, Shown
 from core.codes.kinematic import Check
-from core.setting.scene import Scene
+from core.setting.check_input import CheckInput
 from core.text.sentence import Number, Sentence, sentence
 from core.variation.evaluate import Evaluation
 
@@ -15,7 +15,7 @@ AlternativeEvaluations = list[Evaluation | None]
 """The wall at the other ends of the range of an input; None where it does not stand there."""
 
 
-SceneChange = Callable[[Scene], Scene]
+SceneChange = Callable[[CheckInput], CheckInput]
 
 
 GIVEN_WORD, NONE_WORD = sentence("accepted", "given"), sentence("accepted", "none")
@@ -61,11 +61,11 @@ def zeta_for_sorting(zeta: float | None) -> float:
 
 
 def wall_change(**values) -> SceneChange:
-    return lambda scene: scene.but(wall=replace(scene.wall, **values))
+    return lambda scene: scene.replace_parts(wall=replace(scene.wall, **values))
 
 
 def demand_change(**values) -> SceneChange:
-    return lambda scene: scene.but(demand=replace(scene.demand, **values))
+    return lambda scene: scene.replace_parts(demand=replace(scene.demand, **values))
 
 
 def lowest_zeta_sentence(code: str, ends: tuple[Alternative, ...]) -> Callable[[list[float | None], Check], Sentence]:

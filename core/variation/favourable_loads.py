@@ -13,7 +13,7 @@ from core.case.wall import BENDS, Wall
 from core.codes.assumption import LEFT_OUT
 from core.codes.kinematic_chain import chain
 from core.errors import InputError
-from core.setting.scene import Scene
+from core.setting.check_input import CheckInput
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.variation.evaluate import evaluate
 from core.variation.favourable_input import (
@@ -30,7 +30,7 @@ from core.wall.masonry import COUNTED
 
 
 def _with_loads(change: Callable[[Wall], tuple[Load, ...]]) -> SceneChange:
-    return lambda scene: scene.but(wall=replace(scene.wall, load=change(scene.wall)))
+    return lambda scene: scene.replace_parts(wall=replace(scene.wall, load=change(scene.wall)))
 
 
 def _of_ties(**values) -> SceneChange:
@@ -43,9 +43,9 @@ def _without(goes: Callable[[Wall, Load], bool]) -> SceneChange:
     return _with_loads(lambda wall: tuple(load for load in wall.load if not goes(wall, load)))
 
 
-def _bent_inward(scene: Scene) -> Scene:
+def _bent_inward(scene: CheckInput) -> CheckInput:
     """The wall as it is for a motion inward."""
-    return scene.but(wall=bent_inward(scene.wall))
+    return scene.replace_parts(wall=bent_inward(scene.wall))
 
 
 MASSES = "none", "horizontal", "moving"
@@ -60,7 +60,7 @@ LEVER = 0.05
 """Distance, over the thickness, by which the point where a load stands may be another [-]."""
 
 
-def favourable_weights(scene: Scene) -> Iterator[FavourableInput]:
+def favourable_weights(scene: CheckInput) -> Iterator[FavourableInput]:
     """What the mass of vertical loads does, and where they stand, otherwise; the wall without what is carried low, is
     variable, or moves with it."""
     wall, t = scene.wall, scene.wall.thickness
@@ -86,7 +86,7 @@ def favourable_weights(scene: Scene) -> Iterator[FavourableInput]:
             yield FavourableInput(key, wall.justification, value, others, words)
 
 
-def _of_weights_that_may_go(scene: Scene) -> Iterator[FavourableInput]:
+def _of_weights_that_may_go(scene: CheckInput) -> Iterator[FavourableInput]:
     """The wall without the weights that stand low above the hinge, without variable ones, and without masses it
     carries. A permanent load of a floor is there; what may not be, and lifts, is asked about."""
     wall, reasons = scene.wall, scene.wall.justification
@@ -101,7 +101,7 @@ def _of_weights_that_may_go(scene: Scene) -> Iterator[FavourableInput]:
     permanent = tuple(load for load in permanent if not _is_variable(load))
     if any(map(_is_variable, wall.load)) and _may_be(scene, permanent):
         end = Alternative(
-            lambda there: there.but(wall=replace(there.wall, load=permanent)), sentence("word", "permanent")
+            lambda there: there.replace_parts(wall=replace(there.wall, load=permanent)), sentence("word", "permanent")
         )
         yield single_alternative("load", "lift_variable", reasons, GIVEN_WORD, end)
     if any(map(_is_carried, wall.load)) and _may_be(scene, tuple(one for one in wall.load if not _is_carried(one))):
@@ -144,20 +144,20 @@ UNSTABLE = ("unstable_under_loads", "bending_unstable", "arch_unstable", "body_f
 """Codes of the errors of a wall that does not stand: the worst that another end can say."""
 
 
-def _may_be(scene: Scene, loads: tuple[Load, ...]) -> bool:
+def _may_be(scene: CheckInput, loads: tuple[Load, ...]) -> bool:
     """Whether these loads are other ones, that the rules of the wall allow or under which it does not stand."""
     if loads == scene.wall.load:
         return False
     try:
         wall = replace(scene.wall, load=loads)
         check_loads(wall)
-        evaluate(scene.without_records().but(wall=wall))
+        evaluate(scene.without_records().replace_parts(wall=wall))
     except InputError as error:
         return error.code in UNSTABLE
     return True
 
 
-def favourable_ties_and_forces(scene: Scene, clauses: bool) -> Iterator[FavourableInput]:
+def favourable_ties_and_forces(scene: CheckInput, clauses: bool) -> Iterator[FavourableInput]:
     """Inputs of the ties, and of forces that always pull inward, that raise zeta. clauses : no histories are made"""
     wall, reasons = scene.wall, scene.wall.justification
     given = [load for load in wall.load if load.is_tie]
@@ -208,7 +208,7 @@ def _pulls_inward(load: Load) -> bool:
     return load.kind == "thrust" and load.kn_m is not None and load.kn_m < 0.0
 
 
-def _breaks(wall: Wall, load: Load, scene: Scene) -> bool:
+def _breaks(wall: Wall, load: Load, scene: CheckInput) -> bool:
     """Whether a tie breaks before the rotation up to which a check of the clauses counts on it."""
     if not load.is_tie:
         return False

@@ -17,9 +17,9 @@ from core.codes.national_hazard import national_range
 from core.codes.spectrum_codes import CODES, NATIONAL
 from core.codes.target_spectrum import housner_intensity
 from core.errors import InputError
-from core.setting.demand_input import interpolated, target_of, with_ag, within
-from core.setting.floors import MAX_STOREY, MIN_STOREY, damaged, other_ends
-from core.setting.scene import ESTIMATES, Scene
+from core.setting.check_input import ESTIMATES, CheckInput
+from core.setting.demand_input import hazard_covers, interpolate_hazard, read_target_spectrum, rescale_ag
+from core.setting.floors import MAX_STOREY, MIN_STOREY, damaged_period_and_damping, period_and_damping_bounds
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.units import G
 from core.variation.favourable_input import (
@@ -34,7 +34,7 @@ from core.variation.favourable_input import (
 )
 
 
-def favourable_demand(scene: Scene) -> Iterator[FavourableInput]:
+def favourable_demand(scene: CheckInput) -> Iterator[FavourableInput]:
     """Inputs that make the demand milder than the code's: a limit state whose a_g nothing shows to be its own, a zeta
     required below 1, a soil factor below 1, a short reference period, a spectrum that is not the code's."""
     demand, asked = scene.demand, scene.asked
@@ -57,7 +57,7 @@ def favourable_demand(scene: Scene) -> Iterator[FavourableInput]:
     yield from _of_the_spectrum(scene)
 
 
-def _of_the_life(scene: Scene) -> Iterator[FavourableInput]:
+def _of_the_life(scene: CheckInput) -> Iterator[FavourableInput]:
     """A reference period shorter than that of ordinary works of class II, where the hazard says what a_g is then."""
     demand, asked = scene.demand, scene.asked
     life = asked.reference_period
@@ -65,15 +65,15 @@ def _of_the_life(scene: Scene) -> Iterator[FavourableInput]:
         return
     years, known = np.log(demand.hazard).T
     ag = math.exp(float(np.interp(math.log(return_period(ORDINARY_LIFE, demand.limit_state)), years, known)))
-    there = with_ag(demand, asked, Path(), ag / demand.ag)
+    there = rescale_ag(demand, asked, Path(), ag / demand.ag)
     reasons, given = asked.justification, sentence("added", "reference_life", years=life)
-    end = Alternative(lambda scene: scene.under(there), sentence("added", "reference_life", years=ORDINARY_LIFE))
+    end = Alternative(lambda scene: scene.with_demand(there), sentence("added", "reference_life", years=ORDINARY_LIFE))
     yield single_alternative(
         "nominal_life_years", "lift_life", reasons, given, end, years=life, least=ORDINARY_LIFE, ag=ag / G
     )
 
 
-def _of_the_spectrum(scene: Scene) -> Iterator[FavourableInput]:
+def _of_the_spectrum(scene: CheckInput) -> Iterator[FavourableInput]:
     """F_0 and T_C* that no place of Italy has, and another spectrum than that of NTC 2018 which the hazard gives."""
     demand, asked = scene.demand, scene.asked
     reasons, spectrum = asked.justification, asked.spectrum
@@ -105,15 +105,15 @@ def _of_the_spectrum(scene: Scene) -> Iterator[FavourableInput]:
 def _row_of(demand: DemandResult, asked: Demand) -> HazardRow | None:
     """F_0 and T_C* of the hazard at the return period of the demand, None where it has none."""
     years = demand.return_period
-    if years is None or not asked.hazard or not within(asked.hazard, years):
+    if years is None or not asked.hazard or not hazard_covers(asked.hazard, years):
         return None
-    row = interpolated(asked.hazard, years)
+    row = interpolate_hazard(asked.hazard, years)
     return None if row.f0 is None or row.tc_star_s is None else row
 
 
 def _with_spectrum(demand: DemandResult, asked: Demand, spectrum: Spectrum) -> DemandResult:
     """The demand with this spectrum."""
-    target = target_of(replace(asked, ag_g=demand.ag / G, spectrum=spectrum, spectrum_file=None), Path())
+    target = read_target_spectrum(replace(asked, ag_g=demand.ag / G, spectrum=spectrum, spectrum_file=None), Path())
     assert target is not None
     return replace(
         demand,
@@ -126,13 +126,13 @@ def _with_spectrum(demand: DemandResult, asked: Demand, spectrum: Spectrum) -> D
 
 
 def _under(there: DemandResult, value: Shown) -> Alternative:
-    return Alternative(lambda scene: scene.under(there), value)
+    return Alternative(lambda scene: scene.with_demand(there), value)
 
 
 def _of_building(**values) -> SceneChange:
-    def change(scene: Scene) -> Scene:
+    def change(scene: CheckInput) -> CheckInput:
         assert scene.building is not None
-        return scene.but(building=replace(scene.building, **values))
+        return scene.replace_parts(building=replace(scene.building, **values))
 
     return change
 
@@ -153,12 +153,12 @@ def _building_words(factor: float, damping: float) -> Sentence:
 def _building_at(factor: float, damping: float) -> SceneChange:
     """The building at this ratio to its elastic period, and with this damping."""
 
-    def change(scene: Scene) -> Scene:
+    def change(scene: CheckInput) -> CheckInput:
         building = scene.building
         assert building is not None
         modes = tuple(replace(mode, damping=damping) for mode in building.modes)
         damped = {"modes": modes} if modes else {"damping": damping}
-        return scene.but(building=replace(building, period_factor=factor, **damped))
+        return scene.replace_parts(building=replace(building, period_factor=factor, **damped))
 
     return change
 
@@ -166,16 +166,16 @@ def _building_at(factor: float, damping: float) -> SceneChange:
 def _by_first_mode(share: float) -> SceneChange:
     """The building by its first mode alone, with this participation."""
 
-    def change(scene: Scene) -> Scene:
+    def change(scene: CheckInput) -> CheckInput:
         building = scene.building
         assert building is not None
         first = replace(building.modes[0], participation=share)
-        return scene.but(building=replace(building, modes=(first,)))
+        return scene.replace_parts(building=replace(building, modes=(first,)))
 
     return change
 
 
-def favourable_building(scene: Scene, building: Building) -> Iterator[FavourableInput]:
+def favourable_building(scene: CheckInput, building: Building) -> Iterator[FavourableInput]:
     """Inputs of the building, and of the height at which its motion is taken, that raise zeta."""
     wall, asked, limit_state = scene.wall, scene.asked, scene.demand.limit_state
     base, felt = wall.base_z_m, wall.felt_z_m
@@ -193,7 +193,7 @@ def favourable_building(scene: Scene, building: Building) -> Iterator[Favourable
         periods = [factor * estimated for factor in ESTIMATES]
         there = tuple(Alternative(_with_period(building, t), t) for t in periods if abs(t / first - 1.0) > 0.01)
         yield FavourableInput("period_s", asked.justification, first, there, lowest_zeta_sentence("lift_period", there))
-    if ends := other_ends(building, limit_state):
+    if ends := period_and_damping_bounds(building, limit_state):
 
         def words(zetas, _):
             k = min(range(len(ends)), key=lambda k: zeta_for_sorting(zetas[k]))
@@ -202,7 +202,7 @@ def favourable_building(scene: Scene, building: Building) -> Iterator[Favourable
 
         given = bool(building.modes) or (building.period_factor, building.damping) != (None, None)
         there = tuple(Alternative(_building_at(*end), _building_words(*end)) for end in ends)
-        value = _building_words(*damaged(building, limit_state))
+        value = _building_words(*damaged_period_and_damping(building, limit_state))
         source = GIVEN if given else DEFAULT
         yield FavourableInput("building", asked.justification, value, there, words, source, permitted=not given)
     half = 0.5 * (wall.height_m or wall.block().height)
@@ -213,7 +213,7 @@ def favourable_building(scene: Scene, building: Building) -> Iterator[Favourable
         end = Alternative(wall_change(base_z_m=centroid), centroid)
         yield single_alternative("base_z_m", "at_centroid", wall.justification, base, end, z=centroid)
     if building.modes:
-        _, damping = damaged(building, limit_state)
+        _, damping = damaged_period_and_damping(building, limit_state)
         z = min(felt, building.height_m)
         (expected,) = first_mode(building.storeys, building.height_m, z, 1.0, damping)
         given = building.modes[0].participation

@@ -20,8 +20,8 @@ from core.errors import InputError
 from core.ground.scattered import SPREAD
 from core.known import known
 from core.setting import demand_input
-from core.setting.demand_input import default_motions, set_of
-from core.setting.scene import Scene
+from core.setting.check_input import CheckInput
+from core.setting.demand_input import default_motions, find_generation_settings
 from core.text.sentence import Number, Sentence, sentence
 from core.variation.evaluate import Evaluation
 from core.variation.favourable_input import (
@@ -135,7 +135,7 @@ def favourable_inputs(evaluation: Evaluation) -> Iterator[FavourableInput]:
     yield from _of_the_unit_weight(scene)
     if not dynamic and _histories_left_out(evaluation):
         there = tuple(default_motions(demand))
-        end = Alternative(lambda scene: scene.but(ground=there, by_default=True), sentence("word", "made"))
+        end = Alternative(lambda scene: scene.replace_parts(ground=there, by_default=True), sentence("word", "made"))
         yield single_alternative("histories", "lift_histories", asked.justification, sentence("word", "not_made"), end)
     if wall.above_ground and scene.building is not None:
         yield from favourable_building(scene, scene.building)
@@ -146,18 +146,18 @@ def _of_the_set(evaluation: Evaluation) -> Iterator[FavourableInput]:
     scene, usual = evaluation.scene, demand_input.DEFAULT_SET.count
     if scene.by_default or not evaluation.satisfied:
         return
-    asked = set_of(scene.ground)
+    asked = find_generation_settings(scene.ground)
     if asked is None or asked.count < len(scene.ground):
         yield from _of_records_alike(scene)
     if asked is None:
         return
     if asked.scatter < SPREAD:
         natural = replace(asked, scatter=SPREAD)
-        end, reasons = Alternative(lambda scene: scene.generated_as(natural), SPREAD), scene.asked.justification
+        end, reasons = Alternative(lambda scene: scene.regenerate_motions(natural), SPREAD), scene.asked.justification
         yield single_alternative("scatter", "lift_scatter", reasons, asked.scatter, end, given=asked.scatter)
     if asked.count != usual:
         more = replace(asked, count=usual)
-        end = Alternative(lambda scene: scene.generated_as(more), float(usual))
+        end = Alternative(lambda scene: scene.regenerate_motions(more), float(usual))
         said = {"given": asked.count, "usual": usual}
         permitted = MEAN_FROM <= asked.count < usual  # fewer are no set whose mean counts, more may be chosen by zeta
         code = "lift_count" if asked.count < usual else "lift_more"
@@ -166,11 +166,11 @@ def _of_the_set(evaluation: Evaluation) -> Iterator[FavourableInput]:
     first = demand_input.DEFAULT_SET.seed
     if asked.seed != first:
         other = replace(asked, seed=first)
-        end = Alternative(lambda scene: scene.generated_as(other), float(first))
+        end = Alternative(lambda scene: scene.regenerate_motions(other), float(first))
         yield single_alternative("seed", "lift_seed", None, float(asked.seed), end, seed=asked.seed, first=first)
 
 
-def _of_records_alike(scene: Scene) -> Iterator[FavourableInput]:
+def _of_records_alike(scene: CheckInput) -> Iterator[FavourableInput]:
     """Given records that all but follow the spectrum, as matched ones do, whatever their files are called."""
     seen = scene.compliance
     if seen is None or len(seen.spectra) < MINIMUM_FROM:
@@ -178,7 +178,7 @@ def _of_records_alike(scene: Scene) -> Iterator[FavourableInput]:
     spread = float(np.log(seen.spectra).std(axis=0, ddof=1).mean())
     if spread < MIN_SPREAD_SHARE * SPREAD:
         reasons = scene.asked.justification
-        end = Alternative(lambda scene: scene.generated_as(demand_input.DEFAULT_SET), SPREAD)
+        end = Alternative(lambda scene: scene.regenerate_motions(demand_input.DEFAULT_SET), SPREAD)
         yield single_alternative("scatter", "lift_alike", reasons, spread, end, given=spread, usual=SPREAD)
 
 
@@ -222,7 +222,7 @@ def _histories_left_out(evaluation: Evaluation) -> bool:
     return can and scene.histories_off and not scene.ground and evaluation.satisfied
 
 
-def _of_the_edge(scene: Scene) -> Iterator[FavourableInput]:
+def _of_the_edge(scene: CheckInput) -> Iterator[FavourableInput]:
     """A hinge nearer to the edge than the weakest masonry of its type lets it be, or than MIN_SETBACK: FC 1.35 lets
     one leave the strength out (C8.7.1.2.1.3), and alpha_0 then counts on more than there is."""
     wall = scene.wall
@@ -257,7 +257,7 @@ def _of_the_edge(scene: Scene) -> Iterator[FavourableInput]:
         )
 
 
-def _of_the_hinges(scene: Scene) -> Iterator[FavourableInput]:
+def _of_the_hinges(scene: CheckInput) -> Iterator[FavourableInput]:
     """A strength above the lowest of its masonry, by which the hinges of an arch lie nearer to the faces and its ends
     are crushed by a larger thrust."""
     wall = scene.wall
@@ -287,12 +287,12 @@ def _setback_at(wall: Wall, masonry: str | None) -> float:
 def _turning_inside(given: Wall, setback: float, **values: Any) -> SceneChange:
     """The hinge at least so far inside the edge [m], whatever else has moved it. given : the wall as it is"""
 
-    def change(scene: Scene) -> Scene:
+    def change(scene: CheckInput) -> CheckInput:
         wall = scene.wall
         there = _hinge_at(given, setback)
         slender = there.get("slenderness_deg")
         nearer = wall.setback < setback if slender is None else slender < (wall.slenderness_deg or 0.0)
-        return scene.but(wall=replace(wall, **values, **(there if nearer else {})))
+        return scene.replace_parts(wall=replace(wall, **values, **(there if nearer else {})))
 
     return change
 
@@ -310,7 +310,7 @@ def _hinge_at(wall: Wall, setback: float) -> dict[str, Any]:
     return {"radius_m": radius, "slenderness_deg": math.degrees(math.atan2(x, z)), "inertia_over_mass_m2": inertia}
 
 
-def _of_the_unit_weight(scene: Scene) -> Iterator[FavourableInput]:
+def _of_the_unit_weight(scene: CheckInput) -> Iterator[FavourableInput]:
     """A unit weight that holds the wall against its loads, or is held by them, at the ends of what the type of masonry
     has, of the table where none is named (Circolare 7/2019, Table C8.5.I)."""
     wall, given = scene.wall, scene.wall.unit_weight_kn_m3
@@ -372,7 +372,7 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[FavourableInput]:
         )
 
 
-def _of_the_body(scene: Scene) -> Iterator[FavourableInput]:
+def _of_the_body(scene: CheckInput) -> Iterator[FavourableInput]:
     """Inputs of the body that raise zeta: a moment of inertia above that of a slender rectangle, and a modulus above
     the lowest of the masonry."""
     wall = scene.wall

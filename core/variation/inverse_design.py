@@ -10,7 +10,7 @@ from core.boundary import Edge, edge
 from core.case.held_top import with_top_loads
 from core.case.wall import Wall
 from core.errors import InputError
-from core.setting.demand_input import with_ag
+from core.setting.demand_input import rescale_ag
 from core.variation.changes import rescale_thickness, scale_loads
 from core.variation.evaluate import COARSE_PRECISION, FULL_PRECISION, Precision
 from core.variation.swings import TargetValue
@@ -64,7 +64,7 @@ def _of_ties(setting: WallContext, force: float) -> WallContext:
 def _of_ag(setting: WallContext, ag_g: float) -> WallContext:
     asked = setting.case.demand
     assert asked is not None
-    return replace_demand(setting, with_ag(setting.demand, asked, setting.base_dir, ag_g / asked.ag_g))
+    return replace_demand(setting, rescale_ag(setting.demand, asked, setting.base_dir, ag_g / asked.ag_g))
 
 
 def _of_height(setting: WallContext, height: float) -> WallContext:

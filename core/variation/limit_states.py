@@ -10,9 +10,9 @@ from core.codes.demand import DemandResult, with_records
 from core.codes.limits import return_period
 from core.codes.record_compatibility import Compliance, compliance
 from core.codes.spectrum_codes import NATIONAL
-from core.setting.demand_input import demand_asked, hazard_of, interpolated, within
+from core.setting.check_input import CheckInput, rescale_records
+from core.setting.demand_input import hazard_covers, interpolate_hazard, read_hazard_rows, read_stated_demand
 from core.setting.plan import Plan
-from core.setting.scene import Scene, scaled
 from core.text.sentence import Sentence, notice
 from core.variation.assessment import Assessment, LimitStateCheck, assess
 
@@ -24,23 +24,23 @@ def limit_state_demands(case: Case, base_dir: Path) -> dict[str, DemandResult]:
     asked and the hazard has no F_0 and T_C*; without the states whose return period lies outside its rows. Raises
     InputError."""
     asked = case.demand
-    if asked is None or asked.spectrum_file or not (hazard := hazard_of(asked, base_dir)):
+    if asked is None or asked.spectrum_file or not (hazard := read_hazard_rows(asked, base_dir)):
         return {}
     if asked.reference_period is None:
         return {}
     demands = {}
     for state in LIMIT_STATES:
         years = return_period(asked.reference_period, state)
-        if not within(hazard, years):
+        if not hazard_covers(hazard, years):
             continue
-        row = interpolated(hazard, years)
+        row = interpolate_hazard(hazard, years)
         spectrum = asked.spectrum
         if spectrum is not None and spectrum.code == NATIONAL:
             if row.f0 is None or row.tc_star_s is None:
                 return {}
             spectrum = replace(spectrum, f0=row.f0, tc_star_s=row.tc_star_s)
         there = replace(asked, limit_state=state, ag_g=row.ag_g, spectrum=spectrum, return_period_years=years)
-        demands[state] = demand_asked(there, base_dir)
+        demands[state] = read_stated_demand(there, base_dir)
     return demands
 
 
@@ -55,7 +55,7 @@ def unused_hazard_notices(demand: DemandResult | None, demands: dict[str, Demand
 
 
 def check_limit_states(
-    scene: Scene,
+    scene: CheckInput,
     known: Assessment,
     demands: dict[str, DemandResult],
     rules: dict[str, Compliance | None],
@@ -83,13 +83,15 @@ def check_limit_states(
     return tuple(state_zetas)
 
 
-def _at(scene: Scene, demand: DemandResult, rules: dict[str, Compliance | None]) -> Scene:
+def _at(scene: CheckInput, demand: DemandResult, rules: dict[str, Compliance | None]) -> CheckInput:
     """The scene at the demand of another limit state; its records, where they are used as given, times the ratio of the
     peak accelerations, and none of a state that is not asked for by histories."""
     if demand.limit_state not in rules:
-        return scene.but(demand=demand, ground=(), compliance=None, histories_off=False)
-    ground = tuple(scaled(scene.ground, scene.demand, demand))
-    return scene.but(demand=with_records(demand, list(ground)), ground=ground, compliance=rules[demand.limit_state])
+        return scene.replace_parts(demand=demand, ground=(), compliance=None, histories_off=False)
+    ground = tuple(rescale_records(scene.ground, scene.demand, demand))
+    return scene.replace_parts(
+        demand=with_records(demand, list(ground)), ground=ground, compliance=rules[demand.limit_state]
+    )
 
 
 def limit_state_compliance(
@@ -100,6 +102,6 @@ def limit_state_compliance(
     rules = {}
     for state in asked:
         if state in demands and state != demand.limit_state and state in LIMIT_FRACTION:
-            motions = list(scaled(plan.motions, demand, demands[state]))
+            motions = list(rescale_records(plan.motions, demand, demands[state]))
             rules[state] = compliance(motions, plan.kinds, demands[state], plan.longest_period)
     return rules

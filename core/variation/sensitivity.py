@@ -17,9 +17,9 @@ from core.codes.outcomes import OUTCOMES, PASSES, least
 from core.codes.record_sample import RecordPeaks, one_left_out
 from core.errors import InputError
 from core.known import known
-from core.setting.demand_input import with_ag
-from core.setting.floors import damaged
-from core.setting.plan import Floors
+from core.setting.demand_input import rescale_ag
+from core.setting.floors import damaged_period_and_damping
+from core.setting.plan import FloorCache
 from core.variation.assessment import Assessment
 from core.variation.changes import replace_setback, rescale_thickness, scale_loads, scale_theory_ratio
 from core.variation.swings import Sensitivity, Swing, SwingEnd
@@ -56,7 +56,7 @@ class InputMove(NamedTuple):
 
 
 def evaluate_move(
-    setting: WallContext, move: InputMove, floors: Floors, stop: Callable[[], bool]
+    setting: WallContext, move: InputMove, floors: FloorCache, stop: Callable[[], bool]
 ) -> WallEvaluation | InputError:
     """The wall at the end of a move, as the run of the moved case says, or why there is none.
 
@@ -149,7 +149,11 @@ def _of_building(setting: WallContext, ranges: Ranges) -> Iterator[tuple[str, fl
     if building is None or not any(part.wall.above_ground for part in parts_of(0, wall, building)):
         return
     first = building.modes[0].period_s if building.modes else building.period_s or estimated_period(building.height_m)
-    damping = building.modes[0].damping if building.modes else damaged(building, setting.demand.limit_state)[1]
+    damping = (
+        building.modes[0].damping
+        if building.modes
+        else damaged_period_and_damping(building, setting.demand.limit_state)[1]
+    )
 
     def ends(values: Sequence[float], change: Callable[[float], Building]) -> Ends:
         return [(value, functools.partial(_on, change(value))) for value in values]
@@ -177,7 +181,7 @@ def _of_demand(setting: WallContext, ranges: Ranges) -> Iterator[tuple[str, floa
     assert asked is not None
 
     def scaled_by(factor: float) -> Change:
-        return lambda now: replace_demand(now, with_ag(demand, asked, now.base_dir, factor))
+        return lambda now: replace_demand(now, rescale_ag(demand, asked, now.base_dir, factor))
 
     yield "ag_factor", asked.ag_g, [(factor * asked.ag_g, scaled_by(factor)) for factor in _others(ranges.ag_factor)]
 

@@ -22,7 +22,7 @@ from core.codes.dynamic_check import DemandCheck
 from core.codes.kinematic import ZETA_ROUNDING
 from core.codes.outcomes import least
 from core.errors import InputError
-from core.setting.scene import Scene, model_of
+from core.setting.check_input import CheckInput, make_rocking_model
 from core.variation.evaluate import COARSE_PRECISION, FULL_PRECISION, Evaluation, Precision, evaluate
 from core.wall import ties
 from core.wall.masonry import as_force
@@ -108,7 +108,7 @@ class Hinge:
     """
 
     height: float
-    scene: Scene
+    scene: CheckInput
     dynamic: DemandCheck | None
 
     @property
@@ -218,7 +218,9 @@ def _bending(base: Hinge, force: float, height: float, cancelled: Callable[[], b
     for low, high in spans_of(tied := add_tie(base.scene.wall, force, height)):
         part = between(tied, low, high)
         try:
-            evaluation = evaluate(base.scene.but(wall=part, mechanism=part.mechanism), other=False, cancelled=cancelled)
+            evaluation = evaluate(
+                base.scene.replace_parts(wall=part, mechanism=part.mechanism), other=False, cancelled=cancelled
+            )
         except InputError:
             return False, None
         if evaluation.kinematic is None or evaluation.decides is None:
@@ -229,7 +231,7 @@ def _bending(base: Hinge, force: float, height: float, cancelled: Callable[[], b
     return (True, least(zetas)) if zetas else (None, None)
 
 
-def _deciding(scene: Scene, histories: bool) -> list[str]:
+def _deciding(scene: CheckInput, histories: bool) -> list[str]:
     """Names of the forces of which the largest is named: those of the thrust and of the checks that decide about the
     wall. histories : it has some"""
     if scene.demand.limit_state == "SLD":
@@ -238,7 +240,7 @@ def _deciding(scene: Scene, histories: bool) -> list[str]:
     return [*(made or ["linear_q_code"]), "thrust"]
 
 
-def _made(name: str, scene: Scene) -> bool:
+def _made(name: str, scene: CheckInput) -> bool:
     """Whether a check of the clauses can be made of the wall."""
     return _zeta(name, scene, scene.wall) is not None
 
@@ -251,11 +253,11 @@ def _largest(hinge: Hinge, height: float) -> float:
     return limit.good or 0.0
 
 
-def _zeta(name: str, scene: Scene, wall: Wall) -> float | None:
+def _zeta(name: str, scene: CheckInput, wall: Wall) -> float | None:
     """zeta of a check of the clauses of a wall; None where it cannot be made."""
     demand = replace(scene.demand, q_code=1.0) if name == "linear_q_1" else scene.demand
     try:
-        evaluation = evaluate(scene.without_records().but(wall=wall, demand=demand))
+        evaluation = evaluate(scene.without_records().replace_parts(wall=wall, demand=demand))
     except InputError:
         return None
     check = evaluation.made("nonlinear" if name == "nonlinear" else "linear_q_code")
@@ -302,7 +304,7 @@ def _least(name: str, hinge: Hinge, above: float, target: float) -> float | None
 def _held(hinge: Hinge, force: float, height: float, precision: Precision, cancelled) -> Evaluation:
     """Checks of a hinge with the tie."""
     wall = add_tie(hinge.scene.wall, force, hinge.raised(height))
-    return evaluate(hinge.scene.but(wall=wall), precision, other=False, cancelled=cancelled)
+    return evaluate(hinge.scene.replace_parts(wall=wall), precision, other=False, cancelled=cancelled)
 
 
 def _of_histories(
@@ -344,9 +346,9 @@ def _with(
     zeta = {name: least(_zeta(name, scene, wall) for scene, wall in walls) for name in names}
     base, wall = walls[0]
     elongation: dict[str, float | None] = dict.fromkeys(("demand", "d_slv", "d_0"))
-    theta_c = model_of(wall, base.mechanism).collapse_rotation
+    theta_c = make_rocking_model(wall, base.mechanism).collapse_rotation
     elongation["d_0"] = height * math.sin(theta_c)
-    kinematic = base.without_records().but(wall=wall).kinematic
+    kinematic = base.without_records().replace_parts(wall=wall).kinematic
     if kinematic is not None and kinematic.d_limit is not None:
         elongation["d_slv"] = height * math.sin(kinematic.chain.rotation(kinematic.d_limit))
     if not missing:

@@ -14,8 +14,8 @@ from core.case.wall import Wall
 from core.codes.demand import DemandResult
 from core.codes.dynamic_check import demand_check
 from core.codes.outcomes import FAILS, OPEN, least
-from core.setting.plan import Floors, Inputs, plan_of
-from core.setting.scene import scaled
+from core.setting.check_input import rescale_records
+from core.setting.plan import FloorCache, Inputs, make_plan
 from core.variation.evaluate import AT_LIMIT, FULL_PRECISION, Evaluation, Precision, evaluate
 
 
@@ -111,7 +111,7 @@ def replace_wall(setting: WallContext, wall: Wall) -> WallContext:
 def replace_demand(setting: WallContext, demand: DemandResult) -> WallContext:
     """The setting with another demand; records that are used as given follow its a_g S."""
     _, motions, kinds = setting.inputs
-    return replace(setting, inputs=(demand, [*scaled(motions, setting.demand, demand)], kinds))
+    return replace(setting, inputs=(demand, [*rescale_records(motions, setting.demand, demand)], kinds))
 
 
 def drop_record(setting: WallContext, k: int) -> WallContext:
@@ -123,7 +123,7 @@ def drop_record(setting: WallContext, k: int) -> WallContext:
 def evaluate_wall(
     setting: WallContext,
     precision: Precision | None = FULL_PRECISION,
-    floors: Floors | None = None,
+    floors: FloorCache | None = None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> WallEvaluation:
     """The wall of a setting about all its hinges.
@@ -132,7 +132,7 @@ def evaluate_wall(
     floors : of the building, kept for the next call with the same demand and building
     Raises InputError, Cancelled.
     """
-    plan = plan_of(setting.case, setting.inputs, floors=floors)
+    plan = make_plan(setting.case, setting.inputs, floors=floors)
     scenes = [plan.scene(k, setting.demand, histories=setting.histories) for k in range(len(plan.entries))]
     if precision is None:
         return WallEvaluation(tuple(evaluate(scene.without_records()) for scene in scenes))

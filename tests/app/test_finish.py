@@ -21,7 +21,7 @@ from app.views.walls_tab import KEYS, RISK, ZETA, values_of
 from core.codes.record_compatibility import common_factor
 from core.errors import InputError, place
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
-from core.setting.demand_input import demand_of
+from core.setting.demand_input import read_demand
 from tests.app.conftest import window_in, with_verdict
 from tests.app.driving import Held, run, settle, type_into
 from tests.conftest import SEVEN
@@ -203,7 +203,7 @@ def test_that_finished_walls_appear_while_others_run(own_walls, application):
 
 def test_that_the_common_factor_brings_the_mean_to_the_target(walls):
     case, motions = walls.session.case, walls.records.motions
-    demand = demand_of(case, walls.session.base_dir)
+    demand = read_demand(case, walls.session.base_dir)
     factor = common_factor(motions, demand)
     periods = np.geomspace(0.15, 2.0, 400)
     spectra = [pseudo_acceleration_spectrum(m.acceleration, m.time_step, periods) for m in motions]

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QDialog
 
 from app.input.selection_dialog import SelectionDialog, choose_for
 from core.case.select import Select
-from core.setting.plan import with_chosen
+from core.setting.plan import select_case_records
 from tests.app.driving import settle
 from tests.core.study.folder_of_records import case, write_folder
 
@@ -26,7 +26,7 @@ def test_that_the_sets_are_listed_and_one_is_taken(base, application):
     dialog.search()
     assert dialog.stop_button.isEnabled() and not dialog.search_button.isEnabled()
     settle(application, lambda: dialog.job is None)
-    found = with_chosen(case(), base)[1]
+    found = select_case_records(case(), base)[1]
     assert dialog.table.rowCount() == len(found.sets) == 10
     assert dialog.taken == found.chosen.records and dialog.ok.isEnabled()
     assert "20 horizontal records of 23 files" in dialog.words.text()
@@ -49,7 +49,7 @@ def test_that_a_search_is_stopped_and_what_cannot_be_chosen_is_said(base, applic
 
 
 def test_that_the_records_of_the_set_take_the_place_of_those_there(base, opened, application, monkeypatch):
-    found = with_chosen(case(), base)[1]
+    found = select_case_records(case(), base)[1]
     taken = tuple(replace(one, file=str((base / one.file).resolve())) for one in found.chosen.records)
 
     def accepted(dialog) -> int:

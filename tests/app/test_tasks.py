@@ -281,13 +281,13 @@ def test_that_no_sentence_however_long_widens_the_window(opened, application):
 
 def test_that_a_wall_has_no_zeta_before_all_its_hinges_are_there(opened, application):
     from app.shell import tree
-    from core.setting.plan import results_by_wall
+    from core.setting.plan import count_results_by_wall
 
     opened.session.edit(replace(opened.session.case, building=Building(9.0, 3)))
     spectrum = Spectrum("EN1998", "B", type=1)
     opened.session.edit_section("demand", soil_factor=None, spectrum=spectrum)
     opened.session.edit_wall(0, hinge_heights=(1.0, 2.0), unit_weight_kn_m3=18.0, elastic_modulus_mpa=600.0)
-    assert list(results_by_wall(opened.session.case)) == [3]
+    assert list(count_results_by_wall(opened.session.case)) == [3]
     run(application, opened)
     found = sorted(opened.session.result.walls, key=lambda wall: -wall.assessment.verdict.zeta_e)
     opened.runner.finished_walls = found[:1]

@@ -19,7 +19,7 @@ from core.capacity.ida import Run, Search, incremental_dynamic_analyses, increme
 from core.case.reader import read_case
 from core.rocking.history import history, scan
 from core.rocking.methods import METHODS
-from core.setting.plan import plan_of, read_inputs
+from core.setting.plan import make_plan, read_inputs
 from core.wall.block import Block
 from core.wall.loads import Force, restoring_moment
 from core.wall.moment_rotation import LAWS
@@ -48,7 +48,7 @@ def ties(pairs: int, small: bool) -> None:
     """Print the times of the searches of a facade without and with its tie. small : of the last hinge, coarse"""
     path = ROOT / "resources" / "cases" / "building.toml"
     case = read_case(path)
-    plan = plan_of(case, read_inputs(case, path.parent))
+    plan = make_plan(case, read_inputs(case, path.parent))
     facade = [entry for entry in plan.entries if entry.part.wall.variant]
     bare, tied = ([entry for entry in facade if bool(entry.model.bars) == held] for held in (False, True))
     assert len(bare) == len(tied) == 3

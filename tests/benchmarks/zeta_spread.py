@@ -28,8 +28,8 @@ from core.ground.ground_motion import GroundMotion
 from core.ground.records.grammar import Options
 from core.known import known
 from core.rocking.methods import AUTO
-from core.setting.demand_input import demand_of
-from core.setting.scene import model_of
+from core.setting.check_input import make_rocking_model
+from core.setting.demand_input import read_demand
 from core.units import G
 from tests.conftest import ROOT, shelf_folder
 
@@ -92,7 +92,7 @@ def draw(k: int, shelf: list[GroundMotion], small: bool = False):
             GroundMotion(f"{n}", compatible_motion(target, 7 * k + n), 0.01, format="generated") for n in range(7)
         ]
     signs = (1,) if mechanism == "two_sided" else (1, -1)
-    return model_of(case.wall[0], mechanism), motions, signs, known(demand_of(case, Path()))
+    return make_rocking_model(case.wall[0], mechanism), motions, signs, known(read_demand(case, Path()))
 
 
 def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:

@@ -35,7 +35,7 @@ from core.codes.kinematic_chain import chain
 from core.errors import InputError
 from core.ground import records
 from core.ground.records.grammar import Options
-from core.setting.demand_input import target_of
+from core.setting.demand_input import read_target_spectrum
 from core.study.journal import Journal
 from tests.conftest import shelf_folder
 from tests.core.ground.dialects import DIALECTS, usc
@@ -201,7 +201,7 @@ def _swap(content: bytes, folder: Path) -> None:
 
 def _spectrum(content: bytes, folder: Path) -> None:
     (folder / "s.txt").write_bytes(content)
-    target = target_of(Demand(0.26, soil_factor=1.2, spectrum_file="s.txt"), folder)
+    target = read_target_spectrum(Demand(0.26, soil_factor=1.2, spectrum_file="s.txt"), folder)
     assert target is not None and np.isfinite(target.acceleration(np.linspace(0.0, 9.0, 50))).all()
 
 

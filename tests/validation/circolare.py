@@ -1,7 +1,7 @@
 """Cases of one wall for the checks of the Circolare."""
 
 from core.codes.kinematic import kinematic
-from core.setting.demand_input import demand_of
+from core.setting.demand_input import read_demand
 from tests.clauses_alone import parse_case
 
 EN_B = {"code": "EN1998", "soil": "B", "type": 1}
@@ -30,7 +30,7 @@ def case(wall=None, demand=None, **more):
 
 def mechanism_of(asked):
     """(mechanism, demand) of a case of one wall."""
-    demand = demand_of(asked, None)
+    demand = read_demand(asked, None)
     return kinematic(asked.wall[0].in_si, asked.wall[0].mechanism, demand), demand
 
 

@@ -20,8 +20,8 @@ from core.case.select import Select
 from core.errors import InputError
 from core.ground.record_folder import Candidate, Limits, files_in, one_of_each, read_file
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
-from core.setting.demand_input import demand_of
-from core.setting.plan import plan_of, read_inputs
+from core.setting.demand_input import read_demand
+from core.setting.plan import make_plan, read_inputs
 from core.setting.record_input import read_records
 from core.setting.record_selection import select_records
 from core.variation.evaluate import evaluate
@@ -72,7 +72,7 @@ def natural_sets(folder: Path, ag: float, soil: str, most: int) -> list[list]:
     case = parse_case({"wall": [wall_table(3.0, 0.3, "two_sided")], "demand": demand_table(ag, soil)})
     asked = Select(folder=str(folder), count=7, scale_limits=(0.25, 4.0), per_event=3)
     try:
-        found = select_records(asked, Path("/"), demand_of(case, Path()), 2.0)
+        found = select_records(asked, Path("/"), read_demand(case, Path()), 2.0)
     except InputError:
         return []
     return [read_records(replace(case, record=one.records), Path("/"))[0] for one in found.sets[:most] if one.fits]
@@ -100,7 +100,7 @@ def zeta_of(table: dict, generate: dict | None, motions: list | None) -> float |
     case = parse_case(table | ({"generate": generate} if generate else {}))
     demand, made, kinds = read_inputs(case, Path())
     inputs = (demand, made, kinds) if motions is None else (demand, motions, ["natural"] * len(motions))
-    found = evaluate(plan_of(case, inputs).scene(0, demand), other=False)
+    found = evaluate(make_plan(case, inputs).scene(0, demand), other=False)
     return found.dynamic.zeta if found.dynamic else None
 
 

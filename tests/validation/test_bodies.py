@@ -13,7 +13,7 @@ from core.report.outlines import in_elevation, in_section
 from core.rocking.history import history, scan
 from core.rocking.methods import METHODS
 from core.rocking.outcome import STABLE
-from core.setting.scene import model_of
+from core.setting.check_input import make_rocking_model
 from core.study.run import run
 from core.wall.body import Body, extruded, polygon_sums, together
 from core.wall.masonry import base_length, inner_of
@@ -176,7 +176,7 @@ def test_that_a_rectangle_written_as_a_solid_is_the_rectangle_bit_for_bit(solid)
     plain, written = wall_of(mechanism="both"), wall_of([solid], mechanism="both")
     assert written.parts == ()
     for mechanism in ("one_sided", "two_sided"):
-        assert model_of(plain, mechanism) == model_of(written, mechanism)
+        assert make_rocking_model(plain, mechanism) == make_rocking_model(written, mechanism)
 
 
 def motion(size=1500):
@@ -190,7 +190,7 @@ TURNED = section_of([[0, 0], [0.8, 0], [0.4, 5], [0, 5]], 1.0)
 
 
 def test_that_a_body_turned_round_is_its_mirror():
-    one, other = (model_of(wall_of([s], 5.0, 0.8, 1.0, "two_sided"), "two_sided") for s in (BATTERED, TURNED))
+    one, other = (make_rocking_model(wall_of([s], 5.0, 0.8, 1.0, "two_sided"), "two_sided") for s in (BATTERED, TURNED))
     assert one.other is not None
     numbers = [
         (m.slenderness, m.p2, m.ratio_at_rest, m.other.slenderness, m.other.p2, m.other.ratio_at_rest)
@@ -244,7 +244,7 @@ def moment_of_lumps(theta, side, wall, loads):
 )
 def test_that_histories_agree_with_a_solver_written_from_coordinates(wall, scale):
     mechanism = wall.mechanisms()[0]
-    model = model_of(wall, mechanism)
+    model = make_rocking_model(wall, mechanism)
     ground = scale * motion(500)
     one_sided = mechanism == "one_sided"
     ratio = (
@@ -263,7 +263,7 @@ def test_that_histories_agree_with_a_solver_written_from_coordinates(wall, scale
 
 @pytest.mark.shows("bodies.histories")
 def test_that_many_analyses_are_single_histories():
-    model = model_of(wall_of(STEPPED, 8.0, 0.6, 5.0, "two_sided"), "two_sided")
+    model = make_rocking_model(wall_of(STEPPED, 8.0, 0.6, 5.0, "two_sided"), "two_sided")
     scales = np.linspace(-1.5, 1.5, 61)
     outcomes, peaks = np.zeros(61, np.int64), np.zeros(61)
     scan(METHODS["taylor"], motion(), 0.01, scales, model, outcomes, peaks)
@@ -277,7 +277,7 @@ def test_that_many_analyses_are_single_histories():
 @pytest.mark.shows("bodies.histories")
 def test_that_energy_is_kept_between_impacts_and_angular_momentum_across_them():
     wall = wall_of([BATTERED], 5.0, 0.8, 1.0, "two_sided")
-    model, body = model_of(wall, "two_sided"), wall.in_si.body
+    model, body = make_rocking_model(wall, "two_sided"), wall.in_si.body
     still = np.zeros(400)
     swing = history(still, 0.01, 1.0, model, start=(0.1, 0.0))
     outer = body.about(0.0)

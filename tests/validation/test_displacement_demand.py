@@ -9,7 +9,7 @@ from core.case.rules import parse_case
 from core.codes.kinematic import kinematic, linear, nonlinear
 from core.codes.target_spectrum import given, largest_displacement
 from core.errors import InputError
-from core.setting.demand_input import demand_of
+from core.setting.demand_input import read_demand
 from core.units import G
 from tests.validation.circolare import FREE, case, mechanism_of
 
@@ -43,7 +43,7 @@ def test_that_the_displacement_demand_of_a_site_is_its_largest_up_to_t_slv(tmp_p
         "wall": [{"name": "w", "base_z_m": 0.0, "mechanism": "two_sided", **wall}],
         "demand": {"ag_g": 0.26, **without(site_spectrum(tmp_path))},
     }
-    demand = demand_of(parse_case(table), tmp_path)
+    demand = read_demand(parse_case(table), tmp_path)
     found = kinematic(parse_case(table).wall[0].in_si, "two_sided", demand)
     # by brute force over [0, T_SLV]: the hump decides, not S_De(T_SLV)
     periods = np.linspace(1e-3, found.period, 200001)
@@ -73,7 +73,7 @@ def test_that_the_largest_s_de_is_found_inside_a_branch():
 
 @pytest.mark.shows("kinematic.displacement")
 def test_that_a_spectrum_that_ends_before_t_slv_is_refused(tmp_path):
-    demand = demand_of(
+    demand = read_demand(
         parse_case(
             {
                 "wall": [{"name": "w", "height_m": 9.0, "thickness_m": 0.9, "base_z_m": 0.0, "mechanism": "two_sided"}],

@@ -11,7 +11,7 @@ from core.case.rules import parse_case
 from core.rocking.history import history
 from core.rocking.methods import METHODS
 from core.rocking.outcome import COLLAPSED, STABLE
-from core.setting.scene import model_of
+from core.setting.check_input import make_rocking_model
 from core.study import run as study
 from core.units import G
 from core.wall.block import Block
@@ -48,7 +48,7 @@ def case_of(*loads, **changes):
 
 def wall_model(*loads, **changes):
     wall = case_of(*loads, **changes).wall[0]
-    return model_of(wall, wall.mechanisms()[0])
+    return make_rocking_model(wall, wall.mechanisms()[0])
 
 
 @pytest.mark.parametrize("loads", [(), (ROOF,)])

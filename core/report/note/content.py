@@ -30,7 +30,7 @@ from core.report.place_lines import place_of
 from core.report.selection_words import lines_of as lines_of_selection
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import in_order, lines_of, sentence_of, tone_of
-from core.setting.demand_input import set_of
+from core.setting.demand_input import find_generation_settings
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import localized
 from core.units import G
@@ -250,7 +250,7 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
         parts.append(Paragraph(say("No file states: {columns}.", columns=", ".join(heads[k] for k in unsaid)), "quiet"))
     if result.selection:
         parts += [Paragraph(line, "quiet") for line in lines_of_selection(result.selection, say, words.language)]
-    made = set_of(result.motions)
+    made = find_generation_settings(result.motions)
     if made is not None:
         known = {"n": made.count, "first": made.seed, "last": made.seed + made.count - 1}
         said = say(

@@ -9,7 +9,7 @@ from core.report.note.parts import Derivation, Heading, Paragraph, Part, Step, T
 from core.report.note.words import Words
 from core.report.place_lines import place_of, states_of
 from core.report.verdict_words import outcome_of
-from core.setting.floors import Floor, damaged
+from core.setting.floors import Floor, damaged_period_and_damping
 from core.study.results import StudyResult, WallResult
 from core.study.variants import compare_walls
 from core.units import G
@@ -63,7 +63,7 @@ def building(result: StudyResult, words: Words) -> list[Part]:
     floors = {wall.floor.z: wall.floor for wall in result.walls if wall.floor is not None}
     if asked is None or not floors:
         return []
-    factor, damping = damaged(asked, result.demand_required.limit_state if result.demand else "SLV")
+    factor, damping = damaged_period_and_damping(asked, result.demand_required.limit_state if result.demand else "SLV")
     period = asked.period_s or estimated_period(asked.height_m)
     steps = [Step("H_b", asked.height_m, ".2f", "m"), Step("n", asked.storeys, ".0f", "–", label=say("storeys"))]
     if not asked.modes:

@@ -9,7 +9,7 @@ import pytest
 from core.case.hinges import count_of, parts_of
 from core.case.rules import parse_case
 from core.errors import InputError
-from core.setting.scene import model_of
+from core.setting.check_input import make_rocking_model
 from core.study.run import run
 from tests.clauses_alone import parse_case as clauses_alone
 
@@ -37,7 +37,7 @@ def test_that_random_prisms_turn_along_their_length_and_over_a_corner_as_their_p
         # x of a point is its distance along the direction of motion from the corner: sums of three uniform variables
         spread = {"90°": length**2 / 12.0, "": (length**4 + t**4) / (12.0 * base**2)}
         for wall, width, var in ((along, length, spread["90°"]), (diagonal, base, spread[""])):
-            block, model = wall.in_si.block, model_of(wall, "two_sided")
+            block, model = wall.in_si.block, make_rocking_model(wall, "two_sided")
             about_centre = var + height**2 / 12.0
             inertia = about_centre + 0.25 * (width**2 + height**2)
             assert block.slenderness == pytest.approx(math.atan2(width, height), rel=1e-12)

@@ -6,7 +6,7 @@ import pytest
 
 from core.case.rules import parse_case
 from core.errors import InputError
-from core.setting.scene import model_of
+from core.setting.check_input import make_rocking_model
 
 
 def wall_of(height=7.0, thickness=0.83, mechanism="both", **more):
@@ -26,7 +26,7 @@ def wall_of(height=7.0, thickness=0.83, mechanism="both", **more):
 def test_that_a_wall_out_of_plumb_has_the_worked_values(sizes, outer, inner, ratio):
     height, thickness, lean = sizes
     wall = wall_of(height, thickness, out_of_plumb_m=lean)
-    model = model_of(wall, "two_sided")
+    model = make_rocking_model(wall, "two_sided")
     for side, (angle, p2) in ((model, outer), (model.other, inner)):
         assert math.degrees(side.slenderness) == pytest.approx(angle, abs=5e-5)
         assert side.p2 == pytest.approx(p2, abs=5e-6)
@@ -45,17 +45,17 @@ def test_that_it_is_the_body_of_its_solids_with_steps_and_the_rectangle_where_it
     written = wall_of(solid=[layer(0.0, 0.83, 0.0, 4.0), layer(0.23, 0.83, 4.0, 7.0)])
     assert tuple(short.in_si.body) == pytest.approx(tuple(written.in_si.body), rel=1e-14)
     plumb = wall_of(out_of_plumb_m=0.0)
-    assert plumb.parts == () and model_of(plumb, "two_sided") == model_of(wall_of(), "two_sided")
+    assert plumb.parts == () and make_rocking_model(plumb, "two_sided") == make_rocking_model(wall_of(), "two_sided")
 
 
 def test_that_to_lean_outward_never_helps_and_above_a_hinge_the_wall_leans_as_it_did():
-    angles = [model_of(wall_of(out_of_plumb_m=f), "one_sided").slenderness for f in (0.0, 0.05, 0.1, 0.2)]
+    angles = [make_rocking_model(wall_of(out_of_plumb_m=f), "one_sided").slenderness for f in (0.0, 0.05, 0.1, 0.2)]
     assert angles == sorted(angles, reverse=True)
     from core.case.above_hinge import above_hinge
 
     upper = above_hinge(wall_of(mechanism="one_sided", out_of_plumb_m=0.14), 3.5)
     assert upper.out_of_plumb_m is None
-    assert math.tan(model_of(upper, "one_sided").slenderness) == pytest.approx((0.83 - 0.07) / 3.5, rel=1e-12)
+    assert math.tan(make_rocking_model(upper, "one_sided").slenderness) == pytest.approx((0.83 - 0.07) / 3.5, rel=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from core.codes.capacity_curve import CURVE_PERIODS, capacity_curve
 from core.codes.floor_spectrum import FloorSpectrum, first_mode
 from core.codes.kinematic import kinematic
 from core.codes.spectrum_codes import en1998
-from core.setting.demand_input import demand_of
+from core.setting.demand_input import read_demand
 from core.units import G
 
 WALL = {"name": "w", "height_m": 1.0, "thickness_m": 0.1, "mechanism": "two_sided", "base_z_m": 0.0}
@@ -19,7 +19,7 @@ DEMAND = {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}, "
 
 def curve_of(**changes):
     case = parse_case({"wall": [WALL], "demand": {**DEMAND, **changes}})
-    demand = demand_of(case, Path())
+    demand = read_demand(case, Path())
     return kinematic(case.wall[0].in_si, "two_sided", demand), demand
 
 
@@ -69,7 +69,7 @@ def test_that_a_wall_without_the_nonlinear_check_has_no_curve():
 def test_that_the_demand_is_drawn_every_hundredth_of_a_second_to_half_a_second_and_every_fiftieth_to_four():
     """The period of a point is 2 pi sqrt(d / a); a wall tall enough for all of them."""
     case = parse_case({"wall": [{**WALL, "height_m": 20.0, "thickness_m": 4.0}], "demand": DEMAND})
-    demand = demand_of(case, Path())
+    demand = read_demand(case, Path())
     curve = capacity_curve(kinematic(case.wall[0].in_si, "two_sided", demand), demand)
     periods = 2.0 * np.pi * np.sqrt(curve.demand_d / curve.demand_a)
     expected = [0.01 * k for k in range(51)] + [0.5 + 0.02 * k for k in range(1, 176)]

@@ -13,8 +13,8 @@ from core.ground.ground_motion import GroundMotion
 from core.rocking.history import history
 from core.rocking.methods import AUTO, METHODS
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
-from core.setting.demand_input import demand_of
-from core.setting.scene import model_of
+from core.setting.check_input import make_rocking_model
+from core.setting.demand_input import read_demand
 from core.study import run as study
 from core.units import G
 from core.wall.block import Block
@@ -99,7 +99,7 @@ def solved(ground, dt, alpha, p2, one_sided, ratio, strength):
 def test_that_fc_acts_on_both_sides_of_a_body_that_is_not_symmetric(designed, confidence_on):
     """A battered wall and the same seen from its other face, at the demand: mirrored histories."""
     walls = (bodies.wall_of([solid], 5.0, 0.8, 1.0, "two_sided") for solid in (bodies.BATTERED, bodies.TURNED))
-    one, other = (model_of(wall, "two_sided") for wall in walls)
+    one, other = (make_rocking_model(wall, "two_sided") for wall in walls)
     motion, found = designed.motions[0], []
     for model, sign in ((one, 1), (other, -1)):
         there, factor = at_demand(model, designed.demand, confidence_on, motion)
@@ -134,8 +134,8 @@ def test_that_records_scaled_to_the_pga_are_the_records_at_the_demand(designed, 
     weak = [replace(m, acceleration=0.5 * m.acceleration) for m in designed.motions]
     for confidence_on in ("capacity", "demand"):
         asked = {"confidence_on": confidence_on}
-        plain = demand_of(case(HELD, asked), tmp_path)
-        scaled = demand_of(case(HELD, {**asked, "demand_scaling": "pga"}), tmp_path)
+        plain = read_demand(case(HELD, asked), tmp_path)
+        scaled = read_demand(case(HELD, {**asked, "demand_scaling": "pga"}), tmp_path)
         first = demand_check(wall.model, list(designed.motions), (1,), plain, AUTO)
         second = demand_check(wall.model, weak, (1,), scaled, AUTO)
         factor = 2.0 * (1.35 if confidence_on == "demand" else 1.0) * demand.pga / (2.0 * weak[0].pga)
@@ -217,7 +217,7 @@ def wall_of(k: int):
         motions.append(GroundMotion(f"{n}", noise, 0.02))
     side = ("capacity", "demand")[k // 4 % 2]
     table = {"wall": {"height_m": 3.0, "thickness_m": 0.3}, "demand": {"confidence_on": side}}
-    return model, motions, (1, -1) if one_sided else (1,), demand_of(case(**table), None)
+    return model, motions, (1, -1) if one_sided else (1,), read_demand(case(**table), None)
 
 
 @pytest.mark.shows("dynamic.grid")

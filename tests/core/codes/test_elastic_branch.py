@@ -7,7 +7,7 @@ import pytest
 from core.case.rules import parse_wall
 from core.codes import elastic_branch
 from core.codes.elastic_branch import branches_of
-from core.setting.scene import model_of
+from core.setting.check_input import make_rocking_model
 from core.units import G
 
 PARAPET = {"name": "w", "mechanism": "two_sided", "height_m": 1.2, "thickness_m": 0.25, "free_element": True}
@@ -16,7 +16,7 @@ PARAPET |= {"unit_weight_kn_m3": 18.0, "elastic_modulus_mpa": 1200.0, "law": "ri
 
 def found_of(**changes):
     wall = parse_wall({key: value for key, value in (PARAPET | changes).items() if value is not None})
-    return branches_of(wall.in_si, wall.mechanism, model_of(wall, wall.mechanism))
+    return branches_of(wall.in_si, wall.mechanism, make_rocking_model(wall, wall.mechanism))
 
 
 def by_hand(modulus: float, weight: float, height: float = 1.2, thickness: float = 0.25) -> tuple[float, float]:
@@ -58,4 +58,4 @@ def test_that_ties_and_unlike_sides_have_no_branch():
     tie = {"kind": "tie", "kn_m": 2.0, "h_m": 1.0, "bar_length_m": 6.0, "elongation_m": 0.2}
     assert found_of(load=[tie]) == ()
     one = parse_wall(PARAPET | {"mechanism": "one_sided"})
-    assert branches_of(one.in_si, "one_sided", model_of(one, "one_sided"))
+    assert branches_of(one.in_si, "one_sided", make_rocking_model(one, "one_sided"))

@@ -11,7 +11,7 @@ from core.case.rules import parse_case
 from core.codes.kinematic import elastic_period, kinematic, nonlinear
 from core.codes.kinematic_chain import chain, friction, multipliers_with_friction
 from core.report.json_report import results
-from core.setting.demand_input import demand_of
+from core.setting.demand_input import read_demand
 from core.study import run as study
 from core.units import G
 from tests.core.case.test_load_rules import ACROSS
@@ -79,7 +79,7 @@ def test_that_the_numbers_of_a_mechanism_are_of_one_body(loads):
     assert found.a0 == pytest.approx(found.alpha0 * G / (found.e_star * 1.35), rel=1e-12)
     assert found.m_star == pytest.approx(found.e_star * mass, rel=1e-12)
     assert found.zeta_floor <= found.zeta_sld
-    whole = kinematic(bare.in_si, "one_sided", demand_of(case, Path()))
+    whole = kinematic(bare.in_si, "one_sided", read_demand(case, Path()))
     check = results(study.run(case, base_dir=Path()))["walls"][0]["kinematic_check"]
     for numbers, body in ((check, found), (check["without_friction"], whole)):
         assert numbers["a0_star_g"] == pytest.approx(numbers["alpha0"] / (numbers["e_star"] * 1.35), rel=1e-12)
@@ -107,7 +107,7 @@ def test_that_the_friction_does_not_raise_what_the_histories_lead_to(tmp_path):
 @pytest.mark.shows("kinematic.friction")
 def test_that_the_displacement_check_does_not_count_the_friction():
     case = case_of(return_walls=ACROSS, length_m=5.0)
-    demand = demand_of(case, Path())
+    demand = read_demand(case, Path())
     with_it = kinematic(case.wall[0].in_si, "one_sided", demand)
     without = kinematic(replace(case.wall[0], return_walls=None).in_si, "one_sided", demand)
     assert nonlinear(with_it, demand) == nonlinear(without, demand)

@@ -11,7 +11,7 @@ from core.codes.record_compatibility import compliance
 from core.errors import InputError, RecordError
 from core.ground import records
 from core.ground.provenance import stations
-from core.setting.demand_input import demand_of, generated
+from core.setting.demand_input import generate_motions, read_demand
 from core.study import run as study
 from tests.conftest import ROOT
 
@@ -30,8 +30,8 @@ def case(**demand):
 @pytest.mark.shows("demand.artificial")
 def test_that_a_generated_set_complies_and_half_of_it_does_not(tmp_path):
     asked = case()
-    demand = demand_of(asked, tmp_path)
-    motions = generated(asked, demand)
+    demand = read_demand(asked, tmp_path)
+    motions = generate_motions(asked, demand)
     found = compliance(motions, ["artificial"] * 7, demand)
     assert found.compatible
     assert {rule.name for rule in found.rules if rule.passed} >= {
@@ -49,8 +49,8 @@ def test_that_a_generated_set_complies_and_half_of_it_does_not(tmp_path):
 
 def test_that_there_is_nothing_to_compare_without_records_or_without_a_spectrum(tmp_path):
     asked = case()
-    demand = demand_of(asked, tmp_path)
-    motions = generated(asked, demand)
+    demand = read_demand(asked, tmp_path)
+    motions = generate_motions(asked, demand)
     assert compliance([], [], demand) is None
     assert compliance(motions, ["artificial"] * 7, replace(demand, target=None)) is None
 
@@ -58,8 +58,8 @@ def test_that_there_is_nothing_to_compare_without_records_or_without_a_spectrum(
 @pytest.mark.shows("demand.artificial")
 def test_that_artificial_motions_are_as_long_as_the_code_asks(tmp_path):
     """A strong part of 10 s, 25 s in all: the limits themselves pass."""
-    demand = demand_of(case(), tmp_path)
-    motions = generated(case(), demand)
+    demand = read_demand(case(), tmp_path)
+    motions = generate_motions(case(), demand)
     size = round(25.0 / motions[0].time_step) + 1
     for samples, passed in ((size, True), (size - 1, False)):
         cut = [replace(motion, acceleration=motion.acceleration[:samples]) for motion in motions]
@@ -71,7 +71,7 @@ def test_that_artificial_motions_are_as_long_as_the_code_asks(tmp_path):
 def test_that_one_factor_brings_the_mean_to_the_target_over_the_periods_asked(tmp_path):
     motions = [records.read(ROOT / "tests" / "motions" / f"noise_{k}.txt") for k in (1, 2, 3)]
     for more in ({}, {"period_range_s": [0.3, 2.6]}):
-        demand = demand_of(case(**more), tmp_path)
+        demand = read_demand(case(**more), tmp_path)
         low, high = more.get("period_range_s", (0.15, 2.0))
         found = compliance(motions, ["artificial"] * 3, demand)
         inside = (found.periods >= low) & (found.periods <= high)
@@ -81,8 +81,8 @@ def test_that_one_factor_brings_the_mean_to_the_target_over_the_periods_asked(tm
 
 def test_that_natural_records_have_an_upper_bound_too(tmp_path):
     asked = case()
-    demand = demand_of(asked, tmp_path)
-    louder = [replace(m, acceleration=1.5 * m.acceleration) for m in generated(asked, demand)]
+    demand = read_demand(asked, tmp_path)
+    louder = [replace(m, acceleration=1.5 * m.acceleration) for m in generate_motions(asked, demand)]
     rules = compliance(louder, ["natural"] * 7, demand).rules
     upper = next(rule for rule in rules if rule.name == "mean_upper" and rule.limit is not None)
     assert upper.limit == 0.30 and upper.passed is False
@@ -90,22 +90,22 @@ def test_that_natural_records_have_an_upper_bound_too(tmp_path):
 
 def test_that_two_components_of_a_station_count_once(tmp_path):
     asked = case()
-    demand = demand_of(asked, tmp_path)
+    demand = read_demand(asked, tmp_path)
     motions = [
         replace(
             motion,
             format="PEER AT2",
             details=(("line 2", f"IMPERIAL VALLEY 5/19/40, EL CENTRO ARRAY #9, {component}"),),
         )
-        for motion, component in zip(generated(asked, demand), ("180", "270", "UP"), strict=False)
+        for motion, component in zip(generate_motions(asked, demand), ("180", "270", "UP"), strict=False)
     ]
     assert len(stations(motions)) == 1
     assert compliance(motions, ["natural"] * 3, demand).stations == 1
 
 
 def test_that_scaling_to_pga_scales_the_spectra(tmp_path):
-    plain, scaled = (demand_of(case(**more), tmp_path) for more in ({}, {"demand_scaling": "pga"}))
-    motions = [replace(motion, acceleration=0.5 * motion.acceleration) for motion in generated(case(), plain)]
+    plain, scaled = (read_demand(case(**more), tmp_path) for more in ({}, {"demand_scaling": "pga"}))
+    motions = [replace(motion, acceleration=0.5 * motion.acceleration) for motion in generate_motions(case(), plain)]
     assert scaled.scaling(motions[0]) == pytest.approx(2.0, rel=1e-6)
     assert compliance(motions, ["artificial"] * 7, scaled).compatible
     assert not compliance(motions, ["artificial"] * 7, plain).compatible
@@ -115,8 +115,8 @@ def test_that_scaling_to_pga_scales_the_spectra(tmp_path):
 def test_that_natural_records_are_compared_up_to_the_longest_period_of_the_walls(tmp_path):
     """Weak beyond 2 s, as a set at -22 % there that passed: kind and range decide whether it is seen."""
     asked = case()
-    demand = demand_of(asked, tmp_path)
-    motions = generated(asked, demand)
+    demand = read_demand(asked, tmp_path)
+    motions = generate_motions(asked, demand)
     for kind, longest, high in (("natural", 3.4, 3.4), ("natural", 1.2, 2.0), ("artificial", 3.4, 2.0)):
         found = compliance(motions, [kind] * 7, demand, longest)
         assert found.period_range == (0.15, high)
@@ -124,7 +124,7 @@ def test_that_natural_records_are_compared_up_to_the_longest_period_of_the_walls
         assert found.periods[inside][[0, -1]] == pytest.approx([0.15, high])
         lower = next(rule for rule in found.rules if rule.code == "NTC" and rule.name == "mean_lower")
         assert lower.value == pytest.approx((found.mean / found.target - 1.0)[inside].min(), rel=1e-12)
-    chosen = demand_of(case(period_range_s=[0.3, 2.6]), tmp_path)
+    chosen = read_demand(case(period_range_s=[0.3, 2.6]), tmp_path)
     assert compliance(motions, ["natural"] * 7, chosen, 3.4).period_range == (0.3, 2.6)
 
 
@@ -154,7 +154,7 @@ def test_that_a_range_beyond_the_spectrum_of_a_file_is_refused(tmp_path):
 def test_that_looks_ten_times_as_close_move_no_extreme_by_half_a_percent(shelf, monkeypatch):
     """Sets of seven of the shelf against a code spectrum: the rule of -10 % cannot flip between two looks."""
     asked = case(demand_scaling="pga")
-    demand = demand_of(asked, shelf)
+    demand = read_demand(asked, shelf)
     paths = sorted(shelf.glob("PEER_AT2/*.[aA][tT]2"))
     motions = [records.read(path) for path in paths if _reads(path)]
     rng = np.random.default_rng(2)
@@ -205,5 +205,5 @@ def test_that_a_spectrum_that_is_kept_is_that_of_its_own_samples_step_and_period
 )
 def test_that_natural_records_keep_the_bounds_of_their_code_and_of_both_without_one(tmp_path, code, bounds):
     """NTC 3.2.3.6: -10 % and +30 %; EN 3.2.3.1.2(4): 90 %, and the mean PGA not below a_g S."""
-    demand = replace(demand_of(case(), tmp_path), spectrum_code=code)
+    demand = replace(read_demand(case(), tmp_path), spectrum_code=code)
     assert rules.natural_bounds(demand) == pytest.approx(bounds, rel=1e-12)

@@ -14,8 +14,8 @@ from core.ground.artificial import filtered_noise
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import AUTO
 from core.rocking.outcome import STABLE
-from core.setting.demand_input import demand_of
-from core.setting.scene import model_of
+from core.setting.check_input import make_rocking_model
+from core.setting.demand_input import read_demand
 
 WITHIN = (1.0 + MULTIPLIER_STEP) ** (2 * record_sample.EVERY)
 """Two points of the coarse grid."""
@@ -30,7 +30,7 @@ def scene():
         }
     )
     motions = [GroundMotion(f"m{k}", 2.5 * filtered_noise(k + 1, 2.0), 0.01) for k in range(8)]
-    return model_of(case.wall[0], "two_sided"), motions, demand_of(case, None)
+    return make_rocking_model(case.wall[0], "two_sided"), motions, read_demand(case, None)
 
 
 @pytest.fixture(scope="module")
@@ -118,7 +118,7 @@ def test_that_the_peaks_begin_at_half_of_zeta_unless_a_record_alone_breaks_the_r
     asked of a wall at rest."""
     _, motions, demand = scene
     wall = {"name": "w", "height_m": 12.0, "thickness_m": 0.8, "mechanism": "two_sided", "base_z_m": 0.0}
-    model = model_of(parse_case({"wall": [wall]}).wall[0], "two_sided")
+    model = make_rocking_model(parse_case({"wall": [wall]}).wall[0], "two_sided")
     demand, step = replace(demand, zeta_target=target), (1.0 + MULTIPLIER_STEP) ** record_sample.EVERY
     zeta = demand_check(model, motions, (1,), demand, AUTO, other=False).zeta
     found = record_peaks(model, motions, (1,), demand, AUTO, zeta)

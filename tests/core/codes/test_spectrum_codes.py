@@ -15,7 +15,7 @@ from core.case.rules import parse_case
 from core.codes import annex
 from core.codes.spectrum_codes import CODES, FOLDER, NATIONAL, codes_of
 from core.errors import InputError
-from core.setting.demand_input import demand_of
+from core.setting.demand_input import read_demand
 from core.setting.plan import read_inputs
 from core.study.executors import files_key
 from core.study.run import run
@@ -30,7 +30,7 @@ SPAIN = {"code": "EN1998-ES", "soil": "C", "vs30_m_s": 300.0, "contribution_k": 
 def demand_with(**changes):
     spectrum = {key: value for key, value in {**SPAIN, **changes}.items() if value is not None}
     case = parse_case({"wall": [WALL], "demand": {"ag_g": 0.23, "spectrum": spectrum}})
-    return demand_of(case, Path())
+    return read_demand(case, Path())
 
 
 def test_that_each_file_is_a_code_and_names_its_source():

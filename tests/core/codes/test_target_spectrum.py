@@ -14,7 +14,7 @@ from core.codes.demand import with_records
 from core.codes.spectrum_codes import en1998
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
-from core.setting.demand_input import demand_of, target_of
+from core.setting.demand_input import read_demand, read_target_spectrum
 from core.units import G
 
 A_G = 0.25 * G
@@ -208,14 +208,14 @@ def test_that_a_wrong_file_of_a_spectrum_is_refused(rows, words):
 def test_that_a_spectrum_file_headed_by_other_units_is_refused(tmp_path, head):
     (tmp_path / "s.txt").write_text(f"{head}\n0 0.2\n0.5 0.5\n2 0.1\n4 0.05\n")
     with pytest.raises(InputError, match="the header names"):
-        target_of(Demand(0.2, spectrum_file="s.txt"), tmp_path)
+        read_target_spectrum(Demand(0.2, spectrum_file="s.txt"), tmp_path)
 
 
 def test_that_records_far_below_the_demand_are_warned_of():
     one = GroundMotion("a", np.sin(np.arange(500) * 0.3), 0.01, "a")
     for ag, codes in ((0.1, []), (0.6, ["weaker_records"])):
         case = Case(demand=Demand(ag, soil_factor=1.0))
-        asked = with_records(demand_of(case, Path()), [one])
+        asked = with_records(read_demand(case, Path()), [one])
         assert [warning.code for warning in asked.warnings] == codes
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from core.codes.capacity_curve import capacity_curve
 from core.codes.kinematic import kinematic, linear
-from core.setting.demand_input import demand_of
+from core.setting.demand_input import read_demand
 from core.units import G
 from tests.validation.test_loaded_walls import INWARD, ROOF, TIE, case_of
 
@@ -21,7 +21,7 @@ D0 = 0.19141
 def found_of(*loads, state="SLV", **changes):
     given = [{key: value for key, value in load.items() if value is not None} for load in loads]
     case = case_of(*given, **changes)
-    demand = replace(demand_of(case, Path()), limit_state=state)
+    demand = replace(read_demand(case, Path()), limit_state=state)
     return kinematic(case.wall[0].in_si, case.wall[0].mechanism, demand), demand
 
 

@@ -14,7 +14,7 @@ from core.codes.record_compatibility import Compliance
 from core.codes.verdict import TO_MEND, verdict
 from core.codes.verdict_sentence import at_hinge, measured
 from core.ground.artificial import compatible_motion
-from core.setting.demand_input import demand_of
+from core.setting.demand_input import read_demand
 from core.study import run as study
 from core.text.sentence import Number, apart, numeral, sentence
 from core.units import G
@@ -78,7 +78,7 @@ def said(
     seen = Evidence(
         asked.wall[0].in_si,
         mechanism,
-        demand_of(asked, None),
+        read_demand(asked, None),
         tuple(found),
         histories,
         None,
@@ -270,7 +270,7 @@ def test_that_a_range_that_leaves_out_periods_that_matter_is_indicative():
     assert rules.narrow and not Compliance(None, None, None, None, (), 8, True).narrow
     histories = DemandCheck("SLV", (), 0, 0.1, 0.1, "mean", 0.4, 1.3, True, True, zeta_16=1.2)
     checks = (histories.as_check(1.0),)
-    demand = demand_of(asked, None)
+    demand = read_demand(asked, None)
     seen = Evidence(asked.wall[0].in_si, "two_sided", demand, checks, histories, None, rules, Circumstances(8))
     found = verdict(seen, None)
     assert found.code == "indicative" and "0.15 to 2.50 s" in found.limits[0].text()
@@ -351,7 +351,7 @@ def test_that_sld_is_checked_without_q(tmp_path):
 def test_that_records_weaker_than_the_demand_give_no_pga_of_capacity(tmp_path, scale):
     """The same motions whole, by half, which zeta is read with, and at a tenth: what these do not overturn says nothing
     of the demand, and no number is printed of it."""
-    asked = demand_of(case(0.3), tmp_path)
+    asked = read_demand(case(0.3), tmp_path)
     for seed in range(1, 8):
         motion = compatible_motion(asked.target, seed)
         np.savetxt(tmp_path / f"r{seed}.txt", motion / 9.80665)
@@ -424,7 +424,7 @@ def test_that_another_value_is_advised_only_where_the_one_given_turns_the_outcom
 )
 def test_that_the_displacement_check_says_when_its_zeta_is_that_of_the_start(name, capacity, zeta, words):
     check = Check(name, "C8.7.1.2.1.8", "m", capacity, 0.20, zeta, False, 2.0)
-    assert measured(check, None, demand_of(case(), None)).code == words
+    assert measured(check, None, read_demand(case(), None)).code == words
 
 
 @pytest.mark.shows("kinematic.supports")

@@ -17,7 +17,7 @@ from core.research.page import kept
 from core.research.parametric import StudyMotion
 from core.research.set_means import MotionValue
 from core.rocking.methods import METHODS
-from core.setting.scene import model_of
+from core.setting.check_input import make_rocking_model
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS, MomentLaw
 from core.wall.restitution import restitution
@@ -189,7 +189,7 @@ def test_that_motion_and_wall_stretched_together_leave_q_and_lambda_and_change_p
     for k, amplitude in ((1.0, 1.0), (0.5, 1.0), (2.0, 1.0), (1.0, 3.0)):
         ground = GroundMotion("stretched", amplitude * acceleration, 0.01 * k)
         wall = parse_wall({"name": "w", "mechanism": mechanism, "height_m": 4.0 * k * k, "slenderness_deg": 6.0})
-        model, p2 = model_of(wall, mechanism), wall.in_si.block.p2
+        model, p2 = make_rocking_model(wall, mechanism), wall.in_si.block.p2
         ida = incremental_dynamic_analysis(
             ground.acceleration, ground.time_step, ground.pga, 1, model, METHODS["taylor"], Search(q_step=0.01)
         )

@@ -10,7 +10,7 @@ from core.case.schema import Generate
 from core.case.site import Demand, HazardRow, Spectrum
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
-from core.setting.demand_input import check_hazard, set_of, target_of, within
+from core.setting.demand_input import check_hazard, find_generation_settings, hazard_covers, read_target_spectrum
 from core.units import G
 
 ROWS = HazardRow(30.0, 0.05, 2.4, 0.28), HazardRow(475.0, 0.2, 2.5, 0.33), HazardRow(2475.0, 0.35, 2.6, 0.36)
@@ -22,7 +22,7 @@ NTC = Spectrum("NTC2018", "B", f0=2.5, tc_star_s=0.33, topography="T1")
     [(29.6, False), (29.8, True), (30.0, True), (2475.0, True), (2499.0, True), (2501.0, False), (2600.0, False)],
 )
 def test_that_a_hazard_holds_the_return_periods_of_its_rows_and_one_percent_beyond(years, held):
-    assert within(ROWS, years) == held
+    assert hazard_covers(ROWS, years) == held
 
 
 @pytest.mark.shows("risk.hazard_agrees")
@@ -54,10 +54,10 @@ def test_that_a_demand_is_that_of_its_hazard_by_the_digits_of_both_and_half_a_pe
 
 @pytest.mark.parametrize("missing", ["f0", "tc_star_s", "topography"])
 def test_that_a_spectrum_in_the_making_is_none_yet(missing):
-    target = target_of(Demand(ag_g=0.2, spectrum=NTC), Path())
+    target = read_target_spectrum(Demand(ag_g=0.2, spectrum=NTC), Path())
     assert target is not None and target.ag == pytest.approx(0.2 * G)
     with pytest.raises(KeyError):
-        target_of(Demand(ag_g=0.2, spectrum=replace(NTC, **{missing: None})), Path())
+        read_target_spectrum(Demand(ag_g=0.2, spectrum=replace(NTC, **{missing: None})), Path())
 
 
 def motion(**details: str) -> GroundMotion:
@@ -69,13 +69,15 @@ def motion(**details: str) -> GroundMotion:
 
 def test_that_a_set_of_motions_tells_what_was_asked_for_to_make_it():
     made = [motion(seed=str(seed), scatter="0.4") for seed in (8, 7, 9)]
-    assert set_of(made) == Generate(3, 7, 0.4)
-    assert set_of(made[:1]) == Generate(1, 8, 0.4)
-    assert set_of([motion(), *made]) == Generate(3, 7, 0.4)  # a record beside them does not hide how they were made
+    assert find_generation_settings(made) == Generate(3, 7, 0.4)
+    assert find_generation_settings(made[:1]) == Generate(1, 8, 0.4)
+    assert find_generation_settings([motion(), *made]) == Generate(
+        3, 7, 0.4
+    )  # a record beside them does not hide how they were made
 
 
 @pytest.mark.parametrize(
     "motions", [[], [motion()], [motion(seed="1", scatter="0.4"), motion(seed="1", scatter="0")], [motion(seed="1")]]
 )
 def test_that_records_and_two_sets_are_no_generated_set(motions):
-    assert set_of(motions) is None
+    assert find_generation_settings(motions) is None

@@ -98,7 +98,7 @@ def test_the_damaged_building_of_each_limit_state():
     assert floors.modes_at(asked, 6.0, "SLV")[0] == floors.Mode(0.39, 0.10, 9.0 / 7.0 * 6.0 / 9.0)
     assert floors.modes_at(asked, 6.0, "SLD")[0].period == pytest.approx(0.26)
     assert floors.modes_at(asked, 6.0, "SLD")[0].damping == 0.05
-    assert floors.other_ends(asked, "SLV") == (floors.OTHER_BUILDING,) == ((2.0, 0.20),)
+    assert floors.period_and_damping_bounds(asked, "SLV") == (floors.OTHER_BUILDING,) == ((2.0, 0.20),)
 
 
 def test_that_given_modes_are_taken_as_they_are():
@@ -192,7 +192,7 @@ def test_that_records_are_compared_at_the_demand():
 
 def test_the_other_ends_of_what_the_clause_allows():
     def ends(state, **given):
-        return floors.other_ends(case(6.0, {**BUILDING, **given}).building, state)
+        return floors.period_and_damping_bounds(case(6.0, {**BUILDING, **given}).building, state)
 
     assert ends("SLV") == (floors.OTHER_BUILDING,)
     assert ends("SLC", period_factor=2.0, damping=0.2) == (floors.ULTIMATE,)

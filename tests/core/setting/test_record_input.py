@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from core.errors import InputError
-from core.setting.record_input import joined, read_records
+from core.setting.record_input import join_motions, read_records
 from core.study import run as study
 from tests.core.study.cases import case
 
@@ -53,9 +53,9 @@ def test_that_a_record_that_is_a_generated_motion_is_refused_and_others_stand_be
     (tmp_path / "a.txt").write_text(text)
     ((record,), _) = read_records(case(record=[{"file": "a.txt", "unit": "m/s2", "time_step_s": 0.01}]), tmp_path)
     made = replace(record, file="generated, seed 1", acceleration=2.0 * record.acceleration)
-    assert [motion.name for motion in joined([record], [made])] == ["a.txt", "generated, seed 1"]
+    assert [motion.name for motion in join_motions([record], [made])] == ["a.txt", "generated, seed 1"]
     with pytest.raises(InputError) as refused:
-        joined([record], [made, replace(record, file="generated, seed 2")])
+        join_motions([record], [made, replace(record, file="generated, seed 2")])
     assert (refused.value.code, refused.value.values) == (
         "record_twice",
         {"file": "a.txt", "twin": "generated, seed 2"},

@@ -21,8 +21,8 @@ from core.ground.provenance import Provenance
 from core.ground.record_folder import SAME_MOTION, Candidate, LeftOut, Limits, one_of_each, read_file
 from core.report.json_report import results
 from core.setting import plan, record_selection
-from core.setting.demand_input import demand_of
-from core.setting.plan import longest_of, read_inputs, with_chosen
+from core.setting.demand_input import read_demand
+from core.setting.plan import longest_mechanism_period, read_inputs, select_case_records
 from core.setting.record_selection import select_records
 from core.study import run as study
 from core.study.sweep import SweepKey, sweep
@@ -38,8 +38,8 @@ def folder(tmp_path_factory):
 
 
 def found_in(base, asked):
-    demand = demand_of(asked, base)
-    return select_records(asked.select, base, demand, longest_of(asked, demand))
+    demand = read_demand(asked, base)
+    return select_records(asked.select, base, demand, longest_mechanism_period(asked, demand))
 
 
 @pytest.mark.shows("demand.select_accounts")
@@ -60,9 +60,9 @@ def test_that_the_files_of_a_folder_are_all_accounted_for(folder):
 @pytest.mark.parametrize("ag", [0.08, 0.12, 0.2])
 def test_that_what_is_chosen_is_what_the_rules_of_the_code_then_judge(folder, scaling, spectrum, ag):
     asked = case(demand={"ag_g": ag, "spectrum": spectrum}, scaling=scaling)
-    chosen, found = with_chosen(asked, folder)
+    chosen, found = select_case_records(asked, folder)
     demand, motions, kinds = read_inputs(chosen, folder)
-    judged = compliance(motions, kinds, demand, longest_of(asked, demand))
+    judged = compliance(motions, kinds, demand, longest_mechanism_period(asked, demand))
     assert judged.compatible == found.chosen.fits
     by_name = {rule.name: rule.value for rule in judged.rules if rule.code == spectrum["code"][:-4]}
     assert by_name["mean_lower"] == pytest.approx(found.chosen.lowest[1] - 1.0, abs=1e-9)
@@ -80,9 +80,9 @@ def test_that_what_is_chosen_is_what_the_rules_of_the_code_then_judge(folder, sc
 def test_that_two_records_are_too_few_for_the_code_that_asks_for_three(folder):
     for spectrum, enough in ((EN, False), (NTC, True)):
         asked = case(demand={"ag_g": 0.12, "spectrum": spectrum}, count=2)
-        chosen, found = with_chosen(asked, folder)
+        chosen, found = select_case_records(asked, folder)
         demand, motions, kinds = read_inputs(chosen, folder)
-        judged = compliance(motions, kinds, demand, longest_of(asked, demand))
+        judged = compliance(motions, kinds, demand, longest_mechanism_period(asked, demand))
         assert found.chosen.miss == 0.0 and found.chosen.fits == judged.compatible == enough
 
 
@@ -186,7 +186,7 @@ def test_that_a_run_takes_the_chosen_as_records_written_by_hand(folder):
 
 def test_that_a_choice_can_be_cancelled(folder):
     asked = case()
-    demand = demand_of(asked, folder)
+    demand = read_demand(asked, folder)
     with pytest.raises(Cancelled):
         select_records(asked.select, folder, demand, 0.0, cancelled=lambda: True)
 
@@ -202,7 +202,7 @@ def test_that_a_choice_tells_hundredths_half_of_reading_and_half_of_search(folde
 
     monkeypatch.setattr(record_selection, "nearest_sets", slowly)
     asked, told = case(), []
-    demand = demand_of(asked, folder)
+    demand = read_demand(asked, folder)
     select_records(asked.select, folder, demand, 0.0, lambda done, planned: told.append((done, planned)))
     assert told == [*((50 * k // 23, 100) for k in range(1, 24)), (50, 100), (75, 100), (100, 100)]
 

@@ -17,7 +17,7 @@ from app.terminal import batch, case_run
 from core.case.reader import read_case
 from core.errors import InputError
 from core.report import json_report
-from core.setting.plan import plan_of, read_inputs
+from core.setting.plan import make_plan, read_inputs
 from core.study.case_parts import open_parts, part_path
 from core.study.progress import task_costs
 from core.study.run import journal_key, run
@@ -238,5 +238,5 @@ def test_that_the_statement_of_accuracy_is_made_where_the_parts_come_together(ca
     asked = read_case(case)
     asked = replace(asked, analysis=replace(asked.analysis, accuracy=True))
     inputs = read_inputs(asked, case.parent)
-    stated = [("accuracy", 0) in task_costs(plan_of(asked, inputs, share)) for share in (None, (0, 2))]
+    stated = [("accuracy", 0) in task_costs(make_plan(asked, inputs, share)) for share in (None, (0, 2))]
     assert stated == [True, False]

@@ -7,7 +7,7 @@ import pytest
 
 from core.case.rules import parse_case
 from core.errors import InputError
-from core.setting.plan import plan_of, read_inputs
+from core.setting.plan import make_plan, read_inputs
 from core.study import check_script as check_script_module
 from core.study.check_script import ScriptUnavailable, check_script
 from tests.conftest import ROOT
@@ -30,7 +30,7 @@ def written(folder, wall, record=1, **demand):
     given = {"name": "w", "base_z_m": 0.0, "unit_weight_kn_m3": 18.0, "length_m": 5.0, **wall}
     asked = {"demand_scaling": "pga", "spectrum": SPECTRUM, "ag_g": 0.2, **demand}
     case = parse_case({"wall": [given], "record": [{"file": f"{record}.txt", "kind": "artificial"}], "demand": asked})
-    plan = plan_of(case, read_inputs(case, folder))
+    plan = make_plan(case, read_inputs(case, folder))
     return check_script(plan, 0)
 
 

@@ -8,7 +8,7 @@ import pytest
 from core.case.rules import parse_case
 from core.jit.shipped import Library
 from core.rocking.methods import AUTO, METHODS
-from core.setting.scene import model_of
+from core.setting.check_input import make_rocking_model
 from core.study import self_test
 
 
@@ -67,7 +67,8 @@ def test_that_a_start_is_told_the_order_whose_kernels_its_first_wall_needs():
     wall = {"name": "w", "height_m": 3.0, "thickness_m": 0.4, "mechanism": "one_sided", "unit_weight_kn_m3": 18.0}
     tie = {"kind": "tie", "kn_m": 2.0, "h_m": 2.8, "bar_length_m": 6.0}
     plain, tied = (
-        model_of(parse_case({"wall": [{**wall, **more}]}).wall[0], "one_sided") for more in ({}, {"load": [tie]})
+        make_rocking_model(parse_case({"wall": [{**wall, **more}]}).wall[0], "one_sided")
+        for more in ({}, {"load": [tie]})
     )
     assert self_test.find_kernel_order(AUTO, plain, 0.01) == ("taylor",)
     assert self_test.find_kernel_order(AUTO, plain, 0.001) == ("taylor_6",)

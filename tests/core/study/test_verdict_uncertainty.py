@@ -10,7 +10,7 @@ from core.case.rules import parse_case
 from core.case.writer import table_of
 from core.codes.collapse_rate import state_rate
 from core.errors import Cancelled
-from core.setting.demand_input import with_ag
+from core.setting.demand_input import rescale_ag
 from core.study import verdict_uncertainty
 from core.study.run import run
 from core.study.verdict_uncertainty import make_ag_function, record_capacities
@@ -109,7 +109,7 @@ def test_that_s_follows_a_g_where_the_code_says_so(result):
     demand, asked = result.demand, result.case.demand
     for multiplier in (0.2, 0.9, 1.7, 4.0):
         ag = make_ag_function(demand, asked, CASES)(multiplier)
-        there = with_ag(demand, asked, CASES, ag / demand.ag)
+        there = rescale_ag(demand, asked, CASES, ag / demand.ag)
         assert there.pga == pytest.approx(multiplier * demand.pga, rel=1e-4)
     assert make_ag_function(demand, asked, CASES)(1.7) > 1.7 * demand.ag * 1.005  # soil B: S falls
     assert make_ag_function(replace(demand, target=None), asked, CASES)(1.7) == 1.7 * demand.ag

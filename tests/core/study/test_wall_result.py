@@ -9,7 +9,7 @@ import pytest
 
 from core.case.rules import parse_case
 from core.report import json_report
-from core.setting.demand_input import demand_of
+from core.setting.demand_input import read_demand
 from core.study import run as study
 from core.study.wall_result import wall_result
 from core.units import G
@@ -206,7 +206,7 @@ def test_that_records_alike_in_their_measure_end_no_study(tmp_path, alike):
     from core.ground.artificial import compatible_motion
     from core.ground.ground_motion import GroundMotion
 
-    target = demand_of(parse_case({"wall": [WALL_OF_LAW], "demand": DEMAND_OF_LAW}), tmp_path).target
+    target = read_demand(parse_case({"wall": [WALL_OF_LAW], "demand": DEMAND_OF_LAW}), tmp_path).target
     records = []
     for k in range(3):
         motion = compatible_motion(target, 1 if alike == "file" else k + 1)

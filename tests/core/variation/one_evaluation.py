@@ -7,7 +7,7 @@ import numpy as np
 
 from core.codes.dynamic_check import DemandCheck
 from core.ground.ground_motion import GroundMotion
-from core.setting.plan import plan_of, read_inputs
+from core.setting.plan import make_plan, read_inputs
 from tests.clauses_alone import parse_case
 
 NTC = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
@@ -27,7 +27,7 @@ def scene_of(wall=WALL, demand=SOIL, k=0, **more):
     """The k-th scene of a case with one wall."""
     case = parse_case({"wall": [wall], "demand": demand, **more})
     inputs = read_inputs(case, Path())
-    return plan_of(case, inputs).scene(k, inputs[0])
+    return make_plan(case, inputs).scene(k, inputs[0])
 
 
 def history(zeta, passed=True, **values):

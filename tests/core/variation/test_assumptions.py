@@ -30,7 +30,7 @@ def weaker(factor):
 
     def change(scene):
         demand = scene.demand
-        return scene.but(demand=replace(demand, ag=factor * demand.ag, pga=factor * demand.pga))
+        return scene.replace_parts(demand=replace(demand, ag=factor * demand.ag, pga=factor * demand.pga))
 
     return change
 
@@ -187,7 +187,7 @@ def test_that_of_loads_the_first_check_they_raise_is_told_and_none_where_they_ra
     def linear_alone(scene):
         """As where a load acts on the check of the clauses alone."""
         demand = scene.demand
-        return scene.but(demand=replace(demand, pga=1.1 * demand.pga))
+        return scene.replace_parts(demand=replace(demand, pga=1.1 * demand.pga))
 
     (row,) = table(one("load", linear_alone), dynamic=2.0)
     assert dict(row.words.values)["check"] == "linear_q_code" and row.zeta == pytest.approx(1.2 / 1.1)
@@ -291,7 +291,7 @@ def test_that_with_nothing_changed_every_check_has_its_own_zeta(monkeypatch):
     made()
     (found,) = seen
     assert {check.name for check in found.checks} == set(CHECKS)
-    again = evaluate(found.scene.but(wall=replace(found.scene.wall)), other=False)
+    again = evaluate(found.scene.replace_parts(wall=replace(found.scene.wall)), other=False)
     own = [check for check in found.checks if check.name != "linear_q_slv"]  # it asks for a search of q
     assert [(check.name, check.zeta) for check in again.checks] == [(check.name, check.zeta) for check in own]
 

@@ -31,7 +31,7 @@ def judged(zeta=1.3, wall=WALL, demand=SOIL, by_default=False, **values):
 @pytest.mark.parametrize("method", [AUTO, *METHODS.values()], ids=lambda method: method.name)
 def test_that_a_verdict_rests_on_the_methods_that_solve_the_equation_alone(method):
     """The series of Taylor and Dormand and Prince; the others are there for comparison."""
-    exact = evaluate(scene_of().but(method=method)).evidence.circumstances.exact
+    exact = evaluate(scene_of().replace_parts(method=method)).evidence.circumstances.exact
     assert exact == (method.name in ("auto", "taylor", "taylor_6", "dormand_prince"))
 
 
@@ -122,7 +122,7 @@ def test_that_a_wall_that_falls_by_itself_is_refused_with_its_threshold():
     assert evaluate(scene).zeta == pytest.approx(2.0 * (28.8 * 0.1 - 0.5 * 4.0) / (28.8 * 2.0) / (1.35 * 0.1))
     for kn_m in (0.7201, 0.75):
         with pytest.raises(InputError) as error:
-            evaluate(scene.but(wall=replace(scene.wall, load=(replace(thrust, kn_m=kn_m),))))
+            evaluate(scene.replace_parts(wall=replace(scene.wall, load=(replace(thrust, kn_m=kn_m),))))
         assert error.value.code == "unstable_under_loads"
 
 
@@ -133,7 +133,7 @@ def test_that_q_of_the_searches_multiplies_what_uplifts_the_wall_without_its_tie
     """zeta = q alpha_0 g / (FC a_g S): neither e* nor what a tie adds counts, alpha_0 by hand (C8.7.1.1)."""
     scene = scene_of(BARE | ({"load": load} if load else {"unloaded_confirmed": True}))
     alpha = 0.05 if not load or load[0]["kind"] == "tie" else (28.8 + 9.0) * 0.1 / (28.8 * 2.0 + 9.0 * 4.0)
-    found = evaluate(scene.but(q_slv=(1.5, 1.8))).made("linear_q_slv")
+    found = evaluate(scene.replace_parts(q_slv=(1.5, 1.8))).made("linear_q_slv")
     assert found.zeta == pytest.approx(1.5 * alpha / (1.35 * 0.1))
     assert evaluate(scene).made("linear_q_slv") is None
 
@@ -144,7 +144,7 @@ def test_that_q_of_the_searches_multiplies_what_uplifts_the_wall_without_its_tie
 )
 def test_that_a_linear_check_that_fails_by_the_spread_of_its_q_alone_is_said(q, said):
     """It takes q = 2.70 to reach zeta 1."""
-    words = evaluate(scene_of().but(q_slv=q)).lower_q_remark
+    words = evaluate(scene_of().replace_parts(q_slv=q)).lower_q_remark
     assert (words is not None) == said
     if words:
         assert words.code == "lower_q_slv" and dict(words.values) == {"low": q[0], "q": q[1]}
@@ -174,7 +174,7 @@ def test_that_a_verdict_knows_the_strongest_motion_and_whether_one_is_of_the_exa
 )
 def test_that_a_one_sided_wall_asks_for_each_record_with_both_signs(mechanism, polarity, both):
     wall = WALL | {"mechanism": mechanism, "free_element": False}
-    assert evaluate(scene_of(wall).but(polarity=polarity)).evidence.circumstances.both_signs == both
+    assert evaluate(scene_of(wall).replace_parts(polarity=polarity)).evidence.circumstances.both_signs == both
 
 
 def test_that_the_period_of_a_building_is_estimated_where_none_is_given():

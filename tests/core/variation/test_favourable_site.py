@@ -228,7 +228,7 @@ def test_that_a_given_period_is_shown_with_the_estimated_one_its_half_and_its_do
 def test_that_a_period_that_is_not_given_has_no_row():
     rows, scene = of_building({"height_m": 9.0, "storeys": 3})
     assert "period_s" not in rows
-    taken = scene.but(period_taken=True, building=replace(scene.building, period_s=0.3))
+    taken = scene.replace_parts(period_taken=True, building=replace(scene.building, period_s=0.3))
     assert "period_s" not in {row.key for row in favourable_building(taken, taken.building)}
 
 

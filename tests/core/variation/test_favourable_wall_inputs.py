@@ -334,7 +334,7 @@ def test_that_a_masonry_that_is_named_is_shown_as_any():
     assert (there.hinge_setback_m, there.masonry) == (pytest.approx(end), None)
     assert values(rows["lift_masonry"], [0.9])["cm"] == pytest.approx(100.0 * end)
     assert wall_at(rows["lift_edge"], scene).hinge_setback_m == 0.01
-    inside = scene.but(wall=replace(scene.wall, hinge_setback_m=0.2))
+    inside = scene.replace_parts(wall=replace(scene.wall, hinge_setback_m=0.2))
     assert wall_at(rows["lift_masonry"], inside).hinge_setback_m == 0.2  # whatever has moved it farther
     assert "lift_masonry" not in rows_of(stone | {"hinge_setback_m": 0.03})[0]
     assert "lift_masonry" not in rows_of(stone | {"compressive_strength_mpa": 6.0})[0]
@@ -360,7 +360,7 @@ def test_that_a_body_by_its_radius_turns_about_a_point_farther_inside():
     assert there.radius_m == pytest.approx(math.hypot(x, z))
     assert there.slenderness_deg == pytest.approx(math.degrees(math.atan2(x, z)))
     assert there.inertia_over_mass_m2 == pytest.approx(16.0 / 3.0 - 4.0 + x**2 + z**2)
-    slender = scene.but(wall=replace(scene.wall, slenderness_deg=1.0))
+    slender = scene.replace_parts(wall=replace(scene.wall, slenderness_deg=1.0))
     assert wall_at(row, slender) == slender.wall  # whatever has moved it farther
 
 

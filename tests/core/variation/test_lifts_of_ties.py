@@ -146,13 +146,13 @@ def test_that_the_anchorage_of_a_tie_is_named_until_something_shows_that_it_hold
 def test_that_two_reasons_of_the_loads_change_the_wall_together():
     """Each alone leaves it satisfied, both together do not: no change undoes another."""
     from core.rocking.methods import AUTO
-    from core.setting.demand_input import demand_of
-    from core.setting.scene import Scene
+    from core.setting.check_input import CheckInput
+    from core.setting.demand_input import read_demand
     from core.variation.favourable_loads import _of_ties, _without
 
     wall = parse_case({"wall": [{**WALL, "load": [LONG, {**TIE, "kn_m": 0.05}]}], "demand": DEMAND}).wall[0]
-    demand = demand_of(parse_case({"wall": [WALL | {"unloaded_confirmed": True}], "demand": DEMAND}), ROOT)
-    scene = Scene(wall, "one_sided", demand, None, None, None, (), None, "both", AUTO, False, False, False)
+    demand = read_demand(parse_case({"wall": [WALL | {"unloaded_confirmed": True}], "demand": DEMAND}), ROOT)
+    scene = CheckInput(wall, "one_sided", demand, None, None, None, (), None, "both", AUTO, False, False, False)
     both = _of_ties(elongation_m=None)(_without(lambda _, load: load.kn_m == 0.05)(scene)).wall.load
     assert [(load.kn_m, load.elongation_m) for load in both] == [(0.9, None)]
 

@@ -7,10 +7,10 @@ import pytest
 
 from core.codes.kinematic import kinematic, nonlinear, sld
 from core.errors import InputError
-from core.setting.demand_input import demand_of
+from core.setting.demand_input import read_demand
 from core.study.run import run
 from core.units import G
-from core.variation.limit_states import interpolated, limit_state_demands, unused_hazard_notices
+from core.variation.limit_states import interpolate_hazard, limit_state_demands, unused_hazard_notices
 from tests.clauses_alone import parse_case
 from tests.validation.test_loaded_walls import WALL
 
@@ -32,11 +32,11 @@ def test_that_the_hazard_is_linear_in_logarithms_between_its_rows():
     """NTC 2018, Annex A, Eq. [2], by hand at T_R 50: w = ln(50/30)/ln(475/30)."""
     rows = site().demand.hazard
     share = math.log(50.0 / 30.0) / math.log(475.0 / 30.0)
-    found = interpolated(rows, 50.0)
+    found = interpolate_hazard(rows, 50.0)
     assert found.ag_g == pytest.approx(0.08 ** (1.0 - share) * 0.26**share, rel=1e-12)
     assert found.f0 == pytest.approx(2.40 ** (1.0 - share) * 2.36**share, rel=1e-12)
     for row in rows:
-        assert interpolated(rows, row.return_period_years).ag_g == pytest.approx(row.ag_g, rel=1e-12)
+        assert interpolate_hazard(rows, row.return_period_years).ag_g == pytest.approx(row.ag_g, rel=1e-12)
 
 
 @pytest.mark.shows("risk.states")
@@ -57,7 +57,7 @@ def test_that_each_limit_state_has_its_return_period_and_its_own_check():
         own = sld(moved, demand) if one.state == "SLD" else nonlinear(moved, demand)
         assert one.zeta == own.zeta and one.ag == demand.ag
     # the demand of the case itself is that of its own limit state, but for the rounding of T_R 474.6
-    asked = demand_of(case, Path())
+    asked = read_demand(case, Path())
     assert demands["SLV"].ag == pytest.approx(asked.ag, rel=1e-3)
     assert found[1].zeta == pytest.approx(
         nonlinear(kinematic(case.wall[0].in_si, "one_sided", asked), asked).zeta, rel=3e-3
@@ -68,9 +68,9 @@ def test_that_a_limit_state_outside_the_rows_has_none_and_is_said():
     case = site(hazard=HAZARD[:2], nominal_life_years=50.0)
     found = limit_state_demands(case, Path())
     assert list(found) == ["SLD", "SLV"]
-    (words,) = unused_hazard_notices(demand_of(case, Path()), found)
+    (words,) = unused_hazard_notices(read_demand(case, Path()), found)
     assert "SLC" in words.text("en")
-    (words,) = unused_hazard_notices(demand_of(case, Path()), {})
+    (words,) = unused_hazard_notices(read_demand(case, Path()), {})
     assert "V_N" in words.text("it")
 
 
@@ -99,10 +99,10 @@ def test_that_a_demand_that_contradicts_the_hazard_of_the_case_is_refused(key, v
         changes[key] = value
     case = site(**changes)
     if not refused:
-        demand_of(case, Path())
+        read_demand(case, Path())
         return
     with pytest.raises(InputError) as caught:
-        demand_of(case, Path())
+        read_demand(case, Path())
     for language in ("en", "it"):
         text = caught.value.text(language)
         assert "SLV" in text and "475" in text and f"{value:g}".replace(".", ",") in text.replace(".", ",")
@@ -113,10 +113,10 @@ def test_that_without_a_return_period_a_demand_below_the_shortest_of_the_state_i
     """T_R of SLV is 332 years for V_R = 35: log-linear between 30 and 475 years, a_g 0.228 g."""
     case = site(ag_g=ag, nominal_life_years=None, spectrum=None, soil_factor=1.2)
     if not refused:
-        demand_of(case, Path())
+        read_demand(case, Path())
         return
     with pytest.raises(InputError, match=r"0\.09 is below the 0\.22.* 332 years.* nominal_life_years"):
-        demand_of(case, Path())
+        read_demand(case, Path())
 
 
 def test_that_a_scale_that_has_no_effect_is_refused():

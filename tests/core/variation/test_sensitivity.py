@@ -14,7 +14,7 @@ from core.codes.dynamic_check import demand_check
 from core.codes.record_sample import RecordPeaks
 from core.errors import InputError
 from core.rocking.methods import AUTO
-from core.setting.plan import Floors, plan_of, read_inputs
+from core.setting.plan import FloorCache, make_plan, read_inputs
 from core.study.run import run
 from core.variation.sensitivity import (
     InputMove,
@@ -334,22 +334,22 @@ def test_that_the_record_left_out_is_the_one_whose_loss_moves_zeta_most_and_its_
     made = leave_one_out_moves([RecordPeaks(multipliers, peaks, 0.4, True)])
     assert {move.value for move in made} >= {3.0} and len(made) == 2
     demand, motions, _ = setting.inputs
-    (entry,) = plan_of(setting.case, setting.inputs).entries
+    (entry,) = make_plan(setting.case, setting.inputs).entries
     for move in made:
         others = [motion for k, motion in enumerate(motions) if k != int(move.value)]
         there = demand_check(entry.model, others, entry.signs, demand, AUTO, 1, False)
-        assert evaluate_move(setting, move, Floors(), lambda: False).zeta == there.zeta
+        assert evaluate_move(setting, move, FloorCache(), lambda: False).zeta == there.zeta
 
 
 def test_that_a_move_finds_the_floors_of_its_own_demand_and_building():
     """Whatever was moved before it: floors that are kept are those of the wall as it is."""
     table = case_of(PARAPET | {"base_z_m": 6.0}, building={"height_m": 9.0, "storeys": 3, "period_s": 0.26})
     case = parse_case(table)
-    setting, kept = make_wall_context(case, 0, CASES, read_inputs(case, CASES)), Floors()
+    setting, kept = make_wall_context(case, 0, CASES, read_inputs(case, CASES)), FloorCache()
     made = list_input_moves(setting, Ranges())
     assert {move.key for move in made} >= {"ag_factor", "building_period_factor", "thickness_factor"}
     for move in [*made, *made[::-1]]:
-        shared, own = (evaluate_move(setting, move, floors, lambda: False).zeta for floors in (kept, Floors()))
+        shared, own = (evaluate_move(setting, move, floors, lambda: False).zeta for floors in (kept, FloorCache()))
         assert shared == own, move.key
 
 

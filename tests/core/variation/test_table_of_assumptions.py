@@ -17,9 +17,9 @@ from core.codes.outcomes import OUTCOMES, PASSES, severity
 from core.errors import InputError
 from core.report import assumption_table, json_report
 from core.setting import demand_input, plan
-from core.setting.demand_input import demand_of, with_ag
-from core.setting.plan import plan_of, read_inputs
-from core.setting.scene import model_of
+from core.setting.check_input import make_rocking_model
+from core.setting.demand_input import read_demand, rescale_ag
+from core.setting.plan import make_plan, read_inputs
 from core.study.run import run
 from core.text.sentence import Number, sentence
 from core.variation.evaluate import evaluate
@@ -73,7 +73,7 @@ def whole_set(monkeypatch):
 def scene_of(wall, demand, **more):
     case = rules.parse_case({"wall": [wall], "demand": demand, **more})
     inputs = read_inputs(case, Path())
-    return plan_of(case, inputs).scene(0, inputs[0])
+    return make_plan(case, inputs).scene(0, inputs[0])
 
 
 # the hinge at the edge
@@ -138,7 +138,7 @@ def test_that_the_branch_meets_the_falling_line_where_the_curve_does():
     """D = 1 / (1 + (2 pi / T_0)^2 d_0 / a_0), C8.7.1.2.1.3; T_0 0.0484 s by hand for 1.2 x 0.25 m, E 1000, w 18."""
     wall = rules.parse_case({"wall": [PARAPET]}).wall[0]
     period = 6.2 * (1.2 / 0.25) * 1.2 * np.sqrt(18e3 / (1e9 * 9.80665))
-    by_curve, by_motion = branches_of(wall.in_si, "two_sided", model_of(wall, "two_sided"))
+    by_curve, by_motion = branches_of(wall.in_si, "two_sided", make_rocking_model(wall, "two_sided"))
     assert elastic_period(wall.in_si) == pytest.approx(period) and by_curve.period == pytest.approx(period)
     expected = 1.0 / (1.0 + (2.0 * np.pi / period) ** 2 * 0.25 / 2.0 / (9.80665 * 0.25 / 1.2))
     assert by_curve.limit == pytest.approx(expected, rel=1e-3)  # d_0 of a tilted centroid is not quite t / 2
@@ -293,7 +293,7 @@ def test_that_a_demand_read_twice_is_one_set_of_motions(fine):
     case = rules.parse_case({"wall": [PARAPET], "demand": {"ag_g": 0.2, "spectrum": NTC}})
     first, second = (read_inputs(replace(case), Path())[1] for _ in range(2))
     assert [one.acceleration.tobytes() for one in first] == [one.acceleration.tobytes() for one in second]
-    assert demand_of(case, Path()).target is not None and len(first) == 2
+    assert read_demand(case, Path()).target is not None and len(first) == 2
 
 
 # the demand
@@ -450,10 +450,10 @@ def test_that_hidden_rows_of_a_table_of_walls_are_among_the_limits_of_each_verdi
 def test_that_the_other_spectrum_has_the_a_g_of_the_demand_it_is_judged_at():
     """At a limit state, or with a_g moved, the demand has an a_g of its own beside that of the case."""
     scene = scene_of(WALL, {"ag_g": 0.2, "spectrum": NTC | {"f0": 2.05}}, analysis={"histories": False})
-    moved = with_ag(scene.demand, scene.asked, Path(), 1.7)
+    moved = rescale_ag(scene.demand, scene.asked, Path(), 1.7)
     for demand in (scene.demand, moved):
-        (row,) = (one for one in favourable_demand(scene.but(demand=demand)) if one.key == "f0")
-        there = row.ends[0].change(scene.but(demand=demand)).demand
+        (row,) = (one for one in favourable_demand(scene.replace_parts(demand=demand)) if one.key == "f0")
+        there = row.ends[0].change(scene.replace_parts(demand=demand)).demand
         assert there.ag == pytest.approx(demand.ag) and there.target.ag == pytest.approx(demand.ag)
 
 

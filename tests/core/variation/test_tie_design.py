@@ -12,7 +12,7 @@ from core.case.reader import read_case
 from core.codes.kinematic import kinematic, linear, nonlinear
 from core.ground.artificial import filtered_noise
 from core.report import json_report
-from core.setting.demand_input import demand_of
+from core.setting.demand_input import read_demand
 from core.study import run as study
 from core.units import G
 from core.variation import tie_design as tie_module
@@ -309,7 +309,7 @@ def test_that_the_force_of_the_linear_check_is_that_of_the_balance_of_moments():
     """zeta = q alpha_0 g / (e* FC a_g S): alpha_0 = zeta FC 0.312 / 2 = (5.4675 + 3 - 5 + 2.9 F) / 36.45."""
     table = {"wall": [{**WALL, "load": [ROOF, THRUST], "tie_height_m": 2.9}], "demand": DEMAND}
     found = study.run(parse_case(table), base_dir=Path()).walls[0].assessment.tie
-    demand = demand_of(case_of(ROOF, THRUST, tie_height_m=2.9), Path())
+    demand = read_demand(case_of(ROOF, THRUST, tie_height_m=2.9), Path())
     alpha0 = 1.35 * demand.pga / G / 2.0
     by_hand = (alpha0 * 36.45 - (5.4675 + 3.0 - 5.0)) / 2.9
     assert found.forces["linear_q_code"] == pytest.approx(1e3 * by_hand, rel=2e-4)
@@ -365,7 +365,7 @@ def test_that_the_design_is_of_all_hinges_together_and_stands_at_the_base(tmp_pa
     assert upper.assessment.tie is None and (tie.hinges, tie.height) == (2, 5.5)
     # the thrust of 1 kN/m, 0.5 m above the tie: 6 / 5.5 about the base, 3 / 2.5 about the upper hinge
     assert tie.forces["thrust"] == pytest.approx(1e3 * 3.0 / 2.5)
-    demand = demand_of(parse_case({"wall": [{**WALL}], "demand": DEMAND}), Path())
+    demand = read_demand(parse_case({"wall": [{**WALL}], "demand": DEMAND}), Path())
     for wall, above in ((base, 5.5), (upper, 2.5)):
         floor = wall.floor.spectrum if wall.floor else None
         found = kinematic(add_tie(wall.wall, tie.forces["nonlinear"], above).in_si, "one_sided", demand, floor)

@@ -10,8 +10,8 @@ from core.case.site import FULL_FACTOR
 from core.case.writer import table_of
 from core.codes.outcomes import FAILS, OUTCOMES, PASSES
 from core.errors import InputError
-from core.setting.demand_input import interpolated, set_of
-from core.setting.plan import Floors, plan_of, read_inputs
+from core.setting.demand_input import find_generation_settings, interpolate_hazard
+from core.setting.plan import FloorCache, make_plan, read_inputs
 from core.study.run import run
 from core.variation.evaluate import AT_LIMIT, evaluate
 from core.variation.favourable_wall_inputs import favourable_inputs
@@ -50,7 +50,7 @@ def case_at(case, scene):
     if scene.by_default:
         changes["analysis"] = replace(case.analysis, histories=True)
     elif case.generate is not None:
-        changes["generate"] = set_of(scene.ground) or case.generate
+        changes["generate"] = find_generation_settings(scene.ground) or case.generate
     return replace(case, **changes)
 
 
@@ -73,7 +73,7 @@ def agree(found, result, decided=True):
 def scenes_of(case):
     """The scenes of a case's walls, about every hinge."""
     inputs = read_inputs(case, HERE)
-    plan = plan_of(case, inputs)
+    plan = make_plan(case, inputs)
     return [plan.scene(k, inputs[0], None) for k in range(len(plan.entries))]
 
 
@@ -104,7 +104,7 @@ def check_moves(table):
         return 0
     setting = make_wall_context(case, 0, HERE, read_inputs(case, HERE))
     for move in list_input_moves(setting, Ranges()):
-        found = evaluate_move(setting, move, Floors(), lambda: False)
+        found = evaluate_move(setting, move, FloorCache(), lambda: False)
         if isinstance(found, InputError) or found is NO_EVALUATION:
             continue
         there = move.change(setting).case
@@ -131,7 +131,7 @@ def check_states(table):
     if (result := made(case)) is None:
         return 0
     for state, demand in limit_state_demands(case, HERE).items():
-        row = interpolated(case.demand.hazard, demand.return_period)
+        row = interpolate_hazard(case.demand.hazard, demand.return_period)
         spectrum = replace(case.demand.spectrum, f0=row.f0, tc_star_s=row.tc_star_s)
         there = {"limit_state": state, "ag_g": row.ag_g, "return_period_years": demand.return_period}
         asked = replace(case.demand, spectrum=spectrum, nominal_life_years=None, use_class_factor=None, **there)

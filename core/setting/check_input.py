@@ -18,8 +18,8 @@ from core.codes.record_compatibility import Compliance, compliance
 from core.codes.vertical_bending import HingeAt, hinges_in_histories, model_of_bending
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
-from core.setting.demand_input import generated_for, set_of
-from core.setting.floors import Floor, floor_of
+from core.setting.demand_input import find_generation_settings, generate_requested_motions
+from core.setting.floors import Floor, make_floor
 from core.wall.bending import strip_of
 from core.wall.rocking_model import RockingModel, rocking_model
 
@@ -27,7 +27,7 @@ ESTIMATES = 0.5, 1.0, 2.0
 """Periods of a building over the estimated one between which its own lies."""
 
 
-def model_of(wall: Wall, mechanism: str) -> RockingModel:
+def make_rocking_model(wall: Wall, mechanism: str) -> RockingModel:
     """The rocking model of a wall."""
     own = wall.in_si
     if wall.mechanism == ARCHES:  # alike to both sides, but for what presses it outward
@@ -38,14 +38,16 @@ def model_of(wall: Wall, mechanism: str) -> RockingModel:
     return rocking_model(own.block, one_sided, restitution, own.law, own.restoring, own.bars, own.inner_block)
 
 
-def polarities_of(model: RockingModel, asked: str) -> tuple[int, ...]:
+def select_polarities(model: RockingModel, asked: str) -> tuple[int, ...]:
     """Signs of the records: one where both do the same to the wall."""
     if model.both_signs_alike or asked == "as_recorded":
         return (1,)
     return (-1,) if asked == "reversed" else (1, -1)
 
 
-def scaled(ground: Sequence[GroundMotion], demand: DemandResult, there: DemandResult) -> Sequence[GroundMotion]:
+def rescale_records(
+    ground: Sequence[GroundMotion], demand: DemandResult, there: DemandResult
+) -> Sequence[GroundMotion]:
     """The records of a demand as they follow another one: where they are used as given, in proportion to a_g S."""
     factor = there.pga / demand.pga if there.record_scaling == "as_given" else 1.0
     if factor == 1.0:
@@ -54,7 +56,7 @@ def scaled(ground: Sequence[GroundMotion], demand: DemandResult, there: DemandRe
 
 
 @dataclass(frozen=True)
-class Scene:
+class CheckInput:
     """A wall with its mechanism, its demand and its motions: all that its checks follow from.
 
     wall : of the case, about its hinge
@@ -92,7 +94,7 @@ class Scene:
 
     @cached_property
     def model(self) -> RockingModel:
-        return model_of(self.wall, self.mechanism)
+        return make_rocking_model(self.wall, self.mechanism)
 
     @cached_property
     def branches(self) -> tuple[Branch | HingeAt, ...]:
@@ -108,7 +110,7 @@ class Scene:
     @property
     def signs(self) -> tuple[int, ...]:
         """Signs each record is taken with, 1 as recorded, -1 reversed."""
-        return polarities_of(self.model, self.polarity)
+        return select_polarities(self.model, self.polarity)
 
     @property
     def motions(self) -> list[GroundMotion]:
@@ -122,28 +124,33 @@ class Scene:
             return None
         return kinematic(self.wall.in_si, self.mechanism, self.demand, self.floor.spectrum if self.floor else None)
 
-    def but(self, **changes: Any) -> "Scene":
+    def replace_parts(self, **changes: Any) -> "CheckInput":
         """The scene with some of its parts changed: q of the searches goes, and the floor is that of the changed
         building, height and demand. Raises InputError."""
         there = replace(self, **({"q_slv": (None, None)} | changes))
         if "floor" in changes or there._felt == self._felt:
             return there
-        return replace(there, floor=floor_of(there.wall, there.building, there.demand, there.ground))
+        return replace(there, floor=make_floor(there.wall, there.building, there.demand, there.ground))
 
-    def under(self, demand: DemandResult) -> "Scene":
+    def with_demand(self, demand: DemandResult) -> "CheckInput":
         """The scene under another demand: motions generated for its spectrum are generated for the new one, records
         used as given follow a_g S. Raises InputError."""
-        asked = set_of(self.ground)
-        followed = scaled(self._given if asked else self.ground, self.demand, demand)
-        ground = (*followed, *(generated_for(asked, demand) if asked else ()))
-        return self.but(demand=with_records(demand, list(ground)), ground=ground)
+        asked = find_generation_settings(self.ground)
+        followed = rescale_records(self._given if asked else self.ground, self.demand, demand)
+        ground = (*followed, *(generate_requested_motions(asked, demand) if asked else ()))
+        return self.replace_parts(demand=with_records(demand, list(ground)), ground=ground)
 
-    def generated_as(self, asked: Generate) -> "Scene":
+    def regenerate_motions(self, asked: Generate) -> "CheckInput":
         """The scene under another generated set, beside the records that are given. Raises InputError."""
-        made, longest = generated_for(asked, self.demand), self.compliance.longest if self.compliance else 0.0
+        made, longest = (
+            generate_requested_motions(asked, self.demand),
+            self.compliance.longest if self.compliance else 0.0,
+        )
         ground = [*self._given, *made]
         demand, kinds = with_records(self.demand, ground), ["natural"] * len(self._given) + ["artificial"] * len(made)
-        return self.but(ground=tuple(ground), demand=demand, compliance=compliance(ground, kinds, demand, longest))
+        return self.replace_parts(
+            ground=tuple(ground), demand=demand, compliance=compliance(ground, kinds, demand, longest)
+        )
 
     @property
     def _given(self) -> list[GroundMotion]:
@@ -158,15 +165,17 @@ class Scene:
         return *place, demand.limit_state, demand.pga, id(demand.target), tuple(map(id, self.ground))
 
     @property
-    def readings(self) -> tuple["Scene", ...]:
+    def period_alternatives(self) -> tuple["CheckInput", ...]:
         """The scene with each period its building may have where none is given; empty where one is. Raises
         InputError."""
         if self.building is None or self.floor is None or not self.floor.estimated or self.period_taken:
             return ()
         estimated = estimated_period(self.building.height_m)
         periods = [factor * estimated for factor in ESTIMATES]
-        return tuple(self.but(building=replace(self.building, period_s=t), period_taken=True) for t in periods)
+        return tuple(
+            self.replace_parts(building=replace(self.building, period_s=t), period_taken=True) for t in periods
+        )
 
-    def without_records(self) -> "Scene":
+    def without_records(self) -> "CheckInput":
         """The scene without its records, for the checks of the clauses alone."""
-        return self.but(ground=()) if self.ground else self
+        return self.replace_parts(ground=()) if self.ground else self
