@@ -25,9 +25,9 @@ from app.work.session import Session
 from core.case.place import OF_SPECTRUM, placed
 from core.case.schema import Analysis, Generate, Report
 from core.case.site import Demand, Spectrum, least_factor
-from core.codes.demand import unusual
+from core.codes.demand import unusual_ag_notices
 from core.codes.limits import EXCEEDANCE
-from core.codes.spectrum_codes import CODES, NATIONAL, takes
+from core.codes.spectrum_codes import CODES, NATIONAL, requires_key
 from core.codes.target_spectrum import Target
 from core.errors import InputError
 from core.known import known
@@ -168,7 +168,7 @@ class DemandForm(QWidget):
         for field in self.of_spectrum:
             if spectrum:
                 field.show_value(getattr(spectrum, field.key))
-            field.setVisible(spectrum is not None and takes(spectrum.code, field.key) is not False)
+            field.setVisible(spectrum is not None and requires_key(spectrum.code, field.key) is not False)
         self._show_given(spectrum)
         self.fields["soil_factor"].setVisible(spectrum is None)
         self.fields["housner_intensity_cm"].setVisible(kind == "none")
@@ -261,7 +261,7 @@ class DemandForm(QWidget):
     @staticmethod
     def _asked(ag) -> str:
         """What a_g is, or whether it is meant."""
-        doubts = unusual(ag * G) if isinstance(ag, float | int) else []
+        doubts = unusual_ag_notices(ag * G) if isinstance(ag, float | int) else []
         words = "\n".join(doubt.text(current_language()) for doubt in doubts)
         return words or tr("a_g on rigid ground, S apart")
 

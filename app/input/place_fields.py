@@ -19,9 +19,9 @@ COORDINATE_TOLERANCE = 1e-9
 
 def names_beginning_with(text: str, most: int) -> list[str]:
     """Municipalities as they are named here."""
-    from core.codes.national_hazard import beginning_with
+    from core.codes.national_hazard import search_municipalities
 
-    return [f"{one.name} ({one.province})" for one in beginning_with(text, most)]
+    return [f"{one.name} ({one.province})" for one in search_municipalities(text, most)]
 
 
 class MunicipalityField(LineField):

@@ -21,7 +21,7 @@ from app.views.zeta_rungs import rung_of, rungs_of
 from app.work.worker import Job
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.schema import Case
-from core.codes.assumption import TOGETHER, Assumption, shown
+from core.codes.assumption import ALL_TOGETHER_KEY, Assumption, format_value
 from core.codes.verdict import Verdict
 from core.errors import InputError
 from core.known import known
@@ -240,7 +240,9 @@ class LiveAnswer(Section):
         wall = result.walls[result.verdicts[0].governing]
         verdict = known(wall.assessment).verdict
         self._show_run()
-        told = [row for row in verdict.assumptions if row.key != TOGETHER and row.check in ("", verdict.governing)]
+        told = [
+            row for row in verdict.assumptions if row.key != ALL_TOGETHER_KEY and row.check in ("", verdict.governing)
+        ]
         self._show_rows(told, verdict)
         warnings = [one.text(language) for one in wall.warnings if one.code != "variant_alone"]
         said = [*to_do(result, wall, language), *limits(result, wall, language, warnings)]
@@ -287,7 +289,7 @@ class LiveAnswer(Section):
         end = 1.1 * max(here, target, *(row.zeta or 0.0 for row in known_zetas))
         self.heading.setText(tr("What raises ζ; ticked, it is at its other end:"))
         for k, row in enumerate(sorted(known_zetas, key=lambda row: row.zeta or 0.0)[:MAX_ROWS_SHOWN]):
-            taken, other = shown(row, row.value, language), shown(row, row.other_end, language)
+            taken, other = format_value(row, row.value, language), format_value(row, row.other_end, language)
             text = f"{word(f'key_{row.key}', language)}: {taken} → {other}"
             name = Switch(text)
             name.setEnabled(row.has_switch)

@@ -14,7 +14,7 @@ from app.views.zeta_rungs import check_words, rungs_of
 from app.work.worker import Job
 from core.case.brought import with_floors_of
 from core.case.schema import Case
-from core.codes.outcomes import least
+from core.codes.outcomes import min_if_all_known
 from core.errors import InputError
 from core.known import known
 from core.report.sure_words import reach_written
@@ -320,7 +320,11 @@ class WhatIfWindow(QDialog):
             return {}
         assessed = [wall.assessment for wall in result.walls if wall.part.origin == self.row and wall.assessment]
         zetas = [(check.label, check.zeta) for one in assessed for check in one.checks]
-        return {label: least(zeta for name, zeta in zetas if name == label) for label, _ in zetas if label != OWN_Q}
+        return {
+            label: min_if_all_known(zeta for name, zeta in zetas if name == label)
+            for label, _ in zetas
+            if label != OWN_Q
+        }
 
     def search(self) -> None:
         """The answer turned round, of each slider alone."""

@@ -32,7 +32,7 @@ from app.views.zeta_rungs import digits, rung_of
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.schema import Generate
 from core.codes.eq9 import LABEL
-from core.codes.outcomes import least
+from core.codes.outcomes import min_if_all_known
 from core.known import known
 from core.report.sure_words import risk_of, verdict_of
 from core.report.tie_words import tie_lines
@@ -363,7 +363,9 @@ class CheckTab(ResultTab):
             side = word(f"confidence_{dynamic.zeta_other.confidence_on}", self.language)
             facts.append((side, f"ζ {digits(dynamic.zeta_other.zeta)}"))
         if assessment.sensitivity:
-            facts.append((tr("Other building or height"), f"ζ {digits(least(assessment.sensitivity.values()))}"))
+            facts.append(
+                (tr("Other building or height"), f"ζ {digits(min_if_all_known(assessment.sensitivity.values()))}")
+            )
         elif risk := risk_of(result, wall):
             facts.append(("PGA_C", f"{number(risk.pga / G, '.3f')} g"))
         quiet = theme.current.quiet

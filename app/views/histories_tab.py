@@ -15,7 +15,7 @@ from app.views.moving_walls import Film, MovingWalls
 from app.views.result_tab import ResultTab
 from app.views.runs import governing_run, index_of, run_name, title_of
 from core.capacity.ida import multiplier_of, threshold_of
-from core.codes.dynamic_check import at_demand
+from core.codes.dynamic_check import model_and_scale_at_demand
 from core.known import known
 from core.rocking.energy import energy_ratios
 from core.rocking.history import History, history
@@ -278,7 +278,7 @@ class HistoriesTab(ResultTab):
             q = known(demand).scaling(self.motion) * self.motion.pga / threshold_of(wall.model)
         elif k == 2:  # as the dynamic check has it
             demand = known(demand)
-            model, factor = at_demand(wall.model, demand, demand.confidence_on, self.motion)
+            model, factor = model_and_scale_at_demand(wall.model, demand, demand.confidence_on, self.motion)
             strength_factor = wall.model.p2 / model.p2
             q = factor / strength_factor * self.motion.pga / threshold_of(wall.model)
         else:

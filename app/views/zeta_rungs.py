@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from app.look.language import current_language, number, tr
 from app.views.ladder import Rung
-from core.codes.dynamic_check import DemandCheck
+from core.codes.dynamic_check import DynamicCheck
 from core.codes.kinematic import Check
 from core.text.sentence import Number, sentence
 from core.variation.evaluate import FULL_PRECISION, Precision
@@ -21,7 +21,7 @@ def digits(value: float | None, figures: int = 2) -> str:
     return number(value, f".{figures}f")
 
 
-def rung_of(check: Check, decides: bool, dynamic: DemandCheck | None) -> Rung:
+def rung_of(check: Check, decides: bool, dynamic: DynamicCheck | None) -> Rung:
     """A check that was made: its clause, and capacity over demand or how many runs overturn. dynamic : by histories"""
     values = ""
     if check.name == "dynamic" and dynamic and dynamic.n_exceeded:

@@ -35,7 +35,7 @@ from core.case.values import (
 from core.case.variant_of import expanded
 from core.case.wall import BENDS, Wall
 from core.codes.limits import check_return_period
-from core.codes.spectrum_codes import refuse_faulty, takes
+from core.codes.spectrum_codes import refuse_faulty, requires_key
 from core.errors import InputError, place, section
 from core.text.catalogue import CATALOGUE
 from core.text.sentence import Key, Quantity, sentence
@@ -463,7 +463,7 @@ def check_code_keys(asked, here) -> None:
     except InputError as error:
         raise error.at(here) from None
     for entry in fields(Spectrum):
-        needed, given = takes(asked.code, entry.name), getattr(asked, entry.name, None) is not None
+        needed, given = requires_key(asked.code, entry.name), getattr(asked, entry.name, None) is not None
         if needed is not None and given != needed:
             problem = "code_needs" if needed else "code_does_not_take"
             raise InputError(problem, place=(here,), key=entry.name, code=Key(asked.code))

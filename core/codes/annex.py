@@ -53,7 +53,7 @@ class Annex:
     digest: str
 
 
-def read(path: Path) -> Annex:
+def read_annex(path: Path) -> Annex:
     """An annex of a file. Raises InputError where the file cannot be read, or a value cannot be one of an annex."""
     try:
         content = read_regular(path, MAX_BYTES)

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from core.codes.outcomes import severity
+from core.codes.outcomes import severity_key
 from core.text.sentence import Sentence, numeral
 
 GIVEN, DEFAULT, LEFT_OUT, DECLARED = "given", "default", "left_out", "declared"
@@ -22,11 +22,11 @@ SETBACK_KEY = "hinge_setback_m"
 SHOWN_ALONE = (SETBACK_KEY, "unit_weight_kn_m3", "masonry")
 """Keys whose row is enough where it turns nothing: no limit repeats it."""
 
-TOGETHER = "together"
+ALL_TOGETHER_KEY = "together"
 """Key of the last row: all others at their other ends."""
 
 
-def digits_of(value: float) -> str:
+def value_format(value: float) -> str:
     """How a value of any size is written: three significant digits, whole from 1000 on, never with an exponent."""
     return ".0f" if abs(value) >= 999.5 else ".3g"
 
@@ -37,10 +37,10 @@ KEYS_WITHOUT_LIMIT = (
 )
 """Keys of inputs that are no limit of a verdict where they do not raise zeta."""
 
-WORDLESS = ("seed", "inertia_over_mass_m2", "elastic_modulus_mpa")
+KEYS_WITHOUT_WORDS = ("seed", "inertia_over_mass_m2", "elastic_modulus_mpa")
 """Keys that no words justify: other values of them are none to state a reason for."""
 
-Shown = float | str | Sentence
+DisplayValue = float | str | Sentence
 """A value as the table shows it: a number, a name of the case, or words."""
 
 
@@ -63,8 +63,8 @@ class Assumption:
 
     key: str
     words: Sentence
-    value: Shown
-    other_end: Shown
+    value: DisplayValue
+    other_end: DisplayValue
     source: str = GIVEN
     zeta: float | None = None
     outcome: str = "undetermined"
@@ -78,20 +78,20 @@ class Assumption:
     @property
     def has_switch(self) -> bool:
         """Whether the wall can be tried at the other end of this input alone, the restraint as it is."""
-        return self.key not in (TOGETHER, RESTRAINT, ARCH)
+        return self.key not in (ALL_TOGETHER_KEY, RESTRAINT, ARCH)
 
     @property
     def open(self) -> bool:
         """Whether a reason is asked for, and missing."""
-        return not (self.permitted or self.reason or self.key == TOGETHER)
+        return not (self.permitted or self.reason or self.key == ALL_TOGETHER_KEY)
 
 
-def table(rows: Iterable[Assumption]) -> tuple[Assumption, ...]:
+def sort_assumptions(rows: Iterable[Assumption]) -> tuple[Assumption, ...]:
     """The rows in the order of the table, but those that raise nothing: those that turn the outcome first, then the
     worse outcome, at last all together; of a key that stands twice the first."""
 
     def place(row: Assumption) -> tuple:
-        return row.key == TOGETHER, not row.turns, severity(row.outcome, row.zeta, 1.0)
+        return row.key == ALL_TOGETHER_KEY, not row.turns, severity_key(row.outcome, row.zeta, 1.0)
 
     ordered = sorted((row for row in rows if row.raises or row.turns or row.turns_q), key=place)
     return tuple({row.key: row for row in reversed(ordered)}.values())[::-1]
@@ -111,11 +111,11 @@ VALUE_UNITS = {
 """Key of a row -> what its numbers are multiplied with, and their unit."""
 
 
-def shown(row: Assumption, value: Shown, language: str) -> str:
+def format_value(row: Assumption, value: DisplayValue, language: str) -> str:
     """Value of a row in the words of a language, a number with three digits and its unit."""
     if isinstance(value, Sentence):
         return value.text(language)
     if isinstance(value, str):
         return value
     factor, unit = VALUE_UNITS.get(row.key, (1.0, ""))
-    return numeral(factor * value, digits_of(factor * value), language) + unit
+    return numeral(factor * value, value_format(factor * value), language) + unit

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.codes.demand import DemandResult
-from core.codes.kinematic import STATE_DAMPING, Kinematic, capacity_at
+from core.codes.demand import SeismicDemand
+from core.codes.kinematic import STATE_DAMPING, KinematicAnalysis, capacity_acceleration
 from core.codes.target_spectrum import displacement
 
 CURVE_PERIODS = np.concatenate([np.linspace(0.0, 0.5, 51), np.linspace(0.52, 4.0, 175)])
@@ -37,7 +37,7 @@ class CapacityCurve:
     damping: float
 
 
-def capacity_curve(mechanism: Kinematic, demand: DemandResult) -> CapacityCurve | None:
+def capacity_curve(mechanism: KinematicAnalysis, demand: SeismicDemand) -> CapacityCurve | None:
     """The curves of the nonlinear check of C8.7.1.2.1.8; None where that is not made."""
     target = demand.target
     if mechanism.d_limit is None or mechanism.s_de is None or target is None:
@@ -60,5 +60,5 @@ def capacity_curve(mechanism: Kinematic, demand: DemandResult) -> CapacityCurve 
     ends = [0.0, *(d for end in inside for d in (end, end * (1.0 + 1e-9))), sums.d0]
     if sums.bending is not None:
         ends = np.linspace(0.0, sums.d0, CAPACITY_POINTS).tolist()
-    line = tuple((float(d), capacity_at(sums, d, confidence)) for d in ends)
+    line = tuple((float(d), capacity_acceleration(sums, d, confidence)) for d in ends)
     return CapacityCurve(line, ground[0], ground[1], floor[0], floor[1], damping)

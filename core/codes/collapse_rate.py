@@ -26,7 +26,7 @@ a lognormal; records at the upper one tell nothing."""
 STEEP = 15.0
 """Slope of a line of the hazard above which it is a step: rows of nearly one a_g."""
 
-SHARE_THAT_IS_SAID = 0.05
+MIN_REPORTED_SHARE = 0.05
 """Share of a rate, and of walls that fail below the hazard, above which it is said."""
 
 
@@ -117,7 +117,7 @@ def typical_rate(capacities: Sequence[float], hazard: Sequence[tuple[float, floa
     return float(mean_rate(np.exp(logs.mean(keepdims=True)), np.array([deviation]), hazard)[0][0])
 
 
-def in_years(rate: float, years: float) -> float:
+def exceedance_probability(rate: float, years: float) -> float:
     """Probability of one exceedance or more [-]: 1 - exp(-rate years), of a Poisson process."""
     return -math.expm1(-rate * years)
 
@@ -149,7 +149,7 @@ def state_rate(
     rates, beyond, weaker = mean_rate(medians, np.maximum([own, own, *spread], MIN_DEVIATION), hazard)
     low, high = np.quantile(rates[2:], (0.5 - INTERVAL_SHARE / 2, 0.5 + INTERVAL_SHARE / 2))
     rate = float(rates[0])
-    in_life = None if life is None else in_years(rate, life)
+    in_life = None if life is None else exceedance_probability(rate, life)
     fragility = Lognormal(float(medians[0]), float(own), logs.size)
     return StateRate(
         state, fragility, rate, float(low), float(high), in_life, float(rates[1]), float(beyond[0]), float(weaker[0])

@@ -25,7 +25,7 @@ lack is one that is warned of."""
 
 
 @dataclass(frozen=True)
-class DemandResult:
+class SeismicDemand:
     """The motion asked of a wall.
 
     ag, pga : a_g on rock and a_g S [m/s2]
@@ -68,14 +68,14 @@ class DemandResult:
         return self.pga / (motion.ground_pga or motion.pga) if self.record_scaling == "pga" else 1.0
 
 
-def unusual(ag: float) -> list[Sentence]:
+def unusual_ag_notices(ag: float) -> list[Sentence]:
     """An a_g on rock [m/s2] few engineers mean: accepted, and questioned with the likely slip of unit."""
     return [notice("large_ag", ag=ag / G, meant=ag / G**2)] if ag > LARGE_AG else []
 
 
-def with_records(demand: DemandResult, motions: list[GroundMotion]) -> DemandResult:
+def complete_with_records(demand: SeismicDemand, motions: list[GroundMotion]) -> SeismicDemand:
     """The demand with what only the records give: an intensity that nothing else states, warnings."""
-    notices = unusual(demand.ag)
+    notices = unusual_ag_notices(demand.ag)
     if not motions:
         return replace(demand, warnings=tuple(notices))
     if demand.record_scaling == "pga":
@@ -93,6 +93,6 @@ def with_records(demand: DemandResult, motions: list[GroundMotion]) -> DemandRes
     return replace(demand, warnings=tuple(notices))
 
 
-def mean_intensity(demand: DemandResult, motions: list[GroundMotion]) -> float:
+def mean_intensity(demand: SeismicDemand, motions: list[GroundMotion]) -> float:
     """Mean SI [m] of the records, each scaled to PGA = a_g S: not independent of them."""
     return float(np.mean([motion.housner_intensity * demand.pga / motion.pga for motion in motions]))

@@ -20,10 +20,10 @@ import numpy as np
 
 from core.capacity.ida import CHUNK, TRILINEAR_FLOOR, multiplier_of, threshold_of
 from core.capacity.limit_states import LIMIT_FRACTION
-from core.codes.demand import DemandResult
+from core.codes.demand import SeismicDemand
 from core.codes.kinematic import ZETA_ROUNDING, Check
-from core.codes.limits import are_counted, counted_stations, set_rule
-from core.codes.multiplier_search import ROCKS, search_zeta
+from core.codes.limits import counted_mask, counted_stations, set_rule
+from core.codes.multiplier_search import ROCKING_PEAK_RATIO, search_zeta
 from core.errors import Cancelled
 from core.ground.ground_motion import GroundMotion
 from core.rocking.grounds import Grounds
@@ -63,7 +63,7 @@ class DemandRun:
 
 
 @dataclass(frozen=True)
-class OtherConfidence:
+class AlternativeConfidence:
     """The check with FC on the other side.
 
     confidence_on : capacity or demand
@@ -78,7 +78,7 @@ class OtherConfidence:
 
 
 @dataclass(frozen=True)
-class DemandCheck:
+class DynamicCheck:
     """Result of the dynamic check: the rule at the demand, and zeta_E.
 
     mean_peak_ratio : over the records, of each its worse sign; None where a run overturns
@@ -113,7 +113,7 @@ class DemandCheck:
     zeta_16: float | None = None
     zeta_first: float | None = None
     share_failing_at_demand: float = 0.0
-    zeta_other: OtherConfidence | None = None
+    zeta_other: AlternativeConfidence | None = None
     not_counted: tuple[str, ...] = ()
     branch: Any = None
 
@@ -138,8 +138,8 @@ class DemandCheck:
         return self.zeta_spread[0] <= target < self.zeta_spread[1]
 
 
-def at_demand(
-    model: RockingModel, demand: DemandResult, confidence_on: str, motion: GroundMotion
+def model_and_scale_at_demand(
+    model: RockingModel, demand: SeismicDemand, confidence_on: str, motion: GroundMotion
 ) -> tuple[RockingModel, float]:
     """Model and multiplier of the record for the check at the demand, with FC on the capacity (p^2 / FC) or on the
     demand."""
@@ -149,7 +149,7 @@ def at_demand(
     return model, confidence * demand.scaling(motion)
 
 
-def grounds_of(motions: list[GroundMotion]) -> list[tuple[Grounds, int]]:
+def group_by_time_step(motions: list[GroundMotion]) -> list[tuple[Grounds, int]]:
     """Grounds of the time step of each record and its place in them, as `DemandRuns` takes them: no batch copies a
     record."""
     steps: dict[float, list[np.ndarray]] = {}
@@ -172,12 +172,12 @@ class DemandRuns:
         confidence_on : where FC acts, capacity or demand
         method : how the motion is integrated
         cancelled : asked between two chunks of analyses
-        grounds : of `grounds_of`, made here where they are not given
+        grounds : of `group_by_time_step`, made here where they are not given
         """
-        at = [at_demand(model, demand, confidence_on, motion) for motion in motions]
+        at = [model_and_scale_at_demand(model, demand, confidence_on, motion) for motion in motions]
         self.model, self.method, self.cancelled = at[0][0], method, cancelled
         self.motions, self.polarities = motions, polarities
-        self.grounds = grounds or grounds_of(motions)
+        self.grounds = grounds or group_by_time_step(motions)
         self.ground_factors = [factor for _, factor in at]
         # what of it is of the demand
         on_demand = demand.confidence_factor if confidence_on == "demand" else 1.0
@@ -251,7 +251,7 @@ class DemandRuns:
             failed |= value > self.limit
             unknown[here] = (unknown[here] | limited) & ~failed
             fails[here] |= failed | limited
-            rocks[here] |= fails[here] | (peaks >= ROCKS).any(axis=(0, 1))
+            rocks[here] |= fails[here] | (peaks >= ROCKING_PEAK_RATIO).any(axis=(0, 1))
         return fails, unknown, rocks
 
     def rule_holds(self, worse: np.ndarray) -> bool:
@@ -271,16 +271,16 @@ class DemandRuns:
         return least * (1.0 if self.model.plateau_end == 0.0 else TRILINEAR_FLOOR)
 
 
-def demand_check(
+def run_dynamic_check(
     model: RockingModel,
     motions: list[GroundMotion],
     polarities: tuple[int, ...],
-    demand: DemandResult,
+    demand: SeismicDemand,
     method: Method,
     every: int = 1,
     other: bool = True,
     cancelled: Callable[[], bool] = lambda: False,
-) -> DemandCheck | None:
+) -> DynamicCheck | None:
     """The dynamic check of one wall; None without records or for a limit state the clause has no limit for.
 
     model : of the wall
@@ -296,7 +296,7 @@ def demand_check(
     if not motions or demand.limit_state not in LIMIT_FRACTION:
         return None
     side, target = demand.confidence_on, demand.zeta_target
-    grounds = grounds_of(motions)
+    grounds = group_by_time_step(motions)
     sides = {
         name: DemandRuns(model, motions, polarities, demand, name, method, cancelled, grounds)
         for name in ("demand", "capacity")
@@ -321,8 +321,8 @@ def demand_check(
     zeta_found, passed = judged.pop(side)
     second = None
     for name, (zeta, fine) in judged.items():
-        second = OtherConfidence(name, zeta.half, fine, zeta.spread)
-    return DemandCheck(
+        second = AlternativeConfidence(name, zeta.half, fine, zeta.spread)
+    return DynamicCheck(
         limit_state=demand.limit_state,
         runs=runs,
         n_exceeded=sum(run.exceeded for run in runs),
@@ -342,6 +342,6 @@ def demand_check(
         share_failing_at_demand=zeta_found.share_at_target,
         zeta_other=second,
         not_counted=tuple(
-            motion.name for motion, counts in zip(motions, are_counted(motions, demand), strict=True) if not counts
+            motion.name for motion, counts in zip(motions, counted_mask(motions, demand), strict=True) if not counts
         ),
     )

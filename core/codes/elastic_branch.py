@@ -7,7 +7,7 @@ import math
 from dataclasses import dataclass, replace
 
 from core.codes.kinematic import elastic_period
-from core.codes.kinematic_chain import chain
+from core.codes.kinematic_chain import sum_chain
 from core.codes.masonry_types import moduli
 from core.units import G
 from core.wall.masonry import Masonry
@@ -74,7 +74,7 @@ def branches_of(wall: Masonry, mechanism: str, model: RockingModel) -> tuple[Bra
     branches = []
     for modulus, heaviness in dict.fromkeys(((ends[0], heavy), (ends[1], light))):
         there = replace(wall, modulus=modulus, unit_weight=heaviness)
-        sums = chain(wall if weight is not None else there, mechanism == "two_sided")
+        sums = sum_chain(wall if weight is not None else there, mechanism == "two_sided")
         period = elastic_period(there)
         assert period is not None
         alpha0, share, _ = sums.start

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from core.capacity.bisection import BRACKET
-from core.codes.demand import DemandResult
-from core.codes.dynamic_check import DemandCheck
-from core.codes.kinematic import Check, Kinematic
-from core.codes.limits import MEAN_FROM, MIN_PGA_SHARE, MINIMUM_FROM
+from core.codes.demand import SeismicDemand
+from core.codes.dynamic_check import DynamicCheck
+from core.codes.kinematic import Check, KinematicAnalysis
+from core.codes.limits import MIN_PGA_SHARE, MIN_STATIONS_FOR_MEAN, MIN_STATIONS_FOR_MINIMUM
 from core.codes.outcomes import OUTCOMES, PASSES
 from core.codes.record_compatibility import Compliance
 from core.codes.spectrum_codes import CODES
@@ -70,10 +70,10 @@ class Evidence(NamedTuple):
 
     wall: Masonry
     mechanism: str
-    demand: DemandResult
+    demand: SeismicDemand
     checks: tuple[Check, ...]
-    dynamic: DemandCheck | None
-    kinematic: Kinematic | None
+    dynamic: DynamicCheck | None
+    kinematic: KinematicAnalysis | None
     compliance: Compliance | None
     circumstances: Circumstances
 
@@ -92,7 +92,7 @@ class Evidence(NamedTuple):
         return next((check for check in self.checks if check.name == name), None)
 
 
-def limits_of_the_number(seen: Evidence, code: str) -> list[Sentence]:
+def zeta_limitations(seen: Evidence, code: str) -> list[Sentence]:
     """Sentences that limit the verdict: zeta is to be read with them."""
     limits = _of_the_histories(seen) if code != "undetermined" else []
     if seen.kinematic and seen.kinematic.missing:
@@ -115,7 +115,7 @@ def _rests_on(wall: Masonry) -> bool:
     return bool(wall.vertical_loads) and wall.arch is None
 
 
-def notes_of(seen: Evidence, code: str) -> list[Sentence]:
+def optional_remarks(seen: Evidence, code: str) -> list[Sentence]:
     """Sentences a reader may pass over."""
     notes = _weaker(seen, code, False)
     if seen.kinematic and seen.kinematic.chain.friction_height is not None:
@@ -124,7 +124,7 @@ def notes_of(seen: Evidence, code: str) -> list[Sentence]:
     if seen.dynamic and compliance and code != "not_activated":
         if compliance.unnamed:
             notes.append(reason("no_station", n=compliance.unnamed))
-        if compliance.stations <= MEAN_FROM:
+        if compliance.stations <= MIN_STATIONS_FOR_MEAN:
             notes.append(reason("more_records", n=compliance.stations))
     return notes
 
@@ -136,7 +136,7 @@ def _upper(wall: Masonry) -> str:
     return "upper_middle" if wall.bends else "upper_floor"
 
 
-def missing_of(seen: Evidence) -> Sentence | None:
+def missing_input_remark(seen: Evidence) -> Sentence | None:
     """Sentence on what is missing where no verdict can be given, with the keys that give it; None where nothing is."""
     if seen.wall.above_ground and seen.kinematic is None:
         keys = {"height": "height_m", "storeys": "storeys", "period": "period_s", "building": "[building]"}
@@ -151,7 +151,7 @@ def missing_of(seen: Evidence) -> Sentence | None:
     return reason("no_number") if unknown else None
 
 
-def unconfirmed_by(seen: Evidence) -> list[Sentence]:
+def unconfirmed_remark(seen: Evidence) -> list[Sentence]:
     """That neither the displacement check nor FC on the other side confirms what the histories say."""
     if seen.dynamic is None or not seen.dynamic.passed:
         return []
@@ -214,13 +214,13 @@ def _of_the_stations(seen: Evidence) -> list[Sentence]:
     stations, sound = seen.circumstances.stations, seen.circumstances.sound
     if seen.compliance:
         stations = seen.compliance.stations
-    if stations < MINIMUM_FROM:
+    if stations < MIN_STATIONS_FOR_MINIMUM:
         return [reason("few_records", n=stations)]
-    rests_on = MEAN_FROM if stations >= MEAN_FROM else MINIMUM_FROM
+    rests_on = MIN_STATIONS_FOR_MEAN if stations >= MIN_STATIONS_FOR_MEAN else MIN_STATIONS_FOR_MINIMUM
     return [reason("few_sound_records", n=stations - sound, of=stations)] if 0 <= sound < rests_on else []
 
 
-def limits_of(seen: Evidence) -> list[Sentence]:
+def indicative_reasons(seen: Evidence) -> list[Sentence]:
     """Reasons for which the checks are indicative only."""
     demand, compliance, circumstances = seen.demand, seen.compliance, seen.circumstances
     reasons = []

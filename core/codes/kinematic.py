@@ -15,11 +15,11 @@ from dataclasses import dataclass, replace
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes import target_spectrum
-from core.codes.demand import DemandResult
+from core.codes.demand import SeismicDemand
 from core.codes.floor_spectrum import FloorSpectrum
-from core.codes.kinematic_chain import Chain, chain, elastic_period_of_loads, of_bending
+from core.codes.kinematic_chain import ChainSums, elastic_period_of_loads, sum_bending_chain, sum_chain
 from core.codes.target_spectrum import GivenSpectrum
-from core.codes.vertical_bending import Bending, weakest
+from core.codes.vertical_bending import Bending, governing_mechanism
 from core.errors import InputError, place
 from core.units import G
 from core.wall.arch import MIN_THRUST
@@ -90,7 +90,7 @@ class Displacement:
 
 
 @dataclass(frozen=True)
-class Kinematic:
+class KinematicAnalysis:
     """Quantities of the mechanism.
 
     alpha0 : multiplier that starts it (C8.7.1.1), with the friction of return walls [-]
@@ -126,8 +126,8 @@ class Kinematic:
     m_star: float | None
     a0: float
     wall: Masonry
-    chain: Chain
-    moved: Chain
+    chain: ChainSums
+    moved: ChainSums
     d0: float
     free_element: bool
     period_0: float | None
@@ -173,7 +173,7 @@ def elastic_period(wall: Masonry) -> float | None:
     return math.sqrt(alone**2 + elastic_period_of_loads(wall)) if wall.loads else alone
 
 
-def _missing(wall: Masonry, demand: DemandResult) -> tuple[str, ...]:
+def _missing(wall: Masonry, demand: SeismicDemand) -> tuple[str, ...]:
     """Keys that a free element lacks for S_e(T_0)."""
     of_wall = {"elastic_modulus_mpa": wall.modulus, "unit_weight_kn_m3": wall.unit_weight, "height_m": wall.height}
     return tuple(name for name, value in (of_wall | {"spectrum": demand.target}).items() if value is None)
@@ -198,14 +198,16 @@ def _without_what_stretches(wall: Masonry) -> Masonry:
     return replace(wall, arch=wall.arch.without_tie) if wall.arch is not None and wall.arch.tied else wall
 
 
-def kinematic(wall: Masonry, mechanism: str, demand: DemandResult, floor: FloorSpectrum | None = None) -> Kinematic:
+def analyse_mechanism(
+    wall: Masonry, mechanism: str, demand: SeismicDemand, floor: FloorSpectrum | None = None
+) -> KinematicAnalysis:
     """The mechanism of a wall.
 
     floor : above the ground the spectrum of its floor; None there means that the demand has none
     Raises InputError where the spectrum of a file ends before T_SLV, T_SLC or T_0.
     """
     wall = _without_what_stretches(wall) if demand.limit_state == "SLD" else wall
-    free, sums = wall.is_free(mechanism), chain(wall, mechanism == "two_sided")
+    free, sums = wall.is_free(mechanism), sum_chain(wall, mechanism == "two_sided")
     alpha0, e_star, mass = sums.start
     a0 = alpha0 * G / (e_star * demand.confidence_factor)
     # nothing of a_g,SLD counts for SLV that a tie has to stretch for, and no friction, which is lost over a slip
@@ -238,40 +240,40 @@ def kinematic(wall: Masonry, mechanism: str, demand: DemandResult, floor: FloorS
     of_both = (alpha0, e_star, mass, a0, wall, sums, moved, moved.d0)
     quantities = (*of_both, free, period_0, acceleration, zeta_sld, zeta_floor, missing)
     if not with_displacement:
-        return Kinematic(*quantities, floor=floor)
+        return KinematicAnalysis(*quantities, floor=floor)
     own = _displacement(moved, demand, floor, start, wall)
     bare = None
     if sums.ties:
         with contextlib.suppress(InputError):
             bare = _displacement(replace(sums, ties=()), demand, floor, start, wall)
-    return Kinematic(*quantities, own.limit, own.capacity, own.period, own.demand, floor, bare)
+    return KinematicAnalysis(*quantities, own.limit, own.capacity, own.period, own.demand, floor, bare)
 
 
-def _weakest(sums: Chain, demand: DemandResult, floor: FloorSpectrum | None, wall: Masonry) -> Chain:
+def _weakest(sums: ChainSums, demand: SeismicDemand, floor: FloorSpectrum | None, wall: Masonry) -> ChainSums:
     """The sums of a wall held at its top whose displacement check has the least zeta. Raises InputError where the
     spectrum of a file ends before a period."""
     assert sums.bending is not None
 
     def zeta(mechanism: Bending) -> float:
-        return _displacement(of_bending(wall, mechanism), demand, floor, 0.0, wall).ratio
+        return _displacement(sum_bending_chain(wall, mechanism), demand, floor, 0.0, wall).ratio
 
-    own, arch = of_bending(wall, weakest(sums.bending.strip, zeta)), wall.arch
+    own, arch = sum_bending_chain(wall, governing_mechanism(sums.bending.strip, zeta)), wall.arch
     if arch is None or not arch.tied or arch.shoulder <= MIN_THRUST:
         return own
     # a tie that breaks early takes nothing from what the masonry beyond holds alone
-    alone = chain(replace(wall, arch=arch.without_tie), False)
+    alone = sum_chain(replace(wall, arch=arch.without_tie), False)
     return max(own, alone, key=lambda one: _displacement(one, demand, floor, 0.0, wall).ratio)
 
 
 def _displacement(
-    sums: Chain, demand: DemandResult, floor: FloorSpectrum | None, period_0: float, wall: Masonry
+    sums: ChainSums, demand: SeismicDemand, floor: FloorSpectrum | None, period_0: float, wall: Masonry
 ) -> Displacement:
     """Displacement check by the sums of a chain. period_0 : T_0 [s]. Raises InputError where the spectrum of a file
     ends before the period."""
     state, target = demand.limit_state, demand.target
     assert target is not None
     d_limit = sums.limit_of_ties(LIMIT_FRACTION[state] * sums.d0)
-    a_limit = capacity_at(sums, d_limit, demand.confidence_factor)
+    a_limit = capacity_acceleration(sums, d_limit, demand.confidence_factor)
     period = PERIOD_FACTOR[state] * math.sqrt(d_limit / a_limit)
     _covers(target, period, f"T_{state}", wall)
     damping = STATE_DAMPING[state]
@@ -281,17 +283,17 @@ def _displacement(
     return Displacement(d_limit, a_limit, period, s_de)
 
 
-def capacity_at(sums: Chain, d: float, confidence: float) -> float:
+def capacity_acceleration(sums: ChainSums, d: float, confidence: float) -> float:
     """a(d) (C8.7.1.3) [m/s2]: that of the wall falls to zero at d_0, its ties add what they give at d. None of the
     friction of return walls."""
     return sums.alpha(d) * G / (sums.e_star * confidence)
 
 
-def _passed(zeta: float, demand: DemandResult) -> bool:
+def _passed(zeta: float, demand: SeismicDemand) -> bool:
     return zeta >= demand.zeta_target - ZETA_ROUNDING
 
 
-def sld(mechanism: Kinematic, demand: DemandResult) -> Check | None:
+def check_sld(mechanism: KinematicAnalysis, demand: SeismicDemand) -> Check | None:
     """C8.7.1.2.1.5: a0* against the largest acceleration of the ground a_g S (C8.7.1.8), of an element free
     to vibrate against S_e(T_0, 5 %) (C8.7.1.9). None where T_0 of a free element is not known."""
     if mechanism.zeta_sld is None or mechanism.acceleration_demand is None:
@@ -308,7 +310,7 @@ def sld(mechanism: Kinematic, demand: DemandResult) -> Check | None:
     )
 
 
-def linear(name: str, mechanism: Kinematic, demand: DemandResult, q: float) -> Check | None:
+def check_linear(name: str, mechanism: KinematicAnalysis, demand: SeismicDemand, q: float) -> Check | None:
     """C8.7.1.2.1.7, at SLV only: a_g,SLV = q a_g,SLD >= a_g, a_g,SLD obtained by C8.7.1.8, for an element
     free to vibrate by C8.7.1.9 (T_0). None where its T_0 is not known."""
     if mechanism.zeta_sld is None:
@@ -317,7 +319,7 @@ def linear(name: str, mechanism: Kinematic, demand: DemandResult, q: float) -> C
     return Check(name, Q_CLAUSE, "g", zeta * demand.ag / G, demand.ag / G, zeta, _passed(zeta, demand), q)
 
 
-def nonlinear(mechanism: Kinematic, demand: DemandResult) -> Check | None:
+def check_displacement(mechanism: KinematicAnalysis, demand: SeismicDemand) -> Check | None:
     """C8.7.1.2.1.8: d_SLV against the largest S_De on [T_0, T_SLV] (T_0 = 0 for restrained walls; for the
     spectrum of a code that is S_De(T_SLV)). Where the a_g,SLV of this check is below a_g,SLD, a_g,SLD counts
     for SLV too. None without a spectrum."""
@@ -328,13 +330,13 @@ def nonlinear(mechanism: Kinematic, demand: DemandResult) -> Check | None:
     return Check("nonlinear", DISPLACEMENT_CLAUSE, "m", compared.limit, compared.demand, zeta, _passed(zeta, demand))
 
 
-def _not_below_sld(zeta: float, mechanism: Kinematic, demand: DemandResult) -> float:
+def _not_below_sld(zeta: float, mechanism: KinematicAnalysis, demand: SeismicDemand) -> float:
     """zeta of a displacement check, at SLV not below a_g,SLD over a_g (C8.7.1.2.1.8)."""
     floor = mechanism.zeta_floor if demand.limit_state == "SLV" else None
     return zeta if floor is None else max(zeta, floor)
 
 
-def with_and_without_ties(mechanism: Kinematic, demand: DemandResult) -> tuple[float, float] | None:
+def zeta_with_and_without_ties(mechanism: KinematicAnalysis, demand: SeismicDemand) -> tuple[float, float] | None:
     """zeta of the displacement check of a wall with its ties and of the same wall without them; None of a wall whose
     ties this check does not count."""
     bare = mechanism.without_ties
@@ -348,15 +350,17 @@ CHECKS = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code")
 """Names of the checks, the most refined first; the time histories are made by dynamic_check."""
 
 
-def checks_of(mechanism: Kinematic, demand: DemandResult, q_slv: float | None = None) -> tuple[Check, ...]:
+def make_kinematic_checks(
+    mechanism: KinematicAnalysis, demand: SeismicDemand, q_slv: float | None = None
+) -> tuple[Check, ...]:
     """The kinematic checks that can be made at a demand, the most refined first.
 
     q_slv : of time histories, counted from a0*; None without it [-]
     """
-    made = [nonlinear(mechanism, demand)]
+    made = [check_displacement(mechanism, demand)]
     if demand.limit_state == "SLD":
-        made.append(sld(mechanism, demand))
+        made.append(check_sld(mechanism, demand))
     elif demand.limit_state == "SLV":
-        made.append(None if q_slv is None else linear("linear_q_slv", mechanism, demand, q_slv))
-        made.append(linear("linear_q_code", mechanism, demand, demand.q_code))
+        made.append(None if q_slv is None else check_linear("linear_q_slv", mechanism, demand, q_slv))
+        made.append(check_linear("linear_q_code", mechanism, demand, demand.q_code))
     return tuple(check for check in made if check is not None)

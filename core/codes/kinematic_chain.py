@@ -32,7 +32,7 @@ HEIGHTS_TRIED = 2000
 """Heights of the part that turns, tried for the smallest alpha_0 with friction."""
 
 
-class HeldBy(NamedTuple):
+class CountedTie(NamedTuple):
     """A tie that counts in the capacity curve. lever : what a newton of it adds to alpha [1/N]"""
 
     lever: float
@@ -40,7 +40,7 @@ class HeldBy(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Chain:
+class ChainSums:
     """Sums of the kinematic chain of a wall.
 
     slenderness, reach : of the wall alone [rad], and the control point: d = reach [sin(alpha) - sin(alpha - theta)]
@@ -66,7 +66,7 @@ class Chain:
     mass: float | None
     d0: float
     alpha0_bare: float
-    ties: tuple[HeldBy, ...] = ()
+    ties: tuple[CountedTie, ...] = ()
     d0_with_ties: float | None = None
     alpha0_friction: float | None = None
     e_star_friction: float | None = None
@@ -128,11 +128,11 @@ class Chain:
         return d
 
 
-def chain(wall: Masonry, two_sided: bool) -> Chain:
+def sum_chain(wall: Masonry, two_sided: bool) -> ChainSums:
     """Sums of the chain; of a two-sided wall the smaller alpha_0 and d_0 of its two sides."""
     if wall.bends:
-        return of_bending(wall, bending(wall))
-    sides = [of_side(wall, side) for side in ((1.0, -1.0) if two_sided else (1.0,))]
+        return sum_bending_chain(wall, bending(wall))
+    sides = [sum_chain_of_side(wall, side) for side in ((1.0, -1.0) if two_sided else (1.0,))]
     weaker = min(sides, key=lambda side: side.d0)
     alpha0, bare = (min(getattr(side, name) for side in sides) for name in ("alpha0", "alpha0_bare"))
     # the side that no tie holds decides
@@ -145,21 +145,21 @@ def chain(wall: Masonry, two_sided: bool) -> Chain:
     return replace(sums, alpha0_friction=alpha, e_star_friction=share, mass_friction=of_part, friction_height=height)
 
 
-def of_bending(wall: Masonry, own: Bending) -> Chain:
+def sum_bending_chain(wall: Masonry, own: Bending) -> ChainSums:
     """Sums of the chain of a wall that bends, held at its top or between transverse walls."""
     bare = wall.bare
-    start = (own.alpha0, own.e_star, own.mass, own.d0, at_rest(wall, own))
-    return Chain(bare.slenderness, bare.radius, *start, bending=own)
+    start = (own.alpha0, own.e_star, own.mass, own.d0, restraint_multiplier_at_rest(wall, own))
+    return ChainSums(bare.slenderness, bare.radius, *start, bending=own)
 
 
-def at_rest(wall: Masonry, own: Bending) -> float:
+def restraint_multiplier_at_rest(wall: Masonry, own: Bending) -> float:
     """alpha_0 of what holds a wall that bends before it moves [-]: no tie along it, which has to stretch first."""
     if wall.arch is None or not wall.arch.tied:
         return own.alpha0
     return max(0.0, start_of_bending(strip_of(replace(wall, arch=wall.arch.without_tie)), own.h1))
 
 
-def of_side(wall: Masonry, side: float) -> Chain:
+def sum_chain_of_side(wall: Masonry, side: float) -> ChainSums:
     """The sums about one hinge, 1.0 the outer one, without the friction of return walls."""
     bare = wall.bare
     if side < 0.0:
@@ -167,7 +167,7 @@ def of_side(wall: Masonry, side: float) -> Chain:
     if not wall.loads:
         alpha0, d0 = math.tan(bare.slenderness), bare.radius * math.sin(bare.slenderness)
         mass = None if wall.unit_weight is None or wall.height is None else wall.weight / G
-        return Chain(bare.slenderness, bare.radius, alpha0, 1.0, mass, d0, alpha0)
+        return ChainSums(bare.slenderness, bare.radius, alpha0, 1.0, mass, d0, alpha0)
     weight, (x, y) = wall.weight, bare.centroid
     pushed = wall.masses
     first = weight * y + sum(mass.mass * G * mass.height for mass in pushed)
@@ -178,7 +178,7 @@ def of_side(wall: Masonry, side: float) -> Chain:
     alpha0, alpha0_bare = (start_multiplier(weight, x, y, all_of, pushed) for all_of in (forces, own))
     block, restoring = wall.sides[0 if side > 0.0 else 1]
     e_star, reach = first**2 / (total * second), bare.radius * second / (y * first)
-    sums = Chain(bare.slenderness, reach, alpha0, e_star, total / G, 0.0, alpha0_bare)
+    sums = ChainSums(bare.slenderness, reach, alpha0, e_star, total / G, 0.0, alpha0_bare)
     sums = replace(sums, d0=float(sums.displacement(block.slenderness + restoring.lean)))
     bars = [tie.bar for tie in wall.ties if not tie.is_slack]
     if not bars or side < 0.0:
@@ -186,12 +186,12 @@ def of_side(wall: Masonry, side: float) -> Chain:
     with_ties = block.slenderness + restoring_with_ties(wall).lean
     return replace(
         sums,
-        ties=tuple(HeldBy(bar.height / first, bar) for bar in bars),
+        ties=tuple(CountedTie(bar.height / first, bar) for bar in bars),
         d0_with_ties=float(sums.displacement(with_ties)),
     )
 
 
-def friction(wall: Masonry, height):
+def return_wall_friction(wall: Masonry, height):
     """F = 0.4 n (n + 1) phi mu l^2 t_s w of each return wall [N], n courses of it being dragged (C8.7.1.2.1.1).
 
     height : of the part that turns, of n courses [m], a number or an array
@@ -210,7 +210,7 @@ def multipliers_with_friction(wall: Masonry) -> tuple[np.ndarray, ...]:
     heights = height * np.arange(1, HEIGHTS_TRIED + 1) / HEIGHTS_TRIED
     weight = wall.weight * heights / height
     x = 0.5 * known(wall.thickness) - wall.setback
-    dragged = across.number * friction(wall, heights) / known(wall.length)
+    dragged = across.number * return_wall_friction(wall, heights) / known(wall.length)
     holding = weight * x + dragged * heights / 3.0
     pushing, second, total = 0.5 * weight * heights, 0.25 * weight * heights**2, weight.copy()
     for load in wall.loads:

@@ -4,13 +4,13 @@ import math
 from collections.abc import Iterable, Sequence
 from statistics import fmean
 
-from core.codes.demand import DemandResult
+from core.codes.demand import SeismicDemand
 from core.errors import InputError, section
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import station_of
 
-MEAN_FROM = 7
-MINIMUM_FROM = 3
+MIN_STATIONS_FOR_MEAN = 7
+MIN_STATIONS_FOR_MINIMUM = 3
 """Stations from which a set takes the mean, and from which the most unfavourable (EN 1998-1 4.3.3.4.3(3))."""
 
 MIN_PGA_SHARE = 0.2
@@ -37,24 +37,24 @@ def set_rule(stations: set[str]) -> str:
 
     stations : of `core.ground.provenance.stations`: two components of one station are one
     """
-    if len(stations) >= MEAN_FROM:
+    if len(stations) >= MIN_STATIONS_FOR_MEAN:
         return "mean"
-    return "minimum" if len(stations) >= MINIMUM_FROM else "too_few"
+    return "minimum" if len(stations) >= MIN_STATIONS_FOR_MINIMUM else "too_few"
 
 
-def are_counted(motions: Sequence[GroundMotion], demand: DemandResult) -> list[bool]:
+def counted_mask(motions: Sequence[GroundMotion], demand: SeismicDemand) -> list[bool]:
     """Which records count for the rule of their set, by their PGA on the ground at the demand."""
     peaks = [demand.scaling(motion) * (motion.ground_pga or motion.pga) for motion in motions]
     least = MIN_PGA_SHARE * fmean(peaks) if peaks else 0.0
     return [peak >= least for peak in peaks]
 
 
-def counted_stations(motions: Sequence[GroundMotion], demand: DemandResult) -> set[str]:
+def counted_stations(motions: Sequence[GroundMotion], demand: SeismicDemand) -> set[str]:
     """Stations with a record that counts for the rule of the set."""
-    return {station_of(motions[k], k) for k, counts in enumerate(are_counted(motions, demand)) if counts}
+    return {station_of(motions[k], k) for k, counts in enumerate(counted_mask(motions, demand)) if counts}
 
 
-def set_value(values: Iterable[float | None], rule: str | None) -> float | None:
+def set_capacity(values: Iterable[float | None], rule: str | None) -> float | None:
     """Capacity of a set under its rule, files without a number left out; None where the set is incomplete or has
     none."""
     known = [value for value in values if value is not None]

@@ -34,7 +34,7 @@ SPARSE = 16
 ends stay below ROCKS: no zeta of 130 sets, searched point by point at 8 places of the grid, is another with ROCKS up to
 0.30."""
 
-ROCKS = 0.20
+ROCKING_PEAK_RATIO = 0.20
 """Largest rotation over theta_c from which a wall may overturn at a multiplier close by."""
 
 POINTS_PER_SEARCH = 128
@@ -48,7 +48,7 @@ MIN_MULTIPLIER_SHARE = 1e-3
 
 
 @dataclass(frozen=True)
-class Zeta:
+class ZetaSearchResult:
     """zeta_E, zeta_16, zeta_first, and the spread of zeta_E (None where a run has no number), the share failing
     around the target, whether the rule holds at the target itself, and whether it fails there by runs with a number."""
 
@@ -108,7 +108,7 @@ class _Grid:
         return None
 
 
-def search_zeta(failures, rest: float, target: float, every: int = 1) -> Zeta:
+def search_zeta(failures, rest: float, target: float, every: int = 1) -> ZetaSearchResult:
     """Search zeta_E, at which a rule fails, on the points target (1 + MULTIPLIER_STEP)^k whose k is a multiple of
     `every`.
 
@@ -126,13 +126,13 @@ def search_zeta(failures, rest: float, target: float, every: int = 1) -> Zeta:
     at_target = not failing, bool(failing and not unknown)
     if edge is None or edge > top:
         most = MAX_MULTIPLIER
-        return Zeta(most, most, most, (most, most), 0.0, *at_target)
+        return ZetaSearchResult(most, most, most, (most, most), 0.0, *at_target)
     while (below := grid.fails_at(range(edge - window, edge))).any():
         edge += int(np.argmax(below)) - window
         if (
             grid.multiplier(edge) < MIN_MULTIPLIER_SHARE * rest
         ):  # runs that never have a number, however weak the motion
-            return Zeta(None, None, None, None, float(below.mean()), *at_target)
+            return ZetaSearchResult(None, None, None, None, float(below.mean()), *at_target)
     low = edge - window
     fails, last = below, None
     while last is None and low + fails.size <= top + half:
@@ -143,7 +143,7 @@ def search_zeta(failures, rest: float, target: float, every: int = 1) -> Zeta:
     share = float(around.sum()) / window
     end = fails.size if last is None else last + half + 1
     if grid.at(range(low, low + end))[1].any():
-        return Zeta(None, None, None, None, share, *at_target)
+        return ZetaSearchResult(None, None, None, None, share, *at_target)
     shares = (HALF_FAIL, ROBUST_SHARE, HALF_FAIL - SHARE_ERROR, HALF_FAIL + SHARE_ERROR)
     places = [*(first_with_share(fails, half, part) for part in shares), window]
     zeta, sixteen, least, most, first = (
@@ -155,4 +155,4 @@ def search_zeta(failures, rest: float, target: float, every: int = 1) -> Zeta:
         zeta = first = bracket[1] if bracket else first
     elif places[0] is not None:  # the point stands for the step that ends in it
         zeta /= math.sqrt(1.0 + grid.step)
-    return Zeta(zeta, sixteen, first, (least, most), share, *at_target)
+    return ZetaSearchResult(zeta, sixteen, first, (least, most), share, *at_target)

@@ -22,7 +22,7 @@ USE_CLASSES = {"I": 0.7, "II": 1.0, "III": 1.5, "IV": 2.0}
 MIN_REFERENCE_PERIOD = 35.0
 """V_R is at least 35 years (NTC 2008 2.4.3; NTC 2018 lets it go lower: the safe side is kept)."""
 
-EARTH = 6371.0088
+EARTH_RADIUS = 6371.0088
 """Mean radius [km]."""
 
 MILLION = 1_000_000
@@ -32,7 +32,7 @@ MAX_NODE_DISTANCE = 0.2
 """Degrees within which nodes of the cell of a point are looked for; cells are about 0.05 by 0.07."""
 
 
-class Values(NamedTuple):
+class HazardValues(NamedTuple):
     """a_g [g], F_0 [-], T_C* [s]."""
 
     ag_g: float
@@ -137,7 +137,7 @@ def municipalities() -> tuple[Municipality, ...]:
     return tuple(Municipality(*line.split("\t"), *seat) for line, seat in zip(lines, seats, strict=True))
 
 
-def folded(name: str) -> str:
+def normalise_name(name: str) -> str:
     """A name without accents, apostrophes and case."""
     plain = "".join(c for c in unicodedata.normalize("NFKD", name) if not unicodedata.combining(c))
     return " ".join("".join(c if c.isalnum() else " " for c in plain.casefold()).split())
@@ -147,7 +147,7 @@ def folded(name: str) -> str:
 def _by_name() -> dict[str, list[Municipality]]:
     by_name: dict[str, list[Municipality]] = {}
     for one in municipalities():
-        by_name.setdefault(folded(one.name), []).append(one)
+        by_name.setdefault(normalise_name(one.name), []).append(one)
     return by_name
 
 
@@ -189,9 +189,9 @@ def _lines_with(lines: str, wanted: str, most: int) -> list[int]:
     return line_numbers
 
 
-def beginning_with(text: str, most: int = 20) -> list[Municipality]:
+def search_municipalities(text: str, most: int = 20) -> list[Municipality]:
     """Municipalities whose name begins with a text, then those that hold it."""
-    wanted = folded(text)
+    wanted = normalise_name(text)
     joined = _joined(wanted)
     if not wanted:
         return []
@@ -204,7 +204,7 @@ def beginning_with(text: str, most: int = 20) -> list[Municipality]:
 
 def municipality(name: str, province: str = "") -> Municipality:
     """The one of a name, and of a province where it is not unique. Raises InputError."""
-    namesakes = _by_name().get(folded(name)) or _by_letters().get(_joined(folded(name)), [])
+    namesakes = _by_name().get(normalise_name(name)) or _by_letters().get(_joined(normalise_name(name)), [])
     letters = province.strip().upper()
     kept = [one for one in namesakes if not letters or letters in (one.province, one.province_name.upper())]
     if len(kept) == 1:
@@ -215,7 +215,7 @@ def municipality(name: str, province: str = "") -> Municipality:
     if namesakes:
         provinces = ", ".join(one.province for one in namesakes)
         raise InputError("municipality_elsewhere", key="province", name=name, found=province, provinces=provinces)
-    if near := ", ".join(one.name for one in beginning_with(name[:4], 3)):
+    if near := ", ".join(one.name for one in search_municipalities(name[:4], 3)):
         raise InputError("municipality_near", key="municipality", name=name, near=near)
     raise InputError("municipality_unknown", key="municipality", name=name)
 
@@ -224,7 +224,7 @@ def distance(one: Sequence[float], other: Sequence[float]) -> float:
     """Great circle between two points (latitude, longitude) [km]."""
     (a, b), (c, d) = (map(math.radians, point) for point in (one, other))
     h = math.sin(0.5 * (c - a)) ** 2 + math.cos(a) * math.cos(c) * math.sin(0.5 * (d - b)) ** 2
-    return 2.0 * EARTH * math.asin(min(1.0, math.sqrt(h)))
+    return 2.0 * EARTH_RADIUS * math.asin(min(1.0, math.sqrt(h)))
 
 
 @dataclass(frozen=True)
@@ -245,7 +245,7 @@ class SiteHazard:
     island: str
     table: np.ndarray
 
-    def at(self, years: float) -> Values:
+    def at(self, years: float) -> HazardValues:
         """Values at a return period: between those of the table by logarithms (Eq. 2), then between the nodes by the
         inverse of their distances (Eq. 3); below 30 years those of 30, above 2475 those of 2475 (NTC 2018)."""
         years = min(max(years, RETURN_PERIODS[0]), RETURN_PERIODS[-1])
@@ -256,7 +256,7 @@ class SiteHazard:
         if share in (0.0, 1.0):
             of_nodes = high if share else low
         ag, f0, tc = (of_nodes * self._weights()[:, None]).sum(axis=0).tolist()
-        return Values(0.1 * ag, f0, tc)
+        return HazardValues(0.1 * ag, f0, tc)
 
     def _weights(self) -> np.ndarray:
         if 0.0 in self.distances:
@@ -265,7 +265,7 @@ class SiteHazard:
         return inverse / inverse.sum()
 
     @property
-    def rows(self) -> list[Values]:
+    def rows(self) -> list[HazardValues]:
         """Rows of the hazard at each of RETURN_PERIODS."""
         return [self.at(years) for years in RETURN_PERIODS]
 

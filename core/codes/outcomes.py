@@ -41,18 +41,18 @@ NO_HAZARD = "no_hazard"
 _RANK = {code: rank for rank, code in enumerate(OUTCOMES)}
 
 
-def severity(code: str, zeta: float | None, target: float) -> tuple[int, bool, float]:
+def severity_key(code: str, zeta: float | None, target: float) -> tuple[int, bool, float]:
     """Key that sorts outcomes, worst first: by the table, among equal ones a missing zeta first, then the lowest zeta
     over the one required."""
     return _RANK[code], zeta is not None, 0.0 if zeta is None else zeta / target
 
 
-def worst(rows: Iterable[Any], of: Callable[[Any], tuple[str, float | None, float]]) -> Any:
+def worst_outcome(rows: Iterable[Any], of: Callable[[Any], tuple[str, float | None, float]]) -> Any:
     """The row with the worst outcome. of : its code, zeta and the zeta required"""
-    return min(rows, key=lambda row: severity(*of(row)))
+    return min(rows, key=lambda row: severity_key(*of(row)))
 
 
-def least(values: Iterable[float | None]) -> float | None:
+def min_if_all_known(values: Iterable[float | None]) -> float | None:
     """The lowest of several numbers that all count; None where one of them is not known, or there is none."""
     known = list(values)
     return None if not known or None in known else min(value for value in known if value is not None)

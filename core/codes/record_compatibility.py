@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from core.codes.demand import DemandResult
-from core.codes.limits import MINIMUM_FROM, counted_stations
+from core.codes.demand import SeismicDemand
+from core.codes.limits import MIN_STATIONS_FOR_MINIMUM, counted_stations
 from core.codes.target_spectrum import GivenSpectrum
 from core.errors import InputError, section
 from core.ground.ground_motion import GroundMotion
@@ -33,7 +33,7 @@ STRONG_PART, WHOLE_LENGTH = 10.0, 25.0
 
 
 @dataclass(frozen=True)
-class Rule:
+class CompatibilityRule:
     """One rule: code (NTC, EN or shown), clause, name, value, limit, passed (None: shown only); unit of
     both: %, g, s or empty."""
 
@@ -65,7 +65,7 @@ class Compliance:
     spectra: np.ndarray
     mean: np.ndarray
     target: np.ndarray
-    rules: tuple[Rule, ...]
+    rules: tuple[CompatibilityRule, ...]
     stations: int
     compatible: bool
     period_range: tuple[float, float] = PERIOD_RANGE
@@ -92,7 +92,7 @@ def full_range(kinds: list[str], longest: float) -> tuple[float, float]:
     return PERIOD_RANGE[0], max(PERIOD_RANGE[1], longest) if "natural" in kinds else PERIOD_RANGE[1]
 
 
-def period_range(kinds: list[str], longest: float, demand: DemandResult) -> tuple[float, float]:
+def period_range(kinds: list[str], longest: float, demand: SeismicDemand) -> tuple[float, float]:
     """Periods of the rules [s]: as asked, else all that matter. Raises InputError beyond the spectrum of a file."""
     low, high = full_range(kinds, longest)
     if demand.period_range is not None:
@@ -114,32 +114,32 @@ def compared_periods(asked_range: tuple[float, float], longest: float) -> tuple[
     return shown, np.unique(np.round([*steps, ends[1], *shown, *asked_range], 9))
 
 
-def within(periods: np.ndarray, ends: tuple[float, float]) -> np.ndarray:
+def period_mask(periods: np.ndarray, ends: tuple[float, float]) -> np.ndarray:
     """Which periods [s] are between two, with both."""
     return (ends[0] - 1e-9 <= periods) & (ends[1] + 1e-9 >= periods)
 
 
-def deciding_codes(demand: DemandResult) -> set[str]:
+def deciding_codes(demand: SeismicDemand) -> set[str]:
     """Codes whose rules decide: of a spectrum of a file, which names no code, both."""
     code = demand.spectrum_code
     return {code[: code.index("1998" if code.startswith("EN") else "2018")]} if code else {"EN", "NTC"}
 
 
-def natural_bounds(demand: DemandResult) -> tuple[float, float, float]:
+def natural_bounds(demand: SeismicDemand) -> tuple[float, float, float]:
     """(least, most mean spectrum over the target, least mean PGA over a_g S) of natural records [-]; inf and 0 where
     the code asks for nothing."""
     codes = deciding_codes(demand)
     return 1.0 + LOWER_BOUND["natural"], 1.0 + UPPER["natural"] if "NTC" in codes else math.inf, float("EN" in codes)
 
 
-def common_factor(motions: list[GroundMotion], demand: DemandResult) -> float:
+def common_factor(motions: list[GroundMotion], demand: SeismicDemand) -> float:
     """The one factor of all records for which their mean 5 % spectrum is nearest to the target, by the mean of the
     logarithms of their ratio over the periods of the rules."""
     assert demand.target is not None
     low, high = demand.period_range or PERIOD_RANGE
     count = math.ceil(math.log(high / low) / math.log1p(PERIOD_STEP)) + 1
     periods = np.geomspace(low, high, count)
-    spectra = [demand.scaling(m) * kept_spectrum(m.acceleration, m.time_step, periods) for m in motions]
+    spectra = [demand.scaling(m) * cached_spectrum(m.acceleration, m.time_step, periods) for m in motions]
     ratio = demand.target.acceleration(periods) / np.mean(spectra, axis=0)
     return float(np.exp(np.log(ratio).mean()))
 
@@ -157,7 +157,7 @@ class _Samples:
     acceleration: np.ndarray = field(compare=False)
 
 
-def kept_spectrum(ground: np.ndarray, dt: float, periods: np.ndarray) -> np.ndarray:
+def cached_spectrum(ground: np.ndarray, dt: float, periods: np.ndarray) -> np.ndarray:
     """`pseudo_acceleration_spectrum` [m/s2] of 5 % damping; of the last CACHED_SPECTRA motions and periods it is not
     made again, and none may change it. ground [m/s2], dt, periods [s]"""
     samples = np.ascontiguousarray(ground)
@@ -172,8 +172,8 @@ def _spectrum(samples: _Samples, periods: tuple[float, ...]) -> np.ndarray:
     return spectrum
 
 
-def compliance(
-    motions: list[GroundMotion], kinds: list[str], demand: DemandResult, longest: float = 0.0
+def check_compatibility(
+    motions: list[GroundMotion], kinds: list[str], demand: SeismicDemand, longest: float = 0.0
 ) -> Compliance | None:
     """The rules one by one; None without records or without a target spectrum. longest : T_SLV or T_SLC of
     the walls [s]."""
@@ -184,7 +184,7 @@ def compliance(
     factors = [demand.scaling(motion) for motion in motions]
     spectra = np.array(
         [
-            factor * kept_spectrum(m.acceleration, m.time_step, periods)
+            factor * cached_spectrum(m.acceleration, m.time_step, periods)
             for m, factor in zip(motions, factors, strict=True)
         ]
     )
@@ -193,7 +193,7 @@ def compliance(
     difference = mean / target - 1.0
 
     def extremes(ends) -> tuple[float, float]:
-        inside = difference[within(periods, ends)]
+        inside = difference[period_mask(periods, ends)]
         return float(inside.min()), float(inside.max())
 
     low, high = extremes(asked_range)
@@ -204,23 +204,29 @@ def compliance(
     ntc = "NTC 2018 3.2.3.6"
     en = "EN 1998-1 3.2.3.1.2"
     rules = [
-        Rule("NTC", ntc, "mean_lower", low, lower, "%", low >= lower),
-        Rule("NTC", ntc, "mean_upper", high, upper, "%", None if upper is None else high <= upper),
-        Rule("EN", en + "(4)a", "records", count, MINIMUM_FROM, "", count >= MINIMUM_FROM),
-        Rule("EN", en + "(4)b", "mean_pga", pga / G, demand.pga / G, "g", pga >= demand.pga * (1.0 - 1e-6)),
-        Rule("EN", en + "(4)c", "mean_lower", low, -0.10, "%", low >= -0.10),
+        CompatibilityRule("NTC", ntc, "mean_lower", low, lower, "%", low >= lower),
+        CompatibilityRule("NTC", ntc, "mean_upper", high, upper, "%", None if upper is None else high <= upper),
+        CompatibilityRule(
+            "EN", en + "(4)a", "records", count, MIN_STATIONS_FOR_MINIMUM, "", count >= MIN_STATIONS_FOR_MINIMUM
+        ),
+        CompatibilityRule(
+            "EN", en + "(4)b", "mean_pga", pga / G, demand.pga / G, "g", pga >= demand.pga * (1.0 - 1e-6)
+        ),
+        CompatibilityRule("EN", en + "(4)c", "mean_lower", low, -0.10, "%", low >= -0.10),
     ]
     made = [m for m, kind in zip(motions, kinds, strict=True) if kind == "artificial"]
     if made:
         strong = min(strong_duration(motion) for motion in made)
         whole = min(motion.duration for motion in made)
         rules += [
-            Rule("both", f"{ntc}, {en}(3)", "strong_part", strong, STRONG_PART, "s", strong >= STRONG_PART - 1e-6),
-            Rule("NTC", ntc, "duration", whole, WHOLE_LENGTH, "s", whole >= WHOLE_LENGTH - 1e-6),
+            CompatibilityRule(
+                "both", f"{ntc}, {en}(3)", "strong_part", strong, STRONG_PART, "s", strong >= STRONG_PART - 1e-6
+            ),
+            CompatibilityRule("NTC", ntc, "duration", whole, WHOLE_LENGTH, "s", whole >= WHOLE_LENGTH - 1e-6),
         ]
     least, most = extremes(shown)
     rules += [
-        Rule("shown", f"{shown[0]:.1f}-{shown[1]:.1f} s", name, value, None, "%", None)
+        CompatibilityRule("shown", f"{shown[0]:.1f}-{shown[1]:.1f} s", name, value, None, "%", None)
         for name, value in (("mean_lower", least), ("mean_upper", most))
     ]
     decides = [rule.passed for rule in rules if rule.code in (*deciding_codes(demand), "both")]

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.codes.demand import DemandResult
+from core.codes.demand import SeismicDemand
 from core.codes.dynamic_check import DemandRuns
 from core.codes.multiplier_search import FAILURE_WINDOW, HALF_FAIL, MAX_MULTIPLIER, MULTIPLIER_STEP
 from core.ground.ground_motion import GroundMotion
@@ -65,14 +65,14 @@ def record_peaks(
     model: RockingModel,
     motions: list[GroundMotion],
     polarities: tuple[int, ...],
-    demand: DemandResult,
+    demand: SeismicDemand,
     method: Method,
     zeta: float,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> RecordPeaks:
     """The peaks of every record, from rest to SEARCHED_RANGE times zeta_E.
 
-    model, motions, polarities, demand, method, cancelled : as `demand_check` takes them
+    model, motions, polarities, demand, method, cancelled : as `run_dynamic_check` takes them
     zeta : zeta_E [-]
     Raises Cancelled.
     """
@@ -93,7 +93,7 @@ def record_peaks(
     return RecordPeaks(multipliers, peaks, runs.limit, runs.mean)
 
 
-def zeta_of_sets(per_record: RecordPeaks, counts: np.ndarray) -> np.ndarray:
+def zetas_of_resampled_sets(per_record: RecordPeaks, counts: np.ndarray) -> np.ndarray:
     """zeta_E of sets of the records, shape (sets,); infinite where the rule fails at too few of the multipliers.
 
     counts : how often each record is in each set, shape (sets, records)
@@ -122,7 +122,7 @@ def sample_interval(per_record: RecordPeaks, motions: list[GroundMotion], zeta: 
     names = [station_of(motion, k) for k, motion in enumerate(motions)]
     if len(set(names)) < MIN_STATIONS:
         return None
-    zetas = zeta_of_sets(per_record, np.vstack([np.ones(len(names), np.int64), draws(names, SET_DRAWS)]))
+    zetas = zetas_of_resampled_sets(per_record, np.vstack([np.ones(len(names), np.int64), draws(names, SET_DRAWS)]))
     low, high = np.quantile(zetas[1:], (0.5 - INTERVAL_SHARE / 2, 0.5 + INTERVAL_SHARE / 2), method="inverted_cdf")
     top, whole = float(per_record.multipliers[-1]), float(zetas[0])
     share = zeta / whole if math.isfinite(whole) else 1.0
@@ -130,7 +130,7 @@ def sample_interval(per_record: RecordPeaks, motions: list[GroundMotion], zeta: 
     return SampleInterval(low, high, len(set(names)), open_end)
 
 
-def one_left_out(per_record: RecordPeaks) -> np.ndarray:
+def leave_one_out_zetas(per_record: RecordPeaks) -> np.ndarray:
     """zeta_E without each of the records in turn, shape (records,)."""
     n = len(per_record.peaks)
-    return zeta_of_sets(per_record, 1 - np.eye(n, dtype=np.int64))
+    return zetas_of_resampled_sets(per_record, 1 - np.eye(n, dtype=np.int64))

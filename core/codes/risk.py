@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from core.codes.demand import DemandResult
+from core.codes.demand import SeismicDemand
 from core.units import G
 
 EXPONENT = 1.0 / 0.41
@@ -58,7 +58,7 @@ class Risk:
         return f"> {high:.0f}" if self.return_period > high else f"{self.return_period:.0f}"
 
 
-def least_risk(risks: Sequence[Risk | None]) -> Risk | None:
+def risk_of_wall(risks: Sequence[Risk | None]) -> Risk | None:
     """The capacity of a wall: the smallest of all its mechanisms, with the worst letter; None where one is unknown."""
     known = [one for one in risks if one is not None]
     if not known or len(known) < len(risks):
@@ -75,7 +75,7 @@ def exponent_by_ag(ag: float) -> float:
     return next(exponent for least, exponent in EXPONENT_BY_AG if ag >= least)
 
 
-def letter_of(index: float) -> str:
+def risk_class(index: float) -> str:
     """Letter of an IS-V (D.M. 65/2017, Annex A): A+ above 1.00, A from 0.80, ..."""
     if index <= 1.0:
         return next(letter for least, letter in CLASSES[1:] if index >= least)
@@ -94,7 +94,7 @@ def return_period_of(ag: float, hazard: tuple[tuple[float, float], ...]) -> floa
     return math.exp(low + (high - low) * (math.log(ag) - at_low) / (at_high - at_low))
 
 
-def risk(zeta: float, demand: DemandResult, sure: float | None = None) -> Risk:
+def risk_of_mechanism(zeta: float, demand: SeismicDemand, sure: float | None = None) -> Risk:
     """The capacity of a mechanism whose deciding check has this zeta. sure : the lower end of what zeta is known to be,
     which the letter is of."""
     shorter = longer = None
@@ -109,7 +109,7 @@ def risk(zeta: float, demand: DemandResult, sure: float | None = None) -> Risk:
         return_period=shorter,
         other_return_period=longer,
         index=zeta if slv else None,
-        letter=letter_of(min(zeta, sure or zeta)) if slv else None,
+        letter=risk_class(min(zeta, sure or zeta)) if slv else None,
         by_hazard=bool(demand.hazard),
         known_years=(max(MIN_RETURN_PERIOD, demand.hazard[0][0]), min(MAX_RETURN_PERIOD, demand.hazard[-1][0]))
         if demand.hazard

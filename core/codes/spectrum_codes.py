@@ -17,7 +17,7 @@ NATIONAL = "NTC2018"
 
 
 @dataclass(frozen=True)
-class Code:
+class SpectrumCode:
     """A code, and its elastic spectrum.
 
     name : as people call it; keys : of [demand.spectrum] beside soil, all of which it needs
@@ -35,19 +35,21 @@ class Code:
     fault: InputError | None = None
 
 
-def codes_of(folder: Path) -> dict[str, Code]:
+def load_spectrum_codes(folder: Path) -> dict[str, SpectrumCode]:
     """The codes by the name a case has for them. folder : of the files of EN 1998-1; one with a fault is a code that a
     case cannot take, so that no other case is hindered by it"""
-    known = {NATIONAL: Code("NTC 2018", ("f0", "tc_star_s", "topography"), _of_ntc2018)}
+    known = {NATIONAL: SpectrumCode("NTC 2018", ("f0", "tc_star_s", "topography"), _of_ntc2018)}
     for path in sorted(folder.glob("*.toml"), key=lambda path: path.stem):
         try:
             if path.stem in known:
                 raise InputError("annex_name", place=(f"resources/annexes/{path.name}",), name=path.stem)
-            made = annex.read(path)
+            made = annex.read_annex(path)
             name, seen = made.given["name"], made.given["seen_in_print"]
-            known[path.stem] = Code(name, made.keys, functools.partial(made.make, made.given), seen, made.digest)
+            known[path.stem] = SpectrumCode(
+                name, made.keys, functools.partial(made.make, made.given), seen, made.digest
+            )
         except InputError as fault:
-            known[path.stem] = Code(path.stem, (), _never, False, fault=fault)
+            known[path.stem] = SpectrumCode(path.stem, (), _never, False, fault=fault)
     return known
 
 
@@ -60,10 +62,10 @@ def _of_ntc2018(ag: float, soil: str, f0: float, tc_star: float, topography: str
     return ntc2018(ag, f0, tc_star, soil, topography)
 
 
-CODES = codes_of(FOLDER)
+CODES = load_spectrum_codes(FOLDER)
 
 
-def takes(code: str, key: str) -> bool | None:
+def requires_key(code: str, key: str) -> bool | None:
     """Whether a code needs a key of [demand.spectrum]; None of a key that every code has."""
     return key in CODES[code].keys if any(key in one.keys for one in CODES.values()) else None
 

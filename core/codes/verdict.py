@@ -4,19 +4,27 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from core.codes.assumption import (
+    ALL_TOGETHER_KEY,
     DECLARED,
     KEYS_WITHOUT_LIMIT,
+    KEYS_WITHOUT_WORDS,
     RESTRAINT,
     SHOWN_ALONE,
-    TOGETHER,
-    WORDLESS,
     Assumption,
-    table,
+    sort_assumptions,
 )
-from core.codes.evidence import Evidence, limits_of, limits_of_the_number, missing_of, notes_of, reason, unconfirmed_by
+from core.codes.evidence import (
+    Evidence,
+    indicative_reasons,
+    missing_input_remark,
+    optional_remarks,
+    reason,
+    unconfirmed_remark,
+    zeta_limitations,
+)
 from core.codes.kinematic import ZETA_ROUNDING, Check
-from core.codes.kinematic_chain import at_rest
-from core.codes.verdict_sentence import CODE_Q, measured, outcome
+from core.codes.kinematic_chain import restraint_multiplier_at_rest
+from core.codes.verdict_sentence import CODE_Q, check_sentence, outcome
 from core.codes.vertical_bending import bending, uplift_multiplier
 from core.text.sentence import FILE_NAMES, FormNames, Key, Number, Sentence, sentence
 from core.units import G
@@ -92,7 +100,7 @@ class Verdict:
         return (*self.to_do, *self.limits, *self.notes)
 
     def text(self, language: str, subject: str = "", where: Sentence | str = "", form: FormNames = FILE_NAMES) -> str:
-        """The sentence in a language. subject : name of the wall; where : of `at_hinge`; form : words of the keys"""
+        """The sentence in a language. subject : name of the wall; where : of `hinge_phrase`; form : words of the keys"""
         words = sentence("verdict", self.way, where=where, **dict(self.values)).text(language, form)
         return f"{subject}: {words}" if subject else words[:1].upper() + words[1:]
 
@@ -104,29 +112,29 @@ def passes_with_q2(check: Check | None, target: float) -> bool:
     return check.zeta * min(1.0, CODE_Q / (check.q or CODE_Q)) >= target - ZETA_ROUNDING
 
 
-def outcome_of(seen: Evidence, unfounded: Sequence[Sentence] = (), q_unfounded: bool = False) -> str:
+def find_outcome(seen: Evidence, unfounded: Sequence[Sentence] = (), q_unfounded: bool = False) -> str:
     """Outcome of a wall, a code of the table of outcomes.
 
     unfounded : inputs without a reason that raise zeta and turn the outcome; q_unfounded : one turns the check with q
         of the code alone
     """
-    if missing_of(seen) is not None:
+    if missing_input_remark(seen) is not None:
         return "undetermined"
-    taken = any(words.code in TAKEN for words in limits_of(seen))
+    taken = any(words.code in TAKEN for words in indicative_reasons(seen))
     if not unfounded and not taken and not _activated(seen, _threshold(seen)):
         return "not_activated"
     agrees = not q_unfounded and passes_with_q2(seen.made("linear_q_code"), seen.demand.zeta_target)
-    return _code(seen, bool(unfounded or limits_of(seen) or unconfirmed_by(seen)), agrees)
+    return _code(seen, bool(unfounded or indicative_reasons(seen) or unconfirmed_remark(seen)), agrees)
 
 
 def _threshold(seen: Evidence) -> float:
     """a_RM [m/s2], of a wall between transverse walls that of what holds it before its ties have to stretch."""
     if seen.wall.arch is not None:
-        return G * at_rest(seen.wall, bending(seen.wall))
+        return G * restraint_multiplier_at_rest(seen.wall, bending(seen.wall))
     return G * uplift_multiplier(seen.wall, seen.mechanism)
 
 
-def verdict(
+def make_verdict(
     seen: Evidence,
     lower_bound: float | None,
     own_limits: tuple[Sentence, ...] = (),
@@ -140,22 +148,24 @@ def verdict(
     assumed : what raises zeta and is not measured
     """
     wall, demand, dynamic = seen.wall, seen.demand, seen.dynamic
-    missing, threshold = missing_of(seen), _threshold(seen)
-    unfounded = [row.words for row in assumed if (row.turns and row.open) or (row.turns and row.key == TOGETHER)]
-    blocking = [*limits_of(seen), *unfounded, *unconfirmed_by(seen)]
+    missing, threshold = missing_input_remark(seen), _threshold(seen)
+    unfounded = [
+        row.words for row in assumed if (row.turns and row.open) or (row.turns and row.key == ALL_TOGETHER_KEY)
+    ]
+    blocking = [*indicative_reasons(seen), *unfounded, *unconfirmed_remark(seen)]
     agrees = passes_with_q2(seen.made("linear_q_code"), demand.zeta_target)
     rests_on = [Key(row.key) for row in assumed if row.turns_q and row.open] if agrees else []
-    code = outcome_of(seen, unfounded, bool(rests_on))
+    code = find_outcome(seen, unfounded, bool(rests_on))
     limits = [*blocking, *own_limits]
-    quiet = [row for row in assumed if row.key == TOGETHER or (row.key in SHOWN_ALONE and not row.turns)]
+    quiet = [row for row in assumed if row.key == ALL_TOGETHER_KEY or (row.key in SHOWN_ALONE and not row.turns)]
     quiet += [row for row in assumed if row.key in KEYS_WITHOUT_LIMIT and not row.raises]
     limits += [row.words for row in assumed if row.words not in limits and row not in quiet]
     if rests_on:
         limits.append(reason("q_rests_on", q=Number(CODE_Q, "g"), keys=tuple(rests_on)))
-    limits += limits_of_the_number(seen, code)
+    limits += zeta_limitations(seen, code)
     governing, by = seen.governing, sentence("added", "nothing")
     if governing and governing.zeta is not None:
-        by = measured(governing, dynamic, demand)
+        by = check_sentence(governing, dynamic, demand)
     largest = demand.pga
     if wall.above_ground and code == "not_activated":
         largest = _strongest(seen)
@@ -176,10 +186,10 @@ def verdict(
         decides,
         tuple(_to_do(code, [*blocking, *([missing] if missing else [])], assumed)[:2]),
         tuple(limits),
-        tuple(notes_of(seen, code)),
+        tuple(optional_remarks(seen, code)),
         lower_bound,
         len(blocking),
-        table(assumed),
+        sort_assumptions(assumed),
     )
 
 
@@ -217,9 +227,9 @@ def _to_do(code: str, blocking: list[Sentence], assumed: tuple[Assumption, ...])
         for row in assumed:
             if row.words in blocking and row.key == RESTRAINT and row.source == DECLARED:
                 actions.append(reason("to_evidence", key=Key("restraint_evidence")))
-            elif row.words in blocking and row.key in WORDLESS:
+            elif row.words in blocking and row.key in KEYS_WITHOUT_WORDS:
                 actions.append(reason("to_usual", key=Key(row.key)))
-            elif row.words in blocking and row.key not in (TOGETHER, RESTRAINT):
+            elif row.words in blocking and row.key not in (ALL_TOGETHER_KEY, RESTRAINT):
                 actions.append(reason("give_reason", key=Key(row.key), reasons=Key("justification")))
         actions += mends
         if "alone" in codes:

@@ -1,8 +1,8 @@
 """The sentence of a verdict: outcome, zeta and what is required, where, by what, and every check that fails."""
 
-from core.codes.assumption import VALUE_UNITS, Assumption, digits_of
-from core.codes.demand import DemandResult
-from core.codes.dynamic_check import DemandCheck
+from core.codes.assumption import VALUE_UNITS, Assumption, value_format
+from core.codes.demand import SeismicDemand
+from core.codes.dynamic_check import DynamicCheck
 from core.codes.kinematic import Check
 from core.text.sentence import Key, Number, Sentence, apart, sentence
 from core.units import G
@@ -12,7 +12,7 @@ CODE_Q = 2.0
 """q of C8.7.1.2.1.7."""
 
 
-def at_hinge(height: float, z: float) -> Sentence | str:
+def hinge_phrase(height: float, z: float) -> Sentence | str:
     """Words that say where a hinge is, for the sentence of a wall: none at its base on the ground. height : above the
     base of the wall; z : above the ground [m]"""
     if height > 0.0:
@@ -20,7 +20,7 @@ def at_hinge(height: float, z: float) -> Sentence | str:
     return sentence("added", "at_base", z=z) if z > 0.0 else ""
 
 
-def declared(said: Declared) -> Sentence:
+def restraint_phrase(said: Declared) -> Sentence:
     """What stands behind a wall or holds its top, as the engineer declares it, and what shows it."""
     named = sentence("word", f"choice_{said.restraint}") if said.restraint else sentence("word", "unnamed")
     evidence = sentence("word", f"evidence_{said.evidence or 'unstated'}")
@@ -29,7 +29,7 @@ def declared(said: Declared) -> Sentence:
     return sentence("added", "declared", restraint=named, evidence=evidence)
 
 
-def measured(check: Check, dynamic: DemandCheck | None, demand: DemandResult) -> Sentence:
+def check_sentence(check: Check, dynamic: DynamicCheck | None, demand: SeismicDemand) -> Sentence:
     """Sentence on a check with the demand and the capacity it compares."""
     if check.name != "dynamic" or dynamic is None:
         # zeta is then that of a_g,SLD, which the displacement check is not below (C8.7.1.2.1.8)
@@ -79,7 +79,7 @@ def _turned_by(row: Assumption, target: float) -> Sentence:
     value = row.other_end
     if isinstance(value, float):
         factor, unit = VALUE_UNITS.get(row.key, (1.0, ""))
-        value = sentence("added", "measure", value=Number(factor * value, digits_of(factor * value)), unit=unit)
+        value = sentence("added", "measure", value=Number(factor * value, value_format(factor * value)), unit=unit)
     return sentence("added", "turned_by", key=Key(row.key), value=value, zeta=apart(row.zeta, target))
 
 
@@ -139,7 +139,7 @@ def outcome(
     elif code == "verified_refined" and not beside:
         tail = sentence("added", "no_q_check", q=CODE_Q, tail=tail)
     if code in ("verified", "verified_refined") and wall.declared.restraint:
-        tail = sentence("added", "rests_on", tail=tail, restraint=declared(wall.declared))
+        tail = sentence("added", "rests_on", tail=tail, restraint=restraint_phrase(wall.declared))
     tail = _carried_by(code, tail, permitted, reasoned, target)
     low, high = dynamic.zeta_spread if code == "at_limit" else (None, None)
     return way, {

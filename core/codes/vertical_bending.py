@@ -77,7 +77,7 @@ def start_multiplier(strip: Strip, h1: float) -> float:
     return holding / math.fsum(one.force * way for one, _, way in weights if one.pushed) - strip.pressed
 
 
-def rises(strip: Strip, h1: float) -> bool:
+def multiplier_rises(strip: Strip, h1: float) -> bool:
     """Whether alpha_0 grows with the height of the hinge there: the sign of P' h1 - P, alpha_0 = 2 P/(W h1)."""
     edge, turns = strip.thickness - strip.setback, strip.height / (strip.height - h1) ** 2  # dk/dh1
     k, per_metre = h1 / (strip.height - h1), strip.weight / strip.height
@@ -110,7 +110,7 @@ def lowest_hinge(strip: Strip) -> float:
     low, high = heights[max(best - 1, 0)], heights[min(best + 1, len(heights) - 1)]
     if not strip.is_plain:
         return min((_golden(lambda h1: start_multiplier(strip, h1), low, high, 40), (values[best], heights[best])))[1]
-    above, below, _ = narrowed(lambda h1: rises(strip, h1), high, low, steps=BISECTIONS)
+    above, below, _ = narrowed(lambda h1: multiplier_rises(strip, h1), high, low, steps=BISECTIONS)
     return min((below, above, heights[best]), key=lambda h1: start_multiplier(strip, h1))
 
 
@@ -126,7 +126,7 @@ def _golden(value: Callable[[float], float], low: float, high: float, steps: int
     return best
 
 
-def turned(strip: Strip, h1: float, theta: float) -> Turned:
+def displaced_blocks(strip: Strip, h1: float, theta: float) -> Turned:
     """The blocks at a rotation [rad] of the lower one. Raises ValueError where the upper one no longer reaches."""
     blocks = Turning.of(strip, h1)
     at, width = blocks.at, blocks.width
@@ -208,7 +208,7 @@ class Bending:
 
     def alpha(self, d: float) -> float:
         """alpha(d) [-] by the finite geometry (C8.7.1.2.1.2): it lies below the straight line to d_0."""
-        at = turned(self.strip, self.h1, self.rotation(d))
+        at = displaced_blocks(self.strip, self.h1, self.rotation(d))
         return at.risen / at.moved
 
 
@@ -248,7 +248,7 @@ def _collapse(strip: Strip, h1: float) -> float:
     return 0.5 * (held + lost)
 
 
-def weakest(strip: Strip, zeta: Callable[[Bending], float]) -> Bending:
+def governing_mechanism(strip: Strip, zeta: Callable[[Bending], float]) -> Bending:
     """The mechanism of least zeta, where the hinge may be: the best of SEARCHED heights and of the one of the lowest
     alpha_0, then the golden section between its neighbours. Of a strip that lies the one in its middle: both halves
     bear and weigh alike."""
@@ -341,7 +341,7 @@ def shown_rotation(mechanism: Bending) -> float:
 
 def outlines(strip: Strip, h1: float, theta: float) -> list[list[tuple[float, float]]]:
     """Corners of the lower and of the upper block, closed, x inward and z up [m], for every drawing."""
-    turn, at, height = turned(strip, h1, theta), hinges_of(strip, h1), strip.height
+    turn, at, height = displaced_blocks(strip, h1, theta), hinges_of(strip, h1), strip.height
 
     def placed(x: float, z: float, about: tuple[float, float], to: tuple[float, float], angle: float):
         c, s = math.cos(angle), math.sin(angle)

@@ -7,7 +7,7 @@ searches it.
 
 import math
 
-from core.codes.vertical_bending import Bending, turned, virtual
+from core.codes.vertical_bending import Bending, displaced_blocks, virtual
 from core.derivation import body, checks
 from core.derivation.functions import arctan, cos, sin, sqrt
 from core.derivation.line import FULL, INPUT, LIVE, RUN, SYMBOLS, VALUE, Columns, Line, Section, Word
@@ -333,7 +333,7 @@ def at_limit(wall: WallResult) -> list[Line]:
             Line(E_STAR_D, mechanism.e_star, RUN, VALUE),
         ]
     strip, h1, theta = mechanism.strip, mechanism.h1, mechanism.rotation(limit)
-    at = turned(strip, h1, theta)
+    at = displaced_blocks(strip, h1, theta)
     degrees = math.degrees(theta)
     rise, way = strip.width * cos(degrees) - h1 * sin(degrees), strip.width * sin(degrees) + h1 * cos(degrees)
     phi = math.degrees(at.phi)

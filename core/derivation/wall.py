@@ -8,7 +8,7 @@ import math
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.kinematic import PERIOD_FACTOR, STATE_DAMPING, Displacement
-from core.codes.kinematic_chain import of_side
+from core.codes.kinematic_chain import sum_chain_of_side
 from core.codes.risk import EXPONENT, exponent_by_ag
 from core.codes.target_spectrum import CodeSpectrum
 from core.derivation import arch, bending, body, checks
@@ -25,7 +25,7 @@ from core.wall.wall_loads import start_moments
 def sides_agree(wall: WallResult) -> bool:
     """Whether the side that lifts first is the one whose d_0 is the smaller one, so that it is of the same formulas."""
     asked = wall.mechanics.wall
-    return of_side(asked, governing_side(wall)).d0 == wall.mechanics.d0
+    return sum_chain_of_side(asked, governing_side(wall)).d0 == wall.mechanics.d0
 
 
 def chain(wall: WallResult) -> Section:

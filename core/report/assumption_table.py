@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from core.codes.assumption import TOGETHER, shown
+from core.codes.assumption import ALL_TOGETHER_KEY, format_value
 from core.report.verdict_words import names_in
 from core.study.results import StudyResult, WallResult
 from core.study.wall_verdict import collect_assumptions
@@ -31,15 +31,15 @@ def rows_of(result: StudyResult, wall: WallResult, language: str) -> list[tuple[
     verdict = next((one for one in result.verdicts if result.walls[one.governing] is wall), None)
     rows = []
     for row in collect_assumptions(result, verdict) if verdict else ():
-        last = row.key == TOGETHER
+        last = row.key == ALL_TOGETHER_KEY
         cells = [
             word("together" if last else f"key_{row.key}", language),
-            shown(row, row.value, language),
+            format_value(row, row.value, language),
             "" if last else word(f"source_{row.source}", language),
-            shown(row, row.other_end, language),
+            format_value(row, row.other_end, language),
             numeral(row.zeta, ".2f", language),
             word(row.outcome, language),
-            shown(row, row.reason, language),
+            format_value(row, row.reason, language),
         ]
         rows.append((cells, row.turns))
     return rows

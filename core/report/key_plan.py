@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from core.codes.outcomes import severity
+from core.codes.outcomes import severity_key
 from core.report.verdict_words import tone_of
 from core.study.results import StudyResult, WallResult
 
@@ -55,7 +55,7 @@ def key_plan(result: StudyResult) -> list[Placed]:
 
 def _order(one: Placed) -> tuple[int, bool, float]:
     verdict = one.wall.required_assessment.verdict
-    return severity(verdict.code, verdict.zeta_e, verdict.zeta_target)
+    return severity_key(verdict.code, verdict.zeta_e, verdict.zeta_target)
 
 
 def centre_of(placed: list[Placed]) -> tuple[float, float]:

@@ -6,7 +6,7 @@ from collections import Counter
 from dataclasses import replace
 
 from core.case.schema import Case
-from core.codes.outcomes import severity
+from core.codes.outcomes import severity_key
 from core.report.columns import COLUMNS
 from core.report.stated.quantity import stated
 from core.report.stated.study import OF_STUDY
@@ -43,7 +43,7 @@ class Tally:
     def _place(self, row: dict) -> None:
         """Place a row among the worst: by the table of outcomes; without a demand by q."""
         if row["verdict"] is not None:
-            order = severity(row["verdict"], row["zeta_e"], row["zeta_target"])
+            order = severity_key(row["verdict"], row["zeta_e"], row["zeta_target"])
         else:
             order = (0, row["q_set"] is None, row["q_set"] or 0.0)
         self._worst.append(((*order, row["wall"], row["hinge_m"]), row))

@@ -1,6 +1,6 @@
 """The sheet Risk: every wall with what it withstands, the lowest first; limit states, ties, variants."""
 
-from core.codes.outcomes import least
+from core.codes.outcomes import min_if_all_known
 from core.known import known
 from core.report.cells import ACCELERATION, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text, title
 from core.report.tie_words import tie_words
@@ -69,11 +69,11 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
         _wall(book, sheet, wall, row)
     row += 1
     text(sheet, row, 1, say("smallest"), bold=True)
-    number(sheet, row, 3, least(w.assessment.verdict.zeta_e for w in result.walls if w.assessment), RATIO)
+    number(sheet, row, 3, min_if_all_known(w.assessment.verdict.zeta_e for w in result.walls if w.assessment), RATIO)
     for column, state in enumerate(LIMIT_STATES, start=9):
         states = [one for wall in result.walls for one in (wall.required_assessment.states if wall.assessment else ())]
         if there := [one.zeta for one in states if one.state == state]:
-            number(sheet, row, column, least(there), RATIO)
+            number(sheet, row, column, min_if_all_known(there), RATIO)
     rule(sheet, row, 1, LAST_COLUMN)
     return row + 1
 

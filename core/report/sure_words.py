@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-from core.codes.collapse_rate import SHARE_THAT_IS_SAID, StateRate
+from core.codes.collapse_rate import MIN_REPORTED_SHARE, StateRate
 from core.codes.risk import Risk
 from core.known import known
 from core.report.verdict_words import names_in
@@ -187,14 +187,14 @@ def rate_lines(say: Say, result: StudyResult, rates: tuple[StateRate, ...]) -> l
         )
     if "artificial" in result.kinds:
         lines.append(say("Generated motions scatter less than natural ones: the frequencies may be too low."))
-    if states := _states(say, [rate for rate in rates if rate.beyond > SHARE_THAT_IS_SAID]):
+    if states := _states(say, [rate for rate in rates if rate.beyond > MIN_REPORTED_SHARE]):
         lines.append(
             say(
                 "Beyond the hazard's rows by more than one step the wall is taken to fail: a part of {states}.",
                 states=states,
             )
         )
-    if states := _states(say, [rate for rate in rates if rate.weaker > SHARE_THAT_IS_SAID]):
+    if states := _states(say, [rate for rate in rates if rate.weaker > MIN_REPORTED_SHARE]):
         lines.append(
             say("Also under motions weaker than the hazard tells, which are not counted: {states}.", states=states)
         )

@@ -9,12 +9,12 @@ from core.case.held_top import bent_inward
 from core.case.schema import Generate
 from core.case.site import Building, Demand
 from core.case.wall import ARCHES, Wall
-from core.codes.demand import DemandResult, with_records
-from core.codes.dynamic_check import demand_check
+from core.codes.demand import SeismicDemand, complete_with_records
+from core.codes.dynamic_check import run_dynamic_check
 from core.codes.elastic_branch import Branch, branches_of, wants_branch
 from core.codes.floor_spectrum import estimated_period
-from core.codes.kinematic import Kinematic, kinematic
-from core.codes.record_compatibility import Compliance, compliance
+from core.codes.kinematic import KinematicAnalysis, analyse_mechanism
+from core.codes.record_compatibility import Compliance, check_compatibility
 from core.codes.vertical_bending import HingeAt, hinges_in_histories, model_of_bending
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
@@ -46,7 +46,7 @@ def select_polarities(model: RockingModel, asked: str) -> tuple[int, ...]:
 
 
 def rescale_records(
-    ground: Sequence[GroundMotion], demand: DemandResult, there: DemandResult
+    ground: Sequence[GroundMotion], demand: SeismicDemand, there: SeismicDemand
 ) -> Sequence[GroundMotion]:
     """The records of a demand as they follow another one: where they are used as given, in proportion to a_g S."""
     factor = there.pga / demand.pga if there.record_scaling == "as_given" else 1.0
@@ -68,14 +68,14 @@ class CheckInput:
     histories_off : none are to be made
     many : the case has so many walls that the table of assumptions is made only where it can change an outcome
     q_slv : of the searches of this very wall, the one its linear check takes and itself; None where none was made
-    histories : `demand_check`, or one that keeps its results
+    histories : `run_dynamic_check`, or one that keeps its results
     period_taken : the period of the building is none that is given, but the worst of those it may have
     unchecked, hinges_asked : of `Circumstances`
     """
 
     wall: Wall
     mechanism: str
-    demand: DemandResult
+    demand: SeismicDemand
     asked: Demand
     building: Building | None
     floor: Floor | None
@@ -87,7 +87,7 @@ class CheckInput:
     histories_off: bool
     many: bool
     q_slv: tuple[float | None, float | None] = (None, None)
-    histories: Callable[..., Any] = demand_check
+    histories: Callable[..., Any] = run_dynamic_check
     period_taken: bool = False
     unchecked: tuple[float, ...] = ()
     hinges_asked: bool = False
@@ -118,11 +118,13 @@ class CheckInput:
         return list(self.floor.motions if self.floor else self.ground)
 
     @cached_property
-    def kinematic(self) -> Kinematic | None:
+    def kinematic(self) -> KinematicAnalysis | None:
         """Kinematic checks of the wall; None above the ground where the building is not known. Raises InputError."""
         if self.wall.above_ground and self.floor is None:
             return None
-        return kinematic(self.wall.in_si, self.mechanism, self.demand, self.floor.spectrum if self.floor else None)
+        return analyse_mechanism(
+            self.wall.in_si, self.mechanism, self.demand, self.floor.spectrum if self.floor else None
+        )
 
     def replace_parts(self, **changes: Any) -> "CheckInput":
         """The scene with some of its parts changed: q of the searches goes, and the floor is that of the changed
@@ -132,13 +134,13 @@ class CheckInput:
             return there
         return replace(there, floor=make_floor(there.wall, there.building, there.demand, there.ground))
 
-    def with_demand(self, demand: DemandResult) -> "CheckInput":
+    def with_demand(self, demand: SeismicDemand) -> "CheckInput":
         """The scene under another demand: motions generated for its spectrum are generated for the new one, records
         used as given follow a_g S. Raises InputError."""
         asked = find_generation_settings(self.ground)
         followed = rescale_records(self._given if asked else self.ground, self.demand, demand)
         ground = (*followed, *(generate_requested_motions(asked, demand) if asked else ()))
-        return self.replace_parts(demand=with_records(demand, list(ground)), ground=ground)
+        return self.replace_parts(demand=complete_with_records(demand, list(ground)), ground=ground)
 
     def regenerate_motions(self, asked: Generate) -> "CheckInput":
         """The scene under another generated set, beside the records that are given. Raises InputError."""
@@ -147,9 +149,12 @@ class CheckInput:
             self.compliance.longest if self.compliance else 0.0,
         )
         ground = [*self._given, *made]
-        demand, kinds = with_records(self.demand, ground), ["natural"] * len(self._given) + ["artificial"] * len(made)
+        demand, kinds = (
+            complete_with_records(self.demand, ground),
+            ["natural"] * len(self._given) + ["artificial"] * len(made),
+        )
         return self.replace_parts(
-            ground=tuple(ground), demand=demand, compliance=compliance(ground, kinds, demand, longest)
+            ground=tuple(ground), demand=demand, compliance=check_compatibility(ground, kinds, demand, longest)
         )
 
     @property

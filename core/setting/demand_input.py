@@ -16,7 +16,7 @@ from core.case.number import parse_number
 from core.case.schema import Case, Generate
 from core.case.site import Demand, HazardRow
 from core.codes import target_spectrum
-from core.codes.demand import DemandResult
+from core.codes.demand import SeismicDemand
 from core.codes.limits import SAME_PERIOD, USUAL_LIVES, return_period
 from core.codes.record_compatibility import PERIOD_RANGE
 from core.codes.spectrum_codes import CODES
@@ -85,12 +85,12 @@ def _rows(path: Path) -> list[tuple[float, float]]:
     return rows
 
 
-def read_demand(case: Case, base_dir: Path) -> DemandResult | None:
+def read_demand(case: Case, base_dir: Path) -> SeismicDemand | None:
     """The demand of a case, None without one. Raises InputError."""
     return None if case.demand is None else read_stated_demand(case.demand, base_dir)
 
 
-def read_stated_demand(asked: Demand, base_dir: Path) -> DemandResult:
+def read_stated_demand(asked: Demand, base_dir: Path) -> SeismicDemand:
     """The demand but for an intensity that only records can give. Raises InputError."""
     hazard = read_hazard_rows(asked, base_dir)
     check_hazard(asked, hazard)
@@ -102,7 +102,7 @@ def read_stated_demand(asked: Demand, base_dir: Path) -> DemandResult:
         intensity, source = target_spectrum.housner_intensity(target), "spectrum"
     elif asked.housner_intensity_cm is not None:
         intensity, source = asked.housner_intensity_cm * CM, "given"
-    return DemandResult(
+    return SeismicDemand(
         limit_state=asked.limit_state,
         ag=ag,
         soil_factor=soil,
@@ -123,7 +123,7 @@ def read_stated_demand(asked: Demand, base_dir: Path) -> DemandResult:
     )
 
 
-def rescale_ag(demand: DemandResult, asked: Demand, base_dir: Path, factor: float) -> DemandResult:
+def rescale_ag(demand: SeismicDemand, asked: Demand, base_dir: Path, factor: float) -> SeismicDemand:
     """A demand with another a_g: that of the demand times this factor; S_S of NTC follows it, a spectrum of a file is
     scaled. asked : of the case. Raises InputError."""
     ag, target = factor * demand.ag, demand.target
@@ -136,7 +136,7 @@ def rescale_ag(demand: DemandResult, asked: Demand, base_dir: Path, factor: floa
     return replace(demand, ag=ag, soil_factor=soil, pga=ag * soil, target=target, intensity=intensity)
 
 
-def rescaled_pga(demand: DemandResult, asked: Demand, base_dir: Path, factor: float) -> float:
+def rescaled_pga(demand: SeismicDemand, asked: Demand, base_dir: Path, factor: float) -> float:
     """PGA of `rescale_ag` alone [m/s2], without the spectrum and its intensity. Raises InputError."""
     ag, target = factor * demand.ag, demand.target
     if target and not isinstance(target, target_spectrum.GivenSpectrum):
@@ -209,19 +209,19 @@ DEFAULT_SET = Generate()
 """Set generated where no records are given."""
 
 
-def generate_motions(case: Case, demand: DemandResult) -> list[GroundMotion]:
+def generate_motions(case: Case, demand: SeismicDemand) -> list[GroundMotion]:
     """The motions of [generate], in their mean compatible with the demand's spectrum; those of DEFAULT_SET where no
     records are given and nothing forbids histories."""
     asked = DEFAULT_SET if case.default_histories and demand.limit_state in LIMIT_FRACTION else case.generate
     return [] if asked is None else generate_requested_motions(asked, demand)
 
 
-def default_motions(demand: DemandResult) -> list[GroundMotion]:
+def default_motions(demand: SeismicDemand) -> list[GroundMotion]:
     """The motions of DEFAULT_SET for a demand with a spectrum."""
     return generate_requested_motions(DEFAULT_SET, demand)
 
 
-def generate_requested_motions(asked: Generate, demand: DemandResult) -> list[GroundMotion]:
+def generate_requested_motions(asked: Generate, demand: SeismicDemand) -> list[GroundMotion]:
     """The motions that are asked for a demand with a spectrum."""
     assert demand.target is not None
     return list(_set(demand.target, asked, demand.period_range or PERIOD_RANGE))

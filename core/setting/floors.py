@@ -8,9 +8,9 @@ import numpy as np
 
 from core.case.site import Building
 from core.case.wall import Wall
-from core.codes.demand import DemandResult
+from core.codes.demand import SeismicDemand
 from core.codes.floor_spectrum import FloorSpectrum, estimated_period, first_mode
-from core.codes.kinematic import STATE_DAMPING, Kinematic
+from core.codes.kinematic import STATE_DAMPING, KinematicAnalysis
 from core.ground.floor_motion import Mode, floor_motion
 from core.ground.ground_motion import GroundMotion
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
@@ -71,7 +71,7 @@ class Floor:
             return None
         return self.spectrum.acceleration(CHART_PERIODS, self.damping)
 
-    def code_over_records(self, mechanism: Kinematic) -> float | None:
+    def code_over_records(self, mechanism: KinematicAnalysis) -> float | None:
         """Smallest ratio of S_eZ to the mean of the floor motions at CHART_PERIODS on [T_0, T_SLV]; None without
         either."""
         code = self.code_spectrum
@@ -127,7 +127,7 @@ def building_notes(building: Building, limit_state: str) -> list[Sentence]:
 
 
 def make_floor(
-    wall: Wall, building: Building | None, demand: DemandResult | None, motions: Sequence[GroundMotion]
+    wall: Wall, building: Building | None, demand: SeismicDemand | None, motions: Sequence[GroundMotion]
 ) -> Floor | None:
     """The floor of a wall above the ground; None on it or without [building]. Without a demand the building is that of
     SLV."""

@@ -12,9 +12,9 @@ from core.case.hinges import Part, count_of, parts_of, shared, unchecked
 from core.case.schema import Case
 from core.case.site import Building
 from core.case.wall import ARCHES, Wall
-from core.codes.demand import DemandResult
-from core.codes.dynamic_check import demand_check
-from core.codes.kinematic import Kinematic, kinematic
+from core.codes.demand import SeismicDemand
+from core.codes.dynamic_check import run_dynamic_check
+from core.codes.kinematic import KinematicAnalysis, analyse_mechanism
 from core.codes.record_compatibility import Compliance, period_range
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
@@ -43,7 +43,7 @@ class PlannedWall(NamedTuple):
     signs: tuple[int, ...]
     floor: Floor | None
     felt: list[GroundMotion]
-    kinematic: Kinematic | None
+    kinematic: KinematicAnalysis | None
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ class Plan:
     """
 
     case: Case
-    demand: DemandResult | None
+    demand: SeismicDemand | None
     motions: list[GroundMotion]
     kinds: list[str]
     method: Method
@@ -68,7 +68,11 @@ class Plan:
     walls: int = 0
 
     def scene(
-        self, k: int, demand: DemandResult, compliance: Compliance | None = None, histories: Callable = demand_check
+        self,
+        k: int,
+        demand: SeismicDemand,
+        compliance: Compliance | None = None,
+        histories: Callable = run_dynamic_check,
     ) -> CheckInput:
         """Scene of the checks of an entry. demand : with what the records add; histories : as of a Scene"""
         entry, asked = self.entries[k], self.case.demand
@@ -127,7 +131,7 @@ class Plan:
         return max((one.kinematic.period or 0.0 for one in counted if one.kinematic), default=0.0)
 
 
-Inputs = tuple[DemandResult | None, list[GroundMotion], list[str]]
+Inputs = tuple[SeismicDemand | None, list[GroundMotion], list[str]]
 """Demand, motions and the kind of each."""
 
 
@@ -167,7 +171,7 @@ GROUP_SIZE = 128
 """Walls whose mechanisms are looked at together."""
 
 
-def longest_mechanism_period(case: Case, demand: DemandResult) -> float:
+def longest_mechanism_period(case: Case, demand: SeismicDemand) -> float:
     """Longest period of the mechanisms of a case [s], known before its records. Raises InputError."""
     floors, longest = FloorCache(16), 0.0
     for first in range(0, len(case.wall), GROUP_SIZE):
@@ -183,7 +187,7 @@ class FloorCache:
     def __init__(self, most: int | None = None):
         self.most, self._known = most, {}
 
-    def of(self, wall: Wall, building: Building | None, demand: DemandResult | None, motions) -> Floor | None:
+    def of(self, wall: Wall, building: Building | None, demand: SeismicDemand | None, motions) -> Floor | None:
         """The floor of a wall, None on the ground. Raises InputError."""
         z = wall.felt_z_m, wall.bends
         if z not in self._known:
@@ -225,7 +229,7 @@ def make_plan(
         for mechanism in wall.mechanisms():
             model, closed_form = make_rocking_model(wall, mechanism), None
             if demand and (floor or not wall.above_ground):
-                closed_form = kinematic(wall.in_si, mechanism, demand, floor.spectrum if floor else None)
+                closed_form = analyse_mechanism(wall.in_si, mechanism, demand, floor.spectrum if floor else None)
             signs, felt = select_polarities(model, chosen.polarity), list(floor.motions) if floor else motions
             entries.append(PlannedWall(part, mechanism, model, signs, floor, felt, closed_form))
     plan = Plan(case, demand, motions, kinds, method, search, entries, longest, walls)

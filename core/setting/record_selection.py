@@ -10,9 +10,9 @@ import numpy as np
 
 from core.case.schema import Record
 from core.case.select import Select
-from core.codes.demand import DemandResult
-from core.codes.limits import MINIMUM_FROM
-from core.codes.record_compatibility import compared_periods, natural_bounds, period_range, within
+from core.codes.demand import SeismicDemand
+from core.codes.limits import MIN_STATIONS_FOR_MINIMUM
+from core.codes.record_compatibility import compared_periods, natural_bounds, period_mask, period_range
 from core.errors import Cancelled, InputError, RecordError, section
 from core.file_names import key_of, name_of
 from core.ground.record_folder import Candidate, LeftOut, Limits, files_in, one_of_each, read_file
@@ -100,7 +100,7 @@ class Selection:
 def select_records(
     asked: Select,
     base_dir: Path,
-    demand: DemandResult,
+    demand: SeismicDemand,
     longest: float,
     told: Callable[[int, int], None] = lambda done, planned: None,
     cancelled: Callable[[], bool] = lambda: False,
@@ -116,7 +116,7 @@ def select_records(
     assert demand.target is not None
     asked_range = period_range(["natural"], longest, demand)
     periods = compared_periods(asked_range, longest)[1]
-    periods = periods[within(periods, asked_range)]
+    periods = periods[period_mask(periods, asked_range)]
     files = files_in(base_dir / name_of(asked.folder))
     candidates, left = _candidates(files, asked, periods, told, cancelled)
     target = demand.target.acceleration(periods)
@@ -268,7 +268,7 @@ def _set_of(
         _miss(mean, bounds),
         tuple((inner * target).tolist()),
         len({(candidates[k].event, candidates[k].station) if candidates[k].said.station else k for k in members}),
-        MINIMUM_FROM if bounds.start else 0,
+        MIN_STATIONS_FOR_MINIMUM if bounds.start else 0,
     )
 
 

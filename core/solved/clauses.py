@@ -7,7 +7,7 @@ import numpy as np
 
 from core.case.reader import read_case
 from core.codes.kinematic import elastic_period
-from core.codes.kinematic_chain import chain, friction
+from core.codes.kinematic_chain import return_wall_friction, sum_chain
 from core.known import known
 from core.rocking.history import history
 from core.setting.demand_input import read_demand
@@ -259,12 +259,12 @@ def church() -> tuple[Answer, ...]:
 @cache
 def shipped_facade():
     """(mechanism, demand) of the facade of resources/cases/facade.toml as it is."""
-    from core.codes.kinematic import kinematic, linear
+    from core.codes.kinematic import analyse_mechanism, check_linear
 
     case = read_case(SHIPPED / "facade.toml")
     demand = known(read_demand(case, SHIPPED))
-    mechanism = kinematic(case.wall[0].in_si, "one_sided", demand)
-    return mechanism, known(linear("linear_q_code", mechanism, demand, 2.0))
+    mechanism = analyse_mechanism(case.wall[0].in_si, "one_sided", demand)
+    return mechanism, known(check_linear("linear_q_code", mechanism, demand, 2.0))
 
 
 def facade() -> tuple[Answer, ...]:
@@ -343,14 +343,14 @@ CASES: tuple[Solved, ...] = (
                 "",
                 (24.3 * 0.225 + 10.0 * 0.30) / 36.45,
                 1e-9,
-                lambda: chain(loaded(ROOF, mechanism="two_sided").wall.in_si, False).alpha0,
+                lambda: sum_chain(loaded(ROOF, mechanism="two_sided").wall.in_si, False).alpha0,
             ),
             Answer(
                 worded("α_0 of the weaker side"),
                 "",
                 (24.3 * 0.225 + 10.0 * 0.15) / 36.45,
                 1e-9,
-                lambda: chain(loaded(ROOF, mechanism="two_sided").wall.in_si, True).alpha0,
+                lambda: sum_chain(loaded(ROOF, mechanism="two_sided").wall.in_si, True).alpha0,
             ),
         ),
         "alpha_0 = (W t\\/2 + N d)/(W H\\/2)",
@@ -367,7 +367,7 @@ CASES: tuple[Solved, ...] = (
             printed(
                 ("F", "kN"),
                 "16.202",
-                lambda: 1e-3 * float(friction(loaded(return_walls=ACROSS, length_m=5.0).wall.in_si, 3.0)),
+                lambda: 1e-3 * float(return_wall_friction(loaded(return_walls=ACROSS, length_m=5.0).wall.in_si, 3.0)),
             ),
         ),
         "F = 0.4 n (n + 1) phi mu l^2 t_s w, quad phi = h_b\\/l",

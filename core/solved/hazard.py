@@ -4,10 +4,10 @@ import math
 from functools import cache, partial
 
 from core.codes import target_spectrum
-from core.codes.demand import DemandResult
+from core.codes.demand import SeismicDemand
 from core.codes.limits import return_period
-from core.codes.national_hazard import SiteHazard, Values, hazard_at
-from core.codes.risk import Risk, letter_of, risk
+from core.codes.national_hazard import HazardValues, SiteHazard, hazard_at
+from core.codes.risk import Risk, risk_class, risk_of_mechanism
 from core.codes.spectrum_codes import en1998
 from core.known import known
 from core.solved.solved import Answer, Kind, Solved, printed, row, worded
@@ -77,7 +77,7 @@ def site(point: tuple[float, float]) -> SiteHazard:
     return hazard_at(*point)
 
 
-def site_values(point: tuple[float, float], years: int) -> Values:
+def site_values(point: tuple[float, float], years: int) -> HazardValues:
     return site(point).at(float(years))
 
 
@@ -175,7 +175,7 @@ def of_island(name: str, point: tuple[float, float], *rows: str) -> Solved:
     )
 
 
-DEMAND = DemandResult(
+DEMAND = SeismicDemand(
     limit_state="SLV",
     ag=0.26 * G,
     soil_factor=1.2,
@@ -192,7 +192,7 @@ DEMAND = DemandResult(
 
 @cache
 def of_zeta(zeta: float) -> Risk:
-    return risk(zeta, DEMAND)
+    return risk_of_mechanism(zeta, DEMAND)
 
 
 RISK_CLASSES = ["F", "E", "D", "C", "B", "A", "A+"]
@@ -202,7 +202,7 @@ MIN_IS_V = {"A+": 1.01, "A": 0.80, "B": 0.60, "C": 0.45, "D": 0.30, "E": 0.15, "
 
 def least_of(letter: str) -> float:
     """The lowest hundredth of IS-V that has a letter; of A+ above 1.00."""
-    return next(k / 100.0 for k in range(200) if letter_of(k / 100.0) == letter)
+    return next(k / 100.0 for k in range(200) if risk_class(k / 100.0) == letter)
 
 
 EN_TABLES = (

@@ -7,7 +7,7 @@ import math
 from pathlib import Path
 
 from core.case.rules import parse_case
-from core.codes.kinematic import Kinematic, kinematic
+from core.codes.kinematic import KinematicAnalysis, analyse_mechanism
 from core.codes.vertical_bending import Bending, mechanism
 from core.setting.demand_input import read_demand
 from core.solved import published_rocking
@@ -34,7 +34,7 @@ ON_TOP = {"kind": "vertical", "kn_m": 5.0, "d_m": 0.15, "h_m": 3.0, "mass": "hor
 TIE = {"kind": "tie", "kn_m": 1.9526786, "h_m": 2.8, "bar_length_m": 8.0, "elongation_m": 0.4}
 
 
-def mechanism_of(wall: dict, *loads: dict, **more) -> Kinematic:
+def mechanism_of(wall: dict, *loads: dict, **more) -> KinematicAnalysis:
     """The mechanism of a wall as the keys of a case give it."""
     table = {"name": "wall", "base_z_m": 0.0, "mechanism": "one_sided", **wall, **more}
     table |= {"load": list(loads)} if loads else {}
@@ -43,7 +43,7 @@ def mechanism_of(wall: dict, *loads: dict, **more) -> Kinematic:
     case = parse_case({"wall": [table], "demand": demand, "analysis": {"histories": False}})
     (made,), asked = case.wall, read_demand(case, Path())
     assert asked is not None
-    return kinematic(made.in_si, made.mechanism, asked)
+    return analyse_mechanism(made.in_si, made.mechanism, asked)
 
 
 def _of_one_body() -> tuple[Solved, ...]:
@@ -124,12 +124,12 @@ def _of_forces() -> tuple[Solved, ...]:
     )
 
 
-def _pushed() -> Kinematic:
+def _pushed() -> KinematicAnalysis:
     """A wall with a roof and the thrust of a vault."""
     return mechanism_of(WALL, ROOF, {"kind": "thrust", "kn_m": 2.0, "h_m": 2.5})
 
 
-def _vibrating() -> Kinematic:
+def _vibrating() -> KinematicAnalysis:
     """A wall free to vibrate."""
     return mechanism_of(WALL, free_element=True, elastic_modulus_mpa=600.0)
 

@@ -7,9 +7,9 @@ from pathlib import Path
 from core.case.rules import parse_case
 from core.case.schema import Case
 from core.case.wall import Wall
-from core.codes.demand import DemandResult
+from core.codes.demand import SeismicDemand
 from core.codes.floor_spectrum import FloorSpectrum
-from core.codes.kinematic import Kinematic, kinematic, linear
+from core.codes.kinematic import KinematicAnalysis, analyse_mechanism, check_linear
 from core.known import known
 from core.report.outlines import in_section
 from core.setting.check_input import make_rocking_model
@@ -60,7 +60,7 @@ class Asked:
         return make_rocking_model(self.wall, self.mechanism)
 
     @cached_property
-    def demand(self) -> DemandResult:
+    def demand(self) -> SeismicDemand:
         return known(read_demand(self.case, Path()))
 
     @cached_property
@@ -71,12 +71,12 @@ class Asked:
         return known(make_floor(self.wall, self.case.building, self.demand, ())).spectrum
 
     @cached_property
-    def checked(self) -> Kinematic:
-        return kinematic(self.wall.in_si, self.mechanism, self.demand, self.floor)
+    def checked(self) -> KinematicAnalysis:
+        return analyse_mechanism(self.wall.in_si, self.mechanism, self.demand, self.floor)
 
     def zeta_linear(self, q: float = 2.0) -> float:
         """zeta of the linear check with a behaviour factor q, which C8.7.1.2.1.7 takes as 2."""
-        return known(known(linear("linear_q_code", self.checked, self.demand, q)).zeta)
+        return known(known(check_linear("linear_q_code", self.checked, self.demand, q)).zeta)
 
     @property
     def zeta_displacement(self) -> float:

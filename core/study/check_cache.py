@@ -4,8 +4,8 @@ import hashlib
 from collections.abc import Callable
 from dataclasses import asdict, replace
 
-from core.codes.demand import DemandResult
-from core.codes.dynamic_check import DemandCheck, demand_check
+from core.codes.demand import SeismicDemand
+from core.codes.dynamic_check import DynamicCheck, run_dynamic_check
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
 from core.study.journal import Journal, MemoryJournal, dataclass_from_json
@@ -13,7 +13,7 @@ from core.wall.rocking_model import RockingModel
 
 
 class CheckCache:
-    """Makes `demand_check` of one wall, with the same parameters, or takes its result from the journal.
+    """Makes `run_dynamic_check` of one wall, with the same parameters, or takes its result from the journal.
 
     journal : of the finished checks; None keeps none
     made : how many were not there
@@ -27,18 +27,18 @@ class CheckCache:
         model: RockingModel,
         motions: list[GroundMotion],
         polarities: tuple[int, ...],
-        demand: DemandResult,
+        demand: SeismicDemand,
         method: Method,
         every: int = 1,
         other: bool = True,
         cancelled: Callable[[], bool] = lambda: False,
-    ) -> DemandCheck | None:
+    ) -> DynamicCheck | None:
         decides = (polarities, demand, method, every, other)
         key = check_key(model, motions, *decides) if self.journal else ""
-        known = dataclass_from_json(DemandCheck, self.journal.get(key)) if self.journal else None
+        known = dataclass_from_json(DynamicCheck, self.journal.get(key)) if self.journal else None
         if known is not None:
             return known
-        check = demand_check(model, motions, *decides, cancelled)
+        check = run_dynamic_check(model, motions, *decides, cancelled)
         if check is not None:
             self.made += 1
             if self.journal:

@@ -10,10 +10,10 @@ import numpy as np
 
 from core.capacity.ida import multiplier_of, threshold_of
 from core.capacity.limit_states import LIMIT_FRACTION
-from core.codes.demand import DemandResult, with_records
-from core.codes.dynamic_check import at_demand
+from core.codes.demand import SeismicDemand, complete_with_records
+from core.codes.dynamic_check import model_and_scale_at_demand
 from core.codes.kinematic import PERIOD_FACTOR, STATE_DAMPING
-from core.codes.kinematic_chain import chain
+from core.codes.kinematic_chain import sum_chain
 from core.codes.target_spectrum import CodeSpectrum
 from core.ground.ground_motion import GroundMotion
 from core.rocking.history import history
@@ -75,7 +75,7 @@ def check_script(plan: Plan, k: int) -> str:
     entry = plan.entries[k]
     if entry.part.wall.bends:
         raise ScriptUnavailable("held_at_top" if entry.part.wall.arch is None else "between_walls")
-    demand = with_records(plan.demand, plan.motions) if plan.demand else None
+    demand = complete_with_records(plan.demand, plan.motions) if plan.demand else None
     one = _chosen(plan, k, demand)
     lines = {**_of(entry, one), **_model_lines(one), **_wall_lines(entry)}
     expected = {"rotation": (one.answer.rotation, one.tolerance)}
@@ -88,7 +88,7 @@ def check_script(plan: Plan, k: int) -> str:
     return _filled({**lines, "EXPECTED": expected}, one.motion.acceleration)
 
 
-def _runs(plan: Plan, k: int, demand: DemandResult | None) -> Iterator[tuple[GroundMotion, float, RockingModel]]:
+def _runs(plan: Plan, k: int, demand: SeismicDemand | None) -> Iterator[tuple[GroundMotion, float, RockingModel]]:
     """(motion, multiplier, model) of every history at the demand, or of the records as they are without one; of an
     element free to vibrate with each of its elastic branches."""
     entry = plan.entries[k]
@@ -98,12 +98,14 @@ def _runs(plan: Plan, k: int, demand: DemandResult | None) -> Iterator[tuple[Gro
         models = [branch.of(entry.model) for branch in scene.branches] or models
     for motion in entry.felt:
         for model in models:
-            there, factor = at_demand(model, demand, demand.confidence_on, motion) if demand else (model, 1.0)
+            there, factor = (
+                model_and_scale_at_demand(model, demand, demand.confidence_on, motion) if demand else (model, 1.0)
+            )
             for sign in entry.signs:
                 yield motion, sign * factor, there
 
 
-def _chosen(plan: Plan, k: int, demand: DemandResult | None) -> ScriptHistory:
+def _chosen(plan: Plan, k: int, demand: SeismicDemand | None) -> ScriptHistory:
     """The history that governs at the demand, or the next one if noise in the last digits of the samples decides it.
     Raises NoCheck."""
     runs = [(*run, answered) for run in _runs(plan, k, demand) if (answered := _answer(*run))]
@@ -208,7 +210,7 @@ def _wall_lines(entry: PlannedWall) -> dict[str, Any]:
     }
 
 
-def _demand_lines(entry: PlannedWall, demand: DemandResult) -> dict[str, Any]:
+def _demand_lines(entry: PlannedWall, demand: SeismicDemand) -> dict[str, Any]:
     """Lines of the checks by hand."""
     lines: dict[str, Any] = {"FC": demand.confidence_factor}
     if (state := demand.limit_state) in LIMIT_FRACTION:
@@ -218,7 +220,7 @@ def _demand_lines(entry: PlannedWall, demand: DemandResult) -> dict[str, Any]:
     return lines
 
 
-def _by_hand(entry: PlannedWall, demand: DemandResult | None, model: RockingModel) -> dict[str, float]:
+def _by_hand(entry: PlannedWall, demand: SeismicDemand | None, model: RockingModel) -> dict[str, float]:
     """Name in the script -> number of the program."""
     numbers, own = {}, entry.kinematic
     for side, name in ((1.0, "outer"), (-1.0, "inner")) if entry.mechanism == "two_sided" else ((1.0, "outer"),):
@@ -228,7 +230,7 @@ def _by_hand(entry: PlannedWall, demand: DemandResult | None, model: RockingMode
         numbers[f"p^2, {name} hinge [1/s2]"] = seen.p2
         numbers[f"collapse rotation, {name} hinge [rad]"] = alpha + held.lean
         numbers[f"uplift a_RM / g, {name} hinge"] = held.sine * np.tan(alpha) + held.cosine
-    sums = own.chain if own else chain(entry.part.wall.in_si, entry.mechanism == "two_sided")
+    sums = own.chain if own else sum_chain(entry.part.wall.in_si, entry.mechanism == "two_sided")
     numbers |= {"alpha_0 (C8.7.1.1)": sums.alpha0, "e* (C8.7.1.5)": sums.e_star, "d_0 [m]": sums.d0}
     if own is None or demand is None:
         return numbers

@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 from core.case.many_walls import in_groups
 from core.case.schema import Case
 from core.case.wall import Wall
-from core.codes.demand import with_records
-from core.codes.record_compatibility import compliance, period_range
+from core.codes.demand import complete_with_records
+from core.codes.record_compatibility import check_compatibility, period_range
 from core.errors import Cancelled
 from core.jit import native
 from core.setting.plan import FloorCache, Inputs, make_plan, read_inputs, select_case_records
@@ -91,8 +91,8 @@ def common_result(large: LargeCase) -> StudyResult:
     case, (demand, motions, kinds) = replace(large.case, wall=()), large.inputs
     plan, rules = make_plan(case, large.inputs, None, large.longest), None
     if demand:
-        demand = with_records(demand, motions)
-        rules = compliance(motions, kinds, demand, large.longest)
+        demand = complete_with_records(demand, motions)
+        rules = check_compatibility(motions, kinds, demand, large.longest)
         demand = replace(
             demand,
             warnings=(*demand.warnings, *unused_hazard_notices(demand, limit_state_demands(case, large.base_dir))),

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from core.case.schema import Case
 from core.codes.assumption import Assumption
-from core.codes.outcomes import worst
+from core.codes.outcomes import worst_outcome
 from core.jit import native
 from core.known import known
 from core.setting.plan import longest_mechanism_period, make_plan, read_inputs
@@ -72,4 +72,4 @@ def run_at_alternatives(
         if there is None:
             return None
         evaluations.append(there)
-    return worst(evaluations, lambda one: (one.outcome, one.zeta, demand.zeta_target))
+    return worst_outcome(evaluations, lambda one: (one.outcome, one.zeta, demand.zeta_target))

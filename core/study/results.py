@@ -14,10 +14,10 @@ from core.case.hinges import Part, shared
 from core.case.schema import Case
 from core.case.wall import Wall
 from core.codes.collapse_rate import StateRate
-from core.codes.demand import DemandResult
+from core.codes.demand import SeismicDemand
 from core.codes.eq9 import Inequality
-from core.codes.kinematic import Kinematic
-from core.codes.kinematic_chain import at_rest
+from core.codes.kinematic import KinematicAnalysis
+from core.codes.kinematic_chain import restraint_multiplier_at_rest
 from core.codes.record_compatibility import Compliance
 from core.codes.record_sample import SampleInterval
 from core.codes.risk import Risk
@@ -132,7 +132,7 @@ class WallResult:
         return self.assessment
 
     @property
-    def mechanics(self) -> Kinematic:
+    def mechanics(self) -> KinematicAnalysis:
         """Closed-form checks of the wall, in a study with a demand."""
         kinematic = self.required_assessment.kinematic
         assert kinematic is not None
@@ -154,7 +154,7 @@ class WallResult:
         """Acceleration that starts the motion [m/s2]: a_RM, of a wall held at its top alpha_0 g, of one between
         transverse walls that of what holds it before its ties are stretched."""
         if (own := self.wall.in_si).arch is not None:
-            return G * at_rest(own, bending(own))
+            return G * restraint_multiplier_at_rest(own, bending(own))
         return G * uplift_multiplier(self.wall.in_si, self.mechanism) if self.wall.bends else self.model.threshold
 
     @property
@@ -228,7 +228,7 @@ class StudyResult:
     started_utc: str
     method: Method
     search: Search
-    demand: DemandResult | None
+    demand: SeismicDemand | None
     motions: tuple[GroundMotion, ...]
     kinds: tuple[str, ...]
     walls: tuple[WallResult, ...]
@@ -240,7 +240,7 @@ class StudyResult:
     first: int = 0
 
     @property
-    def demand_required(self) -> DemandResult:
+    def demand_required(self) -> SeismicDemand:
         """Demand the walls have to withstand, in a study with one."""
         assert self.demand is not None
         return self.demand

@@ -14,8 +14,8 @@ from core.capacity.ida import multiplier_of, threshold_of
 from core.case.place import notices
 from core.case.schema import Case
 from core.case.wall import Wall
-from core.codes.demand import DemandResult, with_records
-from core.codes.record_compatibility import compliance
+from core.codes.demand import SeismicDemand, complete_with_records
+from core.codes.record_compatibility import check_compatibility
 from core.ground.ground_motion import GroundMotion
 from core.jit import cache, native
 from core.rocking.analysis_count import MADE
@@ -116,7 +116,7 @@ def run_plan(
     try:
         threads.run({k: motion.measure for k, motion in enumerate(plan.motions)})
         demand, by_state = _demand(plan, base_dir)
-        rules = compliance(plan.motions, plan.kinds, demand, plan.longest_period) if demand else None
+        rules = check_compatibility(plan.motions, plan.kinds, demand, plan.longest_period) if demand else None
         head = StudyResult(
             plan.case,
             started.utc,
@@ -148,11 +148,11 @@ def run_plan(
     return replace(head, walls=tuple(results), verdicts=tuple(verdicts) if whole else (), elapsed=started.elapsed)
 
 
-def _demand(plan: Plan, base_dir: Path) -> tuple[DemandResult | None, dict[str, DemandResult]]:
+def _demand(plan: Plan, base_dir: Path) -> tuple[SeismicDemand | None, dict[str, SeismicDemand]]:
     """(demand with what the records add, demands of the limit states). base_dir : as `run` takes it"""
     if plan.demand is None:
         return None, {}
-    demand, by_state = with_records(plan.demand, plan.motions), limit_state_demands(plan.case, base_dir)
+    demand, by_state = complete_with_records(plan.demand, plan.motions), limit_state_demands(plan.case, base_dir)
     of_place = notices(plan.case.site, demand.limit_state) if plan.case.site else []
     return replace(demand, warnings=(*demand.warnings, *unused_hazard_notices(demand, by_state), *of_place)), by_state
 

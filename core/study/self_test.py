@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 
 from core.capacity.ida import Search, incremental_dynamic_analysis, multiplier_of, threshold_of
-from core.codes.demand import DemandResult
-from core.codes.kinematic import kinematic
+from core.codes.demand import SeismicDemand
+from core.codes.kinematic import analyse_mechanism
 from core.codes.spectrum_codes import en1998
 from core.ground.ground_motion import GroundMotion
 from core.jit import shipped
@@ -68,8 +68,8 @@ def compute_answers(method: str) -> dict[str, list[str]]:
 def _by_clauses(block: Block) -> list[float]:
     """alpha_0, d_0 [m], T_SLV [s] and S_De [m] of a wall under a spectrum of EN 1998-1."""
     spectrum = en1998(0.25 * G, 1, "B")
-    demand = DemandResult("SLV", 0.25 * G, 1.2, spectrum.pga, None, None, 2.0, 1.35, 1.0, spectrum)
-    mechanism = kinematic(Masonry("", "one_sided", block), "one_sided", demand)
+    demand = SeismicDemand("SLV", 0.25 * G, 1.2, spectrum.pga, None, None, 2.0, 1.35, 1.0, spectrum)
+    mechanism = analyse_mechanism(Masonry("", "one_sided", block), "one_sided", demand)
     assert mechanism.period is not None and mechanism.s_de is not None
     return [mechanism.alpha0, mechanism.d0, mechanism.period, mechanism.s_de]
 

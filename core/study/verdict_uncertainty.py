@@ -12,9 +12,9 @@ import numpy as np
 from core.capacity.ida import multiplier_of
 from core.case.site import Demand
 from core.codes.collapse_rate import RATE_STATES, StateRate, state_rate, typical_rate
-from core.codes.demand import DemandResult
-from core.codes.dynamic_check import demand_check
-from core.codes.outcomes import least
+from core.codes.demand import SeismicDemand
+from core.codes.dynamic_check import run_dynamic_check
+from core.codes.outcomes import min_if_all_known
 from core.codes.record_sample import RecordPeaks, SampleInterval, record_peaks, sample_interval
 from core.ground.provenance import MIN_STATIONS, station_of
 from core.setting.demand_input import rescaled_pga
@@ -40,7 +40,7 @@ MAX_WALLS_WITH_INTERVAL = 50
 def add_uncertainty(
     plan: Plan,
     base_dir: Path,
-    demand: DemandResult,
+    demand: SeismicDemand,
     ag: Callable[[float], float] | None,
     results: Sequence[WallResult],
     verdict: WallVerdict,
@@ -63,7 +63,7 @@ def add_uncertainty(
 
 
 def _with_interval(
-    plan: Plan, demand: DemandResult, results: Sequence[WallResult], verdict: WallVerdict, journal
+    plan: Plan, demand: SeismicDemand, results: Sequence[WallResult], verdict: WallVerdict, journal
 ) -> Work:
     """Add to a verdict the interval of its records, that of the worst hinge; kept in the journal."""
     worst = results[verdict.governing]
@@ -73,7 +73,7 @@ def _with_interval(
     return replace(verdict, interval=by_name["interval"])
 
 
-def _interval(plan: Plan, wall: WallResult, demand: DemandResult, journal, stop) -> SampleInterval | None:
+def _interval(plan: Plan, wall: WallResult, demand: SeismicDemand, journal, stop) -> SampleInterval | None:
     """Interval of zeta of one hinge whose histories have a zeta; taken from the journal where it is there."""
     motions, zeta = _felt(plan, wall), _zeta(wall)
     assert zeta is not None
@@ -91,7 +91,7 @@ def _interval(plan: Plan, wall: WallResult, demand: DemandResult, journal, stop)
 def _with_sensitivity(
     plan: Plan,
     base_dir: Path,
-    demand: DemandResult,
+    demand: SeismicDemand,
     results: Sequence[WallResult],
     verdict: WallVerdict,
     journal,
@@ -100,11 +100,11 @@ def _with_sensitivity(
     """Add to a verdict the moves of its inputs; the parameters are those of `add_uncertainty`."""
     ranges, origin = plan.case.sensitivity, results[0].part.origin
     assert ranges is not None
-    kept = CheckCache(journal) if journal else demand_check
+    kept = CheckCache(journal) if journal else run_dynamic_check
     setting = make_wall_context(plan.case, origin, base_dir, (demand, plan.motions, plan.kinds), kept)
     hinges = [results[k] for k in verdict.results]
     known = [one.assessment for one in hinges if one.assessment is not None]
-    if least(one.verdict.zeta_e for one in known) is None:
+    if min_if_all_known(one.verdict.zeta_e for one in known) is None:
         progress.done(("sensitivity", origin))
         return replace(verdict, sensitivity=Sensitivity(None, (), (), ()))
     made, turned = list_input_moves(setting, ranges), design_keys(setting)
@@ -144,12 +144,12 @@ def _signs(wall: WallResult) -> tuple[int, ...]:
     return tuple(dict.fromkeys(run.polarity for run in dynamic.runs)) if dynamic else ()
 
 
-def _peaks_of(plan: Plan, wall: WallResult, demand: DemandResult, zeta: float, stop) -> RecordPeaks:
+def _peaks_of(plan: Plan, wall: WallResult, demand: SeismicDemand, zeta: float, stop) -> RecordPeaks:
     """The peaks of a wall under each record. zeta : of its histories"""
     return record_peaks(wall.governing_model, _felt(plan, wall), _signs(wall), demand, plan.method, zeta, stop)
 
 
-def make_ag_function(demand: DemandResult, asked: Demand | None, base_dir: Path) -> Callable[[float], float]:
+def make_ag_function(demand: SeismicDemand, asked: Demand | None, base_dir: Path) -> Callable[[float], float]:
     """a_g on rock [m/s2] of a multiplier of the demand: that whose a_g S is as many times as large, for S of NTC 2018
     follows a_g. asked : of the case"""
     if asked is None or demand.target is None:
@@ -166,7 +166,7 @@ def make_ag_function(demand: DemandResult, asked: Demand | None, base_dir: Path)
 
 
 def record_capacities(
-    wall: WallResult, motions: list, demand: DemandResult, end: float, ag: Callable[[float], float]
+    wall: WallResult, motions: list, demand: SeismicDemand, end: float, ag: Callable[[float], float]
 ) -> dict[str, list[float]] | None:
     """a_g on rock [m/s2] at which each record first brings a wall to each limit state, of both signs the lower; a
     search in vain stands for its end. None where a run has no number.
@@ -196,7 +196,7 @@ def record_capacities(
 
 
 def _worst_rates(
-    plan: Plan, demand: DemandResult, hinges: list[WallResult], ag: Callable[[float], float]
+    plan: Plan, demand: SeismicDemand, hinges: list[WallResult], ag: Callable[[float], float]
 ) -> tuple[StateRate, ...]:
     """How often each limit state is exceeded, of the hinge where that is most often; empty without hazard and records,
     and where a hinge has no number. ag : of `make_ag_function`"""

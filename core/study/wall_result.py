@@ -9,7 +9,7 @@ from core.capacity.scale_free_law import estimates, scaled_intensity
 from core.case.hinges import Part
 from core.case.wall import Wall
 from core.codes.eq9 import inequality
-from core.codes.limits import MEAN_FROM, MINIMUM_FROM, set_rule, set_value
+from core.codes.limits import MIN_STATIONS_FOR_MEAN, MIN_STATIONS_FOR_MINIMUM, set_capacity, set_rule
 from core.codes.masonry_types import TYPES
 from core.codes.target_spectrum import velocity_integral
 from core.ground.ground_motion import GroundMotion
@@ -125,7 +125,7 @@ def wall_result(part: Part, mechanism, model, runs, motions, search, demand, flo
     incomplete = [run for run in runs if run.ida.status == "impact_limit"]
     rule = "incomplete" if incomplete else set_rule(counted) if runs else None
     sets = {
-        name: set_value([getattr(entry, name) for entry in per_record], rule)
+        name: set_capacity([getattr(entry, name) for entry in per_record], rule)
         for name in ("q", "q_robust", "q_slv", "q_slv_low", "q_slv_robust", "q_slv_safe")
     }
     closed_q_eff = closed_q = None
@@ -262,9 +262,9 @@ def _set_notices(runs, files: int, counted: int, incomplete, fragile, search) ->
     notices = []
     if incomplete:
         notices.append(notice("incomplete", n=len(incomplete)))
-    elif runs and counted < MINIMUM_FROM:
+    elif runs and counted < MIN_STATIONS_FOR_MINIMUM:
         notices.append(notice("too_few" if counted else "no_numbers", n=counted))
-    if runs and counted < min(files, MEAN_FROM):
+    if runs and counted < min(files, MIN_STATIONS_FOR_MEAN):
         notices.append(notice("few_stations", files=files, n=counted))
     if runs and search.half_window < 3:
         notices.append(notice("coarse_window", n=search.half_window))
@@ -277,7 +277,7 @@ def _set_notices(runs, files: int, counted: int, incomplete, fragile, search) ->
     clamped = sum(run.ida.clamped for run in runs)
     if clamped:
         notices.append(notice("clamped", n=clamped))
-    if fragile and fragile.n < MEAN_FROM:
+    if fragile and fragile.n < MIN_STATIONS_FOR_MEAN:
         notices.append(notice("few_runs", n=fragile.n))
     large = {run.motion for run in runs if run.scale and abs(run.scale) > LARGE_COLLAPSE_SCALE}
     if large:
@@ -287,7 +287,7 @@ def _set_notices(runs, files: int, counted: int, incomplete, fragile, search) ->
 
 def _power_law_notices(wall, with_q, power_law) -> list[Sentence]:
     """Why the power law of a wall on the ground is not given, or that its SI hardly differ."""
-    if wall.above_ground or len(with_q) < MINIMUM_FROM:
+    if wall.above_ground or len(with_q) < MIN_STATIONS_FOR_MINIMUM:
         return []
     low, high = (end(entry.intensity for entry in with_q) / CM for end in (min, max))
     if power_law is None:

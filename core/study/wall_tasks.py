@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from core.capacity.accuracy import Accuracy, accuracy
 from core.capacity.ida import Ida, Run, incremental_dynamic_analyses
-from core.codes.demand import DemandResult
+from core.codes.demand import SeismicDemand
 from core.codes.record_compatibility import Compliance
 from core.rocking.history import in_lanes
 from core.setting.check_input import CheckInput
@@ -44,9 +44,9 @@ class StudyContext(NamedTuple):
 
     plan: Plan
     base_dir: Path
-    demand: DemandResult | None
+    demand: SeismicDemand | None
     rules: Compliance | None
-    by_state: dict[str, DemandResult]
+    by_state: dict[str, SeismicDemand]
     state_rules: dict[str, Compliance | None]
     ag: Callable[[float], float] | None
     journal: Journal | MemoryJournal | None
@@ -157,12 +157,12 @@ class _Wall:
                 part, mechanism, model, run_results, motions, plan.search, given.demand, floor
             )
 
-    def _scene(self, k: int, demand: DemandResult) -> CheckInput:
+    def _scene(self, k: int, demand: SeismicDemand) -> CheckInput:
         """Scene of the checks of an entry, with q of its searches."""
         wall, scene = self.results[k], self.given.plan.scene(k, demand, self.given.rules, self.kept[k])
         return replace(scene, q_slv=(wall.q_slv_safe_set, wall.q_slv_set))
 
-    def _assessed(self, demand: DemandResult) -> Work:
+    def _assessed(self, demand: SeismicDemand) -> Work:
         """Make the checks at the demand."""
         given = self.given
 
@@ -176,7 +176,7 @@ class _Wall:
 
         yield Batch({k: task(k) for k in self.entries}, checked)
 
-    def _at_limit_states(self, demand: DemandResult) -> Work:
+    def _at_limit_states(self, demand: SeismicDemand) -> Work:
         """Assess the wall at each limit state of the site."""
         given = self.given
 
@@ -190,7 +190,7 @@ class _Wall:
         for k, state_zetas in states.items():
             self._add(k, states=state_zetas)
 
-    def _with_tie(self, demand: DemandResult) -> Work:
+    def _with_tie(self, demand: SeismicDemand) -> Work:
         """The design of its tie, where one is asked for; a wall one of whose hinges has no check has none."""
         given = self.given
         counted = [k for k, entry in self.entries.items() if entry.part.wall.tie_height_m is not None]

@@ -5,12 +5,12 @@ from core.case.hinges import usual_hinges
 from core.case.schema import Case
 from core.case.site import Demand
 from core.case.wall import Wall
-from core.codes.assumption import TOGETHER, Assumption, table
+from core.codes.assumption import ALL_TOGETHER_KEY, Assumption, sort_assumptions
 from core.codes.kinematic import Check
-from core.codes.outcomes import FAILS, NO_HAZARD, OUTCOMES, PASSES, least, worst
-from core.codes.outcomes import severity as severity_of
-from core.codes.risk import least_risk
-from core.codes.verdict_sentence import at_hinge
+from core.codes.outcomes import FAILS, NO_HAZARD, OUTCOMES, PASSES, min_if_all_known, worst_outcome
+from core.codes.outcomes import severity_key as severity_of
+from core.codes.risk import risk_of_wall
+from core.codes.verdict_sentence import hinge_phrase
 from core.study.results import LimitStateOutcome, StudyResult, WallResult, WallVerdict
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.variation.limit_states import LIMIT_STATES
@@ -42,8 +42,8 @@ def wall_verdicts(case: Case, walls: tuple[WallResult, ...]) -> tuple[WallVerdic
         hidden = [note for note in case.table_notes if note.code in HIDDEN_CELL_NOTICES]
         extra = [*_lower_elsewhere(hinges), *_left_out(asked, case, walls, indices), *_other_states(demand, states)]
         extra += hidden
-        zeta_least = least(wall.required_assessment.verdict.zeta_e for wall in hinges)
-        withstands = least_risk([wall.required_assessment.risk for wall in hinges])
+        zeta_least = min_if_all_known(wall.required_assessment.verdict.zeta_e for wall in hinges)
+        withstands = risk_of_wall([wall.required_assessment.risk for wall in hinges])
         verdicts.append(WallVerdict(asked, ordered[0], tuple(ordered), states, tuple(extra), zeta_least, withstands))
     return tuple(verdicts)
 
@@ -73,7 +73,7 @@ def _states(demand: Demand, ordered: list[WallResult]) -> dict[str, LimitStateOu
         if not there:
             outcomes[state] = LimitStateOutcome(NO_HAZARD)
             continue
-        least_of = worst(there, lambda one: (one.code, one.zeta, one.zeta_target))
+        least_of = worst_outcome(there, lambda one: (one.code, one.zeta, one.zeta_target))
         outcomes[state] = LimitStateOutcome(least_of.code, least_of.zeta, least_of.check)
     return outcomes
 
@@ -127,8 +127,8 @@ def collect_assumptions(result: StudyResult, verdict: WallVerdict) -> tuple[Assu
     for k in verdict.results:
         assessment = result.walls[k].assessment
         of_hinge = assessment.verdict.assumptions if assessment else ()
-        rows += [row for row in of_hinge if row.key != TOGETHER or k == verdict.governing]
-    return table(rows)
+        rows += [row for row in of_hinge if row.key != ALL_TOGETHER_KEY or k == verdict.governing]
+    return sort_assumptions(rows)
 
 
 def governing_check_of_wall(wall: WallResult) -> Check | None:
@@ -155,7 +155,7 @@ def _at_height(wall: WallResult) -> Sentence | str:
     if kinematic is not None:
         of_check = kinematic.moved if wall.required_assessment.verdict.governing == "nonlinear" else kinematic.chain
         height = height + of_check.bending.h1 if of_check.bending is not None else height
-    return at_hinge(height, (wall.part.asked.base_z_m or 0.0))
+    return hinge_phrase(height, (wall.part.asked.base_z_m or 0.0))
 
 
 def zeta_by_hinge(result: StudyResult, wall: WallResult) -> list[tuple[float, float | None]]:
@@ -165,4 +165,4 @@ def zeta_by_hinge(result: StudyResult, wall: WallResult) -> list[tuple[float, fl
     for one in result.walls:
         if one.part.origin == wall.part.origin and one.part.turns and one.assessment:
             by_hinge.setdefault(one.part.hinge, []).append(one.assessment.verdict.zeta_e)
-    return [(hinge, least(zetas)) for hinge, zetas in sorted(by_hinge.items())] if len(by_hinge) > 1 else []
+    return [(hinge, min_if_all_known(zetas)) for hinge, zetas in sorted(by_hinge.items())] if len(by_hinge) > 1 else []

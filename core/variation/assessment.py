@@ -7,13 +7,13 @@ from dataclasses import dataclass, field, replace
 from core.case.load_rules import carries
 from core.case.wall import ARCHES, Wall
 from core.codes.assumption import ARCH, DECLARED, LEFT_OUT, RESTRAINT, Assumption
-from core.codes.dynamic_check import DemandCheck
-from core.codes.kinematic import SLD_CLAUSE, Check, Kinematic, with_and_without_ties
-from core.codes.kinematic_chain import chain
+from core.codes.dynamic_check import DynamicCheck
+from core.codes.kinematic import SLD_CLAUSE, Check, KinematicAnalysis, zeta_with_and_without_ties
+from core.codes.kinematic_chain import sum_chain
 from core.codes.limits import ORDINARY_LIFE
-from core.codes.risk import Risk, risk
-from core.codes.verdict import Verdict, passes_with_q2, verdict
-from core.codes.verdict_sentence import declared
+from core.codes.risk import Risk, risk_of_mechanism
+from core.codes.verdict import Verdict, make_verdict, passes_with_q2
+from core.codes.verdict_sentence import restraint_phrase
 from core.errors import InputError
 from core.ground.record_folder import is_doubted
 from core.setting.check_input import CheckInput
@@ -76,10 +76,10 @@ class Assessment:
     states : zeta at SLD, SLV and SLC by the hazard of the site, empty without it
     """
 
-    kinematic: Kinematic | None
+    kinematic: KinematicAnalysis | None
     checks: tuple[Check, ...]
-    dynamic: DemandCheck | None
-    lower_bound: DemandCheck | None
+    dynamic: DynamicCheck | None
+    lower_bound: DynamicCheck | None
     verdict: Verdict
     sensitivity: dict[str, float | None] = field(default_factory=dict)
     code_over_records: float | None = None
@@ -115,7 +115,7 @@ def assess(scene: CheckInput, cancelled: Callable[[], bool] = lambda: False) -> 
     scene = evaluation.scene
     kinematic, dynamic, demand = evaluation.kinematic, evaluation.dynamic, scene.demand
     if kinematic is None:
-        return Assessment(None, (), None, None, verdict(evaluation.evidence, None))
+        return Assessment(None, (), None, None, make_verdict(evaluation.evidence, None))
     unheld = _without_restraint(scene, dynamic, cancelled)
     below = unheld.dynamic if unheld else None
     made = evaluation.zeta is not None and not (scene.many and _fails_whatever_is_assumed(evaluation))
@@ -140,7 +140,7 @@ def assess(scene: CheckInput, cancelled: Callable[[], bool] = lambda: False) -> 
         raised = (*raised, _of_the_restraint(evaluation, free))
     if (arch := kinematic.wall.arch) is not None:
         raised = (*raised, _of_the_arch(evaluation, arch))
-    said = verdict(evaluation.evidence, bound, tuple(limits), raised)
+    said = make_verdict(evaluation.evidence, bound, tuple(limits), raised)
     sensitivity = {row.words.code: row.zeta for row in raised if row.words.code in FLOOR_REMARK_CODES}
     parts = (kinematic, evaluation.checks, dynamic, below, said, sensitivity, ratio, _capacity(evaluation))
     return Assessment(*parts, bound_passes=passes)
@@ -195,7 +195,7 @@ def _of_the_restraint(evaluation: Evaluation, free: Evaluation | None) -> Assump
     stays = free is None and evaluation.outcome == "not_activated" and alike
     return Assumption(
         RESTRAINT,
-        sentence("reason", code, zeta=Number(zeta), restraint=declared(wall.in_si.declared)),
+        sentence("reason", code, zeta=Number(zeta), restraint=restraint_phrase(wall.in_si.declared)),
         sentence("word", f"choice_{wall.back_restraint}") if named else sentence("accepted", "missing"),
         sentence("accepted", "none"),
         DECLARED if named else LEFT_OUT,
@@ -207,7 +207,7 @@ def _of_the_restraint(evaluation: Evaluation, free: Evaluation | None) -> Assump
 
 
 def _without_restraint(
-    scene: CheckInput, dynamic: DemandCheck | None, cancelled: Callable[[], bool]
+    scene: CheckInput, dynamic: DynamicCheck | None, cancelled: Callable[[], bool]
 ) -> Evaluation | None:
     """A one-sided wall with histories as it rocks both ways where what restrains it fails; None of another wall."""
     wall = scene.wall
@@ -248,7 +248,7 @@ def _of_the_arch(evaluation: Evaluation, arch: Arch) -> Assumption:
     )
 
 
-def _of_bending(kinematic: Kinematic, wall: Wall, with_histories: bool) -> list[Sentence]:
+def _of_bending(kinematic: KinematicAnalysis, wall: Wall, with_histories: bool) -> list[Sentence]:
     """Sentences that limit the verdict of a wall that bends: no histories, the force of what holds it, a hinge as high
     as one is looked for."""
     mechanism, arch = kinematic.chain.bending, kinematic.wall.arch
@@ -280,7 +280,7 @@ def _of_ties_not_counted(evaluation: Evaluation) -> list[Sentence]:
     if kinematic is None or not any(load.is_tie for load in wall.load):
         return []
     if evaluation.scene.demand.limit_state == "SLD" and kinematic.zeta_sld is not None:
-        alpha, share, _ = chain(wall.in_si, evaluation.scene.mechanism == "two_sided").start
+        alpha, share, _ = sum_chain(wall.in_si, evaluation.scene.mechanism == "two_sided").start
         zeta = kinematic.zeta_sld * (alpha / share) / (kinematic.alpha0 / kinematic.e_star)
         return [sentence("reason", "ties_at_sld", zeta=Number(zeta))]
     if any(load.slack_mm for load in wall.load) and any(check.name != "dynamic" for check in evaluation.checks):
@@ -294,7 +294,7 @@ def _of_ties_that_lower(evaluation: Evaluation, cancelled: Callable[[], bool]) -
     scene, said = evaluation.scene, []
     if evaluation.kinematic is None or not any(load.is_tie for load in scene.wall.load):
         return []
-    pair = with_and_without_ties(evaluation.kinematic, scene.demand)
+    pair = zeta_with_and_without_ties(evaluation.kinematic, scene.demand)
     if pair is not None and (pair[1] > pair[0] or evaluation.kinematic.ends_at_break):
         said.append(sentence("reason", "ties_displacement", tied=Number(pair[0]), bare=Number(pair[1])))
     if evaluation.dynamic is None or evaluation.dynamic.zeta is None:
@@ -338,4 +338,4 @@ def _capacity(evaluation: Evaluation) -> Risk | None:
     # records weaker than the demand tell nothing of a PGA
     if evaluation.zeta is None or (by_histories and demand.weak_share is not None):
         return None
-    return risk(evaluation.zeta, demand, evaluation.low if by_histories else None)
+    return risk_of_mechanism(evaluation.zeta, demand, evaluation.low if by_histories else None)

@@ -4,10 +4,10 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import reduce
 
-from core.codes.assumption import DEFAULT, TOGETHER, Assumption
+from core.codes.assumption import ALL_TOGETHER_KEY, DEFAULT, Assumption
 from core.codes.kinematic import Check
 from core.codes.outcomes import PASSES
-from core.codes.verdict import outcome_of
+from core.codes.verdict import find_outcome
 from core.errors import InputError
 from core.text.sentence import Key, Number, sentence
 from core.variation.evaluate import Evaluation, evaluate
@@ -131,7 +131,7 @@ def _outcome(end: Evaluation | None, evaluation: Evaluation, touched: bool) -> s
     if touched:
         return end.outcome
     checks = tuple((end.made(one.name) or one) if one.name == "linear_q_code" else one for one in evaluation.checks)
-    return outcome_of(evaluation.evidence._replace(checks=checks))
+    return find_outcome(evaluation.evidence._replace(checks=checks))
 
 
 def _told(
@@ -192,4 +192,4 @@ def _last(
     """The row of several inputs at their other ends together."""
     zeta = _zeta(end, check)
     words = sentence("reason", "lifts_together", keys=tuple(map(Key, dict.fromkeys(keys))), zeta=Number(zeta))
-    return Assumption(TOGETHER, words, "", "", DEFAULT, zeta, _outcome(end, evaluation, True), turns)
+    return Assumption(ALL_TOGETHER_KEY, words, "", "", DEFAULT, zeta, _outcome(end, evaluation, True), turns)

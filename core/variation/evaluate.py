@@ -7,13 +7,13 @@ from functools import cached_property
 
 from core.case.wall import ARCHES
 from core.codes.demand import MIN_SHARE_OF_DEMAND
-from core.codes.dynamic_check import DemandCheck
+from core.codes.dynamic_check import DynamicCheck
 from core.codes.elastic_branch import can_have_branch, wants_branch
 from core.codes.evidence import Circumstances, Evidence, governing_check
-from core.codes.kinematic import Check, Kinematic, checks_of, linear
+from core.codes.kinematic import Check, KinematicAnalysis, check_linear, make_kinematic_checks
 from core.codes.limits import counted_stations
-from core.codes.outcomes import FAILS, OPEN, PASSES, severity, worst
-from core.codes.verdict import outcome_of
+from core.codes.outcomes import FAILS, OPEN, PASSES, severity_key, worst_outcome
+from core.codes.verdict import find_outcome
 from core.codes.vertical_bending import bending, uplift_multiplier
 from core.errors import InputError
 from core.ground.record_folder import is_doubted
@@ -55,8 +55,8 @@ class Evaluation:
     """
 
     scene: CheckInput
-    kinematic: Kinematic | None
-    dynamic: DemandCheck | None
+    kinematic: KinematicAnalysis | None
+    dynamic: DynamicCheck | None
     checks: tuple[Check, ...]
     precision: Precision = FULL_PRECISION
 
@@ -118,7 +118,7 @@ class Evaluation:
     def outcome(self) -> str:
         """Code of the table of outcomes, before what raises zeta is looked at; "undetermined" at a glance, which says
         none."""
-        return outcome_of(self.evidence) if self.precision is FULL_PRECISION else "undetermined"
+        return find_outcome(self.evidence) if self.precision is FULL_PRECISION else "undetermined"
 
     @property
     def satisfied(self) -> bool:
@@ -132,7 +132,7 @@ class Evaluation:
         check, demand = self.made("linear_q_slv"), self.scene.demand
         if check is None or check.passed or high is None or self.kinematic is None:
             return None
-        beyond = linear("linear_q_slv", self.kinematic, demand, high)
+        beyond = check_linear("linear_q_slv", self.kinematic, demand, high)
         if low is None or beyond is None or not beyond.passed:
             return None
         return sentence("reason", "lower_q_slv", low=self.scene.q_slv[0], q=self.scene.q_slv[1])
@@ -152,7 +152,7 @@ def evaluate(
     Raises InputError where a check cannot be made of the wall, and Cancelled.
     """
     if readings := scene.period_alternatives:
-        return worst(
+        return worst_outcome(
             (evaluate(one, precision, other, cancelled) for one in readings),
             lambda one: (one.outcome, one.zeta, one.scene.demand.zeta_target),
         )
@@ -163,7 +163,7 @@ def evaluate(
     if kinematic is None:
         return Evaluation(scene, None, None, (), precision)
     dynamic = check_by_histories(scene, precision, other, cancelled)
-    made = checks_of(kinematic, scene.demand, _counted(kinematic, scene.q_slv[0]))
+    made = make_kinematic_checks(kinematic, scene.demand, _counted(kinematic, scene.q_slv[0]))
     checks = _with_histories(made, dynamic, scene)
     evaluation = Evaluation(scene, kinematic, dynamic, checks, precision)
     return replace(evaluation, checks=_worse_first(evaluation)) if scene.by_default else evaluation
@@ -180,7 +180,7 @@ def _refuse_weak_hold(scene: CheckInput) -> None:
         raise InputError("hold_too_weak", key="restraint_kn_m", found=1e-3 * strength, least=1e-3 * pushes)
 
 
-def _with_histories(made: tuple[Check, ...], dynamic: DemandCheck | None, scene: CheckInput) -> tuple[Check, ...]:
+def _with_histories(made: tuple[Check, ...], dynamic: DynamicCheck | None, scene: CheckInput) -> tuple[Check, ...]:
     """The checks with that by histories, which decides: under records as given that no usual factor brings to the
     demand a wall may fail, and how much more it bears is not known; then the others decide, where they are made."""
     if dynamic is None:
@@ -199,7 +199,7 @@ def _worse_first(evaluation: Evaluation) -> tuple[Check, ...]:
 
     def place(check: Check) -> tuple:
         said = evaluation.judgement(check)
-        return (FAILS, AT_LIMIT, OPEN, PASSES).index(said), *severity("verified", check.zeta, target)
+        return (FAILS, AT_LIMIT, OPEN, PASSES).index(said), *severity_key("verified", check.zeta, target)
 
     return (*sorted(pair, key=place), *others)
 
@@ -209,12 +209,12 @@ def check_by_histories(
     precision: Precision = FULL_PRECISION,
     other: bool = False,
     cancelled: Callable[[], bool] = lambda: False,
-) -> DemandCheck | None:
+) -> DynamicCheck | None:
     """The check of a scene by time histories alone; the parameters are those of `evaluate`."""
     if not (motions := scene.motions) or scene.wall.mechanism == ARCHES:
         return None
     parts = motions, scene.signs, scene.demand, scene.method, precision.value, other, cancelled
-    checks: list[DemandCheck] = []
+    checks: list[DynamicCheck] = []
     for branch in scene.branches:
         if branch.assumed and checks and not checks[0].satisfied(scene.demand.zeta_target):
             break  # the softest masonry fails already
@@ -223,12 +223,12 @@ def check_by_histories(
     return min(checks, key=_worth) if checks else scene.histories(scene.model, *parts)
 
 
-def _worth(check: DemandCheck) -> tuple:
+def _worth(check: DynamicCheck) -> tuple:
     """The worse of two checks of one wall comes first: what fails, at last by zeta."""
     return check.passed, check.zeta is not None, check.zeta or 0.0
 
 
-def _counted(kinematic: Kinematic, q: float | None) -> float | None:
+def _counted(kinematic: KinematicAnalysis, q: float | None) -> float | None:
     """q of the searches counted from a0*, which e* raises and must not count twice; of the wall without its ties, which
     do not hold it at rest, and without the friction of return walls."""
     if q is None:

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from core.codes.assumption import GIVEN, Shown
+from core.codes.assumption import GIVEN, DisplayValue
 from core.codes.kinematic import Check
 from core.setting.check_input import CheckInput
 from core.text.sentence import Number, Sentence, sentence
@@ -25,7 +25,7 @@ class Alternative(NamedTuple):
     """The other end of the range of an input: the change to it, and its value as the table shows it."""
 
     change: SceneChange
-    value: Shown
+    value: DisplayValue
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class FavourableInput:
 
     key: str
     reasons: object
-    value: Shown
+    value: DisplayValue
     ends: tuple[Alternative, ...]
     words: Callable[[list[float | None], Check], Sentence]
     source: str = GIVEN
@@ -94,7 +94,7 @@ def single_alternative(
     key: str,
     code: str,
     reasons,
-    value: Shown,
+    value: DisplayValue,
     end: Alternative,
     source=GIVEN,
     histories=True,

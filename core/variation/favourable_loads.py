@@ -11,7 +11,7 @@ from core.case.load_rules import check_loads
 from core.case.loads import Load
 from core.case.wall import BENDS, Wall
 from core.codes.assumption import LEFT_OUT
-from core.codes.kinematic_chain import chain
+from core.codes.kinematic_chain import sum_chain
 from core.errors import InputError
 from core.setting.check_input import CheckInput
 from core.text.sentence import Key, Number, Sentence, sentence
@@ -212,7 +212,7 @@ def _breaks(wall: Wall, load: Load, scene: CheckInput) -> bool:
     """Whether a tie breaks before the rotation up to which a check of the clauses counts on it."""
     if not load.is_tie:
         return False
-    sums, block = chain(wall.in_si, scene.mechanism == "two_sided"), wall.block()
+    sums, block = sum_chain(wall.in_si, scene.mechanism == "two_sided"), wall.block()
     share = LIMIT_FRACTION.get(scene.demand.limit_state, COUNTED)
     far = max(sums.rotation(share * sums.d0), COUNTED * (block.slenderness + wall.in_si.restoring[0].lean))
     return load.tie(wall.length_m).bar.breaks_at <= load.h_m * math.sin(far) * (1.0 + 1e-9)

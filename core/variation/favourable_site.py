@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from core.case.site import Building, Demand, DemandJustification, HazardRow, Spectrum
-from core.codes.assumption import DEFAULT, GIVEN, Shown
-from core.codes.demand import DemandResult
+from core.codes.assumption import DEFAULT, GIVEN, DisplayValue
+from core.codes.demand import SeismicDemand
 from core.codes.floor_spectrum import estimated_period, first_mode
 from core.codes.limits import ORDINARY_LIFE, return_period
 from core.codes.national_hazard import national_range
@@ -102,7 +102,7 @@ def _of_the_spectrum(scene: CheckInput) -> Iterator[FavourableInput]:
         yield single_alternative("spectrum", "lift_type", reasons, types[0], _under(there, types[1]))
 
 
-def _row_of(demand: DemandResult, asked: Demand) -> HazardRow | None:
+def _row_of(demand: SeismicDemand, asked: Demand) -> HazardRow | None:
     """F_0 and T_C* of the hazard at the return period of the demand, None where it has none."""
     years = demand.return_period
     if years is None or not asked.hazard or not hazard_covers(asked.hazard, years):
@@ -111,7 +111,7 @@ def _row_of(demand: DemandResult, asked: Demand) -> HazardRow | None:
     return None if row.f0 is None or row.tc_star_s is None else row
 
 
-def _with_spectrum(demand: DemandResult, asked: Demand, spectrum: Spectrum) -> DemandResult:
+def _with_spectrum(demand: SeismicDemand, asked: Demand, spectrum: Spectrum) -> SeismicDemand:
     """The demand with this spectrum."""
     target = read_target_spectrum(replace(asked, ag_g=demand.ag / G, spectrum=spectrum, spectrum_file=None), Path())
     assert target is not None
@@ -125,7 +125,7 @@ def _with_spectrum(demand: DemandResult, asked: Demand, spectrum: Spectrum) -> D
     )
 
 
-def _under(there: DemandResult, value: Shown) -> Alternative:
+def _under(there: SeismicDemand, value: DisplayValue) -> Alternative:
     return Alternative(lambda scene: scene.with_demand(there), value)
 
 

@@ -13,7 +13,7 @@ from core.case.site import FULL_FACTOR
 from core.case.wall import ARCHES, Wall, WallJustification
 from core.codes.assumption import DECLARED, DEFAULT, GIVEN
 from core.codes.elastic_branch import ELASTIC, Branch, can_have_branch
-from core.codes.limits import MEAN_FROM, MINIMUM_FROM
+from core.codes.limits import MIN_STATIONS_FOR_MEAN, MIN_STATIONS_FOR_MINIMUM
 from core.codes.masonry_types import least_strength, moduli, weights
 from core.codes.verdict_sentence import CODE_Q
 from core.errors import InputError
@@ -159,7 +159,9 @@ def _of_the_set(evaluation: Evaluation) -> Iterator[FavourableInput]:
         more = replace(asked, count=usual)
         end = Alternative(lambda scene: scene.regenerate_motions(more), float(usual))
         said = {"given": asked.count, "usual": usual}
-        permitted = MEAN_FROM <= asked.count < usual  # fewer are no set whose mean counts, more may be chosen by zeta
+        permitted = (
+            MIN_STATIONS_FOR_MEAN <= asked.count < usual
+        )  # fewer are no set whose mean counts, more may be chosen by zeta
         code = "lift_count" if asked.count < usual else "lift_more"
         reasons = None if permitted else scene.asked.justification
         yield single_alternative("count", code, reasons, float(asked.count), end, permitted=permitted, **said)
@@ -173,7 +175,7 @@ def _of_the_set(evaluation: Evaluation) -> Iterator[FavourableInput]:
 def _of_records_alike(scene: CheckInput) -> Iterator[FavourableInput]:
     """Given records that all but follow the spectrum, as matched ones do, whatever their files are called."""
     seen = scene.compliance
-    if seen is None or len(seen.spectra) < MINIMUM_FROM:
+    if seen is None or len(seen.spectra) < MIN_STATIONS_FOR_MINIMUM:
         return
     spread = float(np.log(seen.spectra).std(axis=0, ddof=1).mean())
     if spread < MIN_SPREAD_SHARE * SPREAD:

@@ -6,9 +6,9 @@ from pathlib import Path
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.schema import Case
-from core.codes.demand import DemandResult, with_records
+from core.codes.demand import SeismicDemand, complete_with_records
 from core.codes.limits import return_period
-from core.codes.record_compatibility import Compliance, compliance
+from core.codes.record_compatibility import Compliance, check_compatibility
 from core.codes.spectrum_codes import NATIONAL
 from core.setting.check_input import CheckInput, rescale_records
 from core.setting.demand_input import hazard_covers, interpolate_hazard, read_hazard_rows, read_stated_demand
@@ -19,7 +19,7 @@ from core.variation.assessment import Assessment, LimitStateCheck, assess
 LIMIT_STATES = ("SLD", "SLV", "SLC")
 
 
-def limit_state_demands(case: Case, base_dir: Path) -> dict[str, DemandResult]:
+def limit_state_demands(case: Case, base_dir: Path) -> dict[str, SeismicDemand]:
     """The demand of each limit state; empty without the hazard, or V_N and C_U, or where a spectrum of NTC 2018 is
     asked and the hazard has no F_0 and T_C*; without the states whose return period lies outside its rows. Raises
     InputError."""
@@ -44,7 +44,7 @@ def limit_state_demands(case: Case, base_dir: Path) -> dict[str, DemandResult]:
     return demands
 
 
-def unused_hazard_notices(demand: DemandResult | None, demands: dict[str, DemandResult]) -> list[Sentence]:
+def unused_hazard_notices(demand: SeismicDemand | None, demands: dict[str, SeismicDemand]) -> list[Sentence]:
     """Notices on limit states a hazard was given for, and that are not among those found."""
     if demand is None or not demand.hazard:
         return []
@@ -57,7 +57,7 @@ def unused_hazard_notices(demand: DemandResult | None, demands: dict[str, Demand
 def check_limit_states(
     scene: CheckInput,
     known: Assessment,
-    demands: dict[str, DemandResult],
+    demands: dict[str, SeismicDemand],
     rules: dict[str, Compliance | None],
     cancelled: Callable[[], bool] = lambda: False,
 ) -> tuple[LimitStateCheck, ...]:
@@ -83,19 +83,19 @@ def check_limit_states(
     return tuple(state_zetas)
 
 
-def _at(scene: CheckInput, demand: DemandResult, rules: dict[str, Compliance | None]) -> CheckInput:
+def _at(scene: CheckInput, demand: SeismicDemand, rules: dict[str, Compliance | None]) -> CheckInput:
     """The scene at the demand of another limit state; its records, where they are used as given, times the ratio of the
     peak accelerations, and none of a state that is not asked for by histories."""
     if demand.limit_state not in rules:
         return scene.replace_parts(demand=demand, ground=(), compliance=None, histories_off=False)
     ground = tuple(rescale_records(scene.ground, scene.demand, demand))
     return scene.replace_parts(
-        demand=with_records(demand, list(ground)), ground=ground, compliance=rules[demand.limit_state]
+        demand=complete_with_records(demand, list(ground)), ground=ground, compliance=rules[demand.limit_state]
     )
 
 
 def limit_state_compliance(
-    plan: Plan, demand: DemandResult, demands: dict[str, DemandResult]
+    plan: Plan, demand: SeismicDemand, demands: dict[str, SeismicDemand]
 ) -> dict[str, Compliance | None]:
     """Whether the records comply with the spectrum of each limit state that is asked for by histories."""
     asked = plan.case.demand.limit_states if plan.case.demand and plan.motions else ()
@@ -103,5 +103,5 @@ def limit_state_compliance(
     for state in asked:
         if state in demands and state != demand.limit_state and state in LIMIT_FRACTION:
             motions = list(rescale_records(plan.motions, demand, demands[state]))
-            rules[state] = compliance(motions, plan.kinds, demands[state], plan.longest_period)
+            rules[state] = check_compatibility(motions, plan.kinds, demands[state], plan.longest_period)
     return rules

@@ -13,8 +13,8 @@ from core.case.sensitivity import Ranges
 from core.case.site import Building
 from core.case.wall import Wall
 from core.codes.floor_spectrum import estimated_period
-from core.codes.outcomes import OUTCOMES, PASSES, least
-from core.codes.record_sample import RecordPeaks, one_left_out
+from core.codes.outcomes import OUTCOMES, PASSES, min_if_all_known
+from core.codes.record_sample import RecordPeaks, leave_one_out_zetas
 from core.errors import InputError
 from core.known import known
 from core.setting.demand_input import rescale_ag
@@ -80,7 +80,9 @@ def leave_one_out_moves(peaks: Sequence[RecordPeaks]) -> list[InputMove]:
     """The wall without the record that lowers zeta most, and without the one that raises it most: their places are the
     values. peaks : of all its hinges"""
     top = [one.multipliers[-1] for one in peaks]
-    without = np.array([np.minimum(one_left_out(one), last) for one, last in zip(peaks, top, strict=True)]).min(axis=0)
+    without = np.array([np.minimum(leave_one_out_zetas(one), last) for one, last in zip(peaks, top, strict=True)]).min(
+        axis=0
+    )
 
     def change(k: int) -> Change:
         return lambda now: drop_record(now, k)
@@ -198,7 +200,7 @@ def summarise_sensitivity(
     made : of `list_input_moves` and `leave_one_out_moves`; walls : what the task of each gave
     hinges : of all its hinges and mechanisms
     """
-    base = least(one.verdict.zeta_e for one in hinges)
+    base = min_if_all_known(one.verdict.zeta_e for one in hinges)
     if base is None:
         return Sensitivity(None, (), (), ())
     names = [motion.name for motion in setting.inputs[1]]
@@ -236,7 +238,9 @@ def _restraint_lost(hinges: Sequence[Assessment]) -> SwingEnd | None:
     """The wall where nothing holds it from behind, or at its top; None where nothing does now."""
     if all(one.verdict.lower_bound is None for one in hinges):
         return None
-    zeta = least(one.verdict.zeta_e if (bound := one.verdict.lower_bound) is None else bound for one in hinges)
+    zeta = min_if_all_known(
+        one.verdict.zeta_e if (bound := one.verdict.lower_bound) is None else bound for one in hinges
+    )
     passing = [
         OUTCOMES[one.verdict.code].judgement == PASSES if one.bound_passes is None else one.bound_passes
         for one in hinges

@@ -18,9 +18,9 @@ from core.case.between_holds import between, spans_of
 from core.case.load_rules import carries
 from core.case.loads import Load
 from core.case.wall import Wall
-from core.codes.dynamic_check import DemandCheck
+from core.codes.dynamic_check import DynamicCheck
 from core.codes.kinematic import ZETA_ROUNDING
-from core.codes.outcomes import least
+from core.codes.outcomes import min_if_all_known
 from core.errors import InputError
 from core.setting.check_input import CheckInput, make_rocking_model
 from core.variation.evaluate import COARSE_PRECISION, FULL_PRECISION, Evaluation, Precision, evaluate
@@ -109,7 +109,7 @@ class Hinge:
 
     height: float
     scene: CheckInput
-    dynamic: DemandCheck | None
+    dynamic: DynamicCheck | None
 
     @property
     def satisfied(self) -> bool:
@@ -228,7 +228,7 @@ def _bending(base: Hinge, force: float, height: float, cancelled: Callable[[], b
         if not evaluation.satisfied:
             return False, evaluation.zeta
         zetas.append(evaluation.zeta)
-    return (True, least(zetas)) if zetas else (None, None)
+    return (True, min_if_all_known(zetas)) if zetas else (None, None)
 
 
 def _deciding(scene: CheckInput, histories: bool) -> list[str]:
@@ -343,7 +343,7 @@ def _with(
     """(zeta of each check with a tie of this force, the least of all hinges; elongations of its bar about the base)."""
     names = ("nonlinear", "linear_q_code", "linear_q_1")
     walls = [(hinge.scene, add_tie(hinge.scene.wall, force, hinge.raised(height))) for hinge in below]
-    zeta = {name: least(_zeta(name, scene, wall) for scene, wall in walls) for name in names}
+    zeta = {name: min_if_all_known(_zeta(name, scene, wall) for scene, wall in walls) for name in names}
     base, wall = walls[0]
     elongation: dict[str, float | None] = dict.fromkeys(("demand", "d_slv", "d_0"))
     theta_c = make_rocking_model(wall, base.mechanism).collapse_rotation
@@ -353,7 +353,7 @@ def _with(
         elongation["d_slv"] = height * math.sin(kinematic.chain.rotation(kinematic.d_limit))
     if not missing:
         held = [_held(hinge, force, height, FULL_PRECISION, cancelled).dynamic for hinge in below]
-        zeta["dynamic"] = least(check.zeta if check else None for check in held)
+        zeta["dynamic"] = min_if_all_known(check.zeta if check else None for check in held)
         if held[0] is not None and held[0].max_peak_ratio is not None:
             elongation["demand"] = height * math.sin(held[0].max_peak_ratio * theta_c)
     return zeta, elongation

@@ -11,9 +11,9 @@ from core.case.rules import with_walls
 from core.case.schema import Case
 from core.case.site import FULL_FACTOR
 from core.case.wall import Wall
-from core.codes.demand import DemandResult
-from core.codes.dynamic_check import demand_check
-from core.codes.outcomes import FAILS, OPEN, least
+from core.codes.demand import SeismicDemand
+from core.codes.dynamic_check import run_dynamic_check
+from core.codes.outcomes import FAILS, OPEN, min_if_all_known
 from core.setting.check_input import rescale_records
 from core.setting.plan import FloorCache, Inputs, make_plan
 from core.variation.evaluate import AT_LIMIT, FULL_PRECISION, Evaluation, Precision, evaluate
@@ -31,7 +31,10 @@ class WallEvaluation:
     @cached_property
     def by_check(self) -> dict[str, float | None]:
         """Label of a check -> the lowest zeta, None where one is not known; in the order of the first hinge."""
-        return {label: least(check.zeta for _, check in hinge_checks) for label, hinge_checks in self._by_label.items()}
+        return {
+            label: min_if_all_known(check.zeta for _, check in hinge_checks)
+            for label, hinge_checks in self._by_label.items()
+        }
 
     @cached_property
     def satisfied(self) -> dict[str, bool | None]:
@@ -53,7 +56,7 @@ class WallEvaluation:
     @property
     def zeta(self) -> float | None:
         """The lowest of the checks that decide."""
-        return least(hinge.zeta for hinge in self.hinges)
+        return min_if_all_known(hinge.zeta for hinge in self.hinges)
 
     @property
     def sure(self) -> bool:
@@ -69,16 +72,16 @@ NO_EVALUATION = WallEvaluation(())
 class WallContext:
     """Setting that stays the same while inputs of a wall move.
 
-    case : with that wall alone; inputs : of `read_inputs`; histories : `demand_check`, or one that keeps its results
+    case : with that wall alone; inputs : of `read_inputs`; histories : `run_dynamic_check`, or one that keeps its results
     """
 
     case: Case
     base_dir: Path
     inputs: Inputs
-    histories: Callable = demand_check
+    histories: Callable = run_dynamic_check
 
     @property
-    def demand(self) -> DemandResult:
+    def demand(self) -> SeismicDemand:
         """Demand of the case, which must have one."""
         demand = self.inputs[0]
         assert demand is not None
@@ -91,7 +94,7 @@ class WallContext:
 
 
 def make_wall_context(
-    case: Case, k: int, base_dir: Path, inputs: Inputs, histories: Callable = demand_check
+    case: Case, k: int, base_dir: Path, inputs: Inputs, histories: Callable = run_dynamic_check
 ) -> WallContext:
     """Setting of the k-th wall of a case with a demand; no tie is sought."""
     case = by_itself(case, k)
@@ -108,7 +111,7 @@ def replace_wall(setting: WallContext, wall: Wall) -> WallContext:
     return replace(setting, case=with_walls(setting.case, [wall]))
 
 
-def replace_demand(setting: WallContext, demand: DemandResult) -> WallContext:
+def replace_demand(setting: WallContext, demand: SeismicDemand) -> WallContext:
     """The setting with another demand; records that are used as given follow its a_g S."""
     _, motions, kinds = setting.inputs
     return replace(setting, inputs=(demand, [*rescale_records(motions, setting.demand, demand)], kinds))

@@ -19,7 +19,14 @@ import numpy as np
 from core.capacity.ida import ROBUST_SHARE, first_with_share
 from core.case.rules import parse_case
 from core.codes.dynamic_check import DemandRuns
-from core.codes.multiplier_search import FAILURE_WINDOW, HALF_FAIL, MAX_MULTIPLIER, MULTIPLIER_STEP, Zeta, search_zeta
+from core.codes.multiplier_search import (
+    FAILURE_WINDOW,
+    HALF_FAIL,
+    MAX_MULTIPLIER,
+    MULTIPLIER_STEP,
+    ZetaSearchResult,
+    search_zeta,
+)
 from core.codes.spectrum_codes import en1998
 from core.errors import InputError
 from core.ground import records
@@ -115,7 +122,7 @@ def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
         fails = flags[np.clip(place, 0, flags.size - 1)] & (place >= 0)
         return fails | (place >= flags.size), np.zeros(fails.size, bool), np.ones(fails.size, bool)
 
-    def searched(every: int, target: float) -> Zeta:
+    def searched(every: int, target: float) -> ZetaSearchResult:
         return search_zeta(looked_up, work.rest, target, every)
 
     half = round(FAILURE_WINDOW / math.log1p(fine))

@@ -31,7 +31,7 @@ from core.case.rules import draft_case, parse_case
 from core.case.site import Demand
 from core.case.wall_table import read_table
 from core.case.writer import dumps
-from core.codes.kinematic_chain import chain
+from core.codes.kinematic_chain import sum_chain
 from core.errors import InputError
 from core.ground import records
 from core.ground.records.grammar import Options
@@ -151,7 +151,7 @@ def _case(content: bytes, folder: Path) -> None:
     for wall in case.wall:
         assert math.isfinite(wall.block().p2)
         if wall.load:
-            found = chain(wall.in_si, "two_sided" in wall.mechanisms())
+            found = sum_chain(wall.in_si, "two_sided" in wall.mechanisms())
             assert found.alpha0 > 0.0 and 0.0 < found.e_star <= 1.0 + 1e-12 and found.d0 > 0.0
             assert all(side.sine > 0.0 for side in wall.in_si.restoring[: len(wall.mechanisms())])
     again = parse_case(tomllib.loads(dumps(case))) if not case.table else case

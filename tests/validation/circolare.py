@@ -1,6 +1,6 @@
 """Cases of one wall for the checks of the Circolare."""
 
-from core.codes.kinematic import kinematic
+from core.codes.kinematic import analyse_mechanism
 from core.setting.demand_input import read_demand
 from tests.clauses_alone import parse_case
 
@@ -31,7 +31,7 @@ def case(wall=None, demand=None, **more):
 def mechanism_of(asked):
     """(mechanism, demand) of a case of one wall."""
     demand = read_demand(asked, None)
-    return kinematic(asked.wall[0].in_si, asked.wall[0].mechanism, demand), demand
+    return analyse_mechanism(asked.wall[0].in_si, asked.wall[0].mechanism, demand), demand
 
 
 FREE = {"free_element": True, "elastic_modulus_mpa": 600.0, "unit_weight_kn_m3": 18.0}

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from core.capacity.ida import incremental_dynamic_analysis, multiplier_of
-from core.codes.kinematic import CHECKS, linear, nonlinear
+from core.codes.kinematic import CHECKS, check_displacement, check_linear
 from core.rocking.history import history
 from core.rocking.methods import AUTO
 from core.rocking.outcome import COLLAPSED
@@ -18,11 +18,11 @@ def test_that_zeta_is_capacity_over_demand_and_counts_a_g_sld_for_slv():
     """1.0 x 0.20 m, a_g 0.26 g, EN 1998-1 type 1, ground B: a_g,SLV against a_g, in g; clause .8. The other numbers of
     these checks are solved cases (core/solved/clauses.py)."""
     found, demand = mechanism_of(case({"height_m": 1.0, "thickness_m": 0.20, **HELD}))
-    check = linear("linear_q_code", found, demand, 2.0)
+    check = check_linear("linear_q_code", found, demand, 2.0)
     assert check.q == 2.0 and check.demand == pytest.approx(0.26, rel=1e-12)
     assert check.capacity == pytest.approx(0.26 * check.zeta, rel=1e-12)
     assert found.d_limit / found.s_de == pytest.approx(0.4164, abs=5e-5)
-    assert nonlinear(found, demand).zeta == found.zeta_sld == pytest.approx(0.4748, abs=5e-5)
+    assert check_displacement(found, demand).zeta == found.zeta_sld == pytest.approx(0.4748, abs=5e-5)
 
 
 @pytest.fixture(scope="module")

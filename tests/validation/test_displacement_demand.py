@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from core.case.rules import parse_case
-from core.codes.kinematic import kinematic, linear, nonlinear
+from core.codes.kinematic import analyse_mechanism, check_displacement, check_linear
 from core.codes.target_spectrum import given, largest_displacement
 from core.errors import InputError
 from core.setting.demand_input import read_demand
@@ -44,14 +44,14 @@ def test_that_the_displacement_demand_of_a_site_is_its_largest_up_to_t_slv(tmp_p
         "demand": {"ag_g": 0.26, **without(site_spectrum(tmp_path))},
     }
     demand = read_demand(parse_case(table), tmp_path)
-    found = kinematic(parse_case(table).wall[0].in_si, "two_sided", demand)
+    found = analyse_mechanism(parse_case(table).wall[0].in_si, "two_sided", demand)
     # by brute force over [0, T_SLV]: the hump decides, not S_De(T_SLV)
     periods = np.linspace(1e-3, found.period, 200001)
     values = demand.target.acceleration(periods, 0.08) * (periods / (2.0 * math.pi)) ** 2
     assert found.s_de == pytest.approx(values.max(), rel=1e-5)  # of the grid
     assert found.s_de > 2.0 * values[-1]
     # free, T_0 beyond the hump: only what lies between T_0 and T_SLV counts
-    slow = kinematic(
+    slow = analyse_mechanism(
         parse_case({**table, "wall": [{**table["wall"][0], **FREE, "elastic_modulus_mpa": 40.0}]}).wall[0].in_si,
         "two_sided",
         demand,
@@ -84,7 +84,7 @@ def test_that_a_spectrum_that_ends_before_t_slv_is_refused(tmp_path):
     )
     wall = case({"height_m": 9.0, "thickness_m": 0.9}).wall[0]
     with pytest.raises(InputError, match=r'wall "w".*ends at 3.00 s, before T_SLV = 3.39 s'):
-        kinematic(wall.in_si, "two_sided", demand)
+        analyse_mechanism(wall.in_si, "two_sided", demand)
 
 
 @pytest.mark.shows("kinematic.elastic_to_d_slv")
@@ -94,8 +94,8 @@ def test_that_a_wall_elastic_up_to_d_slv_has_no_linear_check():
     wall = {"height_m": 12.0, "thickness_m": 0.40, "elastic_modulus_mpa": 200.0, "unit_weight_kn_m3": 19.0}
     found, demand = mechanism_of(case({**wall, "free_element": True}))
     assert found.period_0 > found.period and found.missing == ("period_0",)
-    assert linear("linear_q_code", found, demand, 2.0) is None
-    check = nonlinear(found, demand)
+    assert check_linear("linear_q_code", found, demand, 2.0) is None
+    check = check_displacement(found, demand)
     assert check.zeta == pytest.approx(0.080 / 0.170, abs=2e-3) and check.passed is False
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.capacity_curve import capacity_curve
-from core.codes.dynamic_check import at_demand
+from core.codes.dynamic_check import model_and_scale_at_demand
 from core.known import known
 from core.report.load_arrows import arrows
 from core.report.note import arch_figure, bending_figure
@@ -222,7 +222,7 @@ def forces_of_ties(result: StudyResult, wall: WallResult, words: Words) -> Figur
     if not deciding:
         return None
     worst, curves, last = deciding[0], [], 0.0
-    weakened, _ = at_demand(
+    weakened, _ = model_and_scale_at_demand(
         wall.model, result.demand_required, known(wall.required_assessment.dynamic).confidence_on, worst.motion
     )
     of_bars = bar_histories(wall.wall, worst.history, wall.model.p2 / weakened.p2)

@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 from core.capacity.accuracy import RECORD_ROUNDING
-from core.codes.dynamic_check import DemandCheck
+from core.codes.dynamic_check import DynamicCheck
 from core.codes.elastic_branch import Branch
 from core.codes.vertical_bending import HingeAt
 from core.report.stated.quantity import (
@@ -24,11 +24,11 @@ from core.report.stated.quantity import (
 from core.units import G
 
 
-def _elastic(check: DemandCheck) -> Branch | None:
+def _elastic(check: DynamicCheck) -> Branch | None:
     return check.branch if isinstance(check.branch, Branch) else None
 
 
-def _hinge(check: DemandCheck) -> float | None:
+def _hinge(check: DynamicCheck) -> float | None:
     return check.branch.h1 if isinstance(check.branch, HingeAt) else None
 
 

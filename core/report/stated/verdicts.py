@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from core.codes.assumption import Shown
+from core.codes.assumption import DisplayValue
 from core.report.stated.quantity import Quantity, flag, many, named, number, one, text, texts, whole
 from core.report.verdict_words import outcome_of
 from core.study.results import StudyResult, WallResult, WallVerdict
@@ -20,7 +20,7 @@ SAID = (
 """Quantities read from Sentence."""
 
 
-def _in_english(value: Shown) -> float | str:
+def _in_english(value: DisplayValue) -> float | str:
     return value.text("en") if isinstance(value, Sentence) else value
 
 

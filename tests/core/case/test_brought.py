@@ -15,7 +15,7 @@ from core.case.rules import parse_case, with_walls
 from core.case.site import FloorLoad
 from core.case.wall import Wall
 from core.case.writer import dumps
-from core.codes.kinematic_chain import chain
+from core.codes.kinematic_chain import sum_chain
 from core.errors import InputError
 from core.study.run import run
 from core.study.sweep import SweepKey, set_swept_value
@@ -107,7 +107,7 @@ def test_that_a_floor_that_weighs_nothing_changes_no_number():
     light = FIRST | {"g_kn_m2": 1e-9, "q_kn_m2": 0.0}
     with_floor, without = case_of(building=BUILDING | {"floors": [light]}), case_of(building=BARE)
     one, other = (parts_of(0, case.wall[0], case.building)[0].wall for case in (with_floor, without))
-    assert chain(one.in_si, False).start[0] == pytest.approx(chain(other.in_si, False).start[0], rel=1e-9)
+    assert sum_chain(one.in_si, False).start[0] == pytest.approx(sum_chain(other.in_si, False).start[0], rel=1e-9)
 
 
 def test_that_a_case_with_floors_is_written_as_it_is_read():
@@ -156,7 +156,7 @@ def test_that_a_corner_is_pushed_by_what_spans_to_it_over_its_height():
         moment = 1e3 * (first * math.cos(math.radians(angle)) + second * math.sin(math.radians(angle))) * 6.0 * 3.0
         x, z = body.centroid
         weight = 9.80665 * body.mass
-        assert chain(pushed.in_si, False).start[0] == pytest.approx((weight * x - moment) / (weight * z), rel=1e-9)
+        assert sum_chain(pushed.in_si, False).start[0] == pytest.approx((weight * x - moment) / (weight * z), rel=1e-9)
 
 
 def test_that_the_thrust_of_the_ends_is_in_the_verdict_of_the_corner():

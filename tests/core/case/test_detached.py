@@ -7,7 +7,7 @@ import pytest
 
 from core.case.hinges import count_of, parts_of
 from core.case.rules import parse_case
-from core.codes.kinematic_chain import chain
+from core.codes.kinematic_chain import sum_chain
 from core.errors import InputError
 from core.study.run import run
 from tests.clauses_alone import parse_case as clauses_alone
@@ -41,7 +41,7 @@ def test_that_a_leaf_is_a_rectangle_with_its_connectors_and_what_rests_on_it():
         together = 1e3 * pull * sum(row**2 for row in rows) / rows[-1]
         held = weight * t / 2 + (coping * 0.1 if t >= 0.1 else 0.0) + bears + together
         pushes = weight * 3.0 + (coping * 6.0 if t >= 0.1 else 0.0)
-        assert chain(whole.in_si, False).start[0] == pytest.approx(held / pushes, rel=1e-9)
+        assert sum_chain(whole.in_si, False).start[0] == pytest.approx(held / pushes, rel=1e-9)
         assert [load.h_m for load in whole.load if load.is_tie] == pytest.approx(rows)
         # a connector is gone where it is pulled out
         assert all(tie.bar.elongation_at_yield == pytest.approx(2e-3) for tie in whole.in_si.ties)
@@ -66,7 +66,7 @@ def test_that_connectors_hold_no_less_the_stronger_they_are_and_strong_ones_are_
     least = []
     for pull in (0.2, 1.0, 3.0, 10.0, 100.0):
         walls = leaves_of(LEAF | {"connector_kn_m": pull})
-        least.append(min(chain(part.wall.in_si, False).start[0] for part in walls if part.top is None))
+        least.append(min(sum_chain(part.wall.in_si, False).start[0] for part in walls if part.top is None))
         assert any(part.hinge for part in walls)  # above a row too
     assert least == sorted(least)
 

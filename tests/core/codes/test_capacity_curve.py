@@ -8,7 +8,7 @@ import pytest
 from core.case.rules import parse_case, parse_wall
 from core.codes.capacity_curve import CURVE_PERIODS, capacity_curve
 from core.codes.floor_spectrum import FloorSpectrum, first_mode
-from core.codes.kinematic import kinematic
+from core.codes.kinematic import analyse_mechanism
 from core.codes.spectrum_codes import en1998
 from core.setting.demand_input import read_demand
 from core.units import G
@@ -20,7 +20,7 @@ DEMAND = {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}, "
 def curve_of(**changes):
     case = parse_case({"wall": [WALL], "demand": {**DEMAND, **changes}})
     demand = read_demand(case, Path())
-    return kinematic(case.wall[0].in_si, "two_sided", demand), demand
+    return analyse_mechanism(case.wall[0].in_si, "two_sided", demand), demand
 
 
 def test_that_the_capacity_falls_on_a_line_from_alpha_0_to_d_0():
@@ -52,7 +52,7 @@ def test_that_above_the_ground_the_floor_has_its_own_curve():
     _, demand = curve_of()
     wall = parse_wall({**WALL, "base_z_m": 6.0})
     floor = FloorSpectrum(demand.target, first_mode(3, 9.0, 6.0, 0.3, 0.05))
-    found = kinematic(wall.in_si, "two_sided", demand, floor)
+    found = analyse_mechanism(wall.in_si, "two_sided", demand, floor)
     curve = capacity_curve(found, demand)
     felt = found.floor.acceleration(CURVE_PERIODS, curve.damping)
     moved = felt * (CURVE_PERIODS / (2.0 * np.pi)) ** 2
@@ -70,7 +70,7 @@ def test_that_the_demand_is_drawn_every_hundredth_of_a_second_to_half_a_second_a
     """The period of a point is 2 pi sqrt(d / a); a wall tall enough for all of them."""
     case = parse_case({"wall": [{**WALL, "height_m": 20.0, "thickness_m": 4.0}], "demand": DEMAND})
     demand = read_demand(case, Path())
-    curve = capacity_curve(kinematic(case.wall[0].in_si, "two_sided", demand), demand)
+    curve = capacity_curve(analyse_mechanism(case.wall[0].in_si, "two_sided", demand), demand)
     periods = 2.0 * np.pi * np.sqrt(curve.demand_d / curve.demand_a)
     expected = [0.01 * k for k in range(51)] + [0.5 + 0.02 * k for k in range(1, 176)]
     assert periods == pytest.approx(expected, abs=1e-12) and periods[-1] == pytest.approx(4.0, rel=1e-12)

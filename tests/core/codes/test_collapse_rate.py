@@ -10,7 +10,7 @@ import pytest
 from scipy.integrate import quad
 from scipy.stats import norm
 
-from core.codes.collapse_rate import STATION_DRAWS, in_years, mean_rate, state_rate, typical_rate
+from core.codes.collapse_rate import STATION_DRAWS, exceedance_probability, mean_rate, state_rate, typical_rate
 from core.ground.provenance import draws
 from tests.conftest import ROOT
 
@@ -94,7 +94,7 @@ def test_the_rate_of_a_state_with_fc_its_interval_and_its_life():
     assert found.low < found.rate < found.high and found.without_factor < found.rate
     assert found.in_life == pytest.approx(1.0 - math.exp(-50.0 * found.rate))
     assert found == state_rate("SLV", capacities, list("abcdefg"), HAZARD, 1.35, 50.0)
-    assert in_years(1e-12, 50.0) == pytest.approx(5e-11, rel=1e-9)
+    assert exceedance_probability(1e-12, 50.0) == pytest.approx(5e-11, rel=1e-9)
 
 
 @pytest.mark.shows("risk.rate")

@@ -8,7 +8,7 @@ import pytest
 
 from core.capacity import independent_solver
 from core.codes import dynamic_check
-from core.codes.dynamic_check import DemandCheck, DemandRuns, at_demand, demand_check
+from core.codes.dynamic_check import DemandRuns, DynamicCheck, model_and_scale_at_demand, run_dynamic_check
 from core.ground.ground_motion import GroundMotion
 from core.rocking.history import history
 from core.rocking.methods import AUTO, METHODS
@@ -102,7 +102,7 @@ def test_that_fc_acts_on_both_sides_of_a_body_that_is_not_symmetric(designed, co
     one, other = (make_rocking_model(wall, "two_sided") for wall in walls)
     motion, found = designed.motions[0], []
     for model, sign in ((one, 1), (other, -1)):
-        there, factor = at_demand(model, designed.demand, confidence_on, motion)
+        there, factor = model_and_scale_at_demand(model, designed.demand, confidence_on, motion)
         weaker = factor if confidence_on == "capacity" else 1.0
         assert there.other.p2 == model.other.p2 / weaker and there.p2 == model.p2 / weaker
         found.append(history(motion.acceleration[:700], motion.time_step, 0.7 * sign * factor, there))
@@ -136,8 +136,8 @@ def test_that_records_scaled_to_the_pga_are_the_records_at_the_demand(designed, 
         asked = {"confidence_on": confidence_on}
         plain = read_demand(case(HELD, asked), tmp_path)
         scaled = read_demand(case(HELD, {**asked, "demand_scaling": "pga"}), tmp_path)
-        first = demand_check(wall.model, list(designed.motions), (1,), plain, AUTO)
-        second = demand_check(wall.model, weak, (1,), scaled, AUTO)
+        first = run_dynamic_check(wall.model, list(designed.motions), (1,), plain, AUTO)
+        second = run_dynamic_check(wall.model, weak, (1,), scaled, AUTO)
         factor = 2.0 * (1.35 if confidence_on == "demand" else 1.0) * demand.pga / (2.0 * weak[0].pga)
         assert second.runs[0].factor == pytest.approx(factor, rel=1e-12)
         assert second.zeta == pytest.approx(first.zeta, rel=0.01)
@@ -145,7 +145,7 @@ def test_that_records_scaled_to_the_pga_are_the_records_at_the_demand(designed, 
         for one, other in zip(first.runs, second.runs, strict=True):
             assert other.status == one.status
             assert one.peak_ratio is None or other.peak_ratio == pytest.approx(one.peak_ratio, rel=1e-6)
-    assert demand_check(wall.model, [], (1,), plain, AUTO) is None
+    assert run_dynamic_check(wall.model, [], (1,), plain, AUTO) is None
 
 
 STEP = 0.0025
@@ -228,7 +228,7 @@ def test_that_zeta_of_a_hundred_walls_is_that_of_every_point_of_the_grid(walls):
     narrow = 0
     for k in walls:
         model, motions, signs, demand = wall_of(k)
-        found = demand_check(model, motions, signs, demand, AUTO, other=False)
+        found = run_dynamic_check(model, motions, signs, demand, AUTO, other=False)
         work = DemandRuns(model, motions, signs, demand, demand.confidence_on, AUTO, lambda: False)
         low = math.floor(math.log(0.9 * work.rest) / math.log1p(STEP))
         fails = np.zeros(0, bool)
@@ -291,14 +291,14 @@ def test_that_a_run_that_rocks_is_told_also_where_the_rule_holds(scripted, count
 
 @pytest.mark.shows("dynamic.no_number")
 def test_that_runs_without_a_number_give_no_zeta_and_satisfy_nothing(scripted):
-    found = demand_check(*scripted(lambda at, which: (STABLE, 0.1) if at < 1.2 else (IMPACT_LIMIT, 0.1)), AUTO)
+    found = run_dynamic_check(*scripted(lambda at, which: (STABLE, 0.1) if at < 1.2 else (IMPACT_LIMIT, 0.1)), AUTO)
     assert found.zeta is None and found.zeta_spread is None and not found.passed
     assert found.as_check(1.0).passed is None and not found.within_spread(1.0)
     assert found.zeta_other.zeta is None and not found.zeta_other.passed
 
 
 def test_that_the_row_of_the_check_shows_what_its_rule_compares():
-    found = DemandCheck("SLV", (), 0, 0.2, 0.3, "mean", 0.4, 1.5, True, True)
+    found = DynamicCheck("SLV", (), 0, 0.2, 0.3, "mean", 0.4, 1.5, True, True)
     assert found.as_check(1.0).demand == 0.2
     assert replace(found, set_rule="maximum").as_check(1.0).demand == 0.3
 
@@ -317,10 +317,10 @@ def test_that_the_search_starts_where_the_first_record_begins_to_move_the_wall(d
 
 def test_that_fc_on_the_other_side_is_looked_at_where_it_is_asked_for_and_more_than_one(scripted):
     model, motions, signs, demand = scripted(lambda at, which: (STABLE, 0.1) if at < 1.2 else (COLLAPSED, 1.0))
-    assert demand_check(model, motions, signs, demand, AUTO).zeta_other is not None
-    assert demand_check(model, motions, signs, demand, AUTO, other=False).zeta_other is None
+    assert run_dynamic_check(model, motions, signs, demand, AUTO).zeta_other is not None
+    assert run_dynamic_check(model, motions, signs, demand, AUTO, other=False).zeta_other is None
     full = replace(demand, confidence_factor=1.0)
-    assert demand_check(model, motions, signs, full, AUTO).zeta_other is None
+    assert run_dynamic_check(model, motions, signs, full, AUTO).zeta_other is None
 
 
 def test_that_one_run_beyond_theta_c_fails_the_rule_though_the_mean_holds(scripted):

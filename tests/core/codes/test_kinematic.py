@@ -3,7 +3,7 @@
 import pytest
 
 from core.case.rules import parse_case
-from core.codes.kinematic import linear, nonlinear, sld
+from core.codes.kinematic import check_displacement, check_linear, check_sld
 from tests.validation.circolare import FREE, HELD, case, mechanism_of
 
 
@@ -18,8 +18,8 @@ def test_that_a_wall_is_free_as_said_else_by_its_mechanism():
 def test_that_a_free_element_without_its_period_has_no_linear_check():
     found, demand = mechanism_of(case({"unit_weight_kn_m3": 18.0}))
     assert found.missing == ("elastic_modulus_mpa",) and found.zeta_sld is None
-    assert linear("linear_q_code", found, demand, 2.0) is None and sld(found, demand) is None
-    assert nonlinear(found, demand).zeta == pytest.approx(0.9768, abs=5e-5)
+    assert check_linear("linear_q_code", found, demand, 2.0) is None and check_sld(found, demand) is None
+    assert check_displacement(found, demand).zeta == pytest.approx(0.9768, abs=5e-5)
     bare = {
         "wall": [
             {"name": "w", "height_m": 7.0, "thickness_m": 0.83, "base_z_m": 0.0, "mechanism": "two_sided", **FREE}
@@ -33,7 +33,7 @@ def test_that_a_free_element_without_its_period_has_no_linear_check():
 def test_that_the_check_at_sld_is_against_the_ground_or_the_spectrum_at_t_0():
     for kind, demanded in ((HELD, 0.312), (FREE, 0.780)):
         asked = case({"height_m": 3.0, "thickness_m": 0.45, **kind}, {"limit_state": "SLD"})
-        check = sld(*mechanism_of(asked))
+        check = check_sld(*mechanism_of(asked))
         assert check.clause == "C8.7.1.2.1.5" and check.unit == "g"
         assert (check.name, check.label) == ("linear_q_code", "linear_sld")
         assert check.demand == pytest.approx(demanded, rel=1e-12)
@@ -43,6 +43,6 @@ def test_that_the_check_at_sld_is_against_the_ground_or_the_spectrum_at_t_0():
 
 def test_that_only_the_check_of_sld_goes_without_its_q_in_words():
     found, demand = mechanism_of(case(HELD))
-    assert linear("linear_q_code", found, demand, 2.0).label == "linear_q_code"
-    assert linear("linear_q_slv", found, demand, 3.0).label == "linear_q_slv"
-    assert nonlinear(found, demand).label == "nonlinear"
+    assert check_linear("linear_q_code", found, demand, 2.0).label == "linear_q_code"
+    assert check_linear("linear_q_slv", found, demand, 3.0).label == "linear_q_slv"
+    assert check_displacement(found, demand).label == "nonlinear"

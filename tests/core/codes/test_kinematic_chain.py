@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from core.case.rules import parse_case
-from core.codes.kinematic import elastic_period, kinematic, nonlinear
-from core.codes.kinematic_chain import chain, friction, multipliers_with_friction
+from core.codes.kinematic import analyse_mechanism, check_displacement, elastic_period
+from core.codes.kinematic_chain import multipliers_with_friction, return_wall_friction, sum_chain
 from core.report.json_report import results
 from core.setting.demand_input import read_demand
 from core.study import run as study
@@ -25,11 +25,11 @@ def across(**changes):
 @pytest.mark.shows("kinematic.friction")
 def test_that_friction_counts_in_alpha0_alone_and_at_its_least():
     wall = across()
-    found, bare = chain(wall.in_si, False), chain(replace(wall, return_walls=None).in_si, False)
+    found, bare = sum_chain(wall.in_si, False), sum_chain(replace(wall, return_walls=None).in_si, False)
     assert (found.alpha0, found.e_star, found.d0) == (bare.alpha0, bare.e_star, bare.d0)
     values = []
     for h in np.linspace(0.05, 3.0, 5000):
-        holding = 8.1 * h * 0.225 + 2.0 * 1e-3 * friction(wall.in_si, h) / 5.0 * h / 3.0
+        holding = 8.1 * h * 0.225 + 2.0 * 1e-3 * return_wall_friction(wall.in_si, h) / 5.0 * h / 3.0
         values.append(holding / (0.5 * 8.1 * h * h))
     assert found.alpha0_friction == pytest.approx(min(values), rel=1e-6)
     assert found.alpha0_friction > bare.alpha0
@@ -38,17 +38,17 @@ def test_that_friction_counts_in_alpha0_alone_and_at_its_least():
     assert masses[-1] == pytest.approx(24.3e3 / G, rel=1e-12)
     assert np.abs(shares - 1.0).max() < 1e-14
     # a wall that turns inward is not held: nothing of it for a two-sided one
-    assert chain(wall.in_si, True).alpha0_friction is None
+    assert sum_chain(wall.in_si, True).alpha0_friction is None
 
 
 def test_that_friction_takes_the_part_whose_a0_is_least_with_its_own_e_star():
     """a0* = alpha_0 g / (e* FC), both of the upper part of height h."""
     wall = case_of({**PUSHING, "kn_m": 50.0}, return_walls={**ACROSS, "number": 4}, length_m=5.0).wall[0]
-    found = chain(wall.in_si, False)
+    found = sum_chain(wall.in_si, False)
     least = math.inf
     for h in np.linspace(0.01, 3.0, 3000):
         weight = 8.1 * h
-        holding = weight * 0.225 + 50.0 * 0.30 + 4e-3 * friction(wall.in_si, h) / 5.0 * h / 3.0
+        holding = weight * 0.225 + 50.0 * 0.30 + 4e-3 * return_wall_friction(wall.in_si, h) / 5.0 * h / 3.0
         first, second = weight * 0.5 * h + 50.0 * h, weight * 0.25 * h * h + 50.0 * h * h
         e_star = first**2 / ((weight + 50.0) * second)
         least = min(least, holding / first / e_star)
@@ -79,7 +79,7 @@ def test_that_the_numbers_of_a_mechanism_are_of_one_body(loads):
     assert found.a0 == pytest.approx(found.alpha0 * G / (found.e_star * 1.35), rel=1e-12)
     assert found.m_star == pytest.approx(found.e_star * mass, rel=1e-12)
     assert found.zeta_floor <= found.zeta_sld
-    whole = kinematic(bare.in_si, "one_sided", read_demand(case, Path()))
+    whole = analyse_mechanism(bare.in_si, "one_sided", read_demand(case, Path()))
     check = results(study.run(case, base_dir=Path()))["walls"][0]["kinematic_check"]
     for numbers, body in ((check, found), (check["without_friction"], whole)):
         assert numbers["a0_star_g"] == pytest.approx(numbers["alpha0"] / (numbers["e_star"] * 1.35), rel=1e-12)
@@ -108,9 +108,9 @@ def test_that_the_friction_does_not_raise_what_the_histories_lead_to(tmp_path):
 def test_that_the_displacement_check_does_not_count_the_friction():
     case = case_of(return_walls=ACROSS, length_m=5.0)
     demand = read_demand(case, Path())
-    with_it = kinematic(case.wall[0].in_si, "one_sided", demand)
-    without = kinematic(replace(case.wall[0], return_walls=None).in_si, "one_sided", demand)
-    assert nonlinear(with_it, demand) == nonlinear(without, demand)
+    with_it = analyse_mechanism(case.wall[0].in_si, "one_sided", demand)
+    without = analyse_mechanism(replace(case.wall[0], return_walls=None).in_si, "one_sided", demand)
+    assert check_displacement(with_it, demand) == check_displacement(without, demand)
     assert with_it.zeta_sld > without.zeta_sld
 
 
@@ -118,7 +118,7 @@ def test_that_the_displacement_check_does_not_count_the_friction():
 def test_that_a_two_sided_wall_takes_its_weaker_side():
     """The load at 0.30 of 0.45 m holds the outer hinge more than the inner one."""
     wall = case_of(ROOF, mechanism="two_sided").wall[0]
-    outer, both = chain(wall.in_si, False), chain(wall.in_si, True)
+    outer, both = sum_chain(wall.in_si, False), sum_chain(wall.in_si, True)
     assert outer.alpha0 == pytest.approx((24.3 * 0.225 + 10.0 * 0.30) / 36.45, rel=1e-12)
     assert both.alpha0 == pytest.approx((24.3 * 0.225 + 10.0 * 0.15) / 36.45, rel=1e-12)
     # theta_c where W R sin(alpha - theta) + N (d cos(theta) - h sin(theta)) = 0; d_0 of the centroid of the wall
@@ -135,7 +135,7 @@ def test_that_friction_holds_a_part_with_the_loads_above_its_hinge():
     for h, tied in ((3.0, True), (0.21, True), (0.19, False), (0.1, False)):
         k = int(np.argmin(np.abs(heights - h)))
         h = heights[k]
-        holding = 8.1 * h * 0.225 + 10.0 * 0.30 + 2e-3 * friction(wall.in_si, h) / 5.0 * h / 3.0
+        holding = 8.1 * h * 0.225 + 10.0 * 0.30 + 2e-3 * return_wall_friction(wall.in_si, h) / 5.0 * h / 3.0
         holding += 5.0 * (2.8 - (3.0 - h)) if tied else 0.0
         assert multipliers[k] == pytest.approx(holding / (0.5 * 8.1 * h * h), rel=1e-9), h
 

@@ -8,13 +8,13 @@ import pytest
 from core.capacity.ida import multiplier_of
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.limits import (
-    MEAN_FROM,
-    MINIMUM_FROM,
-    are_counted,
+    MIN_STATIONS_FOR_MEAN,
+    MIN_STATIONS_FOR_MINIMUM,
     check_return_period,
+    counted_mask,
     counted_stations,
+    set_capacity,
     set_rule,
-    set_value,
 )
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
@@ -23,7 +23,7 @@ from core.ground.ground_motion import GroundMotion
 @pytest.mark.shows("kinematic.d_slv")
 def test_that_the_limits_are_those_of_the_clauses():
     assert LIMIT_FRACTION == {"SLV": 0.40, "SLC": 0.60}  # C8.7.1.2.1.6
-    assert (MEAN_FROM, MINIMUM_FROM) == (7, 3)  # EN 1998-1 4.3.3.4.3(3)
+    assert (MIN_STATIONS_FOR_MEAN, MIN_STATIONS_FOR_MINIMUM) == (7, 3)  # EN 1998-1 4.3.3.4.3(3)
 
 
 @pytest.mark.shows("dynamic.stations")
@@ -49,7 +49,7 @@ def test_that_the_stations_decide_the_rule_of_a_set(count, rule):
     ],
 )
 def test_that_a_set_is_the_mean_or_the_most_unfavourable_of_its_numbers(values, rule, value):
-    assert set_value(values, rule) == value
+    assert set_capacity(values, rule) == value
 
 
 @pytest.mark.shows("dynamic.silent")
@@ -62,14 +62,14 @@ def test_that_a_record_below_a_fifth_of_the_mean_pga_does_not_count():
         motions = [GroundMotion(f"m{k}", pulse, 0.01) for k in range(6)]
         motions.append(GroundMotion("m6", last * pulse, 0.01, ground_pga=ground))
         demand = SimpleNamespace(scaling=lambda motion: scale if motion.name == "m6" else 1.0)
-        assert are_counted(motions, demand)[:6] == [True] * 6
-        assert len(counted_stations(motions, demand)) == 6 + are_counted(motions, demand)[6]
-        return are_counted(motions, demand)[6]
+        assert counted_mask(motions, demand)[:6] == [True] * 6
+        assert len(counted_stations(motions, demand)) == 6 + counted_mask(motions, demand)[6]
+        return counted_mask(motions, demand)[6]
 
     assert counted(3.0 / 17.0 + 1e-6) and not counted(3.0 / 17.0 - 1e-6)
     assert not counted(1.0, ground=0.17) and counted(0.1, ground=0.18)
     assert counted(0.1, scale=1.8) and not counted(0.34, scale=0.5)
-    assert are_counted([], SimpleNamespace()) == []
+    assert counted_mask([], SimpleNamespace()) == []
 
 
 @pytest.mark.shows("paper.eq_10")

@@ -10,12 +10,12 @@ import pytest
 from core.codes.national_hazard import (
     ISLANDS,
     RETURN_PERIODS,
-    beginning_with,
     grid,
     hazard_at,
     municipalities,
     municipality,
     reference_life,
+    search_municipalities,
 )
 from core.errors import InputError
 
@@ -149,8 +149,8 @@ def test_that_a_municipality_is_found_without_accents_and_asked_for_its_province
         with pytest.raises(InputError) as refused:
             municipality(*wrong)
         assert refused.value.code == code
-    assert beginning_with("aquil")[0].name.startswith("Aquil") and any(
-        one.name == "L'Aquila" for one in beginning_with("aquila")
+    assert search_municipalities("aquil")[0].name.startswith("Aquil") and any(
+        one.name == "L'Aquila" for one in search_municipalities("aquila")
     )
 
 
@@ -165,7 +165,7 @@ def test_that_the_reference_life_is_that_of_the_code():
 
 
 def test_that_a_name_without_its_apostrophe_is_the_same_municipality():
-    assert municipality("Laquila").name == "L'Aquila" == beginning_with("laquil", 3)[0].name
+    assert municipality("Laquila").name == "L'Aquila" == search_municipalities("laquil", 3)[0].name
 
 
 OPEN_SEA = (
@@ -191,10 +191,10 @@ def test_that_the_hazard_of_an_island_ends_with_its_waters(point):
 def test_that_names_are_folded_once_and_what_is_typed_at_each_key(monkeypatch):
     from core.codes import national_hazard
 
-    beginning_with("a")
+    search_municipalities("a")
     seen = []
-    fold = national_hazard.folded
-    monkeypatch.setattr(national_hazard, "folded", lambda name: seen.append(name) or fold(name))
+    fold = national_hazard.normalise_name
+    monkeypatch.setattr(national_hazard, "normalise_name", lambda name: seen.append(name) or fold(name))
     for typed in ("L'", "L'A", "LAquila", "aquila"):
-        assert "L'Aquila" in [one.name for one in beginning_with(typed, 2000)]
+        assert "L'Aquila" in [one.name for one in search_municipalities(typed, 2000)]
     assert seen == ["L'", "L'A", "LAquila", "aquila"]

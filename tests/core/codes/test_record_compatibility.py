@@ -7,7 +7,7 @@ import pytest
 
 from core.case.rules import parse_case
 from core.codes import record_compatibility as rules
-from core.codes.record_compatibility import compliance
+from core.codes.record_compatibility import check_compatibility
 from core.errors import InputError, RecordError
 from core.ground import records
 from core.ground.provenance import stations
@@ -32,7 +32,7 @@ def test_that_a_generated_set_complies_and_half_of_it_does_not(tmp_path):
     asked = case()
     demand = read_demand(asked, tmp_path)
     motions = generate_motions(asked, demand)
-    found = compliance(motions, ["artificial"] * 7, demand)
+    found = check_compatibility(motions, ["artificial"] * 7, demand)
     assert found.compatible
     assert {rule.name for rule in found.rules if rule.passed} >= {
         "mean_lower",
@@ -42,17 +42,17 @@ def test_that_a_generated_set_complies_and_half_of_it_does_not(tmp_path):
         "duration",
     }
     halved = [replace(motion, acceleration=0.5 * motion.acceleration) for motion in motions]
-    wrong = compliance(halved, ["artificial"] * 7, demand)
+    wrong = check_compatibility(halved, ["artificial"] * 7, demand)
     assert not wrong.compatible
-    assert compliance(motions[:2], ["artificial"] * 2, demand).compatible is False
+    assert check_compatibility(motions[:2], ["artificial"] * 2, demand).compatible is False
 
 
 def test_that_there_is_nothing_to_compare_without_records_or_without_a_spectrum(tmp_path):
     asked = case()
     demand = read_demand(asked, tmp_path)
     motions = generate_motions(asked, demand)
-    assert compliance([], [], demand) is None
-    assert compliance(motions, ["artificial"] * 7, replace(demand, target=None)) is None
+    assert check_compatibility([], [], demand) is None
+    assert check_compatibility(motions, ["artificial"] * 7, replace(demand, target=None)) is None
 
 
 @pytest.mark.shows("demand.artificial")
@@ -63,7 +63,7 @@ def test_that_artificial_motions_are_as_long_as_the_code_asks(tmp_path):
     size = round(25.0 / motions[0].time_step) + 1
     for samples, passed in ((size, True), (size - 1, False)):
         cut = [replace(motion, acceleration=motion.acceleration[:samples]) for motion in motions]
-        found = {rule.name: rule for rule in compliance(cut, ["artificial"] * 7, demand).rules}
+        found = {rule.name: rule for rule in check_compatibility(cut, ["artificial"] * 7, demand).rules}
         assert (found["duration"].limit, found["duration"].passed) == (25.0, passed)
         assert found["strong_part"].limit == 10.0
 
@@ -73,7 +73,7 @@ def test_that_one_factor_brings_the_mean_to_the_target_over_the_periods_asked(tm
     for more in ({}, {"period_range_s": [0.3, 2.6]}):
         demand = read_demand(case(**more), tmp_path)
         low, high = more.get("period_range_s", (0.15, 2.0))
-        found = compliance(motions, ["artificial"] * 3, demand)
+        found = check_compatibility(motions, ["artificial"] * 3, demand)
         inside = (found.periods >= low) & (found.periods <= high)
         by_hand = np.exp(np.log(found.target / found.mean)[inside].mean())
         assert rules.common_factor(motions, demand) == pytest.approx(by_hand, rel=2e-3)
@@ -83,7 +83,7 @@ def test_that_natural_records_have_an_upper_bound_too(tmp_path):
     asked = case()
     demand = read_demand(asked, tmp_path)
     louder = [replace(m, acceleration=1.5 * m.acceleration) for m in generate_motions(asked, demand)]
-    rules = compliance(louder, ["natural"] * 7, demand).rules
+    rules = check_compatibility(louder, ["natural"] * 7, demand).rules
     upper = next(rule for rule in rules if rule.name == "mean_upper" and rule.limit is not None)
     assert upper.limit == 0.30 and upper.passed is False
 
@@ -100,15 +100,15 @@ def test_that_two_components_of_a_station_count_once(tmp_path):
         for motion, component in zip(generate_motions(asked, demand), ("180", "270", "UP"), strict=False)
     ]
     assert len(stations(motions)) == 1
-    assert compliance(motions, ["natural"] * 3, demand).stations == 1
+    assert check_compatibility(motions, ["natural"] * 3, demand).stations == 1
 
 
 def test_that_scaling_to_pga_scales_the_spectra(tmp_path):
     plain, scaled = (read_demand(case(**more), tmp_path) for more in ({}, {"demand_scaling": "pga"}))
     motions = [replace(motion, acceleration=0.5 * motion.acceleration) for motion in generate_motions(case(), plain)]
     assert scaled.scaling(motions[0]) == pytest.approx(2.0, rel=1e-6)
-    assert compliance(motions, ["artificial"] * 7, scaled).compatible
-    assert not compliance(motions, ["artificial"] * 7, plain).compatible
+    assert check_compatibility(motions, ["artificial"] * 7, scaled).compatible
+    assert not check_compatibility(motions, ["artificial"] * 7, plain).compatible
 
 
 @pytest.mark.shows("demand.natural")
@@ -118,14 +118,14 @@ def test_that_natural_records_are_compared_up_to_the_longest_period_of_the_walls
     demand = read_demand(asked, tmp_path)
     motions = generate_motions(asked, demand)
     for kind, longest, high in (("natural", 3.4, 3.4), ("natural", 1.2, 2.0), ("artificial", 3.4, 2.0)):
-        found = compliance(motions, [kind] * 7, demand, longest)
+        found = check_compatibility(motions, [kind] * 7, demand, longest)
         assert found.period_range == (0.15, high)
         inside = (found.periods >= 0.15 - 1e-9) & (found.periods <= high + 1e-9)
         assert found.periods[inside][[0, -1]] == pytest.approx([0.15, high])
         lower = next(rule for rule in found.rules if rule.code == "NTC" and rule.name == "mean_lower")
         assert lower.value == pytest.approx((found.mean / found.target - 1.0)[inside].min(), rel=1e-12)
     chosen = read_demand(case(period_range_s=[0.3, 2.6]), tmp_path)
-    assert compliance(motions, ["natural"] * 7, chosen, 3.4).period_range == (0.3, 2.6)
+    assert check_compatibility(motions, ["natural"] * 7, chosen, 3.4).period_range == (0.3, 2.6)
 
 
 @pytest.mark.parametrize("asked", [(0.05, 2.0), (0.15, 2.0), (0.15, 3.4)])
@@ -163,7 +163,7 @@ def test_that_looks_ten_times_as_close_move_no_extreme_by_half_a_percent(shelf, 
         found = []
         for step in (rules.PERIOD_STEP, 0.1 * rules.PERIOD_STEP):
             monkeypatch.setattr(rules, "PERIOD_STEP", step)
-            made = rules.compliance(chosen, ["natural"] * 7, demand)
+            made = rules.check_compatibility(chosen, ["natural"] * 7, demand)
             named = {rule.name: rule.value for rule in made.rules}
             found.append((named["mean_lower"], named["mean_upper"]))
             monkeypatch.undo()
@@ -178,7 +178,7 @@ def _reads(path) -> bool:
 
 
 def test_that_a_spectrum_that_is_kept_is_that_of_its_own_samples_step_and_periods():
-    from core.codes.record_compatibility import kept_spectrum
+    from core.codes.record_compatibility import cached_spectrum
     from core.ground.response_spectrum import pseudo_acceleration_spectrum
 
     chance = np.random.default_rng(5)
@@ -193,7 +193,7 @@ def test_that_a_spectrum_that_is_kept_is_that_of_its_own_samples_step_and_period
             (first, 0.02, periods),
             (first, 0.01, periods[:5]),
         ):
-            found = kept_spectrum(ground, dt, asked)
+            found = cached_spectrum(ground, dt, asked)
             assert (found == pseudo_acceleration_spectrum(ground, dt, asked)).all()
     with pytest.raises(ValueError):
         found[0] = 0.0

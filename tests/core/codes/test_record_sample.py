@@ -7,9 +7,15 @@ import pytest
 
 from core.case.rules import parse_case
 from core.codes import record_sample
-from core.codes.dynamic_check import DemandRuns, demand_check
+from core.codes.dynamic_check import DemandRuns, run_dynamic_check
 from core.codes.multiplier_search import MULTIPLIER_STEP
-from core.codes.record_sample import RecordPeaks, one_left_out, record_peaks, sample_interval, zeta_of_sets
+from core.codes.record_sample import (
+    RecordPeaks,
+    leave_one_out_zetas,
+    record_peaks,
+    sample_interval,
+    zetas_of_resampled_sets,
+)
 from core.ground.artificial import filtered_noise
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import AUTO
@@ -36,32 +42,32 @@ def scene():
 @pytest.fixture(scope="module")
 def peaks(scene):
     model, motions, demand = scene
-    zeta = demand_check(model, motions, (1,), demand, AUTO, other=False).zeta
+    zeta = run_dynamic_check(model, motions, (1,), demand, AUTO, other=False).zeta
     return zeta, record_peaks(model, motions, (1,), demand, AUTO, zeta)
 
 
 def test_that_the_whole_set_is_the_check_itself(peaks):
     zeta, found = peaks
-    (whole,) = zeta_of_sets(found, np.ones((1, 8), int))
+    (whole,) = zetas_of_resampled_sets(found, np.ones((1, 8), int))
     assert zeta / WITHIN < whole < zeta * WITHIN
 
 
 def test_that_a_record_left_out_is_the_check_of_the_others(scene, peaks):
     """Eight stations, so that seven keep the rule of the mean."""
     model, motions, demand = scene
-    without = one_left_out(peaks[1])
+    without = leave_one_out_zetas(peaks[1])
     for k in range(8):
         others = [motion for n, motion in enumerate(motions) if n != k]
-        alone = demand_check(model, others, (1,), demand, AUTO, other=False).zeta
+        alone = run_dynamic_check(model, others, (1,), demand, AUTO, other=False).zeta
         assert alone / WITHIN < without[k] < alone * WITHIN
     assert without.max() > without.min()
 
 
 def test_that_a_record_taken_twice_counts_twice(scene, peaks):
     model, motions, demand = scene
-    (twice,) = zeta_of_sets(peaks[1], np.array([[2, 1, 1, 1, 1, 1, 1, 0]]))
+    (twice,) = zetas_of_resampled_sets(peaks[1], np.array([[2, 1, 1, 1, 1, 1, 1, 0]]))
     again = [*motions[:7], replace(motions[0], name="again")]
-    alone = demand_check(model, again, (1,), demand, AUTO, other=False).zeta
+    alone = run_dynamic_check(model, again, (1,), demand, AUTO, other=False).zeta
     assert alone / WITHIN < twice < alone * WITHIN
 
 
@@ -73,7 +79,7 @@ def test_that_the_interval_is_that_of_the_drawn_stations_and_the_same_again(scen
     assert found.low < peaks[0] < found.high and found.stations == 8 and not found.open_end
     rng, zetas = np.random.default_rng(7), []
     for _ in range(400):
-        zetas += list(zeta_of_sets(peaks[1], np.bincount(rng.integers(8, size=8), minlength=8)[None]))
+        zetas += list(zetas_of_resampled_sets(peaks[1], np.bincount(rng.integers(8, size=8), minlength=8)[None]))
     share = np.mean([(found.low <= zeta) & (zeta <= found.high) for zeta in zetas])
     assert 0.85 <= share <= 1.0
 
@@ -81,7 +87,7 @@ def test_that_the_interval_is_that_of_the_drawn_stations_and_the_same_again(scen
 def test_that_records_of_one_kind_have_no_interval_and_two_stations_none_at_all(scene):
     model, motions, demand = scene
     same = [replace(motions[0], name=f"s{k}") for k in range(7)]
-    zeta = demand_check(model, same, (1,), demand, AUTO, other=False).zeta
+    zeta = run_dynamic_check(model, same, (1,), demand, AUTO, other=False).zeta
     found = sample_interval(record_peaks(model, same, (1,), demand, AUTO, zeta), same, zeta)
     assert found.low == found.high == pytest.approx(zeta, rel=1e-12)
     assert sample_interval(record_peaks(model, same[:2], (1,), demand, AUTO, zeta), same[:2], zeta) is None
@@ -109,7 +115,9 @@ def test_that_zeta_of_a_set_is_where_half_of_its_neighbours_fail(mean):
         peaks = rise * rng.uniform(0.0, 2.0, (4, 60)) * np.linspace(0.2, 1.6, 60)
         found = RecordPeaks(0.5 * 1.01 ** np.arange(60), peaks, 0.4, mean)
         counts = rng.multinomial(4, [0.25] * 4, 30)
-        assert zeta_of_sets(found, counts) == pytest.approx([by_hand(found, row) for row in counts], rel=1e-12)
+        assert zetas_of_resampled_sets(found, counts) == pytest.approx(
+            [by_hand(found, row) for row in counts], rel=1e-12
+        )
 
 
 @pytest.mark.parametrize("target", [1.0, 0.6])
@@ -120,11 +128,11 @@ def test_that_the_peaks_begin_at_half_of_zeta_unless_a_record_alone_breaks_the_r
     wall = {"name": "w", "height_m": 12.0, "thickness_m": 0.8, "mechanism": "two_sided", "base_z_m": 0.0}
     model = make_rocking_model(parse_case({"wall": [wall]}).wall[0], "two_sided")
     demand, step = replace(demand, zeta_target=target), (1.0 + MULTIPLIER_STEP) ** record_sample.EVERY
-    zeta = demand_check(model, motions, (1,), demand, AUTO, other=False).zeta
+    zeta = run_dynamic_check(model, motions, (1,), demand, AUTO, other=False).zeta
     found = record_peaks(model, motions, (1,), demand, AUTO, zeta)
     assert 0.5 / step <= found.multipliers[0] / zeta <= 0.5
     assert 1.5 / step <= found.multipliers[-1] / zeta < 1.5 * step
-    (whole,) = zeta_of_sets(found, np.ones((1, 8), int))
+    (whole,) = zetas_of_resampled_sets(found, np.ones((1, 8), int))
     assert zeta / WITHIN < whole < zeta * WITHIN
     rest = DemandRuns(model, motions, (1,), demand, demand.confidence_on, AUTO, lambda: False).rest
     for asked in (3.0 * zeta, 1.9 * rest):

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from core.case.rules import parse_case
 from core.codes import annex
-from core.codes.spectrum_codes import CODES, FOLDER, NATIONAL, codes_of
+from core.codes.spectrum_codes import CODES, FOLDER, NATIONAL, load_spectrum_codes
 from core.errors import InputError
 from core.setting.demand_input import read_demand
 from core.setting.plan import read_inputs
@@ -48,7 +48,7 @@ def test_that_a_file_more_is_a_code_more(tmp_path):
         'name = "AN/XX EN 1998-1"\nseen_in_print = false\nsource = "made"\namplification = 2.5\n'
         "[type.1]\nA = { s = 1.0, t_b = 0.1, t_c = 0.6, t_d = 2.0 }\n"
     )
-    made = codes_of(tmp_path)
+    made = load_spectrum_codes(tmp_path)
     assert set(made) == {*CODES, "EN1998-XX"} and not made["EN1998-XX"].seen_in_print
     target = made["EN1998-XX"].make(2.0, "A", 1)
     assert target.name == "AN/XX EN 1998-1 type 1, A" and target.acceleration([1.2])[0] == pytest.approx(2.5)
@@ -105,9 +105,9 @@ FAULTS = [
 def test_that_a_file_that_is_no_annex_is_a_code_that_no_case_takes(tmp_path, monkeypatch, text, written, instead, code):
     """No wall is verified by what a file does not plainly say, and no other case is hindered."""
     (tmp_path / "EN1998-Y.toml").write_text(text)
-    assert codes_of(tmp_path)["EN1998-Y"].fault is None and written in text
+    assert load_spectrum_codes(tmp_path)["EN1998-Y"].fault is None and written in text
     (tmp_path / "EN1998-X.toml").write_text(text.replace(written, instead, 1))
-    made = codes_of(tmp_path)
+    made = load_spectrum_codes(tmp_path)
     assert made["EN1998-Y"].fault is None and made["EN1998-X"].fault.code == code
     monkeypatch.setitem(CODES, "EN1998-ES", made["EN1998-X"])
     with pytest.raises(InputError) as refused:
@@ -119,13 +119,13 @@ def test_that_a_file_that_is_no_annex_is_a_code_that_no_case_takes(tmp_path, mon
 @pytest.mark.parametrize("content", [b'name = "Espa\xf1a"', b"x" * 200_000, b'name = "half'])
 def test_that_a_damaged_file_of_an_annex_is_one_sentence(tmp_path, content):
     (tmp_path / "EN1998-X.toml").write_bytes(content)
-    assert codes_of(tmp_path)["EN1998-X"].fault.code == "annex_unreadable"
+    assert load_spectrum_codes(tmp_path)["EN1998-X"].fault.code == "annex_unreadable"
 
 
 def test_that_an_annex_may_have_one_type_alone(tmp_path, monkeypatch):
     """The row of type 1 beside type 2 ended all walls where there is no type 1."""
     (tmp_path / "EN1998-X.toml").write_text(TABLE.replace("[type.1]", "[type.2]"))
-    monkeypatch.setitem(CODES, "EN1998", codes_of(tmp_path)["EN1998-X"])
+    monkeypatch.setitem(CODES, "EN1998", load_spectrum_codes(tmp_path)["EN1998-X"])
     spectrum = {"code": "EN1998", "type": 2, "soil": "A"}
     result = run(clauses_alone({"wall": [WALL], "demand": {"ag_g": 0.1, "spectrum": spectrum}}), base_dir=Path())
     assert result.verdicts[0].zeta_least
@@ -133,7 +133,7 @@ def test_that_an_annex_may_have_one_type_alone(tmp_path, monkeypatch):
 
 def test_that_a_file_does_not_take_the_place_of_the_code_of_the_program(tmp_path):
     (tmp_path / f"{NATIONAL}.toml").write_text(TABLE)
-    assert codes_of(tmp_path)[NATIONAL].fault.code == "annex_name"
+    assert load_spectrum_codes(tmp_path)[NATIONAL].fault.code == "annex_name"
 
 
 @given(st.sampled_from([TABLE, VELOCITY]), st.data())
@@ -166,7 +166,7 @@ def test_that_a_corrected_annex_is_another_key_of_what_is_kept(tmp_path, monkeyp
     keys = [files_key(case, tmp_path, inputs)]
     for text in (VELOCITY, VELOCITY.replace("false", "true", 1)):
         (tmp_path / "EN1998-ES.toml").write_text(text)
-        monkeypatch.setitem(CODES, "EN1998-ES", codes_of(tmp_path)["EN1998-ES"])
+        monkeypatch.setitem(CODES, "EN1998-ES", load_spectrum_codes(tmp_path)["EN1998-ES"])
         keys.append(files_key(case, tmp_path, inputs))
     assert keys[0] == keys[1] != keys[2]
 

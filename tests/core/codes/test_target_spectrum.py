@@ -10,7 +10,7 @@ import pytest
 from core.case.schema import Case
 from core.case.site import Demand
 from core.codes import target_spectrum as ts
-from core.codes.demand import with_records
+from core.codes.demand import complete_with_records
 from core.codes.spectrum_codes import en1998
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
@@ -215,7 +215,7 @@ def test_that_records_far_below_the_demand_are_warned_of():
     one = GroundMotion("a", np.sin(np.arange(500) * 0.3), 0.01, "a")
     for ag, codes in ((0.1, []), (0.6, ["weaker_records"])):
         case = Case(demand=Demand(ag, soil_factor=1.0))
-        asked = with_records(read_demand(case, Path()), [one])
+        asked = complete_with_records(read_demand(case, Path()), [one])
         assert [warning.code for warning in asked.warnings] == codes
 
 

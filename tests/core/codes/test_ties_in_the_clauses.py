@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from core.codes.capacity_curve import capacity_curve
-from core.codes.kinematic import kinematic, linear
+from core.codes.kinematic import analyse_mechanism, check_linear
 from core.setting.demand_input import read_demand
 from core.units import G
 from tests.validation.test_loaded_walls import INWARD, ROOF, TIE, case_of
@@ -22,7 +22,7 @@ def found_of(*loads, state="SLV", **changes):
     given = [{key: value for key, value in load.items() if value is not None} for load in loads]
     case = case_of(*given, **changes)
     demand = replace(read_demand(case, Path()), limit_state=state)
-    return kinematic(case.wall[0].in_si, case.wall[0].mechanism, demand), demand
+    return analyse_mechanism(case.wall[0].in_si, case.wall[0].mechanism, demand), demand
 
 
 @pytest.mark.shows("kinematic.ties", "kinematic.d_slv")
@@ -32,7 +32,7 @@ def test_that_alpha_0_counts_the_tie_at_yield_and_d_0_does_not_count_it():
     assert found.chain.alpha0_bare == pytest.approx(bare, rel=1e-12)
     assert found.alpha0 == pytest.approx(bare + 5.0 * 2.8 / WY, rel=1e-12)
     assert found.d0 == pytest.approx(D0, abs=6e-6)
-    assert linear("linear_q_code", found, demand, 2.0).zeta == pytest.approx(2.9268, abs=6e-5)
+    assert check_linear("linear_q_code", found, demand, 2.0).zeta == pytest.approx(2.9268, abs=6e-5)
     # the other reading, in which it pulls up to collapse: that of a constant force
     assert found.chain.d0_with_ties == pytest.approx(0.49230, abs=6e-6)
     always, _ = found_of(ROOF, INWARD)

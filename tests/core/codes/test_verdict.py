@@ -7,12 +7,12 @@ import pytest
 
 from core.case.rules import parse_case
 from core.codes.assumption import Assumption
-from core.codes.dynamic_check import DemandCheck, OtherConfidence
+from core.codes.dynamic_check import AlternativeConfidence, DynamicCheck
 from core.codes.evidence import Circumstances, Evidence
 from core.codes.kinematic import Check
 from core.codes.record_compatibility import Compliance
-from core.codes.verdict import TO_MEND, verdict
-from core.codes.verdict_sentence import at_hinge, measured
+from core.codes.verdict import TO_MEND, make_verdict
+from core.codes.verdict_sentence import check_sentence, hinge_phrase
 from core.ground.artificial import compatible_motion
 from core.setting.demand_input import read_demand
 from core.study import run as study
@@ -69,7 +69,7 @@ def said(
     histories = None
     if dynamic is not None:
         holds = dynamic >= target
-        histories = DemandCheck(
+        histories = DynamicCheck(
             "SLV", (), 0, 0.1, 0.1, "mean", 0.4, dynamic, dynamic >= 1.0, holds, holds_at_target=holds, zeta_16=dynamic
         )
         histories = replace(histories, **(check or {}))
@@ -85,7 +85,7 @@ def said(
         rules if compatible is not None else None,
         Circumstances(records, bundled, **(circumstances or {})),
     )
-    return verdict(seen, None, (), assumed)
+    return make_verdict(seen, None, (), assumed)
 
 
 def codes(sentences) -> list[str]:
@@ -203,7 +203,7 @@ def test_that_q2_and_its_agreement_are_only_said_where_the_row_was_made():
 
 @pytest.mark.shows("verdict.names_failures")
 def test_that_every_check_that_fails_is_in_the_sentence():
-    other = OtherConfidence("demand", 0.89, False)
+    other = AlternativeConfidence("demand", 0.89, False)
     found = said(1.02, nonlinear=1.05, q2=0.29, check={"zeta_other": other})
     assert found.code == "verified_refined"
     assert found.text("en").endswith("Not by: q = 2 0.29, FC on the demand 0.89.")
@@ -215,7 +215,7 @@ def test_that_every_check_that_fails_is_in_the_sentence():
 
 @pytest.mark.shows("verdict.alone")
 def test_that_histories_that_neither_displacement_nor_fc_on_the_demand_confirm_are_indicative():
-    other = OtherConfidence("demand", 0.89, False)
+    other = AlternativeConfidence("demand", 0.89, False)
     found = said(1.02, nonlinear=0.65, q2=0.29, check={"zeta_other": other})
     assert found.code == "indicative" and codes(found.limits)[0] == "alone"
     assert "displacement 0.65, q = 2 0.29, FC on the demand 0.89" in found.text("en")
@@ -268,11 +268,11 @@ def test_that_a_range_that_leaves_out_periods_that_matter_is_indicative():
     asked = case()
     rules = Compliance(None, None, None, None, (), 8, True, (0.4, 0.42), 0, (0.15, 2.5))
     assert rules.narrow and not Compliance(None, None, None, None, (), 8, True).narrow
-    histories = DemandCheck("SLV", (), 0, 0.1, 0.1, "mean", 0.4, 1.3, True, True, zeta_16=1.2)
+    histories = DynamicCheck("SLV", (), 0, 0.1, 0.1, "mean", 0.4, 1.3, True, True, zeta_16=1.2)
     checks = (histories.as_check(1.0),)
     demand = read_demand(asked, None)
     seen = Evidence(asked.wall[0].in_si, "two_sided", demand, checks, histories, None, rules, Circumstances(8))
-    found = verdict(seen, None)
+    found = make_verdict(seen, None)
     assert found.code == "indicative" and "0.15 to 2.50 s" in found.limits[0].text()
 
 
@@ -286,11 +286,11 @@ def test_that_a_load_nobody_excluded_stands_with_the_outcome():
 
 def test_that_the_name_and_the_hinge_stand_in_the_sentence_of_a_wall():
     found = said(dynamic=0.83, wall={"unloaded_confirmed": True})
-    assert found.text("en", "facade", at_hinge(6.0, 0.0)).startswith(
+    assert found.text("en", "facade", hinge_phrase(6.0, 0.0)).startswith(
         "facade: not verified at SLV, ζ 0.83 at the hinge of +6 m, by time histories (mean peak"
     )
-    assert " at the base, 4 m above the ground" in found.text("en", "w", at_hinge(0.0, 4.0))
-    assert found.text("it", "w", at_hinge(0.0, 0.0)).startswith("w: non verificata allo SLV, ζ 0,83, secondo")
+    assert " at the base, 4 m above the ground" in found.text("en", "w", hinge_phrase(0.0, 4.0))
+    assert found.text("it", "w", hinge_phrase(0.0, 0.0)).startswith("w: non verificata allo SLV, ζ 0,83, secondo")
 
 
 @pytest.mark.shows("dynamic.stations")
@@ -424,7 +424,7 @@ def test_that_another_value_is_advised_only_where_the_one_given_turns_the_outcom
 )
 def test_that_the_displacement_check_says_when_its_zeta_is_that_of_the_start(name, capacity, zeta, words):
     check = Check(name, "C8.7.1.2.1.8", "m", capacity, 0.20, zeta, False, 2.0)
-    assert measured(check, None, read_demand(case(), None)).code == words
+    assert check_sentence(check, None, read_demand(case(), None)).code == words
 
 
 @pytest.mark.shows("kinematic.supports")

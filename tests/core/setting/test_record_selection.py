@@ -13,9 +13,9 @@ from core.case.reader import read_case
 from core.case.rules import parse_case
 from core.case.wall import Wall
 from core.case.writer import table_of
-from core.codes.limits import are_counted
+from core.codes.limits import counted_mask
 from core.codes.outcomes import OUTCOMES
-from core.codes.record_compatibility import compliance
+from core.codes.record_compatibility import check_compatibility
 from core.errors import Cancelled, InputError
 from core.ground.provenance import Provenance
 from core.ground.record_folder import SAME_MOTION, Candidate, LeftOut, Limits, one_of_each, read_file
@@ -62,7 +62,7 @@ def test_that_what_is_chosen_is_what_the_rules_of_the_code_then_judge(folder, sc
     asked = case(demand={"ag_g": ag, "spectrum": spectrum}, scaling=scaling)
     chosen, found = select_case_records(asked, folder)
     demand, motions, kinds = read_inputs(chosen, folder)
-    judged = compliance(motions, kinds, demand, longest_mechanism_period(asked, demand))
+    judged = check_compatibility(motions, kinds, demand, longest_mechanism_period(asked, demand))
     assert judged.compatible == found.chosen.fits
     by_name = {rule.name: rule.value for rule in judged.rules if rule.code == spectrum["code"][:-4]}
     assert by_name["mean_lower"] == pytest.approx(found.chosen.lowest[1] - 1.0, abs=1e-9)
@@ -72,7 +72,7 @@ def test_that_what_is_chosen_is_what_the_rules_of_the_code_then_judge(folder, sc
         assert by_name["mean_pga"] * G == pytest.approx(found.chosen.pga_ratio * demand.pga, rel=1e-9)
     factors = [record.scale for record in found.chosen.records]
     assert all(0.5 <= factor <= 2.0 for factor in factors)
-    assert all(are_counted(motions, demand))
+    assert all(counted_mask(motions, demand))
     assert len(set(factors)) == 1 or scaling == "individual"
     assert [motion.scale for motion in motions] == factors
 
@@ -82,7 +82,7 @@ def test_that_two_records_are_too_few_for_the_code_that_asks_for_three(folder):
         asked = case(demand={"ag_g": 0.12, "spectrum": spectrum}, count=2)
         chosen, found = select_case_records(asked, folder)
         demand, motions, kinds = read_inputs(chosen, folder)
-        judged = compliance(motions, kinds, demand, longest_mechanism_period(asked, demand))
+        judged = check_compatibility(motions, kinds, demand, longest_mechanism_period(asked, demand))
         assert found.chosen.miss == 0.0 and found.chosen.fits == judged.compatible == enough
 
 

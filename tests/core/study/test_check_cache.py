@@ -4,8 +4,8 @@ from dataclasses import asdict, fields, replace
 
 import pytest
 
-from core.codes.demand import DemandResult
-from core.codes.dynamic_check import DemandCheck, demand_check
+from core.codes.demand import SeismicDemand
+from core.codes.dynamic_check import DynamicCheck, run_dynamic_check
 from core.rocking.methods import AUTO, METHODS
 from core.study import check_cache
 from core.study.check_cache import CheckCache, check_key
@@ -19,11 +19,11 @@ def test_that_a_kept_check_is_the_one_that_was_made(result, tmp_path, monkeypatc
     book = Journal(tmp_path / "c.journal", "key", True) if where == "disk" else MemoryJournal()
     first = CheckCache(book)
     made = first(*asked)
-    assert made == demand_check(*asked) and first.made == 1
+    assert made == run_dynamic_check(*asked) and first.made == 1
     if where == "disk":
         book.close()
         book = Journal(tmp_path / "c.journal", "key", True)
-    monkeypatch.setattr(check_cache, "demand_check", lambda *_: pytest.fail("made again"))
+    monkeypatch.setattr(check_cache, "run_dynamic_check", lambda *_: pytest.fail("made again"))
     again = CheckCache(book)
     assert again(*asked) == made and again.made == 0
     book.close()
@@ -55,7 +55,7 @@ def test_that_every_number_of_the_demand_is_in_the_key(result):
     wall, motions, demand = result.walls[1], list(result.motions), result.demand
     left_out = set()
     key = check_key(wall.model, motions, (1,), demand, AUTO)
-    for entry in fields(DemandResult):
+    for entry in fields(SeismicDemand):
         other = replace(demand, **{entry.name: "another"})
         if check_key(wall.model, motions, (1,), other, AUTO) == key:
             left_out.add(entry.name)
@@ -65,7 +65,7 @@ def test_that_every_number_of_the_demand_is_in_the_key(result):
 def test_that_a_line_that_is_no_check_is_made_again(result):
     check = result.walls[1].assessment.dynamic
     content = asdict(check)
-    assert dataclass_from_json(DemandCheck, content) == check
+    assert dataclass_from_json(DynamicCheck, content) == check
     wrong_parts = ({"runs": 5}, {"new": 1}, {"zeta_spread": [1.0]})
     for wrong in (None, {}, [], *({**content, **part} for part in wrong_parts)):
-        assert dataclass_from_json(DemandCheck, wrong) is None
+        assert dataclass_from_json(DynamicCheck, wrong) is None

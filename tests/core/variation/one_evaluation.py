@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from core.codes.dynamic_check import DemandCheck
+from core.codes.dynamic_check import DynamicCheck
 from core.ground.ground_motion import GroundMotion
 from core.setting.plan import make_plan, read_inputs
 from tests.clauses_alone import parse_case
@@ -32,7 +32,7 @@ def scene_of(wall=WALL, demand=SOIL, k=0, **more):
 
 def history(zeta, passed=True, **values):
     """What histories say."""
-    return DemandCheck("SLV", (), 0, 0.1, 0.2, "mean", 0.4, zeta, passed, passed, **values)
+    return DynamicCheck("SLV", (), 0, 0.1, 0.2, "mean", 0.4, zeta, passed, passed, **values)
 
 
 def with_histories(scene, found, ground=(MOTION,), **changes):

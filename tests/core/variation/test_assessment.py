@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from core.codes.dynamic_check import OtherConfidence
+from core.codes.dynamic_check import AlternativeConfidence
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
 from core.setting.floors import Floor
@@ -39,7 +39,7 @@ def judged(zeta, wall=WALL, demand=SOIL, **values):
 @pytest.mark.shows("kinematic.sld_shown", "dynamic.fc")
 def test_that_beside_the_checks_stand_the_histories_with_fc_on_the_other_side_and_a_g_of_sld():
     """a_0* = 0.05 g / 1.35; S of soil B at a_g 0.1 is 1.2: zeta_SLD = 0.05 / (1.35 x 0.12)."""
-    for other in (OtherConfidence("demand", 1.1, True), OtherConfidence("demand", None, False)):
+    for other in (AlternativeConfidence("demand", 1.1, True), AlternativeConfidence("demand", None, False)):
         rows = assess(judged(1.5, demand=SPECTRUM, zeta_other=other)).shown
         names = [(check.name, made) for check, made in rows]
         assert names == [

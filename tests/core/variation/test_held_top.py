@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from core.codes.dynamic_check import demand_check
+from core.codes.dynamic_check import run_dynamic_check
 from core.codes.floor_spectrum import FloorSpectrum
 from core.codes.vertical_bending import bending, hinges_in_histories
 from core.errors import InputError
@@ -150,7 +150,7 @@ def test_that_it_has_histories_as_other_walls_have(folder):
     assert bends.assessment.checks[0].name == "dynamic" and "no_histories" not in codes(bends)
     motions = list(bends.floor.motions)
     worst = min(
-        demand_check(
+        run_dynamic_check(
             branch.of(bends.model), motions, (1,), result.demand, result.method, evaluate.FULL_PRECISION.value
         ).zeta
         for branch in hinges_in_histories(bends.model, bends.assessment.kinematic.moved.bending)

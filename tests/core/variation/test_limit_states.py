@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from core.codes.kinematic import kinematic, nonlinear, sld
+from core.codes.kinematic import analyse_mechanism, check_displacement, check_sld
 from core.errors import InputError
 from core.setting.demand_input import read_demand
 from core.study.run import run
@@ -53,14 +53,14 @@ def test_that_each_limit_state_has_its_return_period_and_its_own_check():
     for one, demand in zip(found, demands.values(), strict=True):
         if one.state == "SLV":
             continue
-        moved = kinematic(case.wall[0].in_si, "one_sided", demand)
-        own = sld(moved, demand) if one.state == "SLD" else nonlinear(moved, demand)
+        moved = analyse_mechanism(case.wall[0].in_si, "one_sided", demand)
+        own = check_sld(moved, demand) if one.state == "SLD" else check_displacement(moved, demand)
         assert one.zeta == own.zeta and one.ag == demand.ag
     # the demand of the case itself is that of its own limit state, but for the rounding of T_R 474.6
     asked = read_demand(case, Path())
     assert demands["SLV"].ag == pytest.approx(asked.ag, rel=1e-3)
     assert found[1].zeta == pytest.approx(
-        nonlinear(kinematic(case.wall[0].in_si, "one_sided", asked), asked).zeta, rel=3e-3
+        check_displacement(analyse_mechanism(case.wall[0].in_si, "one_sided", asked), asked).zeta, rel=3e-3
     )
 
 

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 from openpyxl import load_workbook
 
-from core.codes.dynamic_check import DemandCheck
-from core.codes.kinematic import with_and_without_ties
-from core.codes.outcomes import OUTCOMES, PASSES, least, severity
+from core.codes.dynamic_check import DynamicCheck
+from core.codes.kinematic import zeta_with_and_without_ties
+from core.codes.outcomes import OUTCOMES, PASSES, min_if_all_known, severity_key
 from core.errors import InputError
 from core.report.large_report import NAMED, Tally
 from core.report.steps import Steps
@@ -53,7 +53,7 @@ def test_that_a_wall_has_the_worst_outcome_of_its_hinges_and_the_least_zeta(wall
         assert rank(code) == min(rank(one.code) for one in hinges)
         alike = [one.zeta_e for one in hinges if one.code == code]
         assert None in alike or hinges[0].zeta_e == min(alike)
-        assert wall.zeta_least == least(one.zeta_e for one in hinges)
+        assert wall.zeta_least == min_if_all_known(one.zeta_e for one in hinges)
         milder += any(one.zeta_e is not None and hinges[0].zeta_e and one.zeta_e < hinges[0].zeta_e for one in hinges)
         if wall.risk is not None:
             assert wall.risk.pga == pytest.approx(wall.zeta_least * result.demand.pga)
@@ -107,9 +107,11 @@ def test_that_leaving_a_key_out_makes_no_outcome_of_three_hundred_walls_milder()
 @pytest.mark.shows("verdict.zeta_least")
 def test_that_among_equal_outcomes_a_missing_zeta_comes_first():
     rows = [("verified", 1.2, 1.0), ("undetermined", None, 1.0), ("undetermined", 0.3, 1.0), ("verified", 1.1, 0.8)]
-    ordered = sorted(rows, key=lambda row: severity(*row))
+    ordered = sorted(rows, key=lambda row: severity_key(*row))
     assert ordered == [rows[1], rows[2], rows[0], rows[3]]
-    assert least([1.0, None]) is None and least([]) is None and least([2.0, 1.5]) == 1.5
+    assert (
+        min_if_all_known([1.0, None]) is None and min_if_all_known([]) is None and min_if_all_known([2.0, 1.5]) == 1.5
+    )
 
 
 SITE = {
@@ -188,7 +190,7 @@ def test_that_a_tie_that_breaks_early_does_not_lower_the_displacement_check():
         if found is None:  # it bends between tie and base
             continue
         assessment = found.walls[0].assessment
-        tied, bare = with_and_without_ties(assessment.kinematic, found.demand)
+        tied, bare = zeta_with_and_without_ties(assessment.kinematic, found.demand)
         check = next(one for one in assessment.checks if one.name == "nonlinear")
         assert check.zeta == max(tied, bare)
         said = [one.text("en") for one in assessment.verdict.limits if one.code == "ties_displacement"]
@@ -209,7 +211,7 @@ def test_that_a_wall_rests_under_no_motion_whose_soil_was_left_out():
 
 
 def test_that_a_rule_known_to_fail_needs_no_zeta():
-    check = DemandCheck("SLV", (), 1, None, None, "mean", 0.4, None, False, False, holds_at_target=False)
+    check = DynamicCheck("SLV", (), 1, None, None, "mean", 0.4, None, False, False, holds_at_target=False)
     assert check.as_check(1.0).passed is None
     assert replace(check, fails_at_target=True).as_check(1.0).passed is False
 

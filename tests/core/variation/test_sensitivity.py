@@ -10,7 +10,7 @@ import pytest
 
 from core.case.sensitivity import Ranges
 from core.case.writer import table_of
-from core.codes.dynamic_check import demand_check
+from core.codes.dynamic_check import run_dynamic_check
 from core.codes.record_sample import RecordPeaks
 from core.errors import InputError
 from core.rocking.methods import AUTO
@@ -337,7 +337,7 @@ def test_that_the_record_left_out_is_the_one_whose_loss_moves_zeta_most_and_its_
     (entry,) = make_plan(setting.case, setting.inputs).entries
     for move in made:
         others = [motion for k, motion in enumerate(motions) if k != int(move.value)]
-        there = demand_check(entry.model, others, entry.signs, demand, AUTO, 1, False)
+        there = run_dynamic_check(entry.model, others, entry.signs, demand, AUTO, 1, False)
         assert evaluate_move(setting, move, FloorCache(), lambda: False).zeta == there.zeta
 
 

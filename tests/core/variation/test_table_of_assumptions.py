@@ -9,11 +9,11 @@ import pytest
 from core.case import rules
 from core.case.reader import read_case
 from core.case.schema import Generate
-from core.codes.assumption import TOGETHER, Assumption, digits_of, table
+from core.codes.assumption import ALL_TOGETHER_KEY, Assumption, sort_assumptions, value_format
 from core.codes.elastic_branch import branches_of
 from core.codes.kinematic import elastic_period
 from core.codes.masonry_types import TYPES, least_strength
-from core.codes.outcomes import OUTCOMES, PASSES, severity
+from core.codes.outcomes import OUTCOMES, PASSES, severity_key
 from core.errors import InputError
 from core.report import assumption_table, json_report
 from core.setting import demand_input, plan
@@ -198,7 +198,7 @@ def test_that_without_records_the_worse_of_displacement_check_and_histories_deci
         alone = evaluate(found.scene.without_records(), other=False)
         displacement, dynamic = found.made("nonlinear"), found.made("dynamic")
         assert found.zeta == min(displacement.zeta, dynamic.zeta) or not displacement.passed or not dynamic.passed
-        assert severity(found.outcome, found.zeta, 1.0) <= severity(alone.outcome, alone.zeta, 1.0)
+        assert severity_key(found.outcome, found.zeta, 1.0) <= severity_key(alone.outcome, alone.zeta, 1.0)
         lowered += found.zeta < alone.zeta
     assert lowered > 0
 
@@ -267,7 +267,9 @@ def test_that_the_turning_rows_come_first_and_all_together_last_and_each_says_it
     load = {"kind": "vertical", "kn_m": 20.0, "d_m": 0.3, "h_m": 4.0, "mass": "none"}
     rows = list(rows_of(found_of(WALL | {"load": [load]}, {"ag_g": 0.1, "soil_factor": 1.2})).values())
     assert {row["source"] for row in rows} <= {"given", "default", "left_out", "declared"}
-    assert {"mass", "d_m", "hinge_setback_m", TOGETHER} <= {row["key"] for row in rows} and rows[-1]["key"] == TOGETHER
+    assert {"mass", "d_m", "hinge_setback_m", ALL_TOGETHER_KEY} <= {row["key"] for row in rows} and rows[-1][
+        "key"
+    ] == ALL_TOGETHER_KEY
     turning = [row["turns"] for row in rows[:-1]]
     assert turning == sorted(turning, reverse=True)
     assert rows[-1]["zeta"] <= min(row["zeta"] for row in rows[:-1] if row["zeta"] is not None) + 1e-9
@@ -495,7 +497,7 @@ def test_that_of_many_walls_the_table_is_left_out_where_no_row_changes_the_outco
 
 @pytest.mark.parametrize(("value", "written"), [(1500.0, "1500"), (100_000.0, "100000"), (999.7, "1000"), (14.0, "14")])
 def test_that_no_value_of_the_table_has_an_exponent(value, written):
-    assert format(value, digits_of(value)) == written
+    assert format(value, value_format(value)) == written
 
 
 # what was found silent by an audit of 0.19.0
@@ -704,7 +706,7 @@ def test_that_records_which_are_doubted_are_a_limit_of_the_verdict(fine, tmp_pat
 def test_that_a_value_whose_other_end_changes_nothing_is_no_row_of_the_table():
     words = sentence("reason", "lift_return_walls", zeta=Number(0.8))
     idle = Assumption("return_walls", words, "given", "none", raises=False)
-    assert table([idle]) == ()
+    assert sort_assumptions([idle]) == ()
     for said in ({"raises": True}, {"turns": True}, {"turns_q": True}):
-        (row,) = table([replace(idle, **said)])
+        (row,) = sort_assumptions([replace(idle, **said)])
         assert row.key == "return_walls"

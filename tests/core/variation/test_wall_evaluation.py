@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from core.codes.dynamic_check import DemandCheck
+from core.codes.dynamic_check import DynamicCheck
 from core.codes.outcomes import FAILS, PASSES
 from core.errors import InputError
 from core.setting.plan import read_inputs
@@ -60,7 +60,7 @@ def test_that_a_wall_that_breaks_a_rule_is_refused():
 
 def check_of(zeta, passed=True, spread=None):
     """Of histories, with what a wall is judged by."""
-    return DemandCheck("SLV", (), 0, 0.2, 0.3, "mean", 0.4, zeta, passed, passed, zeta_spread=spread)
+    return DynamicCheck("SLV", (), 0, 0.2, 0.3, "mean", 0.4, zeta, passed, passed, zeta_spread=spread)
 
 
 DOWN, NEAR, UP = check_of(0.8, False, (0.7, 0.9)), check_of(1.1, True, (0.95, 1.2)), check_of(1.5, True, (1.3, 1.6))
