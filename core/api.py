@@ -20,11 +20,11 @@ from core import atomic_write
 from core.capacity import ida
 from core.capacity.closed_forms import closed_form_q, range_notices
 from core.case import reader
-from core.case.brought import with_thrust
+from core.case.floor_loads import add_corner_thrust
 from core.case.rules import parse_case
 from core.case.schema import Case, Record
-from core.case.study_file import read_study, shortened
-from core.case.values import section_of
+from core.case.study_file import quick_study, read_study
+from core.case.values import parse_section
 from core.case.wall import Wall
 from core.errors import InputError
 from core.ground import records
@@ -165,7 +165,7 @@ def read_record(path: str | os.PathLike, scale: float = 1.0, **said: Any) -> Gro
     place = _path(path)
     if more := set(said) - set(OF_FILE):
         raise InputError("api_number", key=min(more), accepted=", ".join(OF_FILE))
-    entry = section_of(Record, _plain({"file": str(place), "scale": scale, **said}), "record", "record")
+    entry = parse_section(Record, _plain({"file": str(place), "scale": scale, **said}), "record", "record")
     return records.read(place, record_options(entry), entry.scale)
 
 
@@ -293,7 +293,7 @@ def eq15_16(wall: Wall, ground: GroundMotion, mechanism: str | None = None) -> f
         For a wall above the ground, with loads or that bends, where they do not hold.
     """
     _of(GroundMotion, "ground", ground)
-    if not with_thrust(_of(Wall, "wall", wall)).has_closed_forms:
+    if not add_corner_thrust(_of(Wall, "wall", wall)).has_closed_forms:
         raise InputError("api_closed_forms", wall=wall.title)
     block, asked = wall.in_si.block, _mechanism(wall, mechanism)
     one_sided = asked == "one_sided"
@@ -355,7 +355,7 @@ def study(path: str | os.PathLike = PAPER, quick: bool = False, jobs: int | None
     from core.research import parametric
 
     asked, digest = read_study(_path(path))
-    asked = shortened(asked) if quick else asked
+    asked = quick_study(asked) if quick else asked
     made = parametric.run(asked, digest, base_dir=Path(path).parent, quick=quick, jobs=_threads(jobs))
     return [
         {
@@ -458,9 +458,9 @@ def _model(wall: Wall, ground: GroundMotion, asked: str | None) -> RockingModel:
     """The model of a wall with all that acts on it. Raises InputError for one above the ground: it is moved by its
     floor."""
     if _of(Wall, "wall", wall).above_ground:
-        said = {"wall": wall.title, "z": wall.felt_z_m, "ground": ground.name, "building": Key("[building]")}
+        said = {"wall": wall.title, "z": wall.demand_height_m, "ground": ground.name, "building": Key("[building]")}
         raise InputError("api_above_ground", key="base_z_m", **said)
-    return make_rocking_model(with_thrust(wall), _mechanism(wall, asked))
+    return make_rocking_model(add_corner_thrust(wall), _mechanism(wall, asked))
 
 
 def _mechanism(wall: Wall, asked: str | None) -> str:

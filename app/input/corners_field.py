@@ -9,7 +9,7 @@ from app.input.number_fields import SIGNIFICANT_DIGITS
 from app.input.paragraphs_field import ParagraphsField
 from app.look.language import number, tr
 from core.case.number import parse_number
-from core.case.values import corners_of
+from core.case.values import parse_corners
 
 
 class CornersField(ParagraphsField):
@@ -35,7 +35,7 @@ class CornersField(ParagraphsField):
             except ValueError:  # an InputError too
                 self.show_error(tr("line {n}: not s and z", n=n))
                 return
-        corners = corners_of(points)
+        corners = parse_corners(points)
         if corners is None:
             self.show_error(tr("too many corners"))
             return

@@ -22,7 +22,7 @@ from app.look.parts import Parts
 from app.look.section import Section
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
-from core.case.place import OF_SPECTRUM, placed
+from core.case.place import OF_SPECTRUM, apply_site
 from core.case.schema import Analysis, Generate, Report
 from core.case.site import Demand, Spectrum, least_factor
 from core.codes.demand import unusual_ag_notices
@@ -228,7 +228,9 @@ class DemandForm(QWidget):
             return {}
         others = (state for state in EXCEEDANCE if state != demand.limit_state)
         return {
-            state: read_target_spectrum(known(placed(site, replace(demand, limit_state=state))), self.session.base_dir)
+            state: read_target_spectrum(
+                known(apply_site(site, replace(demand, limit_state=state))), self.session.base_dir
+            )
             for state in others
         }
 

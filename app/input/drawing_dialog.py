@@ -28,8 +28,8 @@ from app.look.labels import Plain
 from app.look.language import described, number, tr
 from app.work.session import Session
 from core.case.drawing_file import DRAWING_TOLERANCE, DRAWING_UNITS, DxfFile, Shape, Sheet
-from core.case.drawn_solids import made_solids, origin_of, sum_of_solids, with_solids
-from core.case.outline_inside import around
+from core.case.drawn_solids import made_solids, origin_of, replace_solids, sum_of_solids
+from core.case.outline_inside import find_enclosing_outline
 from core.case.shape_rules import check_shape
 from core.case.solids import Drawing
 from core.case.wall import Wall
@@ -189,7 +189,7 @@ class DrawingDialog(QDialog):
         """The outline around a place between lines becomes a shape of the wall, what stands apart in it openings."""
         close, same = MAX_GAP / self.scale, DRAWING_TOLERANCE / self.scale
         try:
-            region = around(self.sheet.lines, (x, y), close, same)
+            region = find_enclosing_outline(self.sheet.lines, (x, y), close, same)
         except InputError as error:
             self.words.setText(described(error))
             return
@@ -274,7 +274,7 @@ class DrawingDialog(QDialog):
         shapes = self._of(BODY), self._of(OPENING)
         origin = origin_of(shapes[0], self.sheet.unit, asked["plane"], asked["hinge_y_m"])
         made = made_solids(*shapes, self.sheet.unit, asked["plane"], ends, origin)
-        return with_solids(self.wall, made, self.sizes.isChecked())
+        return replace_solids(self.wall, made, self.sizes.isChecked())
 
     def _preview(self, wall: Wall) -> str:
         area, body = sum_of_solids(wall.solid, self.weight)

@@ -4,7 +4,7 @@ import re
 
 from app.input.fields import LineField
 from app.look.language import number, tr
-from core.case.hinges import BASE, FLOORS, usual_hinges
+from core.case.hinges import BASE, FLOORS, default_hinges
 from core.case.number import parse_number
 from core.errors import InputError
 
@@ -24,7 +24,7 @@ class HingesField(LineField):
     def show_usual(self, wall, building) -> None:
         """What applies while it is empty, in its place. wall : it may still be incomplete"""
         try:
-            heights = ("0", *(number(height, ".3g") for height in usual_hinges(wall, building)))
+            heights = ("0", *(number(height, ".3g") for height in default_hinges(wall, building)))
         except (InputError, TypeError):
             heights = ()
         self.editor.setPlaceholderText(tr("the usual ones: {heights} m", heights="; ".join(heights)) if heights else "")

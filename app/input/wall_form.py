@@ -44,7 +44,7 @@ from core.case.solids import InPlan
 from core.case.values import check_value
 from core.case.variant_names import AS_IS, DESIGNED
 from core.case.wall import ARCHES, BENDS, Wall
-from core.case.wall_table import read_table, text_rows, walls_of
+from core.case.wall_table import parse_wall_rows, read_table, text_rows
 from core.codes.masonry_types import TYPES
 from core.codes.vertical_bending import bending, uplift_multiplier
 from core.errors import InputError
@@ -424,7 +424,7 @@ class WallForm(WallEditor):
 
     def paste(self) -> None:
         text = QGuiApplication.clipboard().text()
-        self._take(lambda: walls_of(text_rows(text), self.session.case.demand is not None))
+        self._take(lambda: parse_wall_rows(text_rows(text), self.session.case.demand is not None))
 
     def load_table(self) -> None:
         from pathlib import Path

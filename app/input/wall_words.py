@@ -8,7 +8,7 @@ from app.input.impact_form import named_laws, named_models
 from app.look.language import current_language, named, number, tr, variant_word
 from app.work.session import Session
 from core.capacity.scale_free_law import estimates
-from core.case.brought import brought, with_thrust
+from core.case.floor_loads import add_corner_thrust, add_floor_loads
 from core.case.hinges import hinges_of
 from core.case.keys import unit_in_form
 from core.case.loads import Load
@@ -178,7 +178,7 @@ def differences(case: Case, wall: Wall) -> list[str]:
 def with_floors(case: Case, wall: Wall | None) -> Wall | None:
     """A wall with what its building brings to it, where that is complete."""
     try:
-        return None if wall is None else with_thrust(brought(wall, case.building))
+        return None if wall is None else add_corner_thrust(add_floor_loads(wall, case.building))
     except TypeError:  # still to be given
         return wall
 

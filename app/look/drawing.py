@@ -13,8 +13,8 @@ from app.look import theme
 from app.look.body_drawing import BodyDrawing, complete, turned
 from app.look.language import number
 from app.look.plan_drawing import paint_plan, plan_of
-from core.case.detached import as_leaf
-from core.case.held_top import bent_inward
+from core.case.detached import make_leaf_wall
+from core.case.held_top import mirror_inward
 from core.case.loads import Load
 from core.case.wall import ARCHES, BENDS, Wall
 from core.codes.vertical_bending import Bending, bending, outlines, shown_rotation
@@ -112,7 +112,7 @@ def leaf_lines(wall: Wall) -> list[list[tuple[float, float]]]:
     """The inner face of the outer leaf of a wall, and its connectors: lines of (x outward of the middle, z) [m]."""
     if wall.leaf is None:
         return []
-    leaf = as_leaf(wall)
+    leaf = make_leaf_wall(wall)
     half, height = 0.5 * known(wall.thickness), known(wall.height_m)
     face = half - known(leaf.thickness)
     rows = [load.h_m for load in leaf.load if load.is_tie and load not in wall.load]
@@ -188,7 +188,7 @@ class WallDrawing(QWidget):
                 self.leaf = leaf_lines(wall) if self.with_sizes else ()
                 if wall.mechanism == BENDS:
                     self.bent = bent_blocks(mechanism := bending(wall.in_si))
-                    self.held = HeldTop(mechanism.strip, strip_of(bent_inward(wall).in_si), mechanism.h1)
+                    self.held = HeldTop(mechanism.strip, strip_of(mirror_inward(wall).in_si), mechanism.h1)
             except (InputError, TypeError):
                 pass
         self.update()

@@ -5,7 +5,7 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from app.look import theme
 from app.look.language import number
-from core.case.spanning import spanning, spans
+from core.case.spanning import make_spanning_part, spans
 from core.case.wall import ARCHES, Wall
 from core.codes.vertical_bending import Bending, bending, outlines, shown_rotation
 from core.errors import InputError
@@ -19,7 +19,7 @@ def plan_of(wall: Wall) -> Bending | None:
     try:
         if wall.mechanism == ARCHES:
             return bending(wall.in_si)
-        return bending(spanning(wall).in_si) if spans(wall) else None
+        return bending(make_spanning_part(wall).in_si) if spans(wall) else None
     except (InputError, TypeError):
         return None
 

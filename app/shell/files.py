@@ -140,12 +140,12 @@ class Files:
 
     def ask_script(self) -> None:
         """The case as a Python script, to a place the user names."""
-        from core.case.rules import with_walls
+        from core.case.rules import replace_walls
         from core.study.case_script import case_script
 
         title, case = tr("Save as Python"), self.session.case
         try:
-            text = case_script(with_walls(case, list(case.wall)), self.session.base_dir)
+            text = case_script(replace_walls(case, list(case.wall)), self.session.base_dir)
         except (InputError, TypeError) as error:
             reason = described(error) if isinstance(error, InputError) else tr("Something is still to be given.")
             QMessageBox.warning(self.window, tr("Nothing saved"), plain(reason))

@@ -9,7 +9,7 @@ from app.look.file_dialogs import path_to_write
 from app.look.labels import Plain
 from app.look.language import current_language, described, named, number, tr
 from core import atomic_write
-from core.case.keys import pretty
+from core.case.keys import format_unit
 from core.case.number import parse_number
 from core.case.study_file import DEFAULT_MODEL, Grid, Group, Shape, Study, parse_study
 from core.case.values import field_of
@@ -28,7 +28,7 @@ def caption(section: type, key: str) -> str:
     """What a key of a study is called, with its unit."""
     entry = field_of(section, key)
     rule = entry.metadata["of"].metadata if entry.metadata["kind"] == "list" else entry.metadata
-    unit = pretty(rule.get("unit", ""))
+    unit = format_unit(rule.get("unit", ""))
     own = {
         "pga_g": tr("a_g S of the spectrum"),
         "count": tr("Motions for each spectrum"),

@@ -12,7 +12,7 @@ from app.look.language import current_language, described, number, tr
 from app.views.ladder import Ladder
 from app.views.zeta_rungs import check_words, rungs_of
 from app.work.worker import Job
-from core.case.brought import with_floors_of
+from core.case.floor_loads import infer_floor_supports
 from core.case.schema import Case
 from core.codes.outcomes import min_if_all_known
 from core.errors import InputError
@@ -393,7 +393,7 @@ class WhatIfWindow(QDialog):
         walls = list(case.wall)
         kept = {key: getattr(new, key) for key in sizes}
         walls[self.row] = replace(wall, **kept | {"load": new.load[: len(wall.load)]})
-        floors = with_floors_of(case.building, wall, new)  # they bear where the sliders moved them
+        floors = infer_floor_supports(case.building, wall, new)  # they bear where the sliders moved them
         case = replace(case, wall=tuple(walls), building=floors)
         if "ag_g" in self.values:
             case = replace(case, demand=replace(known(case.demand), ag_g=self.values["ag_g"]))

@@ -13,7 +13,7 @@ from app.terminal.batch import CANCELLED, DONE, WITHOUT_NUMBER, interrupts, open
 from app.terminal.command_line import STUDIES, study_file
 from app.terminal.terminal_progress import progress, tell
 from core import atomic_write
-from core.case.study_file import Study, read_record_list, read_study, shortened
+from core.case.study_file import Study, quick_study, read_record_list, read_study
 from core.errors import Cancelled, InputError, place
 from core.file_names import shown
 from core.ground import records as accelerograms
@@ -44,7 +44,7 @@ def stem_of(path: Path, quick: bool) -> str:
 def load(path: Path, quick: bool) -> tuple[Study, str]:
     """The study of a file, shortened where asked. Raises InputError."""
     study, digest = read_study(path)
-    return (shortened(study) if quick else study), digest
+    return (quick_study(study) if quick else study), digest
 
 
 def refuse_overwriting(study: Study, path: Path, records: Path | None, folder: Path, stem: str) -> None:

@@ -5,7 +5,7 @@ from typing import Any
 
 from core.case.keys import is_required
 from core.case.schema import Case
-from core.case.values import are_ends, corners_of, value_of
+from core.case.values import are_ends, parse_corners, parse_value
 from core.errors import InputError
 
 TO_BE_GIVEN: Any = ""
@@ -39,8 +39,8 @@ def _readable(section: Any, left_out: list[InputError]) -> Any:
 
 
 def _read(entry: Any, value: Any) -> Any:
-    """A value as `draft_case` reads it, for which corners and ends of a law may be work in progress. Raises InputError
+    """A value as `parse_draft` reads it, for which corners and ends of a law may be work in progress. Raises InputError
     where it is refused."""
     kind = entry.metadata["kind"]
-    in_progress = (kind == "polygon" and corners_of(value) is not None) or (kind == "law" and are_ends(value))
-    return value if in_progress else value_of(entry, value)
+    in_progress = (kind == "polygon" and parse_corners(value) is not None) or (kind == "law" and are_ends(value))
+    return value if in_progress else parse_value(entry, value)

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from app.work.draft import TO_BE_GIVEN
-from core.case.place import DERIVED, OF_SPECTRUM, derived, placed
+from core.case.place import OF_SPECTRUM, SITE_KEYS, apply_site, site_demand_values
 from core.case.schema import Case
 from core.case.site import Demand, HazardRow, Spectrum
 from core.codes.spectrum_codes import NATIONAL
@@ -22,10 +22,10 @@ def followed(before: Case, case: Case) -> Demand | None:
     if case.site is None:
         return released(demand) if before.site is not None else demand
     try:
-        derived(case.site, demand.limit_state)
+        site_demand_values(case.site, demand.limit_state)
     except (InputError, TypeError):  # no point, no V_N
         return replace(demand, ag_g=TO_BE_GIVEN, hazard=())
-    return placed(case.site, demand)
+    return apply_site(case.site, demand)
 
 
 def released(demand: Demand) -> Demand:
@@ -48,7 +48,7 @@ def restored(demand: Demand, before: Demand) -> Demand:
     former = before.spectrum
     if isinstance(spectrum, Spectrum) and isinstance(former, Spectrum) and spectrum.code == former.code == NATIONAL:
         spectrum = replace(spectrum, **{key: getattr(former, key) for key in OF_SPECTRUM})
-    return replace(demand, spectrum=spectrum, **{key: getattr(before, key) for key in DERIVED})
+    return replace(demand, spectrum=spectrum, **{key: getattr(before, key) for key in SITE_KEYS})
 
 
 def _rounded(value):

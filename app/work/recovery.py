@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from core import atomic_write
-from core.case.rules import draft_case
+from core.case.rules import parse_draft
 from core.case.schema import Case
 from core.errors import InputError
 
@@ -41,7 +41,7 @@ def read(state: Path) -> Draft:
         base = Path(content["base_dir"])
         if "\0" in f"{path}{base}":
             raise ValueError(repr(path))
-        return Draft(draft_case(tomllib.loads(content["case"])), path, base)
+        return Draft(parse_draft(tomllib.loads(content["case"])), path, base)
     except FAULTS as error:
         raise InputError("autosave_unreadable", reason=str(error)[:200], place=(state,)) from None
 

@@ -16,11 +16,11 @@ from app.work import recovery
 from app.work.draft import readable
 from app.work.placed_demand import followed
 from core import atomic_write
-from core.case.drawn_solids import with_drawings
-from core.case.judge import Judge
-from core.case.problems import problems
+from core.case.drawn_solids import expand_drawings
+from core.case.judge import IncrementalParser
+from core.case.problems import find_problems
 from core.case.reader import read_case, read_toml
-from core.case.rules import draft_case
+from core.case.rules import parse_draft
 from core.case.schema import Case, Record, Report
 from core.case.wall import Wall
 from core.case.writer import dumps, table_of
@@ -56,7 +56,7 @@ class Session:
         """Hashes of the records as they are on disk, None while they are not read."""
         self.token = secrets.token_hex(8)
         self._lock_file: BinaryIO | None = None
-        self._judge = Judge()
+        self._judge = IncrementalParser()
         self._known: tuple | None = None
         self._problems: tuple | None = None
         self.generation = 0
@@ -176,7 +176,7 @@ class Session:
         if self.problem() is None:
             return []
         if self._problems is None or self._problems[0] is not self.case:
-            self._problems = (self.case, problems(self.case, self._judge) or [self.problem()])
+            self._problems = (self.case, find_problems(self.case, self._judge) or [self.problem()])
         return self._problems[1]
 
     # walls and records
@@ -232,11 +232,11 @@ class Session:
             if "walls" in table:
                 raise  # its table cannot be merged into a draft
             try:
-                table, drawings = with_drawings(table, path.parent)
+                table, drawings = expand_drawings(table, path.parent)
                 from_drawings = tuple(drawing.notice for drawing in drawings)
             except InputError as wrong:
                 from_drawings = (wrong,)
-            case = draft_case(table)
+            case = parse_draft(table)
         self.drop_recovery_file()
         self._start(replace(case, drawings=()))
         self.from_drawings = from_drawings
@@ -289,7 +289,7 @@ class Session:
     def _reads(text: str, case: Case) -> bool:
         """Whether the text of a file is read as this case."""
         try:
-            return table_of(draft_case(tomllib.loads(text))) == table_of(case)
+            return table_of(parse_draft(tomllib.loads(text))) == table_of(case)
         except InputError:
             return False
 
@@ -302,7 +302,7 @@ class Session:
         if not Session._reads(text, case):
             case, left_out = readable(case)
             text = dumps(case, before)
-        again = draft_case(tomllib.loads(text))
+        again = parse_draft(tomllib.loads(text))
         if table_of(again) != table_of(case):
             raise OutputError("case_reads_otherwise")
         return text, again.given, left_out

@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from core.case.one_body import fault_of
+from core.case.one_body import find_body_fault
 from core.case.solids import Solid
 from core.case.wall import Wall
 from core.errors import InputError, place
@@ -16,7 +16,7 @@ MIN_HEIGHT_ABOVE = 0.1
 """Least height of the part of a wall above a hinge [m]: that of any wall."""
 
 
-def named_above(name: str, hinge: float) -> str:
+def part_name(name: str, hinge: float) -> str:
     """What the part of a wall above a hinge [m] is called; the whole wall keeps its name."""
     return f"{name} (+{hinge:.4g} m)" if hinge else name
 
@@ -35,9 +35,9 @@ def loads_above(wall: Wall, hinge: float, face: float) -> tuple:
     )
 
 
-def above_hinge(wall: Wall, hinge: float) -> Wall:
+def cut_above_hinge(wall: Wall, hinge: float) -> Wall:
     """The part of a wall above a hinge [m above its base], with its variant and its height in its name."""
-    name = named_above(wall.title, hinge)
+    name = part_name(wall.title, hinge)
     if hinge == 0.0 and name == wall.name and wall.hinge_heights is None:
         return wall
     if hinge == 0.0:
@@ -61,7 +61,7 @@ def above_hinge(wall: Wall, hinge: float) -> Wall:
         if wall.tie_height_m is None or wall.tie_height_m < hinge + MIN_HEIGHT_ABOVE
         else wall.tie_height_m - hinge,
     )
-    if part.parts and fault_of(part.parts, known(part.thickness)) is not None:
+    if part.parts and find_body_fault(part.parts, known(part.thickness)) is not None:
         here = (place("wall", name=wall.title),)
         raise InputError("pieces_above", place=here, key="hinge_heights", hinge=hinge)
     return part
@@ -96,7 +96,7 @@ def _shape_above(wall: Wall, hinge: float) -> dict:
     weights = [solid.unit_weight_kn_m3 for solid in wall.solid] or [None] * len(parts)
     face = min(inner, thickness)
     there = snapped(parts, hinge)
-    cut = zip(there, above_cracks(there, hinge, face), weights, strict=True)
+    cut = zip(there, cut_above_cracks(there, hinge, face), weights, strict=True)
     solids = tuple(solid_of(part, polygon, outer, weight) for part, polygon, weight in cut if polygon)
     base = min(inner - outer, thickness)
     wedges = wall.return_wedges
@@ -124,7 +124,7 @@ def solid_of(part: Part, polygon, outer: float, weight: float | None) -> Solid:
     )
 
 
-def above_cracks(parts: Sequence[Part], hinge: float, face: float) -> list[tuple[tuple[float, float], ...]]:
+def cut_above_cracks(parts: Sequence[Part], hinge: float, face: float) -> list[tuple[tuple[float, float], ...]]:
     """The polygons of solids above a hinge [m]. What sections drag along behind the inner face, x [m], begins at the
     hinge too, with the inclination of its own crack, as a wedge of return walls; what is there over half of the length
     of the wall is the wall."""

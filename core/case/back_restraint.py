@@ -38,7 +38,7 @@ def holds_only_there(restraint: str | None, note: str) -> bool:
     return restraint in BETWEEN or named
 
 
-def with_choice(table: dict) -> dict:
+def upgrade_restraint_keys(table: dict) -> dict:
     """The keys of a wall with an older text of back_restraint as one of RESTRAINTS and, unless a note is given, the
     text as its note; a text that names nothing is left as it is, and refused as no choice."""
     said = table.get("back_restraint")
@@ -48,7 +48,7 @@ def with_choice(table: dict) -> dict:
         return {key: value for key, value in table.items() if key != "back_restraint"}
     words = said.casefold()
     parts = "".join(letter if letter.isalnum() else " " for letter in words).split()
-    if set(parts) & set(DENIALS) or not names_something(said):
+    if set(parts) & set(DENIALS) or not is_meaningful(said):
         return table
     choice = next((name for name, known in OLD_WORDS.items() if any(one in words for one in known)), "other")
     return {"restraint_note": said, **table, "back_restraint": choice}
@@ -81,7 +81,7 @@ MIN_LETTERS = 3
 """Letters, and different ones, of a text that names something."""
 
 
-def names_something(text: str) -> bool:
+def is_meaningful(text: str) -> bool:
     """Whether a text names something, as far as a program can tell."""
     letters = [letter for letter in text.casefold() if letter.isalpha()]
     several = len(letters) >= MIN_LETTERS and len(set(letters)) >= MIN_LETTERS
@@ -89,7 +89,7 @@ def names_something(text: str) -> bool:
     return several and (bool(cited) or not FILLERS.issuperset(_words(text)))
 
 
-def says_gone(note: str) -> bool:
+def denies_restraint(note: str) -> bool:
     """Whether a note says no more than that what holds the wall is not there."""
     return len(_words(note)) <= MAX_SHORT_WORDS and bool(_GONE.search(note))
 

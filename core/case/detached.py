@@ -17,7 +17,7 @@ OF_CONNECTORS = "connector_kn_m", "row_spacing_m", "slip_mm"
 """Keys of the connectors: all or none."""
 
 
-def as_leaf(wall: Wall) -> Wall:
+def make_leaf_wall(wall: Wall) -> Wall:
     """The outer leaf of a wall as a wall: what rests within it stays on it, thrusts and ties act on it as on the wall,
     and what drags the wall along behind is not its own. It leans on what is behind it, which shows nothing of it."""
     leaf = known(wall.leaf)
@@ -25,7 +25,7 @@ def as_leaf(wall: Wall) -> Wall:
     loads = [replace(load, d_m=None) if load.kind == "thrust" else load for load in loads]
     return replace(
         wall,
-        name=f"{wall.name} ({aspect_of(leaf)})",
+        name=f"{wall.name} ({leaf_label(leaf)})",
         mechanism="one_sided",
         thickness_m=leaf.thickness_m,
         slenderness_deg=None,
@@ -45,7 +45,7 @@ def as_leaf(wall: Wall) -> Wall:
     )
 
 
-def aspect_of(leaf: Leaf) -> str:
+def leaf_label(leaf: Leaf) -> str:
     """What tells a leaf from its wall, in every language."""
     return f"t {leaf.thickness_m:.4g} m"
 

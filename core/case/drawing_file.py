@@ -15,12 +15,12 @@ from core.case.drawing_outlines import (
     MAX_POINTS,
     Gap,
     Point,
-    distinct,
+    drop_duplicates,
+    expand_bulges,
     gaps_of,
-    joined,
+    join_lines,
     refuse_many,
     simple,
-    with_bulges,
 )
 from core.errors import InputError
 from core.packages import require
@@ -261,7 +261,7 @@ class DxfFile:
             raise InputError("drawing_damaged", reason=str(error)[:120], place=(self.path,)) from None
         shapes, gaps, least = [], [], tolerance * MIN_CORNER_DISTANCE / DRAWING_TOLERANCE
         for layer, lines in pieces.items():
-            closed, loose = joined(distinct(lines), tolerance)
+            closed, loose = join_lines(drop_duplicates(lines), tolerance)
             seen = set()
             for outline in closed:
                 corners = tuple(simple(outline, least))
@@ -316,14 +316,14 @@ def _lines(entity: Any, tolerance: float) -> Iterator[list[Point]]:
     elif kind == "SPLINE":
         yield _flat(_spline(entity, tolerance), tolerance)
     elif kind == "LWPOLYLINE":
-        yield _in_world(entity, with_bulges(entity.get_points("xyb"), entity.closed, tolerance), tolerance)
+        yield _in_world(entity, expand_bulges(entity.get_points("xyb"), entity.closed, tolerance), tolerance)
     elif kind == "POLYLINE" and entity.get_mode() in ("AcDb2dPolyline", "AcDb3dPolyline"):
         corners = [
             (vertex.dxf.location.x, vertex.dxf.location.y, vertex.dxf.get("bulge", 0.0))
             for vertex in entity.vertices
             if not vertex.dxf.get("flags", 0) & 16  # a control point of the curve through the others
         ]
-        line = with_bulges(corners, entity.is_closed, tolerance)
+        line = expand_bulges(corners, entity.is_closed, tolerance)
         if not entity.is_2d_polyline:
             _flat((vertex.dxf.location for vertex in entity.vertices), tolerance)
         yield _in_world(entity, line, tolerance) if entity.is_2d_polyline else line
@@ -375,7 +375,7 @@ def _corners(entity: Any) -> int:
 def _border(path: Any, tolerance: float) -> Iterator[list[Point]]:
     """The lines of a border of a hatch."""
     if hasattr(path, "vertices"):
-        yield with_bulges(path.vertices, True, tolerance)
+        yield expand_bulges(path.vertices, True, tolerance)
         return
     lines = []
     for edge in path.edges:
@@ -384,7 +384,7 @@ def _border(path: Any, tolerance: float) -> Iterator[list[Point]]:
         else:
             lines.append(_flat(_few(edge.construction_tool().flattening(tolerance))))
         refuse_many(sum(map(len, lines)))
-    closed, loose = joined(distinct(lines), tolerance)
+    closed, loose = join_lines(drop_duplicates(lines), tolerance)
     yield from ([*outline, outline[0]] for outline in closed)
     yield from loose
 

@@ -53,7 +53,7 @@ def arc(start: Point, end: Point, bulge: float, tolerance: float) -> list[Point]
     return [*((x + radius * math.cos(turn), y + radius * math.sin(turn)) for turn in turns), end]
 
 
-def with_bulges(corners: Sequence[tuple[float, float, float]], closed: bool, tolerance: float) -> list[Point]:
+def expand_bulges(corners: Sequence[tuple[float, float, float]], closed: bool, tolerance: float) -> list[Point]:
     """The points of a polyline of (x, y, bulge of the edge that begins there)."""
     corners = [(float(x), float(y), float(bulge)) for x, y, bulge in corners]
     points = [(x, y) for x, y, _ in corners[:1]]
@@ -70,14 +70,14 @@ def refuse_many(points: int) -> None:
         raise InputError("drawing_too_many_points", most=MAX_POINTS)
 
 
-def distinct(lines: Sequence[list[Point]]) -> list[list[Point]]:
+def drop_duplicates(lines: Sequence[list[Point]]) -> list[list[Point]]:
     """Lines without those that another one repeats from either end, and without lines of no length: CAD draws over
     itself unseen, and of three ends that meet none goes on."""
     kept = {min(tuple(line), tuple(reversed(line))): line for line in lines if len(set(line)) > 1}
     return list(kept.values())
 
 
-def joined(pieces: Sequence[list[Point]], join: float) -> tuple[list[list[Point]], list[list[Point]]]:
+def join_lines(pieces: Sequence[list[Point]], join: float) -> tuple[list[list[Point]], list[list[Point]]]:
     """(closed outlines, each corner once; lines that do not close) of pieces whose ends are nearer than `join`. Where
     three ends meet nothing goes on: which two belong together is not known."""
     ends: dict[tuple[int, int], list[tuple[int, int]]] = {}

@@ -20,7 +20,7 @@ from core.case.drawing_file import (
 from core.case.drawing_outlines import Point, parts_above
 from core.case.shape import ANGLES
 from core.case.solids import Drawing, Solid
-from core.case.values import MAX_CORNERS, section_of
+from core.case.values import MAX_CORNERS, parse_section
 from core.case.wall import Wall
 from core.errors import InputError, place, section
 from core.file_names import name_of, shown
@@ -43,7 +43,7 @@ class Drawn(NamedTuple):
     notice: Sentence
 
 
-def with_drawings(table: dict, folder: Path) -> tuple[dict, list[Drawn]]:
+def expand_drawings(table: dict, folder: Path) -> tuple[dict, list[Drawn]]:
     """The mapping of a case whose walls have solids in place of their drawings. Raises InputError."""
     walls = table.get("wall")
     if not isinstance(walls, list):
@@ -80,11 +80,11 @@ class View(NamedTuple):
 
 def _view(entry: Any, k: int, folder: Path) -> View:
     """The k-th drawing of a wall. Raises InputError."""
-    drawing = section_of(Drawing, entry, "drawing", section(f"[[drawing]] {k}"))
+    drawing = parse_section(Drawing, entry, "drawing", section(f"[[drawing]] {k}"))
     file = DxfFile(folder / name_of(drawing.file))
     try:
         sheet = file.sheet(drawing.unit)
-        return View(drawing, file, sheet, *chosen_of(sheet, drawing))
+        return View(drawing, file, sheet, *select_shapes(sheet, drawing))
     except InputError as error:
         raise error.at(file.path) from None
 
@@ -118,7 +118,7 @@ def _said(wall: str, view: View, made: list[dict]) -> Drawn:
     return Drawn(view.drawing.file, view.file.sha256, notice("drawing_read_in_part", left=left, **told))
 
 
-def chosen_of(sheet: Sheet, drawing: Drawing) -> tuple[list[Shape], list[Shape]]:
+def select_shapes(sheet: Sheet, drawing: Drawing) -> tuple[list[Shape], list[Shape]]:
     """(shapes of the body, of openings) on the layers a drawing names. Raises InputError."""
     names = {layer.casefold(): layer for layer in sheet.layers}
     for layer in (*drawing.layers, *drawing.opening_layers):
@@ -224,12 +224,12 @@ def _is_within(part: Sequence[Point], other: Sequence[Point]) -> bool:
     return all(holds(other, corner) for corner in part)
 
 
-def with_solids(wall: Wall, made: Sequence[dict], sizes: bool) -> Wall:
+def replace_solids(wall: Wall, made: Sequence[dict], sizes: bool) -> Wall:
     """A wall of these solids alone, which are of one plane and between the same ends. Raises InputError.
 
     sizes : height, base and length are theirs too; without it those that the wall does not give
     """
-    solids = tuple(section_of(Solid, solid, "solid", place("solid", n=n)) for n, solid in enumerate(made, start=1))
+    solids = tuple(parse_section(Solid, solid, "solid", place("solid", n=n)) for n, solid in enumerate(made, start=1))
     body = [solid for solid in solids if not solid.opening]
     corners = [corner for solid in body for corner in solid.polygon_m]
     along = [s for s, _ in corners]

@@ -50,7 +50,7 @@ def check_held_top(wall: Wall) -> None:
 
 def check_bends(wall: Wall) -> None:
     """Raise InputError for a wall held at its top that is not stable as it bends, outward or inward."""
-    for moving in (wall, bent_inward(wall)):
+    for moving in (wall, mirror_inward(wall)):
         bending(moving.in_si)
 
 
@@ -62,12 +62,12 @@ def check_hold(wall: Wall) -> None:
     here = (place("wall", name=wall.title),)
     if wall.mechanism != BENDS:
         raise InputError("hold_of_bending", place=here, key="restraint_kn_m")
-    pushes = 1e-3 * max(bending(moving.in_si).top_force for moving in (wall, bent_inward(wall)))
+    pushes = 1e-3 * max(bending(moving.in_si).top_force for moving in (wall, mirror_inward(wall)))
     if strength < pushes:
         raise InputError("hold_too_weak", place=here, key="restraint_kn_m", found=strength, least=pushes)
 
 
-def bent_inward(wall: Wall) -> Wall:
+def mirror_inward(wall: Wall) -> Wall:
     """The wall as it is for a motion inward: mirrored, its loads as far from the inner face as they are from the outer
     one; a step that keeps one face plumb keeps the other."""
     mirrored = {"outer": "inner", "inner": "outer", "middle": "middle"}
@@ -86,7 +86,7 @@ def _mirrored(solid: Solid, thickness: float) -> Solid:
     return replace(solid, polygon_m=tuple((-s, z) for s, z in reversed(solid.polygon_m)), x0_m=across)
 
 
-def with_top_loads(was: Wall, wall: Wall) -> Wall:
+def move_top_loads(was: Wall, wall: Wall) -> Wall:
     """A wall held at its top whose height changed: what stood on the top of the wall as it was stands on its top."""
     if not wall.bends or was.height_m is None or wall.height_m is None or was.height_m == wall.height_m:
         return wall

@@ -3,14 +3,14 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from core.case.above_hinge import MIN_HEIGHT_ABOVE, above_hinge, named_above
-from core.case.between_holds import at_yield, between, named_between, spans_of
-from core.case.brought import brought, with_thrust
-from core.case.detached import as_leaf, aspect_of
+from core.case.above_hinge import MIN_HEIGHT_ABOVE, cut_above_hinge, part_name
+from core.case.detached import leaf_label, make_leaf_wall
 from core.case.directions import directions_of
+from core.case.floor_loads import add_corner_thrust, add_floor_loads
 from core.case.schema import Case
 from core.case.site import Building
-from core.case.spanning import named_spanning, spanning, spans
+from core.case.spanning import make_spanning_part, named_spanning, spans
+from core.case.spans_between_ties import cut_span, find_bending_spans, multiplier_at_yield, named_between
 from core.case.wall import ARCHES, Wall
 from core.codes.vertical_bending import bending
 from core.errors import InputError, place
@@ -28,7 +28,7 @@ SAME_HINGE = 0.05
 
 
 @dataclass(frozen=True)
-class Part:
+class WallPart:
     """A wall of the case from one of its hinges up.
 
     origin : index of the wall in the case; asked : the wall there
@@ -70,12 +70,12 @@ class Part:
             return named_spanning(self.body.name, self.wall.arch.spacing_m)
         if self.top is not None:
             return named_between(self.body.name, self.hinge, self.top)
-        return named_above(self.body.name, self.hinge)
+        return part_name(self.body.name, self.hinge)
 
 
 def hinges_of(wall: Wall, building: Building | None) -> Sequence[float]:
     """Heights of the hinges above the base of a wall [m], without the one at its base: as asked, else those of
-    `usual_hinges` where the building is known."""
+    `default_hinges` where the building is known."""
     asked = wall.hinge_heights
     if wall.bends:  # its hinge is where alpha_0 is lowest
         return ()
@@ -84,11 +84,11 @@ def hinges_of(wall: Wall, building: Building | None) -> Sequence[float]:
     if asked == BASE or building is None:
         return ()
     if asked is None:
-        return usual_hinges(wall, building)
+        return default_hinges(wall, building)
     return storey_ends(wall, building)
 
 
-def unchecked(part: Part, building: Building | None) -> tuple[float, ...]:
+def find_unchecked_hinges(part: WallPart, building: Building | None) -> tuple[float, ...]:
     """Hinges that a wall about its base has too and that nobody looks at [m]: their motion is not known without its
     building, or the engineer leaves them out, and says not why."""
     wall = part.body
@@ -96,9 +96,9 @@ def unchecked(part: Part, building: Building | None) -> tuple[float, ...]:
         return ()
     asked = wall.hinge_heights
     if asked is None:
-        return () if building else usual_hinges(wall, None)
+        return () if building else default_hinges(wall, None)
     looked = turning_hinges(wall, building)
-    return tuple(h for h in usual_hinges(wall, building) if all(abs(h - one) > SAME_HINGE for one in looked))
+    return tuple(h for h in default_hinges(wall, building) if all(abs(h - one) > SAME_HINGE for one in looked))
 
 
 def storey_ends(wall: Wall, building: Building) -> tuple[float, ...]:
@@ -110,7 +110,7 @@ def storey_ends(wall: Wall, building: Building) -> tuple[float, ...]:
     return tuple(h for h in heights if MIN_HEIGHT_ABOVE <= h <= wall.height_m - MIN_HEIGHT_ABOVE)
 
 
-def usual_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
+def default_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
     """Heights above the base of a wall at which it carries something, its tie to be designed too, a storey ends, its
     section changes (a step, a sill, a lintel, another masonry) or its gable begins, and SLENDER_ABOVE times the
     thickness there is above [m]. A mechanism may start at any of them (Circolare 7/2019 C8.7.1.2.1)."""
@@ -151,7 +151,7 @@ def check_hinges(wall: Wall, building: Building | None) -> None:
         )
 
 
-def shared(part: Part, mechanism: str) -> tuple[str, float, str]:
+def variant_key(part: WallPart, mechanism: str) -> tuple[str, float, str]:
     """Key that a wall about a hinge shares only with its other variant: name given, hinge [m], mechanism. A wall held
     at its top has here the mechanism one_sided, the overturning that its restraint prevents."""
     if not part.turns:
@@ -159,29 +159,31 @@ def shared(part: Part, mechanism: str) -> tuple[str, float, str]:
     return part.asked.name, part.hinge, "one_sided" if part.wall.bends else mechanism
 
 
-def parts_of(k: int, asked: Wall, building: Building | None) -> list[Part]:
+def make_wall_parts(k: int, asked: Wall, building: Building | None) -> list[WallPart]:
     """The k-th wall of a case from every hinge of its up, where its ties make it bend between them, between its
     transverse walls, its outer leaf alone, and in its other directions."""
-    whole = brought(asked, building)
+    whole = add_floor_loads(asked, building)
     of = None if whole is asked else whole
-    made = _of_ties(Part(k, asked, 0.0, whole, of=of), turning_hinges(whole, building))
+    made = _of_ties(WallPart(k, asked, 0.0, whole, of=of), turning_hinges(whole, building))
     if spans(whole):
-        made.append(Part(k, asked, 0.0, spanning(whole), whole.height_m, of=of))
+        made.append(WallPart(k, asked, 0.0, make_spanning_part(whole), whole.height_m, of=of))
     if whole.leaf is not None:
-        leaf = as_leaf(whole)
-        part = Part(k, asked, 0.0, leaf, None, aspect_of(whole.leaf), leaf)
+        leaf = make_leaf_wall(whole)
+        part = WallPart(k, asked, 0.0, leaf, None, leaf_label(whole.leaf), leaf)
         made += _of_ties(part, _hinges_of_leaf(leaf, building))
     for aspect, turned in directions_of(whole):
-        made += _of_ties(Part(k, asked, 0.0, turned, None, aspect, turned), turning_hinges(turned, building))
+        made += _of_ties(WallPart(k, asked, 0.0, turned, None, aspect, turned), turning_hinges(turned, building))
     return made
 
 
-def _of_ties(part: Part, hinges: Sequence[float]) -> list[Part]:
+def _of_ties(part: WallPart, hinges: Sequence[float]) -> list[WallPart]:
     """A wall about its base and these hinges, and as it bends between its ties. part : the whole of it"""
     whole = part.wall
-    turning = [replace(part, hinge=hinge, wall=with_thrust(above_hinge(whole, hinge))) for hinge in (0.0, *hinges)]
-    spans = _spans_of_leaf(whole) if part.aspect else spans_of(whole)
-    return turning + [replace(part, hinge=low, wall=between(whole, low, high), top=high) for low, high in spans]
+    turning = [
+        replace(part, hinge=hinge, wall=add_corner_thrust(cut_above_hinge(whole, hinge))) for hinge in (0.0, *hinges)
+    ]
+    spans = _spans_of_leaf(whole) if part.aspect else find_bending_spans(whole)
+    return turning + [replace(part, hinge=low, wall=cut_span(whole, low, high), top=high) for low, high in spans]
 
 
 MOST_ROWS, MOST_SPANS = 8, 6
@@ -199,10 +201,10 @@ def _spread(ordered: Sequence, most: int) -> list:
 def _spans_of_leaf(leaf: Wall) -> list[tuple[float, float]]:
     """The stretches that are looked at of the many between rows of connectors: those up to the highest row, evenly
     spread, and the one that starts to bend the soonest."""
-    spans = spans_of(leaf)
+    spans = find_bending_spans(leaf)
     highest = max((high for _, high in spans), default=0.0)
     kept = _spread(sorted(span for span in spans if span[1] == highest), MOST_SPANS)
-    soonest = sorted(spans, key=lambda span: bending(between(leaf, *span).in_si).alpha0)[:1]
+    soonest = sorted(spans, key=lambda span: bending(cut_span(leaf, *span).in_si).alpha0)[:1]
     return sorted({*kept, *soonest})
 
 
@@ -211,33 +213,33 @@ def _hinges_of_leaf(leaf: Wall, building: Building | None) -> list[float]:
     asked = leaf.hinge_heights
     given = asked if asked is not None and not isinstance(asked, str) else ()
     rows = {load.h_m for load in leaf.load if load.is_tie}
-    usual = usual_hinges(leaf, building)
+    usual = default_hinges(leaf, building)
     there = [height for height in usual if height in rows]
-    soonest = sorted(there, key=lambda row: at_yield(above_hinge(leaf, row)))[:1]
+    soonest = sorted(there, key=lambda row: multiplier_at_yield(cut_above_hinge(leaf, row)))[:1]
     others = [height for height in usual if height not in rows]
     return sorted({*given, *others, *_spread(there, MOST_ROWS), *soonest})
 
 
-def count_of(asked: Wall, building: Building | None) -> int:
+def count_wall_parts(asked: Wall, building: Building | None) -> int:
     """Number of `parts_of` by each of their mechanisms, without making them where they are those of most walls."""
-    asked = brought(asked, building)
+    asked = add_floor_loads(asked, building)
     if asked.leaf is not None or asked.all_directions:
-        return sum(len(part.wall.mechanisms()) for part in parts_of(0, asked, building))
+        return sum(len(part.wall.mechanisms()) for part in make_wall_parts(0, asked, building))
     turning = (1 + len(turning_hinges(asked, building))) * len(asked.mechanisms())
-    return turning + len(spans_of(asked)) + spans(asked)
+    return turning + len(find_bending_spans(asked)) + spans(asked)
 
 
 def turning_hinges(asked: Wall, building: Building | None) -> Sequence[float]:
     """Heights of the hinges about which a wall turns, with what is brought to it; above a tie below which it bends it
     may, whatever is asked."""
     hinges = hinges_of(asked, building)
-    ties = {high for _, high in spans_of(asked)}
+    ties = {high for _, high in find_bending_spans(asked)}
     if not ties:
         return hinges
-    more = [height for height in usual_hinges(asked, building) if height in ties and height not in hinges]
+    more = [height for height in default_hinges(asked, building) if height in ties and height not in hinges]
     return sorted([*hinges, *more]) if more else hinges
 
 
-def parts(case: Case) -> list[Part]:
+def parts(case: Case) -> list[WallPart]:
     """Every wall of the case from every hinge of its up."""
-    return [part for k, asked in enumerate(case.wall) for part in parts_of(k, asked, case.building)]
+    return [part for k, asked in enumerate(case.wall) for part in make_wall_parts(k, asked, case.building)]

@@ -3,7 +3,7 @@ again."""
 
 from dataclasses import replace
 
-from core.case.rules import Accepted, parse_case, parse_sections, parsed_wall, with_walls
+from core.case.rules import AcceptedWall, parse_case, parse_sections, parse_wall_entry, replace_walls
 from core.case.schema import Case
 from core.case.wall import Wall
 from core.case.writer import table_of
@@ -12,17 +12,17 @@ MAX_SPARE_WALLS = 1000
 """Walls kept beside those of the case while it cannot be accepted."""
 
 
-class Judge:
+class IncrementalParser:
     """`parse_case(table_of(case))` of one case after another that have most of their walls in common: an edit keeps
     those it does not change, as the same objects.
 
     read : `id` of a wall of the case -> that wall, the one that is read of it, the keys that are given
-    accepted : as of `with_walls`
+    accepted : as of `replace_walls`
     """
 
     def __init__(self):
         self.read: dict[int, tuple[Wall, Wall, tuple[str, ...]]] = {}
-        self.accepted: dict[int, Accepted] = {}
+        self.accepted: dict[int, AcceptedWall] = {}
 
     def __call__(self, case: Case) -> Case:
         """The case as the batch would read it. Raises InputError."""
@@ -34,7 +34,7 @@ class Judge:
             self.accepted, self.read = {}, {id(row[0]): row for row in rows}
         given = {("wall", k, key) for k, (_, _, keys) in enumerate(rows) for key in keys}
         walls = [wall for _, wall, _ in rows]
-        judged = with_walls(replace(judged, given=judged.given | given), walls, self.accepted)
+        judged = replace_walls(replace(judged, given=judged.given | given), walls, self.accepted)
         self.read = {id(row[0]): row for row in rows}
         self.accepted = {id(wall): self.accepted[id(wall)] for wall in walls}
         return judged
@@ -43,5 +43,5 @@ class Judge:
         """Read a wall that is not known yet. Raises InputError."""
         if id(wall) not in self.read:
             entry = table_of(Case(wall=(wall,)))["wall"][0]
-            self.read[id(wall)] = (wall, parsed_wall(entry, k), tuple(entry))
+            self.read[id(wall)] = (wall, parse_wall_entry(entry, k), tuple(entry))
         return self.read[id(wall)]

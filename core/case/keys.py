@@ -64,20 +64,20 @@ def unit_in_form(entry) -> tuple[str, float]:
     """Unit of the field of a key, and what a value of the case is multiplied with for it."""
     unit = entry.metadata.get("unit", "")
     shown = entry.metadata.get("form_unit", unit)
-    return pretty(shown), FACTORS.get((unit, shown), 1.0)
+    return format_unit(shown), FACTORS.get((unit, shown), 1.0)
 
 
-def pretty(unit: str) -> str:
+def format_unit(unit: str) -> str:
     """A unit as a person writes it: kN/m³, °."""
     return "°" if unit == "deg" else unit.replace("2", "²").replace("3", "³")
 
 
-def content_of(value):
+def section_to_dict(value):
     """A section as a mapping of its keys, with those inside it; any other value as it is. `dataclasses.asdict` copies
     each number, which took a third of a key typed beside 200 walls."""
     if isinstance(value, tuple):
-        return tuple(map(content_of, value))
+        return tuple(map(section_to_dict, value))
     if isinstance(value, dict):
         return dict(value)
     keys = getattr(value, "__dataclass_fields__", None)
-    return value if keys is None else {key: content_of(getattr(value, key)) for key in keys}
+    return value if keys is None else {key: section_to_dict(getattr(value, key)) for key in keys}

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from core.case.brought import Together, check_floors
-from core.case.hinges import parts_of
+from core.case.floor_loads import WallSetChecker, check_floors
+from core.case.hinges import make_wall_parts
 from core.case.rules import check_part, check_wall, refuse_modes
 from core.case.schema import Case
 from core.case.wall import Wall
@@ -20,7 +20,7 @@ LONGEST_ROW = 1_000_000
 """Letters of a row."""
 
 
-class ManyWalls(Sequence):
+class LazyWalls(Sequence):
     """The walls of a text with one row a wall: of each only where its row begins is kept.
 
     text : of the table; mark : between its cells
@@ -71,22 +71,22 @@ class ManyWalls(Sequence):
         return self.wall_of(self._numbers[k], [cell.strip() for cell in cells])
 
 
-def with_many(case: Case, walls: ManyWalls) -> Case:
-    """`with_walls` of a case whose walls are not held at once: of a name eight bytes are. Raises InputError."""
+def attach_walls(case: Case, walls: LazyWalls) -> Case:
+    """`replace_walls` of a case whose walls are not held at once: of a name eight bytes are. Raises InputError."""
     walls.ahead = case.wall
     check_floors(case.building)
     titles, above = array("Q"), array("Q")
     low, high = np.inf, -np.inf
-    together = Together(case.building)
+    together = WallSetChecker(case.building)
     for k, wall in enumerate(walls):
         together.saw(wall)
         titles.append(_digest(wall.title))
         check_wall(case, wall)
-        for part in parts_of(k, wall, case.building):
+        for part in make_wall_parts(k, wall, case.building):
             if not part.is_whole:
                 above.append(_digest(part.wall.name))
             check_part(part)
-            if (z := part.wall.felt_z_m) is not None and part.wall.above_ground:
+            if (z := part.wall.demand_height_m) is not None and part.wall.above_ground:
                 low, high = min(low, z), max(high, z)
     known, counts = np.unique(np.array(titles), return_counts=True)
     twice = {*known[counts > 1].tolist(), *np.intersect1d(known, np.array(above, np.uint64)).tolist()}
@@ -103,7 +103,7 @@ def _digest(name: str) -> int:
     return int.from_bytes(hashlib.blake2b(name.encode(errors="surrogatepass"), digest_size=8).digest(), "big")
 
 
-def _refuse_same_names(case: Case, walls: ManyWalls, digests: set[int]) -> None:
+def _refuse_same_names(case: Case, walls: LazyWalls, digests: set[int]) -> None:
     """Raise InputError where two names are the same, not only their digests."""
     titles: set[str] = set()
     for wall in walls:
@@ -112,12 +112,12 @@ def _refuse_same_names(case: Case, walls: ManyWalls, digests: set[int]) -> None:
                 raise InputError("same_name", key="name", wall=wall.title)
             titles.add(wall.title)
     for k, wall in enumerate(walls):
-        for part in parts_of(k, wall, case.building):
+        for part in make_wall_parts(k, wall, case.building):
             if not part.is_whole and part.wall.name in titles:
                 raise InputError("same_name", key="name", wall=part.wall.name)
 
 
-def in_groups(walls: Sequence[Wall], size: int) -> list[list[int]]:
+def group_walls(walls: Sequence[Wall], size: int) -> list[list[int]]:
     """Indices of the walls, in groups of about so many: in their order, but walls of one name, which are variants of
     each other, side by side and never in two groups."""
     names = np.fromiter((_digest(wall.name) for wall in walls), np.uint64, len(walls))

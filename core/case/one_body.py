@@ -114,7 +114,7 @@ def _heights(parts) -> list[tuple[float, bool]]:
 
 def _check_pieces(wall: Wall, parts: tuple[Part, ...], here) -> None:
     """The wall is one body, also without what it drags along, and no two leaves."""
-    fault = fault_of(parts, wall.thickness)
+    fault = find_body_fault(parts, wall.thickness)
     if fault is not None:
         code, z = fault
         if code == "cut":
@@ -125,7 +125,7 @@ def _check_pieces(wall: Wall, parts: tuple[Part, ...], here) -> None:
 
 
 @lru_cache(maxsize=1024)
-def fault_of(parts: tuple[Part, ...], thickness: float) -> tuple[str, float] | None:
+def find_body_fault(parts: tuple[Part, ...], thickness: float) -> tuple[str, float] | None:
     """Why solids are not one body: "cut", "pieces" or "leaves" and the height [m] of a gap; None of one body."""
     placed = aligned(parts)
     borne = tuple(part for part in placed if not lies_behind(part, thickness))

@@ -28,7 +28,7 @@ class Enclosed(NamedTuple):
     closed: tuple[Gap, ...]
 
 
-def around(lines: Sequence[Line], point: Point, close: float, same: float) -> Enclosed:
+def find_enclosing_outline(lines: Sequence[Line], point: Point, close: float, same: float) -> Enclosed:
     """The outline around a point. close : how far a loose end may be from the line it should meet; same : how far two
     corners that are one, both in the unit of the drawing. Raises InputError where no outline closes around it."""
     layers, segments, ends = _segments(lines, same)

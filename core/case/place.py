@@ -26,7 +26,7 @@ HERE = section("[site]")
 MAX_SEAT_DISTANCE = 40.0
 """No place of a municipality is farther from its seat [km]."""
 
-DERIVED = ("ag_g", "nominal_life_years", "use_class_factor", "hazard")
+SITE_KEYS = ("ag_g", "nominal_life_years", "use_class_factor", "hazard")
 """Keys of the demand that follow from the place; of a spectrum of NTC 2018 F_0 and T_C* too."""
 
 OF_SPECTRUM = ("f0", "tc_star_s")
@@ -107,7 +107,7 @@ def hazard_rows(site: Site) -> tuple[HazardRow, ...]:
     return tuple(kept)
 
 
-def derived(site: Site, limit_state: str) -> dict:
+def site_demand_values(site: Site, limit_state: str) -> dict:
     """Values of a demand that follow from the place: DERIVED and OF_SPECTRUM."""
     values = site.hazard.at(site.return_period(limit_state))
     return {
@@ -120,7 +120,7 @@ def derived(site: Site, limit_state: str) -> dict:
     }
 
 
-def filled(site: Site, demand: dict) -> dict:
+def fill_from_site(site: Site, demand: dict) -> dict:
     """The mapping of a demand with what the place gives. Raises InputError for another value in it, beyond the digits
     it is printed with, and for what a place makes needless."""
     here, state = section("[demand]"), demand.get("limit_state", "SLV")
@@ -129,7 +129,7 @@ def filled(site: Site, demand: dict) -> dict:
             raise InputError("site_gives", place=(here,), key=key, section=Key("[site]"))
     if state not in EXCEEDANCE:
         return demand  # refused with the other keys
-    made, derived_values = dict(demand), derived(site, state)
+    made, derived_values = dict(demand), site_demand_values(site, state)
     years, own = made.pop("return_period_years", None), site.return_period(state)
     if years is not None and not (isinstance(years, (int, float)) and math.isclose(years, own, rel_tol=SAME_PERIOD)):
         raise InputError("site_disagrees", place=(here,), key="return_period_years", given=years, stated=own)
@@ -138,7 +138,7 @@ def filled(site: Site, demand: dict) -> dict:
         return demand  # refused with the other keys
     for row in given:
         _agree_row(dict(row), site)
-    for key in DERIVED:
+    for key in SITE_KEYS:
         _agree(made, key, derived_values[key], "[demand]")
     spectrum = demand.get("spectrum")
     if isinstance(spectrum, dict) and spectrum.get("code") == NATIONAL:
@@ -171,31 +171,31 @@ def _agree(table: dict, key: str, stated, where: str) -> None:
     table[key] = stated
 
 
-def placed(site: Site | None, demand: Demand | None) -> Demand | None:
+def apply_site(site: Site | None, demand: Demand | None) -> Demand | None:
     """A demand with what its place gives, as it was where the place gives nothing yet."""
     if site is None or demand is None:
         return demand
     try:
-        values = derived(site, demand.limit_state)
+        values = site_demand_values(site, demand.limit_state)
     except (InputError, TypeError):
         return demand
     spectrum = demand.spectrum
     if isinstance(spectrum, Spectrum) and spectrum.code == NATIONAL:
         spectrum = replace(spectrum, **{key: values[key] for key in OF_SPECTRUM})
-    return replace(demand, spectrum=spectrum, **{key: values[key] for key in DERIVED})
+    return replace(demand, spectrum=spectrum, **{key: values[key] for key in SITE_KEYS})
 
 
-def without_derived(site: Site | None, demand: dict) -> dict:
+def drop_site_values(site: Site | None, demand: dict) -> dict:
     """The mapping of a demand as a file has it beside its place."""
     if site is None:
         return demand
-    kept = {key: value for key, value in demand.items() if key not in DERIVED}
+    kept = {key: value for key, value in demand.items() if key not in SITE_KEYS}
     if isinstance(kept.get("spectrum"), dict):
         kept["spectrum"] = {key: value for key, value in kept["spectrum"].items() if key not in OF_SPECTRUM}
     return kept
 
 
-def notices(site: Site, limit_state: str) -> list[Sentence]:
+def site_notices(site: Site, limit_state: str) -> list[Sentence]:
     """Notices on the demand of a place."""
     sentences, years = [], site.return_period(limit_state)
     if site.latitude is None:

@@ -4,7 +4,7 @@ import re
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
-from core.case.judge import Judge
+from core.case.judge import IncrementalParser
 from core.case.keys import NESTED
 from core.case.schema import Analysis, Case, Report
 from core.case.wall import Wall
@@ -14,11 +14,11 @@ MAX_JUDGEMENTS = 60
 """Times a case is judged: of more problems nobody reads."""
 
 
-def problems(case: Case, judge: Judge | None = None) -> list[InputError]:
+def find_problems(case: Case, judge: IncrementalParser | None = None) -> list[InputError]:
     """What is missing or breaks a rule. After each problem the value that is missing is taken as given, or else the
     wall or section in question is left out, and the rest is judged again: a rule that needs a missing value waits, for
     what it would say of the value that is assumed is no problem of the case. judge : of cases much like it"""
-    judge = judge or Judge()
+    judge = judge or IncrementalParser()
     errors: list[InputError] = []
     assumed: set[tuple[str, str]] = set()
     part_given: set[str | None] = set()

@@ -9,14 +9,14 @@ from dataclasses import replace
 from pathlib import Path
 
 from core.case.case_files import CaseFile, hash_file, hold_rows
-from core.case.drawn_solids import with_drawings
+from core.case.drawn_solids import expand_drawings
 from core.case.hazard_table import read_hazard
-from core.case.many_walls import ManyWalls, with_many
+from core.case.many_walls import LazyWalls, attach_walls
 from core.case.note_file import CASE, MAX_NOTE_BYTES, files_within, is_note
-from core.case.rules import parse_case, with_walls
+from core.case.rules import parse_case, replace_walls
 from core.case.schema import Case
 from core.case.wall import Wall
-from core.case.wall_table import read_table, walls_of
+from core.case.wall_table import parse_wall_rows, read_table
 from core.errors import InputError
 from core.file_names import name_of
 from core.known import known
@@ -89,13 +89,15 @@ def case_of_text(text: str, path: Path, held: Collection[CaseFile] = ()) -> Case
 
 def _case_of(table: dict, content: bytes, path: Path, many: bool, held: Collection[CaseFile] = ()) -> Case:
     try:
-        table, drawings = with_drawings(table, path.parent)
+        table, drawings = expand_drawings(table, path.parent)
         case = parse_case(table)
         files = [CaseFile("drawing", drawing.file, drawing.sha256) for drawing in drawings]
         if case.walls is not None:
             walls, file = _walls_of_table(case, path.parent, many, held)
             files.append(file)
-            case = with_many(case, walls) if isinstance(walls, ManyWalls) else with_walls(case, [*case.wall, *walls])
+            case = (
+                attach_walls(case, walls) if isinstance(walls, LazyWalls) else replace_walls(case, [*case.wall, *walls])
+            )
             case = replace(case, table=file.file, table_notes=file.notices)
         if case.demand and case.demand.hazard_file:
             read_hazard(path.parent / name_of(case.demand.hazard_file))
@@ -111,12 +113,12 @@ def _case_of(table: dict, content: bytes, path: Path, many: bool, held: Collecti
 
 def _walls_of_table(
     case: Case, folder: Path, many: bool, held: Collection[CaseFile]
-) -> tuple[list[Wall] | ManyWalls, CaseFile]:
+) -> tuple[list[Wall] | LazyWalls, CaseFile]:
     """Read the walls of the table that a case names: of the file, or of its rows where they are held."""
     name, with_demand = known(case.walls), case.demand is not None
     for file in held:
         if (file.role, file.file) == ("walls", name) and file.rows is not None:
-            return walls_of([list(row) for row in file.rows], with_demand), file
+            return parse_wall_rows([list(row) for row in file.rows], with_demand), file
     read = read_table(folder / name_of(name), with_demand, many)
     return read.walls, CaseFile("walls", name, read.sha256, tuple(read.notices), hold_rows(read.rows))
 

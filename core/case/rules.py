@@ -5,34 +5,34 @@ from dataclasses import fields, replace
 from typing import NamedTuple
 
 from core.case.above_hinge import numbers_above
-from core.case.back_restraint import names_something, says_gone
-from core.case.between_holds import presses_between, spans_of
-from core.case.brought import Together, brought, check_floors, check_floors_on, floor_at
+from core.case.back_restraint import denies_restraint, is_meaningful
 from core.case.detached import check_leaf
 from core.case.directions import check_directions
+from core.case.floor_loads import WallSetChecker, add_floor_loads, check_floors, check_floors_on, floor_at
 from core.case.hazard_table import check_rising
 from core.case.held_top import check_bends, check_held_top, check_hold
-from core.case.hinges import Part, check_hinges, parts_of, turning_hinges
+from core.case.hinges import WallPart, check_hinges, make_wall_parts, turning_hinges
 from core.case.keys import is_required
 from core.case.load_rules import check_design, check_given, check_loads
-from core.case.place import HERE, Site, filled, placed
+from core.case.place import HERE, Site, apply_site, fill_from_site
 from core.case.schema import Analysis, Case, Generate, Record, Report
 from core.case.select import Select
 from core.case.sensitivity import Ranges
 from core.case.shape_memory import check_known_shape
 from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
 from core.case.spanning import check_arch
+from core.case.spans_between_ties import find_bending_spans, has_load_below_tie
 from core.case.values import (
     MAX_VALUE_SHOWN,
     are_ends,
-    corners_of,
     field_of,
+    parse_corners,
+    parse_section,
+    parse_value,
+    quote_value,
     refuse_unknown,
-    repeated,
-    section_of,
-    value_of,
 )
-from core.case.variant_of import expanded
+from core.case.variant_of import expand_variants
 from core.case.wall import BENDS, Wall
 from core.codes.limits import check_return_period
 from core.codes.spectrum_codes import refuse_faulty, requires_key
@@ -50,10 +50,10 @@ TIE_METHODS = ("auto", "taylor", "taylor_6")
 
 def parse_case(table: dict) -> Case:
     """The case of a mapping with the keys of the file; every rule is checked here, once."""
-    table = expanded(table)
+    table = expand_variants(table)
     case = parse_sections(table)
-    walls = [parsed_wall(entry, k) for k, entry in enumerate(tables_of(table, "wall"))]
-    return with_walls(case, walls) if case.walls is None else replace(case, wall=tuple(walls))
+    walls = [parse_wall_entry(entry, k) for k, entry in enumerate(tables_of(table, "wall"))]
+    return replace_walls(case, walls) if case.walls is None else replace(case, wall=tuple(walls))
 
 
 def parse_sections(table: dict) -> Case:
@@ -63,8 +63,8 @@ def parse_sections(table: dict) -> Case:
     if language in CATALOGUE.faults:
         folder, why = CATALOGUE.faults[language]
         raise InputError("language_damaged", place=(section("[report]"),), key="language", folder=folder, reason=why)
-    title = value_of(field_of(Case, "title"), table.get("title", "Ribalta"))
-    analysis = section_of(Analysis, table.get("analysis", {}), "analysis", section("[analysis]"))
+    title = parse_value(field_of(Case, "title"), table.get("title", "Ribalta"))
+    analysis = parse_section(Analysis, table.get("analysis", {}), "analysis", section("[analysis]"))
     if round(analysis.robust_window / math.log1p(analysis.q_step)) < 1:
         raise InputError(
             "window_below_step",
@@ -73,7 +73,7 @@ def parse_sections(table: dict) -> Case:
             step=Quantity("q_step", analysis.q_step),
         )
     records = [
-        section_of(Record, entry, "record", place("record", n=k + 1))
+        parse_section(Record, entry, "record", place("record", n=k + 1))
         for k, entry in enumerate(tables_of(table, "record"))
     ]
     for k, record in enumerate(records):
@@ -81,19 +81,19 @@ def parse_sections(table: dict) -> Case:
             accepted = sentence("accepted", "not_zero")
             here = place("record", n=k + 1)
             raise InputError("not_accepted", place=(here,), key="scale", value=0, accepted=accepted)
-    site = section_of(Site, table["site"], "site", HERE) if "site" in table else None
+    site = parse_section(Site, table["site"], "site", HERE) if "site" in table else None
     demand = table.get("demand")
     if site is not None:
         site.hazard  # noqa: B018  (a place outside the grid is refused, with a demand or without)
-        demand = filled(site, demand) if isinstance(demand, dict) else demand
+        demand = fill_from_site(site, demand) if isinstance(demand, dict) else demand
     generate = table.get("generate")
     case = Case(
         title=title,
-        report=section_of(Report, table.get("report", {}), "report", section("[report]")),
+        report=parse_section(Report, table.get("report", {}), "report", section("[report]")),
         record=tuple(records),
-        walls=value_of(field_of(Case, "walls"), table["walls"]) if "walls" in table else None,
-        generate=section_of(Generate, generate, "generate", section("[generate]")) if generate is not None else None,
-        select=section_of(Select, table["select"], "select", section("[select]")) if "select" in table else None,
+        walls=parse_value(field_of(Case, "walls"), table["walls"]) if "walls" in table else None,
+        generate=parse_section(Generate, generate, "generate", section("[generate]")) if generate is not None else None,
+        select=parse_section(Select, table["select"], "select", section("[select]")) if "select" in table else None,
         analysis=analysis,
         demand=_demand(demand) if demand is not None else None,
         building=_building(table["building"]) if "building" in table else None,
@@ -113,20 +113,20 @@ def parse_sections(table: dict) -> Case:
     return case
 
 
-def parsed_wall(entry, k: int) -> Wall:
+def parse_wall_entry(entry, k: int) -> Wall:
     """The k-th wall of a case, its keys checked one by one. Raises InputError."""
-    return section_of(Wall, entry, "wall", place("wall", name=_name(entry, k)))
+    return parse_section(Wall, entry, "wall", place("wall", name=_name(entry, k)))
 
 
-def draft_case(table: dict) -> Case:
+def parse_draft(table: dict) -> Case:
     """The case of a mapping that may not be complete: unknown keys are refused, values are taken as they
     are, a missing one is empty. For work in progress; `parse_case` decides what can run."""
-    table = expanded(table)
+    table = expand_variants(table)
     refuse_unknown(Case, table, "case")
 
     def part(cls, content, name):
         if not isinstance(content, dict):
-            raise InputError("not_a_table_of_keys", name=name, value=repeated(content))
+            raise InputError("not_a_table_of_keys", name=name, value=quote_value(content))
         refuse_unknown(cls, content, name)
         values = {entry.name: "" for entry in fields(cls) if is_required(entry)}
         for entry in fields(cls):
@@ -141,22 +141,22 @@ def draft_case(table: dict) -> Case:
             return tuple(part(of, row, entry.name) for row in given)
         if kind in ("section", "spectrum"):
             return part(of, given, entry.name)
-        if kind == "polygon" and (corners := corners_of(given)) is not None:
+        if kind == "polygon" and (corners := parse_corners(given)) is not None:
             return corners
-        return given if kind == "law" and are_ends(given) else value_of(entry, given, name)
+        return given if kind == "law" and are_ends(given) else parse_value(entry, given, name)
 
     def one(cls, name):
         return part(cls, table[name], name) if name in table else None
 
     return Case(
-        title=value_of(field_of(Case, "title"), table.get("title", "Ribalta")),
+        title=parse_value(field_of(Case, "title"), table.get("title", "Ribalta")),
         report=one(Report, "report") or Report(),
         wall=tuple(part(Wall, entry, "wall") for entry in tables_of(table, "wall")),
         record=tuple(part(Record, entry, "record") for entry in tables_of(table, "record")),
         generate=one(Generate, "generate"),
         select=one(Select, "select"),
         analysis=one(Analysis, "analysis") or Analysis(),
-        demand=placed(one(Site, "site"), one(Demand, "demand")),
+        demand=apply_site(one(Site, "site"), one(Demand, "demand")),
         building=one(Building, "building"),
         site=one(Site, "site"),
         sensitivity=one(Ranges, "sensitivity"),
@@ -164,10 +164,10 @@ def draft_case(table: dict) -> Case:
     )
 
 
-class Accepted(NamedTuple):
+class AcceptedWall(NamedTuple):
     """A wall that breaks no rule of its own or with the rest of its case.
 
-    whole : with the floors that bear on it; beside : `beside_walls` then; hinges : about which it turns
+    whole : with the floors that bear on it; beside : `wall_dependencies` then; hinges : about which it turns
     above : names of its parts above them; heights : above the ground at which they are felt [m]
     """
 
@@ -179,10 +179,10 @@ class Accepted(NamedTuple):
     heights: frozenset[float]
 
 
-def with_walls(case: Case, walls: list[Wall], accepted: dict[int, Accepted] | None = None) -> Case:
+def replace_walls(case: Case, walls: list[Wall], accepted: dict[int, AcceptedWall] | None = None) -> Case:
     """The case with these walls, checked as a set. Raises InputError. accepted : by `id`, those checked before, of
     which only what is beside them is looked at again, where it is another; the others are added"""
-    accepted, beside = {} if accepted is None else accepted, beside_walls(case)
+    accepted, beside = {} if accepted is None else accepted, wall_dependencies(case)
     # the same object where it is equal: of 200 walls each would be compared twice
     beside = next((one.beside for one in accepted.values() if one.beside == beside), beside)
     if not walls:
@@ -198,12 +198,12 @@ def with_walls(case: Case, walls: list[Wall], accepted: dict[int, Accepted] | No
             check_wall(case, wall, alone=known is None)
     case = replace(case, wall=tuple(walls), walls=None)
     heights: set[float] = set()
-    together = Together(case.building)
+    together = WallSetChecker(case.building)
     for k, wall in enumerate(walls):
         together.saw(wall)
         known = accepted.get(id(wall))
         if known is not None and known.beside is not beside:
-            same = known.whole == brought(wall, case.building)
+            same = known.whole == add_floor_loads(wall, case.building)
             same = same and known.hinges == tuple(turning_hinges(wall, case.building))
             known = known._replace(beside=beside) if same else None
         if known is None:
@@ -218,25 +218,25 @@ def with_walls(case: Case, walls: list[Wall], accepted: dict[int, Accepted] | No
     return replace(case, sha256=case.digest())
 
 
-def _accepted(k: int, wall: Wall, building: Building | None, names: set[str], beside: tuple) -> Accepted:
+def _accepted(k: int, wall: Wall, building: Building | None, names: set[str], beside: tuple) -> AcceptedWall:
     """Check the parts of a wall above its hinges. Raises InputError. names : of the walls of the case"""
-    parts = parts_of(k, wall, building)
+    parts = make_wall_parts(k, wall, building)
     for part in parts:
         if not part.is_whole and part.wall.name in names:
             raise InputError("same_name", key="name", wall=part.wall.name)
         check_part(part)
-    heights = (part.wall.felt_z_m for part in parts if part.wall.above_ground)
+    heights = (part.wall.demand_height_m for part in parts if part.wall.above_ground)
     above = tuple(part.wall.name for part in parts if not part.is_whole)
     hinges = tuple(part.hinge for part in parts[1:] if part.turns)
     felt = frozenset(z for z in heights if z is not None)
-    return Accepted(wall, brought(wall, building), beside, hinges, above, felt)
+    return AcceptedWall(wall, add_floor_loads(wall, building), beside, hinges, above, felt)
 
 
-def check_part(part: Part) -> None:
+def check_part(part: WallPart) -> None:
     """Raise InputError for a part of a wall that does not stand, or cannot be as the wall is asked to be."""
     wall, whole = part.wall, part.body
     try:
-        bends = bool(spans_of(whole)) or (bool(part.aspect) and not presses_between(whole))
+        bends = bool(find_bending_spans(whole)) or (bool(part.aspect) and not has_load_below_tie(whole))
         check_loads(wall, numbers_above(whole, part.hinge), bends=bends)
     except InputError as error:
         corner, leaf = whole.corner, part.asked.leaf
@@ -253,7 +253,7 @@ def check_part(part: Part) -> None:
             wall.restitution_of(mechanism)
 
 
-def beside_walls(case: Case) -> tuple:
+def wall_dependencies(case: Case) -> tuple:
     """What `check_wall` and the hinges of a wall read of the rest of a case."""
     demand, analysis = case.demand, case.analysis
     confidence = demand and (demand.confidence_factor, demand.knowledge_level, demand.investigations)
@@ -294,7 +294,7 @@ def _check_alone(wall: Wall) -> None:
 
 def _check_beside(case: Case, wall: Wall) -> None:
     """Refuse a wall beside a method, a demand or a building that is not for it; all that is read of these is in
-    `beside_walls`."""
+    `wall_dependencies`."""
     _check_exact(case, wall)
     if case.analysis.method == "linearised" and not wall.moment_law().is_rigid:
         raise InputError("linearised_is_rigid", place=(section("[analysis]"),), key="method", wall=wall.title)
@@ -308,7 +308,7 @@ def _check_beside(case: Case, wall: Wall) -> None:
         )
     check_hinges(wall, case.building)
     check_floors_on(wall, case.building)
-    if (whole := brought(wall, case.building)) is not wall:
+    if (whole := add_floor_loads(wall, case.building)) is not wall:
         _check_with_floors(wall, whole, case.building)
     if case.demand and wall.base_z_m is None:
         raise InputError("base_missing", place=(place("wall", name=wall.title),), key="base_z_m")
@@ -334,9 +334,9 @@ def _check_reasons(wall: Wall) -> None:
     """Refuse reasons and notes of a wall that say nothing."""
     check_reasons(wall.justification, place("wall", name=wall.title))
     note = wall.restraint_note
-    if wall.back_restraint == "other" and not names_something(note):
+    if wall.back_restraint == "other" and not is_meaningful(note):
         raise InputError("restraint_unnamed", place=(place("wall", name=wall.title),), key="restraint_note")
-    if note.strip() and (not names_something(note) or says_gone(note)):
+    if note.strip() and (not is_meaningful(note) or denies_restraint(note)):
         raise InputError("note_says_nothing", place=(place("wall", name=wall.title),), key="restraint_note", value=note)
 
 
@@ -348,7 +348,7 @@ def _check_exact(case: Case, wall: Wall) -> None:
             raise InputError("tie_method", place=here, key="method", found=method)
         if case.analysis.accuracy:
             raise InputError("tie_accuracy", place=here, key="accuracy")
-    if wall.is_unlike and "two_sided" in wall.mechanisms():
+    if wall.is_asymmetric and "two_sided" in wall.mechanisms():
         if method not in TIE_METHODS:
             raise InputError("unlike_method", place=here, key="method", found=method)
         if case.analysis.accuracy:
@@ -365,7 +365,7 @@ def check_reasons(reasons, here) -> None:
     """Refuse a reason of the engineer that says nothing. reasons : of a wall or of the demand, None without any"""
     for entry in fields(reasons) if reasons else ():
         value = getattr(reasons, entry.name)
-        if value and not names_something(value):
+        if value and not is_meaningful(value):
             raise InputError("reason_says_nothing", place=(here,), key=entry.name, value=value)
 
 
@@ -377,7 +377,7 @@ def check_confidence(demand: Demand, wall: Wall) -> None:
         return
     here, level = (section("[demand]"),), demand.knowledge_level
     least = KNOWLEDGE.get(level or "")
-    if least is None or not names_something(demand.investigations):
+    if least is None or not is_meaningful(demand.investigations):
         raise InputError("low_confidence_factor", place=here, stated=stated)
     if stated < least:
         raise InputError("confidence_below_level", place=here, stated=stated, level=level, least=least)
@@ -391,7 +391,7 @@ def check_confidence(demand: Demand, wall: Wall) -> None:
 
 def parse_wall(table: dict) -> Wall:
     """One wall of a mapping with the keys of [[wall]], with its loads. Raises InputError."""
-    wall = section_of(Wall, table, "wall", place("wall", name=_name(table, 0)))
+    wall = parse_section(Wall, table, "wall", place("wall", name=_name(table, 0)))
     check_design(wall)
     check_given(wall)
     check_held_top(wall)
@@ -406,12 +406,12 @@ def _sensitivity(table: dict) -> Ranges | None:
     here = section("[sensitivity]")
     if "demand" not in table:
         raise InputError("sensitivity_needs_demand", place=(here,))
-    return section_of(Ranges, table["sensitivity"], "sensitivity", here)
+    return parse_section(Ranges, table["sensitivity"], "sensitivity", here)
 
 
 def _building(table) -> Building:
     here = section("[building]")
-    building = section_of(Building, table, "building", here)
+    building = parse_section(Building, table, "building", here)
     if building.modes and (building.period_s is not None or building.damping is not None):
         raise InputError("modes_or_period", place=(here,))
     return building
@@ -419,7 +419,7 @@ def _building(table) -> Building:
 
 def _demand(table) -> Demand:
     here = section("[demand]")
-    demand = section_of(Demand, table, "demand", here)
+    demand = parse_section(Demand, table, "demand", here)
     asked = demand.spectrum
     if asked and demand.spectrum_file:
         raise InputError("two_spectra", place=(here,))

@@ -5,7 +5,16 @@ import json
 from collections.abc import Iterator, Sequence
 from dataclasses import MISSING, dataclass, field, fields, replace
 
-from core.case.keys import channel_key, choice_key, content_of, flag_key, number_key, paragraphs_key, path_key, text_key
+from core.case.keys import (
+    channel_key,
+    choice_key,
+    flag_key,
+    number_key,
+    paragraphs_key,
+    path_key,
+    section_to_dict,
+    text_key,
+)
 from core.case.place import Site
 from core.case.select import Select
 from core.case.sensitivity import Ranges
@@ -145,7 +154,7 @@ class Case:
 
     def as_dict(self) -> dict:
         """Keys and values as in the file, defaults filled, None where nothing is given."""
-        return {key: content_of(getattr(self, key)) for key in self.__dataclass_fields__ if key not in OWN_FIELDS}
+        return {key: section_to_dict(getattr(self, key)) for key in self.__dataclass_fields__ if key not in OWN_FIELDS}
 
     def digest(self) -> str:
         """SHA-256 of `as_dict` as JSON; the text of a wall is made once."""

@@ -30,7 +30,7 @@ def named_spanning(name: str, spacing: float) -> str:
     return f"{name} (L {spacing:.4g} m)"
 
 
-def spanning(wall: Wall) -> Wall:
+def make_spanning_part(wall: Wall) -> Wall:
     """A wall between its transverse walls: a rectangle of its least thickness. What pushes it or presses it outward is
     spread over a metre of its height; weights that rest on it hold nothing there, and no tie across it is counted. With
     openings or a gable the courses that go through from end to end bear the weight of all."""
@@ -130,7 +130,7 @@ def check_arch(wall: Wall) -> None:
         keys = {"tie": Key("tie_kn_m"), "shoulder": Key("shoulder_length_m")}
         raise InputError("arch_without_thrust", place=inside, key="tie_kn_m", **keys)
     if wall.mechanism != ARCHES:
-        bending(spanning(wall).in_si)
+        bending(make_spanning_part(wall).in_si)
         return
     for key in NOT_OF_AN_ARCH:
         if getattr(wall, key) is not None:

@@ -9,7 +9,7 @@ from core.case.keys import choice_key, flag_key, number_key, path_key, text_key
 from core.case.reader import read_toml
 from core.case.rules import check_code_keys, parse_wall
 from core.case.schema import Record
-from core.case.values import refuse_unknown, section_of
+from core.case.values import parse_section, refuse_unknown
 from core.case.wall import Wall
 from core.codes.spectrum_codes import CODES
 from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
@@ -166,9 +166,9 @@ def parse_study(table: dict) -> Study:
     """The study of a mapping with the keys of the file; every rule is checked here. Raises InputError."""
     refuse_unknown(Study, table, "study")
     quick = table.get("quick")
-    study = section_of(Study, {key: table[key] for key in table if key != "quick"}, "study", "study")
+    study = parse_section(Study, {key: table[key] for key in table if key != "quick"}, "study", "study")
     if quick is not None:
-        study = replace(study, quick=section_of(Quick, quick, "quick", "[quick]"))
+        study = replace(study, quick=parse_section(Quick, quick, "quick", "[quick]"))
     if not study.grid:
         raise InputError("study_without", key="grid")
     for k, grid in enumerate(study.grid, start=1):
@@ -210,7 +210,7 @@ def read_record_list(path: Path) -> RecordList:
         raise InputError("study_no_records", place=(path,))
     table, _ = read_toml(path)
     try:
-        record_list = section_of(RecordList, table, "records", "records")
+        record_list = parse_section(RecordList, table, "records", "records")
         if not record_list.record:
             raise InputError("study_without", key="record")
         return record_list
@@ -229,7 +229,7 @@ def read_study(path: Path) -> tuple[Study, str]:
         raise error.at(path) from None
 
 
-def shortened(study: Study) -> Study:
+def quick_study(study: Study) -> Study:
     """The study as `--quick` makes it: fewer motions and heights, without the grids marked quick = false."""
     quick = study.quick or Quick()
 

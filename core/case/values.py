@@ -34,7 +34,7 @@ PERIOD_LIMITS = (0.02, 10.0)
 
 def check_value(cls, key: str, value):
     """Check one value of a key of a section; raises InputError that names what is accepted."""
-    return value_of(field_of(cls, key), value)
+    return parse_value(field_of(cls, key), value)
 
 
 def field_of(cls, key: str):
@@ -48,24 +48,24 @@ def refuse_unknown(cls, table: dict, here) -> None:
         if key not in keys:
             near = difflib.get_close_matches(key, keys, 1)
             if near:
-                raise InputError("unknown_key_near", place=(here,), value=repeated(key), near=near[0])
-            raise InputError("unknown_key", place=(here,), value=repeated(key), known=tuple(keys))
+                raise InputError("unknown_key_near", place=(here,), value=quote_value(key), near=near[0])
+            raise InputError("unknown_key", place=(here,), value=quote_value(key), known=tuple(keys))
 
 
-def section_of(cls, table, name: str, here):
+def parse_section(cls, table, name: str, here):
     """Build the object of a section from its mapping, every value checked. Raises InputError.
 
     name : of the section
     here : its place
     """
     if not isinstance(table, dict):
-        raise InputError("not_a_table_of_keys", name=here, value=repeated(table))
+        raise InputError("not_a_table_of_keys", name=here, value=quote_value(table))
     refuse_unknown(cls, table, here)
-    table = getattr(cls, "of_older", lambda keys: keys)(table)
+    table = getattr(cls, "upgrade_keys", lambda keys: keys)(table)
     values = {}
     for entry in fields(cls):
         if entry.name in table:
-            values[entry.name] = value_of(entry, table[entry.name], here)
+            values[entry.name] = parse_value(entry, table[entry.name], here)
         elif is_required(entry):
             raise InputError("missing", place=(here,), key=entry.name, accepted=accepted_by(entry))
     return cls(**values)
@@ -87,7 +87,7 @@ def _number(entry, value, here):
     whole = rule["kind"] == "int"
     if isinstance(value, str) and _QUOTED.fullmatch(value.strip()):
         plain = value.strip().replace(",", ".")
-        raise InputError("number_in_quotes", place=here, key=entry.name, value=repeated(value), plain=plain)
+        raise InputError("number_in_quotes", place=here, key=entry.name, value=quote_value(value), plain=plain)
     if isinstance(value, bool) or not isinstance(value, int if whole else (int, float)):
         return None
     above = value > rule["low"] if rule["exclusive"] else value >= rule["low"]
@@ -166,7 +166,7 @@ def _list(entry, value, here):
     if not isinstance(value, (list, tuple)) or not value:
         return None
     item = SimpleNamespace(name=entry.name, metadata=entry.metadata["of"].metadata, default=MISSING)
-    return tuple(value_of(item, part, *here) for part in value)
+    return tuple(parse_value(item, part, *here) for part in value)
 
 
 def _texts(entry, value, here):
@@ -189,14 +189,14 @@ def _section(entry, value, here):
 def _inner(entry, value, name: str, here):
     """A section inside another, whose place is said first. name : as in the file"""
     try:
-        return section_of(entry.metadata["of"], value, entry.name, section(name))
+        return parse_section(entry.metadata["of"], value, entry.name, section(name))
     except InputError as error:
         above = [part for part in here if isinstance(part, Sentence)]
         raise (error.at(above[0]) if above else error) from None
 
 
 def _spectrum(entry, value, here):
-    return section_of(entry.metadata["of"], value, "spectrum", section("[demand.spectrum]"))
+    return parse_section(entry.metadata["of"], value, "spectrum", section("[demand.spectrum]"))
 
 
 def _hinges(entry, value, here):
@@ -207,7 +207,7 @@ def _hinges(entry, value, here):
     return tuple(sorted({float(h) for h in heights})) if fits else None
 
 
-def corners_of(value) -> tuple[tuple[float, float], ...] | None:
+def parse_corners(value) -> tuple[tuple[float, float], ...] | None:
     """Corners of a polygon in the making, of any count: [[s, z], ...], or text "s z; s z; ..." of a table; None for
     what are none."""
     if isinstance(value, str):
@@ -222,7 +222,7 @@ def corners_of(value) -> tuple[tuple[float, float], ...] | None:
 
 
 def _polygon(entry, value, here):
-    corners = corners_of(value)
+    corners = parse_corners(value)
     if corners is None or len(corners) < 3:
         return None
     return corners if all(abs(number) <= 300.0 for corner in corners for number in corner) else None
@@ -234,7 +234,7 @@ def _law(entry, value, here):
     first, last = value["elastic_limit"], value["plateau_end"]
     if MIN_ELASTIC <= first <= last < 1.0:
         return {"elastic_limit": float(first), "plateau_end": float(last)}
-    ends = {"first": repeated(first), "last": repeated(last), "least": MIN_ELASTIC}
+    ends = {"first": quote_value(first), "last": quote_value(last), "least": MIN_ELASTIC}
     raise InputError("ends_not_accepted", place=here, key="law", **ends)
 
 
@@ -253,7 +253,7 @@ def _said(code: str, /, **values) -> Callable:
     return lambda entry: sentence("accepted", code, **values)
 
 
-def names_of(entry) -> tuple[Key, ...]:
+def choices_of_key(entry) -> tuple[Key, ...]:
     """The choices of a key; the window says each in its words, see `FormNames.of`."""
     return tuple(Key(f"{entry.name}={name}") for name in entry.metadata["names"])
 
@@ -261,7 +261,7 @@ def names_of(entry) -> tuple[Key, ...]:
 KINDS: dict[str, tuple[Callable, Callable]] = {
     "float": (_number, _range_of),
     "int": (_number, _range_of),
-    "choice": (_choice, lambda entry: sentence("accepted", "one_of", names=names_of(entry))),
+    "choice": (_choice, lambda entry: sentence("accepted", "one_of", names=choices_of_key(entry))),
     "text": (_text, _said("text", most=MAX_TEXT)),
     "paragraphs": (_paragraphs, _said("paragraphs", most=MAX_PARAGRAPHS)),
     "channel": (_channel, _said("channel_key")),
@@ -291,17 +291,17 @@ def accepted_by(entry) -> Sentence:
     return KINDS[entry.metadata["kind"]][1](entry)
 
 
-def value_of(entry, value, *here):
+def parse_value(entry, value, *here):
     """Check one value against its field; raises InputError with place, value, accepted. here : the place."""
     read, accepted = KINDS[entry.metadata["kind"]]
     converted = read(entry, value, here)
     if converted is None:
-        shown = repeated(value)
+        shown = quote_value(value)
         raise InputError("not_accepted", place=here, key=entry.name, value=shown, accepted=accepted(entry), found=value)
     return converted
 
 
-def repeated(value) -> str:
+def quote_value(value) -> str:
     """Repeat a value in a sentence, cut to the length that identifies it."""
     try:
         words = repr(value)

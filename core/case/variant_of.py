@@ -1,6 +1,6 @@
 """`variant_of` in a case file: a wall as the copy of another, of which only what differs is written."""
 
-from core.case.values import repeated
+from core.case.values import quote_value
 from core.case.variant_names import AS_IS, DESIGNED
 from core.errors import InputError, place
 
@@ -21,7 +21,7 @@ ALTERNATIVES = (
 """Keys that give one thing: where the copy has one, the others of the named wall go."""
 
 
-def expanded(table: dict) -> dict:
+def expand_variants(table: dict) -> dict:
     """Replace each variant in the mapping of a case file by a whole wall; the wall it is of becomes "as it is", where
     it names no variant. Raises InputError."""
     walls = table.get("wall")
@@ -36,9 +36,9 @@ def expanded(table: dict) -> dict:
         name, here = wall[KEY], place("wall", name=k + 1)
         if not isinstance(name, str) or name not in known:
             if isinstance(name, str) and name in variants:
-                raise InputError("variant_of_variant", place=(here,), key=KEY, named=repeated(name))
-            names = ", ".join(repeated(one) for one in list(known)[::-1][:MAX_NAMES_SHOWN])
-            raise InputError("variant_of_unknown", place=(here,), key=KEY, named=repeated(name), known=names)
+                raise InputError("variant_of_variant", place=(here,), key=KEY, named=quote_value(name))
+            names = ", ".join(quote_value(one) for one in list(known)[::-1][:MAX_NAMES_SHOWN])
+            raise InputError("variant_of_unknown", place=(here,), key=KEY, named=quote_value(name), known=names)
         whole[known[name]].setdefault("variant", AS_IS)
         whole[k] = _copy(walls[known[name]], wall)
     return {**table, "wall": whole}
@@ -60,7 +60,7 @@ def _copy(original: dict, wall: dict) -> dict:
     own = {key: value for key, value in wall.items() if key != KEY}
     if own.get("name", original["name"]) != original["name"]:
         here = place("wall", name=original["name"])
-        raise InputError("variant_name", place=(here,), key="name", named=repeated(own["name"]))
+        raise InputError("variant_name", place=(here,), key="name", named=quote_value(own["name"]))
     gone = {key for key, value in own.items() if value in EMPTY_VALUES}
     for keys in ALTERNATIVES:
         if any(key in own and key not in gone for key in keys):
@@ -69,7 +69,7 @@ def _copy(original: dict, wall: dict) -> dict:
     return {key: value for key, value in copy.items() if key not in gone}
 
 
-def contracted(walls: list[dict], stated) -> list[dict]:
+def contract_variants(walls: list[dict], stated) -> list[dict]:
     """Whole walls as the file writes them, which states a variant as such. stated : the walls of the file as it is"""
     if len(stated) != len(walls):
         return walls

@@ -6,8 +6,8 @@ from dataclasses import MISSING, dataclass, replace
 from functools import cached_property
 
 from core.case.arch import Between
-from core.case.back_restraint import EVIDENCE, RESTRAINTS, holds_only_there, with_choice
-from core.case.keys import choice_key, content_of, flag_key, key, number_key, text_key
+from core.case.back_restraint import EVIDENCE, RESTRAINTS, holds_only_there, upgrade_restraint_keys
+from core.case.keys import choice_key, flag_key, key, number_key, section_to_dict, text_key
 from core.case.loads import Load, ReturnWalls
 from core.case.shape import Shaped
 from core.case.solids import Corner, Drawing, InPlan, Leaf, Opening, Solid, Step, Wedges
@@ -120,13 +120,13 @@ class Wall(Shaped):
     variant: str | None = choice_key(AS_IS, DESIGNED, default=None, form="held")
 
     @staticmethod
-    def of_older(table: dict) -> dict:
+    def upgrade_keys(table: dict) -> dict:
         """The keys of a wall as they are now: what stands behind it was a free text before 0.16. A type of masonry
         gives the unit weight that is left out, where the table has one for it."""
         masonry = TYPES.get(str(table.get("masonry")))
         if masonry and "unit_weight_kn_m3" not in table and masonry.weight[0] == masonry.weight[1]:
             table = table | {"unit_weight_kn_m3": masonry.weight[0]}
-        return with_choice(table)
+        return upgrade_restraint_keys(table)
 
     @property
     def title(self) -> str:
@@ -188,7 +188,7 @@ class Wall(Shaped):
             law=self.moment_law(),
             branch=self.law if isinstance(self.law, str) and self.law in WITH_BRANCH else "",
             free=self.free_element,
-            felt=self.felt_z_m,
+            felt=self.demand_height_m,
             parts=self.parts,
             loads=tuple(load.in_si(self.length_m) for load in self.load),
             across=None if across is None else across.in_si(),
@@ -224,7 +224,7 @@ class Wall(Shaped):
     @cached_property
     def as_json(self) -> str:
         """Keys and values, for the digest of its case."""
-        return json.dumps(content_of(self), sort_keys=True)
+        return json.dumps(section_to_dict(self), sort_keys=True)
 
     def without_ties(self) -> "Wall":
         """The wall with its other loads alone."""
@@ -295,20 +295,20 @@ class Wall(Shaped):
         """Whether Eq. 15 and 16 say anything of it: fitted to walls on the ground without loads; of a body by the
         rectangle of the same p and alpha."""
         bare = not self.load and not self.bends
-        return not self.above_ground and bare and not (self.is_unlike and "two_sided" in self.mechanisms())
+        return not self.above_ground and bare and not (self.is_asymmetric and "two_sided" in self.mechanisms())
 
     @property
-    def is_unlike(self) -> bool:
+    def is_asymmetric(self) -> bool:
         """Whether it is another block about its inner hinge."""
         return self.in_si.inner_block is not None
 
     @property
     def above_ground(self) -> bool:
         """Whether what moves it is above the ground; with a demand its height is always given."""
-        return (self.felt_z_m or 0.0) > 0.0
+        return (self.demand_height_m or 0.0) > 0.0
 
     @property
-    def felt_z_m(self) -> float | None:
+    def demand_height_m(self) -> float | None:
         """Height above the ground [m] at which its demand is taken: of its hinge, of a wall held at its top of its
         middle, of one that spans between transverse walls of its top; None where it is not given."""
         if self.base_z_m is None or not self.bends:

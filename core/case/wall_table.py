@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 from typing import NamedTuple
 
-from core.case.many_walls import ManyWalls
+from core.case.many_walls import LazyWalls
 from core.case.wall import Wall
 from core.case.wall_columns import THOUSANDS, Head, is_units
 from core.errors import InputError, place
@@ -30,7 +30,7 @@ class WallTable(NamedTuple):
     sha256 : of the file
     """
 
-    walls: list[Wall] | ManyWalls
+    walls: list[Wall] | LazyWalls
     notices: list[Sentence]
     rows: list[list[str]]
     sha256: str
@@ -57,7 +57,7 @@ def read_table(path: Path, with_demand: bool = False, many: bool = False) -> Wal
         if path.suffix.lower() == ".xlsx":
             rows, notes = _xlsx_rows(content)
             try:
-                return WallTable(walls_of(rows, with_demand), notes, rows, digest)
+                return WallTable(parse_wall_rows(rows, with_demand), notes, rows, digest)
             except InputError as error:
                 title = dict(notes[0].values)["sheet"]
                 raise error.at(place("sheet", name=title)) from None
@@ -70,7 +70,7 @@ def read_table(path: Path, with_demand: bool = False, many: bool = False) -> Wal
         if many and text.count("\n") >= MAX_ROWS:
             return WallTable(_many_walls(text, with_demand), notes, [], digest)
         rows = text_rows(text)
-        return WallTable(walls_of(rows, with_demand), notes, rows, digest)
+        return WallTable(parse_wall_rows(rows, with_demand), notes, rows, digest)
     except FileNotFoundError:
         raise InputError("no_table", place=(path,)) from None
     except TooLarge as error:
@@ -177,7 +177,7 @@ def _shown_cells(sheet: Sheet, row: int) -> list[str]:
     return [f"{text} {units.get(k, '')}".strip() for k, text in enumerate(sheet.texts(row), start=1)]
 
 
-def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
+def parse_wall_rows(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
     """Walls of a table's cells: a row of column titles, a row of units, one row a wall; empty rows are skipped.
     with_demand : an empty height of the base is an error, never the ground."""
     rows = [(n, row) for n, row in enumerate(rows, start=1) if n == 2 or any(row)]
@@ -191,11 +191,11 @@ def walls_of(rows: list[list[str]], with_demand: bool = False) -> list[Wall]:
     return [head.wall(number, row) for number, row in rows[2:]]
 
 
-def _many_walls(text: str, with_demand: bool) -> ManyWalls:
+def _many_walls(text: str, with_demand: bool) -> LazyWalls:
     """The walls of `text_rows` of a text, each read when it is asked for. Raises InputError for its titles."""
     first: list[tuple[int, list[str]]] = []
     said = _SEPARATOR.match(text)
-    walls = ManyWalls("\n" + text[said.end() :], said[1]) if said else ManyWalls(text, _mark(text))
+    walls = LazyWalls("\n" + text[said.end() :], said[1]) if said else LazyWalls(text, _mark(text))
     commas, thousands, place_of = False, (0, ""), 0  # of a row from the first with something in it, as `_walls` counts
     try:
         for number, row in walls.scan():

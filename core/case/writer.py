@@ -2,10 +2,10 @@
 
 import tomllib
 
-from core.case.place import without_derived
-from core.case.rules import draft_case
+from core.case.place import drop_site_values
+from core.case.rules import parse_draft
 from core.case.schema import Case
-from core.case.variant_of import contracted
+from core.case.variant_of import contract_variants
 from core.errors import InputError
 
 SECTION_ORDER = (
@@ -31,7 +31,7 @@ IDENTITY = {"wall": "name", "record": "file"}
 
 def table_of(case: Case) -> dict:
     """The case as a mapping with the keys of the file, only what differs from the defaults; `parse_case`
-    reads it back equal, and `draft_case` one that is not complete."""
+    reads it back equal, and `parse_draft` one that is not complete."""
     table: dict[str, object] = {"title": case.title}
     given = case.differing()
     content = case.as_dict()
@@ -48,7 +48,7 @@ def table_of(case: Case) -> dict:
             if tables:
                 table[section] = tables
         elif tables and (tables[0] or section in STATED):
-            table[section] = without_derived(case.site, tables[0]) if section == "demand" else tables[0]
+            table[section] = drop_site_values(case.site, tables[0]) if section == "demand" else tables[0]
     return table
 
 
@@ -67,11 +67,13 @@ def dumps(case: Case, before: str = "") -> str:
     try:
         document = tomlkit.parse(before)
         stated = (
-            {**wanted, "wall": contracted(wanted["wall"], document.get("wall", []))} if "wall" in wanted else wanted
+            {**wanted, "wall": contract_variants(wanted["wall"], document.get("wall", []))}
+            if "wall" in wanted
+            else wanted
         )
         _merge(document, stated, case.as_dict())
         text = tomlkit.dumps(document)
-        if draft_case(tomllib.loads(text)) == draft_case(wanted):
+        if parse_draft(tomllib.loads(text)) == parse_draft(wanted):
             return text
     except (_OtherTables, TOMLKitError, ValueError, InputError):
         pass

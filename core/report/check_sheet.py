@@ -131,7 +131,7 @@ def _wall(book: Book, sheet, result: StudyResult, wall: WallResult, demand: Rows
         kind = say("element free to vibrate") if free else say("not free to vibrate")
         label = say("Circolare 7/2019, wall on the ground, {kind}", kind=kind)
         if assessment.kinematic.floor:
-            label = say("Circolare 7/2019, wall at {z:g} m, {kind}", z=wall.wall.felt_z_m, kind=kind)
+            label = say("Circolare 7/2019, wall at {z:g} m, {kind}", z=wall.wall.demand_height_m, kind=kind)
         row = heads(book, sheet, row + 1, label)
         for section in of_wall.checks_of(result, wall):
             row = rows.write(section, row)

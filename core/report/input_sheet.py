@@ -3,7 +3,7 @@
 from dataclasses import fields
 
 from core.case.case_files import as_lines
-from core.case.keys import pretty
+from core.case.keys import format_unit
 from core.case.schema import Case, sections
 from core.report.case_text import text_of
 from core.report.cells import QUIET, Book, header, heighten, number, paragraph, rule, text, title
@@ -62,7 +62,7 @@ def _line(book: Book, sheet, row: int, key: str, value, source: str | None) -> i
         heighten(sheet, row, (shown, 50))
     else:
         number(sheet, row, 2, value, "General", align="left")
-        text(sheet, row, 3, pretty(UNIT_OF_KEY.get(key, "")), color=QUIET)
+        text(sheet, row, 3, format_unit(UNIT_OF_KEY.get(key, "")), color=QUIET)
     if source:
         text(sheet, row, 4, source, color=QUIET, italic=True)
     rule(sheet, row, 1, 4)

@@ -9,7 +9,7 @@ from pathlib import Path
 from core.case.keys import channel_key, choice_key, number_key, path_key, text_key
 from core.case.reader import read_toml
 from core.case.study_file import tables_key
-from core.case.values import section_of
+from core.case.values import parse_section
 from core.errors import InputError
 from core.ground import records
 from core.ground.ground_motion import GroundMotion
@@ -62,7 +62,7 @@ def read_set(path: Path) -> NaturalSet:
         raise InputError("study_no_records", place=(path,))
     table, _ = read_toml(path)
     try:
-        found = section_of(NaturalSet, table, "records", "records")
+        found = parse_section(NaturalSet, table, "records", "records")
         for one in (*found.record, *found.left_out):
             if not re.fullmatch("[0-9a-f]{64}", one.file_sha256):
                 raise InputError("natural_hash", key="file_sha256", found=one.file_sha256, file=one.file)

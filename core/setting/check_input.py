@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from core.case.held_top import bent_inward
+from core.case.held_top import mirror_inward
 from core.case.schema import Generate
 from core.case.site import Building, Demand
 from core.case.wall import ARCHES, Wall
@@ -33,7 +33,7 @@ def make_rocking_model(wall: Wall, mechanism: str) -> RockingModel:
     if wall.mechanism == ARCHES:  # alike to both sides, but for what presses it outward
         return model_of_bending(strip_of(own), strip_of(own))
     if wall.bends:
-        return model_of_bending(strip_of(own), strip_of(bent_inward(wall).in_si))
+        return model_of_bending(strip_of(own), strip_of(mirror_inward(wall).in_si))
     one_sided, restitution = mechanism == "one_sided", wall.restitution_of(mechanism)
     return rocking_model(own.block, one_sided, restitution, own.law, own.restoring, own.bars, own.inner_block)
 
@@ -166,7 +166,7 @@ class CheckInput:
     def _felt(self) -> tuple:
         """Quantities that the motion under the wall follows from."""
         wall, demand = self.wall, self.demand
-        place = (wall.above_ground, wall.felt_z_m, wall.bends, self.building)
+        place = (wall.above_ground, wall.demand_height_m, wall.bends, self.building)
         return *place, demand.limit_state, demand.pga, id(demand.target), tuple(map(id, self.ground))
 
     @property

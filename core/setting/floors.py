@@ -131,7 +131,7 @@ def make_floor(
 ) -> Floor | None:
     """The floor of a wall above the ground; None on it or without [building]. Without a demand the building is that of
     SLV."""
-    z = wall.felt_z_m
+    z = wall.demand_height_m
     if z is None or not wall.above_ground or building is None:
         return None
     limit_state = demand.limit_state if demand else "SLV"

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from core.capacity.ida import Search
-from core.case.hinges import Part, count_of, parts_of, shared, unchecked
+from core.case.hinges import WallPart, count_wall_parts, find_unchecked_hinges, make_wall_parts, variant_key
 from core.case.schema import Case
 from core.case.site import Building
 from core.case.wall import ARCHES, Wall
@@ -37,7 +37,7 @@ class PlannedWall(NamedTuple):
     kinematic : its mechanism, None without a demand and above the ground where the building is not known
     """
 
-    part: Part
+    part: WallPart
     mechanism: str
     model: RockingModel
     signs: tuple[int, ...]
@@ -92,7 +92,7 @@ class Plan:
             histories_off=not self.case.analysis.histories,
             many=max(self.walls, len(self.case.wall)) > MANY_WALLS,
             histories=histories,
-            unchecked=unchecked(entry.part, self.case.building),
+            unchecked=find_unchecked_hinges(entry.part, self.case.building),
             hinges_asked=entry.part.body.hinge_heights is not None,
         )
 
@@ -120,7 +120,7 @@ class Plan:
     @cached_property
     def variants(self) -> set[tuple[tuple[str, float, str], str | None]]:
         """(what it shares with its other variant, which of both it is) of each entry."""
-        return {(shared(one.part, one.mechanism), one.part.wall.variant) for one in self.entries}
+        return {(variant_key(one.part, one.mechanism), one.part.wall.variant) for one in self.entries}
 
     @property
     def longest_period(self) -> float:
@@ -189,7 +189,7 @@ class FloorCache:
 
     def of(self, wall: Wall, building: Building | None, demand: SeismicDemand | None, motions) -> Floor | None:
         """The floor of a wall, None on the ground. Raises InputError."""
-        z = wall.felt_z_m, wall.bends
+        z = wall.demand_height_m, wall.bends
         if z not in self._known:
             self._known[z] = make_floor(wall, building, demand, motions)
             if self.most is not None and len(self._known) > self.most:
@@ -221,7 +221,7 @@ def make_plan(
     if share is not None:  # what is said beside the checks is made where the parts come together
         case = replace(case, sensitivity=None, analysis=replace(case.analysis, accuracy=False))
     mine = [k for k in range(len(case.wall)) if share is None or k % share[1] == share[0]]
-    hinged = [part for k in mine for part in parts_of(k, case.wall[k], case.building)]
+    hinged = [part for k in mine for part in make_wall_parts(k, case.wall[k], case.building)]
     at_height = FloorCache() if floors is None else floors
     entries = []
     for part in hinged:
@@ -240,7 +240,7 @@ def make_plan(
 
 def count_results_by_wall(case: Case) -> Iterator[int]:
     """Number of results of each wall of a case: about each hinge, by each mechanism."""
-    return (count_of(wall, case.building) for wall in case.wall)
+    return (count_wall_parts(wall, case.building) for wall in case.wall)
 
 
 def count_results(case: Case) -> int:

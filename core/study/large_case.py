@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from core.case.many_walls import in_groups
+from core.case.many_walls import group_walls
 from core.case.schema import Case
 from core.case.wall import Wall
 from core.codes.demand import complete_with_records
@@ -67,7 +67,7 @@ def prepare_large_case(case: Case, base_dir: Path, cancelled: Callable[[], bool]
     inputs = read_inputs(chosen, base_dir)
     demand, motions, kinds = inputs
     size = max(1, min(MAX_GROUP, MAX_SEARCHES // max(1, 2 * len(motions))))
-    groups, floors = in_groups(case.wall, size), FloorCache(MAX_CACHED_FLOORS)
+    groups, floors = group_walls(case.wall, size), FloorCache(MAX_CACHED_FLOORS)
     tasks, longest = [], 0.0
     for group in groups:
         if cancelled():

@@ -10,7 +10,7 @@ from core.capacity.closed_forms import PowerLaw
 from core.capacity.fragility import Fragility
 from core.capacity.ida import Ida, Search
 from core.capacity.scale_free_law import Estimate
-from core.case.hinges import Part, shared
+from core.case.hinges import WallPart, variant_key
 from core.case.schema import Case
 from core.case.wall import Wall
 from core.codes.collapse_rate import StateRate
@@ -88,7 +88,7 @@ class RecordResult:
 class WallResult:
     """Results of one wall and mechanism; set values are None where the set has none. floor : above the ground."""
 
-    part: Part
+    part: WallPart
     block: Block
     mechanism: str
     restitution: Restitution
@@ -141,7 +141,7 @@ class WallResult:
     @property
     def pair(self) -> tuple[str, float, str]:
         """Key that the wall shares only with its other variant."""
-        return shared(self.part, self.mechanism)
+        return variant_key(self.part, self.mechanism)
 
     @property
     def governing_model(self) -> RockingModel:

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from core.capacity.ida import multiplier_of, threshold_of
-from core.case.place import notices
+from core.case.place import site_notices
 from core.case.schema import Case
 from core.case.wall import Wall
 from core.codes.demand import SeismicDemand, complete_with_records
@@ -153,7 +153,7 @@ def _demand(plan: Plan, base_dir: Path) -> tuple[SeismicDemand | None, dict[str,
     if plan.demand is None:
         return None, {}
     demand, by_state = complete_with_records(plan.demand, plan.motions), limit_state_demands(plan.case, base_dir)
-    of_place = notices(plan.case.site, demand.limit_state) if plan.case.site else []
+    of_place = site_notices(plan.case.site, demand.limit_state) if plan.case.site else []
     return replace(demand, warnings=(*demand.warnings, *unused_hazard_notices(demand, by_state), *of_place)), by_state
 
 

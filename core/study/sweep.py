@@ -5,8 +5,8 @@ from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any
 
-from core.case.brought import by_itself
-from core.case.held_top import with_top_loads
+from core.case.floor_loads import isolate_wall
+from core.case.held_top import move_top_loads
 from core.case.loads import Bars, Load, ReturnWalls
 from core.case.rules import parse_case
 from core.case.schema import Case
@@ -108,13 +108,13 @@ def set_swept_value(case: Case, k: int, key: SweepKey, value: float) -> Case:
     """The case with the k-th wall alone and another value of a key; another way to give the same size goes, and no tie
     is sought. Raises InputError where a rule is broken."""
     designed: dict[str, Any] = {e.name: None for e in fields(Wall) if e.name.startswith(TIE_DESIGN_KEYS)}
-    case = by_itself(case, k)
+    case = isolate_wall(case, k)
     wall = replace(case.wall[0], **designed)
     changed = replace(_holder(case, wall, key), **{key.name: value})
     if key.section is Wall:
         others = next((keys for keys in ALTERNATIVES if key.name in keys), ())
         empty: dict[str, Any] = {one: 0.0 if one == "hinge_setback_m" else None for one in others if one != key.name}
-        wall = with_top_loads(wall, replace(changed, **empty))
+        wall = move_top_loads(wall, replace(changed, **empty))
     elif key.load is not None:
         load = changed if key.section is Load else replace(wall.load[key.load], bar=changed)
         wall = replace(wall, load=(*wall.load[: key.load], load, *wall.load[key.load + 1 :]))

@@ -6,7 +6,7 @@ from core.capacity import closed_forms
 from core.capacity.fragility import fragility
 from core.capacity.ida import TRILINEAR_FLOOR, Ida, multiplier_of, threshold_of
 from core.capacity.scale_free_law import estimates, scaled_intensity
-from core.case.hinges import Part
+from core.case.hinges import WallPart
 from core.case.wall import Wall
 from core.codes.eq9 import inequality
 from core.codes.limits import MIN_STATIONS_FOR_MEAN, MIN_STATIONS_FOR_MINIMUM, set_capacity, set_rule
@@ -100,7 +100,7 @@ def _power_law(with_q: list[RecordResult]) -> closed_forms.PowerLaw | None:
     return closed_forms.fit_power_law([si for si, _ in points], [q_eff for _, q_eff in points])
 
 
-def wall_result(part: Part, mechanism, model, runs, motions, search, demand, floor=None) -> WallResult:
+def wall_result(part: WallPart, mechanism, model, runs, motions, search, demand, floor=None) -> WallResult:
     """Result of one wall and mechanism from its runs; an incomplete set has no values.
 
     motions : of the ground; floor : Floor of a wall above it

@@ -1,7 +1,7 @@
 """One verdict for each wall: the worst of its hinges and mechanisms, at every limit state."""
 
-from core.case.brought import brought
-from core.case.hinges import usual_hinges
+from core.case.floor_loads import add_floor_loads
+from core.case.hinges import default_hinges
 from core.case.schema import Case
 from core.case.site import Demand
 from core.case.wall import Wall
@@ -113,7 +113,9 @@ def _left_out(asked: Wall, case: Case, walls, indices) -> list[Sentence]:
     if asked.hinge_heights is None or not (asked.justification and asked.justification.hinge_heights):
         return []
     checked = {round(walls[k].part.hinge, 3) for k in indices if walls[k].part.turns}
-    usual = [h for h in usual_hinges(brought(asked, case.building), case.building) if round(h, 3) not in checked]
+    usual = [
+        h for h in default_hinges(add_floor_loads(asked, case.building), case.building) if round(h, 3) not in checked
+    ]
     if not usual:
         return []
     heights = tuple(Number(height, ".4g") for height in usual)

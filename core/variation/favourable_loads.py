@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import partial
 
 from core.capacity.limit_states import LIMIT_FRACTION
-from core.case.held_top import bent_inward
+from core.case.held_top import mirror_inward
 from core.case.load_rules import check_loads
 from core.case.loads import Load
 from core.case.wall import BENDS, Wall
@@ -45,7 +45,7 @@ def _without(goes: Callable[[Wall, Load], bool]) -> SceneChange:
 
 def _bent_inward(scene: CheckInput) -> CheckInput:
     """The wall as it is for a motion inward."""
-    return scene.replace_parts(wall=bent_inward(scene.wall))
+    return scene.replace_parts(wall=mirror_inward(scene.wall))
 
 
 MASSES = "none", "horizontal", "moving"

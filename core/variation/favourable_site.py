@@ -178,7 +178,7 @@ def _by_first_mode(share: float) -> SceneChange:
 def favourable_building(scene: CheckInput, building: Building) -> Iterator[FavourableInput]:
     """Inputs of the building, and of the height at which its motion is taken, that raise zeta."""
     wall, asked, limit_state = scene.wall, scene.asked, scene.demand.limit_state
-    base, felt = wall.base_z_m, wall.felt_z_m
+    base, felt = wall.base_z_m, wall.demand_height_m
     assert base is not None and felt is not None
     storey = building.height_m / building.storeys
     if not MIN_STOREY <= storey <= MAX_STOREY and not building.modes:

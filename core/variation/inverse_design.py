@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from core.boundary import Edge, edge
-from core.case.held_top import with_top_loads
+from core.case.held_top import move_top_loads
 from core.case.wall import Wall
 from core.errors import InputError
 from core.setting.demand_input import rescale_ag
@@ -69,7 +69,7 @@ def _of_ag(setting: WallContext, ag_g: float) -> WallContext:
 
 def _of_height(setting: WallContext, height: float) -> WallContext:
     wall = setting.case.wall[0]
-    return replace_wall(setting, with_top_loads(wall, replace(wall, height_m=height)))
+    return replace_wall(setting, move_top_loads(wall, replace(wall, height_m=height)))
 
 
 def _of_loads(setting: WallContext, factor: float) -> WallContext:

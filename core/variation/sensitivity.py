@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from core.case.hinges import parts_of
+from core.case.hinges import make_wall_parts
 from core.case.sensitivity import Ranges
 from core.case.site import Building
 from core.case.wall import Wall
@@ -148,7 +148,7 @@ def _others(factors: tuple[float, float]) -> list[float]:
 def _of_building(setting: WallContext, ranges: Ranges) -> Iterator[tuple[str, float | None, Ends]]:
     """Moves of the building under a wall, as `_of_wall`: of its period and its damping."""
     building, wall = setting.case.building, setting.case.wall[0]
-    if building is None or not any(part.wall.above_ground for part in parts_of(0, wall, building)):
+    if building is None or not any(part.wall.above_ground for part in make_wall_parts(0, wall, building)):
         return
     first = building.modes[0].period_s if building.modes else building.period_s or estimated_period(building.height_m)
     damping = (

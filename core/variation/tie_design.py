@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 
 from core.boundary import edge, written_up
-from core.case.between_holds import between, spans_of
 from core.case.load_rules import carries
 from core.case.loads import Load
+from core.case.spans_between_ties import cut_span, find_bending_spans
 from core.case.wall import Wall
 from core.codes.dynamic_check import DynamicCheck
 from core.codes.kinematic import ZETA_ROUNDING
@@ -215,8 +215,8 @@ def _bending(base: Hinge, force: float, height: float, cancelled: Callable[[], b
     zetas = []
     if base.height > 0.0:
         return None, None
-    for low, high in spans_of(tied := add_tie(base.scene.wall, force, height)):
-        part = between(tied, low, high)
+    for low, high in find_bending_spans(tied := add_tie(base.scene.wall, force, height)):
+        part = cut_span(tied, low, high)
         try:
             evaluation = evaluate(
                 base.scene.replace_parts(wall=part, mechanism=part.mechanism), other=False, cancelled=cancelled

@@ -6,8 +6,8 @@ from functools import cached_property
 from pathlib import Path
 
 from core.capacity.limit_states import LIMIT_FRACTION
-from core.case.brought import by_itself
-from core.case.rules import with_walls
+from core.case.floor_loads import isolate_wall
+from core.case.rules import replace_walls
 from core.case.schema import Case
 from core.case.site import FULL_FACTOR
 from core.case.wall import Wall
@@ -97,7 +97,7 @@ def make_wall_context(
     case: Case, k: int, base_dir: Path, inputs: Inputs, histories: Callable = run_dynamic_check
 ) -> WallContext:
     """Setting of the k-th wall of a case with a demand; no tie is sought."""
-    case = by_itself(case, k)
+    case = isolate_wall(case, k)
     wall = replace(case.wall[0], tie_height_m=None, tie_bar_length_m=None, tie_elongation_m=None, tie_spacing_m=None)
     # whether an FC below 1.35 is founded was judged; a strength that is moved is no tested one
     demand = replace(case.demand, confidence_factor=FULL_FACTOR) if case.demand else None
@@ -108,7 +108,7 @@ def make_wall_context(
 
 def replace_wall(setting: WallContext, wall: Wall) -> WallContext:
     """The setting with another wall. Raises InputError where it breaks a rule, or does not stand."""
-    return replace(setting, case=with_walls(setting.case, [wall]))
+    return replace(setting, case=replace_walls(setting.case, [wall]))
 
 
 def replace_demand(setting: WallContext, demand: SeismicDemand) -> WallContext:

@@ -225,12 +225,12 @@ def test_that_red_text_of_a_load_and_of_a_solid_that_are_chosen_survives(opened,
 
 def test_that_a_wall_of_a_table_is_no_draft_without_its_shape():
     """A wall without any size is written and read again: all of it is to be given."""
-    from core.case.rules import draft_case
+    from core.case.rules import parse_draft
     from core.case.schema import Case
     from core.case.writer import table_of
 
     case = Case(wall=(Wall("w", ""),))
-    assert draft_case(table_of(case)) == case
+    assert parse_draft(table_of(case)) == case
 
 
 def test_that_a_load_whose_kind_is_still_to_be_given_is_shown(opened, application, faults, tmp_path):

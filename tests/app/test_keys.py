@@ -20,7 +20,7 @@ from core.case.select import Select
 from core.case.sensitivity import Ranges
 from core.case.site import BuildingMode, Demand, HazardRow, Spectrum
 from core.case.solids import Drawing
-from core.case.values import field_of, section_of
+from core.case.values import field_of, parse_section
 from core.case.wall import Wall
 from core.errors import InputError, place
 from core.text.catalogue import CATALOGUE
@@ -108,14 +108,16 @@ def test_that_its_line_and_its_words_are_all_that_a_key_needs(opened, monkeypatc
     joint.offer(0.6)
     assert joint.message.text() == "from 0 to 50 cm"
     with pytest.raises(InputError) as caught:
-        section_of(Plastered, {"name": "w", "mechanism": "both", "plaster_kn_m2": 3}, "wall", place("wall", name="w"))
+        parse_section(
+            Plastered, {"name": "w", "mechanism": "both", "plaster_kn_m2": 3}, "wall", place("wall", name="w")
+        )
     assert described(caught.value) == 'wall "w": Weight of the plaster = 3 is not accepted: from 0 to 2 kN/m2'
 
     monkeypatch.setattr(wall_columns, "Wall", Plastered)
     monkeypatch.setattr(wall_columns, "parse_wall", lambda table: table)
     monkeypatch.setattr(wall_columns, "columns", wall_columns.columns.__wrapped__)
     for titles in ("Parete;Peso dell'intonaco [kN/m²];j [cm]", "name;weight of the plaster [kN/m2];joint_m [cm]"):
-        (row,) = wall_table.walls_of(wall_table.text_rows(f"{titles}\nw;0,4;2"))
+        (row,) = wall_table.parse_wall_rows(wall_table.text_rows(f"{titles}\nw;0,4;2"))
         assert row == {"name": "w", "plaster_kn_m2": 0.4, "joint_m": 0.02}
 
 

@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 from app.input.reasons_form import raised_by_demand, raised_by_wall
 from core.case.arch import Between
 from core.case.loads import Bars, Load, ReturnWalls
-from core.case.rules import draft_case, parse_case
+from core.case.rules import parse_case, parse_draft
 from core.case.site import Building, BuildingMode, DemandJustification, HazardRow, Spectrum
 from core.case.solids import Corner, Leaf, Wedges
 from core.case.wall import WallJustification
@@ -86,7 +86,7 @@ def test_that_a_reason_is_typed_saved_read_and_taken_back(opened, application):
     case = session.case
     assert case.wall[0].justification.velocity_ratio == "tests of this masonry"
     assert case.demand.justification.q_code == "tests of this masonry"
-    read = draft_case(tomllib.loads(dumps(case)))
+    read = parse_draft(tomllib.loads(dumps(case)))
     assert read.wall[0].justification == case.wall[0].justification
     assert read.demand.justification == case.demand.justification
     # a reason that is given stays in sight when its value is gone

@@ -18,7 +18,7 @@ from app.work import recovery
 from app.work.session import Session
 from core.case.loads import Load, ReturnWalls
 from core.case.reader import read_case
-from core.case.rules import draft_case, parse_case
+from core.case.rules import parse_case, parse_draft
 from core.case.schema import Record
 from core.case.site import Building, BuildingMode, Demand, HazardRow, Spectrum
 from core.case.wall import Wall
@@ -188,7 +188,7 @@ def test_that_a_value_no_file_may_hold_is_left_out_alone_and_the_state_before_it
     assert before.read_bytes() == good
     session.save()
     assert len(session.left_out) == left_out and session.dirty == bool(left_out)
-    assert draft_case(tomllib.loads(session.path.read_text())).wall[0].length_m == 7.25
+    assert parse_draft(tomllib.loads(session.path.read_text())).wall[0].length_m == 7.25
 
 
 def test_that_what_could_not_be_opened_again_takes_the_place_of_nothing(session, tmp_path, monkeypatch):

@@ -8,7 +8,7 @@ import pytest
 
 from core.case.hazard_table import parse_hazard
 from core.case.wall_columns import columns
-from core.case.wall_table import walls_of
+from core.case.wall_table import parse_wall_rows
 from core.errors import InputError, RecordError
 from core.ground import records
 from core.quantities import BASES, factor_to, foreign_unit, unit_of
@@ -77,7 +77,7 @@ def test_that_every_key_with_every_unit_is_converted_or_refused(place, every):
             metres = {name: "m" for name in ("height_m", "thickness_m") if name != key}
             below = [unit if name == key and place == "row" else metres.get(name, "") for name in given]
             try:
-                (wall,) = walls_of([["nome", *heads], ["", *below], ["a", *given.values()]])
+                (wall,) = parse_wall_rows([["nome", *heads], ["", *below], ["a", *given.values()]])
             except InputError as error:
                 refused += error.code == "unknown_unit"
                 assert error.code != "unknown_unit" or factor is None, (key, unit)
@@ -96,7 +96,7 @@ def test_that_the_walls_of_a_table_in_tonnes_are_those_in_kilonewtons():
     found = []
     for unit, value in (("t/m", "2"), ("kN/m", "19.6133"), ("kg/m", "2000"), ("daN/m", "1961.33")):
         row = ["a", "su un lato", "5", "0,5", "verticale", value, "5", "0,25", "nessuna", "18"]
-        (wall,) = walls_of([[head.format(unit) for head in heads], row])
+        (wall,) = parse_wall_rows([[head.format(unit) for head in heads], row])
         found.append(wall.load[0].kn_m)
     assert found == pytest.approx([19.6133] * 4, rel=1e-12)
 
@@ -105,10 +105,10 @@ def test_that_the_walls_of_a_table_in_tonnes_are_those_in_kilonewtons():
 def test_that_what_stands_where_a_unit_does_is_the_unit_of_the_key_or_refused(head):
     rows = [["nome", "meccanismo", head, "t"], ["", "", "", "m"], ["a", "su due lati", "5", "0.5"]]
     if head == "H [m":
-        assert walls_of(rows)[0].height_m == 5.0
+        assert parse_wall_rows(rows)[0].height_m == 5.0
         return
     with pytest.raises(InputError) as caught:
-        walls_of(rows)
+        parse_wall_rows(rows)
     assert caught.value.code in ("unknown_unit", "two_units_of_column")
 
 

@@ -27,7 +27,7 @@ import numpy as np
 from core.case.drawing_file import DxfFile
 from core.case.hazard_table import parse_hazard
 from core.case.reader import read_case
-from core.case.rules import draft_case, parse_case
+from core.case.rules import parse_case, parse_draft
 from core.case.site import Demand
 from core.case.wall_table import read_table
 from core.case.writer import dumps
@@ -228,7 +228,7 @@ def _draft(content: bytes, folder: Path) -> None:
         table = tomllib.loads(content.decode())
     except (ValueError, RecursionError):
         return
-    draft_case(table)
+    parse_draft(table)
 
 
 def drawing() -> bytes:

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from core.case.rules import draft_case, parse_case
-from core.case.wall_table import walls_of
+from core.case.rules import parse_case, parse_draft
+from core.case.wall_table import parse_wall_rows
 from core.case.writer import dumps
 from core.errors import InputError
 from core.ground import records
@@ -121,7 +121,7 @@ def test_that_a_case_is_itself_after_it_was_saved(walls, asked, title):
     text = dumps(first)
     assert parse_case(tomllib.loads(text)) == first
     # a draft of it, as autosaved, and saved again over its own text, comments and all
-    assert draft_case(tomllib.loads(text)).wall == first.wall
+    assert parse_draft(tomllib.loads(text)).wall == first.wall
     assert parse_case(tomllib.loads(dumps(first, f"# mine\n{text}"))) == first
 
 
@@ -138,7 +138,7 @@ def test_that_a_table_of_walls_is_the_walls_that_were_written(rows, comma, unit)
         numbers = [f"{height * factor:g}", f"{thickness * factor:g}"]
         numbers = [number.replace(".", ",") if comma else number for number in numbers]
         cells.append([f"w{k}", "0", *numbers, "su due lati" if free else "su un lato"])
-    for (height, thickness, free), found in zip(rows, walls_of(cells, True), strict=True):
+    for (height, thickness, free), found in zip(rows, parse_wall_rows(cells, True), strict=True):
         assert found.height_m == pytest.approx(0.01 * height, rel=1e-12)
         assert found.thickness_m == pytest.approx(0.01 * thickness, rel=1e-12)
         assert found.mechanism == ("two_sided" if free else "one_sided")

@@ -298,7 +298,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     kinematic, language = assessment.kinematic, words.language
     held = say("element free to vibrate") if kinematic.free_element else say("not free to vibrate")
     if kinematic.floor:
-        held = say("wall at {z:g} m, {kind}", z=float(known(wall.wall.felt_z_m)), kind=held)
+        held = say("wall at {z:g} m, {kind}", z=float(known(wall.wall.demand_height_m)), kind=held)
     parts.append(Paragraph(sentence_of(wall, language), tone_of(result, wall)))
     reasons = lines_of(result, wall, language)
     parts += [Item(line) for line in reasons[:MAX_REASON_LINES]]

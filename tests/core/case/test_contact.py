@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from core.case.above_hinge import above_hinge
-from core.case.hinges import usual_hinges
+from core.case.above_hinge import cut_above_hinge
+from core.case.hinges import default_hinges
 from core.case.rules import parse_case, parse_wall
 from core.case.site import Building
 from core.errors import InputError
@@ -34,7 +34,7 @@ def test_that_what_overhangs_turns_about_the_edge_it_rests_on(outer):
     edge = max(outer, 0.0)
     alone = wall | {"height_m": 4.0, "thickness_m": 0.35 - edge, "base_z_m": 6.0}
     alone = parse_wall(alone | {"solid": [box(outer - edge, 0.35 - edge, 0.0, 4.0)]})
-    block, expected = above_hinge(whole, 6.0).block(), alone.block()
+    block, expected = cut_above_hinge(whole, 6.0).block(), alone.block()
     assert block.slenderness == pytest.approx(expected.slenderness, rel=1e-12)
     assert block.radius == pytest.approx(expected.radius, rel=1e-12)
     # by hand: the centroid of 0.35 - outer by 4 m about the edge
@@ -44,7 +44,7 @@ def test_that_what_overhangs_turns_about_the_edge_it_rests_on(outer):
 def test_that_a_wall_above_a_recess_is_as_thick_as_what_it_rests_on():
     """The inner face of a wall of 0.6 m that stands on one of 0.4 m: it turns inward about 0.4 m."""
     whole = parse_wall(BASE | {"thickness_m": 0.4, "solid": [box(0.0, 0.4, 0.0, 4.0), box(0.0, 0.6, 4.0, 9.0)]})
-    assert above_hinge(whole, 4.0).thickness == pytest.approx(0.4)
+    assert cut_above_hinge(whole, 4.0).thickness == pytest.approx(0.4)
 
 
 def test_that_loads_above_a_hinge_are_measured_from_its_edge():
@@ -52,8 +52,8 @@ def test_that_loads_above_a_hinge_are_measured_from_its_edge():
     wall = {key: value for key, value in BASE.items() if key != "unloaded_confirmed"} | {"load": [load]}
     inward = parse_wall(wall | {"solid": [box(0.0, 0.6, 0.0, 5.0), box(0.1, 0.4, 5.0, 9.0)]})
     outward = parse_wall(wall | {"solid": [box(0.0, 0.6, 0.0, 5.0), box(-0.1, 0.4, 5.0, 9.0)]})
-    assert above_hinge(inward, 5.0).load[0].d_m == pytest.approx(0.1)
-    assert above_hinge(outward, 5.0).load[0].d_m == pytest.approx(0.2)
+    assert cut_above_hinge(inward, 5.0).load[0].d_m == pytest.approx(0.1)
+    assert cut_above_hinge(outward, 5.0).load[0].d_m == pytest.approx(0.2)
 
 
 @pytest.mark.shows("bodies.one")
@@ -81,11 +81,11 @@ def test_that_steps_solids_and_one_outline_have_the_same_hinges_and_bodies(seed)
             {"solid": [turned]},
         )
     ]
-    hinges = [usual_hinges(one, BUILDING) for one in written]
+    hinges = [default_hinges(one, BUILDING) for one in written]
     assert all(one == pytest.approx(hinges[0]) for one in hinges)
     assert {first, second} & set(np.round(hinges[0], 6))
     for hinge in (0.0, *hinges[0]):
-        blocks = [above_hinge(one, hinge).block() for one in written]
+        blocks = [cut_above_hinge(one, hinge).block() for one in written]
         for block in blocks[1:]:
             assert block.slenderness == pytest.approx(blocks[0].slenderness, rel=1e-9)
             assert block.radius == pytest.approx(blocks[0].radius, rel=1e-9)
@@ -107,7 +107,7 @@ def test_that_pilasters_are_an_edge_where_half_of_the_length_stands_on_them(wide
     """Two pilasters before a wall of 5 m that recedes above 3 m: they alone remain in front of it."""
     solids = [elevation(0.0, 5.0, 0.0, 3.0, 0.0, 0.6), elevation(0.0, 5.0, 3.0, 9.0, 0.0, 0.5)]
     solids += [elevation(s, s + wide, 0.0, 9.0, -0.3, 0.0) for s in (0.5, 3.0)]
-    found = above_hinge(parse_wall(BASE | {"solid": solids}), 3.0)
+    found = cut_above_hinge(parse_wall(BASE | {"solid": solids}), 3.0)
     assert found.thickness == pytest.approx(0.5 if edge == 0.0 else 0.6)
     assert min(solid.x0_m + solid.from_m for solid in found.solid) == pytest.approx(-0.3 - edge)
 
@@ -120,7 +120,7 @@ def test_that_an_arm_that_overhangs_rests_on_what_is_below_it_alone():
         checked(BASE | {"length_m": 5.0, "solid": solids})
     assert refused.value.code == "body_in_pieces"
     whole = parse_wall(BASE | {"length_m": 5.0, "solid": solids[:3]})
-    part, alone = above_hinge(whole, 4.0), BASE | {"height_m": 5.0, "length_m": 5.0, "base_z_m": 4.0}
+    part, alone = cut_above_hinge(whole, 4.0), BASE | {"height_m": 5.0, "length_m": 5.0, "base_z_m": 4.0}
     own = [elevation(0.0, 5.0, 0.0, 5.0, 0.0, 0.6), elevation(5.0, 8.0, 0.0, 5.0, -0.25, 0.35)]
     for solid in own:
         solid["polygon_m"] = [[s, z] for s, z in solid["polygon_m"]]
@@ -136,10 +136,10 @@ def test_that_a_wedge_drawn_as_a_solid_begins_at_the_hinge_as_the_short_form_doe
     cut = parse_wall(BASE | {"solid": [box(0.0, 0.6, 0.0, 9.0), lower | {"to_m": 0.8}, upper | {"to_m": 0.8}]})
     short = BASE | {"return_wedges": {"number": 2, "thickness_m": 0.4, "length_at_top_m": 2.0, "from_z_m": 1.0}}
     for hinge in (0.0, 0.5, 2.0, 5.0):
-        first, second = above_hinge(written, hinge).block(), above_hinge(parse_wall(short), hinge).block()
+        first, second = cut_above_hinge(written, hinge).block(), cut_above_hinge(parse_wall(short), hinge).block()
         assert first.slenderness == pytest.approx(second.slenderness, rel=1e-12)
         assert first.radius == pytest.approx(second.radius, rel=1e-12)
-        assert above_hinge(cut, hinge).block().slenderness == pytest.approx(first.slenderness, rel=1e-12)
+        assert cut_above_hinge(cut, hinge).block().slenderness == pytest.approx(first.slenderness, rel=1e-12)
 
 
 def test_that_a_step_as_thick_as_the_wall_takes_no_wedge_off_it():
@@ -232,21 +232,21 @@ def test_that_pieces_above_a_hinge_are_walls_of_their_own():
     solids += [elevation(s, s + 1.0, 4.0, 9.0, 0.0, 0.6) for s in (0.0, 4.0)]
     wall = checked(CUT | {"solid": solids})
     with pytest.raises(InputError) as refused:
-        above_hinge(wall, 4.0)
+        cut_above_hinge(wall, 4.0)
     assert refused.value.code == "pieces_above" and "4 m" in str(refused.value)
-    above_hinge(wall, 3.0)
+    cut_above_hinge(wall, 3.0)
 
 
 @pytest.mark.shows("bodies.above")
 def test_that_sills_and_lintels_are_usual_hinges():
     openings = [{"s_m": 1.0, "z_m": 1.0, "width_m": 1.2, "height_m": 1.5}]
-    found = usual_hinges(parse_wall(BASE | {"openings": openings}), None)
+    found = default_hinges(parse_wall(BASE | {"openings": openings}), None)
     assert found == pytest.approx((1.0, 2.5))
     window = {"plane": "elevation", "polygon_m": [[1, 1], [3, 1.05], [3, 2], [2, 3], [1, 2]], "to_m": 0.6}
     pointed = checked(BASE | {"solid": [elevation(0.0, 5.0, 0.0, 9.0, 0.0, 0.6), window | {"opening": True}]})
-    assert usual_hinges(pointed, None) == pytest.approx((1.0, 3.0))
+    assert default_hinges(pointed, None) == pytest.approx((1.0, 3.0))
     rose = [{"s_m": 2.5, "z_m": 4.0, "diameter_m": 2.0}]
-    assert usual_hinges(checked(BASE | {"openings": rose}), None) == pytest.approx((3.0, 5.0), abs=0.01)
+    assert default_hinges(checked(BASE | {"openings": rose}), None) == pytest.approx((3.0, 5.0), abs=0.01)
 
 
 # found by an audit
@@ -257,8 +257,8 @@ def test_that_a_step_that_slopes_is_a_hinge_as_a_level_one():
     for z in (2.0, 2.001, 2.2):
         outline = section((0, 0), (1, 0), (1, 9), (0.3, 9), (0.3, z), (0, 2))
         wall = checked(BASE | {"thickness_m": 1.0, "solid": [outline]})
-        found.append((usual_hinges(wall, None), above_hinge(wall, z).block().slenderness))
-        assert usual_hinges(wall, None)[-1] == pytest.approx(z)
+        found.append((default_hinges(wall, None), cut_above_hinge(wall, z).block().slenderness))
+        assert default_hinges(wall, None)[-1] == pytest.approx(z)
     assert found[1][1] == pytest.approx(found[0][1], rel=1e-3)
 
 
@@ -275,7 +275,7 @@ def test_that_a_load_just_below_a_step_does_not_take_its_hinge():
     wall = {key: value for key, value in BASE.items() if key != "unloaded_confirmed"} | {"thickness_m": 0.8}
     for h in (4.94, 4.97, 5.0, 5.03):
         load = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.2, "h_m": h, "mass": "none"}
-        assert 5.0 in usual_hinges(checked(wall | {"steps": steps, "load": [load]}), None)
+        assert 5.0 in default_hinges(checked(wall | {"steps": steps, "load": [load]}), None)
 
 
 @pytest.mark.parametrize("hinge", [0.0, 3.0, 4.5, 6.0])
@@ -284,7 +284,7 @@ def test_that_a_wedge_cut_level_in_two_is_the_wedge(hinge):
     whole = section((1.2, 0.0), (3.2, 9.0), (1.2, 9.0)) | {"to_m": 0.8}
     cut = [section((1.2, 0.0), (2.2, 4.5), (1.2, 4.5)), section((1.2, 4.5), (2.2, 4.5), (3.2, 9.0), (1.2, 9.0))]
     blocks = [
-        above_hinge(checked(BASE | {"thickness_m": 1.2, "solid": [*wall, *more]}), hinge).block()
+        cut_above_hinge(checked(BASE | {"thickness_m": 1.2, "solid": [*wall, *more]}), hinge).block()
         for more in ([whole], [one | {"to_m": 0.8} for one in cut])
     ]
     assert blocks[0].slenderness == pytest.approx(blocks[1].slenderness, rel=1e-9)
@@ -292,7 +292,7 @@ def test_that_a_wedge_cut_level_in_two_is_the_wedge(hinge):
 
 def test_that_a_wall_that_leans_or_widens_inward_is_no_wedge():
     leaning = section((0, 0), (0.6, 0), (0.9, 9), (0.3, 9))
-    part = above_hinge(checked(BASE | {"solid": [leaning]}), 4.0)
+    part = cut_above_hinge(checked(BASE | {"solid": [leaning]}), 4.0)
     face = 0.3 * 4.0 / 9.0
     own = section((0, 0), (0.6, 0), (0.9 - face, 5.0), (0.3 - face, 5.0))
     alone = checked(BASE | {"height_m": 5.0, "base_z_m": 4.0, "solid": [own]})
@@ -303,7 +303,7 @@ def test_that_a_corbel_behind_the_wall_that_ends_at_a_hinge_is_cut_away():
     corbel = section((0.6, 3.6), (0.9, 4.0), (0.6, 4.0)) | {"to_m": 1.0}
     wall = checked(BASE | {"solid": [box(0.0, 0.6, 0.0, 9.0), corbel]})
     for hinge in (3.0, 3.8, 4.0, 6.0):
-        assert above_hinge(wall, hinge).block().slenderness > 0.0
+        assert cut_above_hinge(wall, hinge).block().slenderness > 0.0
 
 
 def test_that_a_raking_gap_parts_a_body_and_a_frame_of_one_polygon_is_one():
@@ -321,8 +321,8 @@ def test_that_a_raking_gap_parts_a_body_and_a_frame_of_one_polygon_is_one():
 def test_that_storeys_drawn_a_millimetre_apart_have_their_hinge():
     solids = [elevation(0.0, 5.0, 0.0, 4.0, 0.0, 0.6), elevation(0.0, 5.0, 4.0008, 9.0, 0.0, 0.5)]
     wall = checked(BASE | {"solid": solids})
-    for hinge in usual_hinges(wall, BUILDING):
-        assert above_hinge(wall, hinge).block().slenderness > 0.0
+    for hinge in default_hinges(wall, BUILDING):
+        assert cut_above_hinge(wall, hinge).block().slenderness > 0.0
 
 
 def test_that_a_ledge_inside_is_one_body_however_it_is_drawn():
@@ -416,7 +416,7 @@ def test_that_a_solid_keeps_the_unit_weight_it_states_and_another_that_of_the_wa
     left = box(0.0, 0.6, 0.0, 9.0) | {"from_m": 2.0, "to_m": 5.0}
     wall = parse_wall(BASE | {"solid": [stated, left]})
     for hinge in (0.0, 3.0):
-        part = above_hinge(wall, hinge)
+        part = cut_above_hinge(wall, hinge)
         lighter = replace(part, unit_weight_kn_m3=13.0)
         high = 9.0 - hinge
         assert part.in_si.weight * 5.0 == pytest.approx(18e3 * 0.6 * 5.0 * high)

@@ -78,12 +78,12 @@ def test_that_what_does_not_go_with_a_corner_is_refused_in_one_sentence(changes,
 @pytest.mark.shows("bodies.corner")
 def test_that_above_a_hinge_the_cracks_begin_there_with_their_inclination():
     """The corner of the top storey is a wall of its own with the same cracks: what was dragged from below is not."""
-    from core.case.above_hinge import above_hinge
+    from core.case.above_hinge import cut_above_hinge
 
-    part = above_hinge(wall_of(length_m=1.2), 2.0)
+    part = cut_above_hinge(wall_of(length_m=1.2), 2.0)
     own = wall_of(height_m=4.0, length_m=1.2, corner={**CORNER, "length_1_m": 1.6, "length_2_m": 1.6})
     assert part.in_si.body == pytest.approx(own.in_si.body, rel=1e-12)
-    high = above_hinge(wall_of(length_m=1.2), 5.0)  # there the second wall is within the first
+    high = cut_above_hinge(wall_of(length_m=1.2), 5.0)  # there the second wall is within the first
     assert len(high.parts) == 1
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.case.hinges import count_of, parts_of
+from core.case.hinges import count_wall_parts, make_wall_parts
 from core.case.rules import parse_case
 from core.codes.kinematic_chain import sum_chain
 from core.errors import InputError
@@ -22,8 +22,8 @@ DEMAND = {"ag_g": 0.12, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
 
 def leaves_of(leaf=LEAF, **changes):
     wall = parse_case({"wall": [{**WALL, "leaf": leaf, **changes}]}).wall[0]
-    parts = parts_of(0, wall, None)
-    assert len(parts) == count_of(wall, None)
+    parts = make_wall_parts(0, wall, None)
+    assert len(parts) == count_wall_parts(wall, None)
     return [part for part in parts if part.aspect]
 
 

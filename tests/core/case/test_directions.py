@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.case.hinges import count_of, parts_of
+from core.case.hinges import count_wall_parts, make_wall_parts
 from core.case.rules import parse_case
 from core.errors import InputError
 from core.setting.check_input import make_rocking_model
@@ -20,8 +20,8 @@ DEMAND = {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
 
 def walls_of(**changes):
     wall = parse_case({"wall": [{**PINNACLE, **changes}]}).wall[0]
-    parts = parts_of(0, wall, None)
-    assert len(parts) == count_of(wall, None)
+    parts = make_wall_parts(0, wall, None)
+    assert len(parts) == count_wall_parts(wall, None)
     return [part.wall for part in parts]
 
 

@@ -22,11 +22,11 @@ from app import __main__ as program  # noqa: E402
 from app.terminal.inspection import inspect  # noqa: E402
 from core.case import drawing_file, drawing_outlines  # noqa: E402
 from core.case.drawing_file import DRAWING_TOLERANCE, DxfFile, Unread, likely_unit  # noqa: E402
-from core.case.drawing_outlines import arc, joined, parts_above  # noqa: E402
-from core.case.drawn_solids import with_drawings, with_solids  # noqa: E402
-from core.case.problems import problems  # noqa: E402
+from core.case.drawing_outlines import arc, join_lines, parts_above  # noqa: E402
+from core.case.drawn_solids import expand_drawings, replace_solids  # noqa: E402
+from core.case.problems import find_problems  # noqa: E402
 from core.case.reader import read_case  # noqa: E402
-from core.case.rules import draft_case, parse_case, parse_wall  # noqa: E402
+from core.case.rules import parse_case, parse_draft, parse_wall  # noqa: E402
 from core.case.writer import dumps, table_of  # noqa: E402
 from core.errors import InputError, OutputError  # noqa: E402
 from core.wall.body import crossing, point_within, polygon_sums  # noqa: E402
@@ -151,13 +151,13 @@ def test_that_a_draft_keeps_its_drawing_and_says_what_is_missing(tmp_path):
     table = {
         "wall": [{"name": "w", "drawing": [{"file": "none.dxf", "layers": "A", "plane": "elevation", "to_m": 0.5}]}]
     }
-    draft = draft_case(table)
+    draft = parse_draft(table)
     assert draft.wall[0].drawing[0].layers == ("A",)
-    assert draft_case(table_of(draft)).wall == draft.wall
+    assert parse_draft(table_of(draft)).wall == draft.wall
     whole = {"wall": [table["wall"][0] | {"height_m": 5.0, "thickness_m": 0.5, "mechanism": "one_sided"}]}
     with pytest.raises(InputError, match="the drawing none.dxf has not been read"):
         parse_case(whole)
-    assert any("none.dxf has not been read" in str(error) for error in problems(draft_case(whole)))
+    assert any("none.dxf has not been read" in str(error) for error in find_problems(parse_draft(whole)))
 
 
 def sheet(path, draw, units=6, version="R2010"):
@@ -343,11 +343,11 @@ def test_that_a_bulge_is_divided_within_its_tolerance(bulge, turn, chord):
 
 def test_that_lines_meet_end_to_end_and_nowhere_else():
     square = [[(0.0, 0.0), (1.0, 0.0)], [(1.0, 1.0), (1.0, 0.0005)], [(1.0, 1.0), (0.0, 1.0)], [(0.0, 0.0), (0.0, 1.0)]]
-    (outline,), loose = joined(square, 1e-3)
+    (outline,), loose = join_lines(square, 1e-3)
     assert not loose and polygon_sums(outline).area == pytest.approx(1.0, abs=1e-3)
-    closed, loose = joined([*square, [(1.0, 1.0), (2.0, 2.0)]], 1e-3)
+    closed, loose = join_lines([*square, [(1.0, 1.0), (2.0, 2.0)]], 1e-3)
     assert len(closed) == len(loose) == 1
-    closed, loose = joined([*square, [(1.0, 1.0), (0.0, 0.0)]], 1e-3)  # three ends at two corners: which two?
+    closed, loose = join_lines([*square, [(1.0, 1.0), (0.0, 0.0)]], 1e-3)  # three ends at two corners: which two?
     assert closed == [] and len(loose) == 3
 
 
@@ -587,7 +587,7 @@ def drawn(path, draw, layers="M", more=(), **keys):
     own = {"file": "d.dxf", "layers": layers, "plane": "section", "to_m": 5.0} | keys
     table = {"name": "w", "mechanism": "one_sided", "height_m": 6.0, "thickness_m": 0.6, "length_m": 5.0}
     table |= {"unit_weight_kn_m3": 18.0, "drawing": [own, *more]}
-    whole, read = with_drawings({"title": "t", "wall": [table]}, path)
+    whole, read = expand_drawings({"title": "t", "wall": [table]}, path)
     return parse_case(whole).wall[0], read[0].notice
 
 
@@ -630,14 +630,14 @@ def test_that_the_depth_of_a_drawn_body_is_from_one_end_to_the_other(plane):
     wall = parse_wall({"name": "w", "mechanism": "one_sided", "height_m": 3.0, "thickness_m": 0.3})
     corners = [[0.0, 0.0], [0.8, 0.0], [0.8, 5.0], [0.0, 5.0]]
     solid = {"plane": plane, "polygon_m": corners, "from_m": 0.125, "to_m": 0.625}
-    drawn = with_solids(wall, [solid], sizes=True)
+    drawn = replace_solids(wall, [solid], sizes=True)
     sizes = (0.5, 0.8) if plane == "elevation" else (0.8, 0.5)
     assert (drawn.height_m, drawn.thickness_m, drawn.length_m) == (5.0, *sizes)
 
 
 @pytest.mark.parametrize("walls", [[3], ["drawing"], [None, {"name": "w"}], {"drawing": 1}])
 def test_that_walls_that_are_no_tables_are_left_to_the_rules(tmp_path, walls):
-    assert with_drawings({"wall": walls}, tmp_path) == ({"wall": walls}, [])
+    assert expand_drawings({"wall": walls}, tmp_path) == ({"wall": walls}, [])
 
 
 def _region(space, document):

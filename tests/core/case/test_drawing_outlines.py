@@ -5,7 +5,7 @@ import random
 
 import pytest
 
-from core.case.drawing_outlines import CROWD, distinct, joined, parts_above
+from core.case.drawing_outlines import CROWD, drop_duplicates, join_lines, parts_above
 from core.wall.body import polygon_sums
 
 JOIN = 0.5
@@ -18,7 +18,7 @@ def test_that_an_outline_closes_that_is_open_by_no_more_than_the_tolerance(piece
     corners = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (0.0, open_by)]
     cuts = {1: (0, 4), 2: (0, 2, 4), 3: (0, 1, 3, 4)}[pieces]
     lines = [corners[first : last + 1] for first, last in itertools.pairwise(cuts)]
-    closed, loose = joined(lines, JOIN)
+    closed, loose = join_lines(lines, JOIN)
     assert (len(closed), len(loose)) == ((1, 0) if closes else (0, 1))
 
 
@@ -28,7 +28,7 @@ def test_that_two_ends_meet_in_whatever_direction_one_is_from_the_other(across, 
     tip = tuple(0.05 if step < 0 else 0.45 for step in (across, up))
     other = tuple(at + 0.1 * step for at, step in zip(tip, (across, up), strict=True))
     lines = [[(90.0, 10.0), tip], [other, (-90.0, -10.0)]]
-    closed, loose = joined(lines, JOIN)
+    closed, loose = join_lines(lines, JOIN)
     assert closed == [] and len(loose) == 1
     assert {loose[0][0], loose[0][-1]} == {(90.0, 10.0), (-90.0, -10.0)}
 
@@ -38,7 +38,7 @@ def test_that_sides_drawn_in_many_pieces_close_to_one_outline():
     side = [0.1 * k for k in range(51)]
     corners = [*((x, 0.0) for x in side), *((5.0, y) for y in side[1:])]
     corners += [*((5.0 - x, 5.0) for x in side[1:]), *((0.0, 5.0 - y) for y in side[1:])]
-    closed, loose = joined([list(pair) for pair in itertools.pairwise(corners)], 1e-3)
+    closed, loose = join_lines([list(pair) for pair in itertools.pairwise(corners)], 1e-3)
     assert loose == [] and len(closed) == 1
     assert abs(polygon_sums(closed[0]).area) == pytest.approx(25.0, rel=1e-12)
 
@@ -48,7 +48,7 @@ def test_that_a_line_goes_on_among_32_ends_and_among_no_more(ends, lines):
     """Two of them meet, the others are near by."""
     assert CROWD == 32
     near = [[(-0.45, -0.45), (-50.0, -50.0 - k)] for k in range(ends - 2)]
-    closed, loose = joined([[(90.0, 0.0), (0.25, 0.25)], [(0.25, 0.25), (90.0, 9.0)], *near], JOIN)
+    closed, loose = join_lines([[(90.0, 0.0), (0.25, 0.25)], [(0.25, 0.25), (90.0, 9.0)], *near], JOIN)
     whole = [line for line in loose if (90.0, 0.0) in (line[0], line[-1]) or (90.0, 9.0) in (line[0], line[-1])]
     assert closed == [] and len(whole) == lines
 
@@ -58,17 +58,17 @@ def test_that_what_is_closed_stays_closed_where_others_begin_at_its_corner(open_
     """Also one that is open by the whole tolerance: its ends are none for lines that meet there."""
     square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, open_by)]
     beside = [(-x, -y) for x, y in square]
-    closed, loose = joined([square, beside, [(0.0, 0.0), (-3.0, 3.0)]], 1e-3)
+    closed, loose = join_lines([square, beside, [(0.0, 0.0), (-3.0, 3.0)]], 1e-3)
     assert closed == [square[:-1], beside[:-1]] and loose == [[(0.0, 0.0), (-3.0, 3.0)]]
-    closed, loose = joined([square, [(3.0, -3.0), (0.0, 0.0)], [(0.0, 0.0), (-3.0, 3.0)]], 1e-3)
+    closed, loose = join_lines([square, [(3.0, -3.0), (0.0, 0.0)], [(0.0, 0.0), (-3.0, 3.0)]], 1e-3)
     assert closed == [square[:-1]] and len(loose) == 1 and len(loose[0]) == 3
 
 
 def test_that_a_line_drawn_twice_is_open_and_one_there_and_back_has_two_corners():
     line = [(0.0, 0.0), (3.0, 0.0)]
-    closed, loose = joined([line, list(line)], 1e-3)
+    closed, loose = join_lines([line, list(line)], 1e-3)
     assert closed == [] and len(loose) == 1
-    closed, loose = joined([[*line, line[0]]], 1e-3)
+    closed, loose = join_lines([[*line, line[0]]], 1e-3)
     assert closed == [line] and loose == []
 
 
@@ -83,7 +83,7 @@ def test_that_lines_drawn_over_and_lines_of_no_length_change_no_outline(seed):
     over = [line[:: draw.choice((1, -1))] for line in lines for _ in range(draw.randint(1, 3))]
     over += [[corner, corner] for corner in corners]
     draw.shuffle(over)
-    closed, loose = joined(distinct(over), 1e-3)
+    closed, loose = join_lines(drop_duplicates(over), 1e-3)
     assert loose == [] and len(closed) == 1
     assert sorted(closed[0]) == sorted(corners)
 

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import pytest
 
-from core.case.held_top import with_top_loads
-from core.case.hinges import hinges_of, usual_hinges
+from core.case.held_top import move_top_loads
+from core.case.hinges import default_hinges, hinges_of
 from core.case.rules import parse_case, parse_wall
-from core.case.wall_table import text_rows, walls_of
+from core.case.wall_table import parse_wall_rows, text_rows
 from core.errors import InputError
 from tests.validation.circolare import case
 
@@ -61,13 +61,13 @@ def test_that_what_does_not_go_with_a_held_top_is_refused(what):
 
 def test_that_a_wall_held_at_its_top_has_no_other_hinge():
     asked = case({**WALL, "height_m": 6.0, "load": [TOP | {"h_m": 6.0}]}, building={"height_m": 9.0, "storeys": 3})
-    assert not hinges_of(asked.wall[0], asked.building) and not usual_hinges(asked.wall[0], asked.building)
+    assert not hinges_of(asked.wall[0], asked.building) and not default_hinges(asked.wall[0], asked.building)
 
 
 @pytest.mark.parametrize("word", ["flessione verticale", "vertical bending"])
 def test_that_a_table_of_walls_takes_it(word):
     text = f"name;mechanism;height_m;thickness_m;unit_weight_kn_m3\n;;m;m;kN/m3\nw;{word};3;0.3;18\n"
-    (wall,) = walls_of(text_rows(text))
+    (wall,) = parse_wall_rows(text_rows(text))
     assert wall.bends
 
 
@@ -83,6 +83,6 @@ def test_that_the_load_that_is_refused_is_named_by_its_number(n):
 def test_that_what_stands_on_the_top_goes_with_it_and_what_stands_below_stays():
     was = parse_wall({**WALL, "load": [TOP, TOP | {"h_m": 1.5}]})
     for height in (2.4, 3.6):
-        moved = with_top_loads(was, replace(was, height_m=height))
+        moved = move_top_loads(was, replace(was, height_m=height))
         assert [load.h_m for load in moved.load] == [height, 1.5]
-    assert with_top_loads(was, replace(was, thickness_m=0.4)).load == was.load
+    assert move_top_loads(was, replace(was, thickness_m=0.4)).load == was.load

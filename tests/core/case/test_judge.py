@@ -8,9 +8,9 @@ from dataclasses import replace
 import pytest
 
 from core.case import judge as judge_module
-from core.case.judge import Judge
+from core.case.judge import IncrementalParser
 from core.case.loads import Load
-from core.case.problems import problems
+from core.case.problems import find_problems
 from core.case.rules import parse_case
 from core.case.schema import Analysis, Case, Record, Report
 from core.case.site import Building, Demand, Spectrum
@@ -82,7 +82,7 @@ def edits(draw) -> list:
 @pytest.mark.parametrize("seeds", [range(6), pytest.param(range(6, 200), marks=pytest.mark.long)])
 def test_that_an_edited_case_is_judged_as_a_whole_one(seeds):
     for seed in seeds:
-        draw, judge, case = random.Random(seed), Judge(), case_of(4)
+        draw, judge, case = random.Random(seed), IncrementalParser(), case_of(4)
         states = [case]
         for _ in range(30):
             case = draw.choice(states) if draw.random() < 0.2 else draw.choice(edits(draw))(case)
@@ -90,23 +90,23 @@ def test_that_an_edited_case_is_judged_as_a_whole_one(seeds):
                 case = case_of(3)
             states.append(case)
             assert judgement(judge, case) == judgement(whole, case), seed
-            assert [str(one) for one in problems(case, judge)] == [str(one) for one in problems(case)], seed
+            assert [str(one) for one in find_problems(case, judge)] == [str(one) for one in find_problems(case)], seed
 
 
 def test_that_a_wall_that_stands_twice_in_a_case_is_refused_as_two_of_one_name():
     twice = replace(case_of(2), wall=case_of(1).wall * 2)
-    assert judgement(Judge(), twice) == judgement(whole, twice) and "same name" in judgement(whole, twice)
+    assert judgement(IncrementalParser(), twice) == judgement(whole, twice) and "same name" in judgement(whole, twice)
 
 
 def test_that_walls_that_did_not_change_are_neither_read_nor_checked_again(monkeypatch):
     read, checked = [], []
-    parsed, accepted = judge_module.parsed_wall, judge_module.with_walls.__globals__["check_wall"]
-    monkeypatch.setattr(judge_module, "parsed_wall", lambda entry, k: read.append(k) or parsed(entry, k))
+    parsed, accepted = judge_module.parse_wall_entry, judge_module.replace_walls.__globals__["check_wall"]
+    monkeypatch.setattr(judge_module, "parse_wall_entry", lambda entry, k: read.append(k) or parsed(entry, k))
     monkeypatch.setattr(
         "core.case.rules.check_wall",
         lambda case, wall, alone: checked.append((wall.name, alone)) or accepted(case, wall, alone),
     )
-    judge, case = Judge(), case_of(20)
+    judge, case = IncrementalParser(), case_of(20)
     first = judge(case)
     assert len(read) == len(checked) == 20
     changed = of_wall(random.Random(3), thickness_m=0.4)(case)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from core.case.above_hinge import loads_above
-from core.case.hinges import parts_of
+from core.case.hinges import make_wall_parts
 from core.case.load_rules import carries
 from core.case.loads import Load
 from core.case.rules import parse_case
@@ -120,7 +120,7 @@ def test_that_no_kind_of_load_holds_more_than_one_rigid_block_can_take(load, sig
 @pytest.mark.shows("held.between")
 def test_that_a_tie_that_is_stronger_makes_the_wall_bend_below_it():
     """Somewhat before turning needs more than one block takes."""
-    counts = [len(parts_of(0, case_of(ROOF, {**TIE, "kn_m": force}).wall[0], None)) for force in (5.0, 8.0, 9.0)]
+    counts = [len(make_wall_parts(0, case_of(ROOF, {**TIE, "kn_m": force}).wall[0], None)) for force in (5.0, 8.0, 9.0)]
     assert counts == [1, 2, 2]
 
 

@@ -3,7 +3,7 @@
 import pytest
 
 from core.case import wall_table
-from core.case.many_walls import ManyWalls, in_groups
+from core.case.many_walls import LazyWalls, group_walls
 from core.case.reader import read_case
 from core.case.wall_table import read_table
 from core.errors import InputError
@@ -47,7 +47,7 @@ def walls(count: int) -> list[str]:
 def test_that_the_walls_are_those_of_the_whole_table(tmp_path, monkeypatch, lines):
     path = written(tmp_path / "walls.csv", lines)
     many, _, *_ = read_table(path, True, many=True)
-    assert isinstance(many, ManyWalls)
+    assert isinstance(many, LazyWalls)
     monkeypatch.setattr(wall_table, "MAX_ROWS", 2000)
     known, _, *_ = read_table(path, True)
     assert list(many) == known == [many[k] for k in range(len(many))]
@@ -103,7 +103,7 @@ def test_that_walls_of_one_name_are_never_in_two_groups(tmp_path):
     lines = ["Parete;variant;z;H;t;Meccanismo", ";;m;m;m;"]
     lines += [f"w{k % 13};{('stato di fatto', 'progetto')[k // 13]};0;4;0.4;un lato" for k in range(26)]
     many, _, *_ = read_table(written(tmp_path / "walls.csv", lines), True, many=True)
-    groups = in_groups(many, 3)
+    groups = group_walls(many, 3)
     assert sorted(k for group in groups for k in group) == [*range(26)]
     names = [{many[k].name for k in group} for group in groups]
     assert all(not one & other for k, one in enumerate(names) for other in names[:k])

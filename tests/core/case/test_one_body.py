@@ -5,9 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.case.above_hinge import above_hinge
-from core.case.drawn_solids import with_drawings
-from core.case.hinges import usual_hinges
+from core.case.above_hinge import cut_above_hinge
+from core.case.drawn_solids import expand_drawings
+from core.case.hinges import default_hinges
 from core.case.rules import parse_case
 from core.case.site import Building
 from core.errors import InputError
@@ -20,14 +20,14 @@ BUILDING = Building(9.0, 3, period_s=0.2)
 def judged(table: dict, folder: Path = Path()):
     """Per hinge what every check is computed from, or the code of the refusal."""
     try:
-        whole, _ = with_drawings({"title": "t", "wall": [table]}, folder)
+        whole, _ = expand_drawings({"title": "t", "wall": [table]}, folder)
         wall = parse_case(whole).wall[0]
     except InputError as error:
         return error.code
     found = []
-    for hinge in (0.0, *usual_hinges(wall, BUILDING)):
+    for hinge in (0.0, *default_hinges(wall, BUILDING)):
         try:
-            part = above_hinge(wall, hinge)
+            part = cut_above_hinge(wall, hinge)
             block, base = part.block(), base_length(part.parts, part.length_m, part.thickness)
         except InputError as error:
             found.append((hinge, error.code))

@@ -51,9 +51,9 @@ def test_that_it_is_the_body_of_its_solids_with_steps_and_the_rectangle_where_it
 def test_that_to_lean_outward_never_helps_and_above_a_hinge_the_wall_leans_as_it_did():
     angles = [make_rocking_model(wall_of(out_of_plumb_m=f), "one_sided").slenderness for f in (0.0, 0.05, 0.1, 0.2)]
     assert angles == sorted(angles, reverse=True)
-    from core.case.above_hinge import above_hinge
+    from core.case.above_hinge import cut_above_hinge
 
-    upper = above_hinge(wall_of(mechanism="one_sided", out_of_plumb_m=0.14), 3.5)
+    upper = cut_above_hinge(wall_of(mechanism="one_sided", out_of_plumb_m=0.14), 3.5)
     assert upper.out_of_plumb_m is None
     assert math.tan(make_rocking_model(upper, "one_sided").slenderness) == pytest.approx((0.83 - 0.07) / 3.5, rel=1e-12)
 

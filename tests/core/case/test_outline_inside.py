@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from core.case.outline_inside import around
+from core.case.outline_inside import find_enclosing_outline
 from core.errors import InputError
 
 shapely = pytest.importorskip("shapely", reason="no wheel of shapely")
@@ -17,7 +17,7 @@ CLOSE, SAME = 0.02, 1e-3
 
 
 def found(lines, point):
-    return around([("L", line) for line in lines], point, CLOSE, SAME)
+    return find_enclosing_outline([("L", line) for line in lines], point, CLOSE, SAME)
 
 
 @pytest.mark.parametrize("seed", range(40))

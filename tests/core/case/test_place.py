@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import pytest
 
-from core.case.place import Site, hazard_rows, placed
-from core.case.rules import draft_case, parse_case
+from core.case.place import Site, apply_site, hazard_rows
+from core.case.rules import parse_case, parse_draft
 from core.case.writer import dumps, table_of
 from core.errors import InputError
 from core.report import json_report
@@ -100,17 +100,17 @@ def test_that_a_case_is_written_without_what_its_place_gives_and_reads_back_equa
     text = dumps(case)
     assert "ag_g" not in text and "hazard" not in text and "f0" not in text and "[site]" in text
     assert parse_case(tomllib.loads(text)) == case
-    assert draft_case(table_of(case)).demand == case.demand
+    assert parse_draft(table_of(case)).demand == case.demand
 
 
 def test_that_another_limit_state_or_place_gives_another_demand_in_a_draft():
     case = parse_case(case_of())
-    slc = placed(case.site, replace(case.demand, limit_state="SLC"))
+    slc = apply_site(case.site, replace(case.demand, limit_state="SLC"))
     assert slc == parse_case(case_of(limit_state="SLC")).demand
     modena = replace(case.site, municipality="Modena", latitude=44.6471, longitude=10.9252)
-    assert round(placed(modena, case.demand).ag_g, 4) == 0.1900
+    assert round(apply_site(modena, case.demand).ag_g, 4) == 0.1900
     nowhere = replace(case.site, latitude=None)
-    assert placed(nowhere, case.demand) == case.demand
+    assert apply_site(nowhere, case.demand) == case.demand
 
 
 def test_that_the_result_says_place_states_and_what_is_to_be_known():

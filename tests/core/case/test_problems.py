@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from core.case.loads import Load
-from core.case.problems import _with_sizes, _without, load_of, problems
+from core.case.problems import _with_sizes, _without, find_problems, load_of
 from core.case.reader import read_case
 from core.case.schema import Case, Record
 from core.case.site import Building, Demand, Spectrum
@@ -13,17 +13,17 @@ from tests.conftest import ROOT
 
 
 def keys(case: Case) -> list[str | None]:
-    return [error.key for error in problems(case)]
+    return [error.key for error in find_problems(case)]
 
 
 def test_that_a_case_that_runs_has_none():
-    assert problems(read_case(ROOT / "resources" / "cases" / "building.toml")) == []
+    assert find_problems(read_case(ROOT / "resources" / "cases" / "building.toml")) == []
 
 
 def test_that_each_value_that_is_missing_is_named_once():
     wall = Wall("w", "", height_m=4.0, thickness_m=0.4, load=(Load("vertical", None, 3.0), Load("tie", "", "")))
     case = Case(wall=(wall, Wall("v", "two_sided", height_m=3.0, thickness_m=0.3)), demand=Demand(""))
-    found = problems(case)
+    found = find_problems(case)
     assert [(error.key, error.wall) for error in found if error.key in ("mechanism", "base_z_m")] == [
         ("mechanism", "w"),
         ("base_z_m", "w"),
@@ -37,7 +37,7 @@ def test_that_sizes_still_to_be_given_hide_nothing_else_that_is_missing():
     load = (Load("vertical", None, 3.0),)
     for sizes in ({}, {"height_m": 4.0}, {"thickness_m": 0.4}, {"slenderness_deg": 5.0}):
         case = Case(wall=(Wall("w", "", load=load, **sizes),), demand=Demand(""))
-        found = [(error.code, error.key) for error in problems(case)]
+        found = [(error.code, error.key) for error in find_problems(case)]
         assert [code for code, _ in found].count("one_geometry") == 1
         assert {"ag_g", "mechanism", "base_z_m"} <= {key for _, key in found}, (sizes, found)
 
@@ -45,7 +45,7 @@ def test_that_sizes_still_to_be_given_hide_nothing_else_that_is_missing():
 def test_that_a_broken_rule_of_one_wall_hides_none_of_another():
     broken = Wall("a", "two_sided", height_m=4.0, thickness_m=0.4, slenderness_deg=5.0)
     rule = Wall("b", "two_sided", height_m=4.0, thickness_m=0.4, velocity_ratio=0.9, restitution="housner")
-    found = problems(Case(wall=(broken, rule, Wall("c", "", height_m=4.0, thickness_m=0.4))))
+    found = find_problems(Case(wall=(broken, rule, Wall("c", "", height_m=4.0, thickness_m=0.4))))
     assert [(error.code, error.wall) for error in found] == [
         ("missing", "c"),
         ("one_geometry", "a"),
@@ -60,12 +60,12 @@ def test_that_sections_of_the_site_are_asked_for_too():
 
 
 def test_that_an_empty_case_asks_for_a_wall():
-    assert [error.code for error in problems(Case())] == ["no_wall"]
+    assert [error.code for error in find_problems(Case())] == ["no_wall"]
 
 
 def test_that_a_building_whose_height_is_empty_is_not_said_to_be_lower_than_a_wall():
     case = replace(read_case(ROOT / "resources" / "cases" / "building.toml"), building=Building("", 3))
-    assert [(error.code, error.key) for error in problems(case)] == [("missing", "height_m")]
+    assert [(error.code, error.key) for error in find_problems(case)] == [("missing", "height_m")]
 
 
 def test_that_a_strength_still_to_be_given_is_one_problem_and_no_other_is_made_of_it():
@@ -74,7 +74,7 @@ def test_that_a_strength_still_to_be_given_is_one_problem_and_no_other_is_made_o
     demand = Demand(0.2, soil_factor=1.2, confidence_factor=1.2, knowledge_level="LC2", investigations="flat jacks")
     for variant in (None, "progetto"):
         tall = replace(wall, variant=variant, unloaded_confirmed=True, height_m=8.0, thickness_m=0.3)
-        found = problems(Case(wall=(tall,), demand=demand))
+        found = find_problems(Case(wall=(tall,), demand=demand))
         assert [error.code for error in found] == ["confidence_needs_strength"]
         assert "None" not in str(found[0])
 
@@ -87,16 +87,16 @@ def test_that_an_error_of_a_variant_says_its_wall_once():
         replace(wall, load=loads, unit_weight_kn_m3=18.0),
         replace(wall, load=loads),
     ):
-        found = [str(error) for error in problems(Case(wall=(changed,)))]
+        found = [str(error) for error in find_problems(Case(wall=(changed,)))]
         assert found and all(words.count('wall "w') == 1 and '"w (progetto)"' in words for words in found), found
 
 
 def test_that_a_wall_whose_weight_is_missing_is_not_said_to_be_unstable():
     """Under 2 kN/m outward at the top it is with the weight that is assumed, 1 kN/m3, and with 18 it is not."""
     wall = Wall("w", "two_sided", height_m=5.0, thickness_m=0.5, load=(Load("thrust", 2.0, 5.0),))
-    (error,) = problems(Case(wall=(wall,)))
+    (error,) = find_problems(Case(wall=(wall,)))
     assert "unit_weight_kn_m3" in error.keys
-    assert problems(Case(wall=(replace(wall, unit_weight_kn_m3=18.0),))) == []
+    assert find_problems(Case(wall=(replace(wall, unit_weight_kn_m3=18.0),))) == []
 
 
 def test_that_of_a_size_that_is_missing_a_plausible_one_stands():

@@ -3,13 +3,13 @@
 import pytest
 
 from core.case.reader import read_case
-from core.case.rules import draft_case, parse_case, parse_wall
+from core.case.rules import parse_case, parse_draft, parse_wall
 from core.case.schema import Wall
 from core.case.select import Select
 from core.case.sensitivity import Ranges
 from core.case.site import Demand
 from core.case.solids import Solid
-from core.case.values import check_value, corners_of
+from core.case.values import check_value, parse_corners
 from core.errors import InputError
 from tests.core.case.tables import WALL, case, without
 
@@ -196,7 +196,7 @@ def test_that_modes_state_the_period_and_the_damping_of_the_building():
 
 
 def test_that_a_draft_keeps_what_is_not_complete_and_has_no_section_that_is_not_there():
-    draft = draft_case({"demand": {"limit_state": "SLC"}, "building": {"storeys": 3}, "report": {"client": "Comune"}})
+    draft = parse_draft({"demand": {"limit_state": "SLC"}, "building": {"storeys": 3}, "report": {"client": "Comune"}})
     assert (draft.demand.ag_g, draft.demand.limit_state) == ("", "SLC")
     assert (draft.building.height_m, draft.building.storeys, draft.report.client) == ("", 3, "Comune")
     assert (draft.generate, draft.select, draft.site, draft.sensitivity, draft.wall) == (None, None, None, None, ())
@@ -238,10 +238,10 @@ def test_that_a_corner_is_two_numbers():
     assert check_value(Solid, "polygon_m", TRIANGLE) == ((0.0, 0.0), (3.0, 0.0), (0.0, 4.5))
     assert check_value(Solid, "polygon_m", "0 0; 3 0; 0 4,5") == ((0.0, 0.0), (3.0, 0.0), (0.0, 4.5))
     for corner in ([0], [0, 1, 2], [0, "1"], [0, True], [0, None], 5, "01", None):
-        assert corners_of([*TRIANGLE, corner]) is None
+        assert parse_corners([*TRIANGLE, corner]) is None
         with pytest.raises(InputError, match="polygon_m = .* is not accepted"):
             check_value(Solid, "polygon_m", [*TRIANGLE, corner])
-    assert corners_of("0 0; 3 0 1; 0 4") is None and corners_of("0 0; 3; 0 4") is None
+    assert parse_corners("0 0; 3 0 1; 0 4") is None and parse_corners("0 0; 3; 0 4") is None
 
 
 @pytest.mark.parametrize(
@@ -255,5 +255,5 @@ def test_that_a_corner_is_two_numbers():
 def test_that_a_draft_keeps_corners_that_break_a_rule(given, kept):
     """Work in progress: an outline that crosses itself, two corners of it, one far away."""
     solid = {"plane": "section", "polygon_m": given}
-    made = draft_case({"wall": [{"name": "w", "mechanism": "one_sided", "solid": [solid]}]})
+    made = parse_draft({"wall": [{"name": "w", "mechanism": "one_sided", "solid": [solid]}]})
     assert made.wall[0].solid[0].polygon_m == kept

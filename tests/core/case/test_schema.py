@@ -4,7 +4,7 @@ from dataclasses import fields, replace
 
 import pytest
 
-from core.case.keys import pretty, unit_in_form
+from core.case.keys import format_unit, unit_in_form
 from core.case.rules import parse_case, parse_wall
 from core.case.schema import Analysis, Wall, sections
 from core.case.values import field_of
@@ -137,7 +137,7 @@ def test_that_a_field_has_the_unit_a_person_writes(section, key, unit, factor):
 
 
 def test_that_powers_of_a_unit_are_raised_and_words_are_not():
-    assert [pretty(unit) for unit in ("deg", "kN/m3", "m2", "m/s2", "kN/m", "years", "")] == [
+    assert [format_unit(unit) for unit in ("deg", "kN/m3", "m2", "m/s2", "kN/m", "years", "")] == [
         "°", "kN/m³", "m²", "m/s²", "kN/m", "years", ""
     ]  # fmt: skip
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from core.case.rules import parse_case
-from core.case.spanning import spanning, whole_courses
-from core.case.wall_table import text_rows, walls_of
+from core.case.spanning import make_spanning_part, whole_courses
+from core.case.wall_table import parse_wall_rows, text_rows
 from core.errors import InputError
 from core.study.run import run
 from tests.clauses_alone import parse_case as clauses_alone
@@ -87,7 +87,7 @@ def test_that_a_thrust_without_a_reason_is_no_more_than_an_indication_and_its_ro
 def test_that_its_demand_is_that_at_its_top_and_needs_the_building():
     verdict = outcome(study(building=None, arch={"spacing_m": 4.0, **TIE})).required_assessment.verdict
     assert verdict.code == "undetermined" and verdict.decides.code == "upper_top"
-    assert spanning(wall_of(arch={"spacing_m": 4.0, **TIE})).felt_z_m == 3.5
+    assert make_spanning_part(wall_of(arch={"spacing_m": 4.0, **TIE})).demand_height_m == 3.5
 
 
 @pytest.mark.shows("arch.thrust")
@@ -118,11 +118,11 @@ def test_that_loads_that_push_or_press_are_counted_and_weights_hold_nothing_ther
     for load, more, pressed in loads:
         from core.codes.vertical_bending import bending
 
-        strip = bending(spanning(wall_of(arch=arch, load=[load], unloaded_confirmed=None)).in_si).strip
+        strip = bending(make_spanning_part(wall_of(arch=arch, load=[load], unloaded_confirmed=None)).in_si).strip
         assert strip.weight == pytest.approx(1e3 * (40.5 + more)) and strip.lies
         assert strip.pressed * strip.weight == pytest.approx(1e3 * pressed)
     both = [{"kind": "thrust", "kn_m": sign * 0.2, "h_m": h} for sign, h in ((1, 1.0), (-1, 3.4))]
-    strip = bending(spanning(wall_of(arch=arch, load=both, unloaded_confirmed=None)).in_si).strip
+    strip = bending(make_spanning_part(wall_of(arch=arch, load=both, unloaded_confirmed=None)).in_si).strip
     assert strip.pressed * strip.weight == pytest.approx(2e3)  # they act on different metres: none helps the other
 
 
@@ -134,14 +134,14 @@ def test_that_whole_courses_bear_the_weight_of_a_wall_with_openings_steps_and_a_
     ]
     wall = wall_of(**shape)
     assert whole_courses(wall) == pytest.approx(1.0)  # from 1.6 to the eaves at 2.6
-    part = spanning(wall)
-    assert part.height_m == 3.5 and part.felt_z_m == pytest.approx(3.5)
+    part = make_spanning_part(wall)
+    assert part.height_m == 3.5 and part.demand_height_m == pytest.approx(3.5)
     from core.codes.vertical_bending import bending
 
     weight = bending(part.in_si).strip.weight
     assert weight == pytest.approx(wall.in_si.weight * 5.0, rel=1e-12)  # over a metre of courses
     thin = wall_of(steps=[{"from_z_m": 2.0, "thickness_m": 0.3}], length_m=6.0, arch=shape["arch"])
-    assert spanning(thin).thickness == 0.3
+    assert make_spanning_part(thin).thickness == 0.3
 
 
 @pytest.mark.parametrize(
@@ -187,7 +187,7 @@ def test_that_what_is_missing_or_does_not_go_with_it_is_said_in_one_sentence(cha
 def test_that_a_table_of_walls_has_its_columns():
     head = "Parete;H [m];t [m];Meccanismo;z [m];Peso specifico;f [MPa];arco L [m];arco catena [kN/m];"
     row = "a;3,5;0,45;flessione orizzontale;0;18;2,4;5;30;6;6"
-    (wall,) = walls_of(text_rows(f"{head}arch_tie_elongation_m [cm];arch_tie_bar_length_m [m]\n{row}"))
+    (wall,) = parse_wall_rows(text_rows(f"{head}arch_tie_elongation_m [cm];arch_tie_bar_length_m [m]\n{row}"))
     assert (wall.mechanism, wall.arch.spacing_m, wall.arch.tie_elongation_m) == ("horizontal_bending", 5.0, 0.06)
 
 

@@ -5,7 +5,7 @@ import tomllib
 import pytest
 
 from app.terminal.command_line import SHIPPED_STUDIES
-from core.case.study_file import Cell, cells_of, parse_study, read_record_list, read_study, shortened
+from core.case.study_file import Cell, cells_of, parse_study, quick_study, read_record_list, read_study
 from core.errors import InputError
 from tests.conftest import ROOT
 
@@ -23,8 +23,8 @@ STUDIES = [ROOT / "resources" / "studies" / f"{name}.toml" for name in SHIPPED_S
 @pytest.mark.parametrize("path", STUDIES, ids=lambda path: path.stem)
 def test_that_shipped_studies_are_read_and_a_short_run_is_part_of_them(path):
     study, _ = read_study(path)
-    assert set(cells_of(shortened(study))) < set(cells_of(study))
-    assert shortened(study).count < study.count
+    assert set(cells_of(quick_study(study))) < set(cells_of(study))
+    assert quick_study(study).count < study.count
 
 
 def test_that_no_two_motions_of_the_shipped_studies_share_a_seed():
@@ -136,9 +136,9 @@ def test_that_a_list_of_a_grid_has_values_up_to_both_ends_of_their_range(key, lo
 
 def test_that_a_short_run_keeps_what_the_study_says_else_two_motions_and_all_heights():
     grids = [{**GRID, "height_m": [3.0, 7.0, 9.0]}, {**GRID, "quick": False}]
-    plain = shortened(parse_study({"grid": grids}))
+    plain = quick_study(parse_study({"grid": grids}))
     assert plain.count == 2 and [grid.height_m for grid in plain.grid] == [(3.0, 7.0, 9.0)]
-    said = shortened(parse_study({"grid": grids, "quick": {"count": 3, "height_m": [3.0, 9.0]}}))
+    said = quick_study(parse_study({"grid": grids, "quick": {"count": 3, "height_m": [3.0, 9.0]}}))
     assert said.count == 3 and [grid.height_m for grid in said.grid] == [(3.0, 9.0)]
-    other = shortened(parse_study({"grid": grids, "count": 1, "quick": {"count": 3, "height_m": [5.0]}}))
+    other = quick_study(parse_study({"grid": grids, "count": 1, "quick": {"count": 3, "height_m": [5.0]}}))
     assert other.count == 1 and [grid.height_m for grid in other.grid] == [(3.0, 7.0, 9.0)]

@@ -6,9 +6,9 @@ from dataclasses import replace
 import pytest
 
 from core.case.reader import read_case
-from core.case.rules import draft_case, parse_case
+from core.case.rules import parse_case, parse_draft
 from core.case.variant_names import AS_IS, DESIGNED
-from core.case.wall_table import text_rows, walls_of
+from core.case.wall_table import parse_wall_rows, text_rows
 from core.case.writer import dumps
 from core.errors import InputError
 from core.study.variants import changed_keys
@@ -121,7 +121,7 @@ def test_that_the_writer_keeps_a_variant_as_what_differs(values, tmp_path):
     case = case_of(text)
     changed = replace(case, wall=(case.wall[0], replace(case.wall[1], **values)))
     written = dumps(changed, text)
-    assert draft_case(tomllib.loads(written)).wall == changed.wall
+    assert parse_draft(tomllib.loads(written)).wall == changed.wall
     path = tmp_path / "c.toml"
     path.write_text(written, encoding="utf-8")
     assert read_case(path).wall == changed.wall
@@ -146,5 +146,5 @@ def test_that_what_no_longer_is_a_variant_is_written_whole():
 
 def test_that_a_table_of_walls_says_how_variants_are_given_there():
     with pytest.raises(InputError) as caught:
-        walls_of(text_rows("name;variant of\n;\nA;B\n"))
+        parse_wall_rows(text_rows("name;variant of\n;\nA;B\n"))
     assert caught.value.code == "variant_of_in_table"

@@ -13,7 +13,7 @@ from core.case.reader import read_case
 from core.case.solids import Opening, Step, Wedges
 from core.case.values import field_of
 from core.case.wall import Wall
-from core.case.wall_table import read_table, read_walls, text_rows, walls_of
+from core.case.wall_table import parse_wall_rows, read_table, read_walls, text_rows
 from core.errors import InputError
 from tests.core.ooxml.writers import WRITERS, Fault, Formula, Writer, packed, unpacked
 from tests.core.ooxml.writers import workbook as written_by
@@ -71,7 +71,7 @@ def test_that_an_italian_csv_gives_its_walls(tmp_path):
 
 def test_that_commas_and_tabs_separate_too(tmp_path):
     rows = "wall,H,t,mechanism\n,m,m,\na,5.0,0.5,two_sided\n"
-    assert walls_of(text_rows(rows)) == walls_of(text_rows(rows.replace(",", "\t")))
+    assert parse_wall_rows(text_rows(rows)) == parse_wall_rows(text_rows(rows.replace(",", "\t")))
 
 
 def test_that_an_xlsx_gives_its_walls(tmp_path):
@@ -219,15 +219,15 @@ def test_that_free_elements_their_modulus_and_confirmations_are_columns():
         "Parete;z;H;t;Meccanismo;E;peso specifico;Elemento libero;Parete scarica\n;m;m;m;;GPa;kN/m3;;\n"
         "a;0;4;0,5;su un lato;1,2;18;sì;x\nb;6;4;0,5;su due lati;;;no;\n"
     )
-    a, b = walls_of(text_rows(rows))
+    a, b = parse_wall_rows(text_rows(rows))
     assert (a.free_element, a.unloaded_confirmed, a.elastic_modulus_mpa) == (True, True, 1200.0)
     assert (b.free_element, b.unloaded_confirmed, b.elastic_modulus_mpa) == (False, False, None)
     with pytest.raises(InputError, match="row 3, Elemento libero: 'forse' is not accepted"):
-        walls_of(text_rows(rows.replace(";sì;", ";forse;")))
+        parse_wall_rows(text_rows(rows.replace(";sì;", ";forse;")))
     for word in ("sì", "si", "Yes", "true", "VERO", "x", "1"):
-        assert walls_of(text_rows(rows.replace(";sì;", f";{word};")))[0].free_element is True
+        assert parse_wall_rows(text_rows(rows.replace(";sì;", f";{word};")))[0].free_element is True
     for word in ("no", "false", "FALSO", "0"):
-        assert walls_of(text_rows(rows.replace(";sì;", f";{word};")))[0].free_element is False
+        assert parse_wall_rows(text_rows(rows.replace(";sì;", f";{word};")))[0].free_element is False
 
 
 def workbook(tmp_path, hide=(), sheets=()):
@@ -279,7 +279,7 @@ def test_that_unicode_text_of_a_spreadsheet_is_read_or_refused_by_name(tmp_path)
 def test_that_a_slenderness_in_degrees_is_taken_as_it_is():
     for unit in ("deg", "°", "-", ""):
         rows = [["Parete", "H", "alpha", "Meccanismo"], ["", "m", unit, ""], ["a", "4", "7.5", "entrambi"]]
-        assert walls_of(rows)[0].slenderness_deg == 7.5
+        assert parse_wall_rows(rows)[0].slenderness_deg == 7.5
 
 
 @pytest.mark.parametrize(
@@ -316,7 +316,7 @@ B;0;3;45;18;un lato;;;;;;;;;;;
 
 def test_that_loads_stand_in_columns_of_their_own():
     rows = text_rows(LOADED.replace("e;Carico", "velocity_ratio;Carico").replace("un lato;;v", "un lato;0,5;v"))
-    loaded, bare = walls_of(rows)
+    loaded, bare = parse_wall_rows(rows)
     first, second = loaded.load
     assert (first.kind, first.kn_m, first.d_m, first.h_m, first.mass) == ("vertical", 10.0, 0.3, 3.0, "horizontal")
     assert (second.kind, second.kn_m, second.h_m, second.mass) == ("tie", 2.5, 2.8, None)
@@ -326,7 +326,7 @@ def test_that_loads_stand_in_columns_of_their_own():
 def test_that_a_load_that_lacks_its_size_names_row_and_key():
     text = "name;h;t;peso specifico;mechanism;load 1;load 1 h\n;m;m;kN/m3;;;m\nA;3;0.45;18;one_sided;thrust;2\n"
     with pytest.raises(InputError) as caught:
-        walls_of(text_rows(text))
+        parse_wall_rows(text_rows(text))
     assert "row 3" in str(caught.value) and "kn_m" in str(caught.value)
 
 
@@ -338,7 +338,7 @@ BODY = (
 
 
 def test_that_the_shape_of_a_wall_stands_in_columns_of_its_own():
-    facade, plain = walls_of(
+    facade, plain = parse_wall_rows(
         text_rows(
             f"{BODY}\nfacciata;11;90;un lato;10;19;3;4;0;200;3,5;5;6,5;2,4;2;60;1,6;;\n"
             "muro;8;60;un lato;5;18;;;;;;;;;;;;4;45\n"
@@ -349,23 +349,23 @@ def test_that_the_shape_of_a_wall_stands_in_columns_of_its_own():
     assert (plain.gable_m, plain.openings, plain.return_wedges) == (None, (), None)
     assert plain.steps == (Step(4.0, 0.45),)
     heads = "name\tH [m]\tt [cm]\tmechanism\tlength [m]\tunit weight\tsolid 1\tsolid 1 corners\tsolid 1 to [m]\n"
-    (wall,) = walls_of(text_rows(f"{heads}w\t6\t50\tone_sided\t4\t18\televation\t0 0; 4 0; 4 6; 0 6\t0.5\n"))
+    (wall,) = parse_wall_rows(text_rows(f"{heads}w\t6\t50\tone_sided\t4\t18\televation\t0 0; 4 0; 4 6; 0 6\t0.5\n"))
     assert wall.solid[0].polygon_m[2] == (4.0, 6.0)
 
 
 def test_that_an_opening_that_lacks_its_height_names_row_and_column():
     with pytest.raises(InputError) as caught:
-        walls_of(text_rows(f"{BODY}\nfacciata;11;90;un lato;10;19;3;4;;200;;;;;;;;;\n"))
+        parse_wall_rows(text_rows(f"{BODY}\nfacciata;11;90;un lato;10;19;3;4;;200;;;;;;;;;\n"))
     assert "row 2, apertura 1 z" in str(caught.value) and "z_m is missing" in str(caught.value)
 
 
 @pytest.mark.parametrize(("cell", "heights"), [("piani", "floors"), ("1,5 3", (1.5, 3.0)), ("2", (2.0,))])
 def test_that_hinges_stand_in_a_column(cell, heights):
     text = f"name\th\tt\tmechanism\tcerniere\n\tm\tm\nA\t6\t0,6\tone_sided\t{cell}\n"
-    (wall,) = walls_of(text_rows(text))
+    (wall,) = parse_wall_rows(text_rows(text))
     assert wall.hinge_heights == heights
     with pytest.raises(InputError):
-        walls_of(text_rows(text.replace(cell, "high")))
+        parse_wall_rows(text_rows(text.replace(cell, "high")))
 
 
 @pytest.mark.shows("case.table")
@@ -392,10 +392,10 @@ def test_that_a_table_takes_every_key_of_a_wall():
         "f [MPa]",
     ]
     text = ";".join(heads) + "\na;6,5;45;su un lato;0;4;18;2;40;12;25;2,5"
-    (wall,) = wall_table.walls_of(wall_table.text_rows(text))
+    (wall,) = wall_table.parse_wall_rows(wall_table.text_rows(text))
     assert (wall.height_m, wall.thickness_m, wall.compressive_strength_mpa) == (6.5, 0.45, 2.5)
     assert wall.return_walls == ReturnWalls(2, 0.4, 0.12, 0.25, 0.577)
-    (block,) = wall_table.walls_of(
+    (block,) = wall_table.parse_wall_rows(
         wall_table.text_rows("Parete;R [m];alpha [deg];I0/m [m2];Meccanismo\nb;3;8;12,5;su due lati")
     )
     assert (block.radius_m, block.inertia_over_mass_m2) == (3.0, 12.5)
@@ -408,7 +408,7 @@ def test_that_a_wrong_word_is_answered_with_the_words_of_the_list(cell, words):
     head = "Parete;H [m];t [m];Meccanismo;Peso specifico;Carico 1"
     row = f"a;6;0,5;{cell};18;" if words.startswith("su") else f"a;6;0,5;su un lato;18;{cell}"
     with pytest.raises(InputError) as caught:
-        wall_table.walls_of(wall_table.text_rows(f"{head}\n{row}"))
+        wall_table.parse_wall_rows(wall_table.text_rows(f"{head}\n{row}"))
     column = "Meccanismo" if words.startswith("su") else "Carico 1"
     assert f"row 2, {column}: '{cell}' is not accepted: one of {words}" in str(caught.value)
 
@@ -438,7 +438,9 @@ def saved(tmp_path):
 @pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS)
 def test_that_a_table_is_the_same_whoever_wrote_it(writer, saved):
     walls, notes, *_ = read_table(saved(written_by(writer, THRUST, hidden_rows=(4,), others=[("Note", [["x"]])])), True)
-    assert walls == walls_of([[("" if c is None else str(c)) for c in row] for row in THRUST[:3] + THRUST[4:]], True)
+    assert walls == parse_wall_rows(
+        [[("" if c is None else str(c)) for c in row] for row in THRUST[:3] + THRUST[4:]], True
+    )
     assert [note.code for note in notes] == ["table_sheet", "hidden_rows", "other_sheets"]
 
 
@@ -525,7 +527,7 @@ TABLE = "nome;meccanismo;altezza (m);spessore (m);quota (m)\na;su due lati;5,0;0
 
 def test_that_a_table_cut_anywhere_is_refused_read_as_fewer_walls_or_said(tmp_path):
     """Cut at every byte: what is read is what the rows that are whole say, or the last cell is said to be uncertain."""
-    path, whole = tmp_path / "w.csv", walls_of(text_rows(TABLE))
+    path, whole = tmp_path / "w.csv", parse_wall_rows(text_rows(TABLE))
     refused = said = 0
     for n in range(len(TABLE) + 1):
         path.write_text(TABLE[:n], encoding="utf-8")
@@ -547,33 +549,35 @@ def test_that_a_table_cut_anywhere_is_refused_read_as_fewer_walls_or_said(tmp_pa
 @pytest.mark.parametrize("row", ["c;su due lati;5,0;0,50", 'c;"su due lati;5,0;0,50;0', "c"])
 def test_that_a_short_row_and_an_open_quote_are_refused(row):
     with pytest.raises(InputError) as caught:
-        walls_of(text_rows(TABLE + row + "\n" + "d;su due lati;5,0;0,50;0\n"))
+        parse_wall_rows(text_rows(TABLE + row + "\n" + "d;su due lati;5,0;0,50;0\n"))
     assert caught.value.code in ("row_cut", "not_a_table")
 
 
 def test_that_a_separator_said_on_top_and_comments_are_read_over():
-    plain = walls_of(text_rows(TABLE))
-    assert walls_of(text_rows("sep=;\n" + TABLE)) == plain
-    assert walls_of(text_rows("# of the survey; in autumn\n" + TABLE.replace("\nb;", "\n# the back;\nb;"))) == plain
-    (named, _) = walls_of(text_rows(TABLE.replace("\na;", "\n# a;")))
+    plain = parse_wall_rows(text_rows(TABLE))
+    assert parse_wall_rows(text_rows("sep=;\n" + TABLE)) == plain
+    assert (
+        parse_wall_rows(text_rows("# of the survey; in autumn\n" + TABLE.replace("\nb;", "\n# the back;\nb;"))) == plain
+    )
+    (named, _) = parse_wall_rows(text_rows(TABLE.replace("\na;", "\n# a;")))
     assert named.name == "# a"  # a row with numbers is a wall, whatever it is called
 
 
 @pytest.mark.parametrize("cell", ["1.250", "-1.250", "12.345.678"])
 def test_that_italian_thousands_are_asked_about(cell):
     with pytest.raises(InputError) as caught:
-        walls_of(text_rows(TABLE.replace("7,75", cell)))
+        parse_wall_rows(text_rows(TABLE.replace("7,75", cell)))
     assert caught.value.code == "thousands_or_decimals"
     pointed = TABLE.replace(",", ".").replace("7.75", "1.250")
-    assert walls_of(text_rows(pointed))[1].base_z_m == 1.25
-    assert walls_of(text_rows(TABLE.replace("7,75", "−7,75".replace("−", ""))))[1].base_z_m == 7.75
+    assert parse_wall_rows(text_rows(pointed))[1].base_z_m == 1.25
+    assert parse_wall_rows(text_rows(TABLE.replace("7,75", "−7,75".replace("−", ""))))[1].base_z_m == 7.75
 
 
 def test_that_a_table_has_up_to_160_columns():
     rows = [row + [""] * (160 - len(row)) for row in text_rows(TABLE)]
-    assert len(walls_of(rows)) == 2
+    assert len(parse_wall_rows(rows)) == 2
     with pytest.raises(InputError, match="more than 2000 rows or 160 columns"):
-        walls_of([[*row, ""] for row in rows])
+        parse_wall_rows([[*row, ""] for row in rows])
 
 
 @pytest.mark.parametrize("row", [3, 4])

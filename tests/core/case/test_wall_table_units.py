@@ -6,7 +6,7 @@ import openpyxl
 import pytest
 
 from core.case import wall_table
-from core.case.wall_table import read_walls, text_rows, walls_of
+from core.case.wall_table import parse_wall_rows, read_walls, text_rows
 from core.errors import InputError
 
 
@@ -32,7 +32,7 @@ def test_that_each_unit_of_a_table_has_its_factor(head, unit, cell, key, value):
     cells = {"Parete": ("", "a"), "H": ("m", "4"), "t": ("m", "0.5"), "Meccanismo": ("", "entrambi")}
     cells[head] = (unit, cell)
     rows = [list(cells), [pair[0] for pair in cells.values()], [pair[1] for pair in cells.values()]]
-    (wall,) = walls_of(rows)
+    (wall,) = parse_wall_rows(rows)
     assert getattr(wall, key) == pytest.approx(value, rel=1e-15)
 
 
@@ -45,16 +45,16 @@ def test_that_a_unit_of_another_quantity_is_refused(head, unit):
     cells[head] = (unit, cells.get(head, ("", "900"))[1])
     rows = [list(cells), [pair[0] for pair in cells.values()], [pair[1] for pair in cells.values()]]
     with pytest.raises(InputError, match="the unit"):
-        walls_of(rows)
+        parse_wall_rows(rows)
 
 
 def test_that_the_units_a_column_takes_are_listed():
     rows = "Parete;z;H;t;Meccanismo;notes\n;m;m;kN;;\na;0;4;45;su un lato;\n"
     with pytest.raises(InputError, match="the unit 'kN' of the column t .*: one of m, cm, mm, ft "):
-        walls_of(text_rows(rows))
+        parse_wall_rows(text_rows(rows))
     rows = rows.replace("kN;;", "m;;m").replace(";45;", ";0.45;")
     with pytest.raises(InputError, match="the unit 'm' of the column notes is not accepted: one of -, "):
-        walls_of(text_rows(rows))
+        parse_wall_rows(text_rows(rows))
 
 
 @pytest.mark.parametrize(
@@ -77,14 +77,14 @@ def test_that_a_unit_in_the_head_that_contradicts_the_row_of_units_is_refused(he
     place = next(k for k, name in enumerate(heads) if head.startswith(name))
     heads[place], units[place] = head, unit
     with pytest.raises(InputError, match=word):
-        walls_of([heads, units, ["a", "4", "0.5", "entrambi", "900"]])
+        parse_wall_rows([heads, units, ["a", "4", "0.5", "entrambi", "900"]])
     heads[place] = f"{head[0]} (misurato) [{unit}]"
-    assert len(walls_of([heads, units, ["a", "4", "0.5", "entrambi", "900"]])) == 1
+    assert len(parse_wall_rows([heads, units, ["a", "4", "0.5", "entrambi", "900"]])) == 1
 
 
 def test_that_a_head_without_a_unit_still_asks_for_one():
     with pytest.raises(InputError, match="unit '' of the column H is not accepted"):
-        wall_table.walls_of(wall_table.text_rows("Parete;H;t [m];Meccanismo\na;6;0,5;su un lato"))
+        wall_table.parse_wall_rows(wall_table.text_rows("Parete;H;t [m];Meccanismo\na;6;0,5;su un lato"))
 
 
 THRUST = ["nome", "meccanismo", "H (m)", "t (m)", "z (m)", "peso specifico", "carico 1", "{}", "carico 1 h (m)"]
@@ -96,7 +96,7 @@ def thrust(head: str, value: str, comma: bool = False) -> float:
     row = [cell.format(value) for cell in OF_THRUST]
     row = [cell.replace(".", ",") if comma and k != 7 else cell for k, cell in enumerate(row)]
     text = "\n".join(";".join(one) for one in ([head_.format(head) for head_ in THRUST], row)) + "\n"
-    return walls_of(text_rows(text))[0].load[0].kn_m
+    return parse_wall_rows(text_rows(text))[0].load[0].kn_m
 
 
 @pytest.mark.parametrize(
@@ -134,9 +134,11 @@ def test_that_units_of_cells_and_of_number_formats_count(tmp_path):
 def test_that_hinges_with_one_unit_and_a_row_that_begins_with_a_mark_are_not_guessed():
     rows = "nome;meccanismo;H (m);t (m);hinge_heights\n{};su un lato;9;0,5;{}\n"
     with pytest.raises(InputError):
-        walls_of(text_rows(rows.format("a", "3 6 ft")))
-    assert walls_of(text_rows(rows.format("a", "3 ft 6 ft")))[0].hinge_heights == pytest.approx([0.9144, 1.8288])
-    (wall,) = walls_of(text_rows("nome;meccanismo;H;t\n#1;su un lato;7 m;0,50 m\n".replace("H;t", "H (m);t (m)")))
+        parse_wall_rows(text_rows(rows.format("a", "3 6 ft")))
+    assert parse_wall_rows(text_rows(rows.format("a", "3 ft 6 ft")))[0].hinge_heights == pytest.approx([0.9144, 1.8288])
+    (wall,) = parse_wall_rows(
+        text_rows("nome;meccanismo;H;t\n#1;su un lato;7 m;0,50 m\n".replace("H;t", "H (m);t (m)"))
+    )
     assert wall.name == "#1"
-    (wall,) = walls_of(text_rows("nome;meccanismo;H;t\nu.m.;-;m;cm\n# nota del 2024;;;\na;su un lato;7;50\n"))
+    (wall,) = parse_wall_rows(text_rows("nome;meccanismo;H;t\nu.m.;-;m;cm\n# nota del 2024;;;\na;su un lato;7;50\n"))
     assert wall.thickness == 0.5

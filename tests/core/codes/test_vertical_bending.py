@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq, minimize_scalar
 
-from core.case.held_top import bent_inward
+from core.case.held_top import mirror_inward
 from core.codes.vertical_bending import (
     bending,
     governing_mechanism,
@@ -173,8 +173,10 @@ def test_that_the_mass_on_the_held_top_pushes_nothing():
 
 def test_that_bent_inward_the_loads_are_on_the_other_side():
     wall = held(load=[ON_TOP])
-    assert bending(bent_inward(wall).in_si).alpha0 < bending(wall.in_si).alpha0
-    assert bending(bent_inward(bent_inward(wall)).in_si).alpha0 == pytest.approx(bending(wall.in_si).alpha0, rel=1e-12)
+    assert bending(mirror_inward(wall).in_si).alpha0 < bending(wall.in_si).alpha0
+    assert bending(mirror_inward(mirror_inward(wall)).in_si).alpha0 == pytest.approx(
+        bending(wall.in_si).alpha0, rel=1e-12
+    )
 
 
 def test_that_a_wall_that_bends_under_its_loads_alone_is_refused():
@@ -322,7 +324,7 @@ def test_that_a_wall_with_openings_of_nothing_bends_as_the_rectangle():
 
 def test_that_a_step_that_keeps_the_outer_face_plumb_bends_less_well_inward():
     wall = shaped("a step outside")
-    mirrored = bent_inward(wall)
+    mirrored = mirror_inward(wall)
     assert (
         mirrored.steps[0].flush == "inner"
         and bending(mirrored.in_si).alpha0 == bending(shaped("a step inside").in_si).alpha0

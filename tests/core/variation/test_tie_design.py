@@ -20,7 +20,7 @@ from core.variation.evaluate import FULL_PRECISION
 from core.variation.tie_design import FORCE_NAMES, Hinge, add_tie, design_tie
 from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
-from tests.core.case.test_between_holds import FACADE
+from tests.core.case.test_spans_between_ties import FACADE
 from tests.core.variation.one_evaluation import WALL as QUICK
 from tests.core.variation.one_evaluation import history
 from tests.core.variation.one_evaluation import scene_of as quick_scene

@@ -20,14 +20,14 @@ MIN_SHARE_OF_BENDING = 0.8
 at yield starts at less, that governs."""
 
 
-def spans_of(wall: Wall) -> tuple[tuple[float, float], ...]:
+def find_bending_spans(wall: Wall) -> tuple[tuple[float, float], ...]:
     """Stretches (from, to) above the base [m] in which a wall on one side bends below its ties, where these hold about
     as much as one block takes, or more: from its base, each tie and each weight (which holds only what is below it) to
     each tie above, over ties too weak for what the stretches beside them push with; at least MIN_SLENDERNESS times as
     high as thick. What it drags along of return walls is no part of them. Empty of a corner and of oblique or dragged
     solids, and where more than weights acts below the highest tie (a thrust there goes into it), or a tie has slack."""
     ties = sorted({load.h_m for load in wall.load if load.is_tie})
-    if not ties or wall.thickness is None or presses_between(wall):
+    if not ties or wall.thickness is None or has_load_below_tie(wall):
         return ()
     if wall.mechanism != "one_sided" or wall.return_walls is not None or not _is_one_sheet(wall):
         return ()
@@ -42,11 +42,13 @@ def spans_of(wall: Wall) -> tuple[tuple[float, float], ...]:
     )
     if not pairs or hinge_inside(wall.in_si) is not None:
         return pairs
-    turning = at_yield(wall)
-    return tuple(pair for pair in pairs if turning >= MIN_SHARE_OF_BENDING * bending(between(wall, *pair).in_si).alpha0)
+    turning = multiplier_at_yield(wall)
+    return tuple(
+        pair for pair in pairs if turning >= MIN_SHARE_OF_BENDING * bending(cut_span(wall, *pair).in_si).alpha0
+    )
 
 
-def presses_between(wall: Wall) -> bool:
+def has_load_below_tie(wall: Wall) -> bool:
     """Whether something acts below the highest tie of a wall that no stretch is looked at with, or a tie has slack."""
     highest = max((load.h_m for load in wall.load if load.is_tie), default=0.0)
     others = (load.h_m for load in wall.load if load.kind not in ("vertical", "tie"))
@@ -84,14 +86,14 @@ def _holds(wall: Wall, ties: Sequence[float]) -> list[float]:
             continue
         if not (_bears(wall, below, height) and _bears(wall, height, above)):
             continue
-        lower, upper = (bending(between(wall, *pair).in_si) for pair in ((below, height), (height, above)))
+        lower, upper = (bending(cut_span(wall, *pair).in_si) for pair in ((below, height), (height, above)))
         pushes = lower.top_force + upper.alpha0 * upper.mass * G - upper.top_force
         if strength[height] >= pushes:
             heights.append(height)
     return heights
 
 
-def at_yield(wall: Wall) -> float:
+def multiplier_at_yield(wall: Wall) -> float:
     """alpha_0 of the wall about its base, its ties at yield."""
     masonry = wall.in_si
     side = restoring_with_ties(masonry)
@@ -109,7 +111,7 @@ def named_between(name: str, low: float, high: float) -> str:
     return f"{name} ({low:.4g}–{high:.4g} m)"
 
 
-def between(wall: Wall, low: float, high: float) -> Wall:
+def cut_span(wall: Wall, low: float, high: float) -> Wall:
     """The stretch of a wall between two heights above its base [m], held at its top by the tie there. What is above
     stands on it, a rectangle at its middle, another wall where its centroid is: its mass is held by the tie."""
     assert wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None

@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.case.between_holds import between, spans_of
-from core.case.held_top import bent_inward
-from core.case.hinges import parts_of
+from core.case.held_top import mirror_inward
+from core.case.hinges import make_wall_parts
 from core.case.rules import parse_case
+from core.case.spans_between_ties import cut_span, find_bending_spans
 from core.codes.vertical_bending import bending
 from core.errors import InputError
 from core.study.run import run
@@ -59,8 +59,8 @@ def test_that_four_bars_give_an_answer_and_the_worst_of_turning_and_bending_deci
 
 def test_that_what_is_above_the_tie_stands_on_the_stretch_below_it():
     (low, high), wall = (0.0, 6.5), wall_of(ROOF, TIE)
-    assert spans_of(wall) == ((low, high),)
-    part = between(wall, low, high)
+    assert find_bending_spans(wall) == ((low, high),)
+    part = cut_span(wall, low, high)
     assert sorted(load.kn_m for load in part.load) == pytest.approx([18.0 * 0.45 * 1.0, 12.0])
     assert all(load.h_m == 6.5 and load.mass == "none" for load in part.load)
     # by virtual work: W1 at the middle of the lower block, W2 and both loads lifted by the upper one
@@ -97,15 +97,15 @@ def test_that_random_ties_are_accepted_where_the_wall_turns_or_bends_and_more_st
         tie = {**TIE, "h_m": float(rng.uniform(0.5, 1.0)) * height}
         bar = {**BAR, "number": int(rng.integers(1, 8)), "diameter_mm": float(rng.choice([12.0, 20.0, 30.0]))}
         wall = wall_of({**ROOF, "h_m": height}, {**tie, "bar": bar}, height_m=height)
-        spans = spans_of(wall)
-        parts = parts_of(0, wall, None)
+        spans = find_bending_spans(wall)
+        parts = make_wall_parts(0, wall, None)
         assert spans or hinge_inside(wall.in_si) is None
         bends = [part for part in parts if part.top is not None]
         assert [(part.hinge, part.top) for part in bends] == list(spans)
         seen.add(bool(spans))
         for part in bends:
             more = wall_of({**ROOF, "h_m": height}, {**tie, "bar": {**bar, "number": 20}}, height_m=height)
-            assert bending(between(more, part.hinge, part.top).in_si).alpha0 == bending(part.wall.in_si).alpha0
+            assert bending(cut_span(more, part.hinge, part.top).in_si).alpha0 == bending(part.wall.in_si).alpha0
     assert seen == {True, False}
 
 
@@ -126,9 +126,11 @@ def test_that_what_shows_the_cross_walls_does_not_show_the_tie():
 def test_that_a_weak_tie_between_holds_nothing():
     """A wire at mid-height does not make two stretches of one; bars that stand the push of both do."""
     wire = {**TIE, "h_m": 3.25, "bar": {**BAR, "number": 1, "diameter_mm": 4.0}}
-    assert (0.0, 6.5) in spans_of(wall_of(ROOF, TIE, wire))
-    assert (0.0, 6.5) in spans_of(wall_of(ROOF, TIE, {"kind": "tie", "kn_m": 0.01, "h_m": 3.25, "bar_length_m": 8.0}))
-    assert spans_of(wall_of(ROOF, TIE, {**TIE, "h_m": 3.25})) == ((0.0, 3.25), (3.25, 6.5))
+    assert (0.0, 6.5) in find_bending_spans(wall_of(ROOF, TIE, wire))
+    assert (0.0, 6.5) in find_bending_spans(
+        wall_of(ROOF, TIE, {"kind": "tie", "kn_m": 0.01, "h_m": 3.25, "bar_length_m": 8.0})
+    )
+    assert find_bending_spans(wall_of(ROOF, TIE, {**TIE, "h_m": 3.25})) == ((0.0, 3.25), (3.25, 6.5))
 
 
 def test_that_more_steel_gives_no_lower_zeta_by_a_jump():
@@ -144,21 +146,21 @@ def test_that_a_weight_between_holds_only_what_is_below_it():
     floor = {**ROOF, "kn_m": 150.0, "h_m": 3.0}
     loads = ({**ROOF, "kn_m": 2.0, "h_m": 9.0}, {**TIE, "h_m": 9.0}, floor)
     wall = wall_of(*loads, height_m=9.0)
-    assert spans_of(wall) == ((0.0, 9.0), (3.0, 9.0))
-    whole, upper = (bending(between(wall, *span).in_si).alpha0 for span in spans_of(wall))
+    assert find_bending_spans(wall) == ((0.0, 9.0), (3.0, 9.0))
+    whole, upper = (bending(cut_span(wall, *span).in_si).alpha0 for span in find_bending_spans(wall))
     assert upper < whole
-    alone = between(wall_of(*loads[:2], height_m=9.0, base_z_m=0.0), 3.0, 9.0)
+    alone = cut_span(wall_of(*loads[:2], height_m=9.0, base_z_m=0.0), 3.0, 9.0)
     assert bending(alone.in_si).alpha0 == upper
 
 
 def test_that_the_wall_above_a_tie_is_looked_at_whatever_hinges_are_asked():
     wall = wall_of({**ROOF, "h_m": 4.5}, {**TIE, "h_m": 4.5, "bar": {**BAR, "number": 8}}, height_m=9.0)
-    assert spans_of(wall) == ((0.0, 4.5),) and wall.hinge_heights == "base"
-    assert [(part.hinge, part.top) for part in parts_of(0, wall, None)] == [(0.0, None), (4.5, None), (0.0, 4.5)]
+    assert find_bending_spans(wall) == ((0.0, 4.5),) and wall.hinge_heights == "base"
+    assert [(part.hinge, part.top) for part in make_wall_parts(0, wall, None)] == [(0.0, None), (4.5, None), (0.0, 4.5)]
     weak = wall_of(
         {**ROOF, "h_m": 4.5}, {**TIE, "h_m": 4.5, "bar": {**BAR, "number": 1, "diameter_mm": 8.0}}, height_m=9.0
     )
-    assert [part.hinge for part in parts_of(0, weak, None)] == [0.0]
+    assert [part.hinge for part in make_wall_parts(0, weak, None)] == [0.0]
 
 
 def shaped(rng):
@@ -203,8 +205,8 @@ def bends_as_its_layers(seed):
     """Virtual work of layers in coordinates, at the hinge found; a gable and a roof above the tie stand on it."""
     loads, changes, at = shaped(np.random.default_rng(seed))
     wall = wall_of(*loads, **changes)
-    assert (0.0, at) in spans_of(wall)
-    part = between(wall, 0.0, at)
+    assert (0.0, at) in find_bending_spans(wall)
+    part = cut_span(wall, 0.0, at)
     found, t = bending(part.in_si), wall.thickness_m
     (step,), h1 = wall.steps, found.h1
     face = FACE[step.flush] * (t - step.thickness_m)
@@ -225,7 +227,7 @@ def bends_as_its_layers(seed):
 
 def test_that_a_shape_that_becomes_a_rectangle_bends_as_one():
     plain = wall_of(ROOF, TIE)
-    (expected,) = (bending(between(plain, *span).in_si) for span in spans_of(plain))
+    (expected,) = (bending(cut_span(plain, *span).in_si) for span in find_bending_spans(plain))
     shapes = (
         {"openings": [{"s_m": 4.0, "z_m": 3.0, "width_m": 0.05, "height_m": 0.05}]},
         {"steps": [{"from_z_m": 7.4, "thickness_m": 0.449999}]},
@@ -234,26 +236,26 @@ def test_that_a_shape_that_becomes_a_rectangle_bends_as_one():
     )
     for shape in shapes:
         wall = wall_of(ROOF, TIE, **shape)
-        (found,) = (bending(between(wall, *span).in_si) for span in spans_of(wall))
+        (found,) = (bending(cut_span(wall, *span).in_si) for span in find_bending_spans(wall))
         assert found.alpha0 == pytest.approx(expected.alpha0, rel=2e-3), shape
 
 
 def test_that_a_mirrored_body_bends_outward_as_it_does_inward():
     wall = wall_of(*(made := shaped(np.random.default_rng(3)))[0], **made[1])
-    part = between(wall, 0.0, made[2])
+    part = cut_span(wall, 0.0, made[2])
     assert part.solid
-    twice = bent_inward(bent_inward(part))
+    twice = mirror_inward(mirror_inward(part))
     assert bending(twice.in_si).alpha0 == pytest.approx(bending(part.in_si).alpha0, rel=1e-12)
-    assert bending(bent_inward(part).in_si).alpha0 != pytest.approx(bending(part.in_si).alpha0, rel=1e-3)
+    assert bending(mirror_inward(part).in_si).alpha0 != pytest.approx(bending(part.in_si).alpha0, rel=1e-3)
 
 
 def test_that_a_facade_leaning_outward_bends_the_sooner():
     alphas = []
     for lean in (0.0, 0.02, 0.05, 0.1):
         wall = wall_of(ROOF, TIE, **({"out_of_plumb_m": lean} if lean else {}))
-        (span,) = spans_of(wall)
-        part = between(wall, *span)
-        alphas.append(min(bending(one.in_si).alpha0 for one in (part, bent_inward(part))))
+        (span,) = find_bending_spans(wall)
+        part = cut_span(wall, *span)
+        alphas.append(min(bending(one.in_si).alpha0 for one in (part, mirror_inward(part))))
     assert alphas == sorted(alphas, reverse=True) and alphas[0] > alphas[-1]
 
 
@@ -262,7 +264,7 @@ def test_that_a_facade_leaning_outward_bends_the_sooner():
                                    {"gable_m": 1.5}])  # fmt: skip
 def test_that_a_tie_at_the_very_top_holds_a_wall_of_any_shape(shape):
     wall = wall_of({**TIE, "h_m": 7.5}, **shape, unloaded_confirmed=False)
-    for span in spans_of(wall):
-        part = between(wall, *span)
+    for span in find_bending_spans(wall):
+        part = cut_span(wall, *span)
         assert bending(part.in_si).alpha0 > 0.0
         assert span[1] < 7.5 or not part.load

@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core.case.brought import brought, by_itself, with_floors_of
-from core.case.hinges import count_of, parts_of
+from core.case.floor_loads import add_floor_loads, infer_floor_supports, isolate_wall
+from core.case.hinges import count_wall_parts, make_wall_parts
 from core.case.reader import read_case
-from core.case.rules import parse_case, with_walls
+from core.case.rules import parse_case, replace_walls
 from core.case.site import FloorLoad
 from core.case.wall import Wall
 from core.case.writer import dumps
@@ -44,9 +44,9 @@ def test_that_each_wall_bears_half_of_the_span_as_if_the_loads_were_written_on_i
     north, south = NORTH | {"load": [half | {"d_m": 0.35}]}, SOUTH | {"load": [half | {"d_m": 0.4}, roof]}
     written = case_of(north, south, building=BARE, demand=DEMAND)
     for k in (0, 1):
-        made, asked = (parts_of(k, one.wall[k], one.building) for one in (case, written))
+        made, asked = (make_wall_parts(k, one.wall[k], one.building) for one in (case, written))
         assert [part.wall for part in made] == [part.wall for part in asked]
-        assert len(made) == count_of(case.wall[k], case.building)
+        assert len(made) == count_wall_parts(case.wall[k], case.building)
     one, other = (run(clauses_alone_of(each), base_dir=Path()) for each in (case, written))
     assert [w.required_assessment.verdict.zeta_e for w in one.walls] == [
         w.required_assessment.verdict.zeta_e for w in other.walls
@@ -62,12 +62,12 @@ def test_that_floors_bear_where_a_slider_moved_them():
     own = {"kind": "thrust", "kn_m": 0.1, "h_m": 3.0}
     case = case_of(NORTH, SOUTH | {"load": [own]})
     wall = case.wall[1]
-    loaded = brought(wall, case.building)
+    loaded = add_floor_loads(wall, case.building)
     moved = replace(loaded, load=tuple(replace(one, d_m=one.d_m and one.d_m + 0.05) for one in loaded.load))
-    building = with_floors_of(case.building, wall, moved)
-    assert brought(wall, building).load == moved.load
-    assert brought(case.wall[0], building) == brought(case.wall[0], case.building)
-    assert with_floors_of(None, wall, moved) is None
+    building = infer_floor_supports(case.building, wall, moved)
+    assert add_floor_loads(wall, building).load == moved.load
+    assert add_floor_loads(case.wall[0], building) == add_floor_loads(case.wall[0], case.building)
+    assert infer_floor_supports(None, wall, moved) is None
 
 
 @pytest.mark.parametrize(
@@ -99,14 +99,14 @@ def test_that_floors_bear_on_walls_of_a_table(name, tmp_path):
         assert refused.value.code == "wall_not_there"
         return
     case = read_case(tmp_path / "case.toml")
-    (load,) = parts_of(0, case.wall[0], case.building)[0].wall.load
+    (load,) = make_wall_parts(0, case.wall[0], case.building)[0].wall.load
     assert load.kn_m == pytest.approx(2.5 * (4.0 + 0.6)) and case.wall[0].plan.length == 8.0
 
 
 def test_that_a_floor_that_weighs_nothing_changes_no_number():
     light = FIRST | {"g_kn_m2": 1e-9, "q_kn_m2": 0.0}
     with_floor, without = case_of(building=BUILDING | {"floors": [light]}), case_of(building=BARE)
-    one, other = (parts_of(0, case.wall[0], case.building)[0].wall for case in (with_floor, without))
+    one, other = (make_wall_parts(0, case.wall[0], case.building)[0].wall for case in (with_floor, without))
     assert sum_chain(one.in_si, False).start[0] == pytest.approx(sum_chain(other.in_si, False).start[0], rel=1e-9)
 
 
@@ -152,7 +152,7 @@ def test_that_a_corner_is_pushed_by_what_spans_to_it_over_its_height():
         length = 2.4 * (math.sin(math.radians(angle)) + math.cos(math.radians(angle)))
         table = CORNER | {"corner": corner, "length_m": length}
         wall = case_of(table | {"hinge_heights": "base"}, building=BARE).wall[0]
-        pushed, body = parts_of(0, wall, None)[0].wall, wall.in_si.body
+        pushed, body = make_wall_parts(0, wall, None)[0].wall, wall.in_si.body
         moment = 1e3 * (first * math.cos(math.radians(angle)) + second * math.sin(math.radians(angle))) * 6.0 * 3.0
         x, z = body.centroid
         weight = 9.80665 * body.mass
@@ -251,11 +251,11 @@ def test_that_one_wall_alone_has_its_floors_as_its_own_loads():
     """For sensitivities and sweeps: the other walls of its floors are not there."""
     case = case_of(demand=DEMAND)
     for k in (0, 1):
-        alone = by_itself(case, k)
-        assert not alone.building.floors and alone.wall == (parts_of(k, case.wall[k], case.building)[0].body,)
-        with_walls(alone, list(alone.wall))
-        assert [part.wall for part in parts_of(0, alone.wall[0], alone.building)] == [
-            part.wall for part in parts_of(k, case.wall[k], case.building)
+        alone = isolate_wall(case, k)
+        assert not alone.building.floors and alone.wall == (make_wall_parts(k, case.wall[k], case.building)[0].body,)
+        replace_walls(alone, list(alone.wall))
+        assert [part.wall for part in make_wall_parts(0, alone.wall[0], alone.building)] == [
+            part.wall for part in make_wall_parts(k, case.wall[k], case.building)
         ]
     swept = set_swept_value(case, 0, SweepKey(Wall, "thickness_m", None), 0.7)
     assert swept.wall[0].thickness == 0.7 and len(swept.wall[0].load) == 1
@@ -264,8 +264,8 @@ def test_that_one_wall_alone_has_its_floors_as_its_own_loads():
 def test_that_what_was_accepted_is_looked_at_again_where_a_floor_comes_to_bear_on_it():
     kept = {}
     wall = NORTH | {"hinge_heights": "base", "hinge_setback_m": 0.1}
-    case = with_walls(case_of(wall, building=BARE), list((bare := case_of(wall, building=BARE)).wall), kept)
+    case = replace_walls(case_of(wall, building=BARE), list((bare := case_of(wall, building=BARE)).wall), kept)
     heavy = FloorLoad("roof", 7.0, "north", 0.0, 40.0, 100.0, "none")
     with pytest.raises(InputError) as refused:
-        with_walls(replace(case, building=replace(bare.building, floors=(heavy,))), list(bare.wall), kept)
+        replace_walls(replace(case, building=replace(bare.building, floors=(heavy,))), list(bare.wall), kept)
     assert refused.value.code == "unstable_under_loads"

@@ -7,14 +7,14 @@ from dataclasses import replace
 from core.case.loads import Load
 from core.case.schema import Case
 from core.case.site import Building, FloorLoad
-from core.case.spanning import spanning
+from core.case.spanning import make_spanning_part
 from core.case.wall import ARCHES, Wall
 from core.errors import InputError, place, section
 from core.known import known
 from core.text.sentence import Key
 
 
-def brought(wall: Wall, building: Building | None) -> Wall:
+def add_floor_loads(wall: Wall, building: Building | None) -> Wall:
     """The wall with the floors that bear on it, each with half of its span, after its own loads."""
     floors = building.floors if building else ()
     loads = [_load(floor, d, known(wall.base_z_m)) for floor in floors for d in floor.bears_on(wall.name)]
@@ -23,7 +23,7 @@ def brought(wall: Wall, building: Building | None) -> Wall:
     return replace(wall, load=(*wall.load, *loads), unloaded_confirmed=False)
 
 
-def with_floors_of(building: Building | None, wall: Wall, brought_to: Wall) -> Building | None:
+def infer_floor_supports(building: Building | None, wall: Wall, brought_to: Wall) -> Building | None:
     """The building with the places at which its floors bear on a wall taken from the wall they were brought to.
 
     wall : of the case; brought_to : the same with its floors, whose places moved
@@ -52,9 +52,9 @@ def _load(floor: FloorLoad, d: float, base: float) -> Load:
     )
 
 
-def by_itself(case: Case, k: int) -> Case:
+def isolate_wall(case: Case, k: int) -> Case:
     """A case with one of its walls alone: what the rest of the building brings to it is its own load."""
-    building, wall = case.building, brought(case.wall[k], case.building)
+    building, wall = case.building, add_floor_loads(case.wall[k], case.building)
     if building is not None and building.floors:
         case = replace(case, building=replace(building, floors=()))
     if wall.arch is not None and wall.arch.corner_wall:
@@ -62,7 +62,7 @@ def by_itself(case: Case, k: int) -> Case:
     return replace(case, wall=(wall,))
 
 
-def with_thrust(wall: Wall) -> Wall:
+def add_corner_thrust(wall: Wall) -> Wall:
     """A corner, or a part of one above a hinge, with the thrust along its walls as a load: over its height, in the
     direction in which it turns."""
     if (corner := wall.corner) is None or not corner.is_pushed:
@@ -123,7 +123,7 @@ def floor_at(wall: Wall, building: Building | None, number: int) -> FloorLoad | 
     return bearing[k] if 0 <= k < len(bearing) else None
 
 
-class Together:
+class WallSetChecker:
     """What the walls of a case are to each other: floors name walls of it, and a wall that spans to a corner pushes it
     with no more than the corner is checked with. `saw` of each wall, then `check`."""
 
@@ -167,5 +167,5 @@ class Together:
 
 def _on_corner(wall: Wall) -> float:
     """H that the ends of a wall push with [kN/m]; none where ties along it take it."""
-    arch = known((spanning(wall) if wall.mechanism != ARCHES else wall).in_si.arch)
+    arch = known((make_spanning_part(wall) if wall.mechanism != ARCHES else wall).in_si.arch)
     return 0.0 if arch.tied else 1e-3 * arch.thrust
