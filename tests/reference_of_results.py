@@ -8,7 +8,7 @@ from pathlib import Path
 from core.derivation import arch, bending, body, checks, closed_forms, demand, geometry
 from core.derivation.quantity import Given
 from core.report.columns import COLUMNS
-from core.report.stated.quantity import Quantity, listed, schema
+from core.report.stated.quantity import Quantity, schema, walk_quantities
 from core.report.stated.study import RESULTS
 from tests.conftest import ROOT
 
@@ -69,7 +69,7 @@ def row(path: str, quantity: Quantity) -> str:
 def page() -> str:
     """The page, with every key."""
     head = ["| key | kind | unit | what it is | in Check |", "|---|---|---|---|---|"]
-    keys = [row(path, quantity) for path, quantity in listed(RESULTS)]
+    keys = [row(path, quantity) for path, quantity in walk_quantities(RESULTS)]
     columns = [row(column.key, column) for column in COLUMNS]
     return "\n".join([HEAD, "## Every key", *head, *keys, "", "## Columns of many walls", *head, *columns]) + "\n"
 

@@ -12,7 +12,7 @@ from app.look import theme
 from app.look.language import number
 from core.case.solids import Opening, Solid
 from core.case.wall import Wall
-from core.report.outlines import Outline, in_elevation, in_section
+from core.report.outlines import Outline, elevation_outlines, section_outlines
 from core.wall.solids import faces_at
 
 
@@ -52,9 +52,9 @@ class BodyDrawing:
     """
 
     def __init__(self, wall: Wall | None = None, half: float = 0.0):
-        outlines = in_section(wall) if wall else []
+        outlines = section_outlines(wall) if wall else []
         self.section = [Outline([(half - x, z) for x, z in one.points], one.kind) for one in outlines]
-        self.elevation = [one for one in in_elevation(wall) if one.kind != "wedge"] if wall else []
+        self.elevation = [one for one in elevation_outlines(wall) if one.kind != "wedge"] if wall else []
         points = [point for one in self.section for point in one.points]
         self.ends = (min([-half, *(x for x, _ in points)]), max([half, *(x for x, _ in points)]))
         self.top = max((z for _, z in points), default=0.0)

@@ -17,7 +17,7 @@ from core.case.schema import Case
 from core.codes.outcomes import min_if_all_known
 from core.errors import InputError
 from core.known import known
-from core.report.sure_words import reach_written
+from core.report.uncertainty_text import reach_written
 from core.setting.plan import Inputs, read_inputs
 from core.variation.evaluate import COARSE_PRECISION, FULL_PRECISION, Precision
 from core.variation.inverse_design import design_keys, find_target_value, set_values, slider_keys

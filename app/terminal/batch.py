@@ -30,7 +30,7 @@ from core.file_names import shown
 from core.jit import cache
 from core.packages import require
 from core.report.steps import Steps
-from core.report.verdict_words import in_order
+from core.report.verdict_words import sort_results
 from core.setting.plan import is_large
 from core.study.case_parts import FINISHED, open_parts, part_journal, part_path
 from core.study.journal import Journal, MemoryJournal
@@ -189,7 +189,7 @@ def summary(result: StudyResult, folder: Path, stem: str) -> str:
     if result.demand:
         columns += ["zeta", "verdict", "by"]
     table = [[terminal(head) for head in columns]]
-    for wall in (wall for wall, decides in in_order(result) if decides):
+    for wall in (wall for wall, decides in sort_results(result) if decides):
         row = [
             wall.name[:48],
             *map(coded, (wall.mechanism, wall.set_rule)),

@@ -142,9 +142,9 @@ def _note_of(case: Case, path: Path) -> bool:
 
 def _subject(case: dict) -> str:
     """What a note is told by. case : by its keys"""
-    from core.report.xml_text import for_xml
+    from core.report.xml_text import escape_for_xml
 
-    return for_xml(f"{case['title']} – {case['wall'][0]['name']}")[:MAX_SUBJECT_LETTERS]
+    return escape_for_xml(f"{case['title']} – {case['wall'][0]['name']}")[:MAX_SUBJECT_LETTERS]
 
 
 def check_note(path: Path | None, case_path: Path, case: Case | None = None) -> None:

@@ -19,7 +19,14 @@ from core.child import Refused, bounded
 from core.errors import InputError
 from core.packages import require
 from core.regular_file import TooLarge, read_regular
-from core.report.differences import Difference, case_of_workbook, of_lines, of_results, of_workbooks, words_of_notes
+from core.report.differences import (
+    Difference,
+    case_of_workbook,
+    diff_lines,
+    diff_results,
+    diff_workbooks,
+    words_of_notes,
+)
 from core.study.results import StudyResult
 from core.study.run import run as run_study
 from core.version import VERSION
@@ -176,9 +183,9 @@ def _compared(report: Path, content: bytes, reported: dict, result: StudyResult,
         if again == content:
             return
         within = json.loads(files_of(again)["results.json"])
-        yield from of_results(reported, within)
+        yield from diff_results(reported, within)
         words = _bounded(report, words_of_notes, [content, again])
-        lines = list(of_lines(*words))
+        lines = list(diff_lines(*words))
         yield from lines
         if not lines:
             yield Difference(terminal("file"), terminal("written again by another program"), terminal("other bytes"))
@@ -190,9 +197,9 @@ def _compared(report: Path, content: bytes, reported: dict, result: StudyResult,
         made.write(result, Path(name), report.stem)
         if content.startswith(b"PK"):
             again = (Path(name) / f"{report.stem}.xlsx").read_bytes()
-            yield from _bounded(report, of_workbooks, content, again)
+            yield from _bounded(report, diff_workbooks, content, again)
         else:
-            yield from of_results(reported, json.loads((Path(name) / f"{report.stem}.json").read_bytes()))
+            yield from diff_results(reported, json.loads((Path(name) / f"{report.stem}.json").read_bytes()))
 
 
 def files_of(content: bytes) -> dict[str, bytes]:

@@ -34,8 +34,8 @@ from core.case.schema import Generate
 from core.codes.eq9 import LABEL
 from core.codes.outcomes import min_if_all_known
 from core.known import known
-from core.report.sure_words import risk_of, verdict_of
 from core.report.tie_words import tie_lines
+from core.report.uncertainty_text import risk_of, verdict_of
 from core.report.verdict_words import lines_of, sentence_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.study.wall_verdict import zeta_by_hinge

@@ -18,7 +18,7 @@ from app.look.language import tr
 from app.views.axis_names import unnamed_line, with_all_names
 from app.views.page_units import in_page_units
 from core.errors import OutputError
-from core.report.xml_text import for_xml
+from core.report.xml_text import escape_for_xml
 
 MM_PER_INCH = 25.4
 SCREEN, NARROW = 96, 120.0
@@ -62,7 +62,7 @@ def figure(chart, end: str, size: FigureSize) -> bytes:
             drawing.setResolution(SCREEN)  # that of the layout: letters of so many points keep their room
             _paint(chart, drawing, whole, lines)
             # Qt writes whatever a text holds
-            text = _of_width(for_xml(bytes(room.data().data())).decode(), page, density)
+            text = _of_width(escape_for_xml(bytes(room.data().data())).decode(), page, density)
             return in_page_units(text).encode()
         _paint(chart, _pdf(room, page, density), whole, lines)
         return bytes(room.data().data())

@@ -13,7 +13,7 @@ from app.views.chart import Chart
 from app.views.result_tab import ResultTab
 from app.views.table import Table
 from core.known import known
-from core.report import sure_words
+from core.report import uncertainty_text
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import localized
 from core.variation.swings import Sensitivity
@@ -40,7 +40,7 @@ class SureTab(ResultTab):
         heads = [tr("Input value"), tr("moved to"), "ζ_E", tr("moved to"), "ζ_E"]
         self.moves = Table(tr("Inputs moved"), heads)
         self.reach = Table(tr("For the ζ required"), [tr("For the ζ required"), tr("now"), "", "", "", ""])
-        self.rates = Table(tr("Rates of the limit states"), sure_words.rate_heads(self._say, None))
+        self.rates = Table(tr("Rates of the limit states"), uncertainty_text.rate_heads(self._say, None))
         tables = QSplitter(Qt.Orientation.Vertical)
         for table in (self.moves, self.reach, self.rates):
             tables.addWidget(table)
@@ -68,9 +68,11 @@ class SureTab(ResultTab):
         self.chart.caption = verdict.title if verdict else wall.name
         lines = []
         if verdict:
-            lines.append(sure_words.interval_line(self._say, verdict, self.language))
-            lines += sure_words.still_lines(self._say, result, verdict, self.language) if sensitivity else []
-            lines += sure_words.rate_lines(self._say, result, verdict.rates)
+            lines.append(uncertainty_text.interval_line(self._say, verdict, self.language))
+            lines += (
+                uncertainty_text.sensitivity_remarks(self._say, result, verdict, self.language) if sensitivity else []
+            )
+            lines += uncertainty_text.rate_lines(self._say, result, verdict.rates)
             if not verdict.rates and result.demand and not result.demand.hazard:
                 lines.append(tr("The rates need the hazard of the site: give the place, or the rows of the hazard."))
         none = tr("No interval: too few stations, or no histories.")
@@ -80,7 +82,7 @@ class SureTab(ResultTab):
         self._show_reach(sensitivity, result)
         self.rates.setVisible(bool(verdict and verdict.rates))
         self.rates.show_rows(
-            [sure_words.rate_row(self._say, rate, self.language) for rate in (verdict.rates if verdict else ())]
+            [uncertainty_text.rate_row(self._say, rate, self.language) for rate in (verdict.rates if verdict else ())]
         )
 
     def _show_moves(self, sensitivity: Sensitivity | None, result: StudyResult) -> None:
@@ -99,7 +101,7 @@ class SureTab(ResultTab):
             zetas = [0.0 if end.zeta is None else end.zeta for end in swing.ends]
             below += [(min(base, *zetas), at), (base, at), (np.nan, np.nan)]
             above += [(base, at), (max(base, *zetas), at), (np.nan, np.nan)]
-            lines.append((at, sure_words.swing_name(swing, self.language)))
+            lines.append((at, uncertainty_text.swing_name(swing, self.language)))
         for name, points, color in ((tr("lower"), below, "bad"), (tr("higher"), above, 0)):
             x, y = zip(*points, strict=True)
             self.chart.curve(name, x, y, color, 9.0, path=True)
@@ -112,7 +114,7 @@ class SureTab(ResultTab):
         self.chart.reset()
         self.chart.set_range(x=(min(drawn) - room, max(drawn) + room))  # ζ required in sight
         rows, colors = [], []
-        for row in sure_words.moved_rows(sensitivity, self.language):
+        for row in uncertainty_text.moved_rows(sensitivity, self.language):
             ends = [part for said, zeta, _ in row.ends for part in (said, number(zeta, ".2f"))]
             marks = [mark for _, _, sure in row.ends for mark in (None, None if sure else bad)]
             rows.append([row.name, *ends, *[""] * (4 - len(ends))])
@@ -121,11 +123,13 @@ class SureTab(ResultTab):
 
     def _show_reach(self, sensitivity: Sensitivity | None, result: StudyResult) -> None:
         """What the zeta required asks of thickness, ties and a_g, by every check."""
-        labels = sure_words.reach_labels(sensitivity) if sensitivity else []
+        labels = uncertainty_text.reach_labels(sensitivity) if sensitivity else []
         self.reach.setVisible(bool(labels))
         if sensitivity is None or not labels:
             return
-        heads = [tr("For the ζ required"), tr("now"), *sure_words.check_names(result, labels, self.language)]
+        heads = [tr("For the ζ required"), tr("now"), *uncertainty_text.check_names(result, labels, self.language)]
         self.reach.setColumnCount(len(heads))
         self.reach.setHorizontalHeaderLabels(heads)
-        self.reach.show_rows([sure_words.reach_row(self._say, one, labels, self.language) for one in sensitivity.reach])
+        self.reach.show_rows(
+            [uncertainty_text.reach_row(self._say, one, labels, self.language) for one in sensitivity.reach]
+        )

@@ -12,8 +12,8 @@ from app.views.result_tab import ResultTab
 from app.views.table import Table
 from app.views.zeta_rungs import digits
 from core.report.columns import BY_KEY, Row
-from core.report.stated.quantity import of_keys, stated
-from core.report.stated.verdicts import VERDICT, OfWall
+from core.report.stated.quantity import select_quantities, serialize
+from core.report.stated.verdicts import VERDICT, VerdictSource
 from core.report.verdict_words import outcome_of
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.variants import WallComparison, compare_walls
@@ -43,7 +43,7 @@ def values_of(wall: WallResult, verdict: WallVerdict | None, result: StudyResult
     row = Row(wall, wall.part.origin + 1, verdict, True, result)
     values = {key: BY_KEY[key].of(row) for key in OF_HINGE}
     if verdict is not None and result is not None:
-        values |= stated(of_keys(VERDICT, *OF_WALL, "is_v_letter"), OfWall(verdict, result))
+        values |= serialize(select_quantities(VERDICT, *OF_WALL, "is_v_letter"), VerdictSource(verdict, result))
         values |= {state: one.zeta for state, one in verdict.states.items()}
     return values
 

@@ -6,7 +6,7 @@ import math
 from core.derivation.geometry import solid_name
 from core.report.cells import QUIET, Book, header, number, paragraph, rule, text, title
 from core.report.derived import cell_prefix
-from core.report.rows import heads, live_row
+from core.report.rows import formula_row, heads
 from core.study.results import StudyResult, WallResult
 from core.units import G
 from core.wall.solids import Part
@@ -96,8 +96,8 @@ def _sums(book: Book, sheet, part: Part, name: str, first: int, last: int, row: 
     x0 = at["x0"]
     inertia = f"{density}*({x0}^2*{area}*{one}+2*{x0}*{across}+{squares}+{zz}*{one})"
     mass = f"{name}m"
-    row = live_row(book, sheet, row, "M", "", f"={density}*{area}*{one}", body.mass, "kg", mass, "0.0")
+    row = formula_row(book, sheet, row, "M", "", f"={density}*{area}*{one}", body.mass, "kg", mass, "0.0")
     live = f"={density}*({x0}*{area}*{one}+{across})/{mass}"
-    row = live_row(book, sheet, row, "x", "", live, x, "m", f"{name}x")
-    row = live_row(book, sheet, row, "z", "", f"={density}*{z_sum}*{one}/{mass}", z, "m", f"{name}z")
-    return live_row(book, sheet, row, "I", "", f"={inertia}", body.inertia, "kg m²", f"{name}i", "0.0")
+    row = formula_row(book, sheet, row, "x", "", live, x, "m", f"{name}x")
+    row = formula_row(book, sheet, row, "z", "", f"={density}*{z_sum}*{one}/{mass}", z, "m", f"{name}z")
+    return formula_row(book, sheet, row, "I", "", f"={inertia}", body.inertia, "kg m²", f"{name}i", "0.0")

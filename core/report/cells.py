@@ -24,7 +24,7 @@ from openpyxl.writer.excel import ExcelWriter
 from core.file_names import shown
 from core.report.sheet_rows import SheetRows
 from core.report.steps import Steps
-from core.report.xml_text import for_cell
+from core.report.xml_text import escape_for_cell
 from core.text.sentence import localized, numeral
 
 INK = "1F2D3D"
@@ -238,7 +238,7 @@ def style(
 def text(sheet: Worksheet, row: int, column: int, content, **look) -> Cell:
     """Text that can never become a formula."""
     cell = sheet.cell(row, column)
-    cell.value = for_cell(shown(ILLEGAL_CHARACTERS_RE.sub(" ", str(content)))[:32000])
+    cell.value = escape_for_cell(shown(ILLEGAL_CHARACTERS_RE.sub(" ", str(content)))[:32000])
     cell.data_type = "s"
     return style(cell, **look)
 

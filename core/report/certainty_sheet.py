@@ -4,10 +4,10 @@ from openpyxl.chart import BarChart, Reference
 from openpyxl.chart.shapes import GraphicalProperties
 
 from core.known import known
-from core.report import sure_words
+from core.report import uncertainty_text
 from core.report.cells import ACCENT, BAD, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text, title
 from core.report.plots import DATA_COLUMN, rows_below
-from core.report.xml_text import for_xml
+from core.report.xml_text import escape_for_xml
 from core.study.results import StudyResult, WallVerdict
 
 LAST_COLUMN, LINE_LETTERS = 8, 150
@@ -41,19 +41,19 @@ def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, 
     zeta = book.digits(result.walls[verdict.governing].required_assessment.verdict.zeta_e, ".2f")
     title(sheet, row, f"{verdict.title}: ζ_E {zeta}", 12)
     row += 1
-    if line := sure_words.interval_line(say, verdict, language):
+    if line := uncertainty_text.interval_line(say, verdict, language):
         row = paragraph(sheet, row, line, LAST_COLUMN, LINE_LETTERS)
     if verdict.sensitivity and verdict.sensitivity.swings:
         row = _moved(book, sheet, result, verdict, n, row)
     if verdict.rates:
-        header(sheet, row, sure_words.rate_heads(say, known(result.case.demand).nominal_life_years), 1, 30)
+        header(sheet, row, uncertainty_text.rate_heads(say, known(result.case.demand).nominal_life_years), 1, 30)
         for rate in verdict.rates:
             row += 1
-            for column, cell in enumerate(sure_words.rate_row(say, rate, language), start=1):
+            for column, cell in enumerate(uncertainty_text.rate_row(say, rate, language), start=1):
                 text(sheet, row, column, cell, align="left" if column == 1 else "right")
             rule(sheet, row, 1, LAST_COLUMN)
         row += 1
-        for line in sure_words.rate_lines(say, result, verdict.rates):
+        for line in uncertainty_text.rate_lines(say, result, verdict.rates):
             row = paragraph(sheet, row, line, LAST_COLUMN, LINE_LETTERS, color=QUIET)
     return row
 
@@ -62,7 +62,7 @@ def _moved(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int,
     """The moves, the largest first, with their chart; what zeta required asks for."""
     say, language, sensitivity = book.say, book.language, known(verdict.sensitivity)
     header(sheet, row, [say("Input"), say("moved to"), "ζ_E", say("moved to"), "ζ_E"], 1, 18)
-    first, rows = row + 1, sure_words.moved_rows(sensitivity, language)
+    first, rows = row + 1, uncertainty_text.moved_rows(sensitivity, language)
     data = DATA_COLUMN + 4 * n
     for column, name in enumerate((say("lowest"), say("highest")), start=1):
         text(sheet, row, data + column, name, size=8)
@@ -82,15 +82,15 @@ def _moved(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int,
         chart = _chart(sheet, say("Δζ_E of each input moved on its own"), data, first, row)
         sheet.add_chart(chart, f"A{row + 2}")
         row += 2 + rows_below(chart.height)
-    for line in sure_words.still_lines(say, result, verdict, language):
+    for line in uncertainty_text.sensitivity_remarks(say, result, verdict, language):
         row = paragraph(sheet, row + 1, line, LAST_COLUMN, LINE_LETTERS, color=QUIET) - 1
     row += 1
-    if labels := sure_words.reach_labels(sensitivity):
-        heads = [say("For the ζ required"), say("now"), *sure_words.check_names(result, labels, language)]
+    if labels := uncertainty_text.reach_labels(sensitivity):
+        heads = [say("For the ζ required"), say("now"), *uncertainty_text.check_names(result, labels, language)]
         header(sheet, row, heads, 1, 30)
         for one in sensitivity.reach:
             row += 1
-            for column, cell in enumerate(sure_words.reach_row(say, one, labels, language), start=1):
+            for column, cell in enumerate(uncertainty_text.reach_row(say, one, labels, language), start=1):
                 text(sheet, row, column, cell, align="left" if column == 1 else "right")
             rule(sheet, row, 1, 2 + len(labels))
         row += 1
@@ -101,7 +101,7 @@ def _chart(sheet, heading: str, data: int, first: int, last: int) -> BarChart:
     """Bars from zeta as it is, down and up."""
     chart = BarChart()
     chart.type, chart.grouping, chart.overlap, chart.gapWidth = "bar", "clustered", 100, 40
-    chart.title = for_xml(heading)
+    chart.title = escape_for_xml(heading)
     chart.style, chart.height, chart.width = 10, 2.2 + 0.75 * (last - first + 1), 17.5
     chart.add_data(
         Reference(sheet, min_col=data + 1, max_col=data + 2, min_row=first - 1, max_row=last), titles_from_data=True

@@ -30,7 +30,7 @@ from core.report.cells import (
 )
 from core.report.derived import Rows, cell_prefix
 from core.report.place_lines import place_of, states_of
-from core.report.rows import changed_cell, close_inputs, heads, live_row
+from core.report.rows import changed_cell, close_inputs, formula_row, heads
 from core.report.sheets import rule_word
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import lines_of, sentence_of
@@ -176,16 +176,16 @@ def _records(rows: Rows, wall: WallResult, row: int) -> int:
     row += 1
     of_set = "AVERAGE" if wall.set_rule == "mean" else "MIN"
     label = f"q ({rule_word(book, wall.set_rule)})"
-    row = live_row(book, sheet, row, label, "", f"={of_set}(E{first}:E{last})", wall.q_set, "–", f"{name}q_set")
+    row = formula_row(book, sheet, row, label, "", f"={of_set}(E{first}:E{last})", wall.q_set, "–", f"{name}q_set")
     book.of_run.add(f"{name}q_set")
     law = wall.power_law
     if law and all(entry.q is not None for entry in wall.per_record):
         xs, ys = f"I{first}:I{last}", f"J{first}:J{last}"
-        row = live_row(book, sheet, row, "C2", "Eq. 13", f"=SLOPE({ys},{xs})", law.c2, "–", f"{name}c2")
-        row = live_row(
+        row = formula_row(book, sheet, row, "C2", "Eq. 13", f"=SLOPE({ys},{xs})", law.c2, "–", f"{name}c2")
+        row = formula_row(
             book, sheet, row, "C1", "Eq. 13", f"=EXP(INTERCEPT({ys},{xs}))", law.c1, "–", f"{name}c1", "0.000E+00"
         )
-        row = live_row(book, sheet, row, "R²", "Eq. 13", f"=RSQ({ys},{xs})", law.r_squared, "–")
+        row = formula_row(book, sheet, row, "R²", "Eq. 13", f"=RSQ({ys},{xs})", law.r_squared, "–")
     return row
 
 

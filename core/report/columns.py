@@ -7,8 +7,18 @@ from typing import Any, NamedTuple
 from core.codes.kinematic import CHECKS
 from core.known import known
 from core.report.stated.checks import AT_DEMAND, KINEMATIC, RISK
-from core.report.stated.quantity import Quantity, flag, number, numbers, of_keys, text, texts, through, whole
-from core.report.stated.walls import FRAGILITY, PER_RECORD, WALL, OfWallResult
+from core.report.stated.quantity import (
+    Quantity,
+    flag,
+    number,
+    numbers,
+    rebase_group,
+    select_quantities,
+    text,
+    texts,
+    whole,
+)
+from core.report.stated.walls import FRAGILITY, PER_RECORD, WALL, WallResultSource
 from core.study.results import Q_SOURCES, StudyResult, WallResult, WallVerdict
 from core.text.sentence import Sentence
 from core.variation.limit_states import LIMIT_STATES
@@ -31,11 +41,11 @@ class Row(NamedTuple):
 
 def _taken(group: Sequence[Quantity], source: Callable[[Row], Any], *keys: str) -> list[Quantity]:
     """Quantities of a group by their keys, read from a row; none where the row has no such source."""
-    return through(source, of_keys(group, *keys))
+    return rebase_group(source, select_quantities(group, *keys))
 
 
-def _result(row: Row) -> OfWallResult:
-    return OfWallResult(row.wall, row.result)
+def _result(row: Row) -> WallResultSource:
+    return WallResultSource(row.wall, row.result)
 
 
 def _verdict(row: Row) -> Any:

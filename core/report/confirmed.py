@@ -16,7 +16,7 @@ ASSUMPTIONS = (
 """Assumptions the engineer confirms, in their order; no_load is ticked where every wall says unloaded_confirmed."""
 
 
-def assumptions_of(walls) -> list[str]:
+def confirmation_codes(walls) -> list[str]:
     """Codes of the assumptions: the loads as given where a wall has some, else that there are none."""
     loaded = any(wall.load for wall in walls)
     tied = any(load.kind == "tie" for wall in walls for load in wall.load)

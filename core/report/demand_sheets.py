@@ -27,7 +27,7 @@ from core.report.cells import (
     title,
 )
 from core.report.plots import DATA_COLUMN, add_series, new_chart
-from core.report.sure_words import interval_line, verdict_of
+from core.report.uncertainty_text import interval_line, verdict_of
 from core.study.results import StudyResult, WallResult
 from core.text.catalogue import CATALOGUE
 from core.text.sentence import word

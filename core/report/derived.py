@@ -3,8 +3,8 @@
 from core.derivation.faces import formula
 from core.derivation.line import INPUT, Columns, Line, Section
 from core.report.cells import BAD, GOOD, Book, fill, header, number, rule, style, text
-from core.report.phrases import Phrases
-from core.report.rows import CHANGED_COLUMN, INPUT_FILL, found_row, input_row, live_row, mark_changed
+from core.report.derivation_text import DerivationText
+from core.report.rows import CHANGED_COLUMN, INPUT_FILL, formula_row, input_row, mark_changed, run_value_row
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
 
@@ -24,7 +24,7 @@ class Rows:
     def __init__(self, book: Book, sheet, result: StudyResult, prefix: str = "", known: "Rows | None" = None):
         self.book, self.sheet, self.prefix = book, sheet, prefix
         self.cells: dict[str, str] = dict(known.cells) if known else {}
-        self.phrases: Phrases = Phrases(result, book.language, known.phrases if known else None)
+        self.phrases: DerivationText = DerivationText(result, book.language, known.phrases if known else None)
 
     def write(self, section: Section, row: int) -> int:
         """The lines from this row on; returns the next."""
@@ -44,14 +44,14 @@ class Rows:
             text(sheet, row, 5, said.unit, align="center")
             return row + 1
         if line.quantity is None:
-            write = input_row if line.source == INPUT else found_row
+            write = input_row if line.source == INPUT else run_value_row
             row = write(book, sheet, row, said.title, line.value, said.unit, name, of.shape)
         else:
             fits = said.title == said.symbol and 0 < len(said.written) <= MAX_FORMULA_LETTERS
             label = said.written if fits else said.title
             cells = self.cells | {one: self.cells[other] for one, other in line.other.items()}
             live, run = formula(line.quantity, cells), line.run_name and self.prefix + line.run_name
-            row = live_row(book, sheet, row, label, said.clause, live, line.value, said.unit, name, of.shape, run)
+            row = formula_row(book, sheet, row, label, said.clause, live, line.value, said.unit, name, of.shape, run)
             if run:
                 self.cells[line.run_name] = run
         self.cells[of.name] = name

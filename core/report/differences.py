@@ -27,16 +27,16 @@ class Difference(NamedTuple):
     share: float | None = None
 
 
-def of_results(reported: Any, rerun: Any, place: str = "") -> Iterator[Difference]:
+def diff_results(reported: Any, rerun: Any, place: str = "") -> Iterator[Difference]:
     """Compare two results as read from their JSON, key by key."""
     if isinstance(reported, dict) and isinstance(rerun, dict):
         for key in [*reported, *(key for key in rerun if key not in reported)]:
             if key not in OF_THE_RUN:
                 path = f"{place}.{key}" if place else key
-                yield from of_results(reported.get(key, ...), rerun.get(key, ...), path)
+                yield from diff_results(reported.get(key, ...), rerun.get(key, ...), path)
     elif isinstance(reported, list) and isinstance(rerun, list) and len(reported) == len(rerun):
         for n, (one, other) in enumerate(zip(reported, rerun, strict=True)):
-            yield from of_results(one, other, f"{place}[{n}]")
+            yield from diff_results(one, other, f"{place}[{n}]")
     elif not _same(reported, rerun):
         share = None
         if _is_number(reported) and _is_number(rerun):
@@ -81,7 +81,7 @@ def case_of_workbook(content: bytes) -> tuple[str, list[str]]:
     return "", []
 
 
-def of_workbooks(reported: bytes, rerun: bytes) -> list[Difference]:
+def diff_workbooks(reported: bytes, rerun: bytes) -> list[Difference]:
     """The differences of two workbooks, cell by cell: formulas, and the values that are kept beside them; none of two
     whose parts are the same byte by byte. Raises what openpyxl raises of a file that is none."""
     if _parts(reported) == _parts(rerun):
@@ -99,7 +99,7 @@ def of_workbooks(reported: bytes, rerun: bytes) -> list[Difference]:
             for place in [*cells[0], *(place for place in cells[1] if place not in cells[0])]:
                 one, other = (_of_cell(sheet_cells.get(place)) for sheet_cells in cells)
                 if one != other and not (live is False and not _is_formula(one) and not _is_formula(other)):
-                    differences += of_results(one, other, f"{name}!{place}")
+                    differences += diff_results(one, other, f"{name}!{place}")
     return differences
 
 
@@ -133,7 +133,7 @@ def words_of_notes(contents: list[bytes]) -> list[list[str]]:
     return [[line for page in reader.pages for line in page.extract_text().splitlines()] for reader in readers]
 
 
-def of_lines(reported: list[str], rerun: list[str]) -> Iterator[Difference]:
+def diff_lines(reported: list[str], rerun: list[str]) -> Iterator[Difference]:
     """Compare the lines of two notes; places are numbers of lines of the reported one, from 1."""
     matcher = difflib.SequenceMatcher(None, reported, rerun, autojunk=False)
     for kind, start, end, first, last in matcher.get_opcodes():

@@ -5,7 +5,7 @@ import itertools
 import json
 from typing import Any
 
-from core.report.stated.quantity import stated
+from core.report.stated.quantity import serialize
 from core.report.stated.study import OF_STUDY, PAIRS, RESULTS, VERDICTS, WALLS
 from core.study.results import StudyResult
 
@@ -19,7 +19,7 @@ def _text(value: Any, depth: int) -> bytes:
 
 def results(result: StudyResult) -> dict:
     """The results as a mapping of the contract's keys; numbers are exact or None."""
-    return stated(RESULTS, result)
+    return serialize(RESULTS, result)
 
 
 def dumps(result: StudyResult) -> str:
@@ -39,16 +39,16 @@ class JsonReport:
 
     def add(self, result: StudyResult) -> None:
         """The next wall, see `StudyResult.by_wall`. Raises ValueError should a number not be finite."""
-        self._verdicts += [_text(one, 2) for one in stated(VERDICTS, result)["verdicts"]]
-        self._walls += [_text(one, 2) for one in stated(WALLS, result)["walls"]]
+        self._verdicts += [_text(one, 2) for one in serialize(VERDICTS, result)["verdicts"]]
+        self._walls += [_text(one, 2) for one in serialize(WALLS, result)["walls"]]
 
     def content(self, result: StudyResult) -> bytes:
         """The file, once all walls are there. Raises ValueError should a number not be finite."""
         parts = {
-            **{key: [_text(value, 1)] for key, value in stated(OF_STUDY, result).items()},
+            **{key: [_text(value, 1)] for key, value in serialize(OF_STUDY, result).items()},
             "verdicts": _listed(self._verdicts),
             "walls": _listed(self._walls),
-            **{key: [_text(value, 1)] for key, value in stated(PAIRS, result).items()},
+            **{key: [_text(value, 1)] for key, value in serialize(PAIRS, result).items()},
         }
         pieces = [b"{"]
         for key, value in parts.items():

@@ -8,7 +8,7 @@ from dataclasses import replace
 from core.case.schema import Case
 from core.codes.outcomes import severity_key
 from core.report.columns import COLUMNS
-from core.report.stated.quantity import stated
+from core.report.stated.quantity import serialize
 from core.report.stated.study import OF_STUDY
 from core.study.results import StudyResult
 from core.version import NAME, VERSION, commit
@@ -65,7 +65,7 @@ def summary(case: Case, result: StudyResult, tally: Tally, file: str) -> dict:
         "program": {"name": NAME, "version": VERSION, "commit": commit()},
         "case": {**replace(case, wall=()).as_dict(), "walls": case.table or None},
         "case_sha256": case.sha256,
-        **stated([one for one in OF_STUDY if one.key in ("demand", "records", "selection")], result),
+        **serialize([one for one in OF_STUDY if one.key in ("demand", "records", "selection")], result),
         "table": {
             "file": file,
             "rows": tally.rows,

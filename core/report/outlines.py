@@ -18,7 +18,7 @@ def _kind(part: Part) -> str:
     return "opening" if part.weight < 0.0 else "wedge" if part.wedge else "solid"
 
 
-def in_section(wall) -> list[Outline]:
+def section_outlines(wall) -> list[Outline]:
     """The outline of each solid seen along the wall: x inward from the outer face of the base [m]; of one that is not
     extruded along the wall the hull of what is seen."""
     outlines = []
@@ -49,7 +49,7 @@ def _hull(points: Points) -> Points:
     return half(ordered) + half(ordered[::-1])
 
 
-def in_elevation(wall) -> list[Outline]:
+def elevation_outlines(wall) -> list[Outline]:
     """The outline of each solid seen from outside: s along the wall [m]; of one in another plane its extent."""
     outlines = []
     for part in wall.parts:

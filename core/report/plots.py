@@ -29,7 +29,7 @@ from core.report.cells import (
     text,
     title,
 )
-from core.report.xml_text import for_xml
+from core.report.xml_text import escape_for_xml
 from core.study.results import CollapseHistories, StudyResult, WallResult
 from core.text.sentence import word
 from core.units import CM
@@ -54,7 +54,7 @@ DATA_COLUMN = 16
 
 def new_chart(heading: str, x: str, y: str, width=24.0, height=9.5) -> ScatterChart:
     """An empty scatter chart in the report's style; width, height [cm]."""
-    heading, x, y = map(for_xml, (heading, x, y))
+    heading, x, y = map(escape_for_xml, (heading, x, y))
     chart = ScatterChart()
     chart.style = 13
     font = CharacterProperties(sz=1100, b=True)

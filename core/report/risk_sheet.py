@@ -4,7 +4,7 @@ from core.codes.outcomes import min_if_all_known
 from core.known import known
 from core.report.cells import ACCELERATION, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text, title
 from core.report.tie_words import tie_words
-from core.report.verdict_words import in_order, outcome_of
+from core.report.verdict_words import outcome_of, sort_results
 from core.study.results import StudyResult, WallResult
 from core.study.variants import compare_walls
 from core.text.sentence import word
@@ -64,7 +64,7 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
         1,
         30,
     )
-    for wall, _ in book.steps.each(in_order(result)):
+    for wall, _ in book.steps.each(sort_results(result)):
         row += 1
         _wall(book, sheet, wall, row)
     row += 1

@@ -24,7 +24,7 @@ INPUT_FILL = "FFF6D5"
 
 def input_row(book: Book, sheet, row, label, value, unit, name=None, shape=EXACT) -> int:
     """A number of the case, which a person may change and the formulas refer to by its name; returns the next row."""
-    row = found_row(book, sheet, row, label, value, unit, name, shape, book.say("input"))
+    row = run_value_row(book, sheet, row, label, value, unit, name, shape, book.say("input"))
     if value is not None:
         fill(sheet.cell(row - 1, LIVE_COLUMN), INPUT_FILL)
         number(sheet, row - 1, ENGINE_COLUMN, value, shape, color=QUIET)
@@ -32,7 +32,7 @@ def input_row(book: Book, sheet, row, label, value, unit, name=None, shape=EXACT
     return row
 
 
-def found_row(book: Book, sheet, row, label, value, unit, name=None, shape=EXACT, source=None) -> int:
+def run_value_row(book: Book, sheet, row, label, value, unit, name=None, shape=EXACT, source=None) -> int:
     """A number of the run that no formula of the sheet gives. source : word of column B, "of the run" by default."""
     text(sheet, row, 1, label)
     text(sheet, row, 2, source or book.say("of the run"), color=QUIET)
@@ -103,7 +103,7 @@ def _when_changed(sheet, cells: str, condition: str, color: str) -> None:
     sheet.conditional_formatting.add(cells, FormulaRule([formula], font=Font(color=color)))
 
 
-def live_row(book: Book, sheet, row, label, equation, formula, value, unit, name=None, shape=EXACT, run=None) -> int:
+def formula_row(book: Book, sheet, row, label, equation, formula, value, unit, name=None, shape=EXACT, run=None) -> int:
     """A live formula and the program's value beside it; returns the next row.
 
     book : Book

@@ -11,7 +11,7 @@ from openpyxl.compat import safe_string
 from openpyxl.utils import get_column_letter
 from openpyxl.worksheet.worksheet import Worksheet
 
-from core.report.xml_text import for_cell
+from core.report.xml_text import escape_for_cell
 
 PACKED_ROWS = 400
 """Rows of a piece that is kept packed."""
@@ -114,7 +114,7 @@ class SheetRows:
         if kind == "f":
             known: Any = self.cached[self.sheet.title, place]
             if isinstance(known, str):
-                return f'{start} t="str"><f>{escape(value[1:])}</f><v>{escape(for_cell(known))}</v></c>'
+                return f'{start} t="str"><f>{escape(value[1:])}</f><v>{escape(escape_for_cell(known))}</v></c>'
             return f"{start}><f>{escape(value[1:])}</f><v>{float(known)!r}</v></c>"
         start += ' t="inlineStr"' if kind == "s" else ' t="n"'
         if value is None or value == "":

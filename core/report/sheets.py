@@ -25,9 +25,9 @@ from core.report.cells import (
     title,
 )
 from core.report.selection_rows import selection_rows
-from core.report.stated.quantity import stated
+from core.report.stated.quantity import serialize
 from core.report.stated.records import RECORD
-from core.report.stated.walls import RUN, OfRun
+from core.report.stated.walls import RUN, RunSource
 from core.study.results import StudyResult
 from core.text.sentence import localized, word
 from core.version import NAME, VERSION, commit
@@ -93,7 +93,7 @@ def records(book: Book, result: StudyResult) -> None:
     header(sheet, 3, [heading for heading, _, _, _ in columns], 1, 32)
     row = 4
     for pair in zip(result.motions, result.kinds, strict=True):
-        values = stated(RECORD, pair)
+        values = serialize(RECORD, pair)
         for column, (_, _, key, shape) in enumerate(columns[:-1], start=1):
             if shape:
                 number(sheet, row, column, values[key], shape)
@@ -207,7 +207,7 @@ def results(book: Book, result: StudyResult) -> None:
     for wall in book.steps.each(result.walls):
         for run in wall.runs:
             row += 1
-            values = stated(RUN, OfRun(run, wall, result))
+            values = serialize(RUN, RunSource(run, wall, result))
             text(sheet, row, 1, wall.name, wrap=True)
             text(sheet, row, 2, word(wall.mechanism, book.language))
             text(sheet, row, 3, run.record, wrap=True)

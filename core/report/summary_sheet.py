@@ -27,11 +27,11 @@ from core.report.derived import cell_prefix
 from core.report.note.content import works
 from core.report.note.words import Words
 from core.report.rows import changed_cell
-from core.report.stated.quantity import of_keys, stated
-from core.report.stated.walls import WALL, OfWallResult
-from core.report.sure_words import risk_of
+from core.report.stated.quantity import select_quantities, serialize
+from core.report.stated.walls import WALL, WallResultSource
 from core.report.tie_words import tie_lines
-from core.report.verdict_words import in_order, lines_of, sentence_of, tone_of
+from core.report.uncertainty_text import risk_of
+from core.report.verdict_words import lines_of, sentence_of, sort_results, tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.text.sentence import word
 from core.units import G
@@ -76,7 +76,7 @@ def summary(book: Book, result: StudyResult) -> None:
         row += 1
     changed_cell(book, sheet, row, 1)
     row += 1
-    ordered = [wall for wall, decides in in_order(result) if decides]
+    ordered = [wall for wall, decides in sort_results(result) if decides]
     row = _walls_table(book, sheet, result, ordered[:SUMMARY_WALLS], row + 1)
     if len(ordered) > SUMMARY_WALLS:
         row = paragraph(
@@ -96,7 +96,7 @@ def summary(book: Book, result: StudyResult) -> None:
     _warnings(book, sheet, result, row + 1, LAST_COLUMN)
 
 
-QUANTITIES_SHOWN = of_keys(
+QUANTITIES_SHOWN = select_quantities(
     WALL, "height_m", "thickness_m", "slenderness_deg", "threshold_acceleration_g", "q_set", "q_robust_set"
 )
 """Quantities of the results that the table of the walls shows."""
@@ -104,14 +104,14 @@ QUANTITIES_SHOWN = of_keys(
 
 def lists_all(result: StudyResult) -> bool:
     """Whether the Summary has every hinge and mechanism: of each wall it has the one that decides."""
-    return len(result.walls) <= SUMMARY_WALLS and all(decides for _, decides in in_order(result))
+    return len(result.walls) <= SUMMARY_WALLS and all(decides for _, decides in sort_results(result))
 
 
 def overview(book: Book, result: StudyResult) -> None:
     """All walls, the lowest zeta first."""
     sheet = book.sheet("Overview", COLUMN_WIDTHS, landscape=True)
     title(sheet, 1, book.say("Overview of the walls"))
-    last = _walls_table(book, sheet, result, [wall for wall, _ in in_order(result)], 3)
+    last = _walls_table(book, sheet, result, [wall for wall, _ in sort_results(result)], 3)
     sheet.auto_filter.ref = f"A3:M{last - 1}"
     sheet.freeze_panes = "B4"
     sheet.print_title_rows = "3:3"
@@ -147,7 +147,7 @@ def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult]
         heighten(sheet, row, (wall.name, 24), (label, 26))
         weight = wall.wall.weight
         setback = wall.wall.setback if wall.wall.height_m else None
-        values = stated(QUANTITIES_SHOWN, OfWallResult(wall, result))
+        values = serialize(QUANTITIES_SHOWN, WallResultSource(wall, result))
         for column, value, shape in (
             (3, values["height_m"], RATIO),
             (4, values["thickness_m"], RATIO),

@@ -95,10 +95,10 @@ def tie_lines(wall: WallResult, language: str) -> list[str]:
     asked = wall.part.asked.tie_height_m is not None and wall.part.hinge == 0.0 and wall.mechanism == "one_sided"
     if tie is None and wall.assessment and asked:
         return [
-            *of_ties(say, wall, language),
+            *describe_ties(say, wall, language),
             say("No tie is designed: a hinge of the wall has no check. See its verdict."),
         ]
-    return [*of_ties(say, wall, language), *([] if tie is None else [tie_words(say, wall, language)])]
+    return [*describe_ties(say, wall, language), *([] if tie is None else [tie_words(say, wall, language)])]
 
 
 def _of_the_bar(say: Callable[..., str], tie: TieDesign) -> list[str]:
@@ -128,7 +128,7 @@ def _of_the_bar(say: Callable[..., str], tie: TieDesign) -> list[str]:
     return words
 
 
-def of_ties(say: Callable[..., str], wall: WallResult, language: str) -> list[str]:
+def describe_ties(say: Callable[..., str], wall: WallResult, language: str) -> list[str]:
     """A sentence for each tie of a wall: what it holds, how far it is stretched, and what governs."""
     given = [load for load in wall.wall.load if load.is_tie]
     sentences = []

@@ -23,7 +23,7 @@ def names_in(language: str) -> FormNames:
     return FormNames(captions)
 
 
-def in_order(result: StudyResult) -> list[tuple[WallResult, bool]]:
+def sort_results(result: StudyResult) -> list[tuple[WallResult, bool]]:
     """(result, whether it is the one that decides about its wall): the worst wall first, of each its worst hinge first;
     without a demand all as they are."""
     ordered = sort_by_severity(result.verdicts, result.walls)

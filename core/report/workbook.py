@@ -15,7 +15,7 @@ from core.report import (
     risk_sheet,
     sheets,
     summary_sheet,
-    sure_words,
+    uncertainty_text,
 )
 from core.report.cells import ACCENT, QUIET, Book
 from core.report.rows import follow_changes
@@ -87,7 +87,7 @@ class WorkbookReport:
                 continue
             if sheet is risk_sheet.risk and not risk_sheet.has_risk(result):
                 continue
-            if sheet is certainty_sheet.certainty and not sure_words.has_certainty(result):
+            if sheet is certainty_sheet.certainty and not uncertainty_text.has_certainty(result):
                 continue
             if sheet is floor_sheet.floors and not floor_sheet.floors_of(result):
                 continue

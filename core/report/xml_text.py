@@ -10,21 +10,21 @@ _NOT_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 _LIKE_A_CODE = re.compile(r"_(?=x[0-9A-Fa-f]{4}_)")
 
 
-def for_xml(value: Any) -> Any:
+def escape_for_xml(value: Any) -> Any:
     """A text that XML can hold, the rest of it escaped as \\uffff; bytes are one in UTF-8; of a sequence or a
     dataclass all the texts in it."""
     if isinstance(value, str):
         return _NOT_XML.sub(lambda letter: letter[0].encode("unicode_escape").decode(), value)
     if isinstance(value, bytes):
-        return for_xml(value.decode()).encode()
+        return escape_for_xml(value.decode()).encode()
     if isinstance(value, (tuple, list)):
-        return type(value)(map(for_xml, value))
+        return type(value)(map(escape_for_xml, value))
     if is_dataclass(value) and not isinstance(value, type):
-        return replace(value, **{entry.name: for_xml(getattr(value, entry.name)) for entry in fields(value)})
+        return replace(value, **{entry.name: escape_for_xml(getattr(value, entry.name)) for entry in fields(value)})
     return value
 
 
-def for_cell(text: str) -> str:
+def escape_for_cell(text: str) -> str:
     """A text as a cell of a workbook holds it (ST_Xstring, ECMA-376-1 22.9.2.19): where it looks like the code of a
     letter, as _x0041_, its line is written as a code, for Excel would show the letter."""
-    return _LIKE_A_CODE.sub("_x005F_", for_xml(text))
+    return _LIKE_A_CODE.sub("_x005F_", escape_for_xml(text))

@@ -8,9 +8,9 @@ from dataclasses import asdict
 
 from core.report.drawing import style
 from core.report.plain_cell import plain_cell
-from core.report.stated.quantity import stated
+from core.report.stated.quantity import serialize
 from core.report.stated.records import MEASURES
-from core.report.xml_text import for_xml
+from core.report.xml_text import escape_for_xml
 from core.research.figures import DASHED, LINE, LINE_POINTS, POINTS, Figure, StudyReport, marker_of
 from core.research.parametric import ParametricResult
 from core.units import CM, G
@@ -121,7 +121,7 @@ def json_text(result: ParametricResult, report: StudyReport, runs: str, runs_sha
                 "group": e.group,
                 "seed": e.seed,
                 "event": e.event,
-                **stated(MEASURES, e.motion),
+                **serialize(MEASURES, e.motion),
             }
             for e in result.motions
         ],
@@ -152,7 +152,7 @@ def figure_files(figure: Figure) -> dict[str, bytes]:
     """PNG and SVG of a figure, by the name of the file."""
     from matplotlib.figure import Figure as Canvas
 
-    figure = for_xml(figure)
+    figure = escape_for_xml(figure)
     look: dict = {
         "font.size": 9,
         "font.family": "DejaVu Sans",

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 
 from core.known import known
-from core.report.outlines import in_elevation
+from core.report.outlines import elevation_outlines
 from core.solved.solved import Head, Kind, Sketch, Solved, row, worded
 from core.solved.walls import Asked
 from core.text.sentence import Sentence
@@ -107,7 +107,7 @@ def body(
 
 def elevation(asked: Asked) -> Callable[[], Sketch]:
     def drawn() -> Sketch:
-        outlines = [tuple(points) for points, _ in in_elevation(asked.wall)]
+        outlines = [tuple(points) for points, _ in elevation_outlines(asked.wall)]
         return Sketch(outlines[0], others=tuple(outlines[1:])) if outlines else asked.sketch()  # none of a rectangle
 
     return drawn

@@ -11,7 +11,7 @@ from core.codes.demand import SeismicDemand
 from core.codes.floor_spectrum import FloorSpectrum
 from core.codes.kinematic import KinematicAnalysis, analyse_mechanism, check_linear
 from core.known import known
-from core.report.outlines import in_section
+from core.report.outlines import section_outlines
 from core.setting.check_input import make_rocking_model
 from core.setting.demand_input import read_demand
 from core.setting.floors import make_floor
@@ -87,7 +87,7 @@ class Asked:
         """Its section with its loads."""
         wall = self.wall
         height = known(wall.height_m)
-        solids = [tuple(points) for points, _ in in_section(wall)]
+        solids = [tuple(points) for points, _ in section_outlines(wall)]
         thickness = known(wall.thickness)
         box: Outline = ((0.0, 0.0), (thickness, 0.0), (thickness, height), (0.0, height))
         loads = []

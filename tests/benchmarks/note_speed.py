@@ -12,7 +12,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from core.case.rules import parse_case
-from core.report.note.archive import attached, note_of
+from core.report.note.archive import note_attachments, note_of
 from core.report.note.content import note
 from core.study.results import StudyResult
 from core.study.run import run
@@ -52,7 +52,7 @@ def main(options: argparse.Namespace) -> None:
             laid = time.perf_counter()
             pages = made.pages(96.0)
             shown = time.perf_counter()
-            attached(again)
+            note_attachments(again)
             signed = note_of(again, Path())
             kept = time.perf_counter()
             content = signed.pdf()

@@ -9,7 +9,7 @@ import pytest
 from core.case.rules import parse_case
 from core.codes.kinematic import elastic_period
 from core.errors import InputError
-from core.report.outlines import in_elevation, in_section
+from core.report.outlines import elevation_outlines, section_outlines
 from core.rocking.history import history, scan
 from core.rocking.methods import METHODS
 from core.rocking.outcome import STABLE
@@ -547,11 +547,11 @@ def test_that_the_period_of_a_body_is_that_of_its_rectangle_where_it_is_nearly_o
 
 def test_that_the_outlines_are_those_of_the_solids():
     wall = wall_of([GABLED, DOOR, ROSE], 7.0, 0.5, 6.0)
-    assert [one.kind for one in in_elevation(wall)] == ["solid", "opening", "opening"]
-    assert in_elevation(wall)[0].points == [tuple(map(float, corner)) for corner in GABLED["polygon_m"]]
-    assert sorted(in_section(wall)[0].points) == [(0.0, 0.0), (0.0, 7.0), (0.5, 0.0), (0.5, 7.0)]
+    assert [one.kind for one in elevation_outlines(wall)] == ["solid", "opening", "opening"]
+    assert elevation_outlines(wall)[0].points == [tuple(map(float, corner)) for corner in GABLED["polygon_m"]]
+    assert sorted(section_outlines(wall)[0].points) == [(0.0, 0.0), (0.0, 7.0), (0.5, 0.0), (0.5, 7.0)]
     wedges = wall_of((), return_wedges={"number": 2, "thickness_m": 0.4, "length_at_top_m": 2.0})
-    assert in_section(wedges)[1] == ([(0.5, 0.0), (2.5, 6.0), (0.5, 6.0)], "wedge")
+    assert section_outlines(wedges)[1] == ([(0.5, 0.0), (2.5, 6.0), (0.5, 6.0)], "wedge")
 
 
 @pytest.mark.parametrize("hinge", [0.0, 0.05, 0.12])

@@ -43,7 +43,7 @@ def note_of(result: StudyResult, base_dir: Path, steps: Steps | None = None, wit
     report = result.case.report
     parts = list((steps or Steps()).each(note(result, report.language)))
     foot = f"{line()}   SHA-256 {result.case.sha256[:HASH]}"
-    office, files = office_of(report, base_dir), attached(result) if within else ()
+    office, files = office_of(report, base_dir), note_attachments(result) if within else ()
     return Note(parts, report.language, foot, report.date, office, files, report.font)
 
 
@@ -73,7 +73,7 @@ def office_of(report: Report, base_dir: Path) -> Office:
     return Office(report.author, lines, content)
 
 
-def attached(result: StudyResult) -> tuple[Attachment, ...]:
+def note_attachments(result: StudyResult) -> tuple[Attachment, ...]:
     """The files within the note."""
     case = replace(result.case, walls=None)  # those of a table stand in the case itself
     table = _settled(json_report.results(result))

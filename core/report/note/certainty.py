@@ -1,7 +1,7 @@
 """Part of a note beside the verdict of a wall: another sample of records, moved inputs, the rates of limit states."""
 
 from core.known import known
-from core.report import sure_words
+from core.report import uncertainty_text
 from core.report.note.parts import Curve, Figure, Figures, Heading, Item, Part, Table, path
 from core.report.note.words import Words
 from core.study.results import StudyResult, WallResult, WallVerdict
@@ -14,8 +14,8 @@ MAX_TOLD = 24
 
 def certainty_line(result: StudyResult, wall: WallResult, words: Words) -> list[str]:
     """The sentence on other samples of records, of a result that decides about its wall."""
-    verdict = sure_words.verdict_of(result, wall)
-    line = sure_words.interval_line(words.say, verdict, words.language) if verdict else ""
+    verdict = uncertainty_text.verdict_of(result, wall)
+    line = uncertainty_text.interval_line(words.say, verdict, words.language) if verdict else ""
     return [line] if line else []
 
 
@@ -31,9 +31,9 @@ def certainty(result: StudyResult, words: Words) -> list[Part]:
             parts += _moved(result, verdict, words)
         if verdict.rates:
             life = known(result.case.demand).nominal_life_years
-            rows = [sure_words.rate_row(say, rate, language) for rate in verdict.rates]
-            parts.append(Table(sure_words.rate_heads(say, life), rows, (1.1, 1.4, 0.7, 2.0, 1.0, 1.2, 1.1, 1.6)))
-        parts += [Item(line, "quiet") for line in sure_words.rate_lines(say, result, verdict.rates)]
+            rows = [uncertainty_text.rate_row(say, rate, language) for rate in verdict.rates]
+            parts.append(Table(uncertainty_text.rate_heads(say, life), rows, (1.1, 1.4, 0.7, 2.0, 1.0, 1.2, 1.1, 1.6)))
+        parts += [Item(line, "quiet") for line in uncertainty_text.rate_lines(say, result, verdict.rates)]
     return [Heading(say("How sure"), new_page=True), *parts] if parts else []
 
 
@@ -42,7 +42,7 @@ def _moved(result: StudyResult, verdict: WallVerdict, words: Words) -> list[Part
     say, language = words.say, words.language
     parts: list[Part] = []
     sensitivity, target = known(verdict.sensitivity), result.demand_required.zeta_target
-    rows = sure_words.moved_rows(sensitivity, language)
+    rows = uncertainty_text.moved_rows(sensitivity, language)
     if rows:
         cells = []
         for row in rows:
@@ -56,11 +56,11 @@ def _moved(result: StudyResult, verdict: WallVerdict, words: Words) -> list[Part
             Figures([_tornado(sensitivity, target, words)]),
             Table(heads, cells, (1.6, 3.0, 0.6, 3.0, 0.6), tones),
         ]
-    parts += [Item(line, "quiet") for line in sure_words.still_lines(say, result, verdict, language)]
-    if labels := sure_words.reach_labels(sensitivity):
+    parts += [Item(line, "quiet") for line in uncertainty_text.sensitivity_remarks(say, result, verdict, language)]
+    if labels := uncertainty_text.reach_labels(sensitivity):
         heads = [say("For ζ {zeta}", zeta=words.number(target, ".2f")), say("now")]
-        heads += sure_words.check_names(result, labels, language)
-        cells = [sure_words.reach_row(say, one, labels, language) for one in sensitivity.reach]
+        heads += uncertainty_text.check_names(result, labels, language)
+        cells = [uncertainty_text.reach_row(say, one, labels, language) for one in sensitivity.reach]
         parts.append(Table(heads, cells, (1.6, 0.9, *[1.8] * len(labels))))
     return parts
 
@@ -72,7 +72,7 @@ def _tornado(sensitivity: Sensitivity, target: float, words: Words) -> Figure:
     for k, swing in enumerate(sensitivity.swings):
         zetas = [0.0 if end.zeta is None else end.zeta for end in swing.ends]
         curves.append(path([(k, min(base, *zetas)), (k, max(base, *zetas))], "accent", width=7.0))
-        names.append(sure_words.swing_name(swing, words.language))
+        names.append(uncertainty_text.swing_name(swing, words.language))
     ends = (-0.6, len(names) - 0.4)
     curves.append(Curve(words.say("ζ_E as it is"), ends, (base, base), "ink", width=1.2))
     curves.append(Curve(words.say("ζ required"), ends, (target, target), "amber", "dash"))

@@ -6,7 +6,7 @@ from core.case.site import FULL_FACTOR
 from core.ground.provenance import provenance
 from core.known import known
 from core.report import assumption_table
-from core.report.confirmed import assumptions_of
+from core.report.confirmed import confirmation_codes
 from core.report.derived import cell_prefix
 from core.report.note import plan_figure, site, spectra_figure, wall_figures
 from core.report.note.certainty import certainty, certainty_line
@@ -29,7 +29,7 @@ from core.report.note.words import Words
 from core.report.place_lines import place_of
 from core.report.selection_words import lines_of as lines_of_selection
 from core.report.tie_words import tie_lines
-from core.report.verdict_words import in_order, lines_of, sentence_of, tone_of
+from core.report.verdict_words import lines_of, sentence_of, sort_results, tone_of
 from core.setting.demand_input import find_generation_settings
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import localized
@@ -55,11 +55,11 @@ def note(result: StudyResult, language: str) -> list[Part]:
     """Note that an engineer signs: first the answer, then each wall, then what it rests on."""
     words = Words(language)
     say = words.say
-    ordered = [wall for wall, _ in in_order(result)]
+    ordered = [wall for wall, _ in sort_results(result)]
     parts = _answer(result, words)
     if len(ordered) >= CONTENTS_FROM:
         parts += [Heading(say("Contents"), new_page=True, listed=False), Contents()]
-    parts += [*plan_figure.plan(result, words), *site.before_and_after(result, words)]
+    parts += [*plan_figure.plan(result, words), *site.compare_variants_table(result, words)]
     for wall in ordered[:FULL_WALLS]:
         parts += wall_parts(result, wall, cell_prefix(result, wall), words)
     if ordered[FULL_WALLS:]:
@@ -90,7 +90,7 @@ def _answer(result: StudyResult, words: Words) -> list[Part]:
         Heading(say("Outcome")),
         *_verdicts(result, words),
     ]
-    told = [(wall, one) for wall, one in in_order(result) if one and wall.assessment]
+    told = [(wall, one) for wall, one in sort_results(result) if one and wall.assessment]
     for wall, _ in told[:TOLD]:
         tone = tone_of(result, wall)
         parts.append(Paragraph(sentence_of(wall, words.language), tone))
@@ -181,7 +181,7 @@ def _verdicts(result: StudyResult, words: Words) -> list[Part]:
     say = words.say
     heads = [say("Wall"), say("Mechanism"), "H [m]", "t [m]", "q", "ζ_E", say("Deciding check"), say("Verdict")]
     rows, tones = [], {}
-    ordered = in_order(result)
+    ordered = sort_results(result)
     for n, (wall, decides) in enumerate(ordered):
         assessment = wall.assessment
         row = [
@@ -366,7 +366,7 @@ def _closing(result: StudyResult, words: Words) -> list[Part]:
     say = words.say
     walls, written = [wall.wall for wall in result.walls], result.case.report.judgement.strip()
     ticks = []
-    for code in assumptions_of(walls):
+    for code in confirmation_codes(walls):
         ticked = code == "no_load" and all(wall.unloaded_confirmed for wall in walls)
         ticks.append(Item(localized("assumption", code, words.language), sign="☑" if ticked else "☐"))
     shared = [(motion.name, warning.text(words.language)) for motion in result.motions for warning in motion.warnings]

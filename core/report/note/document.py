@@ -12,7 +12,7 @@ from core.report.note.parts import Bars, Blanks, Box, Derivation, Figures, Headi
 from core.report.note.pdf import picture
 from core.report.note.words import Words
 from core.report.steps import Steps
-from core.report.xml_text import for_xml
+from core.report.xml_text import escape_for_xml
 from core.version import NAME
 
 COLORS = {
@@ -41,7 +41,7 @@ def document(parts: list[Part], language: str, steps: Steps | None = None, subje
 
     made = docx.Document()
     writer = _Writer(made, Words(language), steps or Steps())
-    for part in writer.steps.each(for_xml(parts)):
+    for part in writer.steps.each(escape_for_xml(parts)):
         writer.add(part)
     about = made.core_properties
     about.author = about.last_modified_by = NAME

@@ -144,7 +144,7 @@ def solids(wall: WallResult, words: Words) -> list[Part]:
     return [Table(heads, rows, (2.4, 1, 1, 1, 1.2))]
 
 
-def before_and_after(result: StudyResult, words: Words) -> list[Part]:
+def compare_variants_table(result: StudyResult, words: Words) -> list[Part]:
     """The walls as they are beside the walls as they are designed."""
     say, rows = words.say, []
     for one in compare_walls(result.verdicts):

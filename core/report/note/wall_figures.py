@@ -12,7 +12,7 @@ from core.report.load_arrows import arrows
 from core.report.note import arch_figure, bending_figure
 from core.report.note.parts import Curve, Figure, Label, path
 from core.report.note.words import Words
-from core.report.outlines import in_elevation, in_section
+from core.report.outlines import elevation_outlines, section_outlines
 from core.report.plots import thinned
 from core.study.bar_histories import bar_histories
 from core.study.demand_histories import demand_histories
@@ -96,7 +96,7 @@ def drawing(wall: WallResult, words: Words) -> Figure | None:
 
 def _outlines(wall: WallResult, h: float, t: float, u: float) -> list[Curve]:
     """The wall in section at rest and turned, outward to the right; of a body each of its solids."""
-    solids = in_section(wall.wall)
+    solids = section_outlines(wall.wall)
     if not solids:
         return [
             path(_corners(h, t, u, 0.0), "accent", width=1.8),
@@ -114,7 +114,7 @@ def _outlines(wall: WallResult, h: float, t: float, u: float) -> list[Curve]:
 
 def elevation(wall: WallResult, words: Words) -> Figure | None:
     """A body seen from outside; None of a rectangle."""
-    outlines = in_elevation(wall.wall)
+    outlines = elevation_outlines(wall.wall)
     if not outlines:
         return None
     curves = [

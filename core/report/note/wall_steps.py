@@ -9,9 +9,9 @@ from core.derivation import site
 from core.derivation import wall as of_wall
 from core.derivation.geometry import geometry
 from core.derivation.line import FULL, Columns, Line, Section
+from core.report.derivation_text import DerivationText
 from core.report.note.parts import Step
 from core.report.note.words import Words
-from core.report.phrases import Phrases
 from core.study.results import StudyResult, WallResult
 
 MAX_FORMULA = 150
@@ -23,7 +23,7 @@ class Derivations:
 
     def __init__(self, result: StudyResult, words: Words, prefix: str = ""):
         self.result, self.prefix = result, prefix
-        self.phrases = Phrases(result, words.language)
+        self.phrases = DerivationText(result, words.language)
         self.demand = self.steps(site.demand_section(result), "")
 
     def steps(self, section: Section, prefix: str | None = None) -> list[Step]:

@@ -10,15 +10,15 @@ from core.codes.vertical_bending import HingeAt
 from core.report.stated.quantity import (
     Quantity,
     flag,
-    free,
-    itself,
-    many,
+    identity,
+    list_quantity,
     number,
     numbers,
-    one,
-    per,
+    object_quantity,
+    scaled_reader,
     text,
     texts,
+    untyped_quantity,
     whole,
 )
 from core.units import G
@@ -49,7 +49,7 @@ OTHER_SIDE = (
 )
 
 BRANCH = (
-    number("modulus_mpa", "MPa", "E it follows from", per(1e6, "modulus")),
+    number("modulus_mpa", "MPa", "E it follows from", scaled_reader(1e6, "modulus")),
     flag("assumed", "whether E is an end of the range of the table"),
     number("period_s", "s", "T_0 of C8.7.1.7", "period"),
     number("limit", "-", "its end over theta_c"),
@@ -58,7 +58,7 @@ BRANCH = (
 
 AT_DEMAND = (
     text("limit_state", "limit state"),
-    many("runs", "each record and sign", RUN_AT_DEMAND),
+    list_quantity("runs", "each record and sign", RUN_AT_DEMAND),
     whole("n_exceeded", "runs that exceed theta_c"),
     number("mean_peak_ratio", "-", "mean of the peaks over theta_c, null where a run overturns"),
     number("max_peak_ratio", "-", "largest of them"),
@@ -74,9 +74,9 @@ AT_DEMAND = (
     number("zeta_16", "-", "multiplier around which 16 % fail", line="zeta_16"),
     number("zeta_first", "-", "first failure on the grid"),
     number("share_failing_at_demand", "-", "failing multipliers within 10 % of the zeta required"),
-    one("zeta_other", "the check with FC on the other side, null where FC is 1", OTHER_SIDE),
+    object_quantity("zeta_other", "the check with FC on the other side, null where FC is 1", OTHER_SIDE),
     texts("not_counted", "records too weak beside the others to count"),
-    one("branch", "the elastic branch that decides, null without one", BRANCH, _elastic),
+    object_quantity("branch", "the elastic branch that decides, null without one", BRANCH, _elastic),
     number("hinge_between_m", "m", "height of the hinge of a wall held at its top that decides", _hinge),
 )
 """Quantities read from DemandCheck."""
@@ -109,7 +109,11 @@ def _parted(kinematic: Any) -> float | None:
 ARCH = (
     number("spacing_m", "m", "clear distance of the transverse walls", "wall.arch.spacing", line="spacing"),
     number(
-        "thrust_kn_m", "kN/m", "H of its ends, for each metre of height", per(1e3, "wall.arch.thrust"), line="thrust"
+        "thrust_kn_m",
+        "kN/m",
+        "H of its ends, for each metre of height",
+        scaled_reader(1e3, "wall.arch.thrust"),
+        line="thrust",
     ),
     text("limited_by", "arch_tie, arch_shoulder or arch_crushing: what H is limited by", "wall.arch.by"),
     number("setback_m", "m", "u of its hinges", "wall.arch.setback", line="setback"),
@@ -168,9 +172,15 @@ KINEMATIC = (
     number("alpha0_without_ties", "-", "the same without its ties", "kinematic.chain.alpha0_bare", line="alpha0_bare"),
     number("e_star", "-", "share of the mass that takes part, C8.7.1.5", "kinematic.e_star", line="e_star"),
     number("m_star", "kg/m", "mass that takes part, null without a unit weight", "kinematic.m_star", line="m_star"),
-    number("a0_star_g", "g", "spectral acceleration that starts it, C8.7.1.3", per(G, "kinematic.a0"), line="a0_star"),
+    number(
+        "a0_star_g",
+        "g",
+        "spectral acceleration that starts it, C8.7.1.3",
+        scaled_reader(G, "kinematic.a0"),
+        line="a0_star",
+    ),
     number("friction_height_m", "m", "part that turns with the friction", "kinematic.chain.friction_height"),
-    one(
+    object_quantity(
         "without_friction",
         "the whole wall, where the values above are of its upper part with friction",
         START,
@@ -185,22 +195,30 @@ KINEMATIC = (
         line="d0_with_ties",
     ),
     number("d_limit_m", "m", "d_SLV or d_SLC", "kinematic.d_limit", line="d_limit"),
-    one(
+    object_quantity(
         "arch",
         "of a wall that spans between transverse walls",
         ARCH,
         lambda of: of.kinematic if of.kinematic.wall.arch else None,
     ).optional(),
-    one("bending", "of a wall held at its top", BENDING, lambda of: _bending(of.kinematic)).optional(),
+    object_quantity("bending", "of a wall held at its top", BENDING, lambda of: _bending(of.kinematic)).optional(),
     number("period_s", "s", "T_SLV or T_SLC, C8.7.1.10 and .11", "kinematic.period", line="period"),
     number("s_de_m", "m", "displacement demand", "kinematic.s_de", line="s_de"),
-    one("without_ties", "the displacement check of the wall without its ties", DISPLACEMENT, "kinematic.without_ties"),
+    object_quantity(
+        "without_ties", "the displacement check of the wall without its ties", DISPLACEMENT, "kinematic.without_ties"
+    ),
     flag("free_element", "whether it is free to vibrate before it moves", "kinematic.free_element"),
     number("period_0_s", "s", "T_0 of a free element, C8.7.1.7", "kinematic.period_0", line="period_0"),
-    number("acceleration_demand_g", "g", "a_g S, or S_e(T_0)", per(G, "kinematic.acceleration_demand"), line="se_t0"),
+    number(
+        "acceleration_demand_g",
+        "g",
+        "a_g S, or S_e(T_0)",
+        scaled_reader(G, "kinematic.acceleration_demand"),
+        line="se_t0",
+    ),
     number("zeta_sld", "-", "a_g,SLD over a_g, C8.7.1.8 and .9", "kinematic.zeta_sld", line="zeta_sld"),
     texts("missing", "keys without which a free element has no linear check", "kinematic.missing"),
-    many("checks", "the rows of the table of methods", CHECK),
+    list_quantity("checks", "the rows of the table of methods", CHECK),
 )
 """Quantities read from Assessment with closed forms."""
 
@@ -216,7 +234,7 @@ VERDICT_OF_HINGE = (
 )
 
 RISK = (
-    number("pga_c_g", "g", "PGA_C", per(G, "risk.pga"), line="pga_c"),
+    number("pga_c_g", "g", "PGA_C", scaled_reader(G, "risk.pga"), line="pga_c"),
     number("return_period_c_years", "years", "T_R,C", "risk.return_period", line="tr_c"),
     number(
         "other_return_period_c_years",
@@ -253,12 +271,12 @@ FLOOR = (
     flag("period_estimated", "whether the period was not given", "floor.estimated"),
     numbers("damping", "-", "of each mode", lambda wall: [mode.damping for mode in wall.floor.modes]),
     numbers("participation", "-", "of each mode there", lambda wall: [mode.participation for mode in wall.floor.modes]),
-    many(
+    list_quantity(
         "motions",
         "of the floor",
         (
             text("record", "record", "name"),
-            number("pfa_g", "g", "largest acceleration of the floor", per(G, "pga")),
+            number("pfa_g", "g", "largest acceleration of the floor", scaled_reader(G, "pga")),
             number("time_step_s", "s", "time between samples", "time_step"),
         ),
         "floor.motions",
@@ -269,7 +287,7 @@ FLOOR = (
         "least spectrum of the clause over that of the records",
         lambda wall: wall.assessment.code_over_records if wall.assessment else None,
     ),
-    free(
+    untyped_quantity(
         "sensitivity",
         "zeta_E by other models of the floor",
         lambda wall: wall.assessment.sensitivity if wall.assessment else {},
@@ -292,7 +310,7 @@ SOLVER = (
         lambda of: of.noise_effect if math.isfinite(of.noise_effect) else None,
     ),
     number("scale", "-", "multiplier of the histories"),
-    many(
+    list_quantity(
         "histories",
         "other methods on the governing history",
         (
@@ -306,7 +324,7 @@ SOLVER = (
 )
 
 DEFINITION = (
-    many(
+    list_quantity(
         "steps",
         "q by the step of the search",
         (
@@ -320,7 +338,7 @@ DEFINITION = (
     number("step_spread_robust", "-", "spread of q_robust", lambda of: of.spread(2, of.steps)),
     number("step_spread_slv_robust", "-", "spread of q_slv_robust", lambda of: of.spread(3, of.steps)),
     number("rounding", "-", "rounding of the samples", lambda _: RECORD_ROUNDING),
-    many(
+    list_quantity(
         "rounded",
         "q of the rounded record",
         (
@@ -338,7 +356,7 @@ DEFINITION = (
 UNCERTAINTY = (
     text("record", "governing record"),
     whole("polarity", "its sign"),
-    one("solver", "how exact the solver is", SOLVER, itself),
-    one("definition", "how much q depends on its definition", DEFINITION, itself),
+    object_quantity("solver", "how exact the solver is", SOLVER, identity),
+    object_quantity("definition", "how much q depends on its definition", DEFINITION, identity),
 )
 """Quantities read from Accuracy."""

@@ -61,28 +61,28 @@ def numbers(key: str, unit: str, meaning: str, of: Read = None) -> Quantity:
     return _made("numbers", key, meaning, of, unit)
 
 
-def free(key: str, meaning: str, of: Read = None) -> Quantity:
+def untyped_quantity(key: str, meaning: str, of: Read = None) -> Quantity:
     return _made("free", key, meaning, of)
 
 
-def one(key: str, meaning: str, group: Sequence[Quantity], of: Read = None) -> Quantity:
+def object_quantity(key: str, meaning: str, group: Sequence[Quantity], of: Read = None) -> Quantity:
     return _made("one", key, meaning, of, group=group)
 
 
-def many(key: str, meaning: str, group: Sequence[Quantity], of: Read = None) -> Quantity:
+def list_quantity(key: str, meaning: str, group: Sequence[Quantity], of: Read = None) -> Quantity:
     return _made("many", key, meaning, of, group=group)
 
 
-def named(key: str, meaning: str, group: Sequence[Quantity], of: Read = None) -> Quantity:
+def mapping_quantity(key: str, meaning: str, group: Sequence[Quantity], of: Read = None) -> Quantity:
     return _made("named", key, meaning, of, group=group)
 
 
-def itself(source: Any) -> Any:
+def identity(source: Any) -> Any:
     """Read an object from the source of what holds it."""
     return source
 
 
-def per(divisor: float, attribute: str) -> Callable[[Any], float | None]:
+def scaled_reader(divisor: float, attribute: str) -> Callable[[Any], float | None]:
     """An attribute in another unit, None where it is."""
     read = attrgetter(attribute)
 
@@ -93,7 +93,7 @@ def per(divisor: float, attribute: str) -> Callable[[Any], float | None]:
     return value
 
 
-def through(source: Callable[[Any], Any], group: Sequence[Quantity]) -> list[Quantity]:
+def rebase_group(source: Callable[[Any], Any], group: Sequence[Quantity]) -> list[Quantity]:
     """Quantities of a group read from another source, None where that is."""
 
     def read(of: Callable[[Any], Any]) -> Callable[[Any], Any]:
@@ -102,13 +102,13 @@ def through(source: Callable[[Any], Any], group: Sequence[Quantity]) -> list[Qua
     return [quantity._replace(of=read(quantity.of)) for quantity in group]
 
 
-def of_keys(group: Sequence[Quantity], *keys: str) -> list[Quantity]:
+def select_quantities(group: Sequence[Quantity], *keys: str) -> list[Quantity]:
     """Quantities of a group by their keys."""
     by_key = {quantity.key: quantity for quantity in group}
     return [by_key[key] for key in keys]
 
 
-def stated(group: Sequence[Quantity], source: Any) -> dict[str, Any]:
+def serialize(group: Sequence[Quantity], source: Any) -> dict[str, Any]:
     """The keys of a group as the results have them."""
     values = {}
     for quantity in group:
@@ -117,11 +117,11 @@ def stated(group: Sequence[Quantity], source: Any) -> dict[str, Any]:
             continue
         if value is not None and quantity.group:
             if quantity.kind == "one":
-                value = stated(quantity.group, value)
+                value = serialize(quantity.group, value)
             elif quantity.kind == "many":
-                value = [stated(quantity.group, item) for item in value]
+                value = [serialize(quantity.group, item) for item in value]
             else:
-                value = {name: stated(quantity.group, item) for name, item in value.items()}
+                value = {name: serialize(quantity.group, item) for name, item in value.items()}
         elif value is not None and quantity.kind in ("texts", "numbers", "wholes"):
             value = list(value)
         elif value is not None and quantity.kind == "rows":
@@ -163,9 +163,11 @@ def _schema_of(quantity: Quantity) -> dict[str, Any]:
     return {"description": words, "type": ["array", "null"], "items": item}
 
 
-def listed(group: Sequence[Quantity], above: str = "") -> Iterator[tuple[str, Quantity]]:
+def walk_quantities(group: Sequence[Quantity], above: str = "") -> Iterator[tuple[str, Quantity]]:
     """(path, quantity) of all quantities of a group and of what it holds, in their order."""
     for quantity in group:
         path = above + quantity.key
         yield path, quantity
-        yield from listed(quantity.group, path + {"one": ".", "many": "[].", "named": ".*."}.get(quantity.kind, ""))
+        yield from walk_quantities(
+            quantity.group, path + {"one": ".", "many": "[].", "named": ".*."}.get(quantity.kind, "")
+        )

@@ -7,7 +7,19 @@ from core.codes.national_hazard import RETURN_PERIODS, USE_CLASSES
 from core.codes.spectrum_codes import CODES
 from core.file_names import shown
 from core.ground.provenance import provenance
-from core.report.stated.quantity import flag, many, named, number, numbers, one, per, text, texts, through, whole
+from core.report.stated.quantity import (
+    flag,
+    list_quantity,
+    mapping_quantity,
+    number,
+    numbers,
+    object_quantity,
+    rebase_group,
+    scaled_reader,
+    text,
+    texts,
+    whole,
+)
 from core.units import CM, G
 
 PROVENANCE = (
@@ -29,14 +41,14 @@ MEASURES = (
     number("time_step_s", "s", "time between samples", "time_step"),
     whole("samples", "number of samples", lambda motion: int(motion.acceleration.size)),
     text("unit", "unit of the samples in the file"),
-    number("pga_g", "g", "largest acceleration", per(G, "pga")),
-    number("pgv_cm_s", "cm/s", "largest velocity, without baseline step", per(CM, "pgv")),
-    number("pgd_cm", "cm", "largest displacement, without baseline step", per(CM, "pgd")),
+    number("pga_g", "g", "largest acceleration", scaled_reader(G, "pga")),
+    number("pgv_cm_s", "cm/s", "largest velocity, without baseline step", scaled_reader(CM, "pgv")),
+    number("pgd_cm", "cm", "largest displacement, without baseline step", scaled_reader(CM, "pgd")),
     number("arias_m_s", "m/s", "Arias intensity", "arias"),
     number("duration_5_95_s", "s", "time between 5 and 95 % of the Arias intensity", "duration_5_95"),
-    one("provenance", "what the file says of its motion", PROVENANCE, provenance),
-    number("housner_intensity_cm", "cm", "SI, Eq. 11, not divided by 2.4", per(CM, "housner_intensity")),
-    one(
+    object_quantity("provenance", "what the file says of its motion", PROVENANCE, provenance),
+    number("housner_intensity_cm", "cm", "SI, Eq. 11, not divided by 2.4", scaled_reader(CM, "housner_intensity")),
+    object_quantity(
         "lines",
         "lines of the file; null of a file without lines",
         (
@@ -54,7 +66,7 @@ RECORD = (
     text("name", "name for people", lambda pair: pair[0].name),
     text("kind", "natural, artificial or simulated", lambda pair: pair[1]),
     number("scale", "-", "factor of the case", lambda pair: pair[0].scale),
-    *through(itemgetter(0), MEASURES),
+    *rebase_group(itemgetter(0), MEASURES),
 )
 """Quantities read from (GroundMotion, kind)."""
 
@@ -72,7 +84,7 @@ COMPLIANCE = (
     flag("compatible", "whether the set keeps the rules of the code of its spectrum"),
     numbers("period_range_s", "s", "periods over which the mean spectrum is compared", "period_range"),
     whole("stations", "number of stations"),
-    many("rules", "each rule", RULE),
+    list_quantity("rules", "each rule", RULE),
 )
 
 HAZARD_ROW = (
@@ -93,13 +105,13 @@ SITE = (
     text("use_class", "class of use"),
     number("use_class_factor", "-", "C_U", lambda site: USE_CLASSES[site.use_class]),
     number("reference_life_years", "years", "V_R", "reference_life"),
-    many(
+    list_quantity(
         "hazard",
         "a_g, F0, T_C* at the return periods of the grid",
         HAZARD_ROW,
         lambda site: [(years, *values) for years, values in zip(RETURN_PERIODS, site.hazard.rows, strict=True)],
     ),
-    named(
+    mapping_quantity(
         "states",
         "the same at the limit states",
         HAZARD_ROW,
@@ -109,9 +121,9 @@ SITE = (
 
 DEMAND = (
     text("limit_state", "SLO, SLD, SLV or SLC", "demand_required.limit_state"),
-    number("ag_g", "g", "a_g on rock", per(G, "demand_required.ag")),
+    number("ag_g", "g", "a_g on rock", scaled_reader(G, "demand_required.ag")),
     number("soil_factor", "-", "S", "demand_required.soil_factor"),
-    number("pga_g", "g", "a_g S", per(G, "demand_required.pga")),
+    number("pga_g", "g", "a_g S", scaled_reader(G, "demand_required.pga")),
     number(
         "housner_intensity_cm",
         "cm",
@@ -135,20 +147,22 @@ DEMAND = (
     number("zeta_target", "-", "zeta_E that is required", "demand_required.zeta_target"),
     text("confidence_on", "where FC acts: capacity or demand", "demand_required.confidence_on"),
     number("return_period_years", "years", "return period of the demand", "demand_required.return_period"),
-    many(
+    list_quantity(
         "hazard",
         "a_g at return periods, as given",
         HAZARD_ROW[:2],
         lambda result: [(years, ag / G) for years, ag in result.demand_required.hazard],
     ),
     text("demand_scaling", "how records are scaled: as_given, pga or si", "demand_required.record_scaling"),
-    one("compliance", "the records against the spectrum", COMPLIANCE, lambda result: result.compliance or None),
+    object_quantity(
+        "compliance", "the records against the spectrum", COMPLIANCE, lambda result: result.compliance or None
+    ),
     texts(
         "warnings",
         "remarks on the demand",
         lambda result: [warning.text() for warning in result.demand_required.warnings],
     ),
-    one("site", "the place", SITE, lambda result: result.case.site).optional(),
+    object_quantity("site", "the place", SITE, lambda result: result.case.site).optional(),
 )
 """Quantities read from StudyResult with a demand."""
 
@@ -159,11 +173,11 @@ AT_PERIOD = (
 
 CHOSEN_SET = (
     number("deviation", "-", "root mean square of mean spectrum over target, less 1"),
-    one("lowest", "where the mean lies lowest", AT_PERIOD),
-    one("highest", "where it lies highest", AT_PERIOD),
+    object_quantity("lowest", "where the mean lies lowest", AT_PERIOD),
+    object_quantity("highest", "where it lies highest", AT_PERIOD),
     number("pga_ratio", "-", "mean ordinate at T = 0 over the target"),
     number("miss", "-", "worst ordinate beyond its bound, 0 where none is"),
-    many(
+    list_quantity(
         "records",
         "its records",
         (
@@ -180,7 +194,7 @@ SELECTION = (
     whole("candidates", "motions that may be chosen"),
     flag("every_combination", "whether every set was looked at", "every"),
     numbers("period_range_s", "s", "periods of the comparison", "period_range"),
-    one(
+    object_quantity(
         "bounds",
         "of the mean spectrum over the target",
         (
@@ -190,8 +204,8 @@ SELECTION = (
         ),
     ),
     flag("fits", "whether the chosen set keeps the rule", "chosen.fits"),
-    many("sets", "the sets found, the chosen one first", CHOSEN_SET),
-    many(
+    list_quantity("sets", "the sets found, the chosen one first", CHOSEN_SET),
+    list_quantity(
         "left_out",
         "motions that cannot be chosen",
         (

@@ -4,16 +4,16 @@ from typing import Any, NamedTuple
 
 from core.case.case_files import as_dict
 from core.report.case_text import text_of
-from core.report.stated.quantity import Quantity, free, many, one, text
+from core.report.stated.quantity import Quantity, list_quantity, object_quantity, text, untyped_quantity
 from core.report.stated.records import DEMAND, RECORD, SELECTION
-from core.report.stated.verdicts import PAIR, VERDICT, Compared, OfWall
-from core.report.stated.walls import WALL, OfWallResult
+from core.report.stated.verdicts import PAIR, VERDICT, VariantSummary, VerdictSource
+from core.report.stated.walls import WALL, WallResultSource
 from core.study.results import StudyResult
 from core.study.variants import compare_results, compare_walls
 from core.version import NAME, VERSION, commit
 
 OF_STUDY = (
-    one(
+    object_quantity(
         "program",
         "what made the results",
         (
@@ -24,12 +24,12 @@ OF_STUDY = (
         lambda result: result,
     ),
     text("started_utc", "beginning of the run"),
-    free(
+    untyped_quantity(
         "case", "the case with its defaults, by the keys of the page of the case", lambda result: result.case.as_dict()
     ),
     text("case_toml", "the text of its file, to be run again", text_of),
     text("case_sha256", "SHA-256 of the file of the case", "case.sha256"),
-    many(
+    list_quantity(
         "files",
         "the files it names beside its records",
         (
@@ -49,28 +49,28 @@ OF_STUDY = (
         "drawings that solids come from",
         lambda result: [dict(note.values) for note in result.case.drawings] or None,
     ).optional(),
-    one("demand", "what is asked of the walls", DEMAND, lambda result: result if result.demand else None),
-    many("records", "the records", RECORD, lambda result: zip(result.motions, result.kinds, strict=True)),
-    one(
+    object_quantity("demand", "what is asked of the walls", DEMAND, lambda result: result if result.demand else None),
+    list_quantity("records", "the records", RECORD, lambda result: zip(result.motions, result.kinds, strict=True)),
+    object_quantity(
         "selection", "how they were chosen from a folder", SELECTION, lambda result: result.selection or None
     ).optional(),
 )
 """Quantities read from StudyResult: what stands before the verdicts."""
 
 VERDICTS = (
-    many(
+    list_quantity(
         "verdicts",
         "one a wall of the case, none without a demand",
         VERDICT,
-        lambda result: [OfWall(verdict, result) for verdict in result.verdicts],
+        lambda result: [VerdictSource(verdict, result) for verdict in result.verdicts],
     ),
 )
 WALLS = (
-    many(
+    list_quantity(
         "walls",
         "one a wall, hinge and mechanism",
         WALL,
-        lambda result: [OfWallResult(wall, result) for wall in result.walls],
+        lambda result: [WallResultSource(wall, result) for wall in result.walls],
     ),
 )
 
@@ -80,8 +80,8 @@ class Pair(NamedTuple):
 
     name: str
     changed: tuple[str, ...]
-    before: Compared
-    after: Compared
+    before: VariantSummary
+    after: VariantSummary
 
 
 def _pairs(result: StudyResult) -> list[Pair] | None:
@@ -89,14 +89,14 @@ def _pairs(result: StudyResult) -> list[Pair] | None:
     pairs: list[Any]
     if result.verdicts:
         pairs = list(compare_walls(result.verdicts))
-        sides = [[Compared.of(OfWall(side, result)) for side in (one.before, one.after)] for one in pairs]
+        sides = [[VariantSummary.of(VerdictSource(side, result)) for side in (one.before, one.after)] for one in pairs]
     else:
         pairs = list(compare_results(result.walls))
-        sides = [[Compared(q_set=side.q_set) for side in (one.before, one.after)] for one in pairs]
+        sides = [[VariantSummary(q_set=side.q_set) for side in (one.before, one.after)] for one in pairs]
     return [Pair(one.name, one.changed, *both) for one, both in zip(pairs, sides, strict=True)] or None
 
 
-PAIRS = (many("variants", "walls as they are beside as they are designed", PAIR, _pairs).optional(),)
+PAIRS = (list_quantity("variants", "walls as they are beside as they are designed", PAIR, _pairs).optional(),)
 
 RESULTS = (*OF_STUDY, *VERDICTS, *WALLS, *PAIRS)
 """Quantities read from StudyResult: the whole file."""

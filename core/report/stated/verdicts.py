@@ -3,7 +3,17 @@
 from typing import NamedTuple
 
 from core.codes.assumption import DisplayValue
-from core.report.stated.quantity import Quantity, flag, many, named, number, one, text, texts, whole
+from core.report.stated.quantity import (
+    Quantity,
+    flag,
+    list_quantity,
+    mapping_quantity,
+    number,
+    object_quantity,
+    text,
+    texts,
+    whole,
+)
 from core.report.verdict_words import outcome_of
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import collect_assumptions, governing_check_of_wall, hinge_location
@@ -12,7 +22,7 @@ from core.units import G
 from core.variation.limit_states import LIMIT_STATES
 from core.variation.swings import describe_swing_end
 
-SAID = (
+SENTENCE_QUANTITIES = (
     text("key", "which remark", "code"),
     text("text_it", "in Italian", lambda said: said.text("it")),
     text("text_en", "in English", lambda said: said.text("en")),
@@ -47,7 +57,7 @@ INTERVAL = (
 
 RATE = (
     text("state", "limit state, or collapse"),
-    one(
+    object_quantity(
         "fragility",
         "lognormal of a_g on rock, FC included",
         (
@@ -77,18 +87,18 @@ END = (
 
 SENSITIVITY = (
     number("base_zeta", "-", "zeta_E as given", "base"),
-    many(
+    list_quantity(
         "moves",
         "inputs moved, the one that matters most first",
         (
             text("input", "input", "key"),
             Quantity("given", "any", "its value", lambda swing: swing.given),
-            many("ends", "both ends", END, lambda swing: [(swing, end) for end in swing.ends]),
+            list_quantity("ends", "both ends", END, lambda swing: [(swing, end) for end in swing.ends]),
         ),
         "swings",
     ),
     texts("without_effect", "inputs that change nothing", "still"),
-    many(
+    list_quantity(
         "refused",
         "values that are refused",
         (
@@ -98,7 +108,7 @@ SENSITIVITY = (
         ),
     ),
     texts("turning", "inputs that turn the outcome"),
-    many(
+    list_quantity(
         "at_target",
         "where an input brings the check to the zeta required",
         (
@@ -113,7 +123,7 @@ SENSITIVITY = (
 """Quantities read from Sensitivity."""
 
 
-class OfWall:
+class VerdictSource:
     """What the quantities of a verdict are read from. one : of a wall of the case; result : of the study"""
 
     def __init__(self, one: WallVerdict, result: StudyResult):
@@ -150,16 +160,21 @@ VERDICT = (
     text("text_it", "the sentence in Italian", lambda of: of.text("it")),
     text("text_en", "the sentence in English", lambda of: of.text("en")),
     text("decides", "what decides", lambda of: of.verdict.decides.text("en") if of.verdict.decides else ""),
-    many("to_do", "what the engineer has to do", SAID, "verdict.to_do"),
-    many(
+    list_quantity("to_do", "what the engineer has to do", SENTENCE_QUANTITIES, "verdict.to_do"),
+    list_quantity(
         "assumptions",
         "what raises zeta and nobody measured",
         ASSUMPTION,
         lambda of: collect_assumptions(of.result, of.one),
     ),
-    many("limits", "what the number is to be read with", SAID, lambda of: (*of.verdict.limits, *of.one.extra)),
-    many("notes", "what a reader may pass over", SAID, "verdict.notes"),
-    many(
+    list_quantity(
+        "limits",
+        "what the number is to be read with",
+        SENTENCE_QUANTITIES,
+        lambda of: (*of.verdict.limits, *of.one.extra),
+    ),
+    list_quantity("notes", "what a reader may pass over", SENTENCE_QUANTITIES, "verdict.notes"),
+    list_quantity(
         "hinges",
         "all hinges and mechanisms, the worst first",
         (
@@ -170,20 +185,22 @@ VERDICT = (
             text("check", "check that decides", "required_assessment.verdict.governing"),
         ),
     ),
-    named(
+    mapping_quantity(
         "states",
         "the limit states",
         (text("code", "outcome"), number("zeta_e", "-", "zeta_E", "zeta"), text("check", "check that decides")),
         lambda of: {state: of.one.states[state] for state in LIMIT_STATES},
     ),
-    one("interval", "of zeta_E for other samples of records", INTERVAL, "one.interval"),
-    many("rates", "how often limit states are exceeded", RATE, "one.rates"),
-    one("sensitivity", "what other values of the inputs do", SENSITIVITY, lambda of: of.one.sensitivity or None),
+    object_quantity("interval", "of zeta_E for other samples of records", INTERVAL, "one.interval"),
+    list_quantity("rates", "how often limit states are exceeded", RATE, "one.rates"),
+    object_quantity(
+        "sensitivity", "what other values of the inputs do", SENSITIVITY, lambda of: of.one.sensitivity or None
+    ),
 )
 """Quantities read from OfWall."""
 
 
-class Compared(NamedTuple):
+class VariantSummary(NamedTuple):
     """A wall beside its other variant; q alone without a demand."""
 
     code: str | None = None
@@ -193,7 +210,7 @@ class Compared(NamedTuple):
     q_set: float | None = None
 
     @classmethod
-    def of(cls, wall: OfWall) -> "Compared":
+    def of(cls, wall: VerdictSource) -> "VariantSummary":
         code, check = outcome_of(wall.result, wall.one)
         return cls(code, wall.verdict.zeta_e, wall.one.zeta_least, check, wall.governing.q_set)
 
@@ -209,6 +226,6 @@ COMPARED = (
 PAIR = (
     text("name", "name of the wall"),
     texts("changed", "keys that differ"),
-    one("before", "stato di fatto", COMPARED),
-    one("after", "progetto", COMPARED),
+    object_quantity("before", "stato di fatto", COMPARED),
+    object_quantity("after", "progetto", COMPARED),
 )

@@ -6,13 +6,25 @@ from typing import Any, NamedTuple
 from core.codes.eq9 import LABEL
 from core.known import known
 from core.report.stated.checks import AT_DEMAND, FLOOR, KINEMATIC, RISK, UNCERTAINTY, VERDICT_OF_HINGE
-from core.report.stated.quantity import Quantity, flag, free, many, number, numbers, one, per, text, texts, whole
+from core.report.stated.quantity import (
+    Quantity,
+    flag,
+    list_quantity,
+    number,
+    numbers,
+    object_quantity,
+    scaled_reader,
+    text,
+    texts,
+    untyped_quantity,
+    whole,
+)
 from core.report.tie_words import elongations
 from core.study.results import Q_SOURCES, Run, StudyResult, WallResult
 from core.units import CM, G
 
 
-class OfRun(NamedTuple):
+class RunSource(NamedTuple):
     """What the quantities of a run are read from."""
 
     run: Run
@@ -54,7 +66,7 @@ RUN = (
     whole("analyses", "integrations made", "ida.analyses"),
     whole("impact_limited", "points of unknown outcome", "ida.impact_limited"),
     whole("clamped", "impacts with Eq. 7 held at 0", "ida.clamped"),
-    one("method", "method of integration", (text("name", "name"), whole("order", "order"))),
+    object_quantity("method", "method of integration", (text("name", "name"), whole("order", "order"))),
 )
 """Quantities read from OfRun."""
 
@@ -68,7 +80,7 @@ PER_RECORD = (
     number("q_slv_robust", "-", "lower q_slv_robust"),
     number("q_slv_safe", "-", "the lower of both, which the linear check takes"),
     number("q_eff", "-", "lower q_eff"),
-    number("housner_intensity_cm", "cm", "SI of the record", per(CM, "intensity")),
+    number("housner_intensity_cm", "cm", "SI of the record", scaled_reader(CM, "intensity")),
     number("closed_form_q_eff", "-", "Eq. 15 or 16"),
     number("closed_form_q", "-", "the same as q"),
 )
@@ -128,8 +140,8 @@ BODY = (
     number(
         "i_o_kgm2", "kg m2", "moment of inertia about the outer edge of the base", "wall.in_si.body.inertia", line="i_o"
     ),
-    one("inner", "about the inner hinge, where it is another block", INNER, "model.other").optional(),
-    many("solids", "its solids", SOLID, "wall.parts"),
+    object_quantity("inner", "about the inner hinge, where it is another block", INNER, "model.other").optional(),
+    list_quantity("solids", "its solids", SOLID, "wall.parts"),
 )
 
 SIDE = (number("a", "-", "sine of the restoring moment", "sine"), number("c", "-", "its cosine", "cosine"))
@@ -143,19 +155,23 @@ LOADS = (
     number("a", "-", "sine of the restoring moment, outward", "model.restoring.sine"),
     number("c", "-", "its cosine", "model.restoring.cosine"),
     number("collapse_rotation_rad", "rad", "theta_c", "model.collapse_rotation", line="theta_c"),
-    number("uplift_g", "g", "a_RM", per(G, "model.threshold")),
-    many("sides", "a and c of each side", SIDE, _sides),
+    number("uplift_g", "g", "a_RM", scaled_reader(G, "model.threshold")),
+    list_quantity("sides", "a and c of each side", SIDE, _sides),
 )
 
 TIE = (
     number("height_m", "m", "height above the hinge", lambda of: of[1].bar.height),
     number("strength_kn_m", "kN/m", "force at yield", lambda of: 1e-3 * of[1].bar.strength),
     number("per_bar_kn", "kN", "of a bar", lambda of: None if of[1].per_bar is None else 1e-3 * of[1].per_bar),
-    free("parts_kn", "resistance of each part [kN]", lambda of: {name: 1e-3 * held for name, held in of[1].parts}),
+    untyped_quantity(
+        "parts_kn", "resistance of each part [kN]", lambda of: {name: 1e-3 * held for name, held in of[1].parts}
+    ),
     text("weakest", "part that governs", lambda of: of[1].weakest or None),
     number("elongation_at_yield_m", "m", "elongation at yield", lambda of: of[1].bar.elongation_at_yield),
     number("stands_m", "m", "elongation beyond which it is gone", lambda of: of[1].bar.stands),
-    free("elongation_m", "elongation at the demand and at the limits [m]", lambda of: elongations(of[0], of[1].bar)),
+    untyped_quantity(
+        "elongation_m", "elongation at the demand and at the limits [m]", lambda of: elongations(of[0], of[1].bar)
+    ),
 )
 """Quantities read from (WallResult, Tie)."""
 
@@ -166,7 +182,7 @@ def _kilo(force: float | None) -> float | None:
 
 TIE_DESIGN = (
     number("height_m", "m", "height above the base", "height"),
-    free(
+    untyped_quantity(
         "forces_kn_m",
         "force that each check asks [kN/m]",
         lambda tie: {name: _kilo(force) for name, force in tie.forces.items()},
@@ -178,14 +194,14 @@ TIE_DESIGN = (
     text("check", "check that asks it"),
     number("largest_kn_m", "kN/m", "up to which the wall is one block", lambda tie: _kilo(tie.largest)),
     number("zeta_bending", "-", "lowest zeta as it bends below a tie beyond that, null of a weaker one", "bending"),
-    free("elongation_m", "of the bar with the force named [m]", "elongation"),
+    untyped_quantity("elongation_m", "of the bar with the force named [m]", "elongation"),
     number("stands_m", "m", "elongation of the bar before it is gone", "stands"),
-    free("zeta", "zeta_E of each check with the force named"),
+    untyped_quantity("zeta", "zeta_E of each check with the force named"),
     whole("hinges", "hinges below the tie"),
     number("spacing_m", "m", "spacing of the bars", "spacing"),
     whole("diameter_mm", "smallest diameter that holds it [mm]", "diameter"),
     whole("thread_mm", "its thread [mm]", "thread"),
-    many(
+    list_quantity(
         "heights",
         "the displacement check by the height of the tie",
         (
@@ -200,7 +216,7 @@ TIE_DESIGN = (
 LIMIT_STATE = (
     text("limit_state", "limit state", "state"),
     number("return_period_years", "years", "its return period", "return_period"),
-    number("ag_g", "g", "a_g on rock", per(G, "ag")),
+    number("ag_g", "g", "a_g on rock", scaled_reader(G, "ag")),
     text("check", "check that decides"),
     number("zeta", "-", "zeta_E"),
     text("code", "outcome"),
@@ -215,15 +231,15 @@ FRAGILITY = (
 )
 
 
-class OfWallResult(NamedTuple):
+class WallResultSource(NamedTuple):
     """What the quantities of a wall are read from. result : None while the study runs"""
 
     wall: WallResult
     result: StudyResult | None
 
     @property
-    def runs(self) -> list[OfRun]:
-        return [OfRun(run, self.wall, known(self.result)) for run in self.wall.runs]
+    def runs(self) -> list[RunSource]:
+        return [RunSource(run, self.wall, known(self.result)) for run in self.wall.runs]
 
     @property
     def found(self) -> Any:
@@ -240,7 +256,7 @@ class OfAssessment:
         return getattr(self.found, name)
 
 
-def _with_factor(of: OfWallResult) -> OfAssessment | None:
+def _with_factor(of: WallResultSource) -> OfAssessment | None:
     if of.found is None or of.found.kinematic is None:
         return None
     return OfAssessment(of.found, known(of.result).demand_required.confidence_factor)
@@ -282,8 +298,8 @@ WALL = (
     text("restitution", "model of restitution", "wall.restitution.model"),
     number("velocity_ratio", "-", "at rest", "wall.restitution.ratio_at_rest", line="velocity_ratio"),
     Quantity("law", "any", "moment-rotation law", lambda of: of.wall.wall.law),
-    many("runs", "each record and sign", RUN),
-    many("per_record", "the lower of both signs of each record", PER_RECORD, "wall.per_record"),
+    list_quantity("runs", "each record and sign", RUN),
+    list_quantity("per_record", "the lower of both signs of each record", PER_RECORD, "wall.per_record"),
     text("set_rule", "mean, minimum, too_few or incomplete", "wall.set_rule"),
     number("q_set", "-", "q of the set by that rule", "wall.q_set"),
     number("q_min", "-", "lowest q", "wall.q_min"),
@@ -292,7 +308,7 @@ WALL = (
     number("q_slv_low_set", "-", "the same of its lower ends", "wall.q_slv_low_set", line="q_slv_low"),
     number("q_slv_robust_set", "-", "the same of q_slv_robust", "wall.q_slv_robust_set", line="q_slv_robust"),
     number("q_slv_safe_set", "-", "the same of q_slv_safe", "wall.q_slv_safe_set", line="q_slv_safe"),
-    one(
+    object_quantity(
         "power_law",
         "q_eff = C1 SI^C2, Eq. 13",
         (
@@ -303,43 +319,57 @@ WALL = (
         ),
         lambda of: of.wall.power_law or None,
     ),
-    one("fragility", "q at which shares of the runs collapse", FRAGILITY, lambda of: of.wall.fragility or None),
-    many(
+    object_quantity(
+        "fragility", "q at which shares of the runs collapse", FRAGILITY, lambda of: of.wall.fragility or None
+    ),
+    list_quantity(
         "code_check",
         "Eq. 9 by the q of each source",
         EQ_9,
         lambda of: [(of.wall, source, check) for source, check in zip(Q_SOURCES, of.wall.code_check, strict=False)],
     ),
-    many("scale_free_law", "Ribalta's law, a research output", ESTIMATE, "wall.estimates"),
-    one(
+    list_quantity("scale_free_law", "Ribalta's law, a research output", ESTIMATE, "wall.estimates"),
+    object_quantity(
         "body",
         "of a wall that is no rectangle, about the outer edge of its base",
         BODY,
         lambda of: None if of.wall.wall.in_si.body is None else of.wall,
     ).optional(),
-    one(
+    object_quantity(
         "loads",
         "of a wall with loads",
         LOADS,
         lambda of: of.wall if of.wall.wall.load and not of.wall.wall.bends else None,
     ).optional(),
-    many("ties", "its ties", TIE, lambda of: [(of.wall, tie) for tie in of.wall.wall.in_si.ties] or None).optional(),
-    one("tie_design", "the tie asked for", TIE_DESIGN, lambda of: of.found.tie if of.found else None).optional(),
-    many(
+    list_quantity(
+        "ties", "its ties", TIE, lambda of: [(of.wall, tie) for tie in of.wall.wall.in_si.ties] or None
+    ).optional(),
+    object_quantity(
+        "tie_design", "the tie asked for", TIE_DESIGN, lambda of: of.found.tie if of.found else None
+    ).optional(),
+    list_quantity(
         "limit_states", "the limit states", LIMIT_STATE, lambda of: (of.found.states or None) if of.found else None
     ).optional(),
-    one("demand_check", "the histories at the demand", AT_DEMAND, lambda of: of.found.dynamic if of.found else None),
-    one(
+    object_quantity(
+        "demand_check", "the histories at the demand", AT_DEMAND, lambda of: of.found.dynamic if of.found else None
+    ),
+    object_quantity(
         "lower_bound_check",
         "the histories where what holds the wall fails",
         [quantity._replace(line="") for quantity in AT_DEMAND],
         lambda of: of.found.lower_bound if of.found else None,
     ),
-    one("kinematic_check", "the checks of the clauses", KINEMATIC, _with_factor),
-    one("verdict", "outcome about this hinge", VERDICT_OF_HINGE, lambda of: of.found.verdict if of.found else None),
-    one("floor", "of a wall above the ground", FLOOR, lambda of: of.wall if of.wall.floor else None).optional(),
-    one("risk", "what it withstands", RISK, lambda of: of.found if of.found and of.found.risk else None).optional(),
-    one("uncertainty", "how exact its q is, where asked for", UNCERTAINTY, "wall.accuracy").optional(),
+    object_quantity("kinematic_check", "the checks of the clauses", KINEMATIC, _with_factor),
+    object_quantity(
+        "verdict", "outcome about this hinge", VERDICT_OF_HINGE, lambda of: of.found.verdict if of.found else None
+    ),
+    object_quantity(
+        "floor", "of a wall above the ground", FLOOR, lambda of: of.wall if of.wall.floor else None
+    ).optional(),
+    object_quantity(
+        "risk", "what it withstands", RISK, lambda of: of.found if of.found and of.found.risk else None
+    ).optional(),
+    object_quantity("uncertainty", "how exact its q is, where asked for", UNCERTAINTY, "wall.accuracy").optional(),
     texts("warnings", "remarks on the run", lambda of: [warning.text() for warning in of.wall.warnings]),
 )
 """Quantities read from OfWallResult."""

@@ -16,8 +16,8 @@ from core.derivation.line import Columns
 from core.derivation.quantity import Quantity
 from core.derivation.site import demand_section
 from core.errors import InputError
-from core.report.stated.quantity import listed
-from core.report.stated.walls import WALL, OfWallResult
+from core.report.stated.quantity import walk_quantities
+from core.report.stated.walls import WALL, WallResultSource
 from core.study.run import run
 from core.units import G
 from core.wall.restitution import MODELS
@@ -255,7 +255,7 @@ def results_agree(result, wall, lines):
         if not isinstance(line, Columns) and line.value is not None:
             there.setdefault(line.of.name, []).append(line)
     compared = set()
-    for name, value, unit in derived_of(WALL, OfWallResult(wall, result)):
+    for name, value, unit in derived_of(WALL, WallResultSource(wall, result)):
         if name in ABOUT_A_HINGE and governing_side(wall) < 0.0:  # the results are about the outer one
             continue
         for line in there.get(f"{name}_friction") or there.get(name, []):
@@ -292,7 +292,7 @@ def test_that_every_description_gives_the_number_of_the_program_and_none_is_of_n
         assert len(found) > 0.6 * walls and compared > 15 * len(found), which
     branches = {one.function.__name__ for one in (*checks.SE_BRANCHES, *checks.S_DE_BRANCHES)}
     assert described - seen - branches == set()
-    assert {one.line for _, one in listed(WALL) if one.line} - told == OF_RECORDS
+    assert {one.line for _, one in walk_quantities(WALL) if one.line} - told == OF_RECORDS
 
 
 @pytest.mark.shows("demand.branches")

@@ -11,7 +11,7 @@ from core.case.rules import parse_case
 from core.codes.collapse_rate import Lognormal, StateRate
 from core.report.note.content import note
 from core.report.note.parts import Figures, Heading, Item, Table
-from core.report.sure_words import rate_lines, rate_row
+from core.report.uncertainty_text import rate_lines, rate_row
 from core.study.run import run
 from tests.core.report import whole_workbook
 from tests.core.study.test_verdict_uncertainty import ROWS

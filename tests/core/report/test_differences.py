@@ -4,25 +4,25 @@ import io
 
 import openpyxl
 
-from core.report.differences import case_of_workbook, of_lines, of_results, of_workbooks
+from core.report.differences import case_of_workbook, diff_lines, diff_results, diff_workbooks
 
 
 def test_that_a_key_more_a_key_less_and_another_type_are_differences():
-    found = list(of_results({"a": 1.0, "b": [1, 2], "c": True}, {"b": [1, 2, 3], "c": 1, "d": None}))
+    found = list(diff_results({"a": 1.0, "b": [1, 2], "c": True}, {"b": [1, 2, 3], "c": 1, "d": None}))
     assert [one.place for one in found] == ["a", "b", "c", "d"]
-    assert list(of_results({"seconds": 1.0, "q": 2.0}, {"seconds": 2.0, "q": 2.0})) == []
+    assert list(diff_results({"seconds": 1.0, "q": 2.0}, {"seconds": 2.0, "q": 2.0})) == []
 
 
 def test_that_a_number_is_off_by_its_share_and_true_is_no_number():
-    (found,) = of_results({"walls": [{"q_set": 2.0}]}, {"walls": [{"q_set": 1.9}]})
+    (found,) = diff_results({"walls": [{"q_set": 2.0}]}, {"walls": [{"q_set": 1.9}]})
     assert (found.place, found.reported, found.found) == ("walls[0].q_set", "2.0", "1.9")
     assert abs(found.share - 0.05) < 1e-12
-    (found,) = of_results({"passed": True}, {"passed": 1})
+    (found,) = diff_results({"passed": True}, {"passed": 1})
     assert found.share is None
 
 
 def test_that_changed_lines_and_lines_that_are_gone_have_their_number():
-    found = list(of_lines(["a", "q = 2.10", "c", "d"], ["a", "q = 1.10", "c"]))
+    found = list(diff_lines(["a", "q = 2.10", "c", "d"], ["a", "q = 1.10", "c"]))
     assert [(one.place, one.reported, one.found) for one in found] == [("2", "q = 2.10", "q = 1.10"), ("4", "d", "")]
 
 
@@ -37,10 +37,10 @@ def book_of(**cells) -> bytes:
 
 def test_that_numbers_texts_and_formulas_of_cells_are_compared_and_sheets_by_name():
     one = book_of(A1="zeta", B1=0.5, C1="=B1*2")
-    assert of_workbooks(one, book_of(A1="zeta", B1=0.5, C1="=B1*2")) == []
-    places = [found.place for found in of_workbooks(one, book_of(A1="ZETA", B1=0.6, C1="=B1*3", D1=1))]
+    assert diff_workbooks(one, book_of(A1="zeta", B1=0.5, C1="=B1*2")) == []
+    places = [found.place for found in diff_workbooks(one, book_of(A1="ZETA", B1=0.6, C1="=B1*3", D1=1))]
     assert places == ["Check!A1", "Check!B1", "Check!D1", "Check!C1"]
-    (found,) = of_workbooks(one, book_of(title="Other"))
+    (found,) = diff_workbooks(one, book_of(title="Other"))
     assert (found.reported, found.found) == ("Check", "Other")
 
 

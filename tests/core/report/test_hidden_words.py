@@ -8,7 +8,7 @@ import pytest
 
 from app.terminal import export
 from core.report.assumption_table import tabled
-from core.report.verdict_words import in_order, lines_of, sentence_of
+from core.report.verdict_words import lines_of, sentence_of, sort_results
 from core.study.governing import collapse_histories
 from core.study.run import run
 from tests.conftest import ROOT
@@ -44,7 +44,7 @@ def assert_seen(pdf, result):
     assert words_without_ink(pdf) == []
     words = {word for page in words_of(pdf) for word, _ in page}
     language = result.case.report.language
-    for wall, decides in in_order(result):
+    for wall, decides in sort_results(result):
         if decides:
             rows = tabled(wall, language)
             lines = [line for line in lines_of(result, wall, language) if line not in rows]

@@ -26,7 +26,7 @@ from core.report.note import document
 from core.report.note.content import note
 from core.report.note.equation import MAX_WHOLE_LINE, equations, width
 from core.report.note.parts import Bars, Blanks, Box, Derivation, Figures, Heading, Item, Paragraph, Step, Table
-from core.report.verdict_words import in_order, lines_of, sentence_of
+from core.report.verdict_words import lines_of, sentence_of, sort_results
 from core.study.demand_histories import deciding_runs, demand_histories
 from core.study.run import run
 from core.units import G
@@ -164,7 +164,7 @@ def test_that_a_g_sld_over_a_g_is_printed_at_every_limit_state(state):
 def test_that_every_wall_has_its_verdict_with_all_reasons_its_checks_and_its_figures(building):
     parts = note(building, "en")
     words = lines_within(parts)
-    decide = [wall for wall, decides in in_order(building) if decides]
+    decide = [wall for wall, decides in sort_results(building) if decides]
     for wall in building.walls:
         # in its section, and that of the hinge that decides on the first page
         assert words.count(sentence_of(wall, "en")) == 1 + (wall in decide)

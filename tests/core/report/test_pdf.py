@@ -16,7 +16,7 @@ from core.case import note_file
 from core.case.reader import read_case
 from core.errors import InputError
 from core.report.note import figure_geometry
-from core.report.note.archive import attached, note_as_pdf, note_of
+from core.report.note.archive import note_as_pdf, note_attachments, note_of
 from core.report.note.parts import Curve, Figure, Heading, Item, Paragraph, Table
 from core.report.note.pdf import NO_DATE, Note, day_of, legible, picture
 from core.report.note.words import Words
@@ -142,9 +142,9 @@ def test_that_the_case_its_results_and_the_list_of_records_lie_within(whole_buil
 def test_that_a_case_is_attached_as_it_was_written_with_its_comments(verdict, whole_building):
     source = "# a comment\n" + (ROOT / "resources" / "cases" / "example.toml").read_text()
     one = replace(verdict, case=read_case(ROOT / "resources" / "cases" / "example.toml"))
-    assert attached(replace(one, case=replace(one.case, source=source)))[0].content == source
+    assert note_attachments(replace(one, case=replace(one.case, source=source)))[0].content == source
     # the walls of a table stand in the case itself
-    assert attached(verdict)[0].content.count("[[wall]]") == len(verdict.case.wall)
+    assert note_attachments(verdict)[0].content.count("[[wall]]") == len(verdict.case.wall)
 
 
 @pytest.mark.shows("note.same_bytes")

@@ -13,7 +13,7 @@ from core.ooxml.sheet import Limits, read_sheet
 from core.report.cells import Book, text
 from core.report.note.document import document
 from core.report.note.parts import Curve, Figure, Figures, Heading, Paragraph, Table
-from core.report.xml_text import for_cell, for_xml
+from core.report.xml_text import escape_for_cell, escape_for_xml
 from core.research.figures import LINE
 from core.research.figures import Figure as StudyFigure
 from core.research.figures import Series as StudySeries
@@ -39,11 +39,11 @@ def parts(content: bytes) -> dict[str, str]:
 
 
 def test_that_only_what_no_xml_holds_is_escaped():
-    assert for_xml(HOSTILE) == "a\\ufffe\\uffff_x0041_\\x0b\\ud800\U0001ffff è <&>"
-    assert for_xml("a\tb\nè 😀\ufffd") == "a\tb\nè 😀\ufffd"
-    assert for_cell("_x0041_ x_x00e9__x0041_ _x41_") == "_x005F_x0041_ x_x005F_x00e9__x005F_x0041_ _x41_"
+    assert escape_for_xml(HOSTILE) == "a\\ufffe\\uffff_x0041_\\x0b\\ud800\U0001ffff è <&>"
+    assert escape_for_xml("a\tb\nè 😀\ufffd") == "a\tb\nè 😀\ufffd"
+    assert escape_for_cell("_x0041_ x_x00e9__x0041_ _x41_") == "_x005F_x0041_ x_x005F_x00e9__x005F_x0041_ _x41_"
     curve = Curve("\uffff", (1.0, 2.0), np.ones(2))
-    made = for_xml((Figure("c\ufffe", [curve]), Table(("\uffff",), [["\uffff", "b"]], (1,))))
+    made = escape_for_xml((Figure("c\ufffe", [curve]), Table(("\uffff",), [["\uffff", "b"]], (1,))))
     assert made[0].caption == "c\\ufffe" and made[0].curves[0].x == (1.0, 2.0)
     assert made[1].rows == [["\\uffff", "b"]] and made[1].heads == ("\\uffff",)
 

@@ -8,7 +8,7 @@ import pytest
 
 from core.case.rules import parse_case
 from core.report import json_report
-from core.report.stated.quantity import listed, schema
+from core.report.stated.quantity import schema, walk_quantities
 from core.report.stated.study import RESULTS
 from core.study.run import run
 from tests.reference_of_results import FOLDER, json_schema, page
@@ -68,7 +68,9 @@ def test_that_a_key_that_is_not_described_and_one_that_is_missing_are_refused(of
 @pytest.mark.shows("files.schema")
 def test_that_every_number_of_the_results_has_a_unit_and_every_key_a_meaning():
     silent = [
-        path for path, one in listed(RESULTS) if not one.meaning or (one.kind.startswith("number") and not one.unit)
+        path
+        for path, one in walk_quantities(RESULTS)
+        if not one.meaning or (one.kind.startswith("number") and not one.unit)
     ]
     assert silent == []
 
@@ -94,7 +96,7 @@ def test_that_a_unit_in_the_name_of_a_key_is_the_unit_of_its_value():
         "_km": "km",
     }
     wrong = []
-    for path, one in listed(RESULTS):
+    for path, one in walk_quantities(RESULTS):
         if one.kind not in ("number", "numbers"):
             continue
         end = max((end for end in ends if one.key.endswith(end)), key=len, default=None)

@@ -14,7 +14,7 @@ PERIOD_CLAUSES = {"SLV": "C8.7.1.10", "SLC": "C8.7.1.11"}
 
 
 @dataclass(frozen=True)
-class Said:
+class LineText:
     """symbol, unit, clause : filled in
     title : of the row of a workbook; label : beside the line of a note
     symbols, numbers : the right side, empty where the line shows none
@@ -34,10 +34,10 @@ class Said:
         return f"{self.symbol} = {self.symbols}" if self.symbols else ""
 
 
-class Phrases:
+class DerivationText:
     """Says the lines of a section one after the other: a line needs the symbols and values of those before it."""
 
-    def __init__(self, result: StudyResult, language: str, known: "Phrases | None" = None):
+    def __init__(self, result: StudyResult, language: str, known: "DerivationText | None" = None):
         state = result.demand_required.limit_state if result.demand else ""
         self.language = language
         self.symbols: dict[str, str] = dict(known.symbols) if known else {}
@@ -68,7 +68,7 @@ class Phrases:
             return word(text, self.language)
         return localized("report", text, self.language, **words) if text else ""
 
-    def of(self, line: Line, cell: str | None = None, run_cell: str | None = None) -> Said:
+    def of(self, line: Line, cell: str | None = None, run_cell: str | None = None) -> LineText:
         """The words of a line, which those after it may name. cell : that has its value; run_cell : that has the one of
         the program"""
         of = line.of
@@ -87,7 +87,7 @@ class Phrases:
             if line.note == FULL:
                 with suppress(Branches):
                     numbers = in_numbers(line.quantity, self.shown, self.language)
-        said = Said(
+        said = LineText(
             symbol,
             unit,
             clause,

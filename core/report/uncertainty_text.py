@@ -17,7 +17,7 @@ Say = Callable[..., str]
 """Says a text of the group "report"."""
 
 
-class Moved(NamedTuple):
+class MovedInputRow(NamedTuple):
     """A row of the moves. name : of the input; ends : (what it is moved to, zeta, whether it is surely satisfied)"""
 
     name: str
@@ -62,10 +62,10 @@ def interval_line(say: Say, verdict: WallVerdict, language: str) -> str:
     )
 
 
-def moved_rows(sensitivity: Sensitivity, language: str) -> list[Moved]:
+def moved_rows(sensitivity: Sensitivity, language: str) -> list[MovedInputRow]:
     """The inputs that move zeta, the one that moves it most first."""
     return [
-        Moved(
+        MovedInputRow(
             swing_name(swing, language),
             [(describe_swing_end(swing, end).text(language), end.zeta, end.sure) for end in swing.ends],
         )
@@ -78,7 +78,7 @@ def swing_name(swing: Swing, language: str) -> str:
     return word(f"key_{swing.key}", language)
 
 
-def still_lines(say: Say, result: StudyResult, verdict: WallVerdict, language: str) -> list[str]:
+def sensitivity_remarks(say: Say, result: StudyResult, verdict: WallVerdict, language: str) -> list[str]:
     """Sentences with which the moves are to be read: whether the verdict is one, the inputs that do not move zeta,
     those that cannot be moved so."""
     sensitivity, lines = known(verdict.sensitivity), []
