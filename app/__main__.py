@@ -52,7 +52,7 @@ def tell(text: str) -> None:
         return
     from app.shell import start as qt
 
-    qt.refuse(text)
+    qt.show_start_error(text)
 
 
 def extract(note: Path, folder: Path | None) -> int:

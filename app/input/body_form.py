@@ -9,11 +9,11 @@ from PySide6.QtWidgets import QGridLayout, QPushButton, QToolButton, QVBoxLayout
 
 from app.input.editors import Line
 from app.input.entries_form import EntriesForm
-from app.input.fields import Field, blank, connect
+from app.input.fields import Field, clear_fields, connect
 from app.input.made_fields import make_fields
 from app.input.optional_group import OptionalGroup
 from app.input.wall_editor import WallEditor
-from app.look.labels import Plain
+from app.look.labels import PlainLabel
 from app.look.language import FORM_NAMES, current_language, number, tr
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
@@ -153,18 +153,18 @@ class BodyForm(WallEditor):
         self.bricks = QWidget()
         grid = QGridLayout(self.bricks)
         grid.setContentsMargins(0, 0, 0, 0)
-        words = Plain(tr("Crack from the bricks: tan = length/(2 height)"))
+        words = PlainLabel(tr("Crack from the bricks: tan = length/(2 height)"))
         words.setWordWrap(True)
         grid.addWidget(words, 0, 0, 1, 3)
         self.brick_length, self.brick_height = (Line(lambda: False, lambda: None) for _ in range(2))
         lines = ((self.brick_length, tr("Brick length")), (self.brick_height, tr("Brick height")))
         for row, (line, title) in enumerate(lines, start=1):
-            label = Plain(title)
+            label = PlainLabel(title)
             label.setBuddy(line)
             line.setAccessibleName(f"{title} [cm]")
             line.setAlignment(Qt.AlignmentFlag.AlignRight)
             line.textEdited.connect(lambda _: self._show_offer())
-            for column, widget in enumerate((label, line, Plain("cm"))):
+            for column, widget in enumerate((label, line, PlainLabel("cm"))):
                 grid.addWidget(widget, row, column)
         self.fill = QPushButton()
         self.fill.clicked.connect(self._fill_length)
@@ -179,7 +179,7 @@ class BodyForm(WallEditor):
         for entries in self.lists:
             entries.show_case()
         if wall is None:
-            blank(self.gable_fields)
+            clear_fields(self.gable_fields)
         for field in self.gable_fields if wall else ():
             field.show_value(getattr(wall, field.key))
         self.wedges.show_case()

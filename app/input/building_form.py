@@ -7,8 +7,8 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app.input.entries_form import EntriesForm
 from app.input.optional_group import OptionalGroup
-from app.look.labels import Plain
-from app.look.language import FORM_NAMES, called, number, tr
+from app.look.labels import PlainLabel
+from app.look.language import FORM_NAMES, number, tr, wall_title
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
 from core.case.site import Building, FloorLoad
@@ -43,7 +43,7 @@ class FloorsForm(EntriesForm):
 def floor_words(floor: FloorLoad) -> str:
     """A floor in the list."""
     level = "–" if floor.level_m in (None, "") else number(floor.level_m, "g")
-    walls = " – ".join(called(name) for name in (floor.from_wall, floor.to_wall) if name)
+    walls = " – ".join(wall_title(name) for name in (floor.from_wall, floor.to_wall) if name)
     return f"{floor.name or '–'}: {level} m, {walls or '–'}"
 
 
@@ -56,7 +56,7 @@ class BuildingForm(QWidget):
         title, empty = tr("Building of the walls above the ground"), Building(TO_BE_GIVEN, TO_BE_GIVEN)
         self.given = OptionalGroup(title, "building", empty, lambda: session.case, self._edit)
         self.fields = self.given.fields
-        self.summary = Plain()
+        self.summary = PlainLabel()
         self.summary.setWordWrap(True)
         self.given.column.addWidget(self.summary)
         self.floors = FloorsForm(session)

@@ -9,17 +9,17 @@ from PySide6.QtWidgets import QFileDialog, QGroupBox, QPushButton, QVBoxLayout, 
 
 from app.input.building_form import BuildingForm
 from app.input.editors import Choice
-from app.input.fields import ChoiceField, Field, blank, connect
+from app.input.fields import ChoiceField, Field, clear_fields, connect
 from app.input.hazard_form import HazardForm
 from app.input.made_fields import make_field, make_fields
 from app.input.note_form import title_field, with_button
 from app.input.place_form import PlaceForm
 from app.input.reasons_form import reasons_of_demand
 from app.look import theme
-from app.look.labels import Plain
-from app.look.language import current_language, described, named, number, tr
-from app.look.parts import Parts
-from app.look.section import Section
+from app.look.case_views import CaseViews
+from app.look.labels import PlainLabel
+from app.look.language import current_language, describe_message, number, result_word, tr
+from app.look.section import FoldingSection
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
 from core.case.place import OF_SPECTRUM, apply_site
@@ -40,11 +40,11 @@ if TYPE_CHECKING:
 RESTED = 120
 """Time after a key before the spectrum is drawn again [ms]."""
 
-FROM_PLACE = ("ag_g", "site", "coordinates", "nominal_life_years", "use_class_factor", "return_period_years")
+SITE_KEYS = ("ag_g", "site", "coordinates", "nominal_life_years", "use_class_factor", "return_period_years")
 """Fields of the demand that a place makes needless."""
 
 
-def whole(demand: Demand) -> bool:
+def has_return_period(demand: Demand) -> bool:
     """Whether its return period is known."""
     try:
         return demand.return_period is not None
@@ -102,9 +102,9 @@ class DemandForm(QWidget):
             inside.addWidget(widget)
         self.hazard = HazardForm(session)
         self.sections = [
-            Section(tr("Confidence factor"), make_by(below, "knowledge"), open=True),
-            Section(tr("Records at the demand, limits"), make_by(below, "check")),
-            Section(tr("Site, return period, hazard"), [*make_by(below, "site"), self.hazard]),
+            FoldingSection(tr("Confidence factor"), make_by(below, "knowledge"), open=True),
+            FoldingSection(tr("Records at the demand, limits"), make_by(below, "check")),
+            FoldingSection(tr("Site, return period, hazard"), [*make_by(below, "site"), self.hazard]),
         ]
         for widget in self.sections:
             inside.addWidget(widget)
@@ -114,7 +114,9 @@ class DemandForm(QWidget):
         for widget in (self.given, self.reasons):
             layout.addWidget(widget)
         layout.addStretch(1)
-        self.parts = Parts(self, self._show_demand, self.place.show_case, self.hazard.show_case, self.reasons.show_case)
+        self.parts = CaseViews(
+            self, self._show_demand, self.place.show_case, self.hazard.show_case, self.reasons.show_case
+        )
 
     def forget(self) -> None:
         """Another case: what was switched off in the last one does not come back in this."""
@@ -125,7 +127,7 @@ class DemandForm(QWidget):
 
     def _make_spectrum(self) -> None:
         """How the spectrum is given, with what is said of it."""
-        self.hint, self.summary = Plain(), Plain()
+        self.hint, self.summary = PlainLabel(), PlainLabel()
         self.hint.setWordWrap(True)
         self.summary.setWordWrap(True)
         self.kind = Choice()
@@ -151,7 +153,7 @@ class DemandForm(QWidget):
         self.given.blockSignals(False)
         self.no_records.hide()
         if demand is None:
-            blank((*self.of_demand, *self.of_spectrum))
+            clear_fields((*self.of_demand, *self.of_spectrum))
             self.kind.setCurrentIndex(-1)
             for label in (self.hint, self.summary):
                 label.setText("")
@@ -178,7 +180,7 @@ class DemandForm(QWidget):
             target = read_target_spectrum(demand, self.session.base_dir)
         except InputError as error:
             target = None
-            self.summary.setText(described(error))
+            self.summary.setText(describe_message(error))
         except (TypeError, KeyError):  # values of the site are still to be given
             target = None
             self.summary.setText(tr("The values of the site are still missing."))
@@ -215,7 +217,7 @@ class DemandForm(QWidget):
     def _show_given(self, spectrum: Spectrum | None) -> None:
         """What follows from the place is not asked for."""
         free = self.session.case.site is None
-        for key in FROM_PLACE:
+        for key in SITE_KEYS:
             self.fields[key].setVisible(free)
         for key in OF_SPECTRUM:
             self.fields[key].setVisible(free and spectrum is not None and spectrum.code == NATIONAL)
@@ -240,11 +242,14 @@ class DemandForm(QWidget):
             field for field in self.of_demand if isinstance(field, ChoiceField) and field.key == "demand_scaling"
         )
         said = (
-            f"FC {number(demand.confidence_factor, 'g')}, {named(f'confidence_{demand.confidence_on}')}",
+            f"FC {number(demand.confidence_factor, 'g')}, {result_word(f'confidence_{demand.confidence_on}')}",
             f"{scaling.words[demand.demand_scaling]}, ζ {number(demand.zeta_target, 'g')}, "
             f"q {number(demand.q_code, 'g')}",
             ", ".join(
-                filter(None, (demand.site, f"T_R {number(demand.return_period, '.0f')}" if whole(demand) else ""))
+                filter(
+                    None,
+                    (demand.site, f"T_R {number(demand.return_period, '.0f')}" if has_return_period(demand) else ""),
+                )
             ),
         )
         for section, words in zip(self.sections, said, strict=True):

@@ -23,9 +23,9 @@ from app.input.drawing_canvas import BODY, NO_PART, OPENING, ROLES, DrawingCanva
 from app.input.fields import LineField, connect
 from app.input.made_fields import make_field
 from app.look import theme
-from app.look.dialogs import once
-from app.look.labels import Plain
-from app.look.language import described, number, tr
+from app.look.dialogs import delete_after_use
+from app.look.labels import PlainLabel
+from app.look.language import describe_message, number, tr
 from app.work.session import Session
 from core.case.drawing_file import DRAWING_TOLERANCE, DRAWING_UNITS, DxfFile, Shape, Sheet
 from core.case.drawn_solids import made_solids, origin_of, replace_solids, sum_of_solids
@@ -108,7 +108,7 @@ class DrawingDialog(QDialog):
         self.sizes = QCheckBox(tr("Height, base and length of the wall from here too"))
         self.sizes.setChecked(not wall.has_shape)
         self.sizes.toggled.connect(self._later)
-        self.words = Plain()
+        self.words = PlainLabel()
         self.words.setWordWrap(True)
         self.words.setMinimumHeight(4 * self.fontMetrics().height())
         ok, cancel = QDialogButtonBox.StandardButton.Ok, QDialogButtonBox.StandardButton.Cancel
@@ -134,7 +134,7 @@ class DrawingDialog(QDialog):
         try:
             self.file = DxfFile(path)
         except InputError as error:
-            self.failure = described(error)
+            self.failure = describe_message(error)
         self._read()
 
     def _read(self) -> None:
@@ -143,7 +143,7 @@ class DrawingDialog(QDialog):
             try:
                 self.sheet = self.file.sheet(self.asked["unit"])
             except InputError as error:
-                self.failure = described(error)
+                self.failure = describe_message(error)
         if len(self.roles) != len(self.sheet.shapes):
             self.roles = likely_roles(self.sheet.shapes)
         self.areas = [self.scale**2 * polygon_sums(shape.corners).area for shape in self.sheet.shapes]
@@ -191,7 +191,7 @@ class DrawingDialog(QDialog):
         try:
             region = find_enclosing_outline(self.sheet.lines, (x, y), close, same)
         except InputError as error:
-            self.words.setText(described(error))
+            self.words.setText(describe_message(error))
             return
         made = [Shape(region.layer, corners) for corners in (region.outline, *region.holes)]
         left = [gap for gap in self.sheet.gaps if gap.at not in {one.at for one in region.closed}]
@@ -238,7 +238,7 @@ class DrawingDialog(QDialog):
                 words = self._preview(self.made)
                 check_shape(replace(self.made, unit_weight_kn_m3=self.weight))
             except InputError as error:  # a rule with the rest of the wall may be met in its form
-                wrong = described(error)
+                wrong = describe_message(error)
         self.words.setText(
             "\n".join(part for part in (words, wrong, self._gaps_closed(), self._open_outlines()) if part)
         )
@@ -255,7 +255,7 @@ class DrawingDialog(QDialog):
         if self.failure:
             return self.failure
         if self.sheet.stated is None and self.asked["unit"] is None:
-            return described(InputError("drawing_unit", key="unit", likely=self.sheet.unit))
+            return describe_message(InputError("drawing_unit", key="unit", likely=self.sheet.unit))
         if not self._of(BODY):
             return tr("Click the shape that is the wall.")
         if self.asked["to_m"] is None:
@@ -328,7 +328,7 @@ def take_from_drawing(session: Session, index: Callable[[], int], parent: QWidge
     if not name or not walls:
         return
     row, wall = index(), walls[index()]
-    with once(DrawingDialog(Path(name), wall, parent)) as dialog:
+    with delete_after_use(DrawingDialog(Path(name), wall, parent)) as dialog:
         accepted = dialog.exec() == QDialog.DialogCode.Accepted
         made = dialog.made if accepted else None
     if made is not None:

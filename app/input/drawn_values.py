@@ -7,7 +7,7 @@ from shiboken6 import isValid
 
 from app.input.fields import Field, LineField
 from app.look.drawing import WallDrawing
-from app.look.in_place import InPlace
+from app.look.in_place import InPlaceEditor
 from core.known import known
 
 DRAWN = {"height": "height_m", "thickness": "thickness_m", "load": "kn_m", "hinge": "hinge_heights"}
@@ -22,7 +22,7 @@ class DrawnValues:
 
     def __init__(self, drawing: WallDrawing, field_of: Callable[[str, int], Field]):
         self.drawing, self.field_of = drawing, field_of
-        self.line: InPlace | None = None
+        self.line: InPlaceEditor | None = None
         self.field: LineField | None = None
         drawing.asked.connect(self._ask)
 
@@ -33,7 +33,7 @@ class DrawnValues:
             return
         field.editor.entered.emit()
         before = field.text
-        line = InPlace(self.drawing, area, before, field.caption.text(), field.unit)
+        line = InPlaceEditor(self.drawing, area, before, field.caption.text(), field.unit)
         self.line, self.field = line, field
 
         def typed(text: str) -> bool:

@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QComboBox, QDialog, QLineEdit
 
-from app.look.parts import typing
+from app.look.case_views import typed_edit
 
 
 class Choice(QComboBox):
@@ -72,7 +72,7 @@ class Line(QLineEdit):
         elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             super().keyPressEvent(event)
         else:
-            with typing():
+            with typed_edit():
                 super().keyPressEvent(event)
 
     def event(self, event) -> bool:

@@ -7,10 +7,10 @@ from dataclasses import replace
 from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import QHBoxLayout, QListWidget, QToolButton, QVBoxLayout
 
-from app.input.fields import Field, blank, connect
+from app.input.fields import Field, clear_fields, connect
 from app.input.made_fields import make_fields
 from app.input.wall_editor import WallEditor
-from app.look.labels import Plain
+from app.look.labels import PlainLabel
 from app.look.language import tr
 from app.work.session import Session
 from core.case.values import field_of
@@ -86,7 +86,7 @@ class EntriesForm(WallEditor):
 
     def set_title(self, title: str) -> None:
         """What it edits, before its buttons and for a reader of the screen."""
-        self.buttons.insertWidget(0, Plain(title))
+        self.buttons.insertWidget(0, PlainLabel(title))
         self.list.setAccessibleName(title)
         for button in self.findChildren(QToolButton):
             button.setAccessibleName(f"{button.text()}: {title}")
@@ -127,7 +127,7 @@ class EntriesForm(WallEditor):
             if entry is not None:
                 field.show_value(getattr(entry, field.key))
         if entry is None:
-            blank(self.fields)
+            clear_fields(self.fields)
 
     def _names(self, problem: InputError, field: Field) -> bool:
         """Whether an error of the wall is about this field of the one that is chosen."""

@@ -11,8 +11,8 @@ from PySide6.QtWidgets import QCheckBox, QGridLayout, QSizePolicy, QWidget
 
 from app.input.editors import Choice, Line
 from app.look import theme
-from app.look.labels import Plain, plain
-from app.look.language import FORM_NAMES, current_language, of_key, tr
+from app.look.labels import PlainLabel, escape_html
+from app.look.language import FORM_NAMES, current_language, key_text, tr
 from app.look.whole_text import tell_whole
 from core.case.keys import unit_in_form
 from core.case.loads import Bars, ReturnWalls
@@ -71,35 +71,35 @@ class Field(QWidget):
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(6)
         grid.setVerticalSpacing(0)
-        self.caption = Plain(label)
+        self.caption = PlainLabel(label)
         self.caption.setMinimumWidth(116)
         self.caption.setMaximumWidth(190)
         self.caption.setWordWrap(True)
         self.editor = self.make_editor()
         self.editor.setMinimumHeight(self.editor.sizeHint().height())  # also with the edge of what is wrong
         self.editor.setAccessibleName(label)
-        self.editor.setToolTip(plain(tip))
-        self.setToolTip(plain(tip))
+        self.editor.setToolTip(escape_html(tip))
+        self.setToolTip(escape_html(tip))
         self.caption.setBuddy(self.editor)
         grid.addWidget(self.caption, 0, 0)
         grid.addWidget(self.editor, 0, 1)
         if self.unit:
-            grid.addWidget(Plain(self.unit), 0, 2)
+            grid.addWidget(PlainLabel(self.unit), 0, 2)
         grid.setColumnStretch(1, 1)
         self.setFocusProxy(self.editor)
 
     @cached_property
-    def message(self) -> Plain:
+    def message(self) -> PlainLabel:
         """The line below the field, made with the first words that stand there."""
-        made = Plain()
+        made = PlainLabel()
         made.setWordWrap(True)
         made.hide()
         self.grid.addWidget(made, 1, 0, 1, 3)
         return made
 
     def text_of(self, part: str) -> str:
-        """Its caption or its tip, see `of_key`."""
-        return of_key(self.section, self.key, part)
+        """Its caption or its tip, see `key_text`."""
+        return key_text(self.section, self.key, part)
 
     def key_in_errors(self) -> str:
         """The key by which errors name what it edits."""
@@ -338,17 +338,17 @@ def words_of_choices(section: type, key: str) -> dict:
     entry = field_of(section, key)
     words: dict = {}
     if entry.default is None and not entry.metadata.get("filled"):
-        words[None] = of_key(section, key, "=") or "–"
+        words[None] = key_text(section, key, "=") or "–"
     if entry.metadata["kind"] == "flag":
         return words | {True: tr("yes"), False: tr("no")}
     if entry.metadata["kind"] == "int":
         return words | {n: str(n) for n in range(entry.metadata["low"], entry.metadata["high"] + 1)}
     return words | {
-        name: of_key(section, key, f"={name}") or choice(name, current_language()) for name in entry.metadata["names"]
+        name: key_text(section, key, f"={name}") or choice(name, current_language()) for name in entry.metadata["names"]
     }
 
 
-def blank(chosen: Sequence[Field]) -> None:
+def clear_fields(chosen: Sequence[Field]) -> None:
     """Show nothing in these fields: what they edit is not there."""
     for field in chosen:
         if not field.is_blank:

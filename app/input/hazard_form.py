@@ -5,7 +5,7 @@ from pathlib import Path
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QGroupBox, QHBoxLayout, QMessageBox, QPushButton, QVBoxLayout
 
-from app.look.labels import Plain, plain
+from app.look.labels import PlainLabel, escape_html
 from app.look.language import quoted_from_file, tr
 from app.work.session import Session
 from core.case.hazard_table import parse_hazard, read_hazard
@@ -20,7 +20,7 @@ class HazardForm(QGroupBox):
     def __init__(self, session: Session):
         super().__init__(tr("Hazard of the site"))
         self.session = session
-        self.words = Plain()
+        self.words = PlainLabel()
         self.words.setWordWrap(True)
         column, buttons = QVBoxLayout(self), QHBoxLayout()
         column.addWidget(self.words)
@@ -30,7 +30,7 @@ class HazardForm(QGroupBox):
             (tr("Clear"), "", lambda: self._edit((), None)),
         ):
             button = QPushButton(label)
-            button.setToolTip(plain(tip))
+            button.setToolTip(escape_html(tip))
             button.clicked.connect(slot)
             buttons.addWidget(button)
         column.addLayout(buttons)
@@ -60,7 +60,7 @@ class HazardForm(QGroupBox):
         try:
             self._edit(parse_hazard(QGuiApplication.clipboard().text()), None)
         except InputError as error:
-            QMessageBox.warning(self, tr("Hazard not read"), plain(quoted_from_file(error)))
+            QMessageBox.warning(self, tr("Hazard not read"), escape_html(quoted_from_file(error)))
 
     def choose_file(self) -> None:
         """Refer to a file, if it can be read."""
@@ -73,7 +73,7 @@ class HazardForm(QGroupBox):
             read_hazard(Path(name))
         except (InputError, OSError) as error:
             said = quoted_from_file(error) if isinstance(error, InputError) else str(error)
-            QMessageBox.warning(self, tr("Hazard not read"), plain(said))
+            QMessageBox.warning(self, tr("Hazard not read"), escape_html(said))
             return
         self._edit((), self.session.relative(Path(name)))
 

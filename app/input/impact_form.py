@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from app.input.editors import Choice
-from app.input.fields import ChoiceField, blank
+from app.input.fields import ChoiceField, clear_fields
 from app.input.number_fields import NumberField
 from app.input.wall_editor import WallEditor
-from app.look.labels import Plain
-from app.look.language import current_language, described, named, number, tr
+from app.look.labels import PlainLabel
+from app.look.language import current_language, describe_message, number, result_word, tr
 from app.work.session import Session
 from core.case.wall import Wall
 from core.errors import InputError
@@ -99,7 +99,7 @@ class LawField(NumberField):
         super().__init__(Wall, "velocity_ratio")
 
     def text_of(self, part: str) -> str:
-        return named(f"key_{self.end}") if part == ".caption" else ""
+        return result_word(f"key_{self.end}") if part == ".caption" else ""
 
     def key_in_errors(self) -> str:
         return self.end
@@ -125,7 +125,7 @@ class ImpactForm(WallEditor):
         self.last.edited.connect(lambda value: self._law_end("plateau_end", value))
         self.model.edited.connect(self._model_chosen)
         self.velocity_ratio.edited.connect(lambda value: self.edit("velocity_ratio", velocity_ratio=value))
-        self.formula = Plain()
+        self.formula = PlainLabel()
         self.formula.setWordWrap(True)
         for widget in (self.model, self.velocity_ratio, self.formula):
             column.addWidget(widget)
@@ -147,7 +147,7 @@ class ImpactForm(WallEditor):
         """Fill the form from the wall."""
         wall = self.wall
         if wall is None:
-            blank((self.model, self.velocity_ratio, self.first, self.last))
+            clear_fields((self.model, self.velocity_ratio, self.first, self.last))
             self.formula.setText("")
             self.law.setCurrentIndex(-1)
             self._draw_law()
@@ -160,13 +160,13 @@ class ImpactForm(WallEditor):
         for mechanism in wall.mechanisms() if wall.mechanism else ():
             try:
                 model_used = wall.restitution_of(mechanism)
-                word = named(mechanism)
+                word = result_word(mechanism)
                 formula = formula_of(model_used.model, wall.block(), wall.in_si.contact)
                 lines.append(f"{word}: {formula} = {number(model_used.ratio_at_rest, '.4f')}")
                 if model_used.model in self.scopes:
                     lines.append(f"({self.scopes[model_used.model]})")
             except InputError as error:
-                lines.append(described(error))
+                lines.append(describe_message(error))
             except TypeError:  # work in progress
                 lines.append(tr("Sizes, weights or loads are still missing."))
                 break

@@ -20,9 +20,9 @@ from PySide6.QtWidgets import (
 
 from app.input.fields import LineField, connect
 from app.input.made_fields import make_field, make_fields
-from app.input.record_files import Row, channels_of, file_of, named_row, read, told_of
+from app.input.record_files import Row, channels_of, file_of, named_row, provenance_lines, read_motions
 from app.look import theme
-from app.look.labels import Plain, plain
+from app.look.labels import PlainLabel, escape_html
 from app.look.language import number, tr
 from app.views.chart import Chart
 from core.case.schema import Record
@@ -49,7 +49,7 @@ class ImportDialog(QDialog):
         self.list.addItems([named_row(path) for path in self.paths])
         self.list.itemChanged.connect(lambda _: self._judge())
         self.list.currentRowChanged.connect(lambda _: self._other_file())
-        self.words = Plain()
+        self.words = PlainLabel()
         self.words.setWordWrap(True)
         self.chart = Chart("t [s]", "u'' [g]", tr("Preview"), live=True)
         self.fields = [*make_fields(Record, "file"), make_field(Record, "scale")]
@@ -73,7 +73,7 @@ class ImportDialog(QDialog):
         if len(paths) > MAX_FILES:
             left = tr("{n} more files are not shown: add them in parts.", n=len(paths) - MAX_FILES)
             hint += " " + left
-        self.hint = Plain(hint)
+        self.hint = PlainLabel(hint)
         layout = QVBoxLayout(self)
         layout.addWidget(self.hint)
         layout.addLayout(row, 1)
@@ -102,7 +102,7 @@ class ImportDialog(QDialog):
         item = self.list.item(row)
         item.setText(f"{name}  ✕" if bad else name)
         item.setForeground(QColor(theme.current.bad if bad else theme.current.ink))
-        item.setToolTip(plain(motion if bad else "" if isinstance(self.paths[row], Path) else name))
+        item.setToolTip(escape_html(motion if bad else "" if isinstance(self.paths[row], Path) else name))
 
     def _split(self, row: int) -> bool:
         """Put the channels of a file of several in its place, each with a box to tick."""
@@ -154,7 +154,7 @@ class ImportDialog(QDialog):
         """`read` of the entry of a file, once."""
         entry = self.entries[path]
         if entry not in self.found:
-            self.found[entry] = read(entry, file_of(path).parent)
+            self.found[entry] = read_motions(entry, file_of(path).parent)
         return self.found[entry]
 
     def change(self, **values) -> None:
@@ -181,7 +181,7 @@ class ImportDialog(QDialog):
             f"{motion.format}: {motion.acceleration.size} × {number(motion.time_step, 'g')} s, {motion.unit}, "
             f"PGA {number(motion.pga / G, '.3f')} g"
         )
-        self.words.setText("\n".join([summary, *told_of(motion)]))
+        self.words.setText("\n".join([summary, *provenance_lines(motion)]))
         times = np.arange(motion.acceleration.size) * motion.time_step
         self.chart.curve(motion.name, times, motion.acceleration / G, 0, 1.0)
         self.chart.reset()

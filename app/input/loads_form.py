@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QMenu, QToolButton
 
 from app.input.entries_form import EntriesForm
 from app.input.optional_group import OptionalGroup
-from app.input.wall_words import kind_of
+from app.input.wall_text import load_kind_text
 from app.look.language import current_language, number, tr
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
@@ -21,7 +21,7 @@ def load_words(load: Load) -> str:
     """A load in the list."""
     size = "–" if load.kn_m in (None, "") else f"{number(load.kn_m, 'g')}"
     height = "–" if load.h_m in (None, "") else f"{number(load.h_m, 'g')}"
-    return f"{kind_of(load)}, {size} kN/m, h {height} m"
+    return f"{load_kind_text(load)}, {size} kN/m, h {height} m"
 
 
 def _load_has(load: Load, key: str) -> bool:

@@ -7,13 +7,13 @@ from PySide6.QtWidgets import QApplication
 
 from app.input.fields import Field
 from app.look import theme
-from app.look.labels import Plain, plain
+from app.look.labels import PlainLabel, escape_html
 
 LINES_OF_BAR = 2
 """Room that it has; more is in its tip."""
 
 
-class MessageBar(Plain):
+class MessageBar(PlainLabel):
     """Says how the text of the field in hand is read and what is doubted, and what is wrong with one that was left.
 
     fields() : of the form in front
@@ -46,4 +46,4 @@ class MessageBar(Plain):
         wrong = self.of is not None and self.of.is_wrong
         self.setStyleSheet(f"color: {theme.current.bad if wrong else theme.current.amber};")
         self.setText(words)
-        self.setToolTip(plain(words))
+        self.setToolTip(escape_html(words))

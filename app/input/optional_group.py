@@ -7,7 +7,7 @@ from typing import Any
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QGroupBox, QVBoxLayout
 
-from app.input.fields import Field, blank, connect
+from app.input.fields import Field, clear_fields, connect
 from app.input.made_fields import make_fields
 
 
@@ -52,7 +52,7 @@ class OptionalGroup(QGroupBox):
         with QSignalBlocker(self):
             self.setChecked(section is not None)
         if section is None:
-            blank(self.fields)
+            clear_fields(self.fields)
         for field in self.fields:
             field.setVisible(section is not None)
             if section is not None:

@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QCompleter
 
 from app.input.editors import Line
 from app.input.fields import LineField
-from app.look.language import FORM_NAMES, described, tr
+from app.look.language import FORM_NAMES, describe_message, tr
 from core.case.coordinates import parse_coordinates
 from core.case.place import Site
 from core.errors import InputError
@@ -91,7 +91,7 @@ class CoordinatesField(LineField):
         try:
             value = parse_coordinates(text) if text.strip() else None
         except InputError as error:
-            self.refuse(described(error))
+            self.refuse(describe_message(error))
             return
         self.show_error("")
         self.value = value

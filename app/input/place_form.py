@@ -6,16 +6,16 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QGroupBox, QVBoxLayout, QWidget
 
-from app.input.fields import blank, connect
+from app.input.fields import clear_fields, connect
 from app.input.made_fields import make_field
 from app.input.place_fields import CoordinatesField, MunicipalityField
 from app.input.place_map import PlaceMap
 from app.look import theme
-from app.look.labels import Plain
-from app.look.language import described, number, tr
+from app.look.labels import PlainLabel
+from app.look.language import describe_message, number, tr
 from app.work.draft import TO_BE_GIVEN
-from app.work.placed_demand import restored
 from app.work.session import Session
+from app.work.site_demand import restored
 from core.case.place import Site
 from core.case.site import Demand, Spectrum
 from core.codes.limits import EXCEEDANCE
@@ -37,7 +37,7 @@ class States(QWidget):
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(12)
-        self.columns = [(Plain(), Plain()) for _ in self.HEADS]
+        self.columns = [(PlainLabel(), PlainLabel()) for _ in self.HEADS]
         for k, labels in enumerate(self.columns):
             for row, label in enumerate(labels):
                 label.setAlignment(Qt.AlignmentFlag.AlignRight)
@@ -71,12 +71,12 @@ class PlaceForm(QWidget):
         self.coordinates.edited.connect(self._pointed)
         self.fields = [make_field(Site, key) for key in ("nominal_life_years", "use_class")]
         connect(self.fields, self._changed)
-        self.words, self.states = Plain(), States()
+        self.words, self.states = PlainLabel(), States()
         self.words.setWordWrap(True)
         self.map = PlaceMap()
         self.map.chosen.connect(lambda *at: self._edit(("site", "point"), latitude=at[0], longitude=at[1]))
         inside = QVBoxLayout(self.given)
-        source = Plain(tr("Grid: D.M. 14/01/2008, Annex B. Municipalities: ISTAT, GeoNames (CC BY 4.0)."))
+        source = PlainLabel(tr("Grid: D.M. 14/01/2008, Annex B. Municipalities: ISTAT, GeoNames (CC BY 4.0)."))
         source.setWordWrap(True)
         source.setStyleSheet(f"color: {theme.current.quiet};")
         self.inside = (
@@ -98,7 +98,7 @@ class PlaceForm(QWidget):
         for widget in self.inside:
             widget.setVisible(site is not None)
         if site is None:
-            blank((self.municipality, self.coordinates, *self.fields))
+            clear_fields((self.municipality, self.coordinates, *self.fields))
             self.words.clear()
             self.states.show_rows([])
             self.map.show_point(None)
@@ -115,7 +115,7 @@ class PlaceForm(QWidget):
         try:
             hazard = site.hazard
         except (InputError, TypeError) as error:
-            self.words.setText(described(error) if isinstance(error, InputError) else "")
+            self.words.setText(describe_message(error) if isinstance(error, InputError) else "")
             self.states.show_rows([])
             self.map.show_point(None)
             return

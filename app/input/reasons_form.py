@@ -7,9 +7,9 @@ from typing import Any, TypeGuard
 from PySide6.QtWidgets import QGroupBox, QVBoxLayout
 
 from app.input.fields import TextField, connect
-from app.input.wall_words import with_floors
-from app.look.labels import Plain
-from app.look.language import named, tr
+from app.input.wall_text import add_building_loads
+from app.look.labels import PlainLabel
+from app.look.language import result_word, tr
 from app.work.session import Session
 from core.case.schema import Case, Generate
 from core.case.site import FULL_FACTOR, Building, Demand, DemandJustification
@@ -31,7 +31,7 @@ Reasons = WallJustification | DemandJustification
 
 
 def _of_ties(wall: Wall, leaf: Leaf | None) -> dict[str, bool]:
-    """Those keys of `raised_by_wall` that ties hold, and the connectors of a leaf."""
+    """Those keys of `favourable_wall_keys` that ties hold, and the connectors of a leaf."""
     ties = [load for load in wall.load if load.is_tie]
     return {
         "elongation_m": bool(ties),
@@ -42,9 +42,9 @@ def _of_ties(wall: Wall, leaf: Leaf | None) -> dict[str, bool]:
     }
 
 
-def raised_by_wall(case: Case, wall: Wall) -> set[str]:
+def favourable_wall_keys(case: Case, wall: Wall) -> set[str]:
     """Keys of a wall that raise its zeta as they are, see `core.variation.assumptions`."""
-    leaf, wall = wall.leaf, with_floors(case, wall) or wall
+    leaf, wall = wall.leaf, add_building_loads(case, wall) or wall
     at_height = wall.above_ground and case.building is not None and not case.building.modes
     lifting = {
         **_of_ties(wall, leaf),
@@ -73,7 +73,7 @@ def raised_by_wall(case: Case, wall: Wall) -> set[str]:
     return {key for key, lifts in lifting.items() if lifts}
 
 
-def raised_by_demand(case: Case) -> set[str]:
+def favourable_demand_keys(case: Case) -> set[str]:
     """Keys of the demand and of the building whose values lift zeta: each asks for a reason."""
     demand, building = case.demand, case.building
     if demand is None:
@@ -128,7 +128,7 @@ class ReasonField(TextField):
     """The reason for a key; the key itself is another field's."""
 
     def text_of(self, part: str) -> str:
-        return capital(named(f"key_{self.key}")) if part == ".caption" else ""
+        return capital(result_word(f"key_{self.key}")) if part == ".caption" else ""
 
     def key_in_errors(self) -> str:
         return f"reason_{self.key}"
@@ -152,7 +152,9 @@ class ReasonsForm(QGroupBox):
         super().__init__(tr("Reasons of the engineer"))
         self.section, self.raised, self.given, self.change = section, raised, given, change
         column = QVBoxLayout(self)
-        hint = Plain(tr("State why each of these values holds; without a reason the verdict may be only indicative."))
+        hint = PlainLabel(
+            tr("State why each of these values holds; without a reason the verdict may be only indicative.")
+        )
         hint.setWordWrap(True)
         column.addWidget(hint)
         self.fields = []
@@ -185,7 +187,7 @@ def reasons_of_wall(session: Session, index: Callable[[], int]) -> ReasonsForm:
 
     def raised() -> set[str]:
         shown = wall()
-        return raised_by_wall(session.case, shown) if shown else set()
+        return favourable_wall_keys(session.case, shown) if shown else set()
 
     def given() -> Reasons | None:
         shown = wall()
@@ -211,4 +213,4 @@ def reasons_of_demand(session: Session) -> ReasonsForm:
             place = ("demand", "justification", key)
             session.edit_section("demand", place, justification=reasons)
 
-    return ReasonsForm(DemandJustification, lambda: raised_by_demand(session.case), given, change)
+    return ReasonsForm(DemandJustification, lambda: favourable_demand_keys(session.case), given, change)

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from app.look.language import described
+from app.look.language import describe_message
 from core.case.schema import Record
 from core.errors import InputError
 from core.file_names import name_of
@@ -15,13 +15,13 @@ Row = Path | tuple[Path, str]
 """A file, or a channel of a file that has several."""
 
 
-def read(record: Record, base_dir: Path) -> list:
+def read_motions(record: Record, base_dir: Path) -> list:
     """Motions of one entry, or the sentence why there are none."""
     options = Options(record.unit, record.time_step_s, record.column, record.skip_lines, record.channel or None)
     try:
         return [records.read(path, options, record.scale) for path in records.expand(record.file, base_dir)]
     except InputError as error:
-        return [described(error)]
+        return [describe_message(error)]
 
 
 def channels_of(record: Record) -> tuple[str, ...]:
@@ -30,12 +30,12 @@ def channels_of(record: Record) -> tuple[str, ...]:
     return records.channels(Path(name_of(record.file)), options)
 
 
-def told_of(motion: GroundMotion) -> list[str]:
+def provenance_lines(motion: GroundMotion) -> list[str]:
     """What the file says of event, station, date, magnitude, filter and processing, and the warnings."""
     where = provenance(motion)
     parts = (where.event, where.station, where.date, where.magnitude, where.filter_and_processing)
     line = ", ".join(dict.fromkeys(part for part in parts if part))
-    return [*([line] if line else []), *(described(warning) for warning in motion.warnings)]
+    return [*([line] if line else []), *(describe_message(warning) for warning in motion.warnings)]
 
 
 def file_of(row: Row) -> Path:

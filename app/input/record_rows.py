@@ -3,8 +3,8 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from app.input.record_files import read
-from app.look.language import described, named, number, tr
+from app.input.record_files import read_motions
+from app.look.language import describe_message, number, result_word, tr
 from core.case.schema import Case, Record
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
@@ -50,7 +50,7 @@ def read_rows(
 
     cancelled : asked while records are chosen; raises Cancelled
     """
-    rows: list[Row] = [(k, motion) for k, entry in enumerate(case.record) for motion in read(entry, base)]
+    rows: list[Row] = [(k, motion) for k, entry in enumerate(case.record) for motion in read_motions(entry, base)]
     if case.generate or case.select:
         try:
             asked = read_demand(case, base)
@@ -59,7 +59,7 @@ def read_rows(
             made += read_records(chosen, base)[0] if case.select else []
             rows += [(None, motion) for motion in made]
         except InputError as error:
-            rows.append((None, described(error)))
+            rows.append((None, describe_message(error)))
         except (TypeError, KeyError):  # values of the site are still to be given
             rows.append((None, tr("The values of the site are still missing.")))
     motions = [motion for _, motion in rows if not isinstance(motion, str)]
@@ -79,7 +79,7 @@ def cells(motion: GroundMotion | str, entry: Record | None) -> list[str]:
         number(motion.pga / G, ".3f"),
         number(motion.housner_intensity / CM, ".1f"),
         number(entry.scale if entry else motion.scale, "g").replace("-", "−"),
-        named(entry.kind if entry else "artificial" if motion.format == "generated" else "natural"),
+        result_word(entry.kind if entry else "artificial" if motion.format == "generated" else "natural"),
         motion.unit,
         number(motion.time_step, "g"),
         number(motion.pgv / CM, ".1f"),

@@ -21,12 +21,12 @@ from PySide6.QtWidgets import (
 )
 
 from app.input.record_files import Row as FileRow
-from app.input.record_files import all_files, file_of, told_of
+from app.input.record_files import all_files, file_of, provenance_lines
 from app.input.record_rows import Row, cells, heads, read_rows, state_of
 from app.look import theme
-from app.look.dialogs import once
-from app.look.labels import Plain, plain
-from app.look.language import described, tr
+from app.look.dialogs import delete_after_use
+from app.look.labels import PlainLabel, escape_html
+from app.look.language import describe_message, tr
 from app.views.table import Table
 from app.work.session import Session
 from app.work.worker import Job
@@ -62,7 +62,7 @@ class RecordsPanel(QWidget):
         self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.table.customContextMenuRequested.connect(self._menu)
         self.one_set = tr("Generated motions are one set: Remove takes them all, Generate… makes others.")
-        self.words = Plain(tr("Drop accelerograms or folders here."))
+        self.words = PlainLabel(tr("Drop accelerograms or folders here."))
         self.words.setWordWrap(True)
         bar = QHBoxLayout()
         for label, tip, slot in (
@@ -79,7 +79,7 @@ class RecordsPanel(QWidget):
         ):
             button = QToolButton()
             button.setText(label)
-            button.setToolTip(plain(tip))
+            button.setToolTip(escape_html(tip))
             button.clicked.connect(slot)
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             bar.addWidget(button)
@@ -115,7 +115,7 @@ class RecordsPanel(QWidget):
         case = self.session.case
         why = self._why_no_scaling()
         self.scale_button.setEnabled(not why)
-        self.scale_button.setToolTip(plain(why or tr("Scale all to the spectrum")))
+        self.scale_button.setToolTip(escape_html(why or tr("Scale all to the spectrum")))
         demand = case.demand if case.generate or case.select else None
         walls = case.wall if case.select else ()  # the periods of their mechanisms decide with it
         key = (case.record, case.generate, case.select, walls, demand, self.session.base_dir)
@@ -168,12 +168,12 @@ class RecordsPanel(QWidget):
             on = k is None or case.record[k].include
             tick.setCheckState(Qt.CheckState.Checked if on else Qt.CheckState.Unchecked)
             if k is None:
-                tick.setToolTip(plain(self.one_set))
+                tick.setToolTip(escape_html(self.one_set))
             else:
                 tick.setFlags(tick.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             self.table.setItem(row, 0, tick)
-            tips = [*told_of(motion), *([twins[row]] if row in twins else []), motion.file]
-            known(self.table.item(row, 1)).setToolTip(plain("\n".join(tips)))
+            tips = [*provenance_lines(motion), *([twins[row]] if row in twins else []), motion.file]
+            known(self.table.item(row, 1)).setToolTip(escape_html("\n".join(tips)))
         self.table.blockSignals(False)
         count = len(self.motions)
         words = tr("{n} records in use. Drop accelerograms or folders here.", n=count)
@@ -214,7 +214,7 @@ class RecordsPanel(QWidget):
                 first = seen.get(motion.samples_sha256, seen.get(here, row))
                 seen |= {motion.samples_sha256: first, here: first}
                 if first != row:
-                    sentences[row] = described(
+                    sentences[row] = describe_message(
                         InputError("record_twice", file=motion.name, twin=self._motion(first).name)
                     )
         return sentences
@@ -296,7 +296,7 @@ class RecordsPanel(QWidget):
 
     def ask_replace(self) -> bool | None:
         """Whether generated records take the place of those there, or come beside them; None for neither."""
-        with once(QMessageBox(self)) as box:
+        with delete_after_use(QMessageBox(self)) as box:
             box.setWindowTitle(tr("Generate…"))
             box.setText(tr("There are records already. Replace them with seven generated ones, or add these?"))
             instead = box.addButton(tr("Replace"), QMessageBox.ButtonRole.AcceptRole)
@@ -324,7 +324,7 @@ class RecordsPanel(QWidget):
             return
         from app.input.import_dialog import ImportDialog
 
-        with once(ImportDialog(list(entries), self, entries)) as dialog:
+        with delete_after_use(ImportDialog(list(entries), self, entries)) as dialog:
             if dialog.exec() != QDialog.DialogCode.Accepted:
                 return
             edited = dialog.entries  # two rows may be of one file, and the dialog shows not all of very many
@@ -367,7 +367,7 @@ class RecordsPanel(QWidget):
         try:
             factor = common_factor([self._motion(row) for row in rows], asked)
         except InputError as error:
-            self.words.setText(described(error))
+            self.words.setText(describe_message(error))
             return
         if not 0.0 < factor < math.inf:
             self.words.setText(tr("This needs records from files and a spectrum under Demand."))
@@ -394,7 +394,7 @@ class RecordsPanel(QWidget):
             return
         from app.input.import_dialog import ImportDialog
 
-        with once(ImportDialog(files, self)) as dialog:
+        with delete_after_use(ImportDialog(files, self)) as dialog:
             taken = not ask or dialog.exec() == QDialog.DialogCode.Accepted
             chosen = dialog.chosen() if taken else []
         self.session.add_records(

@@ -21,9 +21,9 @@ from PySide6.QtWidgets import (
 )
 
 from app.look import theme
-from app.look.dialogs import once
-from app.look.labels import Plain
-from app.look.language import current_language, described, number, tr
+from app.look.dialogs import delete_after_use
+from app.look.labels import PlainLabel
+from app.look.language import current_language, describe_message, number, tr
 from app.views.chart import Chart
 from app.views.table import Table
 from app.work.session import Session
@@ -47,8 +47,8 @@ def choose_for(session: Session, parent: QWidget) -> str:
         case = replace(session.case, record=(), generate=None, select=session.case.select or Select("."))
         case = parse_case(table_of(case))
     except InputError as error:
-        return described(error)
-    with once(SelectionDialog(case, session.base_dir, parent)) as dialog:
+        return describe_message(error)
+    with delete_after_use(SelectionDialog(case, session.base_dir, parent)) as dialog:
         if dialog.exec() == QDialog.DialogCode.Accepted and dialog.taken:
             session.edit(replace(session.case, record=dialog.taken, generate=None, select=None))
     return ""
@@ -98,7 +98,7 @@ class SelectionDialog(QDialog):
         running = QHBoxLayout()
         for widget in (self.search_button, self.stop_button, self.bar):
             running.addWidget(widget)
-        self.words = Plain(self._limits_in_words())
+        self.words = PlainLabel(self._limits_in_words())
         self.words.setWordWrap(True)
         heads = [tr("Rule"), tr("Deviation"), tr("Least"), tr("Most"), tr("Records")]
         self.table = Table(tr("Sets of records"), heads)

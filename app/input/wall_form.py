@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFileDialog, QGridLayout, QMessageBox, QToolButton
 from app.input.body_form import BodyForm
 from app.input.drawn_values import DrawnValues
 from app.input.editors import Choice
-from app.input.fields import Field, blank, connect
+from app.input.fields import Field, clear_fields, connect
 from app.input.hinges_field import HingesField
 from app.input.impact_form import ImpactForm
 from app.input.loads_form import LoadsForm
@@ -19,23 +19,23 @@ from app.input.made_fields import make_field, make_fields
 from app.input.optional_group import OptionalGroup
 from app.input.reasons_form import reasons_of_wall
 from app.input.wall_editor import WallEditor
-from app.input.wall_words import (
+from app.input.wall_text import (
+    add_building_loads,
     contents_of,
+    convert_shape_keys,
     differences,
-    doubts_of,
     estimate_lines,
     hinge_zetas,
-    said_of_histories,
+    input_questions,
     shape_of,
-    with_floors,
-    written_as,
+    unused_history_sections,
 )
 from app.look import theme
+from app.look.case_views import CaseViews
 from app.look.drawing import WallDrawing, mechanism_icon
-from app.look.labels import Plain, plain
-from app.look.language import FORM_NAMES, current_language, described, named, number, quoted_from_file, tr
-from app.look.parts import Parts
-from app.look.section import Section, unfold_to
+from app.look.labels import PlainLabel, escape_html
+from app.look.language import FORM_NAMES, current_language, describe_message, number, quoted_from_file, result_word, tr
+from app.look.section import FoldingSection, unfold_to
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
 from core.case.arch import Between
@@ -76,9 +76,9 @@ class WallForm(WallEditor):
         self.drawing.picked.connect(self._picked_in_drawing)
         self.drawing.moved.connect(self._moved_in_drawing)
         self.drawn = DrawnValues(self.drawing, self._field_in_drawing)
-        self.summary = Plain()
+        self.summary = PlainLabel()
         self.summary.setWordWrap(True)
-        self.differs = Plain()
+        self.differs = PlainLabel()
         self.differs.setWordWrap(True)
         self.impact = ImpactForm(session, lambda: self.current)
         self.loads = LoadsForm(session, lambda: self.current)
@@ -102,17 +102,21 @@ class WallForm(WallEditor):
         base = [self.fields[key] for key in BASE_KEYS]
         notes = [field for field in check_fields if field.key not in (*BASE_KEYS, "unloaded_confirmed")]
         self.sections = {
-            "geometry": Section(tr("Geometry"), [self.fields["name"], self.shape, *self.shape_fields], open=True),
-            "body": Section(tr("Shape"), [self.body]),
-            "mechanism": Section(tr("Mechanism and base"), [self._mechanism(), *base, self.arch], open=True),
-            "loads": Section(tr("Loads and ties"), [self.fields["unloaded_confirmed"], self.loads]),
-            "held": Section(
+            "geometry": FoldingSection(
+                tr("Geometry"), [self.fields["name"], self.shape, *self.shape_fields], open=True
+            ),
+            "body": FoldingSection(tr("Shape"), [self.body]),
+            "mechanism": FoldingSection(tr("Mechanism and base"), [self._mechanism(), *base, self.arch], open=True),
+            "loads": FoldingSection(tr("Loads and ties"), [self.fields["unloaded_confirmed"], self.loads]),
+            "held": FoldingSection(
                 tr("Tie to be designed, return walls"),
                 [*(field for field in held if field.key.startswith("tie_")), self.across],
             ),
-            "hinges": Section(tr("Hinges"), [self.fields["hinge_heights"]]),
-            "impact": Section(tr("Restitution and law"), [self.impact]),
-            "notes": Section(tr("Material, variant, notes"), [*notes, self.fields["variant"], self.differs, self.plan]),
+            "hinges": FoldingSection(tr("Hinges"), [self.fields["hinge_heights"]]),
+            "impact": FoldingSection(tr("Restitution and law"), [self.impact]),
+            "notes": FoldingSection(
+                tr("Material, variant, notes"), [*notes, self.fields["variant"], self.differs, self.plan]
+            ),
         }
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -121,7 +125,7 @@ class WallForm(WallEditor):
             layout.addWidget(section)
         layout.addWidget(self.reasons)
         layout.addStretch(1)
-        self.parts = Parts(
+        self.parts = CaseViews(
             self,
             self._show_row,
             self._show_sizes,
@@ -158,18 +162,26 @@ class WallForm(WallEditor):
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(4)
         for name, label, tip in (
-            ("two_sided", named("two_sided"), tr("Free on both faces: rocks to both sides")),
-            ("one_sided", named("one_sided"), tr("A restraint behind: rocks outwards only")),
-            ("both", named("both"), tr("Two results: with the restraint behind and without")),
-            (BENDS, named(BENDS), tr("Held at its top, free to rise there: bends outward and inward as two blocks")),
-            (ARCHES, named(ARCHES), tr("Held at both ends by transverse walls: spans between them as a flat arch")),
+            ("two_sided", result_word("two_sided"), tr("Free on both faces: rocks to both sides")),
+            ("one_sided", result_word("one_sided"), tr("A restraint behind: rocks outwards only")),
+            ("both", result_word("both"), tr("Two results: with the restraint behind and without")),
+            (
+                BENDS,
+                result_word(BENDS),
+                tr("Held at its top, free to rise there: bends outward and inward as two blocks"),
+            ),
+            (
+                ARCHES,
+                result_word(ARCHES),
+                tr("Held at both ends by transverse walls: spans between them as a flat arch"),
+            ),
         ):
             button = QToolButton()
             button.setIcon(mechanism_icon(name))
             button.setIconSize(QSize(44, 44))
             lines = label.split(" ") if name in (BENDS, ARCHES) else [label]
             button.setText("\n".join(lines))
-            button.setToolTip(plain(tip))
+            button.setToolTip(escape_html(tip))
             button.setAccessibleName(label)
             FORM_NAMES.captions[name] = FORM_NAMES.captions[f"mechanism={name}"] = label
             button.setCheckable(True)
@@ -231,7 +243,7 @@ class WallForm(WallEditor):
     def _show_sizes(self) -> None:
         wall = self.wall
         self.drawing.show_wall(
-            with_floors(self.session.case, wall), hinge_zetas(self.session, self.current) if wall else []
+            add_building_loads(self.session.case, wall), hinge_zetas(self.session, self.current) if wall else []
         )
         if wall is not None:
             self._show_geometry(wall)
@@ -245,7 +257,7 @@ class WallForm(WallEditor):
         for name, button in self.mechanisms.items():
             button.setChecked(wall is not None and wall.mechanism == name)
         if wall is None:
-            blank(list(self.fields.values()))
+            clear_fields(list(self.fields.values()))
             return
         for field in self.fields.values():
             field.show_value(getattr(wall, field.key))
@@ -262,15 +274,15 @@ class WallForm(WallEditor):
         self.fields["free_element"].setVisible(not wall.bends or bool(wall.free_element))
         self.fields["all_directions"].setVisible(wall.mechanism == "two_sided" or wall.all_directions)
         self.fields["elastic_modulus_mpa"].setVisible(not wall.bends or wall.elastic_modulus_mpa is not None)
-        for name, said in said_of_histories(wall).items():
+        for name, said in unused_history_sections(wall).items():
             self.sections[name].setVisible(not wall.bends or said)
-        doubts = doubts_of(wall)
+        doubts = input_questions(wall)
         for field in (*self.fields.values(), *self.loads.fields):
             field.show_doubt(doubts.get(field.key, ""))
 
     def _show_contents(self) -> None:
         """What each section holds, in its head."""
-        whole = with_floors(self.session.case, self.wall)
+        whole = add_building_loads(self.session.case, self.wall)
         words = contents_of(whole) if whole else {}
         lines = differences(self.session.case, self.wall) if self.wall else []
         self.differs.setText("\n".join([tr("Beside the wall as it is:"), *lines]) if lines else "")
@@ -285,7 +297,7 @@ class WallForm(WallEditor):
             block = wall.block()
             a = G * uplift_multiplier(wall.in_si, wall.mechanisms()[0])
         except InputError as error:
-            self.summary.setText(described(error))
+            self.summary.setText(describe_message(error))
             return
         except TypeError:  # a size is still to be given
             self.summary.setText("")
@@ -336,7 +348,7 @@ class WallForm(WallEditor):
         except (InputError, TypeError):
             self.show_case()
             return
-        values = written_as(shape, wall, block)
+        values = convert_shape_keys(shape, wall, block)
         for key, value in values.items():
             if reason := self._refused(key, value):
                 self.show_case()
@@ -443,13 +455,13 @@ class WallForm(WallEditor):
             self._take(read)
             if len(notes) > 1:
                 lines = "\n".join(note.text(current_language()) for note in notes)
-                QMessageBox.information(self, tr("Read walls"), plain(lines))
+                QMessageBox.information(self, tr("Read walls"), escape_html(lines))
 
     def _take(self, read) -> None:
         try:
             walls = read()
         except InputError as error:
-            QMessageBox.warning(self, tr("Walls not read"), plain(quoted_from_file(error)))
+            QMessageBox.warning(self, tr("Walls not read"), escape_html(quoted_from_file(error)))
             return
         first = len(self.session.case.wall)
         self.session.add_walls(walls)

@@ -10,7 +10,7 @@ Asked = TypeVar("Asked", bound=QDialog)
 
 
 @contextlib.contextmanager
-def once(dialog: Asked) -> Iterator[Asked]:
+def delete_after_use(dialog: Asked) -> Iterator[Asked]:
     """Delete a dialog after what is asked of it: else it lives as long as its parent, among whose fields and lists its
     own are found."""
     try:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
-from app.look.labels import plain
+from app.look.labels import escape_html
 from app.look.language import tr
 
 
@@ -24,6 +24,6 @@ def path_to_write(parent, title: str, proposal: str, kinds: str, ends: tuple[str
     path = path.with_name(path.name + next((end for end in ends if f"*{end}" in kind), ends[0]))
     if path.exists():
         question = tr("{path} already exists. Overwrite it?", path=path)
-        if QMessageBox.question(parent, title, plain(question)) != QMessageBox.StandardButton.Yes:
+        if QMessageBox.question(parent, title, escape_html(question)) != QMessageBox.StandardButton.Yes:
             return None
     return path

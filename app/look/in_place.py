@@ -6,13 +6,13 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from app.look import theme
-from app.look.labels import Plain
+from app.look.labels import PlainLabel
 
 TEXT_WIDTH = 70
 """Width of its text [px]."""
 
 
-class InPlace(QLineEdit):
+class InPlaceEditor(QLineEdit):
     """Each letter goes to `typed`, which returns whether it is accepted; Enter or a click elsewhere closes it, Esc
     calls `given_up` before.
 
@@ -27,7 +27,7 @@ class InPlace(QLineEdit):
         self.is_closed = False
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         middle, high = area.center().toPoint(), self.sizeHint().height()
-        before, behind = Plain(name, self), Plain(unit, self)
+        before, behind = PlainLabel(name, self), PlainLabel(unit, self)
         sides = [label.sizeHint().width() + 6 for label in (before, behind)]
         wide = min(sum(sides) + TEXT_WIDTH, over.width())
         self.setTextMargins(sides[0], 0, sides[1], 0)

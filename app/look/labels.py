@@ -7,12 +7,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QWidget
 
 
-def plain(text: str) -> str:
+def escape_html(text: str) -> str:
     """A text for what shows HTML where it sees some, a message box or a tip: as it is, whatever it holds."""
     return f"<qt>{html.escape(text)}</qt>".replace("\n", "<br>") if QtGui.Qt.mightBeRichText(text) else text
 
 
-class Plain(QLabel):
+class PlainLabel(QLabel):
     """A label that shows its text as it is."""
 
     def __init__(self, text: str = "", parent: QWidget | None = None):
@@ -21,7 +21,7 @@ class Plain(QLabel):
         self.setText(text)
 
 
-class Rich(QLabel):
+class RichLabel(QLabel):
     """A label whose text is HTML: what comes from a case is escaped in it."""
 
     def __init__(self, text: str = ""):

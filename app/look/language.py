@@ -30,15 +30,15 @@ def tr(text: str, /, **values) -> str:
     return localized("window", text, current_language(), **values)
 
 
-def named(code: str) -> str:
+def result_word(code: str) -> str:
     """A word of a result or of a case: a mechanism, an outcome."""
     return word(code, current_language())
 
 
-def of_key(section: type, key: str, part: str) -> str:
+def key_text(section: type, key: str, part: str) -> str:
     """What a form says of a key: part as of `text_of_key`; the caption is its word where it has no other."""
     words = text_of_key(section.__name__.lower(), key, part, _current[0])
-    return words or (capital(named(f"key_{key}")) if part == ".caption" else "")
+    return words or (capital(result_word(f"key_{key}")) if part == ".caption" else "")
 
 
 def variant_word(variant: str | None) -> str:
@@ -46,7 +46,7 @@ def variant_word(variant: str | None) -> str:
     return text_of_key("wall", "variant", f"={variant}", _current[0]) if variant else ""
 
 
-def called(name: str) -> str:
+def wall_title(name: str) -> str:
     """Words with the name of a wall, its variant by `variant_word`."""
     for variant in (AS_IS, DESIGNED):
         name = name.replace(f"({variant})", f"({variant_word(variant)})")
@@ -63,9 +63,9 @@ def terminal(text: str, /, **values) -> str:
     return localized("terminal", text, current_language(), **values)
 
 
-def described(what: InputError | Sentence) -> str:
+def describe_message(what: InputError | Sentence) -> str:
     """An error or a sentence, in the words of the forms."""
-    return called(what.text(current_language(), FORM_NAMES))
+    return wall_title(what.text(current_language(), FORM_NAMES))
 
 
 def quoted_from_file(error: InputError) -> str:

@@ -6,16 +6,16 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from app.look import theme
-from app.look.labels import Plain, plain
+from app.look.labels import PlainLabel, escape_html
 
 
-class Head(QPushButton):
+class SectionHeader(QPushButton):
     """Title and content of a section; a click or the space bar folds it."""
 
     def __init__(self, title: str):
         super().__init__()
         self.setCheckable(True)
-        self.sign, self.title, self.content = Plain("▸"), Plain(title), Plain()
+        self.sign, self.title, self.content = PlainLabel("▸"), PlainLabel(title), PlainLabel()
         self.title.setStyleSheet("font-weight: 600;")
         self.content.setStyleSheet(f"color: {theme.current.quiet};")
         self.content.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
@@ -43,7 +43,7 @@ class Head(QPushButton):
             return
         self.words = words
         self.setAccessibleName(f"{self.title.text()}: {words}" if words else self.title.text())
-        self.setToolTip(plain(words))
+        self.setToolTip(escape_html(words))
         self._cut()
 
     def resizeEvent(self, event) -> None:
@@ -55,14 +55,14 @@ class Head(QPushButton):
         self.content.setText(self.content.fontMetrics().elidedText(self.words, Qt.TextElideMode.ElideRight, room))
 
 
-class Section(QFrame):
+class FoldingSection(QFrame):
     """Widgets below a head. turned(on) : it was opened or folded."""
 
     turned = Signal(bool)
 
     def __init__(self, title: str, widgets: Sequence[QWidget], open: bool = False):
         super().__init__()
-        self.head, self.body = Head(title), QWidget()
+        self.head, self.body = SectionHeader(title), QWidget()
         inside = QVBoxLayout(self.body)
         inside.setContentsMargins(8, 6, 8, 6)
         for widget in widgets:
@@ -93,6 +93,6 @@ def unfold_to(widget: QWidget) -> None:
     """Open every section a widget is in."""
     parent = widget.parentWidget()
     while parent is not None:
-        if isinstance(parent, Section):
+        if isinstance(parent, FoldingSection):
             parent.unfold()
         parent = parent.parentWidget()

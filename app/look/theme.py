@@ -66,12 +66,12 @@ VERDICT_MARKS = {"good": "✓", "amber": "!", "bad": "✗"}
 current = LIGHT
 
 
-def points(times: float) -> str:
+def font_points(times: float) -> str:
     """A size of letters in a style sheet, so many times that of the desktop."""
     return f"font-size: {times * QApplication.font().pointSizeF():g}pt;"
 
 
-def marked(tone: str, words: str) -> str:
+def add_tone_mark(tone: str, words: str) -> str:
     """Words of this tone after its mark, alone where they are it or the tone has none."""
     mark = VERDICT_MARKS.get(tone, "")
     return words if words in ("", mark, *VERDICT_MARKS.values()) else f"{mark} {words}".strip()

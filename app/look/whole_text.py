@@ -2,7 +2,7 @@
 
 from PySide6.QtWidgets import QComboBox
 
-from app.look.labels import plain
+from app.look.labels import escape_html
 
 
 def tell_whole(box: QComboBox) -> None:
@@ -10,7 +10,7 @@ def tell_whole(box: QComboBox) -> None:
     tip = box.toolTip()
 
     def tell(words: str) -> None:
-        box.setToolTip(plain(f"{tip}\n{words}".strip()))
+        box.setToolTip(escape_html(f"{tip}\n{words}".strip()))
 
     box.currentTextChanged.connect(tell)
     tell(box.currentText())

@@ -12,13 +12,13 @@ from PySide6.QtGui import QColor, QFont, QImage, QKeySequence, QPainter, QPen, Q
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QMessageBox, QPushButton, QVBoxLayout, QWidget
 
 from app.look import theme
-from app.look.dialogs import once
+from app.look.dialogs import delete_after_use
 from app.look.drawing import WallDrawing
 from app.look.file_dialogs import path_to_write, plain_name
-from app.look.labels import Plain, Rich, plain
-from app.look.language import described, named, tr
+from app.look.labels import PlainLabel, RichLabel, escape_html
+from app.look.language import describe_message, result_word, tr
 from app.shell.film import Film
-from app.views.runs import before_motion
+from app.views.runs import time_before_motion
 from core import atomic_write
 from core.case.variant_names import AS_IS
 from core.codes.outcomes import OUTCOMES
@@ -134,7 +134,7 @@ def outcome_of(side: Side) -> str:
     """A verdict in words of every day: only one that nothing limits is called safe."""
     code = known(side.wall.assessment).verdict.code
     limited = OUTCOMES[code].tone == "good" and side.tone != "good"
-    return named("client_with_reservations" if limited else f"client_{code}")
+    return result_word("client_with_reservations" if limited else f"client_{code}")
 
 
 class ClientView(QDialog):
@@ -144,12 +144,12 @@ class ClientView(QDialog):
         super().__init__(parent)
         self.setWindowTitle(title)
         self.title, self.sides = title, sides
-        self.begin = min(before_motion(side.rotation, side.time_step) for side in sides)
+        self.begin = min(time_before_motion(side.rotation, side.time_step) for side in sides)
         self.drawings: list[WallDrawing] = []
-        heading = Plain(title)
+        heading = PlainLabel(title)
         heading.setWordWrap(True)
-        heading.setStyleSheet(f"{theme.points(2.2)} font-weight: 700;")
-        leave = Plain(tr("Esc leaves"))
+        heading.setStyleSheet(f"{theme.font_points(2.2)} font-weight: 700;")
+        leave = PlainLabel(tr("Esc leaves"))
         top = QHBoxLayout()
         top.addWidget(heading, 1)
         top.addWidget(leave)
@@ -160,7 +160,9 @@ class ClientView(QDialog):
             drawing.one_sided = side.wall.mechanism == "one_sided"
             drawing.bars = [(load.h_m, 0) for load in side.wall.wall.load if load.is_tie]
             drawing.setAccessibleName(f"{side.title}: {words_of(side)}")
-            label = Rich(f"<span style='{theme.points(1.65)} font-weight:600'>{html.escape(side.title)}</span>")
+            label = RichLabel(
+                f"<span style='{theme.font_points(1.65)} font-weight:600'>{html.escape(side.title)}</span>"
+            )
             column = QVBoxLayout()
             column.addWidget(label)
             column.addWidget(drawing, 1)
@@ -244,7 +246,7 @@ class ClientView(QDialog):
             return self.picture()
 
         def failed(sentence: str) -> None:
-            QMessageBox.warning(self, tr("Not saved"), plain(sentence))
+            QMessageBox.warning(self, tr("Not saved"), escape_html(sentence))
 
         return Film(self, path, max(1, int(self.seconds * FILM_FPS)), FILM_FPS, picture, failed)
 
@@ -286,7 +288,7 @@ class ClientView(QDialog):
         try:
             atomic_write.write({path: self.content(path.suffix.lower())})
         except (InputError, OutputError) as error:
-            QMessageBox.warning(self, tr("Not saved"), plain(described(error)))
+            QMessageBox.warning(self, tr("Not saved"), escape_html(describe_message(error)))
 
 
 def show(window: "MainWindow") -> None:
@@ -298,6 +300,6 @@ def show(window: "MainWindow") -> None:
         return
     state = known(known(result).demand).limit_state
     title = tr("{wall} under the earthquake of the code ({state})", wall=sides[0].wall.part.own_name, state=state)
-    with once(ClientView(window, title, sides)) as view:
+    with delete_after_use(ClientView(window, title, sides)) as view:
         view.resize(window.size())
         view.exec()

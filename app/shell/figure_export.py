@@ -10,9 +10,9 @@ from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtGui import QImage
 
 from app.look.file_dialogs import plain_name
-from app.look.labels import Plain
-from app.look.language import named, tr
-from app.shell.pages import Page, delete
+from app.look.labels import PlainLabel
+from app.look.language import result_word, tr
+from app.shell.pages import LazyPage, delete
 from app.shell.stages import stage_of
 from app.views.axis import SPARE_PLOTS, plot_widget
 from app.views.chart import Chart
@@ -30,7 +30,7 @@ MAX_CHARTS_OF_PAGE = 5
 
 def beginning(wall) -> str:
     """How the names of the files of a wall begin."""
-    return f"{plain_name(f'{wall.name} {named(wall.mechanism)}')} - "
+    return f"{plain_name(f'{wall.name} {result_word(wall.mechanism)}')} - "
 
 
 class FigureExport(QObject):
@@ -98,7 +98,7 @@ class FigureExport(QObject):
         self.deleteLater()
 
     @staticmethod
-    def _make(page: Page) -> Iterator[None]:
+    def _make(page: LazyPage) -> Iterator[None]:
         """A page that is not made yet, its plots one by one before it."""
         while page.made is None and len(SPARE_PLOTS) < MAX_CHARTS_OF_PAGE:
             SPARE_PLOTS.append(plot_widget())
@@ -110,7 +110,7 @@ class FigureExport(QObject):
         """Qt lays nothing out that was not once in front: each page is, behind a picture of the stage as it was."""
         navigator, stages = self.navigator, self.navigator.stages
         shown, stage = navigator.page, stages.front
-        cover = Plain(parent=stages.stack)
+        cover = PlainLabel(parent=stages.stack)
         cover.setPixmap(stages.stack.grab())
         cover.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)  # what is behind it is not painted
         cover.setGeometry(stages.stack.rect())

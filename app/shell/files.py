@@ -7,8 +7,8 @@ from PySide6.QtCore import QSettings, QStandardPaths
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from app.look.file_dialogs import path_to_write
-from app.look.labels import plain
-from app.look.language import current_language, described, quoted_from_file, tr
+from app.look.labels import escape_html
+from app.look.language import current_language, describe_message, quoted_from_file, tr
 from app.work.session import Session
 from core import atomic_write
 from core.errors import InputError
@@ -40,15 +40,17 @@ class Files:
         try:
             self.window.start_afresh(lambda: self.session.open(path))
         except InputError as error:
-            QMessageBox.warning(self.window, tr("Not opened"), plain(quoted_from_file(error)))
+            QMessageBox.warning(self.window, tr("Not opened"), escape_html(quoted_from_file(error)))
             return False
         if path != EXAMPLE:
             self.remember(path)
         if said := self.session.from_drawings:
-            lines = [described(one) if isinstance(one, InputError) else one.text(current_language()) for one in said]
+            lines = [
+                describe_message(one) if isinstance(one, InputError) else one.text(current_language()) for one in said
+            ]
             text = tr("What is saved or run from here are these solids; the drawing is read again with --batch.")
             words = lines if isinstance(said[0], InputError) else [*lines, text]
-            QMessageBox.information(self.window, tr("Shapes of a drawing"), plain("\n\n".join(words)))
+            QMessageBox.information(self.window, tr("Shapes of a drawing"), escape_html("\n\n".join(words)))
         return True
 
     @property
@@ -103,27 +105,27 @@ class Files:
 
     def _save(self, path: Path | None) -> bool:
         here = path is None or path.resolve() == self.session.path
-        if here and self.session.changed_elsewhere:
+        if here and self.session.is_changed_on_disk:
             question = tr("Another program has changed {path}. Overwrite it?", path=self.session.path)
             if not self._agreed(tr("Save the case"), question):
                 return False
         try:
             self.session.save(path)
         except InputError as error:
-            QMessageBox.warning(self.window, tr("Not saved"), plain(described(error)))
+            QMessageBox.warning(self.window, tr("Not saved"), escape_html(describe_message(error)))
             return False
         self.remember(known(self.session.path))
         if self.session.left_out:
-            lines = "\n".join(described(error) for error in self.session.left_out)
+            lines = "\n".join(describe_message(error) for error in self.session.left_out)
             text = tr("Saved without these values, which no case file may hold:\n{lines}", lines=lines)
-            QMessageBox.warning(self.window, tr("Save the case"), plain(text))
+            QMessageBox.warning(self.window, tr("Save the case"), escape_html(text))
         if any(field.wrong for field in self.window.stages.fields):
             self.window.show_word(tr("Saved without the content of the red field."))
         return True
 
     def _agreed(self, title: str, question: str) -> bool:
         button = QMessageBox.StandardButton
-        return QMessageBox.question(self.window, title, plain(question)) == button.Yes
+        return QMessageBox.question(self.window, title, escape_html(question)) == button.Yes
 
     def ask_export(self) -> None:
         """Workbook and JSON to a place the user names; the JSON of another program is not taken unasked."""
@@ -147,8 +149,8 @@ class Files:
         try:
             text = case_script(replace_walls(case, list(case.wall)), self.session.base_dir)
         except (InputError, TypeError) as error:
-            reason = described(error) if isinstance(error, InputError) else tr("Something is still to be given.")
-            QMessageBox.warning(self.window, tr("Nothing saved"), plain(reason))
+            reason = describe_message(error) if isinstance(error, InputError) else tr("Something is still to be given.")
+            QMessageBox.warning(self.window, tr("Nothing saved"), escape_html(reason))
             return
         path = path_to_write(self.window, title, str(self.proposed(".py")), "Python (*.py)", (".py",))
         if path is None:
@@ -156,7 +158,7 @@ class Files:
         try:
             atomic_write.write({path: text.encode()})
         except InputError as error:
-            QMessageBox.warning(self.window, tr("Nothing saved"), plain(described(error)))
+            QMessageBox.warning(self.window, tr("Nothing saved"), escape_html(describe_message(error)))
 
     def ask_note(self) -> None:
         """The calculation note, as a PDF or for Word, to a place the user names."""
@@ -174,7 +176,7 @@ class Files:
         try:
             export.check_note(path, self.session.base_dir / "case.toml", result.case)
         except InputError as error:
-            QMessageBox.warning(self.window, tr("Nothing exported"), plain(described(error)))
+            QMessageBox.warning(self.window, tr("Nothing exported"), escape_html(describe_message(error)))
             return
 
         def write(job) -> None:
@@ -215,7 +217,7 @@ class Files:
         stale = self.session.result is None or self.session.stale
         if stale or changed or self.window.runner.job is not None:
             reason = tr("The results are not of this input: run it first (F5).")
-            QMessageBox.information(self.window, tr("Nothing exported"), plain(reason))
+            QMessageBox.information(self.window, tr("Nothing exported"), escape_html(reason))
             return True
         return False
 
@@ -228,7 +230,7 @@ class Files:
             here = self.session.path or self.session.base_dir / "case.toml"
             export.refuse_overwriting(case, here, path.parent, path.stem)
         except InputError as error:
-            QMessageBox.warning(self.window, tr("Nothing exported"), plain(described(error)))
+            QMessageBox.warning(self.window, tr("Nothing exported"), escape_html(describe_message(error)))
             return
         self.window.runner.start(
             lambda job: export.write(result, path.parent, path.stem, job.check, job.commit, tell=job.progress),

@@ -11,8 +11,8 @@ from PySide6.QtWidgets import QDialog, QGroupBox, QLineEdit, QListWidget, QMenu,
 
 from app.input.place_fields import names_beginning_with
 from app.input.reasons_form import ReasonField
-from app.look.language import called, tr
-from app.look.section import Section
+from app.look.language import tr, wall_title
+from app.look.section import FoldingSection
 from app.shell.pointing import point_at
 from core.known import known
 
@@ -70,9 +70,9 @@ def entries_of(window: "MainWindow") -> list[Entry]:
             entries.append(Entry(words.strip(), partial(point_at, window.navigator, field), also))
     for row in window.tree.rows:
         if row.kind in ("wall", "hinge"):
-            words = f"{called(window.session.case.wall[row.wall].title)}  {row.text if row.kind == 'hinge' else ''}"
+            words = f"{wall_title(window.session.case.wall[row.wall].title)}  {row.text if row.kind == 'hinge' else ''}"
             entries.append(Entry(words.strip(), partial(window.navigator.choose_row, row)))
-    for section in window.stages.input.forms.findChildren(Section):
+    for section in window.stages.input.forms.findChildren(FoldingSection):
         words = f"{section.head.title.text()}  {section.head.words}"
         entries.append(Entry(words.strip(), partial(point_at, window.navigator, section.head)))
     for group in window.stages.input.forms.findChildren(QGroupBox):

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCommandLinkButton, QVBoxLayout, QWidget
 
 from app.look import theme
-from app.look.labels import Plain
+from app.look.labels import PlainLabel
 from app.look.language import tr
 from app.shell.files import EXAMPLE
 from app.work.draft import TO_BE_GIVEN
@@ -29,8 +29,8 @@ class FirstRun(QWidget):
         super().__init__()
         column = QVBoxLayout(self)
         column.setContentsMargins(60, 30, 60, 30)
-        heading = Plain(tr("What do you have?"))
-        heading.setStyleSheet(f"{theme.points(1.9)} font-weight: 700;")
+        heading = PlainLabel(tr("What do you have?"))
+        heading.setStyleSheet(f"{theme.font_points(1.9)} font-weight: 700;")
         column.addWidget(heading)
         self.buttons = {}
         for name, title, words in (
@@ -50,7 +50,7 @@ class FirstRun(QWidget):
             column.addWidget(button)
             self.buttons[name] = button
         if recent:
-            column.addWidget(Plain(tr("Opened of late")))
+            column.addWidget(PlainLabel(tr("Opened of late")))
         for name in recent[:4]:
             button = QCommandLinkButton(Path(name).name, str(Path(name).parent))
             button.clicked.connect(lambda _=False, name=name: self.opened.emit(name))
@@ -59,7 +59,7 @@ class FirstRun(QWidget):
         column.setAlignment(Qt.AlignmentFlag.AlignTop)
 
 
-def follow(window: "MainWindow", name: str) -> None:
+def open_first_choice(window: "MainWindow", name: str) -> None:
     """Do what was chosen."""
     from app.shell import menus
 
@@ -73,7 +73,7 @@ def follow(window: "MainWindow", name: str) -> None:
         return
     if name == "paper":
         window.navigator.show_stage("input")
-        menus.study(window)
+        menus.open_study_window(window)
         return
     if not window.files.new():
         return

@@ -20,8 +20,8 @@ from PySide6.QtWidgets import (
 
 from app.input.fields import Field
 from app.look.file_dialogs import path_to_write
-from app.look.labels import plain
-from app.look.language import current_language, of_key, tr
+from app.look.labels import escape_html
+from app.look.language import current_language, key_text, tr
 from app.work.worker import Job
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ FOLDERS = {"en": DOCS / "guide", "it": DOCS / "guida"}
 
 def help_of(field: Field) -> str:
     """The paragraph on a field: its help, else its tip."""
-    return of_key(field.section, field.key, ".help") or field.editor.toolTip()
+    return key_text(field.section, field.key, ".help") or field.editor.toolTip()
 
 
 def explain(window: "MainWindow") -> None:
@@ -97,7 +97,7 @@ def show_shortcuts(window: "MainWindow") -> None:
         keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
         if keys:
             lines.append(f"{keys}\t{action.text().replace('&', '').replace('…', '')}")
-    QMessageBox.information(window, tr("Shortcuts"), plain("\n".join(lines)))
+    QMessageBox.information(window, tr("Shortcuts"), escape_html("\n".join(lines)))
 
 
 def show_validation(window: "MainWindow") -> None:
@@ -118,7 +118,7 @@ def show_validation(window: "MainWindow") -> None:
 
     def arrived(said: list[str]) -> None:
         window.show_word("")
-        QMessageBox.information(window, title, plain("\n".join(said)))
+        QMessageBox.information(window, title, escape_html("\n".join(said)))
 
     window.runner.start(work, arrived)
 
@@ -161,13 +161,15 @@ def show_verification(window: "MainWindow") -> None:
     name = QFileDialog.getOpenFileName(window, title, str(window.session.base_dir), kinds)[0]
     if not name:
         return
-    from app.terminal.verification import compared
+    from app.terminal.verification import compare_report
 
     def arrived(verified: tuple[int, list[str]]) -> None:
         window.show_word("")
-        QMessageBox.information(window, title, plain("\n".join(verified[1])))
+        QMessageBox.information(window, title, escape_html("\n".join(verified[1])))
 
-    window.runner.start(lambda job: compared(Path(name), on_progress=job.progress, cancelled=job.cancelled), arrived)
+    window.runner.start(
+        lambda job: compare_report(Path(name), on_progress=job.progress, cancelled=job.cancelled), arrived
+    )
 
 
 def self_test_words(window: "MainWindow") -> str:
@@ -202,7 +204,7 @@ def show_self_test(window: "MainWindow") -> None:
         window.show_word("")
         window.preparation.tested(outcome)
         if not outcome.wrong:
-            QMessageBox.information(window, tr("Self-test"), plain(self_test_words(window)))
+            QMessageBox.information(window, tr("Self-test"), escape_html(self_test_words(window)))
 
     window.runner.start(lambda job: compare_answers(), arrived)
 
@@ -216,4 +218,4 @@ def save_template(window: "MainWindow") -> None:
     try:
         shutil.copyfile(TEMPLATE, path)
     except OSError as error:
-        QMessageBox.warning(window, title, plain(f"{path}: {error.strerror}"))
+        QMessageBox.warning(window, title, escape_html(f"{path}: {error.strerror}"))

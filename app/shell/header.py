@@ -5,7 +5,7 @@ from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QMenu, QPushButton, QSizePolicy, QToolButton
 
 from app.look import theme
-from app.look.labels import Plain, plain
+from app.look.labels import PlainLabel, escape_html
 from app.look.language import tr
 
 STAGES = ("input", "answer", "why", "report")
@@ -37,8 +37,8 @@ class Header(QFrame):
         self.menu = QMenu(self.menu_button)
         self.menu_button.setMenu(self.menu)
         QShortcut(QKeySequence("F10"), self).activated.connect(self.menu_button.showMenu)
-        self.title = Plain()
-        self.title.setStyleSheet(f"font-weight: 600; {theme.points(1.2)}")
+        self.title = PlainLabel()
+        self.title.setStyleSheet(f"font-weight: 600; {theme.font_points(1.2)}")
         self.title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.title.setMinimumWidth(MIN_WORDS)
         self.stages = QButtonGroup(self)
@@ -72,7 +72,7 @@ class Header(QFrame):
             (self.help_button, "?", tr("What is this field? (F1)")),
         ):
             button.setText(label)
-            button.setToolTip(plain(tip))
+            button.setToolTip(escape_html(tip))
             button.setAccessibleName(tip)
             button.setAutoRaise(True)
         row = QHBoxLayout(self)
@@ -84,7 +84,7 @@ class Header(QFrame):
         for number, (name, label) in enumerate(stage_names().items(), start=1):
             button = QPushButton(f"{number} {label}")
             button.setCheckable(True)
-            button.setToolTip(plain(f"{label} (Alt+{number})"))
+            button.setToolTip(escape_html(f"{label} (Alt+{number})"))
             button.setStyleSheet(
                 f"QPushButton {{ border: 1px solid {edge}; border-radius: 11px; padding: 4px 14px;"
                 f" background: {back}; color: {theme.current.ink}; font-weight: 600; }}"
@@ -105,7 +105,7 @@ class Header(QFrame):
     def say(self, title: str) -> None:
         """The title of the case, cut where the room is short."""
         self.words = title
-        self.title.setToolTip(plain(title))
+        self.title.setToolTip(escape_html(title))
         self._cut()
 
     def show_stage(self, name: str) -> None:
@@ -113,7 +113,7 @@ class Header(QFrame):
 
     def show_notice(self, words: str, tip: str = "") -> None:
         self.notice_words = words
-        self.notice.setToolTip(plain(tip or words))
+        self.notice.setToolTip(escape_html(tip or words))
         self.notice.setAccessibleName(words)
         self.notice.setVisible(bool(words))
         self._cut()

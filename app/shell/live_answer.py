@@ -12,10 +12,10 @@ from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QWidget
 
 from app.look import theme
-from app.look.labels import Plain, Rich, plain
-from app.look.language import called, current_language, described, number, tr
-from app.look.section import Section
-from app.views.answer_lines import limits, to_do, verdict_color
+from app.look.labels import PlainLabel, RichLabel, escape_html
+from app.look.language import current_language, describe_message, number, tr, wall_title
+from app.look.section import FoldingSection
+from app.views.answer_lines import required_actions, verdict_color, verdict_limitations
 from app.views.ladder import Ladder, Rung
 from app.views.zeta_rungs import rung_of, rungs_of
 from app.work.worker import Job
@@ -102,14 +102,14 @@ class Switch(QCheckBox):
         self.setText(self.fontMetrics().elidedText(self.words, Qt.TextElideMode.ElideRight, room))
 
 
-class LiveAnswer(Section):
+class LiveAnswer(FoldingSection):
     """Runs the wall of the form alone, off the thread of the window; nothing of the case or its result changes.
 
     Folded, it computes nothing; whether it is stays in the settings.
     """
 
     def __init__(self, window: "MainWindow"):
-        ladder, heading, board, lines = Ladder(), Plain(), QWidget(), Rich()
+        ladder, heading, board, lines = Ladder(), PlainLabel(), QWidget(), RichLabel()
         kept = bool(window.settings.value("live", True, bool))
         super().__init__(tr("Answer as you type"), (ladder, heading, board, lines), kept)
         self.ladder, self.heading, self.board, self.lines = ladder, heading, board, lines
@@ -207,7 +207,7 @@ class LiveAnswer(Section):
             evaluated = evaluate_wall(setting, None)
         except InputError as error:
             self.ladder.hide()
-            self.say(described(error))
+            self.say(describe_message(error))
             return
         asked = case.record or case.generate or case.select or case.default_histories
         awaited = bool(asked) and demand.limit_state in LIMIT_FRACTION
@@ -245,7 +245,7 @@ class LiveAnswer(Section):
         ]
         self._show_rows(told, verdict)
         warnings = [one.text(language) for one in wall.warnings if one.code != "variant_alone"]
-        said = [*to_do(result, wall, language), *limits(result, wall, language, warnings)]
+        said = [*required_actions(result, wall, language), *verdict_limitations(result, wall, language, warnings)]
         if known(self.at)[0].sensitivity is not None:
             said.insert(0, tr("[sensitivity] is not in this answer: F5."))
         more = [tr("{n} more", n=len(said) - MAX_LINES_SHOWN)] if len(said) > MAX_LINES_SHOWN else []
@@ -260,7 +260,9 @@ class LiveAnswer(Section):
         verdict, language = assessment.verdict, current_language()
         rungs = [rung_of(check, check.name == verdict.governing, assessment.dynamic) for check in assessment.checks]
         self._show_checks(rungs, verdict.zeta_target)
-        self._say(f"{called(wall.name)}: {word(verdict.code, language)}", verdict.zeta_e, verdict_color(result, wall))
+        self._say(
+            f"{wall_title(wall.name)}: {word(verdict.code, language)}", verdict.zeta_e, verdict_color(result, wall)
+        )
 
     def _say(self, outcome: str, zeta: float | None, shade: str) -> None:
         """An outcome in the head, in its colour."""
@@ -294,9 +296,9 @@ class LiveAnswer(Section):
             name = Switch(text)
             name.setEnabled(row.has_switch)
             name.toggled.connect(lambda _: self._turned(rows))
-            name.setToolTip(plain(f"{text}\n{row.words.text(language)}"))
+            name.setToolTip(escape_html(f"{text}\n{row.words.text(language)}"))
             self.switches[row.key] = name
-            zeta = Plain(number(row.zeta, ".2f"))
+            zeta = PlainLabel(number(row.zeta, ".2f"))
             zeta.setStyleSheet(f"color: {theme.current.bad if row.turns else theme.current.ink};")
             for column, part in enumerate((name, Swing(here, row.zeta or 0.0, target, end), zeta)):
                 self.grid.addWidget(part, k, column)

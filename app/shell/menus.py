@@ -8,7 +8,7 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QDialog, QMenu, QMessageBox
 
 from app.look import theme
-from app.look.dialogs import once
+from app.look.dialogs import delete_after_use
 from app.look.language import tr
 from app.shell import guide
 from app.shell.files import EXAMPLE
@@ -30,7 +30,7 @@ class Actions(NamedTuple):
     cancel: QAction
 
 
-def build(window: "MainWindow") -> Actions:
+def build_menus(window: "MainWindow") -> Actions:
     """The menus behind the first button, with all actions and their keys."""
     close_what_if(window)
     window.actions_with_keys = []
@@ -64,16 +64,16 @@ def build(window: "MainWindow") -> Actions:
     run = add(window, runs, tr("&Run"), window.run, QKeySequence("F5"))
     cancel = add(window, runs, tr("&Cancel"), window.runner.cancel, QKeySequence("Esc"))
     studies = bar.addMenu(tr("&Study"))
-    add(window, studies, tr("&Sweep of one value…"), lambda: sweep(window))
-    add(window, studies, tr("&What if…"), lambda: what_if(window), "Ctrl+I")
-    add(window, studies, tr("&Parametric study…"), lambda: study(window))
+    add(window, studies, tr("&Sweep of one value…"), lambda: open_sweep_window(window))
+    add(window, studies, tr("&What if…"), lambda: open_what_if_window(window), "Ctrl+I")
+    add(window, studies, tr("&Parametric study…"), lambda: open_study_window(window))
     view = bar.addMenu(tr("&View"))
     for number, (name, label) in enumerate(stage_names().items(), start=1):
         add(window, view, label, lambda name=name: window.navigator.show_stage(name), QKeySequence(f"Alt+{number}"))
     view.addSeparator()
     for number, (name, label) in enumerate(window.page_labels.items(), start=1):
         add(window, view, label, lambda name=name: window.navigator.show_page(name), QKeySequence(f"Ctrl+{number}"))
-    add(window, view, tr("For the &client"), lambda: client(window), QKeySequence("F11"))
+    add(window, view, tr("For the &client"), lambda: open_client_view(window), QKeySequence("F11"))
     view.addSeparator()
     add(window, view, tr("&Reset layout"), window.reset_layout)
     choices(window, view, tr("Theme"), "theme", {"light": tr("light"), "dark": tr("dark")}, theme.current.name)
@@ -88,7 +88,7 @@ def build(window: "MainWindow") -> Actions:
     add(window, helps, tr("Tests on a shake &table…"), lambda: guide.show_validation(window))
     add(window, helps, tr("Self-t&est"), lambda: guide.show_self_test(window))
     helps.addSeparator()
-    add(window, helps, tr("&About"), lambda: about(window))
+    add(window, helps, tr("&About"), lambda: show_about(window))
     return Actions(recent, undo, redo, run, cancel)
 
 
@@ -109,18 +109,18 @@ def find(window: "MainWindow") -> None:
     """Find a field, an action, a wall, a page by its name."""
     from app.shell.finder import Finder
 
-    with once(Finder(window)) as finder:
+    with delete_after_use(Finder(window)) as finder:
         finder.exec()
 
 
-def client(window: "MainWindow") -> None:
+def open_client_view(window: "MainWindow") -> None:
     """The walls before and after, for one who knows no symbols."""
     from app.shell.client_view import show
 
     show(window)
 
 
-def study(window: "MainWindow") -> None:
+def open_study_window(window: "MainWindow") -> None:
     """The window of a parametric study, imported here: few starts of the program need it."""
     from app.shell.study_window import StudyWindow
 
@@ -129,7 +129,7 @@ def study(window: "MainWindow") -> None:
     opened.raise_()
 
 
-def sweep(window: "MainWindow") -> None:
+def open_sweep_window(window: "MainWindow") -> None:
     """The window of a sweep, with what it found; made again in another language or theme."""
     from app.shell.sweep_window import SweepWindow
 
@@ -144,7 +144,7 @@ def sweep(window: "MainWindow") -> None:
     opened.raise_()
 
 
-def what_if(window: "MainWindow") -> None:
+def open_what_if_window(window: "MainWindow") -> None:
     """The sliders of the wall of the form."""
     from app.shell.what_if_window import WhatIfWindow
 
@@ -196,7 +196,7 @@ def chosen(settings: QSettings, key: str, names) -> str | None:
     return value if isinstance(value, str) and value in names else None
 
 
-def about(window: "MainWindow") -> None:
+def show_about(window: "MainWindow") -> None:
     """What this program is."""
     QMessageBox.about(
         window,

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.look.language import tr
 from app.shell.header import Header
-from app.shell.pages import Page
+from app.shell.pages import LazyPage
 from app.shell.pointing import point_at_key
 from app.shell.stages import ANSWER, WHY, Stages, stage_of
 from app.shell.tree import ProjectTree, Row, hinge_text
@@ -207,7 +207,7 @@ class Navigator(QObject):
             self._known_rows = (result, walls, by_row)
         return self._known_rows[2]
 
-    def show_spectra(self, page: Page | None = None) -> None:
+    def show_spectra(self, page: LazyPage | None = None) -> None:
         """The spectra of the input as it stands. page : beside the records; None is that of the stage Why"""
         demand = self.session.case.demand
         try:
@@ -257,7 +257,7 @@ class Navigator(QObject):
                 self.demand.building.given.setChecked(True)
                 self.demand.building.fields[0].editor.setFocus()
 
-    def pick_run(self, run: tuple) -> None:
+    def show_run_history(self, run: tuple) -> None:
         """The history of this (motion, polarity) of the wall shown."""
         from app.views.histories_tab import HistoriesTab
 
@@ -321,7 +321,7 @@ class Navigator(QObject):
         part = self.runner.finished_results.get(self.walls.current) if self.runner.is_of_input else None
         return part if part is not None and part.verdicts else None
 
-    def _show_wall(self, page: Page) -> None:
+    def _show_wall(self, page: LazyPage) -> None:
         content, result, wall = page.content, self.session.result, self.wall
         if result is not None and wall is not None:
             assert isinstance(content, ResultTab)

@@ -8,10 +8,10 @@ from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app.look import theme
-from app.look.labels import Rich
+from app.look.labels import RichLabel
 
 
-class Veil(QWidget):
+class StaleOverlay(QWidget):
     """A grey veil over results that are of an earlier input; clicks go through it."""
 
     def __init__(self, over: QWidget):
@@ -39,7 +39,7 @@ def delete(widget: QWidget) -> None:
     QCoreApplication.sendPostedEvents(widget, QEvent.Type.DeferredDelete)
 
 
-class Page(QWidget):
+class LazyPage(QWidget):
     """A tab that is made when it is first looked at: the start is faster. asked : the link of its words"""
 
     asked = Signal()
@@ -48,7 +48,7 @@ class Page(QWidget):
         super().__init__()
         self.maker = maker
         self.made: QWidget | None = None
-        self.word = Rich()
+        self.word = RichLabel()
         self.word.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.word.setWordWrap(True)
         self.word.linkActivated.connect(lambda _: self.asked.emit())

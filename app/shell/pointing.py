@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QGroupBox, QLineEdit, QScrollArea, QWidget
 
 from app.input.fields import Field
 from app.input.reasons_form import ReasonField
-from app.look.section import Section, unfold_to
+from app.look.section import FoldingSection, unfold_to
 from core.case.load_rules import OF_A_TIE
 from core.case.loads import Bars, Load
 
@@ -34,7 +34,7 @@ def _way_to(navigator: "Navigator", field: Field) -> QWidget:
         return loads.add_button
     above = field.parentWidget()
     while above is not None:
-        if isinstance(above, Section):
+        if isinstance(above, FoldingSection):
             return above.head
         if isinstance(above, QGroupBox) and above.isCheckable():
             return above

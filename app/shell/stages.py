@@ -29,12 +29,12 @@ from app.input.message_bar import MessageBar
 from app.input.note_form import NoteForm
 from app.input.records_panel import RecordsPanel
 from app.input.wall_form import WallForm
-from app.look.labels import Plain
-from app.look.language import FORM_NAMES, current_language, named, tr
+from app.look.labels import PlainLabel
+from app.look.language import FORM_NAMES, current_language, result_word, tr
 from app.shell.header import STAGES
 from app.shell.live_answer import LiveAnswer
-from app.shell.missing import Missing
-from app.shell.pages import Page, Veil, delete
+from app.shell.pages import LazyPage, StaleOverlay, delete
+from app.shell.problems_panel import ProblemsPanel
 from app.work.session import Session
 from core.codes.spectrum_codes import CODES
 from core.errors import place
@@ -79,7 +79,7 @@ def name_sections() -> None:
             "[record]": tr("Records"),
             "[building]": tr("Building of the walls above the ground"),
             "[[wall]]": tr("wall"),
-            "mechanism": named("key_mechanism"),
+            "mechanism": result_word("key_mechanism"),
             "[wall.bar]": tr("Bars in place of the force"),
             "[wall.return_walls]": tr("Friction of return walls (in α0 only)"),
             "[wall.corner]": tr("Corner of two walls that turn together"),
@@ -124,15 +124,15 @@ class InputStage(QSplitter):
         column.setContentsMargins(4, 4, 4, 4)
         column.addWidget(self.walls.summary)
         column.addWidget(self.walls.drawing, 1)
-        hint = Plain(tr("Click a load, a hinge or a size for its field, twice to change it here; drag a load."))
+        hint = PlainLabel(tr("Click a load, a hinge or a size for its field, twice to change it here; drag a load."))
         hint.setWordWrap(True)
         column.addWidget(hint)
-        self.nothing = Plain()
-        self.spectra = Page(spectra)
+        self.nothing = PlainLabel()
+        self.spectra = LazyPage(spectra)
         self.of_kind = {"wall": drawing, "demand": self.demand.view, "records": self.spectra}
         for view in (*self.of_kind.values(), self.nothing):
             self.views.addWidget(view)
-        self.missing, self.live = Missing(window), LiveAnswer(window)
+        self.missing, self.live = ProblemsPanel(window), LiveAnswer(window)
         beside = QWidget()
         right = QVBoxLayout(beside)
         right.setContentsMargins(0, 0, 0, 0)
@@ -191,7 +191,7 @@ class AnswerStage(QWidget):
 
     widened = Signal()
 
-    def __init__(self, pages: dict[str, Page], beside: Page):
+    def __init__(self, pages: dict[str, LazyPage], beside: LazyPage):
         super().__init__()
         self.stack, self.beside = QStackedWidget(), beside
         for name in ANSWER:
@@ -219,7 +219,9 @@ class AnswerStage(QWidget):
 class Stages(QWidget):
     """The four stages, one in front; progress above them."""
 
-    def __init__(self, window: "MainWindow", session: Session, pages: dict[str, tuple[Page, str]], beside: Page):
+    def __init__(
+        self, window: "MainWindow", session: Session, pages: dict[str, tuple[LazyPage, str]], beside: LazyPage
+    ):
         super().__init__()
         made = self.pages = {name: page for name, (page, _) in pages.items()}
         self.input = InputStage(window, session, made["spectra"].maker)
@@ -247,7 +249,7 @@ class Stages(QWidget):
         layout.setSpacing(4)
         layout.addWidget(self.bar)
         layout.addWidget(self.stack, 1)
-        self.veil = Veil(self.stack)
+        self.veil = StaleOverlay(self.stack)
         self.bar.hide()
 
     @cached_property
@@ -288,7 +290,7 @@ def remove(window: "MainWindow") -> None:
 
 def build_status(window: "MainWindow") -> QLabel:
     """Make the status line of a window: a word."""
-    word = Plain()
+    word = PlainLabel()
     word.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
     window.statusBar().addWidget(word, 1)
     window.statusBar().setSizeGripEnabled(False)

@@ -15,7 +15,7 @@ from PySide6.QtGui import QFileOpenEvent, QIcon
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app.look import language, theme
-from app.look.labels import plain
+from app.look.labels import escape_html
 from app.look.language import quoted_from_file, tr
 from app.shell import menus
 from app.shell.files import EXAMPLE
@@ -37,7 +37,9 @@ def offer_recovery(window: MainWindow) -> None:
         answer = QMessageBox.question(
             window,
             tr("Autosaved case found"),
-            plain(tr("The program ended without saving. Restore the unsaved case?") + f"\n{recovery.describe(file)}"),
+            escape_html(
+                tr("The program ended without saving. Restore the unsaved case?") + f"\n{recovery.describe(file)}"
+            ),
             button.Yes | button.Discard | button.Cancel,
             button.Yes,
         )
@@ -46,9 +48,9 @@ def offer_recovery(window: MainWindow) -> None:
                 window.start_afresh(partial(window.session.recover, file))
                 return
             except InputError as error:
-                QMessageBox.warning(window, tr("Not opened"), plain(quoted_from_file(error)))
+                QMessageBox.warning(window, tr("Not opened"), escape_html(quoted_from_file(error)))
         elif answer == button.Discard:
-            recovery.drop(file)
+            recovery.delete_states(file)
         # anything else, Esc among it, is no order to discard: asked again at the next start
 
 
@@ -150,12 +152,12 @@ def show(window: MainWindow) -> None:
     gc.freeze()
 
 
-def refuse(text: str) -> None:
+def show_start_error(text: str) -> None:
     """A sentence in a dialog before there is a window."""
     application = QApplication.instance()
     if not isinstance(application, QApplication):
         application = QApplication([])
-    QMessageBox.critical(application.activeWindow(), NAME, plain(text))
+    QMessageBox.critical(application.activeWindow(), NAME, escape_html(text))
 
 
 def main(path: Path | None) -> int:

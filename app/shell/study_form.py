@@ -6,8 +6,8 @@ from PySide6.QtWidgets import QCheckBox, QDialog, QDialogButtonBox, QFormLayout,
 
 from app.input.editors import Choice
 from app.look.file_dialogs import path_to_write
-from app.look.labels import Plain
-from app.look.language import current_language, described, named, number, tr
+from app.look.labels import PlainLabel
+from app.look.language import current_language, describe_message, number, result_word, tr
 from core import atomic_write
 from core.case.keys import format_unit
 from core.case.number import parse_number
@@ -34,7 +34,7 @@ def caption(section: type, key: str) -> str:
         "count": tr("Motions for each spectrum"),
         "type": tr("EN 1998-1, type"),
     }
-    words = own.get(key) or capital(named(f"key_{key}"))
+    words = own.get(key) or capital(result_word(f"key_{key}"))
     return f"{words} [{unit}]" if unit else words
 
 
@@ -60,7 +60,7 @@ class StudyForm(QDialog):
         self.lines |= {key: QLineEdit(number(one, "g")) for key, (_, one) in NUMBERS.items()}
         self.choices = {key: self._choice(section, key) for key, section in SECTION_OF_CHOICE.items()}
         self.records = QCheckBox(tr("Natural records beside the generated ones"))
-        self.word = Plain()
+        self.word = PlainLabel()
         self.word.setWordWrap(True)
         form = QFormLayout(self)
         form.addRow(tr("Title"), self.title)
@@ -86,7 +86,7 @@ class StudyForm(QDialog):
             words = tr("default of the mechanism") if name == DEFAULT_MODEL else choice(str(name), current_language())
             editor.addItem(words, name)
         if key == "mechanism":
-            editor.addItem(named("both"), ["two_sided", "one_sided"])
+            editor.addItem(result_word("both"), ["two_sided", "one_sided"])
         return editor
 
     def table(self) -> dict:
@@ -116,7 +116,7 @@ class StudyForm(QDialog):
                 return
             atomic_write.write({path: tomlkit.dumps(table).encode()})
         except InputError as error:
-            self.word.setText(described(error))
+            self.word.setText(describe_message(error))
             return
         self.path = path
         self.accept()

@@ -24,8 +24,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.look.dialogs import once
-from app.look.labels import Plain, plain
+from app.look.dialogs import delete_after_use
+from app.look.labels import PlainLabel, escape_html
 from app.look.language import tr
 from app.shell.study_form import StudyForm
 from app.terminal import study
@@ -67,7 +67,7 @@ class StudyWindow(QDialog):
         self.cancel_button.clicked.connect(self.cancel)
         self.cancel_button.setEnabled(False)
         self.bar = QProgressBar()
-        self.word = Plain()
+        self.word = PlainLabel()
         self.word.setWordWrap(True)
         self.tabs = QTabWidget()
         self.tabs.setTabBarAutoHide(True)  # without a tab it would take the focus, and keep it
@@ -116,7 +116,7 @@ class StudyWindow(QDialog):
 
     def _make_study(self) -> None:
         """A study by its keys; its file is the one to run, whole."""
-        with once(StudyForm(self, Path(self.folder.text()))) as form:
+        with delete_after_use(StudyForm(self, Path(self.folder.text()))) as form:
             if form.exec():
                 self.study.setCurrentText(str(form.path))
                 self.quick.setChecked(False)
@@ -189,7 +189,7 @@ class StudyWindow(QDialog):
         if log:
             sentence += "\n" + tr("Details are in {log}", log=log)
         self.word.setText(tr("Not done."))
-        QMessageBox.warning(self, tr("Not done"), plain(sentence))
+        QMessageBox.warning(self, tr("Not done"), escape_html(sentence))
 
     def reject(self) -> None:
         """Esc closes, as a click on the cross does, which comes here too."""

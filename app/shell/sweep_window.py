@@ -21,8 +21,17 @@ from PySide6.QtWidgets import (
 
 from app.input.editors import Choice
 from app.look import theme
-from app.look.labels import Plain
-from app.look.language import FORM_NAMES, called, current_language, described, named, number, of_key, tr
+from app.look.labels import PlainLabel
+from app.look.language import (
+    FORM_NAMES,
+    current_language,
+    describe_message,
+    key_text,
+    number,
+    result_word,
+    tr,
+    wall_title,
+)
 from app.views.chart import Chart
 from app.views.study_tabs import figure_chart, table_view
 from app.work.runner import progress_word
@@ -54,12 +63,12 @@ def key_words(case: Case, k: int, key: SweepKey) -> str:
     """What a key is called, with the load it is of and its unit."""
     unit, _ = unit_in_form(field_of(key.section, key.name))
     unit = tr("years") if unit == "years" else unit
-    words = of_key(key.section, key.name, ".caption")
+    words = key_text(key.section, key.name, ".caption")
     if key.section in (Building, ReturnWalls):
-        words = f"{tr('Building') if key.section is Building else named('key_return_walls')}: {words}"
+        words = f"{tr('Building') if key.section is Building else result_word('key_return_walls')}: {words}"
     if key.load is not None:
         load = case.wall[k].load[key.load]
-        words = f"{named(f'choice_{load.kind}')} {key.load + 1}: {words}"
+        words = f"{result_word(f'choice_{load.kind}')} {key.load + 1}: {words}"
     return f"{words} [{unit}]" if unit else words
 
 
@@ -95,7 +104,7 @@ def table_of_points(points: list[SweepPoint], x: str, factor: float, case: Case)
     labels = list(dict.fromkeys(label for point in points for label in point.zeta))
     rows = []
     for point in points:
-        outcome = described(point.error) if point.error else named(point.verdict) if point.verdict else ""
+        outcome = describe_message(point.error) if point.error else result_word(point.verdict) if point.verdict else ""
         zetas = [point.zeta.get(label) for label in labels]
         rows.append((factor * point.value, *zetas, *([point.zeta_e] if case.demand else []), point.q, outcome))
     of_verdict = [tr("ζ of the verdict")] if case.demand else []
@@ -124,7 +133,7 @@ class SweepWindow(QDialog):
         self.run_button, self.cancel_button = QPushButton(tr("&Run")), QPushButton(tr("Cancel"))
         self.run_button.setDefault(True)
         self.cancel_button.setAutoDefault(False)
-        self.bar, self.word, self.tabs = QProgressBar(), Plain(), QTabWidget()
+        self.bar, self.word, self.tabs = QProgressBar(), PlainLabel(), QTabWidget()
         self.word.setWordWrap(True)
         self.word.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         layout = QVBoxLayout(self)
@@ -144,7 +153,7 @@ class SweepWindow(QDialog):
         left.addRow(tr("Value"), self.key)
         limits, buttons = QHBoxLayout(), QHBoxLayout()
         for words, editor in ((tr("from"), self.low), (tr("to"), self.high), (tr("values"), self.count)):
-            label = Plain(words)
+            label = PlainLabel(words)
             label.setBuddy(editor)
             editor.setAccessibleName(words)
             limits.addWidget(label)
@@ -172,10 +181,10 @@ class SweepWindow(QDialog):
         row = self.owner.walls.current
         self.wall.clear()
         for wall in self.case.wall if self.case else ():
-            self.wall.addItem(called(wall.title))
+            self.wall.addItem(wall_title(wall.title))
         self.wall.setCurrentIndex(min(row, self.wall.count() - 1))
         problem = self.owner.session.problem()
-        self.word.setText(described(problem) if problem else "")
+        self.word.setText(describe_message(problem) if problem else "")
         self.run_button.setEnabled(self.case is not None)
 
     def _wall_chosen(self, k: int) -> None:
@@ -250,7 +259,7 @@ class SweepWindow(QDialog):
     def _take_case(self) -> bool:
         """Take the case as it is now; False where it has no longer what was chosen."""
         now, k = self.owner.session.checked(), self.wall.currentIndex()
-        same = now and k < len(now.wall) and called(now.wall[k].title) == self.wall.currentText()
+        same = now and k < len(now.wall) and wall_title(now.wall[k].title) == self.wall.currentText()
         if now and same and self.keys[self.key.currentIndex()] in sweep_keys(now, k):
             self.case = now
             return True
@@ -313,7 +322,9 @@ class SweepWindow(QDialog):
         words = [tr("{n} of {planned} values", n=len(self.points) - len(refused), planned=self.count.value())]
         if refused:
             value = number(factor * refused[0].value, ".3g")
-            words.append(tr("refused at {value}: {reason}", value=value, reason=described(known(refused[0].error))))
+            words.append(
+                tr("refused at {value}: {reason}", value=value, reason=describe_message(known(refused[0].error)))
+            )
         self.word.setText("; ".join(words))
 
     @staticmethod
@@ -321,7 +332,7 @@ class SweepWindow(QDialog):
         """A figure with the value at hand. now : in the unit of the axis"""
         page = figure_chart(figure)
         chart = known(page.findChild(Chart))
-        chart.caption = f"{called(wall.title)}: {figure.title}"
+        chart.caption = f"{wall_title(wall.title)}: {figure.title}"
         if now is not None:
             chart.level(now, tr("now"), vertical=True, place=0.04)
         return page

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.look.language import tr
 from app.shell.navigator import Navigator
-from app.shell.pages import Page
+from app.shell.pages import LazyPage
 
 
 def histories() -> QWidget:
@@ -18,7 +18,7 @@ def histories() -> QWidget:
 
 def pages(
     language: str, navigator: Callable[[], Navigator], export_note: Callable[[], None]
-) -> dict[str, tuple[Page, str]]:
+) -> dict[str, tuple[LazyPage, str]]:
     """Pages and their labels by name. navigator() : asked when a page is made, which is after all are placed"""
 
     def walls() -> QWidget:
@@ -34,7 +34,7 @@ def pages(
 
         tab = CheckTab(language)
         tab.asked.connect(navigator().ask)
-        tab.record_picked.connect(navigator().pick_run)
+        tab.record_picked.connect(navigator().show_run_history)
         return tab
 
     def sure() -> QWidget:
@@ -76,13 +76,13 @@ def pages(
         return tab
 
     return {
-        "walls": (Page(walls), tr("Overview")),
-        "check": (Page(check), tr("Answer")),
-        "histories": (Page(histories), tr("Histories")),
-        "sure": (Page(sure), tr("How sure")),
-        "capacity": (Page(capacity), tr("Capacity and fragility")),
-        "intensity": (Page(intensity), tr("q against SI")),
-        "spectra": (Page(spectra), tr("Records and spectra")),
-        "validation": (Page(validation), tr("Accuracy")),
-        "note": (Page(note), tr("Note")),
+        "walls": (LazyPage(walls), tr("Overview")),
+        "check": (LazyPage(check), tr("Answer")),
+        "histories": (LazyPage(histories), tr("Histories")),
+        "sure": (LazyPage(sure), tr("How sure")),
+        "capacity": (LazyPage(capacity), tr("Capacity and fragility")),
+        "intensity": (LazyPage(intensity), tr("q against SI")),
+        "spectra": (LazyPage(spectra), tr("Records and spectra")),
+        "validation": (LazyPage(validation), tr("Accuracy")),
+        "note": (LazyPage(note), tr("Note")),
     }

@@ -18,10 +18,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.input.wall_words import differences
+from app.input.wall_text import differences
 from app.look import theme
-from app.look.labels import plain
-from app.look.language import named, number, tr, variant_word
+from app.look.labels import escape_html
+from app.look.language import number, result_word, tr, variant_word
 from core.case.problems import wall_of
 from core.case.schema import Case
 from core.errors import InputError
@@ -168,9 +168,9 @@ def _chip(state: State, k: int) -> tuple[str, str]:
 def hinge_text(wall: WallResult) -> str:
     """Where a result turns, and how."""
     if (arch := wall.wall.in_si.arch) is not None:
-        return f"L {number(arch.spacing, 'g')} m, {named(wall.mechanism)}"
+        return f"L {number(arch.spacing, 'g')} m, {result_word(wall.mechanism)}"
     ends = [wall.part.hinge, *([] if wall.part.top is None else [wall.part.top])]
-    where = f"+{'–'.join(number(end, 'g') for end in ends)} m, {named(wall.mechanism)}"
+    where = f"+{'–'.join(number(end, 'g') for end in ends)} m, {result_word(wall.mechanism)}"
     return f"{wall.part.aspect}, {where}" if wall.part.aspect else where
 
 
@@ -211,7 +211,7 @@ class Chips(QStyledItemDelegate):
         font = option.font
         font.setBold(row.depth == 0)
         right = area.right() - 4
-        chip_words = theme.marked(row.tone, row.chip)
+        chip_words = theme.add_tone_mark(row.tone, row.chip)
         if chip_words:
             font.setBold(True)
             painter.setFont(font)
@@ -248,8 +248,8 @@ class Item(QTreeWidgetItem):
         if role == Qt.ItemDataRole.UserRole:
             return self.row
         if role == Qt.ItemDataRole.DisplayRole:
-            return f"{self.row.text} {theme.marked(self.row.tone, self.row.chip)}".strip()
-        return plain(self.row.text) if role == Qt.ItemDataRole.ToolTipRole else super().data(column, role)
+            return f"{self.row.text} {theme.add_tone_mark(self.row.tone, self.row.chip)}".strip()
+        return escape_html(self.row.text) if role == Qt.ItemDataRole.ToolTipRole else super().data(column, role)
 
 
 class ProjectTree(QFrame):
@@ -292,7 +292,7 @@ class ProjectTree(QFrame):
         for label, tip, slot in buttons:
             button = QToolButton()
             button.setText(label)
-            button.setToolTip(plain(tip))
+            button.setToolTip(escape_html(tip))
             button.setAutoRaise(True)
             button.clicked.connect(lambda _=False, slot=slot: slot())
             made.append(button)

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QDialog, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSlider, QVBoxLayout, QWidget
 
-from app.look.labels import Plain, Rich
-from app.look.language import current_language, described, number, tr
+from app.look.labels import PlainLabel, RichLabel
+from app.look.language import current_language, describe_message, number, tr
 from app.views.ladder import Ladder
 from app.views.zeta_rungs import check_words, rungs_of
 from app.work.worker import Job
@@ -101,7 +101,7 @@ class WhatIfWindow(QDialog):
         self.sliders: dict[str, QSlider] = {}
         self.values_shown: dict[str, QLabel] = {}
         self.given: dict[str, float] = {}
-        self.heading, self.still, self.word, self.ladder = Rich(), Plain(), Plain(), Ladder()
+        self.heading, self.still, self.word, self.ladder = RichLabel(), PlainLabel(), PlainLabel(), Ladder()
         self.timer, self.told = QTimer(self), QTimer(self)
         for timer, slot in ((self.timer, self.follow), (self.told, self._take_again)):
             timer.setSingleShot(True)
@@ -120,7 +120,7 @@ class WhatIfWindow(QDialog):
             button.clicked.connect(slot)
             buttons.addWidget(button)
         layout = QVBoxLayout(self)
-        told = Plain(tr("ζ of the checks as the sliders move; the verdict is that of a run (F5)."))
+        told = PlainLabel(tr("ζ of the checks as the sliders move; the verdict is that of a run (F5)."))
         for label in (self.still, told, self.word):
             label.setWordWrap(True)
         for part in (self.heading, self.board, self.still, self.ladder, told, self.word):
@@ -143,7 +143,7 @@ class WhatIfWindow(QDialog):
         self._show_setting()
         if self.case is None or self.case.demand is None:
             problem = self.owner.session.problem()
-            self.heading.setText(tr("No demand: no check.") if problem is None else described(problem))
+            self.heading.setText(tr("No demand: no check.") if problem is None else describe_message(problem))
             self.word.setText(notice)
             return
         self.heading.setText(f"<b>{html.escape(self.case.wall[self.row].title)}</b>")
@@ -204,7 +204,7 @@ class WhatIfWindow(QDialog):
         self.still.setVisible(bool(self.still.text()))
         names = captions()
         for row, key in enumerate(self.given):
-            slider, value = QSlider(Qt.Orientation.Horizontal), Plain()
+            slider, value = QSlider(Qt.Orientation.Horizontal), PlainLabel()
             slider.setRange(-STEPS, STEPS)
             slider.setTickPosition(QSlider.TickPosition.TicksBelow)
             slider.setTickInterval(STEPS)  # the middle is the value at hand
@@ -212,7 +212,7 @@ class WhatIfWindow(QDialog):
             slider.valueChanged.connect(self._moved)
             value.setMinimumWidth(value.fontMetrics().horizontalAdvance("0000.000 (0000.000)"))
             self.sliders[key], self.values_shown[key] = slider, value
-            for column, part in enumerate((Plain(names[key]), slider, value)):
+            for column, part in enumerate((PlainLabel(names[key]), slider, value)):
                 self.grid.addWidget(part, row, column)
         self._say_values()
 
@@ -261,7 +261,7 @@ class WhatIfWindow(QDialog):
         try:
             evaluated = evaluate_wall(moved, None)
         except InputError as error:
-            self.word.setText(described(error))
+            self.word.setText(describe_message(error))
             evaluated = NO_EVALUATION
         self._show(evaluated, None)
         self.timer.start()
@@ -274,7 +274,7 @@ class WhatIfWindow(QDialog):
             return self._rounded(set_values(self.setting, self.values))
         except InputError as error:
             self.stop()
-            self.word.setText(described(error))
+            self.word.setText(describe_message(error))
             self._show(NO_EVALUATION)
             return None
 

@@ -9,16 +9,16 @@ from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QMessageBox, QVBoxLayout
 
 from app.input.entries_form import EntriesForm
 from app.look import language, theme
+from app.look.case_views import TYPING_PAUSE_MS, CaseViews, VisibleForm, typed_edit
 from app.look.focus import FocusFrame
-from app.look.labels import plain
+from app.look.labels import escape_html
 from app.look.language import tr
-from app.look.parts import REST_MS, Parts, Seen, typing
 from app.shell import guide, menus, stages, tabs, tree
 from app.shell.files import Files
-from app.shell.first_run import FirstRun, follow
+from app.shell.first_run import FirstRun, open_first_choice
 from app.shell.header import Header
 from app.shell.navigator import Navigator
-from app.shell.pages import Page
+from app.shell.pages import LazyPage
 from app.shell.refused_texts import RefusedTexts
 from app.shell.tree import ProjectTree
 from app.views.table import Table
@@ -57,7 +57,7 @@ class MainWindow(QMainWindow):
         self.session.listeners.append(self.refresh)
         self.files = Files(self, self.session, settings)
         self.preparation = Preparation(self)
-        self.parts = Parts(self)
+        self.parts = CaseViews(self)
         self.focus_frame = FocusFrame(self)
         self.closing = False
         self.autosaved: Case | None = None
@@ -85,7 +85,7 @@ class MainWindow(QMainWindow):
         stages.remove(self)
         made = tabs.pages(self.language, lambda: self.navigator, self.files.ask_note)
         self.page_labels = {name: label for name, (_, label) in made.items()}
-        self.stages = stages.Stages(self, self.session, made, Page(tabs.histories))
+        self.stages = stages.Stages(self, self.session, made, LazyPage(tabs.histories))
         self.pages = self.stages.pages
         self._name_parts()
         self._frame()
@@ -94,7 +94,7 @@ class MainWindow(QMainWindow):
         self.navigator.staged.connect(self._show_input)
         self.navigator.moved.connect(self.refresh)
         self.navigator.run_asked.connect(self.run)
-        self.actions_of = menus.build(self)
+        self.actions_of = menus.build_menus(self)
         self.run_action = self.actions_of.run
         self.word = stages.build_status(self)
         self.word_kind = ""
@@ -105,9 +105,9 @@ class MainWindow(QMainWindow):
             entries.chosen.connect(self._show_problem)
         self.parts.deleteLater()
         building, note = self.demand.building, self.stages.note_form
-        forms = [Seen(one, one.show_case) for one in (self.walls, self.demand, building, self.analysis, note)]
+        forms = [VisibleForm(one, one.show_case) for one in (self.walls, self.demand, building, self.analysis, note)]
         self.forms = forms  # a signal keeps none of them
-        self.parts = Parts(
+        self.parts = CaseViews(
             self,
             self._show_state,
             *(one.at_once for one in forms),
@@ -189,7 +189,7 @@ class MainWindow(QMainWindow):
         shown = {theme.current.name} if setting == "theme" else {language.current_language(), self.language}
         if shown == {name}:
             return
-        self.parts.settle()
+        self.parts.flush_pending()
         page, stage, shown, row = self.navigator.page, self.stages.front, self.navigator.shown, self.walls.row
         chosen, refused = self.tree.current, RefusedTexts(self)
         stages.remove(self)  # before: what goes is not to be painted in another theme first
@@ -236,21 +236,21 @@ class MainWindow(QMainWindow):
         runner.progressed.connect(self._progressed)
         runner.found.connect(self._found)
         runner.judged.connect(lambda: self.navigator.show_judged())
-        runner.arrived.connect(self._arrived)
+        runner.result_ready.connect(self._arrived)
         runner.accuracy_stated.connect(lambda k, accuracy: self.navigator.show_accuracy(k, accuracy))
         runner.refused.connect(self._refused)
         runner.ended.connect(self._ended)
 
     def run(self) -> None:
         """Run the case, unless something is missing or another job runs."""
-        self.parts.settle()
+        self.parts.flush_pending()
         if self.run_action.isEnabled() and self.missing.can_run():
             self.runner.run()
 
     def show_word(self, text: str, kind: str = "message") -> None:
         """The word of the status line. kind : what it is about, for who may take it away again."""
         self.word.setText(text)
-        self.word.setToolTip(plain(text))
+        self.word.setToolTip(escape_html(text))
         self.word_kind = kind
 
     def show_running(self, on: bool) -> None:
@@ -293,13 +293,13 @@ class MainWindow(QMainWindow):
 
     def _refused(self, sentence: str) -> None:
         self.closing = False
-        QMessageBox.warning(self, tr("Not done"), plain(sentence))
+        QMessageBox.warning(self, tr("Not done"), escape_html(sentence))
 
     def warn_of_self_test(self) -> None:
         """The numbers of this machine are not to be used."""
         words = guide.self_test_words(self)
         self.show_word(words)
-        QMessageBox.warning(self, tr("Self-test"), plain(words))
+        QMessageBox.warning(self, tr("Self-test"), escape_html(words))
 
     def _ended(self, partly: bool) -> None:
         self.stages.bar.setFormat("")
@@ -318,7 +318,7 @@ class MainWindow(QMainWindow):
     def show_first_run(self) -> None:
         """Ask what there is, until a stage is chosen."""
         page = FirstRun(self.files.recent)
-        page.chosen.connect(lambda name: follow(self, name))
+        page.chosen.connect(lambda name: open_first_choice(self, name))
         page.opened.connect(lambda name: self.files.open(Path(name)))
         self.stages.show_first(page)
 
@@ -355,7 +355,7 @@ class MainWindow(QMainWindow):
 
     def _judged(self) -> None:
         """A field takes or refuses what was typed into it."""
-        with typing():
+        with typed_edit():
             self.refresh()
 
     def _may_run(self) -> None:
@@ -428,7 +428,7 @@ class MainWindow(QMainWindow):
         if not self.timer.isActive():  # the window is closed
             return
         if self.parts.wait():
-            QTimer.singleShot(REST_MS, self, self._autosave)
+            QTimer.singleShot(TYPING_PAUSE_MS, self, self._autosave)
             return
         kept = self.session.case is self.autosaved and self.session.recovery_file.exists()
         if not kept and self.session.autosave():
@@ -451,11 +451,11 @@ class MainWindow(QMainWindow):
         self.navigator.show_input("wall", 0)
 
     def closeEvent(self, event) -> None:
-        self.parts.settle()
+        self.parts.flush_pending()
         if not self.closing and not self.files.give_up():
             event.ignore()
             return
-        if not self.runner.to_end:
+        if not self.runner.is_uncancellable:
             self.runner.cancel()
         if self.runner.job is not None:
             # it writes files: the window goes when they are there, and stays to say if they are not

@@ -12,15 +12,15 @@ from app.terminal.case_run import (
     DONE,
     WITHOUT_NUMBER,
     aligned,
-    coded,
+    cancel_on_interrupt,
+    code_word,
     executor_of,
-    interrupts,
-    made,
+    format_short,
+    make_folders,
     open_journal,
-    raise_if,
+    raise_if_cancelled,
     results_of,
     say,
-    short,
 )
 from app.terminal.terminal_progress import progress, tell
 from core.case.reader import read_case
@@ -76,10 +76,15 @@ def run(
         return books[0]
 
     folders = (folder, report.parent) if report else (folder,)
-    with made(case_path, *folders), interrupts(cancel), executor_of(scheduler) as executor, progress(quiet) as show:
+    with (
+        make_folders(case_path, *folders),
+        cancel_on_interrupt(cancel),
+        executor_of(scheduler) as executor,
+        progress(quiet) as show,
+    ):
         export.refuse_overwriting(case, case_path, folder, stem, report)
         export.refuse_foreign(case, folder, stem, report, force)
-        made_so_far = export.Report(case, raise_if(cancel))
+        made_so_far = export.Report(case, raise_if_cancelled(cancel))
         try:
             result = run_study(
                 case,
@@ -92,7 +97,7 @@ def run(
                 executor=executor,
             )
             steps = Steps(
-                raise_if(cancel), show.writing, 100 - export.WALL_STEPS + (export.NOTE_STEPS if report else 0)
+                raise_if_cancelled(cancel), show.writing, 100 - export.WALL_STEPS + (export.NOTE_STEPS if report else 0)
             )
             made_so_far.write(result, folder, stem, note=report, case_path=case_path, steps=steps)
         except Cancelled:
@@ -151,7 +156,7 @@ def run_part(case_path: Path, output: Path | None, jobs: int, quiet: bool, k: in
         books.append(part_journal(folder, stem, case, key, k, n))
         return books[0]
 
-    with made(case_path, folder), interrupts(cancel), progress(quiet) as show:
+    with make_folders(case_path, folder), cancel_on_interrupt(cancel), progress(quiet) as show:
         try:
             result = run_study(
                 case,
@@ -192,13 +197,13 @@ def summary(result: StudyResult, folder: Path, stem: str) -> str:
     for wall in (wall for wall, decides in sort_results(result) if decides):
         row = [
             wall.name[:48],
-            *map(coded, (wall.mechanism, wall.set_rule)),
-            short(wall.q_set),
-            short(wall.q_robust_set),
+            *map(code_word, (wall.mechanism, wall.set_rule)),
+            format_short(wall.q_set),
+            format_short(wall.q_robust_set),
         ]
         if wall.assessment:
             verdict = wall.assessment.verdict
-            row += [short(verdict.zeta_e), coded(verdict.code), coded(verdict.governing)]
+            row += [format_short(verdict.zeta_e), code_word(verdict.code), code_word(verdict.governing)]
         table.append(row)
     lines = aligned(table)
     text = "{analyses} analyses in {seconds:.1f} s"

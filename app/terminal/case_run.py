@@ -29,7 +29,7 @@ def results_of(case_path: Path, output: Path | None) -> tuple[Path, str]:
 
 
 @contextlib.contextmanager
-def made(case_path: Path, *folders: Path):
+def make_folders(case_path: Path, *folders: Path):
     """These folders, made where they are missing. An InputError inside names the case, and those just made go."""
     new: list[Path] = []
     try:
@@ -45,10 +45,10 @@ def made(case_path: Path, *folders: Path):
 
 def open_journal(path: Path, key: str, resume: bool) -> Journal:
     """The journal of a batch or a study; what became of an earlier one is said on stderr."""
-    return announced(Journal(path, key, resume, SYNC_SECONDS))
+    return report_journal(Journal(path, key, resume, SYNC_SECONDS))
 
 
-def announced(book: Journal) -> Journal:
+def report_journal(book: Journal) -> Journal:
     """A journal; what became of an earlier one is said on stderr."""
     if book.set_aside:
         tell(
@@ -100,19 +100,19 @@ def aligned(table: list[list[str]], numbers: tuple[int, ...] = (3, 4, 5)) -> lis
     ]
 
 
-def coded(code: str | None) -> str:
+def code_word(code: str | None) -> str:
     """A code of the results; in words where the terminal speaks another language than the codes."""
     if code is None or current_language() == "en":
         return code or "-"
     return terminal(code) if code in RULES else word(code, current_language())
 
 
-def short(value: float | None) -> str:
+def format_short(value: float | None) -> str:
     """A number of the summary."""
     return "-" if value is None else numeral(value, ".2f", current_language())
 
 
-def raise_if(cancel: threading.Event) -> Callable[[], None]:
+def raise_if_cancelled(cancel: threading.Event) -> Callable[[], None]:
     """A look whether Ctrl-C was pressed: raises Cancelled."""
 
     def check() -> None:
@@ -123,7 +123,7 @@ def raise_if(cancel: threading.Event) -> Callable[[], None]:
 
 
 @contextlib.contextmanager
-def interrupts(cancel: threading.Event):
+def cancel_on_interrupt(cancel: threading.Event):
     """Ctrl-C asks the run to stop between two analyses; a second one stops at once."""
 
     def handler(number, frame):

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from app.look.language import terminal
-from app.terminal.case_run import DONE, WITHOUT_NUMBER, made, results_of, say
+from app.terminal.case_run import DONE, WITHOUT_NUMBER, make_folders, results_of, say
 from app.terminal.export import refuse_taking, sources_of
 from app.terminal.terminal_progress import tell
 from core import atomic_write
@@ -31,7 +31,7 @@ def run(case_path: Path, output: Path | None) -> int:
     Raises InputError for what the user can mend; nothing is written then."""
     case = read_case(case_path)
     folder, _ = results_of(case_path, output)
-    with made(case_path, folder):
+    with make_folders(case_path, folder):
         plan = make_plan(case, read_inputs(case, case_path.parent))
         files: dict[Path, bytes] = {}
         taken: dict[str, int] = {}

@@ -3,7 +3,7 @@
 import sys
 from pathlib import Path
 
-from app.look.language import current_language, described, terminal
+from app.look.language import current_language, describe_message, terminal
 from app.terminal.command_line import files_of, is_drawing
 from core.case.drawing_file import DRAWING_UNITS, DxfFile
 from core.errors import InputError, RecordError
@@ -30,7 +30,7 @@ def _drawing_refused(path: Path) -> int:
         file = DxfFile(path)
         sheet = file.sheet()
     except InputError as error:
-        print(terminal("refused: {error}", error=described(error)), file=sys.stderr)
+        print(terminal("refused: {error}", error=describe_message(error)), file=sys.stderr)
         return 1
     scale = DRAWING_UNITS[sheet.unit]
     unit = sheet.unit if sheet.stated else terminal("not stated, {unit} by the size", unit=sheet.unit)
@@ -73,7 +73,7 @@ def _refused(path: Path, channel: str | None = None) -> int:
             return sum(_refused(path, one) for one in error.values["names"])
         if error.code == "no_unit" and _without_unit(name, path, channel):
             return 0
-        words = described(error).replace(str(path), name, 1)
+        words = describe_message(error).replace(str(path), name, 1)
         print(terminal("refused: {error}", error=words), file=sys.stderr)
         return 1
     return 0

@@ -14,15 +14,15 @@ from app.terminal.case_run import (
     DONE,
     WITHOUT_NUMBER,
     aligned,
-    announced,
-    coded,
+    cancel_on_interrupt,
+    code_word,
     executor_of,
-    interrupts,
-    made,
-    raise_if,
+    format_short,
+    make_folders,
+    raise_if_cancelled,
+    report_journal,
     results_of,
     say,
-    short,
 )
 from app.terminal.terminal_progress import Shown, progress, tell
 from core import atomic_write
@@ -67,7 +67,12 @@ def run(
     require("parquet")
     folder, stem = results_of(case_path, output)
     cancel = threading.Event()
-    with made(case_path, folder), interrupts(cancel), executor_of(scheduler) as executor, progress(quiet) as show:
+    with (
+        make_folders(case_path, folder),
+        cancel_on_interrupt(cancel),
+        executor_of(scheduler) as executor,
+        progress(quiet) as show,
+    ):
         export.refuse_overwriting(case, case_path, folder, stem)
         export.refuse_foreign(case, folder, stem, None, force)
         book: Journal | MergedParts | None = None
@@ -76,7 +81,7 @@ def run(
             if merge:
                 book, mine = _merged(large, case, folder, stem), range(0)
             else:
-                book = announced(Journal(folder / f"{stem}.journal", _key(large), resume))
+                book = report_journal(Journal(folder / f"{stem}.journal", _key(large), resume))
                 mine = range(len(large.groups))
             with contextlib.closing(_work(large, book, mine, jobs, show, cancel, executor)) as work:
                 tally = _write(large, book, work, folder, stem, show, cancel)
@@ -102,7 +107,7 @@ def run_part(case: Case, case_path: Path, output: Path | None, jobs: int, quiet:
     refuse(case)
     folder, stem = results_of(case_path, output)
     cancel, path = threading.Event(), part_path(folder, stem, k, n)
-    with made(case_path, folder), interrupts(cancel), progress(quiet) as show:
+    with make_folders(case_path, folder), cancel_on_interrupt(cancel), progress(quiet) as show:
         try:
             large = prepare_large_case(case, case_path.parent, cancel.is_set)
             book = Journal(path, part_key(_key(large), case, k, n), True)
@@ -174,7 +179,7 @@ def _write(
     def rows() -> Iterator[dict[str, list]]:
         worked = False
         for g in range(count):
-            raise_if(cancel)()
+            raise_if_cancelled(cancel)()
             while (group_rows := book.get(g)) is None:
                 next(work)
                 worked = True
@@ -202,11 +207,11 @@ def summary(tally: Tally, folder: Path, stem: str) -> str:
         columns += ["zeta", "verdict", "by"]
     table = [[terminal(head) for head in columns]]
     for row in tally.worst[:MAX_WALLS_SHOWN]:
-        cells = [row["name"][:48], coded(row["mechanism"]), short(row["q_set"])]
+        cells = [row["name"][:48], code_word(row["mechanism"]), format_short(row["q_set"])]
         if with_demand:
-            cells += [short(row["zeta_e"]), coded(row["verdict"]), coded(row["check"])]
+            cells += [format_short(row["zeta_e"]), code_word(row["verdict"]), code_word(row["check"])]
         table.append(cells)
     lines = aligned(table, (2, 3))
-    counts = ", ".join(f"{coded(code)} {n}" for code, n in sorted(tally.verdicts.items()))
+    counts = ", ".join(f"{code_word(code)} {n}" for code, n in sorted(tally.verdicts.items()))
     lines.append(terminal("{walls} walls, the worst above", walls=tally.walls) + (f": {counts}" if counts else ""))
     return "\n".join([*lines, shown(str(_table(folder, stem))), shown(str(folder / f"{stem}.json"))])

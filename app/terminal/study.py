@@ -9,7 +9,15 @@ from pathlib import Path
 from typing import NamedTuple
 
 from app.look.language import terminal
-from app.terminal.batch import CANCELLED, DONE, WITHOUT_NUMBER, interrupts, open_journal, raise_if, say
+from app.terminal.batch import (
+    CANCELLED,
+    DONE,
+    WITHOUT_NUMBER,
+    cancel_on_interrupt,
+    open_journal,
+    raise_if_cancelled,
+    say,
+)
 from app.terminal.command_line import STUDIES, study_file
 from app.terminal.terminal_progress import progress, tell
 from core import atomic_write
@@ -152,12 +160,12 @@ def run(
     cancel, made = threading.Event(), None
     if packed:
         pack.refuse_outside(load(path, quick)[0])
-    with interrupts(cancel), progress(quiet) as show:
+    with cancel_on_interrupt(cancel), progress(quiet) as show:
         try:
             made = results(asked, folder, records, jobs, quick, resume, show.runs, cancel.is_set)
             report = report_of(made.result)
             source = (path, records) if packed else None
-            write(made.result, report, folder, made.stem, raise_if(cancel), tell=show.writing, source=source)
+            write(made.result, report, folder, made.stem, raise_if_cancelled(cancel), tell=show.writing, source=source)
         except Cancelled:
             journal = folder / f"{stem_of(path, quick)}.journal"
             if journal.exists():

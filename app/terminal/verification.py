@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from app.look.language import described, terminal
+from app.look.language import describe_message, terminal
 from app.terminal import export
 from app.terminal.batch import say
 from app.terminal.terminal_progress import progress
@@ -49,13 +49,13 @@ def verify(report: Path, records: Path | None, jobs: int, quiet: bool) -> int:
     """Run the case within a report again and say what differs; returns the exit code. The parameters are those of
     `compared`. Raises InputError for a file that is no report."""
     with progress(quiet) as show:
-        code, lines = compared(report, records, jobs=jobs, on_progress=show.runs)
+        code, lines = compare_report(report, records, jobs=jobs, on_progress=show.runs)
     for line in lines:
         say(line)
     return code
 
 
-def compared(report: Path, records: Path | None = None, **how: Any) -> tuple[int, list[str]]:
+def compare_report(report: Path, records: Path | None = None, **how: Any) -> tuple[int, list[str]]:
     """(exit code, what to say) of a report whose case is run again.
 
     records : folder of the files that the case reads, that of the report if none is given
@@ -73,7 +73,7 @@ def compared(report: Path, records: Path | None = None, **how: Any) -> tuple[int
         try:
             result = run_study(case, base_dir=folder, **how)
         except InputError as error:
-            raise Unverifiable(described(error)) from None
+            raise Unverifiable(describe_message(error)) from None
         if changed := _other_records(reported, result):
             raise Unverifiable(terminal("these records are not those of the report: {names}", names=", ".join(changed)))
         differences = list(itertools.islice(_compared(report, content, reported, result, folder), 10_000))
@@ -163,7 +163,7 @@ def _case(text: str, report: Path, folder: Path, files: tuple[CaseFile, ...]) ->
     try:
         return case_of_text(text, folder / report.name, choose_held(files, folder))
     except InputError as error:
-        raise Unverifiable(described(error)) from None
+        raise Unverifiable(describe_message(error)) from None
 
 
 def _other_records(reported: dict, result: StudyResult) -> list[str]:

@@ -84,7 +84,7 @@ def _words(result: StudyResult, wall: WallResult, language: str, kind: str) -> l
     return [line[before:] for line in lines_of(result, wall, language, (kind,))]
 
 
-def to_do(result: StudyResult, wall: WallResult, language: str) -> list[str]:
+def required_actions(result: StudyResult, wall: WallResult, language: str) -> list[str]:
     """What is to be done."""
     words = _words(result, wall, language, "to_do")
     return _linked(words, known(wall.assessment).verdict.to_do, "to_do", language)
@@ -106,7 +106,7 @@ def assumption_rows(result: StudyResult, wall: WallResult, language: str) -> str
     return "<table>" + "".join(f"<tr>{line}</tr>" for line in cells) + "</table>"
 
 
-def limits(result: StudyResult, wall: WallResult, language: str, warnings: list[str]) -> list[str]:
+def verdict_limitations(result: StudyResult, wall: WallResult, language: str, warnings: list[str]) -> list[str]:
     """What limits the result, what makes it indicative first; nothing twice. warnings : of demand and wall"""
     words = _words(result, wall, language, "limits")
     for one in warnings:

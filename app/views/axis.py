@@ -23,7 +23,7 @@ LEGEND_LETTERS, TICK_LETTERS = 22, 16
 """Letters of a name in a legend beside the axes or in a narrow chart, and beside an axis; the data have all of it."""
 
 
-def elided(name: str, most: int = LEGEND_LETTERS) -> str:
+def elide_name(name: str, most: int = LEGEND_LETTERS) -> str:
     """A name as a chart has room for it: its beginning and its end, where channel and sign stand."""
     if len(name) <= most:
         return name

@@ -5,7 +5,7 @@ import math
 from PySide6.QtCore import QSize
 
 from app.look.language import tr
-from app.views.axis import TICK_LETTERS, elided
+from app.views.axis import TICK_LETTERS, elide_name
 
 HEIGHT_SHARE, WIDTH_SHARE = 0.6, 0.85
 """Shares of the height and of the width of a view that its axes take."""
@@ -18,7 +18,7 @@ def show_names(chart) -> None:
     if chart.lines:
         room = HEIGHT_SHARE * chart.view.height() / chart.fontMetrics().height()
         step = max(1, math.ceil(len(chart.lines) / max(1.0, room)))
-        chart.ticks("left", [(at, elided(name, TICK_LETTERS + 4)) for at, name in chart.lines[::step]])
+        chart.ticks("left", [(at, elide_name(name, TICK_LETTERS + 4)) for at, name in chart.lines[::step]])
 
 
 def _show_below(chart) -> None:
@@ -33,7 +33,7 @@ def _show_below(chart) -> None:
 
 
 def _below(chart) -> list[str]:
-    return [elided(name, TICK_LETTERS) for name in chart.of_pairs or chart.names]
+    return [elide_name(name, TICK_LETTERS) for name in chart.of_pairs or chart.names]
 
 
 def _widest(chart, names: list[str]) -> int:
@@ -45,7 +45,7 @@ def _step_upright(chart, room: float) -> int:
     return max(1, math.ceil(len(_below(chart)) * (chart.fontMetrics().ascent() + 1) / max(room, 1.0)))
 
 
-def with_all_names(chart, whole: QSize) -> QSize:
+def fit_all_names(chart, whole: QSize) -> QSize:
     """The size of a figure, as high as its names want it. whole : without them"""
     height, names = whole.height(), _below(chart)
     if WIDTH_SHARE * whole.width() < len(names) * (_widest(chart, names) + 12):

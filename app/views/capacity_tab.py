@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout
 
 from app.look import theme
 from app.look.charting import pg
-from app.look.labels import Plain
-from app.look.language import named, number, tr
+from app.look.labels import PlainLabel
+from app.look.language import number, result_word, tr
 from app.look.whole_text import tell_whole
 from app.views.chart import Chart
 from app.views.hatch import Hatch, hatched_square
@@ -45,7 +45,7 @@ class CapacityTab(ResultTab):
         self.strips.column = tr("outcome (0 stands, 1 overturned, 2 and 3 none)")
         self.fragility = Chart("q [-]", tr("share collapsed [-]"), tr("Fragility"))
         choices, top = QHBoxLayout(), QHBoxLayout()
-        self.title = Plain()
+        self.title = PlainLabel()
         self.title.setWordWrap(True)
         for box in (self.record, self.other):
             box.setMinimumWidth(60)
@@ -73,7 +73,7 @@ class CapacityTab(ResultTab):
         self.other.clear()
         self.other.addItem(tr("compare with no other wall"))
         for other in result.walls:
-            self.other.addItem(tr("compare with {wall}", wall=f"{other.name}, {named(other.mechanism)}"))
+            self.other.addItem(tr("compare with {wall}", wall=f"{other.name}, {result_word(other.mechanism)}"))
         self._show_peaks()
         self._show_strips(wall)
         self._show_fragility()
@@ -129,7 +129,7 @@ class CapacityTab(ResultTab):
             self.peaks.curve(run_name(run), q, ratio, 0)
             fell = q[np.isnan(ratio)]
             none = np.full(fell.size, np.nan)
-            self.peaks.points(named("overturned"), fell, np.full(fell.size, OVERTURNED_AT), 1, 4, values=none)
+            self.peaks.points(result_word("overturned"), fell, np.full(fell.size, OVERTURNED_AT), 1, 4, values=none)
             if run.ida.q:
                 self.peaks.level(run.ida.q, "q", "bad", vertical=True, place=0.75)
             self.peaks.caption = f"{title_of(wall)}, {run_name(run)}"
@@ -177,7 +177,7 @@ class CapacityTab(ResultTab):
         item.setRect(area)
         legend = [
             (tr("stands"), pg.ScatterPlotItem(symbol="s", size=11)),
-            (named("overturned"), pg.ScatterPlotItem(symbol="s", size=11)),
+            (result_word("overturned"), pg.ScatterPlotItem(symbol="s", size=11)),
             (tr("not searched"), pg.ScatterPlotItem(symbol=hatched_square(), size=11)),
         ]
 

@@ -9,10 +9,10 @@ from PySide6.QtWidgets import QHBoxLayout, QMenu, QSizePolicy, QToolButton, QVBo
 
 from app.look import theme
 from app.look.charting import pg
-from app.look.dialogs import once
-from app.look.labels import Plain
+from app.look.dialogs import delete_after_use
+from app.look.labels import PlainLabel
 from app.look.language import current_language, tr
-from app.views.axis import LEGEND_LETTERS, SPARE_PLOTS, elided, ends_of, number_axes, numbers, plot_widget
+from app.views.axis import LEGEND_LETTERS, SPARE_PLOTS, elide_name, ends_of, number_axes, numbers, plot_widget
 from app.views.axis_names import show_names
 from app.views.chart_output import ChartOutput
 from app.views.edge_marks import EdgeMarks
@@ -45,7 +45,7 @@ class Chart(ChartOutput):
         self.plot = self.view.getPlotItem()
         self.plot.showGrid(x=True, y=True, alpha=0.25)
         self.beside, self.live = legend == "beside", live
-        self.legend = self.plot.addLegend(labelTextSize=theme.points(1.0).split()[1].rstrip(";"))
+        self.legend = self.plot.addLegend(labelTextSize=theme.font_points(1.0).split()[1].rstrip(";"))
         self.legend.setParentItem(self.plot)
         self.legend.anchor((1, 0), (1, 0), (0, 8 if self.beside else 0))
         self.ranges: dict[str, tuple[float, float]] = {}
@@ -55,7 +55,7 @@ class Chart(ChartOutput):
         self.found = pg.ScatterPlotItem(size=9, pen=pg.mkPen(None))
         self.found.setZValue(50)
         self.plot.addItem(self.found, ignoreBounds=True)
-        self.reason = Plain(parent=self.view)
+        self.reason = PlainLabel(parent=self.view)
         self.reason.setWordWrap(True)
         self.reason.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.reason.hide()
@@ -69,7 +69,7 @@ class Chart(ChartOutput):
         self.is_figure = False
         self.edges = EdgeMarks(self)
         self.data: list[tuple[str, np.ndarray, np.ndarray]] = []
-        self.read = Plain()
+        self.read = PlainLabel()
         self.read.setMinimumWidth(10)
         self.read.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         layout = QVBoxLayout(self)
@@ -256,8 +256,8 @@ class Chart(ChartOutput):
                 label.setText(name)
             share = (self.view.width() - 50) / max(label.itemRect().width(), 1.0)
             letters = max(letters, int(share * len(name)))
-        if label.text != elided(name, letters):
-            label.setText(elided(name, letters))
+        if label.text != elide_name(name, letters):
+            label.setText(elide_name(name, letters))
 
     def set_log(self, on: bool) -> None:
         self.plot.setLogMode(on, on)
@@ -401,7 +401,7 @@ class Chart(ChartOutput):
         """The data in a window of their own, for readers of the screen and for copying."""
         from app.views.figure_dialogs import data_table
 
-        with once(data_table(self)) as dialog:
+        with delete_after_use(data_table(self)) as dialog:
             dialog.exec()
 
     def _ask_size(self) -> None:

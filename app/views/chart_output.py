@@ -14,8 +14,8 @@ from PySide6.QtWidgets import QMessageBox, QWidget
 from app.look import theme
 from app.look.charting import pg
 from app.look.file_dialogs import path_to_write
-from app.look.labels import plain
-from app.look.language import current_language, described, tr
+from app.look.labels import escape_html
+from app.look.language import current_language, describe_message, tr
 from app.views.table import Table
 from core import atomic_write
 from core.errors import OutputError
@@ -134,4 +134,4 @@ class ChartOutput(QWidget):
         try:
             atomic_write.write(files())
         except OutputError as error:
-            QMessageBox.warning(self, title, plain(described(error)))
+            QMessageBox.warning(self, title, escape_html(describe_message(error)))

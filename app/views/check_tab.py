@@ -19,9 +19,16 @@ from PySide6.QtWidgets import (
 
 from app.look import theme
 from app.look.drawing import WallDrawing
-from app.look.labels import Plain, Rich
-from app.look.language import called, number, tr
-from app.views.answer_lines import assumption_rows, limits, link, no_dynamic_check, to_do, verdict_color
+from app.look.labels import PlainLabel, RichLabel
+from app.look.language import number, tr, wall_title
+from app.views.answer_lines import (
+    assumption_rows,
+    link,
+    no_dynamic_check,
+    required_actions,
+    verdict_color,
+    verdict_limitations,
+)
 from app.views.capacity_curve_chart import CapacityCurveChart
 from app.views.chart import Chart
 from app.views.ladder import Ladder
@@ -111,7 +118,7 @@ class CheckTab(ResultTab):
         self.split.setStretchFactor(2, 1)
         # what the words above leave, else the page scrolls by the chart's wish
         self.split.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
-        self.facts = Rich()
+        self.facts = RichLabel()
         self.facts.setWordWrap(True)
         self.facts.setAccessibleName(tr("Why the result may be trusted"))
         page = Whole()
@@ -134,16 +141,16 @@ class CheckTab(ResultTab):
 
     def _make_banner(self) -> None:
         """The verdict, what is to be done, what limits it and notes, in a frame."""
-        self.heading, self.sentence = Plain(), Plain(tr("No result yet: press F5."))
-        self.important, self.reasons = Rich(), Plain()
+        self.heading, self.sentence = PlainLabel(), PlainLabel(tr("No result yet: press F5."))
+        self.important, self.reasons = RichLabel(), PlainLabel()
         for label in (self.heading, self.sentence, self.important, self.reasons):
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         links = Qt.TextInteractionFlag.LinksAccessibleByMouse | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
-        self.no_peaks = Rich()
-        self.others = Rich()
+        self.no_peaks = RichLabel()
+        self.others = RichLabel()
         self.others.setWordWrap(True)
-        self.assumed = Rich()
+        self.assumed = RichLabel()
         self.assumed.setWordWrap(True)
         self.all_limits = self._opener(self.others.setVisible)
         for label in (self.important, self.others, self.no_peaks):
@@ -192,7 +199,7 @@ class CheckTab(ResultTab):
             self.all_limits.hide()
             self.assumed.hide()
             self.others.hide()
-            self.heading.setText(called(wall.name))
+            self.heading.setText(wall_title(wall.name))
             self.sentence.setText(tr("No demand: no check. q of the wall: {q}", q=digits(wall.q_set)))
             self._fold(self._warnings(result, wall) + self._warnings(result, wall, True))
             self.facts.setText("")
@@ -200,12 +207,14 @@ class CheckTab(ResultTab):
             self._show_peaks(tr("No demand: nothing to compare the peaks with."), "demand")
             return
         verdict = assessment.verdict
-        self.heading.setText(f"{called(wall.name)}: {word(verdict.code, self.language)}, ζ {digits(verdict.zeta_e)}")
-        self.heading.setStyleSheet(f"{theme.points(1.75)} font-weight: 700; color: {shade};")
-        self.sentence.setText(called(sentence_of(wall, self.language)))
-        lines = limits(result, wall, self.language, self._warnings(result, wall))
+        self.heading.setText(
+            f"{wall_title(wall.name)}: {word(verdict.code, self.language)}, ζ {digits(verdict.zeta_e)}"
+        )
+        self.heading.setStyleSheet(f"{theme.font_points(1.75)} font-weight: 700; color: {shade};")
+        self.sentence.setText(wall_title(sentence_of(wall, self.language)))
+        lines = verdict_limitations(result, wall, self.language, self._warnings(result, wall))
         shown = max(MAX_LIMITS_SHOWN, verdict.blocking) if len(lines) > MAX_LIMITS_SHOWN + 1 else len(lines)
-        self.important.setText("<br>\n".join([*to_do(result, wall, self.language), *lines[:shown]]))
+        self.important.setText("<br>\n".join([*required_actions(result, wall, self.language), *lines[:shown]]))
         self.others.setText("<br>\n".join(lines[shown:]))
         self.assumed.setText(assumption_rows(result, wall, self.language))
         self.assumed.setVisible(bool(self.assumed.text()))

@@ -2,7 +2,7 @@
 
 from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QDialogButtonBox, QFormLayout, QLineEdit, QVBoxLayout
 
-from app.look.dialogs import once
+from app.look.dialogs import delete_after_use
 from app.look.language import current_language, tr
 from app.views.figure_file import FigureSize
 from core.text.sentence import numeral
@@ -93,5 +93,5 @@ def _accepted(dialog: QDialog, form: QFormLayout) -> bool:
     buttons.accepted.connect(dialog.accept)
     buttons.rejected.connect(dialog.reject)
     form.addRow(buttons)
-    with once(dialog):  # gone with the next event: what was typed is read before
+    with delete_after_use(dialog):  # gone with the next event: what was typed is read before
         return dialog.exec() == QDialog.DialogCode.Accepted

@@ -15,8 +15,8 @@ from shiboken6 import isValid
 from app.look import theme
 from app.look.charting import pg
 from app.look.language import tr
-from app.views.axis_names import unnamed_line, with_all_names
-from app.views.page_units import in_page_units
+from app.views.axis_names import fit_all_names, unnamed_line
+from app.views.page_units import convert_to_page_units
 from core.errors import OutputError
 from core.report.xml_text import escape_for_xml
 
@@ -63,7 +63,7 @@ def figure(chart, end: str, size: FigureSize) -> bytes:
             _paint(chart, drawing, whole, lines)
             # Qt writes whatever a text holds
             text = _of_width(escape_for_xml(bytes(room.data().data())).decode(), page, density)
-            return in_page_units(text).encode()
+            return convert_to_page_units(text).encode()
         _paint(chart, _pdf(room, page, density), whole, lines)
         return bytes(room.data().data())
 
@@ -117,7 +117,7 @@ def _laid_out(chart, size: FigureSize) -> Iterator[tuple[QSize, list[str], float
     """The chart in the size of a figure, and back: size of its view, lines below it, pixels an inch of the layout."""
     density = SCREEN * max(1.0, NARROW / size.width)
     wide = round(size.width / MM_PER_INCH * density)
-    whole, lines = with_all_names(chart, QSize(wide, round(AXES_ASPECT * wide))), []
+    whole, lines = fit_all_names(chart, QSize(wide, round(AXES_ASPECT * wide))), []
     if size.caption:
         lines = [f"{chart.name}. {chart.caption}" if chart.caption else chart.name]
     lines += [*unnamed_line(chart, whole), *stale_line(chart)]

@@ -7,8 +7,8 @@ from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QSlider, QSplitter, QTabWidget, QVBoxLayout
 
 from app.look.charting import pg
-from app.look.labels import Plain
-from app.look.language import current_language, named, number, tr
+from app.look.labels import PlainLabel
+from app.look.language import current_language, number, result_word, tr
 from app.look.whole_text import tell_whole
 from app.views.chart import Chart
 from app.views.moving_walls import Film, MovingWalls
@@ -71,7 +71,7 @@ class HistoriesTab(ResultTab):
         self.preset.activated.connect(self._set_to)
         self.chosen_q: float | None = None
         self.strength_factor = 1.0
-        self.words = Plain()
+        self.words = PlainLabel()
         self.words.setMinimumWidth(120)
         self.words.setToolTip(
             tr(
@@ -317,7 +317,7 @@ class HistoriesTab(ResultTab):
         self._follow_fall()
         self._follow_peak()
         if self.history.outcome == COLLAPSED:  # its largest rotation is where the analysis ended
-            outcome = named("overturned")
+            outcome = result_word("overturned")
         else:
             peak = numeral(self.history.peak / wall.model.collapse_rotation, ".2f", current_language())
             outcome = f"{tr('stands')}   θmax/θc {peak}"
@@ -379,7 +379,7 @@ class HistoriesTab(ResultTab):
         if self.strength_factor == 1.0:
             words = [tr("strength as it is, without FC")]
         else:
-            words = [f"{named('confidence_capacity')}: {number(self.strength_factor, '.2f')}"]
+            words = [f"{result_word('confidence_capacity')}: {number(self.strength_factor, '.2f')}"]
         if result.demand is not None:
             factor = multiplier_of(self.q, self.motion.pga, threshold_of(wall.model))
             words.append(

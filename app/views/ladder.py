@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.look import theme
-from app.look.labels import plain
+from app.look.labels import escape_html
 from app.look.language import number, tr
 
 
@@ -46,7 +46,7 @@ class Ladder(QWidget):
         self.rungs, self.target = list(rungs), target
         said = [f"{one.name} ({one.clause}) ζ {_zeta_of(one)}, {one.values}" for one in self.rungs]
         self.setAccessibleName("; ".join([tr("Checks, ζ required {zeta:.2f}", zeta=target), *said]))
-        self.setToolTip(plain("\n".join(said)))
+        self.setToolTip(escape_html("\n".join(said)))
         self.updateGeometry()
         self.update()
 
@@ -134,7 +134,7 @@ class Ladder(QWidget):
 
 
 def _zeta_of(rung: Rung) -> str:
-    return theme.marked(rung.tone, number(rung.zeta, ".2f"))
+    return theme.add_tone_mark(rung.tone, number(rung.zeta, ".2f"))
 
 
 def _clause_of(rung: Rung) -> str:

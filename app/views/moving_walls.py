@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPushButton, QVBoxLayout, 
 from app.look.drawing import WallDrawing
 from app.look.language import tr
 from app.look.whole_text import tell_whole
-from app.views.runs import before_motion
+from app.views.runs import time_before_motion
 from core.study.bar_histories import BarHistory
 from core.study.results import WallResult
 
@@ -110,7 +110,7 @@ class MovingWalls(QWidget):
         self.timer.stop()
         if on and self.films:
             film = self.films[0]
-            begin = before_motion(film.rotation, film.time_step)
+            begin = time_before_motion(film.rotation, film.time_step)
             ended = self.time >= (film.rotation.size - 1) * film.time_step
             self.started = begin if ended else max(self.time, begin)
             self.clock.start()

@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.look import theme
-from app.look.labels import Plain
+from app.look.labels import PlainLabel
 from app.look.language import current_language, tr
 from app.views.result_tab import ResultTab
 from app.work.worker import Job
@@ -148,7 +148,7 @@ class NoteTab(ResultTab):
         self.search.setClearButtonEnabled(True)
         self.search.returnPressed.connect(self.find_next)
         QShortcut(QKeySequence.StandardKey.Find, self, self.search.setFocus)
-        self.word = Plain()
+        self.word = PlainLabel()
         self.word.setWordWrap(True)  # a sentence that the note is not set by is long
         self.word.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         export = QPushButton(tr("Export…"))

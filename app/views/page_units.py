@@ -18,7 +18,7 @@ QUARTER = 4.0 / 3.0 * (2.0**0.5 - 1.0)
 """Arm, over the radius, of a cubic curve that is a quarter of a circle within 0.0003 of its radius."""
 
 
-def in_page_units(drawing: str) -> str:
+def convert_to_page_units(drawing: str) -> str:
     """The drawing without strokes that do not scale: the matrix of such a group moves the points of its shapes."""
     moved = _GROUP.sub(_moved, drawing)
     return moved.replace(FIXED_STROKE, 'vector-effect="none"')  # of what has no matrix: a clip

@@ -7,7 +7,7 @@ from PySide6.QtCore import Signal
 
 from app.look import theme
 from app.look.charting import pg
-from app.look.language import called, tr
+from app.look.language import tr, wall_title
 from app.views.chart import Chart
 from app.views.zeta_rungs import digits
 from core.report.key_plan import Placed, centre_of, key_plan, size_of
@@ -37,7 +37,7 @@ class PlanChart(Chart):
         centre, size = centre_of(self.placed), size_of(self.placed)
         for one in self.placed:
             (x1, y1), (x2, y2) = one.ends
-            name = f"{called(one.name)} ζ {digits(one.zeta)}"
+            name = f"{wall_title(one.name)} ζ {digits(one.zeta)}"
             self.curve(name, [x1, x2], [y1, y2], one.tone or "ink", 5.0, legend=False, path=True)
             label = pg.TextItem(name, anchor=(0.5, 0.5), angle=_along(one))
             self.add(label, partial(_colour, label))

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QSplitter, QVBoxLayout, QW
 
 from app.look import theme
 from app.look.charting import pg
-from app.look.labels import Plain
+from app.look.labels import PlainLabel
 from app.look.language import number, tr
 from app.views.chart import Chart
 from app.views.result_tab import ResultTab
@@ -35,7 +35,7 @@ class IntensityTab(ResultTab):
         self.log.toggled.connect(lambda on: self.show_wall(*self.shown) if self.shown else None)
         self.chart = Chart("SI [cm]", "q_eff [-]", tr("q against SI"))
         self.scale_free = Chart("Λ [-]", "q [-]", tr("q against Λ"))
-        self.words = Plain()
+        self.words = PlainLabel()
         self.words.setWordWrap(True)
         layout = QVBoxLayout(self)
         row = QHBoxLayout()
@@ -136,7 +136,7 @@ class SpectraTab(QWidget):
         self.language = language
         self.chart = Chart("T [s]", "S_a [g]", tr("Spectra"), live=True)
         self.table = Table(tr("Compatibility"), [tr("Rule"), tr("Clause"), tr("Value"), tr("Limit"), tr("Outcome")])
-        self.words = Plain()
+        self.words = PlainLabel()
         self.words.setWordWrap(True)
         self.floor = Chart("T [s]", "S_a [g]", tr("Floor spectra"))
         charts = QSplitter(Qt.Orientation.Horizontal)

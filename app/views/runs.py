@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from app.look.language import called, named, number, tr
+from app.look.language import number, result_word, tr, wall_title
 from core.study.results import Run, WallResult
 
 SECONDS_BEFORE_MOTION = 0.5
@@ -18,7 +18,7 @@ def run_name(run: Run) -> str:
 
 def title_of(wall: WallResult) -> str:
     """A wall and its mechanism in the caption of a figure; above the ground what moves it is the floor."""
-    words = f"{called(wall.name)}, {named(wall.mechanism)}"
+    words = f"{wall_title(wall.name)}, {result_word(wall.mechanism)}"
     return f"{words}, {tr('motion of the floor at {z} m', z=number(wall.floor.z, 'g'))}" if wall.floor else words
 
 
@@ -37,7 +37,7 @@ def governing_run(wall: WallResult) -> int:
     return min(range(len(wall.runs)), key=lambda k: wall.runs[k].ida.q or math.inf, default=0)
 
 
-def before_motion(rotation: np.ndarray, time_step: float) -> float:
+def time_before_motion(rotation: np.ndarray, time_step: float) -> float:
     """Shortly before a wall first leaves the ground [s]; the beginning where it never does."""
     moves = np.flatnonzero(rotation)
     return max(0.0, moves[0] * time_step - SECONDS_BEFORE_MOTION) if moves.size else 0.0

@@ -2,7 +2,7 @@
 
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from app.look.labels import Plain
+from app.look.labels import PlainLabel
 from app.look.language import number, tr
 from app.views.chart import Chart
 from app.views.table import Table
@@ -41,7 +41,7 @@ def figure_chart(figure: Figure) -> QWidget:
     return _with_note(chart, figure.note)
 
 
-def shown(value) -> str:
+def format_value(value) -> str:
     """A value of a table with three significant digits."""
     if value is None:
         return "–"
@@ -54,7 +54,7 @@ def table_view(table: StudyTable) -> QWidget:
     """A table whose cells copy into Excel, its note below."""
     view = Table(table.title, list(table.head))
     view.live = True
-    view.show_rows([[shown(value) for value in row] for row in table.rows])
+    view.show_rows([[format_value(value) for value in row] for row in table.rows])
     return _with_note(view, table.note)
 
 
@@ -64,7 +64,10 @@ def claims_table(claims: tuple[Claim, ...]) -> Table:
     view = Table(tr("Claims"), heads)
     view.live = True
     view.show_rows(
-        [[claim.source, claim.claim, shown(claim.held), shown(claim.tried), claim.found] for claim in claims]
+        [
+            [claim.source, claim.claim, format_value(claim.held), format_value(claim.tried), claim.found]
+            for claim in claims
+        ]
     )
     return view
 
@@ -75,7 +78,7 @@ def _with_note(content: QWidget, note: str) -> QWidget:
     layout.setContentsMargins(0, 0, 0, 0)
     layout.addWidget(content, 1)
     if note:
-        words = Plain(note)
+        words = PlainLabel(note)
         words.setWordWrap(True)
         layout.addWidget(words)
     return page

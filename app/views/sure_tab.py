@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSplitter, QVBoxLayout
 
 from app.look import theme
-from app.look.labels import Plain
+from app.look.labels import PlainLabel
 from app.look.language import number, tr
 from app.views.chart import Chart
 from app.views.result_tab import ResultTab
@@ -30,7 +30,7 @@ class SureTab(ResultTab):
     def __init__(self, language: str):
         super().__init__()
         self.language = language
-        self.words = Plain()
+        self.words = PlainLabel()
         self.words.setWordWrap(True)
         self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.button = QPushButton(tr("Move each input"))

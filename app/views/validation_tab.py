@@ -6,8 +6,8 @@ import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout
 
-from app.look.labels import Plain
-from app.look.language import named, number, tr
+from app.look.labels import PlainLabel
+from app.look.language import number, result_word, tr
 from app.views.chart import Chart
 from app.views.result_tab import ResultTab
 from app.views.runs import title_of
@@ -26,7 +26,7 @@ class ValidationTab(ResultTab):
         super().__init__()
         self.button = QPushButton(tr("State the accuracy for this wall (some seconds)"))
         self.button.clicked.connect(self.asked)
-        self.words = Plain(
+        self.words = PlainLabel(
             tr("What the solver leaves, and the spread of q by definition, for this wall and its governing record.")
         )
         self.words.setWordWrap(True)
@@ -67,7 +67,7 @@ class ValidationTab(ResultTab):
             self.phase.say_why(tr("No record with a q."))
             return
         speed = wall.block.frequency_parameter * alpha
-        for one, name, color in zip(pair.histories, (tr("survives"), named("overturned")), (0, 1), strict=True):
+        for one, name, color in zip(pair.histories, (tr("survives"), result_word("overturned")), (0, 1), strict=True):
             inside = np.abs(one.rotation) < 1.5 * alpha
             self.phase.curve(name, one.rotation[inside] / alpha, one.velocity[inside] / speed, color, 1.0, path=True)
         self.phase.reset()

@@ -5,8 +5,8 @@ from typing import Any
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
 
-from app.look.labels import Plain
-from app.look.language import called, number, tr
+from app.look.labels import PlainLabel
+from app.look.language import number, tr, wall_title
 from app.views.answer_lines import verdict_color
 from app.views.result_tab import ResultTab
 from app.views.table import Table
@@ -70,7 +70,7 @@ class WallsTab(ResultTab):
         self.finished, self.finished_rows = 0, []
         self.shown: tuple[StudyResult, WallResult] | None = None
         self.by, self.falling = ZETA, False
-        self.words = Plain(tr("No result yet: press F5.") + "\n\n" + "\n".join(steps()))
+        self.words = PlainLabel(tr("No result yet: press F5.") + "\n\n" + "\n".join(steps()))
         self.words.setWordWrap(True)
         self.table = Table(
             tr("Walls of the study"),
@@ -101,7 +101,7 @@ class WallsTab(ResultTab):
                 tr("changed"),
             ],
         )
-        self.pairs_title = Plain(tr("Before and after"))
+        self.pairs_title = PlainLabel(tr("Before and after"))
         below = QWidget()
         inside = QVBoxLayout(below)
         inside.setContentsMargins(0, 0, 0, 0)
@@ -167,7 +167,7 @@ class WallsTab(ResultTab):
         values, language = values_of(wall, verdict, result), self.language
         risk, index = verdict.risk if verdict else None, values.get("is_v")
         return [
-            called(values["name"]),
+            wall_title(values["name"]),
             word(values["mechanism"], language),
             digits(values["zeta_e"]),
             word(values["verdict"], language) if values["verdict"] else "–",
@@ -182,7 +182,7 @@ class WallsTab(ResultTab):
     def _pair(self, result: StudyResult, one: WallComparison) -> list[str]:
         language = self.language
         changed = ", ".join(word(f"key_{key}", language) for key in one.changed) or tr("nothing")
-        row = [called(one.name)]
+        row = [wall_title(one.name)]
         for verdict in (one.before, one.after):
             code, label = outcome_of(result, verdict)
             row += [word(code, language), digits(verdict.zeta_least), word(label, language) if label else "–"]

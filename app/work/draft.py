@@ -12,7 +12,7 @@ TO_BE_GIVEN: Any = ""
 """The value of a key that has none yet, whatever its type: only a draft holds it."""
 
 
-def readable(case: Case) -> tuple[Case, list[InputError]]:
+def make_savable(case: Case) -> tuple[Case, list[InputError]]:
     """The case without the values that a case file is refused for, each empty or its default, and why each is left out:
     one such value must not keep all the others from being written. A value that a file gives back as another, as
     heights that do not rise, is the one it gives back."""

@@ -57,7 +57,7 @@ def newest(file: Path) -> Draft:
     raise min(errors, key=lambda one: one[0])[1]
 
 
-def keep(file: Path, case: str, path: Path | None, base_dir: Path) -> None:
+def write_state(file: Path, case: str, path: Path | None, base_dir: Path) -> None:
     """A state in front of those before it, whole on disk before any of them moves; a state that does not read takes
     the place of none. case : as TOML text. Raises OutputError or OSError: then those before it are there."""
     content = {"path": str(path) if path else None, "base_dir": str(base_dir), "case": case}
@@ -77,7 +77,7 @@ def keep(file: Path, case: str, path: Path | None, base_dir: Path) -> None:
     os.replace(new, front)
 
 
-def drop(file: Path) -> None:
+def delete_states(file: Path) -> None:
     """Delete all its states, the oldest first."""
     for state in reversed(states(file)):
         with contextlib.suppress(OSError):

@@ -22,7 +22,7 @@ from core.study.results import StudyResult, WallResult
 TICK_MS = 500
 """Between two words of the clock while nothing else is told."""
 
-BETWEEN_WORDS = 0.1
+MIN_UPDATE_SECONDS = 0.1
 """Least time between two states of the progress bar [s]: each paints the window at once."""
 
 
@@ -54,7 +54,7 @@ class Runner(QObject):
     progressed = Signal(int, int, str)
     found = Signal()
     judged = Signal()
-    arrived = Signal(object)
+    result_ready = Signal(object)
     accuracy_stated = Signal(int, object)
     refused = Signal(str)
     ended = Signal(bool)
@@ -64,7 +64,7 @@ class Runner(QObject):
         self.session = session
         self.finished_runs = MemoryJournal()
         self.job: Job | None = None
-        self.to_end = self.cancelled = False
+        self.is_uncancellable = self.cancelled = False
         self.finished_walls: list[WallResult] = []
         self.finished_results: dict[int, StudyResult] = {}
         """Row of a wall of what runs, all of which is there -> its results alone."""
@@ -94,8 +94,8 @@ class Runner(QObject):
                 self.told.emit(tr("The input has changed: press F5."), "message")
                 return
             if base != self.session.base_dir:  # saved elsewhere meanwhile
-                result = self.session.moved_result(result, base)
-            self.arrived.emit(result)
+                result = self.session.relocate_result(result, base)
+            self.result_ready.emit(result)
             text = "{n} analyses in {seconds:.1f} s"
             self.told.emit(tr(text, n=result.analyses, seconds=result.elapsed), "message")
 
@@ -123,7 +123,7 @@ class Runner(QObject):
         if self.job is not None:
             return
         job = self.job = Job(work)
-        self.to_end = to_end
+        self.is_uncancellable = to_end
 
         def unless_left(slot: Callable[..., None]) -> Callable[..., None]:
             return lambda *values: slot(*values) if self.job is job else None
@@ -165,7 +165,7 @@ class Runner(QObject):
         from core.jit import native
 
         now = time.monotonic()
-        if done and now - self._told_at < BETWEEN_WORDS:  # each paints the bar at once
+        if done and now - self._told_at < MIN_UPDATE_SECONDS:  # each paints the bar at once
             return
         self._told_at = now
         if done == 0 and native.lacks_lanes():

@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from app.work import recovery
-from app.work.draft import readable
-from app.work.placed_demand import followed
+from app.work.draft import make_savable
+from app.work.site_demand import update_demand
 from core import atomic_write
 from core.case.drawn_solids import expand_drawings
 from core.case.judge import IncrementalParser
@@ -84,7 +84,7 @@ class Session:
 
     def edit(self, case: Case, place: object = None) -> None:
         """A new case; edits of the same place without a pause are one step of undo."""
-        case = replace(case, demand=followed(self.case, case))
+        case = replace(case, demand=update_demand(self.case, case))
         if case == self.case:
             return
         now = time.monotonic()
@@ -253,7 +253,7 @@ class Session:
             return None
 
     @property
-    def changed_elsewhere(self) -> bool:
+    def is_changed_on_disk(self) -> bool:
         """Whether another program wrote the case's file since it was read or saved here."""
         return self.content is not None and self._on_disk() not in (None, self.content)
 
@@ -276,12 +276,12 @@ class Session:
         self.path, self.base_dir = target, target.parent
         self.case = case
         digest = hashlib.sha256(content).hexdigest()
-        written = readable(case)[0] if self.left_out else case
+        written = make_savable(case)[0] if self.left_out else case
         self.saved = replace(written, sha256=digest, given=given, table="")
         self._known = None
         self.past, self.future = [moved(c) for c in self.past], [moved(c) for c in self.future]
         if self.result is not None:
-            self.result = self.moved_result(self.result, old)
+            self.result = self.relocate_result(self.result, old)
         self.last_place = None
         self.changed()
 
@@ -300,14 +300,14 @@ class Session:
         left_out: list[InputError] = []
         text = dumps(case, before)
         if not Session._reads(text, case):
-            case, left_out = readable(case)
+            case, left_out = make_savable(case)
             text = dumps(case, before)
         again = parse_draft(tomllib.loads(text))
         if table_of(again) != table_of(case):
             raise OutputError("case_reads_otherwise")
         return text, again.given, left_out
 
-    def moved_result(self, result: StudyResult, old: Path) -> StudyResult:
+    def relocate_result(self, result: StudyResult, old: Path) -> StudyResult:
         """A result of the folder `old` as one of the case's folder now, and of its file."""
         case, known = self._moved(result.case, old, self.base_dir), self.checked()
         motions = tuple(
@@ -367,12 +367,12 @@ class Session:
         with contextlib.suppress(OSError, InputError):
             text = self._text(self.case)[0]
             self._hold()
-            recovery.keep(self.recovery_file, text, self.path, self.base_dir)
+            recovery.write_state(self.recovery_file, text, self.path, self.base_dir)
             return True
         return False
 
     def drop_recovery_file(self) -> None:
-        recovery.drop(self.recovery_file)
+        recovery.delete_states(self.recovery_file)
 
     def close(self) -> None:
         """The session ends: its lock goes, and its recovery files are anybody's."""
@@ -413,5 +413,5 @@ class Session:
         self.saved, self.path, self.base_dir = saved, draft.path, draft.base_dir
         self.autosave()  # before the other goes: a kill in between loses nothing
         if self.recovery_file.is_file() or not self.dirty:
-            recovery.drop(file)
+            recovery.delete_states(file)
         self.changed()

@@ -10,7 +10,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QThread, QTimer, Signal
 
-from app.look.language import described
+from app.look.language import describe_message
 from core.errors import Cancelled, InputError
 from core.known import known
 
@@ -90,7 +90,7 @@ class Job(QThread):
             pass
         except InputError as error:
             self.error = error
-            self.failed.emit(described(error), "")
+            self.failed.emit(describe_message(error), "")
         except Exception as error:  # the worker's: an internal error must not be silent
             self.failed.emit(f"{type(error).__name__}: {error}", write_log(traceback.format_exc()))
         else:

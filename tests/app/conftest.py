@@ -312,9 +312,9 @@ def put_back_attributes(made, known: list[set[str]]) -> None:
 
 def sections_of(made) -> list:
     """The parts of its forms that fold."""
-    from app.look.section import Section
+    from app.look.section import FoldingSection
 
-    return made.findChildren(Section)
+    return made.findChildren(FoldingSection)
 
 
 def windows_over(made) -> list:

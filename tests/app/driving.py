@@ -34,7 +34,7 @@ def type_into(field, text: str) -> None:
 def rest(field) -> None:
     """Let the hand rest: what waits for it follows."""
     if parts := getattr(field.window(), "parts", None):
-        parts.settle()
+        parts.flush_pending()
 
 
 class Held:

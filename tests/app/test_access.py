@@ -32,7 +32,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.input.import_dialog import ImportDialog
-from app.look.section import Head, Section
+from app.look.section import FoldingSection, SectionHeader
 from app.shell import guide, menus, tree
 from app.shell.study_window import StudyWindow
 from app.views import figure_dialogs, ladder
@@ -124,7 +124,7 @@ def must_be_reached(application, top: QWidget, known: set[QWidget] = frozenset()
 
 def stages(window, application):
     """Each form and each page in front, by its name, with all sections open."""
-    for section in window.findChildren(Section):
+    for section in window.findChildren(FoldingSection):
         section.unfold()
     for kind in window.stages.input.areas:
         window.navigator.show_input(kind)
@@ -158,11 +158,11 @@ def dialogs(window, application, monkeypatch, visit) -> set[str]:
     chart._ask_limits()
     chart.show_table()
     menus.find(window)
-    menus.client(window)
+    menus.open_client_view(window)
     look(ImportDialog([ROOT / "tests" / "motions" / "noise_1.txt"], window))
     guide.show_guide(window)
     look(window.findChild(guide.Guide))
-    menus.study(window)
+    menus.open_study_window(window)
     look(window.findChild(StudyWindow))
     return titles
 
@@ -207,7 +207,7 @@ def cut(one: QWidget, top: QWidget) -> str:
         words = one.text()
         plain = re.sub("<[^>]*>", "", words)
         rich = plain != words
-        if words.endswith("…") and isinstance(one.parentWidget(), Head):
+        if words.endswith("…") and isinstance(one.parentWidget(), SectionHeader):
             return "" if whole(words, one.parentWidget()) else "no tool tip"
         if one.wordWrap():
             longest = max(one.fontMetrics().horizontalAdvance(word) for word in plain.split())
@@ -220,7 +220,11 @@ def cut(one: QWidget, top: QWidget) -> str:
         one.initStyleOption(option)
         part = QStyle.ComplexControl.CC_ComboBox, option, QStyle.SubControl.SC_ComboBoxEditField, one
         needed, room = one.fontMetrics().horizontalAdvance(words), one.style().subControlRect(*part).width()
-    elif isinstance(one, QAbstractButton) and not isinstance(one, Head) and not isinstance(one.parentWidget(), INSIDE):
+    elif (
+        isinstance(one, QAbstractButton)
+        and not isinstance(one, SectionHeader)
+        and not isinstance(one.parentWidget(), INSIDE)
+    ):
         words, needed, room = one.text(), one.sizeHint().width(), one.width()
         high = one.heightForWidth(one.width()) if one.hasHeightForWidth() else one.sizeHint().height()
         if high > one.height() + 2:
@@ -418,7 +422,7 @@ def shaped(window, shape: str) -> None:
     """The form of a wall with short forms or with solids, all of its fields shown."""
     sizes = {"height_m": 5.0, "thickness_m": 0.5, "length_m": 4.0, "unit_weight_kn_m3": 18.0}
     window.session.edit_wall(0, mechanism="one_sided", **sizes, **SHAPES[shape])
-    for section in window.findChildren(Section):
+    for section in window.findChildren(FoldingSection):
         section.unfold()
     window.navigator.show_input("wall")
     window.walls.body.solids.list.setCurrentRow(1)

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.look import theme
 from app.shell.window import MainWindow
-from app.views.axis import elided
+from app.views.axis import elide_name
 from app.views.chart import Chart
 from app.views.figure_file import FigureSize, figure
 from app.views.hatch import Hatch
@@ -253,7 +253,7 @@ def test_that_a_name_longer_than_its_chart_keeps_its_beginning_and_end(applicati
     chart.fit()
     ((_, label),) = chart.legend.items
     assert "…" in label.text and label.text.endswith("(+)") and label.itemRect().width() < 400
-    assert label.text == elided(name, len(label.text))
+    assert label.text == elide_name(name, len(label.text))
     chart.deleteLater()
 
 

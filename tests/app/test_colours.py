@@ -90,10 +90,12 @@ def test_that_no_verdict_is_told_by_a_colour_alone(opened, application):
     assert any(row.kind == "wall" for row in chips)
     shown = {item.text(0) for item in opened.tree.items}
     for row in chips:
-        assert f"{row.text} {theme.marked(row.tone, row.chip)}" in shown and theme.VERDICT_MARKS[row.tone] in str(shown)
+        assert f"{row.text} {theme.add_tone_mark(row.tone, row.chip)}" in shown and theme.VERDICT_MARKS[
+            row.tone
+        ] in str(shown)
     ladder = opened.pages["check"].content.ladder
     assert {rung.tone for rung in ladder.rungs} <= {*theme.VERDICT_MARKS, "quiet"}
     for rung in ladder.rungs:
         assert theme.VERDICT_MARKS.get(rung.tone, "") in ladder.toolTip().splitlines()[ladder.rungs.index(rung)]
-    marks = {theme.marked(tone, "0.8") for tone in theme.VERDICT_MARKS}
-    assert len(marks) == 3 and theme.marked("quiet", "0.8") == "0.8" and theme.marked("amber", "!") == "!"
+    marks = {theme.add_tone_mark(tone, "0.8") for tone in theme.VERDICT_MARKS}
+    assert len(marks) == 3 and theme.add_tone_mark("quiet", "0.8") == "0.8" and theme.add_tone_mark("amber", "!") == "!"

@@ -9,7 +9,7 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QDialog, QListWidget
 
-from app.look.dialogs import once
+from app.look.dialogs import delete_after_use
 from app.shell.refused_texts import RefusedTexts
 from tests.conftest import ROOT
 
@@ -18,7 +18,7 @@ NO_DIALOG = {"application", "menu"}
 
 
 def test_that_a_dialog_is_gone_after_it_was_asked_also_where_that_fails(opened, faults):
-    with pytest.raises(ZeroDivisionError), once(QDialog(opened.walls)) as dialog:
+    with pytest.raises(ZeroDivisionError), delete_after_use(QDialog(opened.walls)) as dialog:
         dialog.setObjectName("asked")
         raise ZeroDivisionError
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)

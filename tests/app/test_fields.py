@@ -15,7 +15,7 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from app.look.language import FORM_NAMES, described
+from app.look.language import FORM_NAMES, describe_message
 from core.case.loads import Load
 from core.case.rules import parse_case
 from core.case.schema import Analysis, Generate
@@ -248,11 +248,11 @@ def test_that_sentences_of_the_window_use_the_words_of_its_forms(opened, languag
 
 def test_that_sentences_of_the_window_keep_paths_and_show_values_as_the_fields_do(opened):
     path = "/data/one_sided/height_m.csv"
-    assert described(InputError("no_table", place=(path,))).startswith(path)
+    assert describe_message(InputError("no_table", place=(path,))).startswith(path)
     case = {"analysis": {"robust_window": 0.01, "q_step": 0.05}}
     with pytest.raises(InputError) as caught:
         parse_case(case)
-    assert described(caught.value).startswith(
+    assert describe_message(caught.value).startswith(
         "Analysis: Robust window = 1 % is narrower than one step of Step of the search = 5 %: widen"
     )
     for key, value, words in (
@@ -261,7 +261,7 @@ def test_that_sentences_of_the_window_keep_paths_and_show_values_as_the_fields_d
     ):
         with pytest.raises(InputError) as caught:
             check_value(Wall, key, value)
-        assert described(caught.value).startswith(words)
+        assert describe_message(caught.value).startswith(words)
 
 
 def test_that_the_building_of_walls_above_the_ground_is_edited_saved_and_taken_back(opened, application):

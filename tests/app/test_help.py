@@ -128,11 +128,11 @@ def test_that_the_self_test_runs_in_the_background_of_a_start_and_about_and_help
     said = []
     for name in ("about", "information", "warning"):
         monkeypatch.setattr(guide.QMessageBox, name, lambda *given, name=name: said.append((name, given[2])))
-    menus.about(opened)
+    menus.show_about(opened)
     assert "Self-test: not run yet" in said.pop()[1]
     opened.preparation.begin()
     settle(application, lambda: opened.preparation.job is None)
-    menus.about(opened)
+    menus.show_about(opened)
     assert said.pop()[1].endswith("Self-test: passed, to the last digit.") and not said
     guide.show_self_test(opened)
     settle(application, lambda: opened.runner.job is None)

@@ -66,7 +66,7 @@ def plain(application, opened, tmp_path):
 
 
 def sliders_of(window) -> WhatIfWindow:
-    menus.what_if(window)
+    menus.open_what_if_window(window)
     return window.findChild(WhatIfWindow)
 
 
@@ -261,7 +261,7 @@ def test_that_a_wall_that_does_not_stand_is_said_and_the_search_finds(applicatio
 
 def test_that_without_a_demand_there_is_nothing_to_move(application, opened):
     opened.session.edit(replace(opened.session.case, demand=None))
-    menus.what_if(opened)
+    menus.open_what_if_window(opened)
     sliders = opened.findChild(WhatIfWindow)
     assert not sliders.take.isEnabled() and not sliders.sliders and sliders.heading.text()
     said = sliders.heading.text()

@@ -9,7 +9,7 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 
-from app.look.in_place import InPlace
+from app.look.in_place import InPlaceEditor
 from core.case.loads import Load
 from core.case.solids import Opening
 
@@ -32,11 +32,11 @@ def drawing(opened, application):
     return found
 
 
-def twice(drawing, kind: str, k: int = 0) -> InPlace:
+def twice(drawing, kind: str, k: int = 0) -> InPlaceEditor:
     """The line that opens where this is drawn."""
     area = next(area for area, *spot in drawing.spots if spot == [kind, k])
     QTest.mouseDClick(drawing, Qt.MouseButton.LeftButton, pos=area.center().toPoint())
-    return drawing.findChildren(InPlace)[-1]
+    return drawing.findChildren(InPlaceEditor)[-1]
 
 
 def test_that_loads_have_their_size_and_what_is_to_be_given_is_dashed(drawing):
@@ -102,7 +102,7 @@ def test_that_no_other_quantity_is_changed_in_the_place_of_one(opened, drawing, 
     drawing.grab()
     area = next(area for area, *spot in drawing.spots if spot == ["thickness", 0])
     QTest.mouseDClick(drawing, Qt.MouseButton.LeftButton, pos=area.center().toPoint())
-    assert not [line for line in drawing.findChildren(InPlace) if not line.is_closed]
+    assert not [line for line in drawing.findChildren(InPlaceEditor) if not line.is_closed]
 
 
 def test_that_the_hinges_of_a_body_stand_in_its_elevation(opened, drawing, application):

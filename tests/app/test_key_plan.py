@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from app.input.wall_words import with_floors
+from app.input.wall_text import add_building_loads
 from app.views.plan_chart import PlanChart, _along
 from app.work.draft import TO_BE_GIVEN
 from core.case.site import Building, FloorLoad
@@ -37,16 +37,16 @@ def test_that_a_floor_is_typed_beside_the_building_and_drawn_on_its_wall(opened,
     session.edit_wall(0, name="street", height_m=6.0, thickness_m=0.5, unit_weight_kn_m3=18.0, base_z_m=0.0)
     session.edit(replace(session.case, building=Building(6.0, 2)))
     form = _floors(opened)
-    bare = with_floors(session.case, session.case.wall[0])
+    bare = add_building_loads(session.case, session.case.wall[0])
     form.buttons.itemAt(1).widget().click()
     (floor,) = session.case.building.floors
     assert floor.level_m == TO_BE_GIVEN and floor.mass == "none"
-    assert with_floors(session.case, session.case.wall[0]) == bare  # nothing is drawn of what is not given yet
+    assert add_building_loads(session.case, session.case.wall[0]) == bare  # nothing is drawn of what is not given yet
     whole = FloorLoad("first", 3.0, "street", 0.3, 5.0, 4.0, "none")
     session.edit(replace(session.case, building=replace(session.case.building, floors=(whole,))))
     form.show_case()
     assert form.list.item(0).text() == "first: 3 m, street"
-    (load,) = with_floors(session.case, session.case.wall[0]).load
+    (load,) = add_building_loads(session.case, session.case.wall[0]).load
     assert (load.h_m, load.d_m, load.kn_m) == (3.0, 0.3, 10.0)
     form.list.setCurrentRow(0)
     form.delete()

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QLabel
 
 from app.input.fields import Field, TextField
 from app.input.made_fields import make_fields
-from app.look.language import described, set_language
+from app.look.language import describe_message, set_language
 from app.shell import guide
 from core.case import wall_columns, wall_table
 from core.case.keys import NESTED, number_key
@@ -111,7 +111,7 @@ def test_that_its_line_and_its_words_are_all_that_a_key_needs(opened, monkeypatc
         parse_section(
             Plastered, {"name": "w", "mechanism": "both", "plaster_kn_m2": 3}, "wall", place("wall", name="w")
         )
-    assert described(caught.value) == 'wall "w": Weight of the plaster = 3 is not accepted: from 0 to 2 kN/m2'
+    assert describe_message(caught.value) == 'wall "w": Weight of the plaster = 3 is not accepted: from 0 to 2 kN/m2'
 
     monkeypatch.setattr(wall_columns, "Wall", Plastered)
     monkeypatch.setattr(wall_columns, "parse_wall", lambda table: table)

@@ -83,9 +83,9 @@ def test_that_message_boxes_and_tips_take_no_name_as_markup():
 def test_that_plain_shows_every_letter_of_a_text(application, text):
     from PySide6.QtGui import QTextDocument
 
-    from app.look.labels import plain
+    from app.look.labels import escape_html
 
-    shown, document = plain(text), QTextDocument()
+    shown, document = escape_html(text), QTextDocument()
     if QtGui.Qt.mightBeRichText(shown):
         document.setHtml(shown)
         assert document.toPlainText() == text

@@ -10,7 +10,7 @@ pytest.importorskip("PySide6")
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.input.reasons_form import raised_by_demand, raised_by_wall
+from app.input.reasons_form import favourable_demand_keys, favourable_wall_keys
 from core.case.arch import Between
 from core.case.loads import Bars, Load, ReturnWalls
 from core.case.rules import parse_case, parse_draft
@@ -151,4 +151,4 @@ def test_that_every_reason_the_verdict_asks_for_has_its_row(wall, demand, asked)
     verdict = run(case, base_dir=ROOT).walls[0].assessment.verdict
     keys = {str(dict(one.values)["key"]) for one in verdict.to_do if one.code == "give_reason"}
     assert keys == {asked}
-    assert keys <= raised_by_wall(case, case.wall[0]) | raised_by_demand(case)
+    assert keys <= favourable_wall_keys(case, case.wall[0]) | favourable_demand_keys(case)

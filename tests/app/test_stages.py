@@ -146,7 +146,7 @@ def test_that_the_first_page_asks_what_there_is_and_goes_with_the_first_choice(o
     assert opened.stages.first is None and opened.stages.front == "input"
     assert len(opened.session.case.wall) == 1 and opened.walls.fields["height_m"].isVisible()
     opened.show_first_run()
-    first_run.follow(opened, "example")
+    first_run.open_first_choice(opened, "example")
     assert opened.stages.front == "input"
     opened.show_first_run()
     opened.stages.first.buttons["facade"].click()

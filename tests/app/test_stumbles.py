@@ -13,7 +13,7 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 from app.input.reasons_form import ReasonField
 from app.look import language
 from app.shell import client_view, finder
-from app.views.runs import before_motion
+from app.views.runs import time_before_motion
 from core.case.loads import Bars, Load
 from core.case.schema import Generate
 from core.case.site import Spectrum
@@ -52,7 +52,7 @@ def test_that_a_table_of_walls_asks_for_its_demand_too(opened, monkeypatch):
     monkeypatch.setattr(opened.walls, "load_table", opened.walls.add)
     opened.show_first_run()
     opened.activateWindow()
-    first_run.follow(opened, "table")
+    first_run.open_first_choice(opened, "table")
     assert opened.focusWidget() is opened.demand.fields["ag_g"].editor
     words = " ".join(problem.words for problem in opened.missing.problems)
     assert "a_g" in words and opened.walls.fields["base_z_m"].caption.text() in words
@@ -181,7 +181,7 @@ def test_that_an_animation_begins_as_the_wall_begins_to_move_and_its_button_says
     assert content.walls.started == pytest.approx(max(0.0, first - 0.5)) and content.walls.play.text() == "Pause"
     content.walls.play.click()
     assert content.walls.play.text() == "Play"
-    assert before_motion(np.zeros(9), 0.01) == 0.0
+    assert time_before_motion(np.zeros(9), 0.01) == 0.0
 
 
 @pytest.mark.parametrize("tongue", ["en", "it"])

@@ -15,11 +15,11 @@ from PySide6.QtGui import QImage
 
 from app.look import theme
 from app.shell.pages import delete
-from app.views.axis import TICK_LETTERS, elided
+from app.views.axis import TICK_LETTERS, elide_name
 from app.views.chart import Chart
 from app.views.chart_output import ChartOutput
 from app.views.figure_file import AXES_ASPECT, FigureSize, figure
-from app.views.page_units import in_page_units
+from app.views.page_units import convert_to_page_units
 from tests.app.driving import run
 from tests.svg_readers import READERS, picture_by
 
@@ -209,7 +209,7 @@ def test_that_every_figure_shows_the_same_in_every_reader(drawn, reader, every):
 def test_that_every_shape_moves_with_the_matrix_of_its_group(shape, points):
     words = '<text x="5" y="6" font-size="3">a</text>'
     group = f'<g stroke-width="1" transform="matrix(10,0,0,-3,2,42)" \nfont-size="12" \n>\n{shape}\n{words}\n</g>'
-    moved = in_page_units(f"<svg>{group}</svg>")
+    moved = convert_to_page_units(f"<svg>{group}</svg>")
     ElementTree.fromstring(moved)
     assert "non-scaling" not in moved and moved.count("matrix(10,0,0,-3,2,42)") == 1
     assert f'<g transform="matrix(10,0,0,-3,2,42)">{words}</g>' in moved
@@ -244,7 +244,7 @@ def test_that_all_records_are_named_at_every_width(application, chart, width, co
     before = chart.view.size(), chart.plot.getAxis("bottom").height()
     content = figure(chart, ".svg", FigureSize(width))
     shown = words_of(content)
-    assert [name for name in (pairs or names) if elided(name, TICK_LETTERS) not in shown] == []
+    assert [name for name in (pairs or names) if elide_name(name, TICK_LETTERS) not in shown] == []
     application.processEvents()
     assert (chart.view.size(), chart.plot.getAxis("bottom").height()) == before, "the screen is as it was"
     assert pixels_of(figure(chart, ".png", FigureSize(width, 96))).shape[0] > 0
@@ -268,7 +268,7 @@ def test_that_every_strip_of_a_figure_is_named(chart, width):
     chart.names_beside(lines)
     chart.set_range((0.0, 40.0), (-0.5, 39.5))
     content = figure(chart, ".svg", FigureSize(width))
-    assert [name for _, name in lines if elided(name, TICK_LETTERS + 4) not in words_of(content)] == []
+    assert [name for _, name in lines if elide_name(name, TICK_LETTERS + 4) not in words_of(content)] == []
     across, high = page_of(content)
     assert high > AXES_ASPECT * across
 

@@ -20,7 +20,7 @@ from tests.app.driving import Held, settle
 @pytest.fixture
 def asked(opened):
     """The window of a sweep of three values."""
-    menus.sweep(opened)
+    menus.open_sweep_window(opened)
     made = opened.findChild(SweepWindow)
     made.count.setValue(3)
     yield made
@@ -59,7 +59,7 @@ def test_that_a_sweep_shows_each_check_and_q_and_changes_nothing(application, op
 
 def test_that_a_sweep_of_the_demand_is_of_the_same_wall(application, opened, asked):
     opened.session.edit_section("demand", demand_scaling="pga")
-    menus.sweep(opened)
+    menus.open_sweep_window(opened)
     choose(asked, Demand, "ag_g", "0,1", "0,2")
     swept(application, asked)
     first, middle, last = (point.zeta["dynamic"] for point in asked.points)
@@ -97,24 +97,24 @@ def test_that_a_sweep_is_cancelled_with_what_is_finished_and_closes_while_it_run
     held.let_go()
     settle(application, lambda: asked.job is None)
     assert len(asked.points) == 1 and asked.word.text() == "1 of 3 values"
-    menus.sweep(opened)
+    menus.open_sweep_window(opened)
     assert opened.findChild(SweepWindow) is asked
 
 
 def test_that_a_case_that_cannot_run_cannot_be_swept(opened, asked):
     opened.session.edit_wall(0, thickness_m=None)
-    menus.sweep(opened)
+    menus.open_sweep_window(opened)
     assert not asked.run_button.isEnabled() and asked.word.text() and asked.key.count() == 0
     asked.run()
     assert asked.job is None
     opened.session.undo()
-    menus.sweep(opened)
+    menus.open_sweep_window(opened)
     assert asked.run_button.isEnabled() and asked.key.currentText() == "Thickness t [cm]"
 
 
 def test_that_another_language_or_theme_makes_the_window_of_a_sweep_again(application, opened, asked):
     opened.set_choice("theme", "dark")
-    menus.sweep(opened)
+    menus.open_sweep_window(opened)
     again = opened.findChild(SweepWindow)
     assert again is not asked and again.look[1] == "dark"
 

@@ -322,7 +322,7 @@ def test_that_the_first_wall_asks_for_its_demand_at_once(opened):
     from app.shell import first_run
 
     opened.show_first_run()
-    first_run.follow(opened, "wall")
+    first_run.open_first_choice(opened, "wall")
     words = " ".join(problem.words for problem in opened.missing.problems)
     assert "a_g" in words and opened.walls.fields["base_z_m"].caption.text() in words
 

@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QStyle, QStyleOptionGroupBox, QToolButton
 
 from app.look import theme
-from app.look.in_place import InPlace
+from app.look.in_place import InPlaceEditor
 from tests.app.driving import settle
 from tests.conftest import SEVEN
 
@@ -114,7 +114,7 @@ def test_that_twenty_tasks_take_no_more_than_forty_five_actions(fresh, applicati
     area = next(area for area, kind, _ in drawing.spots if kind == "thickness")
     hand.actions += 1
     QTest.mouseDClick(drawing, Qt.MouseButton.LeftButton, pos=area.center().toPoint())
-    line = drawing.findChildren(InPlace)[-1]
+    line = drawing.findChildren(InPlaceEditor)[-1]
     hand.type(line, "90", into=line)
     QTest.keyClick(line, Qt.Key.Key_Return)
     done_with("another thickness, in the drawing", session.case.wall[window.walls.current].thickness_m == 0.9)

@@ -11,7 +11,7 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.input.wall_words import ASKED_AT, doubts_of
+from app.input.wall_text import ASKED_AT, input_questions
 from app.look import theme
 from app.shell import first_run
 from core.case.loads import Load
@@ -26,7 +26,7 @@ def test_that_a_new_wall_has_no_size_until_it_is_given(opened, application, way)
     if way == "first_run":
         opened.show_first_run()
         opened.activateWindow()
-        first_run.follow(opened, "wall")
+        first_run.open_first_choice(opened, "wall")
     else:
         opened.walls.add()
     fields, wall = opened.walls.fields, opened.session.case.wall[-1]
@@ -50,7 +50,7 @@ def test_that_a_new_wall_has_no_size_until_it_is_given(opened, application, way)
 def test_that_a_number_typed_where_the_program_puts_the_cursor_is_the_number_of_the_case(opened, application):
     opened.show_first_run()
     opened.activateWindow()
-    first_run.follow(opened, "wall")
+    first_run.open_first_choice(opened, "wall")
     QTest.keyClicks(application.focusWidget(), "6.4")
     assert opened.session.case.wall[0].height_m == 6.4
     opened.demand.fields["ag_g"].editor.setFocus()
@@ -139,14 +139,14 @@ def test_that_the_form_asks_all_that_is_asked_with_the_result(tmp_path):
     result = run_study(case, base_dir=tmp_path)
     asked = {one.code for one in result.walls[0].warnings} & set(ASKED_AT)
     assert asked == set(ASKED_AT) - {"odd_strength"}  # which is a question of the form alone
-    assert set(doubts_of(case.wall[0])) == {ASKED_AT[code] for code in asked}
+    assert set(input_questions(case.wall[0])) == {ASKED_AT[code] for code in asked}
 
 
 @pytest.mark.parametrize(
     "wall", [Wall("w", ""), Wall("w", "", height_m=4.0), Wall("w", "", height_m="", load=(Load("", "", ""),))]
 )
 def test_that_a_wall_still_to_be_given_is_asked_nothing(wall):
-    assert doubts_of(wall) == {}
+    assert input_questions(wall) == {}
 
 
 @pytest.mark.shows("window.marks")

@@ -12,7 +12,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QPlainTextEdit, QToolButton
 
 from app.input.fields import ChoiceField, FlagField
-from app.look.section import Section, unfold_to
+from app.look.section import FoldingSection, unfold_to
 from app.shell.header import STAGES
 from app.work.session import Session
 from core.case.loads import Load
@@ -101,7 +101,7 @@ class Walk:
         return f"{field.key} {text!r}"
 
     def turn_a_section(self):
-        self.one_of(self.window.stages.input.findChildren(Section)).head.click()
+        self.one_of(self.window.stages.input.findChildren(FoldingSection)).head.click()
 
     def choose_a_mechanism(self):
         if self.window.walls.wall is not None:
@@ -251,7 +251,7 @@ def shown(window) -> dict:
 def check_shown(window, application) -> None:
     """Once the hand rests nothing in sight or behind is of an earlier state, and what may run is what lacks nothing."""
     application.processEvents()
-    window.parts.settle()
+    window.parts.flush_pending()
     before = shown(window)
     stopped = any(one.stops for one in window.missing.problems)
     assert before["may run"] == (not stopped, not stopped) and window.missing.can_run() != stopped

@@ -360,16 +360,16 @@ def test_that_a_copied_picture_lets_the_program_end(tmp_path):
 
 
 def test_that_a_long_name_is_short_in_a_chart_and_whole_in_its_data(application):
-    from app.views.axis import LEGEND_LETTERS, elided
+    from app.views.axis import LEGEND_LETTERS, elide_name
     from app.views.chart import Chart
 
     name = "a_file_with_a_long_name_2016 3: 0 DEG (+)"
-    assert len(elided(name)) <= LEGEND_LETTERS and elided(name).endswith("3: 0 DEG (+)")
+    assert len(elide_name(name)) <= LEGEND_LETTERS and elide_name(name).endswith("3: 0 DEG (+)")
     chart = Chart("x", "y", "c", legend="beside")
     chart.bars(name, [0], [0.5])
     chart.names_below([name])
     chart.fit()
-    assert chart.legend.items[0][1].text == elided(name)
+    assert chart.legend.items[0][1].text == elide_name(name)
     assert name in chart.content(".csv").decode()
     chart.deleteLater()
 

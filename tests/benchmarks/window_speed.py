@@ -225,7 +225,7 @@ def typed(application, window, keys: int) -> dict[str, tuple[list[float], list[f
     from PySide6.QtTest import QTest
 
     from app.input.number_fields import NumberField
-    from app.look.parts import REST_MS
+    from app.look.case_views import TYPING_PAUSE_MS
 
     found = {}
     height, town = window.walls.fields["height_m"], window.demand.place.municipality
@@ -250,7 +250,7 @@ def typed(application, window, keys: int) -> dict[str, tuple[list[float], list[f
             key = Qt.Key.Key_1 if k % 2 == 0 else Qt.Key.Key_Backspace
             spent.append(own_time(application, lambda key=key, to=field.editor: QTest.keyClick(to, key)))
             assert (field.editor.text() == before) == (k % 2 == 1), f"{field.key} took no key"
-            time.sleep(1e-3 * REST_MS)
+            time.sleep(1e-3 * TYPING_PAUSE_MS)
             rests.append(own_time(application, lambda: None))
         found[name] = spent, rests
     return found

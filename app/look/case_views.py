@@ -6,14 +6,14 @@ from collections.abc import Callable, Iterable, Iterator
 from PySide6.QtCore import QElapsedTimer, QObject, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
-REST_MS, MAX_REST_MS = 120, 1000
+TYPING_PAUSE_MS, MAX_REST_MS = 120, 1000
 """How long no key comes before the parts that wait for it show the case, and how long they wait for that at most."""
 
 _typing = False
 
 
 @contextlib.contextmanager
-def typing() -> Iterator[None]:
+def typed_edit() -> Iterator[None]:
     """What changes the case within it is a key typed into a line: the next one may follow at once."""
     global _typing
     before, _typing = _typing, True
@@ -23,7 +23,7 @@ def typing() -> Iterator[None]:
         _typing = before
 
 
-class Parts(QObject):
+class CaseViews(QObject):
     """Parts of a window or form that follow the session. Each is a slot of one signal: what it raises goes to the hook
     of errors (app/shell/start.py) and stops none of the others.
 
@@ -37,7 +37,7 @@ class Parts(QObject):
     ) -> None:
         super().__init__(owner)
         self._held = self._wanted = False
-        self._rest = QTimer(self, singleShot=True, interval=REST_MS)
+        self._rest = QTimer(self, singleShot=True, interval=TYPING_PAUSE_MS)
         self._rest.timeout.connect(self._rested)
         self._typed = QElapsedTimer()
         for part in parts:
@@ -64,7 +64,7 @@ class Parts(QObject):
         """Whether keys are being typed."""
         return self._rest.isActive()
 
-    def settle(self) -> None:
+    def flush_pending(self) -> None:
         """Have the parts that wait show the case now: what follows acts on what they say."""
         if self.wait():
             self._rest.stop()
@@ -83,7 +83,7 @@ class Parts(QObject):
                 self.show()
 
 
-class Seen:
+class VisibleForm:
     """A form that shows the case at once where it is in sight, when the hand rests where it is not."""
 
     def __init__(self, form: QWidget, show_case: Callable[[], object]):

@@ -5,7 +5,7 @@ import math
 
 from app.input.hinges_field import hinge_words
 from app.input.impact_form import named_laws, named_models
-from app.look.language import current_language, named, number, tr, variant_word
+from app.look.language import current_language, number, result_word, tr, variant_word
 from app.work.session import Session
 from core.capacity.scale_free_law import estimates
 from core.case.floor_loads import add_corner_thrust, add_floor_loads
@@ -53,7 +53,9 @@ def estimate_lines(session: Session, wall: Wall) -> list[str]:
     for mechanism, answer in zip(wall.mechanisms(), answers, strict=True):
         for one, slv in [answer] if answer else []:
             values = {"q": one.q, "q_slv": slv.q}
-            line = tr("Research, no records, {kind}: q {q:.1f}, q SLV {q_slv:.1f}", kind=named(mechanism), **values)
+            line = tr(
+                "Research, no records, {kind}: q {q:.1f}, q SLV {q_slv:.1f}", kind=result_word(mechanism), **values
+            )
             ranges = [*one.ranges[:2], *(said for said in slv.ranges if said.code not in OF_ONE)]
             lines.append(", ".join([line, *(said.text(current_language()) for said in ranges)]))
     return lines
@@ -93,7 +95,7 @@ ASKED_AT = {
 """Question on an unusual value of a wall -> key at whose field it stands."""
 
 
-def doubts_of(wall: Wall) -> dict[str, str]:
+def input_questions(wall: Wall) -> dict[str, str]:
     """Key -> what is asked of its value, few engineers mean one like it; as with the result, and while it is typed."""
     asked = []
     with contextlib.suppress(InputError, TypeError, ZeroDivisionError):  # work in progress
@@ -112,7 +114,7 @@ def shape_of(wall: Wall) -> str:
     return next((key for key in keys if getattr(wall, key) is not None), "thickness_m")
 
 
-def written_as(shape: str, wall: Wall, block: Block) -> dict[str, float | None]:
+def convert_shape_keys(shape: str, wall: Wall, block: Block) -> dict[str, float | None]:
     """Values of the keys that give the block of a wall in another way. shape : as of `shape_of`"""
     values: dict[str, float | None] = dict.fromkeys(SHAPE_KEYS)
     if shape == "general":
@@ -132,7 +134,7 @@ def written_as(shape: str, wall: Wall, block: Block) -> dict[str, float | None]:
     return values | own
 
 
-def said_of_histories(wall: Wall) -> dict[str, bool]:
+def unused_history_sections(wall: Wall) -> dict[str, bool]:
     """Sections of the form that a wall held at its top has no use for -> whether something stands there."""
     return {
         "held": wall.tie_height_m is not None or wall.return_walls is not None,
@@ -141,14 +143,14 @@ def said_of_histories(wall: Wall) -> dict[str, bool]:
     }
 
 
-def kind_of(load: Load) -> str:
+def load_kind_text(load: Load) -> str:
     """Kind of a load in words; of a draft it may still be to be given."""
     return choice(load.kind, current_language()) if load.kind else "–"
 
 
 def _load_words(load: Load) -> str:
     size = f" {number(load.kn_m, 'g')} kN/m" if load.kn_m else ""
-    return kind_of(load) + size
+    return load_kind_text(load) + size
 
 
 def differences(case: Case, wall: Wall) -> list[str]:
@@ -161,7 +163,7 @@ def differences(case: Case, wall: Wall) -> list[str]:
         if key.startswith("tie_"):  # of the tie that is sought, as its height
             continue
         entry, old, new = field_of(Wall, key), getattr(before, key), getattr(wall, key)
-        words = named(f"key_{key}")
+        words = result_word(f"key_{key}")
         if entry.metadata["kind"] == "float":
             unit, factor = unit_in_form(entry)
             ends = (number(one if one is None else factor * one, ".4g") for one in (old, new))
@@ -175,7 +177,7 @@ def differences(case: Case, wall: Wall) -> list[str]:
     return lines
 
 
-def with_floors(case: Case, wall: Wall | None) -> Wall | None:
+def add_building_loads(case: Case, wall: Wall | None) -> Wall | None:
     """A wall with what its building brings to it, where that is complete."""
     try:
         return None if wall is None else add_corner_thrust(add_floor_loads(wall, case.building))
@@ -212,7 +214,7 @@ def contents_of(wall: Wall) -> dict[str, str]:
     except TypeError:  # still to be given
         thickness = ""
     base = "" if wall.base_z_m is None else tr("base {z} m", z=number(wall.base_z_m, "g"))
-    kinds = [kind_of(load) for load in wall.load]
+    kinds = [load_kind_text(load) for load in wall.load]
     carries = [f"{kinds.count(kind)} × {kind}" for kind in dict.fromkeys(kinds)]
     held = []
     if wall.tie_height_m is not None:
@@ -229,7 +231,7 @@ def contents_of(wall: Wall) -> dict[str, str]:
     return {
         "geometry": ", ".join(filter(None, (height, thickness))),
         "body": ", ".join(shape_words(wall)) or tr("rectangle"),
-        "mechanism": ", ".join(filter(None, (named(wall.mechanism) if wall.mechanism else "", base))),
+        "mechanism": ", ".join(filter(None, (result_word(wall.mechanism) if wall.mechanism else "", base))),
         "loads": ", ".join(carries) or (tr("nothing, confirmed") if wall.unloaded_confirmed else tr("nothing")),
         "held": ", ".join(held) or tr("none"),
         "hinges": tr("usual")

@@ -13,7 +13,7 @@ DEMAND_DECIMALS = 3
 """Decimals of a_g [g], F_0 and T_C* [s] that stay where a place goes."""
 
 
-def followed(before: Case, case: Case) -> Demand | None:
+def update_demand(before: Case, case: Case) -> Demand | None:
     """The demand of a case that takes the place of another: as its place gives it, with a_g still to be given where the
     place gives nothing yet, and rounded where the place has just gone."""
     demand = case.demand

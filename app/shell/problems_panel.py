@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QFrame, QVBoxLayout
 
 from app.input.fields import Field
 from app.look import theme
-from app.look.labels import Plain, Rich
-from app.look.language import called, described, tr
+from app.look.labels import PlainLabel, RichLabel
+from app.look.language import describe_message, tr, wall_title
 from app.look.section import unfold_to
 from app.shell.pointing import first_empty, point_at
 from core.case.loads import Bars, Load
@@ -36,7 +36,7 @@ class Problem(NamedTuple):
     stops: bool = True
 
 
-class Missing(QFrame):
+class ProblemsPanel(QFrame):
     """Says the problems of the input of a window, in this order: broken rules of the case, fields that hold what is not
     accepted, a record in use or a logo that cannot be read, what the last run of this case refused."""
 
@@ -44,7 +44,7 @@ class Missing(QFrame):
         super().__init__()
         self.window_of = window
         self.problems: list[Problem] = []
-        self.heading, self.lines = Plain(), Rich()
+        self.heading, self.lines = PlainLabel(), RichLabel()
         self.heading.setStyleSheet(f"color: {theme.current.amber}; font-weight: 600;")
         self.lines.setWordWrap(True)
         self.lines.setTextInteractionFlags(
@@ -76,8 +76,8 @@ class Missing(QFrame):
         fields = window.stages.fields
         for field in fields if told else (one for one in fields if one.rule):
             here = next((error for error, place in told if self._is_named(field, error, place)), None)
-            field.show_rule(described(here) if here else "")
-        problems = [Problem(described(error), partial(self._lead_to, error)) for error in errors]
+            field.show_rule(describe_message(here) if here else "")
+        problems = [Problem(describe_message(error), partial(self._lead_to, error)) for error in errors]
         for field in fields:
             if field.wrong:
                 words = f"{field.caption.text()}: {field.error}"
@@ -87,9 +87,9 @@ class Missing(QFrame):
             words = str(window.records.rows[row][1])
             problems.append(Problem(words, lambda: self._record(row), False))
         if logo:
-            problems.append(Problem(described(logo), lambda: self._lead_to(logo), False))
+            problems.append(Problem(describe_message(logo), lambda: self._lead_to(logo), False))
         if refused and not problems:
-            problems.append(Problem(described(refused), lambda: self._lead_to(refused), False))
+            problems.append(Problem(describe_message(refused), lambda: self._lead_to(refused), False))
         if above := self._without_building():
             words = tr(
                 "{walls}: the motion above the ground follows from the building; no verdict without it", walls=above
@@ -142,7 +142,7 @@ class Missing(QFrame):
         heights = (wall.base_z_m for wall in case.wall)  # "" while it is to be given
         raised = (isinstance(z, (int, float)) and z > 0.0 for z in heights)
         return ", ".join(
-            called(wall.title) for wall, up in zip(case.wall, raised, strict=True) if up or wall.bends or wall.arch
+            wall_title(wall.title) for wall, up in zip(case.wall, raised, strict=True) if up or wall.bends or wall.arch
         )
 
     def lead(self, link: str = "0") -> None:
