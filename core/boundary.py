@@ -13,7 +13,7 @@ MAX_STEPS = 200
 """Halvings after which a bracket is as narrow as its numbers allow."""
 
 
-class Edge(NamedTuple):
+class Boundary(NamedTuple):
     """Both sides of a boundary. good : a value at which it holds, None where it holds at none that was tried; bad : one
     at which it does not, None where it holds at all; refused : the bad one is refused"""
 
@@ -48,7 +48,9 @@ def narrowed(holds: Holds, good: float, bad: float, close: float = 0.0, steps: i
     return Bracket(good, bad, refused)
 
 
-def edge(holds: Holds, start: float, ends: tuple[float, float], rises: bool, step: float, close: float) -> Edge:
+def find_boundary(
+    holds: Holds, start: float, ends: tuple[float, float], rises: bool, step: float, close: float
+) -> Boundary:
     """Search the boundary nearest to a value by growing steps, then narrow it by bisection.
 
     start : where the search begins, above 0; ends : the smallest and the largest value that is tried
@@ -66,8 +68,8 @@ def edge(holds: Holds, start: float, ends: tuple[float, float], rises: bool, ste
             sides = (before, value) if inside else (value, before)
             refused = inside and held is None
             good, bad, last_refused = narrowed(holds, *sides, close)
-            return Edge(good, bad, last_refused or (refused and bad == sides[1]))
-    return Edge(value, None) if inside else Edge(None, value)
+            return Boundary(good, bad, last_refused or (refused and bad == sides[1]))
+    return Boundary(value, None) if inside else Boundary(None, value)
 
 
 def written_up(value: float, unit: float) -> float:

@@ -4,7 +4,7 @@ from string import Formatter
 from typing import Any
 
 from core.text.catalogue import CATALOGUE
-from core.text.sentence import FILE_NAMES, FormNames, Key, Quantity, Sentence, in_words, sentence
+from core.text.sentence import FILE_NAMES, FormNames, Key, Quantity, Sentence, format_count, sentence
 
 
 class InputError(ValueError):
@@ -41,7 +41,7 @@ class InputError(ValueError):
         if self.key in form.scales:
             shown |= self._scaled(*form.scales[self.key])
         body = Sentence("error", self.code, tuple(shown.items())).text(language, form)
-        return ": ".join([*(str(in_words(part, language, form)) for part in self.place), body])
+        return ": ".join([*(str(format_count(part, language, form)) for part in self.place), body])
 
     def _scaled(self, factor: float, unit: str) -> dict:
         """Value and accepted range in the unit of a field, as values of the sentence."""
@@ -61,7 +61,7 @@ class InputError(ValueError):
             return self.text(language, form)
         scaled = self._scaled(*form.scales[self.key]) if self.key in form.scales else {}
         comma = CATALOGUE.comma(language) and form is not FILE_NAMES
-        return str(in_words(scaled.get("accepted", self.accepted), language, form, comma))
+        return str(format_count(scaled.get("accepted", self.accepted), language, form, comma))
 
     @property
     def without_place(self) -> Sentence:

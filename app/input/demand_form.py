@@ -30,7 +30,7 @@ from core.codes.limits import EXCEEDANCE
 from core.codes.spectrum_codes import CODES, NATIONAL, requires_key
 from core.codes.target_spectrum import Target
 from core.errors import InputError
-from core.known import known
+from core.known import require_value
 from core.setting.demand_input import read_target_spectrum
 from core.units import G
 
@@ -231,7 +231,7 @@ class DemandForm(QWidget):
         others = (state for state in EXCEEDANCE if state != demand.limit_state)
         return {
             state: read_target_spectrum(
-                known(apply_site(site, replace(demand, limit_state=state))), self.session.base_dir
+                require_value(apply_site(site, replace(demand, limit_state=state))), self.session.base_dir
             )
             for state in others
         }
@@ -311,7 +311,7 @@ class DemandForm(QWidget):
             self.session.edit_section("demand", ("demand", field.key), spectrum=spectrum)
 
     def _kind_chosen(self, index: int) -> None:
-        kind, demand = self.kind.itemData(index), known(self.session.case.demand)
+        kind, demand = self.kind.itemData(index), require_value(self.session.case.demand)
         if kind == self._kind_of(demand) != "file":
             return
         if demand.spectrum:

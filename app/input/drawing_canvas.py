@@ -10,7 +10,7 @@ from app.look import theme
 from app.look.language import tr
 from core.case.drawing_file import Shape, Sheet
 from core.case.drawing_outlines import Gap, Point
-from core.wall.body import holds, polygon_sums
+from core.wall.body import contains_point, polygon_sums
 
 BODY, OPENING, NO_PART = "body", "opening", "nothing"
 ROLES = (BODY, OPENING, NO_PART)
@@ -132,7 +132,7 @@ class DrawingCanvas(QWidget):
     def shape_at(self, position: QPointF) -> int | None:
         """The smallest shape at a place of the widget."""
         point = self._point(position)
-        hits = [k for k, shape in enumerate(self.shapes) if holds(shape.corners, point)]
+        hits = [k for k, shape in enumerate(self.shapes) if contains_point(shape.corners, point)]
         return min(hits, key=lambda k: polygon_sums(self.shapes[k].corners).area, default=None)
 
     def mousePressEvent(self, event) -> None:

@@ -34,8 +34,8 @@ from core.case.shape_rules import check_shape
 from core.case.solids import Drawing
 from core.case.wall import Wall
 from core.errors import InputError
-from core.known import known
-from core.wall.body import holds, point_within, polygon_sums
+from core.known import require_value
+from core.wall.body import contains_point, point_within, polygon_sums
 
 MAX_GAP = 0.02
 """How far the end of a line may be from the line it should meet, in an outline around a click [m]."""
@@ -61,7 +61,9 @@ def likely_roles(shapes: tuple[Shape, ...]) -> list[str]:
         if k == largest or areas[k] > 0.9 * areas[largest]:  # a hatch of the wall
             continue
         inside = point_within(shapes[k].corners)
-        if holds(shapes[largest].corners, inside) and not any(holds(shapes[n].corners, inside) for n in openings):
+        if contains_point(shapes[largest].corners, inside) and not any(
+            contains_point(shapes[n].corners, inside) for n in openings
+        ):
             openings.append(k)
             roles[k] = OPENING
     return roles
@@ -283,7 +285,7 @@ class DrawingDialog(QDialog):
             tr("area {area} m²", area=number(area, ".2f")),
             f"M {number(body.mass / 1000.0, '.2f')} t ({number(self.weight, 'g')} kN/m³)",
             f"x_G {number(x, '.3f')} m, z_G {number(z, '.3f')} m",
-            f"H {number(wall.height_m, '.2f')} m, t {number(100.0 * known(wall.thickness), '.1f')} cm, "
+            f"H {number(wall.height_m, '.2f')} m, t {number(100.0 * require_value(wall.thickness), '.1f')} cm, "
             f"L {number(wall.length_m, '.2f')} m",
         ]
         return "   ".join(properties)

@@ -8,7 +8,7 @@ from shiboken6 import isValid
 from app.input.fields import Field, LineField
 from app.look.drawing import WallDrawing
 from app.look.in_place import InPlaceEditor
-from core.known import known
+from core.known import require_value
 
 DRAWN = {"height": "height_m", "thickness": "thickness_m", "load": "kn_m", "hinge": "hinge_heights"}
 """What is drawn -> the key whose value stands there."""
@@ -50,7 +50,7 @@ class DrawnValues:
 
     def follow(self) -> None:
         """Close the line where its field holds something else now, as after an undo."""
-        if self.line is not None and isValid(self.line) and self.line.text() != known(self.field).text:
+        if self.line is not None and isValid(self.line) and self.line.text() != require_value(self.field).text:
             self.line.close_it()
 
     def close(self) -> None:

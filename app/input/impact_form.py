@@ -16,8 +16,8 @@ from app.look.language import current_language, describe_message, number, result
 from app.work.session import Session
 from core.case.wall import Wall
 from core.errors import InputError
-from core.known import known
-from core.text.sentence import numeral
+from core.known import require_value
+from core.text.sentence import format_number
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import MODELS, Contact, impact_ratio
@@ -80,14 +80,14 @@ def formula_of(model: str, block: Block, contact: Contact | None = None) -> str:
     language = current_language()
     if model not in RATIOS:
         return "e" if model == "user" else f"e ({MODELS[model].source})"
-    factor = numeral(2.0 * block.radius**2 / block.inertia_over_mass, ".5g", language)
+    factor = format_number(2.0 * block.radius**2 / block.inertia_over_mass, ".5g", language)
     inner, top = f"{factor} sin²α", f"{factor} cos²α"
     if contact is not None:
         corner, upper = (contact.width, 0.0), (contact.width, contact.height)
-        inner = numeral(1.0 - impact_ratio(block, (0.0, 0.0), corner), ".5g", language)
-        top = numeral(1.0 - impact_ratio(block, corner, upper), ".5g", language)
+        inner = format_number(1.0 - impact_ratio(block, (0.0, 0.0), corner), ".5g", language)
+        top = format_number(1.0 - impact_ratio(block, corner, upper), ".5g", language)
     symbols = {"e_base": f"(1 − {inner})", "e_top": f"|1 − {top}|"}
-    degrees = numeral(math.degrees(block.slenderness), ".5g", language)
+    degrees = format_number(math.degrees(block.slenderness), ".5g", language)
     return f"e = {in_symbols(RATIOS[model], symbols, language)} ({RATIOS[model].clause}, α = {degrees}°)"
 
 
@@ -185,7 +185,7 @@ class ImpactForm(WallEditor):
         from app.input.law_curve import LawCurve
 
         made = LawCurve()
-        known(self.room.layout()).addWidget(made)
+        require_value(self.room.layout()).addWidget(made)
         made.show_wall(self.wall)
         return made
 

@@ -35,7 +35,7 @@ from core.codes.record_compatibility import common_factor
 from core.errors import InputError
 from core.file_names import name_of
 from core.ground.ground_motion import GroundMotion
-from core.known import known
+from core.known import require_value
 from core.setting.demand_input import read_demand
 
 
@@ -173,7 +173,7 @@ class RecordsPanel(QWidget):
                 tick.setFlags(tick.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             self.table.setItem(row, 0, tick)
             tips = [*provenance_lines(motion), *([twins[row]] if row in twins else []), motion.file]
-            known(self.table.item(row, 1)).setToolTip(escape_html("\n".join(tips)))
+            require_value(self.table.item(row, 1)).setToolTip(escape_html("\n".join(tips)))
         self.table.blockSignals(False)
         count = len(self.motions)
         words = tr("{n} records in use. Drop accelerograms or folders here.", n=count)
@@ -200,7 +200,7 @@ class RecordsPanel(QWidget):
     def point_at(self, row: int) -> None:
         """Select a row and say what is wrong with it."""
         self.table.selectRow(row)
-        self.table.scrollToItem(known(self.table.item(row, 1)))
+        self.table.scrollToItem(require_value(self.table.item(row, 1)))
         self.table.setFocus()
         self.words.setText(str(self.rows[row][1]))
 
@@ -313,7 +313,7 @@ class RecordsPanel(QWidget):
         path_of: dict[int, FileRow] = {}
         for row in rows:
             k, motion = self.rows[row]
-            entry = self.session.case.record[known(k)]
+            entry = self.session.case.record[require_value(k)]
             path = Path(entry.file if isinstance(motion, str) else name_of(motion.file))
             if not path.is_absolute():
                 path = self.session.base_dir / path

@@ -48,7 +48,7 @@ from core.case.wall_table import parse_wall_rows, read_table, text_rows
 from core.codes.masonry_types import TYPES
 from core.codes.vertical_bending import bending, uplift_multiplier
 from core.errors import InputError
-from core.known import known
+from core.known import require_value
 from core.units import G
 from core.wall.restitution import MODELS
 
@@ -364,13 +364,15 @@ class WallForm(WallEditor):
             if value is not None:
                 check_value(Wall, key, value)
         except InputError as error:
-            size = f"{field.caption.text()} = {number(known(value) * field.factor, '.5g')} {field.unit}".rstrip()
+            size = (
+                f"{field.caption.text()} = {number(require_value(value) * field.factor, '.5g')} {field.unit}".rstrip()
+            )
             accepted = error.accepted_text(current_language(), FORM_NAMES)
             return tr("{size} is not accepted: {accepted}", size=size, accepted=accepted)
         return ""
 
     def _mechanism_chosen(self, name: str) -> None:
-        wall = known(self.wall)
+        wall = require_value(self.wall)
         values: dict[str, Any] = {"mechanism": name}
         if name != BENDS:
             values["restraint_kn_m"] = None

@@ -19,7 +19,7 @@ from core.case.loads import Load
 from core.case.wall import ARCHES, BENDS, Wall
 from core.codes.vertical_bending import Bending, bending, outlines, shown_rotation
 from core.errors import InputError
-from core.known import known
+from core.known import require_value
 from core.report.load_arrows import MIN_ARROW, arrows
 from core.rocking.bar_state import BROKEN, SLACK, YIELDING
 from core.wall.bending import HeldTop, Strip, hinges_of, strip_of
@@ -113,8 +113,8 @@ def leaf_lines(wall: Wall) -> list[list[tuple[float, float]]]:
     if wall.leaf is None:
         return []
     leaf = make_leaf_wall(wall)
-    half, height = 0.5 * known(wall.thickness), known(wall.height_m)
-    face = half - known(leaf.thickness)
+    half, height = 0.5 * require_value(wall.thickness), require_value(wall.height_m)
+    face = half - require_value(leaf.thickness)
     rows = [load.h_m for load in leaf.load if load.is_tie and load not in wall.load]
     return [[(face, 0.0), (face, height)], *([(-half, row), (half, row)] for row in rows)]
 
@@ -309,7 +309,7 @@ class WallDrawing(QWidget):
         spot = self._spot_at(event.position())
         if self.dragged is not None and event.buttons() & Qt.MouseButton.LeftButton:
             height = HEIGHT_STEP * round((self.base_y - event.position().y()) / self.scale / HEIGHT_STEP)
-            self.moved.emit(self.dragged, round(max(HEIGHT_STEP, min(height, known(self.size_of)[0])), 3))
+            self.moved.emit(self.dragged, round(max(HEIGHT_STEP, min(height, require_value(self.size_of)[0])), 3))
         elif spot is None:
             self.unsetCursor()
         else:
@@ -336,7 +336,7 @@ class WallDrawing(QWidget):
 
     def _draw_arrows(self, painter, place) -> None:
         """The loads, each with its size; dashed what is still to be given."""
-        half, taken = 0.5 * known(self.size_of)[1], []
+        half, taken = 0.5 * require_value(self.size_of)[1], []
         painter.setBrush(Qt.BrushStyle.NoBrush)
         for one in self.arrows:
             style = Qt.PenStyle.SolidLine if one.words else Qt.PenStyle.DashLine
@@ -355,7 +355,7 @@ class WallDrawing(QWidget):
 
     def _draw_bars(self, painter, place) -> None:
         """The bars that hold a wall as it rocks: taut, slack (dashed), yielding (red, thick); none where one broke."""
-        height, thickness, setback = known(self.size_of)
+        height, thickness, setback = require_value(self.size_of)
         half = 0.5 * thickness
         hinge, turned = half - setback, max(self.rotation, 0.0)
         c, s = math.cos(turned), math.sin(turned)

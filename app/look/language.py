@@ -2,7 +2,7 @@
 
 from core.case.variant_names import AS_IS, DESIGNED
 from core.errors import InputError
-from core.text.sentence import FormNames, Sentence, capital, localized, numeral, text_of_key, word
+from core.text.sentence import FormNames, Sentence, capital, format_number, localized, text_of_key, word
 
 FORM_NAMES = FormNames()
 """Captions and units of the forms; each field adds its own."""
@@ -55,7 +55,7 @@ def wall_title(name: str) -> str:
 
 def number(value: float | None, form: str) -> str:
     """A number with the decimal mark of the language, "–" for None; form : as of format()."""
-    return numeral(value, form, current_language())
+    return format_number(value, form, current_language())
 
 
 def terminal(text: str, /, **values) -> str:

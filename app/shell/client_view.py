@@ -23,7 +23,7 @@ from core import atomic_write
 from core.case.variant_names import AS_IS
 from core.codes.outcomes import OUTCOMES
 from core.errors import InputError, OutputError
-from core.known import known
+from core.known import require_value
 from core.report.verdict_words import tone_of
 from core.study.demand_histories import history_at_demand
 from core.study.results import StudyResult, WallResult, WallVerdict
@@ -71,7 +71,11 @@ def sides_of(result: StudyResult, wall: WallResult) -> list[Side]:
         # a mechanism that takes each record with one sign alone has the other one by it
         same = [r for r in dynamic.runs if r.motion == run.motion]
         motion, moved = history_at_demand(result, one, next((r for r in same if r.polarity == run.polarity), same[0]))
-        share = None if of_wall.zeta_least is None else of_wall.zeta_least / known(one.assessment).verdict.zeta_target
+        share = (
+            None
+            if of_wall.zeta_least is None
+            else of_wall.zeta_least / require_value(one.assessment).verdict.zeta_target
+        )
         alone, before = len(verdicts) == 1, of_wall.wall.variant == AS_IS
         title = tr("The wall") if alone else tr("As it is") if before else tr("As designed")
         sides.append(Side(title, one, share, tone_of(result, one), moved.rotation, motion.time_step))
@@ -132,7 +136,7 @@ def words_of(side: Side) -> str:
 
 def outcome_of(side: Side) -> str:
     """A verdict in words of every day: only one that nothing limits is called safe."""
-    code = known(side.wall.assessment).verdict.code
+    code = require_value(side.wall.assessment).verdict.code
     limited = OUTCOMES[code].tone == "good" and side.tone != "good"
     return result_word("client_with_reservations" if limited else f"client_{code}")
 
@@ -298,7 +302,7 @@ def show(window: "MainWindow") -> None:
     if not sides:
         window.show_word(tr("For this view a wall needs time histories at a demand: run it first (F5)."))
         return
-    state = known(known(result).demand).limit_state
+    state = require_value(require_value(result).demand).limit_state
     title = tr("{wall} under the earthquake of the code ({state})", wall=sides[0].wall.part.own_name, state=state)
     with delete_after_use(ClientView(window, title, sides)) as view:
         view.resize(window.size())

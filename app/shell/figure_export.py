@@ -19,7 +19,7 @@ from app.views.chart import Chart
 from app.views.figure_file import FigureSize, png, raster
 from app.views.histories_tab import HistoriesTab
 from core import atomic_write
-from core.known import known
+from core.known import require_value
 
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
@@ -143,7 +143,7 @@ class FigureExport(QObject):
                             yield image
                         self.figures.put((chart.name, image))
                         yield None
-                known(self.job).progress(k + 1, len(drawn))
+                require_value(self.job).progress(k + 1, len(drawn))
         finally:
             while SPARE_PLOTS:
                 delete(SPARE_PLOTS.pop())

@@ -12,7 +12,7 @@ from app.look.language import current_language, describe_message, quoted_from_fi
 from app.work.session import Session
 from core import atomic_write
 from core.errors import InputError
-from core.known import known
+from core.known import require_value
 
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
@@ -114,7 +114,7 @@ class Files:
         except InputError as error:
             QMessageBox.warning(self.window, tr("Not saved"), escape_html(describe_message(error)))
             return False
-        self.remember(known(self.session.path))
+        self.remember(require_value(self.session.path))
         if self.session.left_out:
             lines = "\n".join(describe_message(error) for error in self.session.left_out)
             text = tr("Saved without these values, which no case file may hold:\n{lines}", lines=lines)
@@ -172,7 +172,7 @@ class Files:
         path = path_to_write(self.window, title, proposal, "PDF (*.pdf);;Word (*.docx)", (".pdf", ".docx"))
         if path is None:
             return
-        result, case_path = known(self.session.result), self.session.path or self.session.base_dir / "case.toml"
+        result, case_path = require_value(self.session.result), self.session.path or self.session.base_dir / "case.toml"
         try:
             export.check_note(path, self.session.base_dir / "case.toml", result.case)
         except InputError as error:
@@ -225,7 +225,7 @@ class Files:
         """Workbook and JSON, as the batch writes them, off this thread."""
         from app.terminal import export
 
-        result, case = known(self.session.result), self.session.case
+        result, case = require_value(self.session.result), self.session.case
         try:
             here = self.session.path or self.session.base_dir / "case.toml"
             export.refuse_overwriting(case, here, path.parent, path.stem)

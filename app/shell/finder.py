@@ -14,7 +14,7 @@ from app.input.reasons_form import ReasonField
 from app.look.language import tr, wall_title
 from app.look.section import FoldingSection
 from app.shell.pointing import point_at
-from core.known import known
+from core.known import require_value
 
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
@@ -93,7 +93,7 @@ def entries_of(window: "MainWindow") -> list[Entry]:
 def places_of(window: "MainWindow", text: str) -> list[Entry]:
     """Municipalities of these letters: the demand from there, then what else it asks for."""
 
-    place = known(window.demand.place)
+    place = require_value(window.demand.place)
 
     def take(name: str) -> None:
         place.take(name)

@@ -24,7 +24,7 @@ from core.case.schema import Case
 from core.codes.assumption import ALL_TOGETHER_KEY, Assumption, format_value
 from core.codes.verdict import Verdict
 from core.errors import InputError
-from core.known import known
+from core.known import require_value
 from core.study.results import StudyResult
 from core.text.sentence import word
 from core.variation.evaluate import Evaluation
@@ -177,7 +177,7 @@ class LiveAnswer(FoldingSection):
 
     def _keep_height(self) -> None:
         """What stands above is not to jump at each key: of one wall it grows only."""
-        layout = known(self.body.layout())
+        layout = require_value(self.body.layout())
         layout.activate()
         self.body.setMinimumHeight(max(self.body.minimumHeight(), layout.totalMinimumSize().height()))
 
@@ -199,10 +199,10 @@ class LiveAnswer(FoldingSection):
         from core.study.one_wall import single_wall_case
         from core.variation.wall_evaluation import WallContext, evaluate_wall
 
-        whole, base, row, _ = known(self.at)
+        whole, base, row, _ = require_value(self.at)
         case = single_wall_case(whole, row)
         try:
-            demand = known(read_demand(case, base))
+            demand = require_value(read_demand(case, base))
             setting = WallContext(case, base, (demand, [], []))
             evaluated = evaluate_wall(setting, None)
         except InputError as error:
@@ -225,7 +225,7 @@ class LiveAnswer(FoldingSection):
         """The verdict of the wall, as a run of the case finds it."""
         from core.study.one_wall import run_wall
 
-        (case, base, row, _), memory = known(self.at), self.window_of.runner.finished_runs
+        (case, base, row, _), memory = require_value(self.at), self.window_of.runner.finished_runs
         jobs = max(1, (os.cpu_count() or 1) - 1)  # one is the window's
         self._start(lambda job: run_wall(case, row, base, memory, jobs, job.cancelled), self._arrived)
 
@@ -238,7 +238,7 @@ class LiveAnswer(FoldingSection):
     def _arrived(self, result: StudyResult) -> None:
         self.result, language = result, current_language()
         wall = result.walls[result.verdicts[0].governing]
-        verdict = known(wall.assessment).verdict
+        verdict = require_value(wall.assessment).verdict
         self._show_run()
         told = [
             row for row in verdict.assumptions if row.key != ALL_TOGETHER_KEY and row.check in ("", verdict.governing)
@@ -246,7 +246,7 @@ class LiveAnswer(FoldingSection):
         self._show_rows(told, verdict)
         warnings = [one.text(language) for one in wall.warnings if one.code != "variant_alone"]
         said = [*required_actions(result, wall, language), *verdict_limitations(result, wall, language, warnings)]
-        if known(self.at)[0].sensitivity is not None:
+        if require_value(self.at)[0].sensitivity is not None:
             said.insert(0, tr("[sensitivity] is not in this answer: F5."))
         more = [tr("{n} more", n=len(said) - MAX_LINES_SHOWN)] if len(said) > MAX_LINES_SHOWN else []
         self.lines.setText("<br>".join([*said[:MAX_LINES_SHOWN], *more]))
@@ -254,9 +254,9 @@ class LiveAnswer(FoldingSection):
 
     def _show_run(self) -> None:
         """The checks as the wall is."""
-        result = known(self.result)
+        result = require_value(self.result)
         wall = result.walls[result.verdicts[0].governing]
-        assessment = known(wall.assessment)
+        assessment = require_value(wall.assessment)
         verdict, language = assessment.verdict, current_language()
         rungs = [rung_of(check, check.name == verdict.governing, assessment.dynamic) for check in assessment.checks]
         self._show_checks(rungs, verdict.zeta_target)
@@ -278,7 +278,7 @@ class LiveAnswer(FoldingSection):
     def _show_rows(self, rows: Sequence[Assumption], verdict: Verdict | None) -> None:
         """What raises zeta, each with zeta at its other end, the lowest first, and a switch to it."""
         while self.grid.count():
-            old = known(known(self.grid.takeAt(0)).widget())
+            old = require_value(require_value(self.grid.takeAt(0)).widget())
             old.hide()
             old.deleteLater()
         self.switches = {}
@@ -309,7 +309,7 @@ class LiveAnswer(FoldingSection):
 
         ticked = {key for key, box in self.switches.items() if box.isChecked()}
         chosen = [row for row in rows if row.key in ticked]
-        result, memory = known(self.result), self.window_of.runner.finished_runs
+        result, memory = require_value(self.result), self.window_of.runner.finished_runs
         if self.job is not None:
             self.job.cancel()
         if not chosen:

@@ -21,7 +21,7 @@ from core.capacity.accuracy import Accuracy
 from core.case.sensitivity import Ranges
 from core.case.wall import Wall
 from core.errors import InputError
-from core.known import known
+from core.known import require_value
 from core.setting.demand_input import read_target_spectrum
 from core.study.results import StudyResult, WallResult
 
@@ -183,7 +183,7 @@ class Navigator(QObject):
             return
         results = self.results_of().get(row, [])
         if marked is not None and marked.wall >= 0:
-            results = [known(marked.result)] if marked.kind == "hinge" else results[:1]
+            results = [require_value(marked.result)] if marked.kind == "hinge" else results[:1]
         if self.shown in results or (self.shown < 0 and not results):
             return
         self.shown = results[0] if results else -1
@@ -277,7 +277,7 @@ class Navigator(QObject):
 
     def _pick(self, k: int) -> None:
         """Pages, form and tree show the k-th result."""
-        result = known(self.session.result)
+        result = require_value(self.session.result)
         self.shown = k
         self.fresh.clear()
         row = row_of(result, result.walls[k], self.session.case.wall)

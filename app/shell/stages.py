@@ -38,7 +38,7 @@ from app.shell.problems_panel import ProblemsPanel
 from app.work.session import Session
 from core.codes.spectrum_codes import CODES
 from core.errors import place
-from core.known import known
+from core.known import require_value
 
 if TYPE_CHECKING:
     from app.shell.window import MainWindow
@@ -178,7 +178,7 @@ class InputStage(QSplitter):
         kind = self.kind or "wall"
         forms, views = (self.width() * share // 100 for share in WIDTH_SHARES[kind])
         bar = self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent)
-        needed = known(self.areas[kind].widget()).minimumSizeHint().width() + bar
+        needed = require_value(self.areas[kind].widget()).minimumSizeHint().width() + bar
         self.setSizes([max(forms, needed), min(views, self.width() - needed)])
 
     def resizeEvent(self, event) -> None:

@@ -33,7 +33,7 @@ from app.terminal.command_line import SHIPPED_STUDIES
 from app.views.study_tabs import claims_table, figure_chart, table_view
 from app.work.runner import progress_word
 from app.work.worker import Job
-from core.known import known
+from core.known import require_value
 from core.research import parametric
 from core.research.study_report import report_of
 
@@ -201,7 +201,7 @@ class StudyWindow(QDialog):
     def _arrived(self, result: parametric.ParametricResult, report, folder: Path) -> None:
         self.word.setText("\n".join((report.title, *report.notes, tr("Written to {folder}", folder=folder))))
         while self.tabs.count():
-            page = known(self.tabs.widget(0))
+            page = require_value(self.tabs.widget(0))
             self.tabs.removeTab(0)
             page.deleteLater()
         if report.claims:

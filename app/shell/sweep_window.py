@@ -44,7 +44,7 @@ from core.case.site import Building
 from core.case.values import check_value, field_of
 from core.case.wall import Wall
 from core.errors import InputError
-from core.known import known
+from core.known import require_value
 from core.research.figures import DASHED, LINE_POINTS, Figure, Series, Table
 from core.study.sweep import MAX_VALUES, SweepKey, SweepPoint, sweep, sweep_keys, value_at
 from core.text.sentence import Number, sentence
@@ -91,7 +91,7 @@ def figures_of(points: list[SweepPoint], x: str, factor: float, case: Case) -> l
 
 def check_words(case: Case, label: str) -> str:
     """What a check is called in a list."""
-    return sentence("short", label, q=Number(known(case.demand).q_code, "g")).text(current_language())
+    return sentence("short", label, q=Number(require_value(case.demand).q_code, "g")).text(current_language())
 
 
 def _series(name: str, points: list[SweepPoint], factor: float, of, color: int) -> Series:
@@ -192,7 +192,7 @@ class SweepWindow(QDialog):
         self.key.clear()
         case = self.case
         self.keys = sweep_keys(case, k) if case and k >= 0 else []
-        self.key.addItems([key_words(known(case), k, key) for key in self.keys])
+        self.key.addItems([key_words(require_value(case), k, key) for key in self.keys])
         first = next((n for n, key in enumerate(self.keys) if key == SweepKey(Wall, "thickness_m")), 0)
         self.key.setCurrentIndex(max(self.key.findText(chosen), 0) if chosen else first)
 
@@ -201,7 +201,7 @@ class SweepWindow(QDialog):
         if not 0 <= n < len(self.keys):
             return
         key = self.keys[n]
-        value = value_at(known(self.case), self.wall.currentIndex(), key)
+        value = value_at(require_value(self.case), self.wall.currentIndex(), key)
         entry = field_of(key.section, key.name)
         _, factor = unit_in_form(entry)
         low, high = entry.metadata["low"], entry.metadata["high"]
@@ -231,7 +231,7 @@ class SweepWindow(QDialog):
             words = error.accepted_text(current_language(), FORM_NAMES)
             self.word.setText(f"{self.key.currentText()}: {words}")
             return
-        case, k, key = known(self.case), self.wall.currentIndex(), self.keys[self.key.currentIndex()]
+        case, k, key = require_value(self.case), self.wall.currentIndex(), self.keys[self.key.currentIndex()]
         base, book = self.owner.session.base_dir, self.owner.runner.finished_runs
         self.points, self.shown = [], (case, k, key)
 
@@ -309,7 +309,7 @@ class SweepWindow(QDialog):
         _, factor = unit_in_form(field_of(key.section, key.name))
         x, now = key_words(case, k, key), value_at(case, k, key)
         while self.tabs.count():
-            page = known(self.tabs.widget(0))
+            page = require_value(self.tabs.widget(0))
             self.tabs.removeTab(0)
             page.deleteLater()
         charts = QSplitter(Qt.Orientation.Vertical)
@@ -323,7 +323,11 @@ class SweepWindow(QDialog):
         if refused:
             value = number(factor * refused[0].value, ".3g")
             words.append(
-                tr("refused at {value}: {reason}", value=value, reason=describe_message(known(refused[0].error)))
+                tr(
+                    "refused at {value}: {reason}",
+                    value=value,
+                    reason=describe_message(require_value(refused[0].error)),
+                )
             )
         self.word.setText("; ".join(words))
 
@@ -331,7 +335,7 @@ class SweepWindow(QDialog):
     def _chart(figure: Figure, wall: Wall, now: float | None) -> QWidget:
         """A figure with the value at hand. now : in the unit of the axis"""
         page = figure_chart(figure)
-        chart = known(page.findChild(Chart))
+        chart = require_value(page.findChild(Chart))
         chart.caption = f"{wall_title(wall.title)}: {figure.title}"
         if now is not None:
             chart.level(now, tr("now"), vertical=True, place=0.04)

@@ -25,7 +25,7 @@ from app.look.language import number, result_word, tr, variant_word
 from core.case.problems import wall_of
 from core.case.schema import Case
 from core.errors import InputError
-from core.known import known
+from core.known import require_value
 from core.report.verdict_words import tone_of
 from core.study.results import StudyResult, WallResult
 
@@ -156,7 +156,7 @@ def _wall(state: State, k: int, text: str, depth: int, broken: set[int | None]) 
 
 def _chip(state: State, k: int) -> tuple[str, str]:
     """What a result comes to, and its colour; grey where it is of an earlier input."""
-    result = known(state.result)
+    result = require_value(state.result)
     wall = result.walls[k]
     if wall.assessment is None:
         return (f"q {number(wall.q_set, '.2f')}" if wall.q_set else "–"), "quiet"

@@ -16,7 +16,7 @@ from core.case.floor_loads import infer_floor_supports
 from core.case.schema import Case
 from core.codes.outcomes import min_if_all_known
 from core.errors import InputError
-from core.known import known
+from core.known import require_value
 from core.report.uncertainty_text import reach_written
 from core.setting.plan import Inputs, read_inputs
 from core.variation.evaluate import COARSE_PRECISION, FULL_PRECISION, Precision
@@ -73,7 +73,7 @@ def captions() -> dict[str, str]:
 def why_ag_stays(case: Case) -> str:
     """Why a_g has no slider: with another one the case would contradict itself, or its records would not follow as
     they do here. Empty where it has one."""
-    demand = known(case.demand)
+    demand = require_value(case.demand)
     if case.site or demand.hazard or demand.hazard_file:
         return tr("a_g is not moved: it is that of the hazard of the site.")
     if demand.spectrum_file:
@@ -194,13 +194,13 @@ class WhatIfWindow(QDialog):
     def _fill(self) -> None:
         """A slider for each value that can be moved."""
         while self.grid.count():
-            old = known(known(self.grid.takeAt(0)).widget())
+            old = require_value(require_value(self.grid.takeAt(0)).widget())
             old.hide()  # it goes only when the event at hand is over
             old.deleteLater()
         self.sliders.clear()
         self.values_shown.clear()
         self.given = self._moved_keys() if self.setting else {}
-        self.still.setText(why_ag_stays(known(self.case)) if self.setting else "")
+        self.still.setText(why_ag_stays(require_value(self.case)) if self.setting else "")
         self.still.setVisible(bool(self.still.text()))
         names = captions()
         for row, key in enumerate(self.given):
@@ -218,7 +218,7 @@ class WhatIfWindow(QDialog):
 
     def _moved_keys(self) -> dict[str, float]:
         """Key -> value of what has a slider."""
-        setting = known(self.setting)
+        setting = require_value(self.setting)
 
         def stands(key: str, value: float) -> bool:
             try:
@@ -228,7 +228,7 @@ class WhatIfWindow(QDialog):
             return True
 
         movable = slider_keys(setting)
-        if why_ag_stays(known(self.case)):
+        if why_ag_stays(require_value(self.case)):
             movable.pop("ag_g", None)
         return {key: now for key, now in movable.items() if any(stands(key, share * now) for share in TRIED)}
 
@@ -281,7 +281,7 @@ class WhatIfWindow(QDialog):
     def _rounded(self, moved: WallContext) -> WallContext:
         """With the loads that follow a slider in the digits they are written with."""
         wall, loads = moved.case.wall[0], []
-        for was, load in zip(known(self.setting).case.wall[0].load, wall.load, strict=True):
+        for was, load in zip(require_value(self.setting).case.wall[0].load, wall.load, strict=True):
             decimals = {"kn_m": FORCE, "d_m": PLACE}
             other = {key: getattr(load, key) for key in decimals if getattr(load, key) != getattr(was, key)}
             loads.append(replace(load, **{key: round(value, decimals[key]) for key, value in other.items()}))
@@ -296,7 +296,7 @@ class WhatIfWindow(QDialog):
     def _search_zeta(self, moved: WallContext, precision: Precision) -> None:
         self.stop("zeta")
         first, base = not self.values, self.base_dir
-        asked = known(self.case).generate and "ag_g" in self.values and precision is FULL_PRECISION
+        asked = require_value(self.case).generate and "ag_g" in self.values and precision is FULL_PRECISION
         taken = self._taken(moved) if asked else None
 
         def work(job: Job) -> WallEvaluation:
@@ -348,7 +348,7 @@ class WhatIfWindow(QDialog):
                 said = reach_written(one.key, value, current_language())
                 ends.append(f"{tr('any') if label in one.throughout else said} ({self._check(label)})")
             lines.append(f"{names[one.key]}: {'; '.join(ends)}")
-        target = number(known(self.setting).demand.zeta_target, ".2f")
+        target = number(require_value(self.setting).demand.zeta_target, ".2f")
         self.word.setText("\n".join([tr("For ζ {zeta}:", zeta=target), *lines]))
 
     def _start(self, name: str, work, arrived) -> None:
@@ -365,12 +365,12 @@ class WhatIfWindow(QDialog):
                 job.cancel()
 
     def _check(self, label: str) -> str:
-        return check_words(label, known(known(self.case).demand).q_code)
+        return check_words(label, require_value(require_value(self.case).demand).q_code)
 
     def _show(self, whole: WallEvaluation, precision: Precision | None = FULL_PRECISION) -> None:
         """The ladder; zeta as it is beside each. precision : of the histories, None while none are made; those of a
         run follow"""
-        setting, moved = known(self.setting), bool(self.values)
+        setting, moved = require_value(self.setting), bool(self.values)
         rungs = rungs_of(whole, setting.demand.q_code, precision, self.zetas, moved, setting.has_histories)
         self.ladder.show_rungs(rungs, setting.demand.zeta_target)
 
@@ -387,7 +387,7 @@ class WhatIfWindow(QDialog):
 
     def _taken(self, moved: WallContext) -> Case:
         """The case with the values of the sliders."""
-        case = known(self.case)
+        case = require_value(self.case)
         wall, new = case.wall[self.row], moved.case.wall[0]
         sizes = ("thickness_m", "slenderness_deg", "height_over_thickness", "height_m", "load")
         walls = list(case.wall)
@@ -396,7 +396,7 @@ class WhatIfWindow(QDialog):
         floors = infer_floor_supports(case.building, wall, new)  # they bear where the sliders moved them
         case = replace(case, wall=tuple(walls), building=floors)
         if "ag_g" in self.values:
-            case = replace(case, demand=replace(known(case.demand), ag_g=self.values["ag_g"]))
+            case = replace(case, demand=replace(require_value(case.demand), ag_g=self.values["ag_g"]))
         return case
 
     def take_it(self) -> None:

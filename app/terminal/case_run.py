@@ -13,7 +13,7 @@ from core import atomic_write
 from core.errors import Cancelled, InputError
 from core.study.journal import SYNC_SECONDS, Journal
 from core.study.scheduler import DaskExecutor, open_dask_executor
-from core.text.sentence import numeral, word
+from core.text.sentence import format_number, word
 
 DONE, WITHOUT_NUMBER, CANCELLED = 0, 3, 130
 """Exit codes; 1 input or output error and 2 wrong usage are of __main__, 4 an internal error."""
@@ -109,7 +109,7 @@ def code_word(code: str | None) -> str:
 
 def format_short(value: float | None) -> str:
     """A number of the summary."""
-    return "-" if value is None else numeral(value, ".2f", current_language())
+    return "-" if value is None else format_number(value, ".2f", current_language())
 
 
 def raise_if_cancelled(cancel: threading.Event) -> Callable[[], None]:

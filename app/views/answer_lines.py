@@ -4,7 +4,7 @@ import html
 
 from app.look import theme
 from app.look.language import tr
-from core.known import known
+from core.known import require_value
 from core.report.assumption_table import heads, rows_of
 from core.report.verdict_words import lines_of, tone_of
 from core.study.results import StudyResult, WallResult
@@ -87,7 +87,7 @@ def _words(result: StudyResult, wall: WallResult, language: str, kind: str) -> l
 def required_actions(result: StudyResult, wall: WallResult, language: str) -> list[str]:
     """What is to be done."""
     words = _words(result, wall, language, "to_do")
-    return _linked(words, known(wall.assessment).verdict.to_do, "to_do", language)
+    return _linked(words, require_value(wall.assessment).verdict.to_do, "to_do", language)
 
 
 def assumption_rows(result: StudyResult, wall: WallResult, language: str) -> str:
@@ -113,7 +113,7 @@ def verdict_limitations(result: StudyResult, wall: WallResult, language: str, wa
         if not any(one.rstrip(".") in line for line in words):
             words.append(one)
     extra = next((one.extra for one in result.verdicts if result.walls[one.governing] is wall), ())
-    return _linked(words, (*known(wall.assessment).verdict.limits, *extra), "limits", language)
+    return _linked(words, (*require_value(wall.assessment).verdict.limits, *extra), "limits", language)
 
 
 def no_dynamic_check(result: StudyResult, wall: WallResult) -> tuple[str, str]:

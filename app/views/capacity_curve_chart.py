@@ -8,7 +8,7 @@ from app.look.language import number, tr
 from app.views.chart import Chart
 from app.views.runs import title_of
 from core.codes.capacity_curve import capacity_curve
-from core.known import known
+from core.known import require_value
 from core.study.results import StudyResult, WallResult
 from core.units import CM, G
 
@@ -45,11 +45,15 @@ class CapacityCurveChart(Chart):
             self.curve(name, curve.floor_d / CM, curve.floor_a / G, 2, path=True)
         along, across = (np.array(values) for values in zip(*curve.capacity, strict=True))
         self.curve(tr("capacity"), along / CM, across / G, 0, 2.4)
-        state, slope = demand.limit_state, (2.0 * math.pi / known(kinematic.period)) ** 2
-        d_limit, a_limit, s_de = known(kinematic.d_limit), known(kinematic.a_limit), known(kinematic.s_de)
+        state, slope = demand.limit_state, (2.0 * math.pi / require_value(kinematic.period)) ** 2
+        d_limit, a_limit, s_de = (
+            require_value(kinematic.d_limit),
+            require_value(kinematic.a_limit),
+            require_value(kinematic.s_de),
+        )
         self.points(f"d_{state}", [d_limit / CM], [a_limit / G], 0)
         self.points("S_De", [s_de / CM], [slope * s_de / G], 1)
         end = max(1.15 * d_limit, s_de)
         self.curve(f"T_{state}", [0.0, end / CM], [0.0, slope * end / G], "quiet", 1.0, dash=True)
         high = 1.1 * max(across[0], *curve.demand_a, *curve.floor_a) / G
-        self.set_range((0.0, 1.05 * max(known(kinematic.d0), s_de) / CM), (0.0, high))
+        self.set_range((0.0, 1.05 * max(require_value(kinematic.d0), s_de) / CM), (0.0, high))

@@ -18,7 +18,7 @@ from app.views.result_tab import ResultTab
 from app.views.runs import governing_run, run_name, title_of
 from core.capacity.fragility import fragility_curve
 from core.capacity.ida import grid_point, multiplier_of, threshold_of
-from core.known import known
+from core.known import require_value
 from core.rocking.history import scan
 from core.rocking.outcome import COLLAPSED, STABLE
 from core.study.results import Run, StudyResult, WallResult
@@ -82,7 +82,7 @@ class CapacityTab(ResultTab):
 
     def _show_fragility(self) -> None:
         """Draw the curve of the wall, and dashed that of another."""
-        result, wall = known(self.shown)
+        result, wall = require_value(self.shown)
         self.fragility.clear()
         self.fragility.caption = title_of(wall)
         other = self.other.currentIndex() - 1
@@ -98,7 +98,7 @@ class CapacityTab(ResultTab):
         self.fragility.set_range(y=(0.0, 1.05))
 
     def _fragility_of(self, wall: WallResult, color: int, dash: bool, name: str) -> bool:
-        result = known(self.shown)[0]
+        result = require_value(self.shown)[0]
         q, count, n = fragility_curve([run.ida for run in wall.runs], result.search)
         if not n:
             return False
@@ -119,7 +119,7 @@ class CapacityTab(ResultTab):
         self.peaks.clear()
         if self.shown is None or self.record.currentIndex() < 0:
             return
-        result, wall = known(self.shown)
+        result, wall = require_value(self.shown)
         k = self.record.currentIndex()
         if k == len(wall.runs):
             self._overlay(result, wall)
@@ -167,7 +167,7 @@ class CapacityTab(ResultTab):
         for k, run in enumerate(wall.runs):
             start = run.ida.first_index - first
             image[k, start : start + len(run.ida.outcomes)] = [int(d) for d in run.ida.outcomes]
-        step = math.log1p(known(self.shown)[0].search.q_step)
+        step = math.log1p(require_value(self.shown)[0].search.q_step)
         low = math.log(wall.runs[0].ida.q_start) + first * step
         # what was not searched, or ended without an outcome, is neither: hatched, seen through the map
         shades = np.select([image == STABLE, image == COLLAPSED], [0.0, 1.0], 0.5)

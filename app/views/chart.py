@@ -16,7 +16,7 @@ from app.views.axis import LEGEND_LETTERS, SPARE_PLOTS, elide_name, ends_of, num
 from app.views.axis_names import show_names
 from app.views.chart_output import ChartOutput
 from app.views.edge_marks import EdgeMarks
-from core.text.sentence import numeral
+from core.text.sentence import format_number
 
 MAX_POINT_DISTANCE = 0.04
 """How close the cursor must be to a data point to be read there, over the size of the axes."""
@@ -352,7 +352,7 @@ class Chart(ChartOutput):
         if log:
             x, y = 10.0**x, 10.0**y
         language = current_language()
-        words = (self.labels[0], numeral(x, ".4g", language), self.labels[1], numeral(y, ".4g", language))
+        words = (self.labels[0], format_number(x, ".4g", language), self.labels[1], format_number(y, ".4g", language))
         self.read.setText("  " + name + "{} {}   {} {}".format(*words))
 
     def _nearest(self, x: float, y: float, log: bool) -> tuple[str, float, float] | None:

@@ -40,7 +40,7 @@ from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.schema import Generate
 from core.codes.eq9 import LABEL
 from core.codes.outcomes import min_if_all_known
-from core.known import known
+from core.known import require_value
 from core.report.tie_words import tie_lines
 from core.report.uncertainty_text import risk_of, verdict_of
 from core.report.verdict_words import lines_of, sentence_of
@@ -68,7 +68,7 @@ class Whole(QWidget):
     """A page that scrolls rather than cut its words: as high as they need, not as the chart would like."""
 
     def heightForWidth(self, width: int) -> int:
-        return known(self.layout()).minimumHeightForWidth(width)
+        return require_value(self.layout()).minimumHeightForWidth(width)
 
 
 class CheckTab(ResultTab):
@@ -257,7 +257,7 @@ class CheckTab(ResultTab):
     def _rows(self, result: StudyResult, wall: WallResult) -> tuple[list, list]:
         """Rows of the table and their colours: checks, Eq. 9, what research estimates."""
         rows, colors = [], []
-        for check, decides in known(wall.assessment).shown:
+        for check, decides in require_value(wall.assessment).shown:
             color = theme.current.good if check.passed else theme.current.bad
             outcome = "no_number" if check.passed is None else "passed" if check.passed else "not_passed"
             if check.name == "floor_sld":
@@ -293,7 +293,7 @@ class CheckTab(ResultTab):
                 colors.append([theme.current.quiet] * 8)
         for estimate in wall.estimates:
             capacity = wall.model.threshold / G
-            wanted = known(result.demand).pga / G / estimate.q
+            wanted = require_value(result.demand).pga / G / estimate.q
             between = ", ".join(said.text(self.language) for said in estimate.ranges)
             rows.append(
                 [
@@ -352,7 +352,7 @@ class CheckTab(ResultTab):
 
     def _facts(self, result: StudyResult, wall: WallResult) -> str:
         """Five facts by which a reader judges how far the verdict goes."""
-        assessment = known(wall.assessment)
+        assessment = require_value(wall.assessment)
         dynamic, facts = assessment.dynamic, []
         if dynamic and dynamic.zeta is not None:
             other = f"ζ {digits(dynamic.zeta_16)} – {digits(dynamic.zeta)}"

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from app.look import theme
 from app.look.charting import pg
 from app.look.language import current_language
-from core.text.sentence import numeral
+from core.text.sentence import format_number
 
 if TYPE_CHECKING:
     from app.views.chart import Chart
@@ -52,7 +52,7 @@ class EdgeMarks:
         if any(letter.isdigit() for letter in label):
             return label
         log = self.chart.plot.ctrl.logXCheck.isChecked()
-        return f"{label} = {numeral(10.0**value if log else value, '.3g', current_language())}"
+        return f"{label} = {format_number(10.0**value if log else value, '.3g', current_language())}"
 
     def follow(self) -> None:
         """Set the marks at the edges of what is shown now."""

@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QDialogButtonBox, Q
 from app.look.dialogs import delete_after_use
 from app.look.language import current_language, tr
 from app.views.figure_file import FigureSize
-from core.text.sentence import numeral
+from core.text.sentence import format_number
 
 FIGURE_WIDTHS = (80.0, 120.0, 160.0)
 RESOLUTIONS = (300, 600)
@@ -45,7 +45,7 @@ def axis_limits(parent, labels, now) -> tuple[float, float, float, float] | None
     form = QFormLayout(dialog)
     fields = []
     for k, value in enumerate(now):
-        field = QLineEdit(numeral(value, ".5g", current_language()))
+        field = QLineEdit(format_number(value, ".5g", current_language()))
         end = tr("from") if k % 2 == 0 else tr("to")
         form.addRow(f"{labels[k // 2]} {end}", field)
         fields.append(field)
@@ -72,8 +72,8 @@ def data_table(chart) -> QDialog:
     rows = [
         [
             name,
-            chart.names[int(x)] if chart.names else numeral(x, ".6g", current_language()),
-            numeral(y, ".6g", current_language()),
+            chart.names[int(x)] if chart.names else format_number(x, ".6g", current_language()),
+            format_number(y, ".6g", current_language()),
         ]
         for name, xs, ys in chart.data
         for x, y in zip(xs.tolist(), ys.tolist(), strict=True)

@@ -16,13 +16,13 @@ from app.views.result_tab import ResultTab
 from app.views.runs import governing_run, index_of, run_name, title_of
 from core.capacity.ida import multiplier_of, threshold_of
 from core.codes.dynamic_check import model_and_scale_at_demand
-from core.known import known
+from core.known import require_value
 from core.rocking.energy import energy_ratios
 from core.rocking.history import History, history
 from core.rocking.outcome import COLLAPSED
 from core.study.bar_histories import BarHistory, bar_histories, work_of_impacts
 from core.study.results import StudyResult, WallResult
-from core.text.sentence import numeral
+from core.text.sentence import format_number
 from core.units import G
 from core.wall.rocking_model import weakened
 
@@ -177,7 +177,7 @@ class HistoriesTab(ResultTab):
                 chart.clear()
             self.words.setText(tr("No histories are made of this wall.") if self.shown else "")
             return
-        result, wall = known(self.shown)
+        result, wall = require_value(self.shown)
         self.motion = result.motion_of(wall, self.run.motion)
         self.acceleration = self.motion.acceleration
         if self.again.isChecked():
@@ -221,7 +221,7 @@ class HistoriesTab(ResultTab):
     def _follow_fall(self) -> None:
         """Where the wall overturns what comes after is not shown."""
         end = float(self.times[-1])
-        shown = [(known(self.history), self.motion.time_step)]
+        shown = [(require_value(self.history), self.motion.time_step)]
         shown += [(self.second, self.second_step)] if self.second is not None else []
         if all(one.outcome == COLLAPSED for one, _ in shown):
             end = min(end, AFTER_FALL * max((one.rotation.size - 1) * step for one, step in shown))
@@ -268,16 +268,16 @@ class HistoriesTab(ResultTab):
         self.preset.setCurrentIndex(0)
         if self.run is None:
             return
-        result, wall = known(self.shown)
+        result, wall = require_value(self.shown)
         demand, bracket = result.demand, self.run.ida.bracket
         if (k in (1, 2) and demand is None) or (k in (3, 4) and bracket is None):
             self.words.setText(tr("Not known here: no demand, or no collapse of this record."))
             return
         strength_factor = 1.0
         if k == 1:
-            q = known(demand).scaling(self.motion) * self.motion.pga / threshold_of(wall.model)
+            q = require_value(demand).scaling(self.motion) * self.motion.pga / threshold_of(wall.model)
         elif k == 2:  # as the dynamic check has it
-            demand = known(demand)
+            demand = require_value(demand)
             model, factor = model_and_scale_at_demand(wall.model, demand, demand.confidence_on, self.motion)
             strength_factor = wall.model.p2 / model.p2
             q = factor / strength_factor * self.motion.pga / threshold_of(wall.model)
@@ -290,7 +290,7 @@ class HistoriesTab(ResultTab):
         """The history at the slider's multiplier: a fraction of a millisecond, then drawn."""
         if self.run is None:
             return
-        result, wall = known(self.shown)
+        result, wall = require_value(self.shown)
         scale = self.run.polarity * multiplier_of(self.q, self.motion.pga, threshold_of(wall.model))
         ground, dt = self.acceleration, self.motion.time_step
         # strength over FC is p^2 / FC under the ground times FC (core/codes/dynamic_check.py)
@@ -319,7 +319,7 @@ class HistoriesTab(ResultTab):
         if self.history.outcome == COLLAPSED:  # its largest rotation is where the analysis ended
             outcome = result_word("overturned")
         else:
-            peak = numeral(self.history.peak / wall.model.collapse_rotation, ".2f", current_language())
+            peak = format_number(self.history.peak / wall.model.collapse_rotation, ".2f", current_language())
             outcome = f"{tr('stands')}   θmax/θc {peak}"
         which = self._wall_in_words()
         wall_and_c = (title_of(wall), f"C {number(abs(scale), '.3f')}")
@@ -334,7 +334,7 @@ class HistoriesTab(ResultTab):
 
     def _integrate_second(self, model) -> None:
         """Integrate the wall under another record, at the same multiple of it. model : FC on the strength included"""
-        result, wall = known(self.shown)
+        result, wall = require_value(self.shown)
         k = self.other.currentIndex() - 1
         self.second = None
         self.second_curve.setVisible(k >= 0)
@@ -351,7 +351,7 @@ class HistoriesTab(ResultTab):
 
     def _show_bars(self, bars: list[BarHistory]) -> tuple[str, ...]:
         """Force and elongation of each tie, and what they and the impacts took."""
-        history_now, (_, wall) = known(self.history), known(self.shown)
+        history_now, (_, wall) = require_value(self.history), require_value(self.shown)
         if not bars:
             return ()
         self.force.clear()
@@ -375,7 +375,7 @@ class HistoriesTab(ResultTab):
 
     def _wall_in_words(self) -> tuple[str, ...]:
         """Strength and multiplier of what is drawn: FC on the strength or not, and how many times the demand."""
-        result, wall = known(self.shown)
+        result, wall = require_value(self.shown)
         if self.strength_factor == 1.0:
             words = [tr("strength as it is, without FC")]
         else:

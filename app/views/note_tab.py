@@ -26,7 +26,7 @@ from app.look.labels import PlainLabel
 from app.look.language import current_language, tr
 from app.views.result_tab import ResultTab
 from app.work.worker import Job
-from core.known import known
+from core.known import require_value
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import LANGUAGES
 
@@ -234,7 +234,7 @@ class NoteTab(ResultTab):
         self.paper.show_images(pages.images, pages.scale)
         bar.setValue(round(share * bar.maximum()))
         words = tr("Pages: {n}", n=len(pages.images))
-        tongue = known(self.result).case.report.language
+        tongue = require_value(self.result).case.report.language
         if tongue != current_language():
             words += ", " + tr("in the language of the report ({language})", language=LANGUAGES[tongue])
         self.word.setText(words)

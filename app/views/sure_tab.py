@@ -12,7 +12,7 @@ from app.look.language import number, tr
 from app.views.chart import Chart
 from app.views.result_tab import ResultTab
 from app.views.table import Table
-from core.known import known
+from core.known import require_value
 from core.report import uncertainty_text
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import localized
@@ -106,7 +106,7 @@ class SureTab(ResultTab):
             x, y = zip(*points, strict=True)
             self.chart.curve(name, x, y, color, 9.0, path=True)
         self.chart.level(base, f"ζ_E {number(base, '.2f')}", "ink", vertical=True, place=0.97)
-        target = known(result.demand).zeta_target
+        target = require_value(result.demand).zeta_target
         self.chart.level(target, tr("required {zeta}", zeta=number(target, ".2f")), "amber", vertical=True, place=0.03)
         self.chart.names_beside(lines[::-1])
         drawn = [base, target, *(x for x, _ in below + above if not np.isnan(x))]

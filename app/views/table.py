@@ -6,7 +6,7 @@ from PySide6.QtGui import QColor, QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 from app.look.language import tr
-from core.known import known
+from core.known import require_value
 from core.report.plain_cell import plain_cell
 
 SCROLL_BAR_ROOM = 24
@@ -53,7 +53,7 @@ class Table(QTableWidget):
         self.fit()
 
     def _head(self, column: int) -> str:
-        return known(self.horizontalHeaderItem(column)).text()
+        return require_value(self.horizontalHeaderItem(column)).text()
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)

@@ -14,7 +14,7 @@ from app.work.worker import Job
 from core.capacity.accuracy import Accuracy
 from core.case.schema import Case
 from core.errors import InputError
-from core.known import known
+from core.known import require_value
 from core.setting.plan import count_results_by_wall
 from core.study.journal import MemoryJournal
 from core.study.results import StudyResult, WallResult
@@ -177,7 +177,7 @@ class Runner(QObject):
 
     def _say(self, left: float | None) -> None:
         """How far the job is. left : time [s], None where it is not known"""
-        done, planned, _, _ = known(self._said)
+        done, planned, _, _ = require_value(self._said)
         whole = sum(all_there for _, all_there in self.zetas_so_far().values())
         walls = tr("Walls {n} of {m}", n=whole, m=len(self.planned_results)) if self.finished_walls else ""
         words = progress_word(done, planned, time.monotonic() - self._began, left, walls)

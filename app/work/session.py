@@ -26,7 +26,7 @@ from core.case.wall import Wall
 from core.case.writer import dumps, table_of
 from core.errors import InputError, OutputError
 from core.file_names import key_of, name_of
-from core.known import known
+from core.known import require_value
 from core.setting.demand_input import read_target_spectrum
 from core.study.journal import lock_file
 from core.study.results import StudyResult
@@ -260,7 +260,7 @@ class Session:
     def save(self, path: Path | None = None) -> None:
         """Write the case file, whole or not at all; record paths follow it to another folder. A value that no case file
         may hold is not written, `left_out` says why, and the case stays unsaved. Raises InputError."""
-        target = known(path or self.path).resolve()
+        target = require_value(path or self.path).resolve()
         old = self.base_dir
 
         def moved(case: Case) -> Case:

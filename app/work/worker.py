@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, QThread, QTimer, Signal
 
 from app.look.language import describe_message
 from core.errors import Cancelled, InputError
-from core.known import known
+from core.known import require_value
 
 RUNNING_JOBS: set["Job"] = set()
 """Jobs whose threads have not ended: a thread's object must outlive it."""
@@ -85,7 +85,7 @@ class Job(QThread):
 
     def run(self) -> None:
         try:
-            result = known(self._work)(self)
+            result = require_value(self._work)(self)
         except Cancelled:
             pass
         except InputError as error:

@@ -66,7 +66,7 @@ class Accuracy:
     """Accuracy statement for one wall, on its governing record and sign.
 
     scale : multiplier of the histories, the last survived one; points : the methods on it, none for a wall that
-    `one_solver` alone follows;
+    `has_single_solver` alone follows;
     solver_q_difference : |q / q_reference - 1| [-], q_reference : of the same search by dormand_prince;
     noise_effect : of NOISE on the history, over theta_c, infinite where it overturns the wall [-];
     held : whether the wall is held at its top, of which fewer histories were tried;
@@ -114,7 +114,7 @@ class Accuracy:
         return max(known) / min(known) - 1.0 if len(known) > 1 else None
 
 
-def one_solver(model: RockingModel) -> bool:
+def has_single_solver(model: RockingModel) -> bool:
     """Whether only the series of order 8 follow a wall, whatever is asked for: with bars, of unlike sides, held at its
     top."""
     return bool(model.bars) or model.other is not None or model.bending is not None
@@ -129,7 +129,7 @@ def methods(model: RockingModel) -> list[Method]:
     return chosen
 
 
-def truth(motion: GroundMotion, scale: float, model: RockingModel, cancelled) -> np.ndarray:
+def reference_history(motion: GroundMotion, scale: float, model: RockingModel, cancelled) -> np.ndarray:
     """theta [rad] of one history by the independent solver, up to its stop. Raises Cancelled."""
     kinks = None if model.plateau_end == 0.0 else (model.elastic_end, model.plateau_end)
     theta, _ = independent_solver.history(
@@ -178,7 +178,7 @@ def effect_of_noise(motion: GroundMotion, scale: float, model: RockingModel, met
     return largest / model.collapse_rotation
 
 
-def accuracy(
+def make_accuracy(
     motion: GroundMotion,
     polarity: int,
     ida: Ida,
@@ -203,7 +203,7 @@ def accuracy(
     """
     require("accuracy")
     assert ida.q is not None and ida.bracket is not None
-    alone = one_solver(model)
+    alone = has_single_solver(model)
     method = METHODS["taylor"] if alone else resolve_auto(method, model, motion.time_step)
 
     def searched(ground, asked: Search, by: Method) -> Ida:
@@ -212,7 +212,7 @@ def accuracy(
     scale = polarity * multiplier_of(ida.bracket[0], motion.pga, threshold_of(model))
     points, q_reference = [], None
     if not alone:
-        theta = truth(motion, scale, model, cancelled)
+        theta = reference_history(motion, scale, model, cancelled)
         for each in methods(model):
             if cancelled():
                 raise Cancelled

@@ -9,7 +9,7 @@ HALVINGS = 2
 """Bisections made at once: all midpoints they may ask for run side by side."""
 
 
-def bisections(brackets: list[tuple[float, float]], failures) -> list[tuple[float, float] | None]:
+def bisect_brackets(brackets: list[tuple[float, float]], failures) -> list[tuple[float, float] | None]:
     """Brackets of failures between low, which holds, and high, which fails, narrowed side by side until none
     is wider than BRACKET: those of arithmetic midpoints, one after the other.
 
@@ -17,12 +17,12 @@ def bisections(brackets: list[tuple[float, float]], failures) -> list[tuple[floa
     bisection needs is unknown.
     """
     narrowed: list[tuple[float, float] | None] = list(brackets)
-    while points := halvings(narrowed):
+    while points := midpoints(narrowed):
         narrowed = all_narrowed(narrowed, points, failures([part[1:-1] for part in points]))
     return narrowed
 
 
-def halvings(brackets: list) -> list[np.ndarray]:
+def midpoints(brackets: list) -> list[np.ndarray]:
     """Ends and midpoints of each bracket, of a narrow one none; empty where all are narrow."""
     wide = [bracket is not None and not _narrow(*bracket) for bracket in brackets]
     if not any(wide):
@@ -31,7 +31,7 @@ def halvings(brackets: list) -> list[np.ndarray]:
 
 
 def all_narrowed(brackets: list, points: list[np.ndarray], flags) -> list:
-    """The brackets after `points` of `halvings`, with the flags of their midpoints."""
+    """The brackets after `points` of `midpoints`, with the flags of their midpoints."""
     return [
         _narrowed(part, *part_flags) if part.size > 2 else bracket
         for bracket, part, part_flags in zip(brackets, points, flags, strict=True)

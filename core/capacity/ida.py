@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from core.capacity.bisection import all_narrowed, halvings
+from core.capacity.bisection import all_narrowed, midpoints
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.errors import Cancelled
 from core.rocking.grounds import Grounds
@@ -200,7 +200,7 @@ class _Map:
         wanted = {k: first for k, first in enumerate(firsts) if first is not None and first != self.first}
         edges: list = [(self.q_of(first - 1), self.q_of(first)) for first in wanted.values()]
         pairs = [None if first is None else (0.0, self.q_of(first)) for first in firsts]
-        while points := halvings(edges):
+        while points := midpoints(edges):
             middles = [part[1:-1] for part in points]
             outcomes, peaks, _ = yield from self.analyse(np.concatenate(middles))
             cuts = np.cumsum([part.size for part in middles])[:-1]

@@ -8,7 +8,7 @@ from core.case.one_body import find_body_fault
 from core.case.solids import Solid
 from core.case.wall import Wall
 from core.errors import InputError, place
-from core.known import known
+from core.known import require_value
 from core.wall.body import cut_above
 from core.wall.solids import Part, contact_at, is_dragged, snapped
 
@@ -61,7 +61,7 @@ def cut_above_hinge(wall: Wall, hinge: float) -> Wall:
         if wall.tie_height_m is None or wall.tie_height_m < hinge + MIN_HEIGHT_ABOVE
         else wall.tie_height_m - hinge,
     )
-    if part.parts and find_body_fault(part.parts, known(part.thickness)) is not None:
+    if part.parts and find_body_fault(part.parts, require_value(part.thickness)) is not None:
         here = (place("wall", name=wall.title),)
         raise InputError("pieces_above", place=here, key="hinge_heights", hinge=hinge)
     return part
@@ -72,7 +72,7 @@ def _corner_above(wall: Wall, hinge: float) -> dict:
     inclination. Empty of another wall."""
     if (corner := wall.corner) is None:
         return {}
-    share = 1.0 - hinge / known(wall.height_m)
+    share = 1.0 - hinge / require_value(wall.height_m)
     lengths = {"length_1_m": share * corner.length_1_m, "length_2_m": share * corner.length_2_m}
     return {"corner": replace(corner, **lengths)}
 

@@ -3,7 +3,7 @@
 from dataclasses import MISSING, dataclass
 
 from core.case.keys import number_key, text_key
-from core.known import known
+from core.known import require_value
 from core.wall import arch
 from core.wall.ties import elongation_at_yield
 
@@ -40,7 +40,7 @@ class Between:
     @property
     def at_yield(self) -> float:
         """Elongation of a bar of the ties at yield [m]."""
-        return elongation_at_yield(known(self.tie_bar_length_m))
+        return elongation_at_yield(require_value(self.tie_bar_length_m))
 
     def in_si(self, height: float, thickness: float, unit_weight: float, strength: float, presses: float) -> arch.Arch:
         """The arch of a wall. height, thickness : [m]; unit_weight : w [N/m3]; strength : f [Pa]; presses : what

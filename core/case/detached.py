@@ -6,7 +6,7 @@ from core.case.loads import Load
 from core.case.solids import Leaf
 from core.case.wall import Wall
 from core.errors import InputError, place
-from core.known import known
+from core.known import require_value
 from core.text.sentence import Key
 from core.wall.ties import DEFAULT_STRENGTH, elongation_at_yield
 
@@ -20,8 +20,8 @@ OF_CONNECTORS = "connector_kn_m", "row_spacing_m", "slip_mm"
 def make_leaf_wall(wall: Wall) -> Wall:
     """The outer leaf of a wall as a wall: what rests within it stays on it, thrusts and ties act on it as on the wall,
     and what drags the wall along behind is not its own. It leans on what is behind it, which shows nothing of it."""
-    leaf = known(wall.leaf)
-    loads = [load for load in wall.load if not load.is_weight or known(load.d_m) <= leaf.thickness_m]
+    leaf = require_value(wall.leaf)
+    loads = [load for load in wall.load if not load.is_weight or require_value(load.d_m) <= leaf.thickness_m]
     loads = [replace(load, d_m=None) if load.kind == "thrust" else load for load in loads]
     return replace(
         wall,
@@ -35,7 +35,7 @@ def make_leaf_wall(wall: Wall) -> Wall:
         return_walls=None,
         arch=None,
         leaf=None,
-        load=(*loads, *_connectors(leaf, known(wall.height_m))),
+        load=(*loads, *_connectors(leaf, require_value(wall.height_m))),
         unloaded_confirmed=wall.unloaded_confirmed and not leaf.connector_kn_m,
         tie_height_m=None,
         tie_bar_length_m=None,
@@ -54,9 +54,9 @@ def _connectors(leaf: Leaf, height: float) -> list[Load]:
     """The rows of connectors of a leaf: ties that hold up to their slip, and break there."""
     if leaf.connector_kn_m is None:
         return []
-    step = known(leaf.row_spacing_m)
+    step = require_value(leaf.row_spacing_m)
     strain = elongation_at_yield(1.0, DEFAULT_STRENGTH)
-    row = Load("tie", leaf.connector_kn_m, step, bar_length_m=1e-3 * known(leaf.slip_mm) / strain)
+    row = Load("tie", leaf.connector_kn_m, step, bar_length_m=1e-3 * require_value(leaf.slip_mm) / strain)
     rows = int((height - BELOW_TOP) / step + 1e-9)
     return [replace(row, h_m=step * k) for k in range(1, rows + 1)]
 

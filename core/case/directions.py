@@ -8,7 +8,7 @@ from dataclasses import replace
 from core.case.solids import Solid
 from core.case.wall import Wall
 from core.errors import InputError, place
-from core.known import known
+from core.known import require_value
 from core.text.sentence import Key
 
 CENTRED = 0.01
@@ -31,10 +31,10 @@ def directions_of(wall: Wall) -> Iterator[tuple[str, Wall]]:
 
 def _all_of(wall: Wall) -> Iterator[tuple[str, Wall]]:
     """Both other directions of a body."""
-    thickness, length = known(wall.thickness), known(wall.length_m)
+    thickness, length = require_value(wall.thickness), require_value(wall.length_m)
     diagonal = math.hypot(thickness, length)
     angle = math.atan2(thickness, length)
-    outline = ((0.0, 0.0), (length, 0.0), (length, known(wall.height_m)), (0.0, known(wall.height_m)))
+    outline = ((0.0, 0.0), (length, 0.0), (length, require_value(wall.height_m)), (0.0, require_value(wall.height_m)))
     if angle > 0.25 * math.pi:  # s along the longer side: an oblique plane is not near an elevation
         angle, outline = 0.5 * math.pi - angle, tuple((thickness / length * s, z) for s, z in outline)
     solid = Solid("oblique", outline, min(thickness, length), angle_deg=math.degrees(angle))
@@ -48,8 +48,8 @@ def _all_of(wall: Wall) -> Iterator[tuple[str, Wall]]:
 
 def _turned(wall: Wall, aspect: str, thickness: float, length: float, setback: float) -> Wall:
     """The body as a wall of this thickness and length [m], its loads in the middle. setback : of its hinges [m]"""
-    share = known(wall.length_m) / length
-    loads = (replace(load, kn_m=share * known(load.kn_m), d_m=0.5 * thickness) for load in wall.load)
+    share = require_value(wall.length_m) / length
+    loads = (replace(load, kn_m=share * require_value(load.kn_m), d_m=0.5 * thickness) for load in wall.load)
     return replace(
         wall,
         name=f"{wall.name} ({aspect})",
@@ -78,7 +78,7 @@ def check_directions(wall: Wall) -> None:
         raise InputError("directions_need", place=here, key="unit_weight_kn_m3", flag=Key("all_directions"))
     if wall.has_shape:
         raise InputError("directions_prism", place=here, key="all_directions")
-    middle = 0.5 * known(wall.thickness)
+    middle = 0.5 * require_value(wall.thickness)
     for n, load in enumerate(wall.load, start=1):
-        if not load.is_weight or abs(known(load.d_m) - middle) > CENTRED * middle:
+        if not load.is_weight or abs(require_value(load.d_m) - middle) > CENTRED * middle:
             raise InputError("directions_centred", place=(*here, place("load", n=n)), key="d_m", middle=middle)

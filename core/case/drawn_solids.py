@@ -25,7 +25,7 @@ from core.case.wall import Wall
 from core.errors import InputError, place, section
 from core.file_names import name_of, shown
 from core.text.sentence import Sentence, notice
-from core.wall.body import Body, crossing, holds, polygon_sums
+from core.wall.body import Body, contains_point, crossing, polygon_sums
 from core.wall.solids import Part, sum_of
 
 CORNER_DECIMALS = 6
@@ -221,7 +221,7 @@ def _rounded(part: list[Point]) -> list[Point]:
 
 
 def _is_within(part: Sequence[Point], other: Sequence[Point]) -> bool:
-    return all(holds(other, corner) for corner in part)
+    return all(contains_point(other, corner) for corner in part)
 
 
 def replace_solids(wall: Wall, made: Sequence[dict], sizes: bool) -> Wall:

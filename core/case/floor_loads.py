@@ -10,14 +10,14 @@ from core.case.site import Building, FloorLoad
 from core.case.spanning import make_spanning_part
 from core.case.wall import ARCHES, Wall
 from core.errors import InputError, place, section
-from core.known import known
+from core.known import require_value
 from core.text.sentence import Key
 
 
 def add_floor_loads(wall: Wall, building: Building | None) -> Wall:
     """The wall with the floors that bear on it, each with half of its span, after its own loads."""
     floors = building.floors if building else ()
-    loads = [_load(floor, d, known(wall.base_z_m)) for floor in floors for d in floor.bears_on(wall.name)]
+    loads = [_load(floor, d, require_value(wall.base_z_m)) for floor in floors for d in floor.bears_on(wall.name)]
     if not loads:
         return wall
     return replace(wall, load=(*wall.load, *loads), unloaded_confirmed=False)
@@ -67,9 +67,9 @@ def add_corner_thrust(wall: Wall) -> Wall:
     direction in which it turns."""
     if (corner := wall.corner) is None or not corner.is_pushed:
         return wall
-    angle, height = math.radians(corner.angle_deg), known(wall.height_m)
+    angle, height = math.radians(corner.angle_deg), require_value(wall.height_m)
     along = corner.thrust_1_kn_m * math.cos(angle) + corner.thrust_2_kn_m * math.sin(angle)
-    load = Load("thrust", along * height / known(wall.length_m), 0.5 * height)
+    load = Load("thrust", along * height / require_value(wall.length_m), 0.5 * height)
     plain = replace(corner, thrust_1_kn_m=0.0, thrust_2_kn_m=0.0)
     return replace(wall, corner=plain, load=(*wall.load, load), unloaded_confirmed=False)
 
@@ -167,5 +167,5 @@ class WallSetChecker:
 
 def _on_corner(wall: Wall) -> float:
     """H that the ends of a wall push with [kN/m]; none where ties along it take it."""
-    arch = known((make_spanning_part(wall) if wall.mechanism != ARCHES else wall).in_si.arch)
+    arch = require_value((make_spanning_part(wall) if wall.mechanism != ARCHES else wall).in_si.arch)
     return 0.0 if arch.tied else 1e-3 * arch.thrust

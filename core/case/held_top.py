@@ -6,7 +6,7 @@ from core.case.solids import Solid
 from core.case.wall import BENDS, Wall
 from core.codes.vertical_bending import bending
 from core.errors import InputError, place
-from core.known import known
+from core.known import require_value
 from core.wall.bending import TOP_TOLERANCE
 
 OF_HISTORIES = ("restitution", "velocity_ratio")
@@ -43,7 +43,7 @@ def check_held_top(wall: Wall) -> None:
             raise InputError("bending_tie", place=on, key="kind")
         if load.kind != "vertical":
             raise InputError("bending_load", place=on, key="kind")
-        if load.h_m > known(wall.height_m) * (1.0 + TOP_TOLERANCE):
+        if load.h_m > require_value(wall.height_m) * (1.0 + TOP_TOLERANCE):
             raise InputError("bending_load_height", place=on, key="h_m", found=load.h_m, height=wall.height_m)
     check_bends(wall)
 
@@ -71,10 +71,10 @@ def mirror_inward(wall: Wall) -> Wall:
     """The wall as it is for a motion inward: mirrored, its loads as far from the inner face as they are from the outer
     one; a step that keeps one face plumb keeps the other."""
     mirrored = {"outer": "inner", "inner": "outer", "middle": "middle"}
-    loads = tuple(replace(load, d_m=known(wall.thickness) - known(load.d_m)) for load in wall.load)
+    loads = tuple(replace(load, d_m=require_value(wall.thickness) - require_value(load.d_m)) for load in wall.load)
     steps = tuple(replace(step, flush=mirrored[step.flush]) for step in wall.steps)
     return replace(
-        wall, load=loads, steps=steps, solid=tuple(_mirrored(one, known(wall.thickness)) for one in wall.solid)
+        wall, load=loads, steps=steps, solid=tuple(_mirrored(one, require_value(wall.thickness)) for one in wall.solid)
     )
 
 

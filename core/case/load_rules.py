@@ -6,10 +6,10 @@ from dataclasses import replace
 from core.case.loads import Load
 from core.case.wall import Wall
 from core.errors import InputError, place
-from core.known import known
+from core.known import require_value
 from core.text.sentence import Key
 from core.wall import ties
-from core.wall.masonry import MAX_COLLAPSE, Masonry, as_force, is_stable
+from core.wall.masonry import MAX_COLLAPSE, Masonry, is_stable, load_to_force
 from core.wall.solids import faces_at
 from core.wall.wall_loads import hinge_inside, largest_tie_share
 
@@ -76,7 +76,7 @@ def check_design(wall: Wall) -> None:
     if wall.tie_height_m is not None and not wall.moment_law().is_rigid:
         raise InputError("tie_needs_rigid_law", place=here, key="law")
     if wall.tie_elongation_m is not None:
-        length = known(wall.tie_bar_length_m)
+        length = require_value(wall.tie_bar_length_m)
         _check_elongation(wall.tie_elongation_m, ties.elongation_at_yield(length), length, here, "tie_elongation_m")
 
 
@@ -135,7 +135,7 @@ def _check_load(wall: Wall, load: Load, here) -> None:
     if load.is_weight and load.d_m is None:
         raise InputError("load_distance_missing", place=here, key="d_m")
     _check_on_body(wall, load, here)
-    height, thickness = known(wall.height_m), known(wall.thickness)
+    height, thickness = require_value(wall.height_m), require_value(wall.thickness)
     highest = 2.0 * height if load.kind == "carried_mass" else height
     # heights of loads above a hinge are differences
     if not 0.0 <= (load.d_m or 0.0) <= thickness * (1.0 + 1e-9):
@@ -151,7 +151,7 @@ def _check_size(wall: Wall, load: Load, here) -> None:
             raise InputError("combined_weight", place=here, key=key, kind=load.kind)
         if (load.q_kn_m is None) != (load.psi_2 is None):
             raise InputError("combined_share", place=here)
-        if load.kn_m is not None and abs(load.kn_m - (stated := known(load.combined))) > 5e-4 + 1e-6 * stated:
+        if load.kn_m is not None and abs(load.kn_m - (stated := require_value(load.combined))) > 5e-4 + 1e-6 * stated:
             raise InputError("combined_sum", place=here, found=load.kn_m, stated=stated)
     if not load.is_tie:
         if given := [key for key in OF_A_TIE if getattr(load, key) not in (None, 0.0)]:
@@ -173,7 +173,7 @@ def _check_size(wall: Wall, load: Load, here) -> None:
     if (stated := load.stated_elongation) is not None:
         key = "elongation" if load.elongation_m is None else "elongation_m"
         at_yield = load.tie(wall.length_m).bar.elongation_at_yield
-        _check_elongation(stated, at_yield, known(load.bar_length_m), here, key)
+        _check_elongation(stated, at_yield, require_value(load.bar_length_m), here, key)
 
 
 def _check_bar(wall: Wall, load: Load, here) -> None:
@@ -202,14 +202,14 @@ def _check_on_body(wall: Wall, load: Load, here) -> None:
     """Raise InputError for a weight off the wall: it rests on what is there at its height."""
     if not (load.is_weight and load.d_m is not None and wall.has_shape):
         return
-    faces = faces_at(wall.parts, min(load.h_m, known(wall.top)) * (1.0 - 1e-6))
+    faces = faces_at(wall.parts, min(load.h_m, require_value(wall.top)) * (1.0 - 1e-6))
     if faces and not faces[0] - 1e-6 <= load.d_m <= faces[1] + 1e-6:
         raise InputError("load_off_body", place=here, key="d_m", found=load.d_m, low=faces[0], high=faces[1])
 
 
 def _forces_inward(wall: Masonry) -> list[float]:
     """Horizontal forces of the loads of a wall, inward, of ties at yield [N/m]."""
-    return [as_force(load, wall, 1.0, at_yield=True).horizontal for load in wall.loads]
+    return [load_to_force(load, wall, 1.0, at_yield=True).horizontal for load in wall.loads]
 
 
 def _held_inward(wall: Masonry) -> float:

@@ -3,7 +3,7 @@
 from dataclasses import MISSING, dataclass
 
 from core.case.keys import choice_key, flag_key, key, number_key
-from core.known import known
+from core.known import require_value
 from core.wall import masonry, ties
 
 
@@ -107,22 +107,28 @@ class Load:
         """What the bar of a tie stands before it breaks, as stated [m]; None where nothing is."""
         if self.elongation_m is not None or self.elongation is None:
             return self.elongation_m
-        return self.elongation * known(self.bar_length_m)
+        return self.elongation * require_value(self.bar_length_m)
 
     def tie(self, wall_length: float | None) -> ties.Tie:
         """The tie of a load that is one, for a metre of a wall of this length [m]."""
-        length, slack, prestress = known(self.bar_length_m), 1e-3 * (self.slack_mm or 0.0), self.prestress or 0.0
+        length, slack, prestress = (
+            require_value(self.bar_length_m),
+            1e-3 * (self.slack_mm or 0.0),
+            self.prestress or 0.0,
+        )
         stands = self.stated_elongation or 0.0
         if self.bar is not None:
-            return ties.tie_of_bars(self.h_m, self.bar.in_si(), length, known(wall_length), stands, slack, prestress)
+            return ties.tie_of_bars(
+                self.h_m, self.bar.in_si(), length, require_value(wall_length), stands, slack, prestress
+            )
         strength = ties.DEFAULT_STRENGTH if self.fy_mpa is None else 1e6 * self.fy_mpa
         at_yield = ties.elongation_at_yield(length, strength)
-        return ties.tie_of_force(self.h_m, 1e3 * known(self.kn_m), at_yield, stands, slack, prestress)
+        return ties.tie_of_force(self.h_m, 1e3 * require_value(self.kn_m), at_yield, stands, slack, prestress)
 
     def in_si(self, wall_length: float | None) -> masonry.Load:
         """The load in SI, on a wall of this length [m]. Raises TypeError where it has no size yet."""
         tie = self.tie(wall_length) if self.is_tie else None
-        force = 1e3 * known(self.kn_m) if tie is None else tie.bar.strength
+        force = 1e3 * require_value(self.kn_m) if tie is None else tie.bar.strength
         return masonry.Load(self.kind, force, self.d_m or 0.0, self.h_m, self.pushes, tie)
 
     @property

@@ -6,7 +6,7 @@ from functools import lru_cache
 
 from core.case.wall import Wall
 from core.errors import InputError
-from core.known import known
+from core.known import require_value
 from core.wall.body import cut_above, shared_area
 from core.wall.plan import Bodies, Cell, area_of, cells_of, length_of, pieces_at, section_at
 from core.wall.solids import (
@@ -221,7 +221,7 @@ def _reaches_into(section: Part, elevation: Part) -> bool:
 
 def _check_foot(wall: Wall, parts: tuple[Part, ...], here) -> None:
     """Refuse a body whose outer hinge carries only a plinth or a foot; the inner hinge of a two-sided wall likewise."""
-    thickness = known(wall.thickness)
+    thickness = require_value(wall.thickness)
     low, most = FOOT_HEIGHT * top_of(parts), FOOT * thickness
     placed = aligned(parts)
     base, faces = section_at(placed, 0.0), reached_at(placed, low)

@@ -10,7 +10,7 @@ import numpy as np
 
 from core.case.drawing_outlines import Gap, Point
 from core.errors import InputError
-from core.wall.body import holds
+from core.wall.body import contains_point
 
 MAX_SEGMENTS = 20_000
 """Segments of the lines among which an outline is sought, at most: each is compared with each."""
@@ -200,7 +200,7 @@ class _Graph:
                     crossed.append((at, a, b))
         for _, a, b in sorted(crossed):  # upward: the point is to the left
             cycle = self.cycle(a, b)
-            if self._area(cycle) > 0.0 and holds([self.points[node] for node in cycle], point):
+            if self._area(cycle) > 0.0 and contains_point([self.points[node] for node in cycle], point):
                 return cycle
         return None
 
@@ -212,7 +212,7 @@ class _Graph:
             own = self._joined(next(iter(left)))
             left -= own
             first = min(own, key=lambda node: self.points[node])  # its leftmost: below it is the face around
-            if not self.beside[first] or not holds(outline, self.points[first]):
+            if not self.beside[first] or not contains_point(outline, self.points[first]):
                 continue
             x, y = self.points[first]
             after = min(self.beside[first], key=lambda n: math.atan2(self.points[n][1] - y, self.points[n][0] - x))
@@ -220,7 +220,7 @@ class _Graph:
             around = around if self._area(around) < 0.0 else self.cycle(first, after)
             outlines.append(tuple(self.points[node] for node in reversed(around)))
         return tuple(
-            one for one in outlines if not any(one is not other and holds(other, one[0]) for other in outlines)
+            one for one in outlines if not any(one is not other and contains_point(other, one[0]) for other in outlines)
         )
 
     def _joined(self, node: int) -> set[int]:

@@ -19,7 +19,7 @@ from core.case.wall import Wall
 from core.case.wall_table import parse_wall_rows, read_table
 from core.errors import InputError
 from core.file_names import name_of
-from core.known import known
+from core.known import require_value
 from core.regular_file import TooLarge, first_bytes, read_regular
 
 MAX_DOTS = 50
@@ -115,7 +115,7 @@ def _walls_of_table(
     case: Case, folder: Path, many: bool, held: Collection[CaseFile]
 ) -> tuple[list[Wall] | LazyWalls, CaseFile]:
     """Read the walls of the table that a case names: of the file, or of its rows where they are held."""
-    name, with_demand = known(case.walls), case.demand is not None
+    name, with_demand = require_value(case.walls), case.demand is not None
     for file in held:
         if (file.role, file.file) == ("walls", name) and file.rows is not None:
             return parse_wall_rows([list(row) for row in file.rows], with_demand), file

@@ -5,7 +5,7 @@ from functools import cached_property
 
 from core.case.solids import Corner, Opening, Solid, Step, Wedges
 from core.errors import InputError, place
-from core.known import known
+from core.known import require_value
 from core.wall.body import clipped_above
 from core.wall.solids import Part, top_of
 
@@ -57,7 +57,7 @@ class Shaped:
     @property
     def shoulder(self) -> float:
         """Height of the wall below its gable [m]."""
-        return known(self.height_m) - (self.gable_m or 0.0)
+        return require_value(self.height_m) - (self.gable_m or 0.0)
 
     @property
     def top(self) -> float | None:
@@ -71,7 +71,7 @@ class Shaped:
             return ()
         _, face, weight, length = self.complete_sizes()
         if (corner := self.corner) is not None:
-            return _of_corner(corner, known(self.height_m), face, weight)
+            return _of_corner(corner, require_value(self.height_m), face, weight)
         made = tuple(_given(solid, weight) for solid in self.solid) or tuple(self._layers(face, length, weight))
         if (wedges := self.return_wedges) is not None:
             top = self.shoulder
@@ -93,7 +93,7 @@ class Shaped:
     def _layers(self, base: float, length: float, weight: float) -> list[Part]:
         """Solids of the wall between its steps, with its gable, and of its openings through each. base : thickness at
         the base [m]"""
-        top, eaves = known(self.height_m), self.shoulder
+        top, eaves = require_value(self.height_m), self.shoulder
         outline = [(0.0, 0.0), (length, 0.0), (length, eaves), (0.0, eaves)]
         if self.gable_m:
             outline.insert(3, (0.5 * length, top))
@@ -114,7 +114,7 @@ class Shaped:
 
     def _leaning(self, start: float, thickness: float, low: float, high: float) -> tuple[tuple[float, float], ...]:
         """Section between two heights of a wall whose top is out of plumb, outward [m]."""
-        lean = known(self.out_of_plumb_m) / known(self.height_m)
+        lean = require_value(self.out_of_plumb_m) / require_value(self.height_m)
         corners = ((start, low), (start + thickness, low), (start + thickness, high), (start, high))
         return tuple((x - lean * z, z) for x, z in corners)
 
@@ -150,7 +150,7 @@ def _of_corner(corner: Corner, height: float, thickness: float, weight: float) -
 def _given(solid: Solid, weight: float) -> Part:
     if len(solid.polygon_m) < 3:  # of a draft
         raise InputError("polygon_empty", key="polygon_m")
-    angle = ANGLES[solid.plane] if solid.plane in ANGLES else math.radians(known(solid.angle_deg))
+    angle = ANGLES[solid.plane] if solid.plane in ANGLES else math.radians(require_value(solid.angle_deg))
     weight = weight if solid.unit_weight_kn_m3 is None else 1e3 * solid.unit_weight_kn_m3
     ends = (solid.from_m, solid.to_m)
     return Part(solid.polygon_m, ends, angle, solid.x0_m, -weight if solid.opening else weight, solid.plane)

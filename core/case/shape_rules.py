@@ -7,7 +7,7 @@ from core.case.shape import SHORT_FORMS
 from core.case.solids import Corner, Solid
 from core.case.wall import Wall
 from core.errors import InputError, place
-from core.known import known
+from core.known import require_value
 from core.text.sentence import Key
 from core.wall.body import crossing, directions, polygon_sums, shared_area
 from core.wall.masonry import base_length
@@ -115,7 +115,7 @@ def _extent(parts: tuple[Part, ...]) -> float:
 
 def _check_short(wall: Wall, here) -> None:
     """Rules of the short forms."""
-    height = known(wall.height_m)
+    height = require_value(wall.height_m)
     if wall.gable_m is not None and wall.gable_m > height:
         raise InputError("gable_too_high", place=here, key="gable_m", found=wall.gable_m, most=height)
     heights = [0.0, *(step.from_z_m for step in wall.steps), height]
@@ -142,7 +142,7 @@ def _check_corner(wall: Wall, corner: Corner, here) -> None:
     for key in ("solid", "openings", "steps", "gable_m", "out_of_plumb_m", "return_wedges", "return_walls"):
         if getattr(wall, key):
             raise InputError("corner_refuses", place=here, key="corner", other=Key(key))
-    for key, beyond in (("length_2_m", known(wall.thickness)), ("length_1_m", corner.thickness_2_m)):
+    for key, beyond in (("length_2_m", require_value(wall.thickness)), ("length_1_m", corner.thickness_2_m)):
         if getattr(corner, key) <= beyond:
             raise InputError("corner_short", place=here, key=key, found=getattr(corner, key), least=beyond)
 
@@ -151,7 +151,7 @@ def _check_solid(solid: Solid, here) -> None:
     """Rules of one solid."""
     if (solid.angle_deg is None) == (solid.plane == "oblique"):
         raise InputError("solid_angle", place=here, key="angle_deg")
-    if solid.plane == "oblique" and not RIGHT_SLIP < abs(known(solid.angle_deg)) < 90.0 - FLAT_SLIP:
+    if solid.plane == "oblique" and not RIGHT_SLIP < abs(require_value(solid.angle_deg)) < 90.0 - FLAT_SLIP:
         # what elevations and sections are judged by would pass it over
         raise InputError("solid_angle_right", place=here, key="angle_deg", found=solid.angle_deg)
     if not solid.to_m > solid.from_m:

@@ -6,7 +6,7 @@ from core.case.keys import choice_key, key, number_key, path_key, text_key
 from core.codes.limits import return_period
 from core.codes.spectrum_codes import CODES
 from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
-from core.known import known
+from core.known import require_value
 
 
 @dataclass(frozen=True)
@@ -145,7 +145,7 @@ class FloorLoad:
     def bears_on(self, wall: str) -> list[float]:
         """Distances from the outer face of a wall at which it bears on it [m]: none of another wall."""
         ends = (self.from_wall, self.from_d_m), (self.to_wall, self.to_d_m)
-        return [known(d) for name, d in ends if name == wall]
+        return [require_value(d) for name, d in ends if name == wall]
 
 
 @dataclass(frozen=True)

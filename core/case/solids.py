@@ -4,7 +4,7 @@ import math
 from dataclasses import MISSING, dataclass
 
 from core.case.keys import choice_key, flag_key, key, number_key, path_key
-from core.known import known
+from core.known import require_value
 
 ROUND = 64
 """Sides of the polygon of a round opening, which has the area of the circle."""
@@ -69,7 +69,7 @@ class Opening:
         """(s, z) of its outline [m]."""
         s, z = self.s_m, self.z_m
         if self.diameter_m is None:
-            right, top = s + known(self.width_m), z + known(self.height_m)
+            right, top = s + require_value(self.width_m), z + require_value(self.height_m)
             return [(s, z), (right, z), (right, top), (s, top)]
         turn = 2.0 * math.pi / ROUND
         radius = 0.5 * self.diameter_m * math.sqrt(turn / math.sin(turn))

@@ -9,7 +9,7 @@ from core.case.loads import Load
 from core.case.wall import ARCHES, Wall
 from core.codes.vertical_bending import bending
 from core.errors import InputError, place
-from core.known import known
+from core.known import require_value
 from core.text.sentence import Key
 from core.wall.bending import spread_over
 
@@ -37,8 +37,8 @@ def make_spanning_part(wall: Wall) -> Wall:
     assert wall.arch is not None
     thickness, load = least_thickness(wall), [one for one in wall.load if not one.is_tie]
     if wall.parts:
-        courses, height = whole_courses(wall), known(wall.height_m)
-        more = 1e-3 * wall.in_si.weight / courses - known(wall.unit_weight_kn_m3) * thickness
+        courses, height = whole_courses(wall), require_value(wall.height_m)
+        more = 1e-3 * wall.in_si.weight / courses - require_value(wall.unit_weight_kn_m3) * thickness
         own = Load("vertical", more * spread_over(height), 0.5 * height, d_m=0.5 * thickness, mass="horizontal")
         load += [own] if more > 0.0 else []
     return replace(
@@ -75,7 +75,7 @@ def make_spanning_part(wall: Wall) -> Wall:
 
 def least_thickness(wall: Wall) -> float:
     """Thickness of the thinnest part of a wall [m]."""
-    return min([known(wall.thickness), *(step.thickness_m for step in wall.steps)])
+    return min([require_value(wall.thickness), *(step.thickness_m for step in wall.steps)])
 
 
 def whole_courses(wall: Wall) -> float:
@@ -92,7 +92,7 @@ def whole_courses(wall: Wall) -> float:
 
 def _check_along(given: Between, inside) -> None:
     """Refuse ties along the wall that do not reach from end to end, or an elongation their bars cannot have."""
-    length, stands = known(given.tie_bar_length_m), known(given.tie_elongation_m)
+    length, stands = require_value(given.tie_bar_length_m), require_value(given.tie_elongation_m)
     if length < given.spacing_m:
         raise InputError("arch_bar", place=inside, key="tie_bar_length_m", found=length, least=given.spacing_m)
     if stands < given.at_yield:

@@ -9,9 +9,9 @@ from core.case.loads import Load
 from core.case.shape import cut_between
 from core.case.wall import BENDS, Wall
 from core.codes.vertical_bending import MIN_SLENDERNESS, bending
-from core.known import known
+from core.known import require_value
 from core.units import G
-from core.wall.body import cut_above, together
+from core.wall.body import cut_above, sum_bodies
 from core.wall.solids import contact_at, faces_at, is_dragged
 from core.wall.wall_loads import hinge_inside, restoring_with_ties
 
@@ -59,7 +59,7 @@ def _is_one_sheet(wall: Wall) -> bool:
     """Whether nothing but wedges of return walls is at an angle to a wall, or behind it."""
     if wall.corner is not None:
         return False
-    parts, face = wall.parts, known(wall.thickness)
+    parts, face = wall.parts, require_value(wall.thickness)
     return not any(part.plane == "oblique" or is_dragged(part, parts, face) for part in parts)
 
 
@@ -81,7 +81,7 @@ def _holds(wall: Wall, ties: Sequence[float]) -> list[float]:
         if load.is_tie:
             strength[load.h_m] = strength.get(load.h_m, 0.0) + one.force
     for below, height, above in zip([0.0, *ties], ties, ties[1:], strict=False):
-        least = MIN_SLENDERNESS * known(wall.thickness)
+        least = MIN_SLENDERNESS * require_value(wall.thickness)
         if min(height - below, above - height) < least:
             continue
         if not (_bears(wall, below, height) and _bears(wall, height, above)):
@@ -116,12 +116,12 @@ def cut_span(wall: Wall, low: float, high: float) -> Wall:
     stands on it, a rectangle at its middle, another wall where its centroid is: its mass is held by the tie."""
     assert wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None
     cut, outer, held = _cut(wall, low, high)
-    thickness, weight, depth = known(cut["thickness_m"]), *_above(wall, high)
+    thickness, weight, depth = require_value(cut["thickness_m"]), *_above(wall, high)
 
     def inside(load: Load) -> float:
         """Distance of a weight from the outer face of the stretch [m]: on the stretch, what is above it at its top."""
         least, most = held if load.h_m >= high else (0.0, thickness)
-        return min(max(known(load.d_m) - outer, least), most)
+        return min(max(require_value(load.d_m) - outer, least), most)
 
     loads = [
         replace(
@@ -172,10 +172,10 @@ NO_SHAPE: dict = {"openings": (), "steps": (), "gable_m": None, "out_of_plumb_m"
 def _cut(wall: Wall, low: float, high: float) -> tuple[dict, float, tuple[float, float]]:
     """Keys of a stretch of a wall that change with its shape; x of its outer face at its base [m], and of the faces at
     its top from there."""
-    parts, thickness = _sheet(wall), known(wall.thickness)
+    parts, thickness = _sheet(wall), require_value(wall.thickness)
     if not parts:
         return {"solid": (), **NO_SHAPE, "thickness_m": thickness}, 0.0, (0.0, thickness)
-    (outer, inner), highest = known(contact_at(parts, low)), known(faces_at(parts, high, below=True))
+    (outer, inner), highest = require_value(contact_at(parts, low)), require_value(faces_at(parts, high, below=True))
     weights = [solid.unit_weight_kn_m3 for solid in wall.solid] or [None] * len(parts)
     solids = []
     for part, weight in zip(parts, weights, strict=True):
@@ -188,11 +188,15 @@ def _cut(wall: Wall, low: float, high: float) -> tuple[dict, float, tuple[float,
 def _above(wall: Wall, height: float) -> tuple[float, float]:
     """Weight of what is above a height of a wall [kN/m], and x of its centroid from the outer face of its base [m]."""
     if not (parts := _sheet(wall)):
-        over = known(wall.unit_weight_kn_m3) * known(wall.thickness) * (known(wall.height_m) - height)
-        return over, 0.5 * known(wall.thickness)
+        over = (
+            require_value(wall.unit_weight_kn_m3)
+            * require_value(wall.thickness)
+            * (require_value(wall.height_m) - height)
+        )
+        return over, 0.5 * require_value(wall.thickness)
     cut = ((part, cut_above(part.polygon, height)) for part in parts)
     bodies = [part._replace(polygon=tuple(polygon)).body for part, polygon in cut if polygon]
-    body = together(bodies) if bodies else None
+    body = sum_bodies(bodies) if bodies else None
     if body is None or body.mass <= 0.0:  # the tie is at the top
         return 0.0, 0.0
-    return 1e-3 * G * body.mass / known(wall.length_m), body.centroid[0]
+    return 1e-3 * G * body.mass / require_value(wall.length_m), body.centroid[0]

@@ -14,7 +14,7 @@ from core.case.solids import Corner, Drawing, InPlan, Leaf, Opening, Solid, Step
 from core.case.variant_names import AS_IS, DESIGNED
 from core.codes.masonry_types import TYPES
 from core.errors import InputError, place
-from core.known import known
+from core.known import require_value
 from core.text.sentence import Key, sentence
 from core.wall.arch import Arch
 from core.wall.bending import spread_over
@@ -141,15 +141,15 @@ class Wall(Shaped):
             return arch.setback
         if self.compressive_strength_mpa is None or self.thickness is None:
             return self.hinge_setback_m
-        parts, weight = self.parts, known(self.unit_weight_kn_m3)
+        parts, weight = self.parts, require_value(self.unit_weight_kn_m3)
         vertical_force = weight_per_metre(parts, self.length_m, 1e3 * weight, self.thickness, self.height_m)
         if self.load:
             vertical_force += self._vertical_loads()
         if parts:
-            whole = base_length(parts, known(self.length_m), self.thickness)
+            whole = base_length(parts, require_value(self.length_m), self.thickness)
             if not whole:
                 raise InputError("nothing_at_base", place=(place("wall", name=self.title),), key="solid")
-            vertical_force *= known(self.length_m) / whole
+            vertical_force *= require_value(self.length_m) / whole
         return 2.0 * vertical_force / (3.0 * 1e6 * self.compressive_strength_mpa)
 
     def _vertical_loads(self) -> float:
@@ -158,7 +158,7 @@ class Wall(Shaped):
             if load.is_weight and load.kn_m in (None, ""):
                 here = (place("wall", name=self.title), place("load", n=n))
                 raise InputError("load_size_missing", place=here, key="kn_m")
-        return sum(1e3 * known(load.kn_m) for load in self.load if load.is_weight)
+        return sum(1e3 * require_value(load.kn_m) for load in self.load if load.is_weight)
 
     @property
     def weight(self) -> float | None:
@@ -217,7 +217,7 @@ class Wall(Shaped):
             given = {"height_m": height, "thickness_m": thickness, "unit_weight_kn_m3": weight}
             key = next((key for key, value in given.items() if value is None), "compressive_strength_mpa")
             raise InputError("arch_needs", place=here, key=key, arch=Key("[wall.arch]"))
-        thrust = sum(1e3 * abs(known(load.kn_m)) for load in self.load if load.kind == "thrust")
+        thrust = sum(1e3 * abs(require_value(load.kn_m)) for load in self.load if load.kind == "thrust")
         presses = thrust * self.arch.spacing_m / spread_over(height)
         return self.arch.in_si(height, thickness, 1e3 * weight, 1e6 * strength, presses)
 

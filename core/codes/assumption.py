@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from core.codes.outcomes import severity_key
-from core.text.sentence import Sentence, numeral
+from core.text.sentence import Sentence, format_number
 
 GIVEN, DEFAULT, LEFT_OUT, DECLARED = "given", "default", "left_out", "declared"
 """Where a value comes from: typed, of the program where a clause permits it, of the program for want of one, said by
@@ -118,4 +118,4 @@ def format_value(row: Assumption, value: DisplayValue, language: str) -> str:
     if isinstance(value, str):
         return value
     factor, unit = VALUE_UNITS.get(row.key, (1.0, ""))
-    return numeral(factor * value, value_format(factor * value), language) + unit
+    return format_number(factor * value, value_format(factor * value), language) + unit

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.ground.provenance import INTERVAL_SHARE, MIN_STATIONS, draws
+from core.ground.provenance import INTERVAL_SHARE, MIN_STATIONS, bootstrap_counts
 
 RATE_STATES = ("SLD", "SLV", "SLC", "collapse")
 """SLD is the first uplift; SLV and SLC the rotations of C8.7.1.2.1.6; collapse that of the first multiplier."""
@@ -140,7 +140,7 @@ def state_rate(
     if len(set(stations)) < MIN_STATIONS or not hazard:
         return None
     logs = np.log(np.asarray(capacities) / confidence)
-    times = draws(list(stations), STATION_DRAWS)
+    times = bootstrap_counts(list(stations), STATION_DRAWS)
     n = times.sum(axis=1)
     means = times @ logs / n
     spread = np.sqrt((times * (logs - means[:, None]) ** 2).sum(axis=1) / np.maximum(n - 1, 1))

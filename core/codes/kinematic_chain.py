@@ -12,11 +12,11 @@ import numpy as np
 
 from core.codes.vertical_bending import Bending, bending
 from core.codes.vertical_bending import start_multiplier as start_of_bending
-from core.known import known
+from core.known import require_value
 from core.units import G
 from core.wall.bars import TieBar
 from core.wall.bending import strip_of
-from core.wall.masonry import MAX_COLLAPSE, Masonry, as_force, base_length, inner_of
+from core.wall.masonry import MAX_COLLAPSE, Masonry, base_length, inner_of, load_to_force
 from core.wall.wall_loads import restoring_with_ties, start_multiplier
 
 DRAGGED = 0.4
@@ -45,7 +45,7 @@ class ChainSums:
 
     slenderness, reach : of the wall alone [rad], and the control point: d = reach [sin(alpha) - sin(alpha - theta)]
         (C8.7.1.4) [m]
-    alpha0 : C8.7.1.1, with its ties (`as_force`), without friction [-]
+    alpha0 : C8.7.1.1, with its ties (`load_to_force`), without friction [-]
     alpha0_bare : the same without its ties [-]
     e_star : C8.7.1.5 [-]
     mass : sum of (P + Q) / g per metre of wall [kg/m]; None without a unit weight
@@ -173,8 +173,8 @@ def sum_chain_of_side(wall: Masonry, side: float) -> ChainSums:
     first = weight * y + sum(mass.mass * G * mass.height for mass in pushed)
     second = weight * y**2 + sum(mass.mass * G * mass.height**2 for mass in pushed)
     total = weight + sum(mass.mass * G for mass in pushed)
-    own = [as_force(load, wall, side) for load in wall.loads if load.tie is None]
-    forces = [as_force(load, wall, side) for load in wall.loads]
+    own = [load_to_force(load, wall, side) for load in wall.loads if load.tie is None]
+    forces = [load_to_force(load, wall, side) for load in wall.loads]
     alpha0, alpha0_bare = (start_multiplier(weight, x, y, all_of, pushed) for all_of in (forces, own))
     block, restoring = wall.sides[0 if side > 0.0 else 1]
     e_star, reach = first**2 / (total * second), bare.radius * second / (y * first)
@@ -197,7 +197,7 @@ def return_wall_friction(wall: Masonry, height):
     height : of the part that turns, of n courses [m], a number or an array
     phi = h_b / l is the shape of a unit, w the unit weight.
     """
-    across, weight = known(wall.across), known(wall.unit_weight)
+    across, weight = require_value(wall.across), require_value(wall.unit_weight)
     n, shape = height / across.course, across.course / across.unit
     return DRAGGED * n * (n + 1.0) * shape * across.friction * across.unit**2 * across.thickness * weight
 
@@ -206,15 +206,15 @@ def multipliers_with_friction(wall: Masonry) -> tuple[np.ndarray, ...]:
     """(alpha_0 with the friction of the return walls at a third of its height [-], e* [-], sum of (P + Q) / g [kg/m],
     height [m]) of every part of the wall from its top down; shape (HEIGHTS_TRIED,) each. The friction acts on the
     length of the wall."""
-    height, across = known(wall.height), known(wall.across)
+    height, across = require_value(wall.height), require_value(wall.across)
     heights = height * np.arange(1, HEIGHTS_TRIED + 1) / HEIGHTS_TRIED
     weight = wall.weight * heights / height
-    x = 0.5 * known(wall.thickness) - wall.setback
-    dragged = across.number * return_wall_friction(wall, heights) / known(wall.length)
+    x = 0.5 * require_value(wall.thickness) - wall.setback
+    dragged = across.number * return_wall_friction(wall, heights) / require_value(wall.length)
     holding = weight * x + dragged * heights / 3.0
     pushing, second, total = 0.5 * weight * heights, 0.25 * weight * heights**2, weight.copy()
     for load in wall.loads:
-        force = as_force(load, wall, 1.0)
+        force = load_to_force(load, wall, 1.0)
         lever = np.maximum(load.height - (height - heights), 0.0)
         on_part = lever > 0.0
         holding += on_part * force.vertical * force.distance + force.horizontal * lever
@@ -230,8 +230,8 @@ def elastic_period_of_loads(wall: Masonry) -> float:
     """Sum of T_i^2 = 4 pi^2 m_i h_i^3 / (3 E I) [s2] of the masses that move with a cantilever wall, I = t^3 / 12 per
     metre, of a body on its base without openings: Dunkerley's rule adds it to the square of the period of the wall
     alone."""
-    thickness = known(wall.thickness)
-    stiffness = known(wall.modulus) * thickness**3 / 12.0
+    thickness = require_value(wall.thickness)
+    stiffness = require_value(wall.modulus) * thickness**3 / 12.0
     if wall.parts:
-        stiffness *= base_length(wall.parts, known(wall.length), thickness) / known(wall.length)
+        stiffness *= base_length(wall.parts, require_value(wall.length), thickness) / require_value(wall.length)
     return sum(4.0 * math.pi**2 * mass.mass * mass.height**3 / (3.0 * stiffness) for mass in wall.masses)

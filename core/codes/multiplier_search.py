@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.capacity.bisection import bisections
+from core.capacity.bisection import bisect_brackets
 from core.capacity.ida import ROBUST_SHARE, first_with_share
 
 MULTIPLIER_STEP = 0.0025
@@ -151,7 +151,7 @@ def search_zeta(failures, rest: float, target: float, every: int = 1) -> ZetaSea
     )
     if places[0] == places[-1]:  # a sharp limit is located
         edges = (grid.multiplier(edge - 1), first)
-        (bracket,) = bisections([edges], lambda points: [failures(points[0])[:2]])
+        (bracket,) = bisect_brackets([edges], lambda points: [failures(points[0])[:2]])
         zeta = first = bracket[1] if bracket else first
     elif places[0] is not None:  # the point stands for the step that ends in it
         zeta /= math.sqrt(1.0 + grid.step)

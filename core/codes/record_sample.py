@@ -15,7 +15,7 @@ from core.codes.demand import SeismicDemand
 from core.codes.dynamic_check import DemandRuns
 from core.codes.multiplier_search import FAILURE_WINDOW, HALF_FAIL, MAX_MULTIPLIER, MULTIPLIER_STEP
 from core.ground.ground_motion import GroundMotion
-from core.ground.provenance import INTERVAL_SHARE, MIN_STATIONS, draws, station_of
+from core.ground.provenance import INTERVAL_SHARE, MIN_STATIONS, bootstrap_counts, station_of
 from core.rocking.methods import Method
 from core.rocking.outcome import STABLE
 from core.wall.rocking_model import RockingModel
@@ -122,7 +122,9 @@ def sample_interval(per_record: RecordPeaks, motions: list[GroundMotion], zeta: 
     names = [station_of(motion, k) for k, motion in enumerate(motions)]
     if len(set(names)) < MIN_STATIONS:
         return None
-    zetas = zetas_of_resampled_sets(per_record, np.vstack([np.ones(len(names), np.int64), draws(names, SET_DRAWS)]))
+    zetas = zetas_of_resampled_sets(
+        per_record, np.vstack([np.ones(len(names), np.int64), bootstrap_counts(names, SET_DRAWS)])
+    )
     low, high = np.quantile(zetas[1:], (0.5 - INTERVAL_SHARE / 2, 0.5 + INTERVAL_SHARE / 2), method="inverted_cdf")
     top, whole = float(per_record.multipliers[-1]), float(zetas[0])
     share = zeta / whole if math.isfinite(whole) else 1.0

@@ -10,7 +10,7 @@ from typing import ClassVar, NamedTuple
 
 from core.boundary import narrowed
 from core.errors import InputError, place
-from core.known import known
+from core.known import require_value
 from core.units import G
 from core.wall.bending import HeldTop, Strip, Turning, Weight, blocks_of, hinges_of, kept_at_impact, strip_of
 from core.wall.masonry import Masonry
@@ -268,7 +268,7 @@ def bending(wall: Masonry) -> Bending:
     for one between transverse walls that is too slender too."""
     here = (place("wall", name=wall.name),)
     if wall.arch is not None:
-        slender = wall.arch.spacing / known(wall.thickness)
+        slender = wall.arch.spacing / require_value(wall.thickness)
         if not MIN_SLENDERNESS * (1.0 - 1e-9) <= slender <= MAX_ARCH_SLENDERNESS * (1.0 + 1e-9):
             at = (*here, place("arch"))
             bounds = {"least": MIN_SLENDERNESS, "most": MAX_ARCH_SLENDERNESS}
@@ -277,7 +277,7 @@ def bending(wall: Masonry) -> Bending:
             return mechanism(strip_of(wall))
         except ValueError:
             raise InputError("arch_unstable", place=(*here, place("arch"))) from None
-    ratio = known(wall.height) / known(wall.thickness)
+    ratio = require_value(wall.height) / require_value(wall.thickness)
     if not ratio >= MIN_SLENDERNESS * (1.0 - 1e-9):
         raise InputError("bending_too_stocky", place=here, found=ratio, least=MIN_SLENDERNESS)
     try:
@@ -312,7 +312,7 @@ class HingeAt:
 
     def of(self, model: RockingModel) -> RockingModel:
         """The model with its hinge here."""
-        held = known(model.bending)
+        held = require_value(model.bending)
         return model_of_bending(held.outward, held.inward, self.h1)
 
 
@@ -323,7 +323,7 @@ MIN_HINGE_DISTANCE = 1e-2
 def hinges_in_histories(model: RockingModel, displacement: Bending | None) -> tuple[HingeAt, ...]:
     """Heights of the hinge of which the worst decides by histories: those of the lowest alpha_0 outward and inward,
     that of the displacement check (a hinge belongs to a check), and the middle between it and the first."""
-    held = known(model.bending)
+    held = require_value(model.bending)
     heights = [held.h1, lowest_hinge(held.inward)]
     if displacement:
         heights += [displacement.h1, 0.5 * (held.h1 + displacement.h1)]

@@ -8,7 +8,7 @@ from core.derivation import bending, body, checks
 from core.derivation.functions import kilo, sqrt
 from core.derivation.line import FULL, INPUT, LIVE, RUN, VALUE, Columns, Line, Section
 from core.derivation.quantity import Given, quantity
-from core.known import known
+from core.known import require_value
 from core.study.results import WallResult
 from core.units import G
 from core.wall.arch import parted_flat, thrust_of_shoulder
@@ -97,19 +97,23 @@ def d0(width):
 
 def _pull(wall: WallResult) -> float:
     """What the ties along the wall pull at d_SLV [N/m]."""
-    asked, given = wall.wall, known(wall.wall.arch)
+    asked, given = wall.wall, require_value(wall.wall.arch)
     own = replace(given, shoulder_length_m=None, shoulder_thickness_m=None)
     alone = replace(asked, arch=own, compressive_strength_mpa=asked.compressive_strength_mpa).in_si.arch
-    return known(alone).thrust
+    return require_value(alone).thrust
 
 
 def geometry(wall: WallResult) -> Section:
     """Sizes, what the ends push against, the thrust and the hinges."""
-    asked, given = wall.wall, known(wall.wall.arch)
-    own, height, thickness = known(asked.in_si.arch), known(asked.height_m), known(asked.thickness)
-    found = known(wall.mechanics.wall.arch) if wall.assessment and wall.assessment.kinematic else own
+    asked, given = wall.wall, require_value(wall.wall.arch)
+    own, height, thickness = (
+        require_value(asked.in_si.arch),
+        require_value(asked.height_m),
+        require_value(asked.thickness),
+    )
+    found = require_value(wall.mechanics.wall.arch) if wall.assessment and wall.assessment.kinematic else own
     with_tie = given.with_tie and found == own  # at SLD no tie counts
-    weight, strength = known(asked.unit_weight_kn_m3), known(asked.compressive_strength_mpa)
+    weight, strength = require_value(asked.unit_weight_kn_m3), require_value(asked.compressive_strength_mpa)
     lines: list[Line | Columns] = [
         Line(SPACING, given.spacing_m, INPUT, VALUE),
         Line(body.HEIGHT, height, INPUT),
@@ -121,7 +125,7 @@ def geometry(wall: WallResult) -> Section:
         lines += [Line(TIE_FORCE, given.tie_kn_m, INPUT, VALUE), Line(STANDS, given.tie_elongation_m, INPUT, VALUE)]
         lines += [Line(AT_YIELD, given.at_yield, RUN, VALUE), Line(DEVELOPED, 1e-3 * _pull(wall), RUN, VALUE)]
     if given.with_shoulder:
-        sizes = known(given.shoulder_length_m), known(given.shoulder_thickness_m)
+        sizes = require_value(given.shoulder_length_m), require_value(given.shoulder_thickness_m)
         apart = parted_flat(given.spacing_m, thickness)
         lines += [Line(SHOULDER_LENGTH, sizes[0], INPUT, VALUE), Line(SHOULDER_THICKNESS, sizes[1], INPUT, VALUE)]
         lines.append(Line(parted, apart, note=FULL))
@@ -139,9 +143,9 @@ def geometry(wall: WallResult) -> Section:
 
 def chain(wall: WallResult) -> list[Line]:
     """Lines of alpha_0 and e*: the hinge between is in the middle, where alpha_0 is least."""
-    mechanism = known(wall.mechanics.chain.bending)
+    mechanism = require_value(wall.mechanics.chain.bending)
     strip, asked = mechanism.strip, wall.mechanics.wall
-    per_height = 1e-3 * strip.height / spread_over(known(asked.height))
+    per_height = 1e-3 * strip.height / spread_over(require_value(asked.height))
     more = per_height * sum(load.force for load in asked.loads if load.pushes)
     pressed = 1e-3 * strip.pressed * strip.weight
     lines = [Line(bending.width, strip.width, note=FULL)]
@@ -161,8 +165,8 @@ def chain(wall: WallResult) -> list[Line]:
 def collapse(wall: WallResult) -> list[Line]:
     """Lines of d_0: alpha is zero where the three hinges lie in one line, d_C then b; earlier where something presses
     the wall outward."""
-    mechanism = known(wall.mechanics.moved.bending)
+    mechanism = require_value(wall.mechanics.moved.bending)
     lines = [Line(bending.THETA_0, math.degrees(mechanism.theta0), RUN, VALUE, "finite geometry")]
-    if mechanism.strip.pressed or mechanism.strip != known(wall.mechanics.chain.bending).strip:
+    if mechanism.strip.pressed or mechanism.strip != require_value(wall.mechanics.chain.bending).strip:
         return [*lines, Line(bending.D0, mechanism.d0, RUN, VALUE, "finite geometry")]
     return [*lines, Line(d0, mechanism.d0, LIVE, FULL, "all hinges in line; both centroids move half as far")]

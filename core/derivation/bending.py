@@ -12,7 +12,7 @@ from core.derivation import body, checks
 from core.derivation.functions import arctan, cos, sin, sqrt
 from core.derivation.line import FULL, INPUT, LIVE, RUN, SYMBOLS, VALUE, Columns, Line, Section, Word
 from core.derivation.quantity import Given, quantity
-from core.known import known
+from core.known import require_value
 from core.study.results import WallResult
 from core.units import G
 from core.wall.bending import blocks_of
@@ -244,7 +244,9 @@ def geometry(wall: WallResult) -> Section:
     shaped = bool(asked.parts)
     lines.append(Line(WEIGHT, weight, RUN, VALUE) if shaped else Line(body.w, weight, note=FULL))
     if asked.load:
-        rows = [(Word(f"choice_{load.kind}"), (known(load.kn_m), known(load.d_m))) for load in asked.load]
+        rows = [
+            (Word(f"choice_{load.kind}"), (require_value(load.kn_m), require_value(load.d_m))) for load in asked.load
+        ]
         lines.append(Columns("Loads on the top, from the outer face", LOADS, ("kN/m", "m"), rows, INPUT))
     lines.append(Line(A_START, wall.model.threshold / G, RUN, VALUE))
     lines.append(Line(IMPACT_RATIO, wall.model.ratio_at_rest, RUN, VALUE))
@@ -253,7 +255,7 @@ def geometry(wall: WallResult) -> Section:
 
 def chain(wall: WallResult) -> list[Line]:
     """Lines of alpha_0 and e* of a wall held at its top."""
-    mechanism = known(wall.mechanics.chain.bending)
+    mechanism = require_value(wall.mechanics.chain.bending)
     strip, h1 = mechanism.strip, mechanism.h1
     if not strip.is_plain:
         return _of_blocks(mechanism)
@@ -303,7 +305,7 @@ def _of_blocks(mechanism: Bending) -> list[Line]:
 
 def collapse(wall: WallResult) -> list[Line]:
     """Lines of d_0 by the finite geometry, with the hinge of the displacement check."""
-    mechanism = known(wall.mechanics.moved.bending)
+    mechanism = require_value(wall.mechanics.moved.bending)
     if not mechanism.strip.is_plain:
         return [
             Line(H1_D, mechanism.h1, RUN, VALUE, "sought; the linear check has its own"),
@@ -325,7 +327,7 @@ def at_limit(wall: WallResult) -> list[Line]:
     """Lines of alpha at the limit of the displacement check, by the finite geometry: it lies below the straight line to
     d_0."""
     kinematic = wall.mechanics
-    mechanism, limit = known(kinematic.moved.bending), known(kinematic.d_limit)
+    mechanism, limit = require_value(kinematic.moved.bending), require_value(kinematic.d_limit)
     if not mechanism.strip.is_plain:
         alpha = mechanism.alpha(limit)
         return [

@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from core.derivation.quantity import Quantity, expression
-from core.text.sentence import numeral
+from core.text.sentence import format_number
 
 SUM, PRODUCT, POWER, ATOM = 1, 2, 3, 4
 """Precedence: what binds weaker stands in brackets."""
@@ -54,7 +54,7 @@ class Shown:
 
     def text(self, language: str) -> str:
         """Text of the number; a negative one stands in brackets."""
-        written = numeral(self.value, f".{self.digits}f", language)
+        written = format_number(self.value, f".{self.digits}f", language)
         return f"({written})" if self.value < 0.0 else written
 
 
@@ -235,7 +235,7 @@ class Written(Face):
     def constant(self, value):
         if value is None:
             raise ValueError(f"{self.function.__name__} needs what no line before it gives")
-        return [numeral(float(value), "g", self.language)], ATOM
+        return [format_number(float(value), "g", self.language)], ATOM
 
 
 class Branches(ValueError):

@@ -5,11 +5,11 @@ import math
 from core.derivation import arch, bending, body
 from core.derivation.line import FULL, INPUT, LIVE, RUN, SYMBOLS, VALUE, Columns, Line, Section, Word
 from core.derivation.quantity import Given
-from core.known import known
+from core.known import require_value
 from core.study.results import WallResult
 from core.units import G
 from core.wall.block import Block
-from core.wall.masonry import ARCHES, as_force
+from core.wall.masonry import ARCHES, load_to_force
 from core.wall.restitution import MODELS, housner_ratio, one_sided_ratio
 from core.wall.rocking_model import seen_from
 from core.wall.solids import Part
@@ -94,7 +94,7 @@ def _sizes(wall: WallResult) -> list[Line | Columns]:
 
 def _body(wall: WallResult) -> list[Line | Columns]:
     """The solids of a body, and its centroid from the hinge the formulas are about."""
-    asked, sums = wall.wall, known(wall.wall.in_si.body)
+    asked, sums = wall.wall, require_value(wall.wall.in_si.body)
     (x, z), rows, cells = sums.centroid, [], []
     parts = asked.parts
     for k, part in enumerate(parts, start=1):
@@ -102,7 +102,7 @@ def _body(wall: WallResult) -> list[Line | Columns]:
         rows.append((solid_name(part, k), (own.mass, *own.centroid, own.inertia)))
         cells.append([f"solid{k}_{key}" for key in "mxzi"])
     inward = governing_side(wall) < 0.0
-    at_hinge = known(asked.thickness) - asked.setback - x if inward else x - asked.setback
+    at_hinge = require_value(asked.thickness) - asked.setback - x if inward else x - asked.setback
     solids = Columns(
         "Solids, from the outer face of the base", body.SOLIDS, ("kg", "m", "m", "kg m²"), rows, RUN, {}, cells
     )
@@ -138,7 +138,7 @@ def _loaded(wall: WallResult) -> list[Line | Columns]:
         else asked.in_si
     )
     for load in asked.in_si.loads:
-        force = as_force(load, asked.in_si, side)
+        force = load_to_force(load, asked.in_si, side)
         pushed = 1e-3 * load.force if load.pushes else 0.0
         distance = force.distance + asked.setback  # entered from the face of this hinge: the formulas take off u
         held = 1e-3 * force.horizontal if load.tie and load in counted.loads else 0.0

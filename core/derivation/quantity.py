@@ -11,7 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
-from core.known import known
+from core.known import require_value
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,7 @@ def expression(function: Callable) -> ast.expr:
     last = body[-1]
     if not isinstance(last, ast.Return) or any(not isinstance(line, ast.Expr) for line in body[:-1]):
         raise ValueError(f"{function.__name__} is more than one expression")
-    return known(last.value)
+    return require_value(last.value)
 
 
 def quantity(

@@ -5,14 +5,14 @@ from core.codes.target_spectrum import NTC_SOIL, NTC_TOPOGRAPHY, CodeSpectrum, s
 from core.derivation import demand as of
 from core.derivation.body import GRAVITY
 from core.derivation.line import FULL, INPUT, LIVE, RUN, VALUE, Line, Section, Word
-from core.known import known
+from core.known import require_value
 from core.study.results import StudyResult
 from core.units import CM, G
 
 
 def follows_spectrum(result: StudyResult) -> bool:
     """Whether S is that of the spectrum of NTC 2018, by its formula."""
-    asked = known(result.case.demand)
+    asked = require_value(result.case.demand)
     spectrum = asked.spectrum
     return (
         asked.soil_factor is None
@@ -33,7 +33,7 @@ def demand_section(result: StudyResult) -> Section:
         spectrum, of_branches = _spectrum(result, demand.target)
         lines, constants = lines + spectrum, constants | of_branches
     if follows_spectrum(result):
-        asked = known(known(result.case.demand).spectrum)
+        asked = require_value(require_value(result.case.demand).spectrum)
         words = {"soil": asked.soil, "topography": asked.topography}
         lines.append(Line(of.demand_s, demand.soil_factor, LIVE, VALUE, words=words))
     else:
@@ -42,7 +42,7 @@ def demand_section(result: StudyResult) -> Section:
     intensity = demand.intensity / CM if demand.intensity else None
     lines.append(_intensity(demand, intensity))
     if demand.intensity_source in ("spectrum", "records_scaled"):
-        constants |= {"si_run": known(intensity), "pga_run": demand.pga / G}
+        constants |= {"si_run": require_value(intensity), "pga_run": demand.pga / G}
         if isinstance(demand.target, CodeSpectrum):
             constants["area_run"] = shape_integral(demand.target)
     lines.append(Line(of.FC, demand.confidence_factor, INPUT, VALUE, Word(f"confidence_{demand.confidence_on}")))
@@ -53,13 +53,13 @@ def demand_section(result: StudyResult) -> Section:
 
 def _spectrum(result: StudyResult, target: CodeSpectrum) -> tuple[list[Line], dict[str, float]]:
     """Branches of the spectrum of a code; for NTC 2018 S and the periods are live."""
-    asked = known(known(result.case.demand).spectrum)
+    asked = require_value(require_value(result.case.demand).spectrum)
     if asked.code != NATIONAL:
         branches = ((of.F0, target.amplification), (of.T_B, target.t_b), (of.T_C, target.t_c), (of.T_D, target.t_d))
         return [Line(given, value, RUN, VALUE) for given, value in branches], {}
     names = ("soil_a", "soil_b", "soil_low", "soil_high", "soil_c", "soil_d")
     constants = dict(zip(names, NTC_SOIL[asked.soil], strict=True))
-    constants["topography"] = NTC_TOPOGRAPHY[known(asked.topography)]
+    constants["topography"] = NTC_TOPOGRAPHY[require_value(asked.topography)]
     return [
         Line(of.F0, asked.f0, INPUT, VALUE),
         Line(of.TC_STAR, asked.tc_star_s, INPUT),

@@ -15,7 +15,7 @@ from core.derivation import arch, bending, body, checks
 from core.derivation.geometry import forces_at_limit, governing_side, shown_block
 from core.derivation.line import FULL, INPUT, LIVE, NOT, RUN, SYMBOLS, VALUE, Columns, Line, Section, Word
 from core.derivation.quantity import Given
-from core.known import known
+from core.known import require_value
 from core.study.results import StudyResult, WallResult
 from core.units import G
 from core.wall.masonry import inner_of
@@ -150,11 +150,11 @@ def _free(wall: WallResult, target: CodeSpectrum | None) -> list[Line | Columns]
         lines.append(Line(body.UNIT_WEIGHT, asked.unit_weight_kn_m3, INPUT))
         sizes = asked.slenderness_deg is None or asked.setback
         lines.append(Line(checks.period_0 if sizes else checks.period_0_of_slenderness, kinematic.period_0, note=FULL))
-    elastic = known(kinematic.acceleration_demand) / G
+    elastic = require_value(kinematic.acceleration_demand) / G
     if kinematic.floor:
         return [*lines, Line(checks.SEZ_T0_GIVEN, elastic, RUN, VALUE)]
     if target is not None:
-        branch = checks.SE_BRANCHES[_branch(target, known(kinematic.period_0))]
+        branch = checks.SE_BRANCHES[_branch(target, require_value(kinematic.period_0))]
         return [*lines, Line(checks.se_t0, elastic, note=FULL, shown_by=branch)]
     return [*lines, Line(checks.SE_T0_GIVEN, elastic, RUN, VALUE)]
 
@@ -185,7 +185,7 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
     if kinematic.floor:
         s_de = Line(checks.S_DEZ_GIVEN, kinematic.s_de, RUN, VALUE, largest)
     elif isinstance(result.demand_required.target, CodeSpectrum):
-        branch = checks.S_DE_BRANCHES[_branch(result.demand_required.target, known(kinematic.period))]
+        branch = checks.S_DE_BRANCHES[_branch(result.demand_required.target, require_value(kinematic.period))]
         s_de = Line(checks.s_de, kinematic.s_de, LIVE, FULL, largest, shown_by=branch)
     else:
         s_de = Line(checks.S_DE_GIVEN, kinematic.s_de, RUN, VALUE, largest)
@@ -199,9 +199,9 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
         held = sum(f * tie.bar.height for f, tie in zip(forces_at_limit(wall), wall.wall.in_si.ties, strict=True))
         of_ties = [Line(checks.th_limit, held, LIVE, SYMBOLS)]
     if kinematic.chain.bending is not None:
-        plain = known(kinematic.moved.bending).strip.is_plain
+        plain = require_value(kinematic.moved.bending).strip.is_plain
         of_ties, a_limit = bending.at_limit(wall), bending.a_limit if plain else bending.a_limit_of_blocks
-    if known(kinematic.d_limit) < LIMIT_FRACTION[state] * kinematic.d0 * (1.0 - 1e-12):
+    if require_value(kinematic.d_limit) < LIMIT_FRACTION[state] * kinematic.d0 * (1.0 - 1e-12):
         d_limit = Line(checks.D_BREAK, kinematic.d_limit, RUN, VALUE, "where a tie breaks")
     lines: list[Line | Columns] = [
         *d0,
@@ -214,7 +214,9 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
     zeta, at_slv, bare = checks.nonlinear_zeta, checks.nonlinear_zeta_at_slv, kinematic.without_ties
     floored = state == "SLV" and kinematic.zeta_floor is not None
     if floored or bare is not None:
-        lines.append(Line(checks.displacement_ratio, known(kinematic.d_limit) / known(kinematic.s_de), note=FULL))
+        lines.append(
+            Line(checks.displacement_ratio, require_value(kinematic.d_limit) / require_value(kinematic.s_de), note=FULL)
+        )
     if bare is not None:
         zeta, at_slv = checks.nonlinear_zeta_of_ties, checks.nonlinear_zeta_of_ties_at_slv
         lines += _without_ties(bare, s_de)

@@ -105,7 +105,7 @@ def station_of(motion: GroundMotion, k: int) -> str:
     return f"{where.event} {where.station}".lower() if where.station else f"file {k}"
 
 
-def draws(names: list[str], count: int) -> np.ndarray:
+def bootstrap_counts(names: list[str], count: int) -> np.ndarray:
     """How often each motion is in each of so many sets of as many stations, drawn from them with replacement and a
     fixed seed (bootstrap, Efron 1979), shape (count, motions): the components of a station go together.
 

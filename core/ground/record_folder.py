@@ -35,7 +35,7 @@ NOT_HORIZONTAL = {"in_structure", "borehole", "vertical"}
 """Notices of records that are no horizontal motion of the ground's surface."""
 
 
-def is_doubted(motion: GroundMotion) -> bool:
+def is_doubtful(motion: GroundMotion) -> bool:
     """Whether a notice of a record says that its samples are no motion of the ground in the open, or may not be."""
     return any(notice.code in DOUBTED or notice.code in NOT_HORIZONTAL for notice in motion.warnings)
 
@@ -80,7 +80,7 @@ class Candidate:
 
 
 @dataclass(frozen=True)
-class LeftOut:
+class ExcludedRecord:
     """A file, or a channel of one, that is no candidate. reason : of the group "error" """
 
     file: Path
@@ -107,9 +107,9 @@ def files_in(folder: Path) -> list[Path]:
     return sorted(path for path in folder.rglob("*") if path.is_file())
 
 
-def read_file(path: Path, periods: np.ndarray, limits: Limits) -> list[Candidate | LeftOut]:
+def read_file(path: Path, periods: np.ndarray, limits: Limits) -> list[Candidate | ExcludedRecord]:
     """Every record of one file, all channels of it and all members of a zip. periods [s]"""
-    results: list[Candidate | LeftOut] = []
+    results: list[Candidate | ExcludedRecord] = []
     asked: list[str | None] = [None]
     while asked:
         channel = asked.pop(0)
@@ -119,7 +119,7 @@ def read_file(path: Path, periods: np.ndarray, limits: Limits) -> list[Candidate
             if error.code == "which_channel":
                 asked = [*error.values["names"], *asked]
             else:
-                results.append(LeftOut(path, channel or "", error.without_place))
+                results.append(ExcludedRecord(path, channel or "", error.without_place))
     return results
 
 
@@ -177,7 +177,7 @@ def _refuse_outside(said: Provenance, limits: Limits) -> None:
             raise RecordError("selected_beyond", what=Key("soil"), found=said.site_class)
 
 
-def one_of_each(candidates: list[Candidate]) -> tuple[list[Candidate], list[LeftOut]]:
+def drop_duplicate_records(candidates: list[Candidate]) -> tuple[list[Candidate], list[ExcludedRecord]]:
     """Keep one record of each motion: (the records kept by the hash of their samples, those left out). Of one motion
     the first by name stays, whatever its scale; of a recording in both forms the processed one."""
     ordered = sorted(candidates, key=lambda one: (str(one.file), one.channel))
@@ -196,8 +196,8 @@ def one_of_each(candidates: list[Candidate]) -> tuple[list[Candidate], list[Left
     return sorted(kept, key=lambda one: one.samples_sha256), left
 
 
-def _left_out(one: Candidate, error: RecordError) -> LeftOut:
-    return LeftOut(one.file, one.channel, error.without_place)
+def _left_out(one: Candidate, error: RecordError) -> ExcludedRecord:
+    return ExcludedRecord(one.file, one.channel, error.without_place)
 
 
 def _copies(candidates: list[Candidate]) -> dict[int, int]:

@@ -48,7 +48,7 @@ class Bounds(NamedTuple):
     factors: tuple[float, float]
 
 
-class Found(NamedTuple):
+class RankedSet(NamedTuple):
     """A set of records that was found.
 
     members : indices of its records, rising
@@ -65,7 +65,7 @@ class Found(NamedTuple):
 
 
 @subkernel
-def judged(total, size, low, high, start, least, most):
+def score_set(total, size, low, high, start, least, most):
     """(miss, deviation, factor) of a set, as `Found` has them.
 
     total : sums of the ratios of its records at each period and of their PGA, shape (periods + 1,)
@@ -214,7 +214,7 @@ def every_set(ratios, products, means, stations, events, spans, limits, bounds, 
         for k in range(width):
             totals[size, k] = totals[depth, k] + ratios[one, k]
         lowest, highest = common_span(members, size, spans)
-        miss, deviation, _ = judged(totals[size, :width], size, low, high, start, lowest, highest)
+        miss, deviation, _ = score_set(totals[size, :width], size, low, high, start, lowest, highest)
         place = values.shape[0]
         while place > 0 and better(miss, deviation, values[place - 1, 0], values[place - 1, 1]):
             place -= 1
@@ -271,7 +271,7 @@ def descend(ratios, products, means, members, known, stations, events, spans, li
         members[count] = chosen
     add_up(members, ratios, total)
     lowest, highest = common_span(members, size, spans)
-    miss, deviation, _ = judged(total, size, low, high, start, lowest, highest)
+    miss, deviation, _ = score_set(total, size, low, high, start, lowest, highest)
     looked = 0
     while True:
         out, into = -1, -1
@@ -296,7 +296,7 @@ def descend(ratios, products, means, members, known, stations, events, spans, li
                 looked += SPECTRUM
                 for k in range(width):
                     trial[k] = total[k] - ratios[gone, k] + ratios[one, k]
-                new_miss, new_deviation, _ = judged(trial, size, low, high, start, bottom, top)
+                new_miss, new_deviation, _ = score_set(trial, size, low, high, start, bottom, top)
                 if better(new_miss, new_deviation, miss, deviation - 1e-12 * (new_miss == miss)):
                     miss, deviation, out, into = new_miss, new_deviation, place, one
             members[size - 1] = members[place]
@@ -315,14 +315,14 @@ def descend(ratios, products, means, members, known, stations, events, spans, li
 
 
 @kernel
-def judge(ratios, sets, spans, bounds, total, values):
+def score_sets(ratios, sets, spans, bounds, total, values):
     """Miss, deviation and factor of each of many sets, shape (sets, 3); sets : records of each, rising, shape
     (sets, size); spans : as of `every_set`; total : room, shape (columns of the ratios,)"""
     low, high, start, _, _ = bounds
     for row in range(sets.shape[0]):
         add_up(sets[row], ratios, total)
         least, most = common_span(sets[row], sets.shape[1], spans)
-        values[row, 0], values[row, 1], values[row, 2] = judged(total, sets.shape[1], low, high, start, least, most)
+        values[row, 0], values[row, 1], values[row, 2] = score_set(total, sets.shape[1], low, high, start, least, most)
 
 
 def own_factors(means: np.ndarray, pga: np.ndarray, factors: tuple[float, float]) -> np.ndarray:
@@ -341,7 +341,7 @@ def nearest_sets(
     limits: tuple[int, int],
     bounds: Bounds,
     told: Callable[[float], bool] = lambda share: False,
-) -> tuple[list[Found], bool]:
+) -> tuple[list[RankedSet], bool]:
     """(the nearest sets, the best first; whether every combination was looked at).
 
     ratios : spectrum over target of each record, its PGA over that of the target last, shape (records, periods + 1)
@@ -385,7 +385,7 @@ def nearest_sets(
         if done:
             members.sort()
             nearest.add(tuple(members.tolist()))
-            judge(ratios, members[None, :], spans, asked, total, values)
+            score_sets(ratios, members[None, :], spans, asked, total, values)
             reached, unimproved = (float(values[0, 0]), float(values[0, 1])), unimproved + 1
             if reached < last:
                 best, last, unimproved = tuple(members.tolist()), reached, 0
@@ -410,11 +410,11 @@ def _beside(members, n: int, stations, events, spans, limits):
             yield tuple(sorted([*rest.tolist(), int(one)]))
 
 
-def _ordered(ratios: np.ndarray, sets: np.ndarray, spans: np.ndarray, asked) -> list[Found]:
+def _ordered(ratios: np.ndarray, sets: np.ndarray, spans: np.ndarray, asked) -> list[RankedSet]:
     """Judge some sets and return the best, the best first; of two alike that of the lower indices."""
     values = np.empty((len(sets), 3))
-    judge(ratios, sets, spans, asked, np.empty(ratios.shape[1]), values)
+    score_sets(ratios, sets, spans, asked, np.empty(ratios.shape[1]), values)
     order = np.lexsort((*sets.T[::-1], values[:, 1], values[:, 0]))[:MAX_SETS_LISTED]
     return [
-        Found(tuple(sets[k].tolist()), float(values[k, 2]), float(values[k, 0]), float(values[k, 1])) for k in order
+        RankedSet(tuple(sets[k].tolist()), float(values[k, 2]), float(values[k, 0]), float(values[k, 1])) for k in order
     ]

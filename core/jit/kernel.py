@@ -63,6 +63,6 @@ def widest_vectors() -> None:
     of them on Intel processors, where a search then takes up to 18 % longer (resources/docs/speed.md)."""
 
 
-def only_with(given, value):
+def value_unless_none(given, value):
     """The value, or None where `given` is None: a kernel compiled for None leaves out what the value is for."""
     return None if given is None else value

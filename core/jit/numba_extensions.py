@@ -13,7 +13,7 @@ from numba.extending import lower_builtin, type_callable, typeof_impl
 
 from core.jit import cache
 from core.jit.fma import fma
-from core.jit.kernel import Kernel, only_with, widest_vectors
+from core.jit.kernel import Kernel, value_unless_none, widest_vectors
 from core.jit.stamp import stamp
 from core.known_internals import internals_known
 
@@ -111,17 +111,17 @@ def _nothing(context):
     return lambda: types.none
 
 
-@type_callable(only_with)
+@type_callable(value_unless_none)
 def _value_or_none(context):
     return lambda given, value: types.none if isinstance(given, types.NoneType) else value
 
 
-@lower_builtin(only_with, types.Float, types.Float)
+@lower_builtin(value_unless_none, types.Float, types.Float)
 def _value(context, builder, signature, arguments):
     return arguments[1]
 
 
-@lower_builtin(only_with, types.NoneType, types.Float)
+@lower_builtin(value_unless_none, types.NoneType, types.Float)
 def _none(context, builder, signature, arguments):
     return context.get_dummy_value()
 

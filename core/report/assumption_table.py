@@ -6,7 +6,7 @@ from core.codes.assumption import ALL_TOGETHER_KEY, format_value
 from core.report.verdict_words import names_in
 from core.study.results import StudyResult, WallResult
 from core.study.wall_verdict import collect_assumptions
-from core.text.sentence import numeral, word
+from core.text.sentence import format_number, word
 
 COLUMN_SHARES = 2.4, 2.0, 1.3, 2.0, 0.9, 1.9, 2.2
 """Relative widths of the columns."""
@@ -37,7 +37,7 @@ def rows_of(result: StudyResult, wall: WallResult, language: str) -> list[tuple[
             format_value(row, row.value, language),
             "" if last else word(f"source_{row.source}", language),
             format_value(row, row.other_end, language),
-            numeral(row.zeta, ".2f", language),
+            format_number(row.zeta, ".2f", language),
             word(row.outcome, language),
             format_value(row, row.reason, language),
         ]

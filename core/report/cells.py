@@ -25,7 +25,7 @@ from core.file_names import shown
 from core.report.sheet_rows import SheetRows
 from core.report.steps import Steps
 from core.report.xml_text import escape_for_cell
-from core.text.sentence import localized, numeral
+from core.text.sentence import format_number, localized
 
 INK = "1F2D3D"
 ACCENT = "2B5C8A"
@@ -80,7 +80,7 @@ class Book:
 
     def digits(self, value: float | None, form: str) -> str:
         """A number within a text, "–" for None; form : as of format()."""
-        return numeral(value, form, self.language)
+        return format_number(value, form, self.language)
 
     def sheet(self, english: str, widths: Sequence[float], landscape=False) -> Worksheet:
         """A new A4 sheet, fitted to the page's width; english : its name, a text of the group "report"."""

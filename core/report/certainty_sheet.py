@@ -3,7 +3,7 @@
 from openpyxl.chart import BarChart, Reference
 from openpyxl.chart.shapes import GraphicalProperties
 
-from core.known import known
+from core.known import require_value
 from core.report import uncertainty_text
 from core.report.cells import ACCENT, BAD, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text, title
 from core.report.plots import DATA_COLUMN, rows_below
@@ -46,7 +46,9 @@ def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, 
     if verdict.sensitivity and verdict.sensitivity.swings:
         row = _moved(book, sheet, result, verdict, n, row)
     if verdict.rates:
-        header(sheet, row, uncertainty_text.rate_heads(say, known(result.case.demand).nominal_life_years), 1, 30)
+        header(
+            sheet, row, uncertainty_text.rate_heads(say, require_value(result.case.demand).nominal_life_years), 1, 30
+        )
         for rate in verdict.rates:
             row += 1
             for column, cell in enumerate(uncertainty_text.rate_row(say, rate, language), start=1):
@@ -60,7 +62,7 @@ def _wall(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, 
 
 def _moved(book: Book, sheet, result: StudyResult, verdict: WallVerdict, n: int, row: int) -> int:
     """The moves, the largest first, with their chart; what zeta required asks for."""
-    say, language, sensitivity = book.say, book.language, known(verdict.sensitivity)
+    say, language, sensitivity = book.say, book.language, require_value(verdict.sensitivity)
     header(sheet, row, [say("Input"), say("moved to"), "ζ_E", say("moved to"), "ζ_E"], 1, 18)
     first, rows = row + 1, uncertainty_text.moved_rows(sensitivity, language)
     data = DATA_COLUMN + 4 * n

@@ -11,7 +11,7 @@ from core.derivation.closed_forms import closed
 from core.derivation.faces import formula
 from core.derivation.geometry import geometry
 from core.derivation.site import demand_section
-from core.known import known
+from core.known import require_value
 from core.report.cells import (
     ACCELERATION,
     BAD,
@@ -202,7 +202,7 @@ def _record_row(rows: Rows, wall, entry: RecordResult, scale, row: int) -> None:
         words = book.say("no number")
         text(sheet, row, 5, words, color=BAD)
     else:
-        ln_si, ln_q = math.log(entry.intensity / CM), math.log(known(entry.q_eff))
+        ln_si, ln_q = math.log(entry.intensity / CM), math.log(require_value(entry.q_eff))
         book.formula(sheet.cell(row, 5), formula(eq.q, cells), entry.q, RATIO)
         number(sheet, row, 6, entry.q, RATIO, color=QUIET)
         book.formula(sheet.cell(row, 7), formula(eq.q_eff, cells), entry.q_eff, RATIO)

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple
 
 from core.codes.kinematic import CHECKS
-from core.known import known
+from core.known import require_value
 from core.report.stated.checks import AT_DEMAND, KINEMATIC, RISK
 from core.report.stated.quantity import (
     Quantity,
@@ -76,7 +76,7 @@ def _of_records(one: Quantity) -> Quantity:
 
 def _of_the_wall(row: Row) -> Any:
     """Verdict of the wall, that of its worst hinge; None without a demand."""
-    return known(row.result).walls[row.verdict.governing].required_assessment.verdict if row.verdict else None
+    return require_value(row.result).walls[row.verdict.governing].required_assessment.verdict if row.verdict else None
 
 
 def _zeta(name: str) -> Quantity:

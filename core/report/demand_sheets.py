@@ -6,7 +6,7 @@ from openpyxl.chart import ScatterChart
 from openpyxl.chart.legend import LegendEntry
 
 from core.codes.multiplier_search import MULTIPLIER_STEP
-from core.known import known
+from core.known import require_value
 from core.report.cells import (
     ACCELERATION,
     ACCENT,
@@ -222,7 +222,7 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
 
 
 def _spectra(book: Book, sheet, result: StudyResult) -> ScatterChart:
-    compliance, say = known(result.compliance), book.say
+    compliance, say = require_value(result.compliance), book.say
     text(sheet, 2, DATA_COLUMN, "T [s]", size=8)
     names = [say("target"), say("mean"), *(motion.name for motion in result.motions[:DRAWN_SPECTRA])]
     curves = [compliance.target, compliance.mean, *compliance.spectra[:DRAWN_SPECTRA]]

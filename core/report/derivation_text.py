@@ -7,7 +7,7 @@ from core.codes.kinematic import STATE_DAMPING
 from core.derivation.faces import Branches, Shown, in_numbers, in_symbols
 from core.derivation.line import FULL, Columns, Line, Section, Word
 from core.study.results import StudyResult
-from core.text.sentence import localized, numeral, word
+from core.text.sentence import format_number, localized, word
 
 PERIOD_CLAUSES = {"SLV": "C8.7.1.10", "SLC": "C8.7.1.11"}
 """Clauses of T_SLV and T_SLC."""
@@ -52,7 +52,7 @@ class DerivationText:
     def enter(self, section: Section) -> None:
         """Take up the constants and columns of a section."""
         for name, value in section.constants.items():
-            self.symbols[name] = numeral(value, ".2f", self.language)
+            self.symbols[name] = format_number(value, ".2f", self.language)
             self.shown[name] = Shown(value, 2, None)
         for line in section.lines:
             if isinstance(line, Columns):

@@ -1,7 +1,7 @@
 """The loads of a wall as arrows, for every drawing of it."""
 
 from core.case.wall import Wall
-from core.known import known
+from core.known import require_value
 
 MAX_ARROW, MIN_ARROW = 0.22, 0.08
 """Length of the arrow of the strongest load and of a vanishing one, of the height of the wall."""
@@ -29,7 +29,7 @@ def arrows(wall: Wall, height: float, thickness: float) -> list[list[tuple[float
             lines.append([(-MAX_ARROW * height, y), (x, y), (x, y + PLATE * height), (x, y - PLATE * height)])
             continue
         # a thrust ends where it pushes outward
-        outward = load.kind == "thrust" and known(load.kn_m) > 0.0
+        outward = load.kind == "thrust" and require_value(load.kn_m) > 0.0
         start, end = (x - size, x) if outward else (x, x - size)
         back = end - head if outward else end + head
         lines.append([(start, y), (end, y), (back, y + head), (end, y), (back, y - head)])

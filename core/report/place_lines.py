@@ -2,7 +2,7 @@
 
 from core.case.place import Site
 from core.codes.limits import EXCEEDANCE
-from core.text.sentence import localized, numeral
+from core.text.sentence import format_number, localized
 
 SOURCE = "D.M. 14/01/2008, Annexes A and B (NTC 2018 3.2)"
 
@@ -11,7 +11,7 @@ def place_of(site: Site, language: str) -> list[tuple[str, str]]:
     """Lines (what, value)."""
 
     def number(value: float, form: str) -> str:
-        return numeral(value, form, language)
+        return format_number(value, form, language)
 
     def say(text: str) -> str:
         return localized("report", text, language)

@@ -1,7 +1,7 @@
 """The sheet Risk: every wall with what it withstands, the lowest first; limit states, ties, variants."""
 
 from core.codes.outcomes import min_if_all_known
-from core.known import known
+from core.known import require_value
 from core.report.cells import ACCELERATION, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text, title
 from core.report.tie_words import tie_words
 from core.report.verdict_words import outcome_of, sort_results
@@ -89,7 +89,7 @@ def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
     verdict = assessment.verdict
     number(sheet, row, 3, verdict.zeta_e, RATIO)
     if verdict.governing == "dynamic":
-        number(sheet, row, 4, known(assessment.dynamic).zeta_16, RATIO)
+        number(sheet, row, 4, require_value(assessment.dynamic).zeta_16, RATIO)
     label = next((c.label for c in assessment.checks if c.name == verdict.governing), None)
     text(sheet, row, 5, word(label, language) if label else "–", wrap=True)
     if assessment.risk:
@@ -114,7 +114,7 @@ def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
     header(sheet, row + 1, [say("Wall"), "h [m]", *heads, say("named"), say("ultimate [mm]")], 1, 45)
     row += 1
     for wall in designed:
-        tie = known(wall.required_assessment.tie)
+        tie = require_value(wall.required_assessment.tie)
         row += 1
         text(sheet, row, 1, wall.name, wrap=True)
         number(sheet, row, 2, tie.height, RATIO)

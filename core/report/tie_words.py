@@ -3,9 +3,9 @@
 import math
 from collections.abc import Callable
 
-from core.known import known
+from core.known import require_value
 from core.study.results import WallResult
-from core.text.sentence import localized, numeral, word
+from core.text.sentence import format_number, localized, word
 from core.variation.tie_design import FORCE_NAMES, TieDesign
 from core.wall.bars import TieBar
 
@@ -13,12 +13,12 @@ from core.wall.bars import TieBar
 def force_words(tie: TieDesign, name: str, language: str) -> str:
     """A force of the design [kN/m], "–" where there is none."""
     force = tie.forces[name]
-    return "–" if force is None else numeral(1e-3 * force, ".2f", language)
+    return "–" if force is None else format_number(1e-3 * force, ".2f", language)
 
 
 def tie_words(say: Callable[..., str], wall: WallResult, language: str) -> str:
     """Sentences on what a tie must hold, for a wall for which one is designed."""
-    tie = known(wall.required_assessment.tie)
+    tie = require_value(wall.required_assessment.tie)
     names = [name for name in FORCE_NAMES if tie.forces[name] is not None]
     forces = "; ".join(f"{word(f'tie_{name}', language)} {force_words(tie, name, language)}" for name in names)
     values = {"h": tie.height, "forces": forces, "largest": 1e-3 * tie.largest}
@@ -76,7 +76,7 @@ def tie_words(say: Callable[..., str], wall: WallResult, language: str) -> str:
         words.append(
             say(
                 "Above {largest:.2f} kN/m the wall bends between its base and the tie: ζ {zeta}.",
-                zeta=numeral(tie.bending, ".2f", language),
+                zeta=format_number(tie.bending, ".2f", language),
                 **values,
             )
         )
@@ -161,7 +161,7 @@ def describe_ties(say: Callable[..., str], wall: WallResult, language: str) -> l
             at_limit = 1e3 * stretched["d_limit"]
             words.append(say("Elongation {mm:.0f} mm at the limit of the displacement check.", mm=at_limit))
         if tie.per_bar is not None:
-            held = {word(f"part_{name}", language): numeral(1e-3 * n, ".1f", language) for name, n in tie.parts}
+            held = {word(f"part_{name}", language): format_number(1e-3 * n, ".1f", language) for name, n in tie.parts}
             parts = "; ".join(f"{part} {n}" for part, n in held.items())
             weakest = word(f"part_{tie.weakest}", language)
             words.append(say("Per bar [kN]: {parts}; {weakest} governs.", parts=parts, weakest=weakest))

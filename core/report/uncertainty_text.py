@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 from core.codes.collapse_rate import MIN_REPORTED_SHARE, StateRate
 from core.codes.risk import Risk
-from core.known import known
+from core.known import require_value
 from core.report.verdict_words import names_in
 from core.study.results import StudyResult, WallResult, WallVerdict
-from core.text.sentence import Number, numeral, sentence, word
+from core.text.sentence import Number, format_number, sentence, word
 from core.units import G
 from core.variation.swings import Sensitivity, Swing, TargetValue, describe_swing_end
 
@@ -49,8 +49,8 @@ def interval_line(say: Say, verdict: WallVerdict, language: str) -> str:
         return ""
     values = {
         "n": interval.stations,
-        "low": numeral(interval.low, ".2f", language),
-        "high": numeral(interval.high, ".2f", language),
+        "low": format_number(interval.low, ".2f", language),
+        "high": format_number(interval.high, ".2f", language),
     }
     if interval.open_end:
         return say(
@@ -81,7 +81,7 @@ def swing_name(swing: Swing, language: str) -> str:
 def sensitivity_remarks(say: Say, result: StudyResult, verdict: WallVerdict, language: str) -> list[str]:
     """Sentences with which the moves are to be read: whether the verdict is one, the inputs that do not move zeta,
     those that cannot be moved so."""
-    sensitivity, lines = known(verdict.sensitivity), []
+    sensitivity, lines = require_value(verdict.sensitivity), []
     code = result.walls[verdict.governing].required_assessment.verdict.code
     if code in ("indicative", "undetermined"):
         lines.append(say("The verdict is indicative, and so are these values: none of them verifies the wall."))
@@ -103,10 +103,10 @@ def reach_written(key: str, value: float | None, language: str) -> str:
     """A value of what is turned round in its unit, rounded to the safe side: of a_g down, else up."""
     factor, decimals = REACH_FORMATS[key]
     if value is None:
-        return numeral(None, "", language)
+        return format_number(None, "", language)
     whole = factor * value * 10.0**decimals
     whole = math.floor(whole + 1e-9) if key == "ag_g" else math.ceil(whole - 1e-9)
-    return numeral(whole / 10.0**decimals, f".{decimals}f", language)
+    return format_number(whole / 10.0**decimals, f".{decimals}f", language)
 
 
 def reach_labels(sensitivity: Sensitivity) -> list[str]:
@@ -130,7 +130,7 @@ def reach_row(say: Say, reach: TargetValue, labels: list[str], language: str) ->
     values = [reach_written(reach.key, reach.by_check.get(label), language) for label in labels]
     by_check = [say("any") if label in reach.throughout else value for label, value in zip(labels, values, strict=True)]
     factor, decimals = REACH_FORMATS[reach.key]
-    return [reach_names(say)[reach.key], numeral(factor * reach.given, f".{decimals}f", language), *by_check]
+    return [reach_names(say)[reach.key], format_number(factor * reach.given, f".{decimals}f", language), *by_check]
 
 
 def rate_heads(say: Say, life: float | None) -> list[str]:
@@ -153,7 +153,7 @@ def rate_row(say: Say, rate: StateRate, language: str) -> list[str]:
     state = rate.state if rate.state != "collapse" else say("collapse")
 
     def said(value: float | None, form: str) -> str:
-        return numeral(value, form, language)
+        return format_number(value, form, language)
 
     ends = f"{said(rate.low, '.1e')} – {said(rate.high, '.1e')}"
     share = None if rate.in_life is None else 100.0 * rate.in_life

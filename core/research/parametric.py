@@ -19,7 +19,7 @@ from core.ground.artificial import compatible_motion
 from core.ground.ground_motion import GroundMotion
 from core.ground.provenance import provenance
 from core.jit import cache, stamp
-from core.known import known
+from core.known import require_value
 from core.research import natural_set
 from core.rocking.methods import METHODS
 from core.setting.record_input import read_records
@@ -98,7 +98,7 @@ class ParametricResult:
 def target_of(shape: Shape, pga: float) -> CodeSpectrum:
     """The spectrum of this shape with a_g S = pga [m/s2]. Raises InputError where no a_g gives it."""
     code = CODES[shape.code]
-    rock = [shape.soil, *(known(getattr(shape, key)) for key in code.keys)]
+    rock = [shape.soil, *(require_value(getattr(shape, key)) for key in code.keys)]
     # S falls with a_g: from below, the fixed point comes to the smallest a_g
     ag = pga / code.make(1e-6 * G, *rock).soil
     for _ in range(2000):

@@ -7,7 +7,7 @@ from statistics import fmean, stdev
 from core.capacity.closed_forms import effective_q
 from core.capacity.scale_free_law import dimensionless_intensity
 from core.case.study_file import Cell
-from core.known import known
+from core.known import require_value
 from core.research.parametric import ParametricResult, Row, StudyMotion, StudySpectrum
 
 QUANTITIES = ("q", "q_slv", "q_slc", "q_robust")
@@ -39,7 +39,7 @@ class MotionValue:
     @property
     def q_eff(self) -> float:
         """Eq. 12."""
-        return effective_q(known(self.q), self.entry.motion.pga)
+        return effective_q(require_value(self.q), self.entry.motion.pga)
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ class SetMean:
     @property
     def q_eff(self) -> float:
         """Eq. 12."""
-        return effective_q(known(self.q), self.pga)
+        return effective_q(require_value(self.q), self.pga)
 
     @property
     def pi(self) -> float:

@@ -11,7 +11,7 @@ from core.rocking.events import BlockState
 from core.rocking.short_series import sine_and_cosine
 from core.units import G
 from core.wall.bars import BREAK, START, STIFFNESS, YIELD, angle_of
-from core.wall.moment_rotation import FAR
+from core.wall.moment_rotation import NEVER_REACHED
 
 RESIDUAL, TAUT_AT, YIELDS_AT, BREAKS_AT, PHASE = range(5)
 """Columns of the state of the bars: residual elongation as a sine, the rotations at which a bar is taut, yields and
@@ -45,7 +45,7 @@ def set_bar(held, j, residual, bar):
 @subkernel
 def pull_of(side, bars, held):
     """Pull of the bars on their branch; none on a wall that turns inward."""
-    spring, constant, low, high, yields = 0.0, 0.0, 0.0, FAR, False
+    spring, constant, low, high, yields = 0.0, 0.0, 0.0, NEVER_REACHED, False
     if side > 0.0:
         for j in range(bars.shape[0]):
             stiffness, phase = bars[j, STIFFNESS], held[j, PHASE]

@@ -65,7 +65,7 @@ from core.rocking.short_series import SHORT_SERIES
 from core.rocking.taylor import advance, converged_step, cross_kink, first_event, impact
 from core.rocking.taylor_series import InitialTerms, constants_seen
 from core.rocking.taylor_with_bars import AT_IMPACT, AT_KINK, ON, cannot_recover_with_bars, end_of_step
-from core.wall.moment_rotation import FAR, zone_of
+from core.wall.moment_rotation import NEVER_REACHED, zone_of
 from core.wall.rocking_model import seen_from, sides_differ
 
 
@@ -99,7 +99,7 @@ def fall_to_end(k, j, rises, state):
     there it comes to zero. rises : whether to the upper one"""
     end, shift = state[(HIGH if rises else LOW) + k], FALL - PHI
     state[PLAIN + j] = 0.0
-    state[shift + PEAK + j] = FAR
+    state[shift + PEAK + j] = NEVER_REACHED
     state[shift + PHI + j] = end - state[PHI + k] if rises else state[PHI + k] - end
     if rises:
         state[shift + SPEED + j] = -state[SPEED + k]

@@ -10,7 +10,7 @@ equal those of single analyses bit for bit (resources/docs/physics.md, section 1
 
 from core.jit.decorators import inner_kernel, subkernel, widest_vectors
 from core.jit.fma import fma
-from core.jit.kernel import only_with
+from core.jit.kernel import value_unless_none
 from core.rocking.lane_state import (
     ACTION,
     BETA,
@@ -81,7 +81,7 @@ from core.rocking.taylor_bounds import (
 )
 from core.rocking.taylor_polynomial import change, landing, shape, whole_step
 from core.rocking.taylor_series import InitialTerms, constants_seen
-from core.wall.moment_rotation import FAR
+from core.wall.moment_rotation import NEVER_REACHED
 
 MAX_HALVINGS = 4
 """Parts of a step that are taken by vector instructions: down to a sixteenth."""
@@ -93,7 +93,7 @@ def branch_of(k, slopes, state):
 
     slopes : None for the rigid law, for which the loops are compiled without the terms of a slope, else 1.0
     """
-    slope, constant = only_with(slopes, state[SLOPE + k]), only_with(slopes, state[CONSTANT + k])
+    slope, constant = value_unless_none(slopes, state[SLOPE + k]), value_unless_none(slopes, state[CONSTANT + k])
     return state[FACTOR + k], slope, constant, state[HELD + k]
 
 
@@ -331,7 +331,7 @@ def shorten_steps(lanes, dt, constants, order, slopes, bars, state):
         set_higher_terms(k, v, order, state)
         state[STEP_P2 + k] = p2
         state[RISE + k] = rise
-        state[GROWTH + k] = FAR if omitted > min(tolerance, relative) else growth
+        state[GROWTH + k] = NEVER_REACHED if omitted > min(tolerance, relative) else growth
         state[PART + k] = part
         state[PER_STEP + k] = 1.0 / (dt * (1.0 - t)) * (1.0 / part)
         state[END_TIME + k] = fma(part, 1.0 - t, t)

@@ -26,7 +26,7 @@ from core.rocking.lane_state import (
 from core.rocking.oscillator import SWING_FALLS, SWING_RISES, Swing, swing
 from core.rocking.outcome import IMPACT_LIMIT, STABLE
 from core.rocking.taylor import at_end, impact
-from core.wall.moment_rotation import FAR
+from core.wall.moment_rotation import NEVER_REACHED
 from core.wall.rocking_model import seen_from
 
 SIDES, MOVING_AT, ROTATIONS, SPEEDS, PEAKS, OWNER = range(6)
@@ -161,7 +161,7 @@ def share_first_part(sign, first, last, model, constants, ground, zero, room):
     room : of `begin`, but its last row
     """
     own = constants.swing
-    parts = Swing(own.rate, own.static, FAR, own.span, own.sine, own.versine)
+    parts = Swing(own.rate, own.static, NEVER_REACHED, own.span, own.sine, own.versine)
     block = BlockState(1.0, 0.0, 0.0, False, 0, 0.0, zero, zero)
     for n in range(last - first + 1):
         room[SIDES, n], room[MOVING_AT, n] = block.side, 1.0 if block.moving else 0.0

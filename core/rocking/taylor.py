@@ -42,7 +42,7 @@ from core.rocking.taylor_polynomial import (
     whole_step,
 )
 from core.rocking.taylor_series import InitialTerms, constants_seen, wall_constants
-from core.wall.moment_rotation import FAR, moment_branch, zone_of
+from core.wall.moment_rotation import NEVER_REACHED, moment_branch, zone_of
 from core.wall.rocking_model import seen_from
 
 
@@ -304,7 +304,7 @@ def make_integrator(order):
             while t < 1.0:
                 impacts = state.impacts
                 outcome, t, hit, state = through_sample(
-                    scale * ground[i], scale * ground[i + 1], dt, model, constants, order, FAR, state, t
+                    scale * ground[i], scale * ground[i + 1], dt, model, constants, order, NEVER_REACHED, state, t
                 )
                 if impacts < state.impacts and impacts < impact_time.size:
                     impact_time[impacts] = i * dt + t * dt

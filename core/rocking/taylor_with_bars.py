@@ -40,7 +40,7 @@ from core.rocking.taylor_polynomial import (
 from core.rocking.taylor_series import WallConstants, wall_constants
 from core.units import G
 from core.wall.bars import bar_rows, stored, work_to
-from core.wall.moment_rotation import FAR, potential
+from core.wall.moment_rotation import NEVER_REACHED, potential
 from core.wall.rocking_model import RockingModel, seen_from
 
 STILL_TIME = 60.0
@@ -263,7 +263,7 @@ def integrate_with_bars(ground, dt, scale, model, start, bars, held, trace, impa
         while t < 1.0:
             impacts = state.impacts
             outcome, t, hit, state = through_sample_with_bars(
-                scale * ground[i], scale * ground[i + 1], dt, model, constants, FAR, state, t, bars, held
+                scale * ground[i], scale * ground[i + 1], dt, model, constants, NEVER_REACHED, state, t, bars, held
             )
             if impacts < state.impacts and impacts < impact_time.size:
                 impact_time[impacts] = i * dt + t * dt

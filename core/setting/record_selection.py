@@ -15,8 +15,8 @@ from core.codes.limits import MIN_STATIONS_FOR_MINIMUM
 from core.codes.record_compatibility import compared_periods, natural_bounds, period_mask, period_range
 from core.errors import Cancelled, InputError, RecordError, section
 from core.file_names import key_of, name_of
-from core.ground.record_folder import Candidate, LeftOut, Limits, files_in, one_of_each, read_file
-from core.ground.selection import OWN_FIT, OWN_PGA, Bounds, Found, nearest_sets, own_factors
+from core.ground.record_folder import Candidate, ExcludedRecord, Limits, drop_duplicate_records, files_in, read_file
+from core.ground.selection import OWN_FIT, OWN_PGA, Bounds, RankedSet, nearest_sets, own_factors
 from core.setting.record_input import case_relative_path
 from core.text.sentence import Sentence
 from core.threads import Threads
@@ -76,7 +76,7 @@ class Selection:
     folder: str
     files: int
     candidates: int
-    left_out: tuple[LeftOut, ...]
+    left_out: tuple[ExcludedRecord, ...]
     sets: tuple[ChosenSet, ...]
     every: bool
     period_range: tuple[float, float]
@@ -173,7 +173,7 @@ def select_records(
 
 def _candidates(
     files: list[Path], asked: Select, periods: np.ndarray, told, cancelled
-) -> tuple[list[Candidate], list[LeftOut]]:
+) -> tuple[list[Candidate], list[ExcludedRecord]]:
     """(records, what is left out), in an order that does not depend on that of the files. told, cancelled : as of
     `select_records`"""
     limits = Limits(asked.magnitude, asked.distance_km, asked.soil)
@@ -186,8 +186,8 @@ def _candidates(
     tasks = {k: task(path) for k, path in enumerate(files)}
     read = threads.run(tasks, lambda k, _: told(50 * next(done) // len(files), 100))
     parts = [part for k in range(len(files)) for part in read[k]]
-    kept, copies = one_of_each([part for part in parts if isinstance(part, Candidate)])
-    return kept, [part for part in parts if isinstance(part, LeftOut)] + copies
+    kept, copies = drop_duplicate_records([part for part in parts if isinstance(part, Candidate)])
+    return kept, [part for part in parts if isinstance(part, ExcludedRecord)] + copies
 
 
 def _factors(ratios: np.ndarray, asked: Select) -> tuple[np.ndarray, tuple[float, float]]:
@@ -198,7 +198,7 @@ def _factors(ratios: np.ndarray, asked: Select) -> tuple[np.ndarray, tuple[float
     return np.ones(len(ratios)), asked.scale_limits if asked.scaling == "common" else (1.0, 1.0)
 
 
-def _far(candidates: list[Candidate], target: np.ndarray, pga: float, asked: Select) -> list[LeftOut]:
+def _far(candidates: list[Candidate], target: np.ndarray, pga: float, asked: Select) -> list[ExcludedRecord]:
     """The candidates that no allowed factor brings within `OWN_FIT` of the target and to `OWN_PGA` of its PGA.
     target, pga : [m/s2]"""
     ratios = np.array([one.spectrum for one in candidates]).reshape(-1, target.size) / target
@@ -210,7 +210,7 @@ def _far(candidates: list[Candidate], target: np.ndarray, pga: float, asked: Sel
     far = []
     for k in np.flatnonzero(least > most):
         error = RecordError("selected_far", ratio=float(means[k]), pga=float(peaks[k]), **limits)
-        far.append(LeftOut(candidates[k].file, candidates[k].channel, error.without_place))
+        far.append(ExcludedRecord(candidates[k].file, candidates[k].channel, error.without_place))
     return far
 
 
@@ -219,7 +219,7 @@ def _numbered(names: list[str]) -> np.ndarray:
 
 
 def _set_of(
-    one: Found,
+    one: RankedSet,
     candidates: list[Candidate],
     factors: np.ndarray,
     ratios: np.ndarray,

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 
-from core.known import known
+from core.known import require_value
 from core.report.outlines import elevation_outlines
 from core.solved.solved import Head, Kind, Sketch, Solved, row, worded
 from core.solved.walls import Asked
@@ -77,7 +77,7 @@ def body(
         """The numbers by HEADS."""
         wall = asked.wall
         block = wall.block()
-        mass = known(wall.weight) / G + sum(1e3 * (load.kn_m or 0.0) * length / G for load in wall.load)
+        mass = require_value(wall.weight) / G + sum(1e3 * (load.kn_m or 0.0) * length / G for load in wall.load)
         outer = *block.centroid, math.degrees(block.slenderness), block.radius, block.p2
         ratio = wall.restitution_of("one_sided").ratio_at_rest
         if values.split()[7] == "-":  # an inner hinge it does not turn about

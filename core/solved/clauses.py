@@ -8,7 +8,7 @@ import numpy as np
 from core.case.reader import read_case
 from core.codes.kinematic import elastic_period
 from core.codes.kinematic_chain import return_wall_friction, sum_chain
-from core.known import known
+from core.known import require_value
 from core.rocking.history import history
 from core.setting.demand_input import read_demand
 from core.solved.shipped import SHIPPED
@@ -40,7 +40,13 @@ def on_the_ground(key: str, height: float, thickness: float, kind: dict, values:
 
     def found() -> tuple[float, ...]:
         check = asked.checked
-        return check.a0 / G, asked.zeta_linear(), known(check.period), known(check.s_de), asked.zeta_displacement
+        return (
+            check.a0 / G,
+            asked.zeta_linear(),
+            require_value(check.period),
+            require_value(check.s_de),
+            asked.zeta_displacement,
+        )
 
     heads = (("a_0*/g", ""), ZETA_LINEAR, ("T_SLV", "s"), ("S_De", "m"), ZETA_DISPLACEMENT)
     free = kind is FREE
@@ -85,7 +91,7 @@ def on_soil_c(name: str, wall: dict, values: str) -> tuple[Answer, ...]:
 
     def found() -> tuple[float, ...]:
         # clause .8: where a_g,SLV is below a_g,SLD, that counts
-        counted = max(asked.zeta_displacement, known(asked.checked.zeta_sld))
+        counted = max(asked.zeta_displacement, require_value(asked.checked.zeta_sld))
         return asked.checked.period_0 or 0.0, asked.zeta_linear(), counted
 
     heads = (
@@ -107,7 +113,7 @@ FREE_PERIODS = (
 def free_period(height: float, thickness: float, modulus: float, weight: float, seconds: str) -> Answer:
     keys = {"height_m": height, "thickness_m": thickness, "elastic_modulus_mpa": modulus, "unit_weight_kn_m3": weight}
     name = f"T_0 ({height:g} × {thickness:g} m, E {modulus:g} MPa)"
-    return printed((name, "s"), seconds, lambda: known(elastic_period(Asked(keys, None).wall.in_si)))
+    return printed((name, "s"), seconds, lambda: require_value(elastic_period(Asked(keys, None).wall.in_si)))
 
 
 ROOF = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.30, "h_m": 3.0, "mass": "none"}
@@ -214,9 +220,9 @@ def slc() -> tuple[Answer, ...]:
     period = 1.56 * math.pi * math.sqrt(0.249 / (0.4 * a0))
     s_de = 0.312 * 9.80665 * math.sqrt(10.0 / 15.0) * 2.5 * 0.5 * 2.0 / (4.0 * math.pi**2)
     return (
-        Answer("d_SLC", "m", 0.6 * 0.415, 1e-9, lambda: known(asked.checked.d_limit)),
-        Answer("T_SLC", "s", period, 1e-9, lambda: known(asked.checked.period)),
-        Answer("S_De(T_SLC, 10 %)", "m", s_de, 1e-9, lambda: known(asked.checked.s_de)),
+        Answer("d_SLC", "m", 0.6 * 0.415, 1e-9, lambda: require_value(asked.checked.d_limit)),
+        Answer("T_SLC", "s", period, 1e-9, lambda: require_value(asked.checked.period)),
+        Answer("S_De(T_SLC, 10 %)", "m", s_de, 1e-9, lambda: require_value(asked.checked.s_de)),
     )
 
 
@@ -262,9 +268,9 @@ def shipped_facade():
     from core.codes.kinematic import analyse_mechanism, check_linear
 
     case = read_case(SHIPPED / "facade.toml")
-    demand = known(read_demand(case, SHIPPED))
+    demand = require_value(read_demand(case, SHIPPED))
     mechanism = analyse_mechanism(case.wall[0].in_si, "one_sided", demand)
-    return mechanism, known(check_linear("linear_q_code", mechanism, demand, 2.0))
+    return mechanism, require_value(check_linear("linear_q_code", mechanism, demand, 2.0))
 
 
 def facade() -> tuple[Answer, ...]:
@@ -274,9 +280,11 @@ def facade() -> tuple[Answer, ...]:
     z = (80.0 * 4.0 + 15.0 * 9.0 - 7.0 * 1.75 - rose * 6.5) / area
     zeta = 2.0 * 0.45 / z / 1.35 / (0.15 * 1.2)
     return (
-        Answer("M*", "kg/m", 19e3 / 9.80665 * area * 0.9 / 10.0, 1e-9, lambda: known(shipped_facade()[0].m_star)),
+        Answer(
+            "M*", "kg/m", 19e3 / 9.80665 * area * 0.9 / 10.0, 1e-9, lambda: require_value(shipped_facade()[0].m_star)
+        ),
         Answer("α_0", "", 0.45 / z, 1e-9, lambda: shipped_facade()[0].alpha0),
-        Answer("ζ, q = 2", "", zeta, 1e-9, lambda: known(shipped_facade()[1].zeta)),
+        Answer("ζ, q = 2", "", zeta, 1e-9, lambda: require_value(shipped_facade()[1].zeta)),
     )
 
 

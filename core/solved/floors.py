@@ -10,7 +10,7 @@ from core.codes.spectrum_codes import en1998
 from core.ground.floor_motion import Mode, floor_acceleration, modal_acceleration
 from core.ground.ground_motion import GroundMotion
 from core.ground.response_spectrum import displacement_spectrum
-from core.known import known
+from core.known import require_value
 from core.solved.clauses import ZETA_DISPLACEMENT, ZETA_LINEAR
 from core.solved.motion import SINE
 from core.solved.solved import Answer, Head, Kind, Sketch, Solved, printed, row, worded
@@ -37,8 +37,14 @@ def above(key: str, height: float, thickness: float, z: float, free: bool, value
 
     def found() -> tuple[float, ...]:
         check = asked.checked
-        largest = known(asked.floor).a_z / G
-        return largest, asked.zeta_linear(), known(check.period), known(check.s_de), asked.zeta_displacement
+        largest = require_value(asked.floor).a_z / G
+        return (
+            largest,
+            asked.zeta_linear(),
+            require_value(check.period),
+            require_value(check.s_de),
+            asked.zeta_displacement,
+        )
 
     return Solved(
         f"floor_{key}",

@@ -9,7 +9,7 @@ from core.codes.limits import return_period
 from core.codes.national_hazard import HazardValues, SiteHazard, hazard_at
 from core.codes.risk import Risk, risk_class, risk_of_mechanism
 from core.codes.spectrum_codes import en1998
-from core.known import known
+from core.known import require_value
 from core.solved.solved import Answer, Kind, Solved, printed, row, worded
 from core.units import G
 
@@ -320,9 +320,11 @@ CASES: tuple[Solved, ...] = (
         "D.M. 65/2017, A",
         (
             printed(("PGA_C (ζ = 0.52)", "g"), "0.16224", lambda: of_zeta(0.52).pga / G),
-            printed(("T_R,C (ζ = 0.52, η = 1/0.41)", ""), "96.4", lambda: known(of_zeta(0.52).return_period)),
-            printed(("T_R,C (ζ = 0.52, η = 1/0.49)", ""), "125.1", lambda: known(of_zeta(0.52).other_return_period)),
-            printed(("T_R,C (ζ = 0.75, η = 1/0.41)", ""), "235.5", lambda: known(of_zeta(0.75).return_period)),
+            printed(("T_R,C (ζ = 0.52, η = 1/0.41)", ""), "96.4", lambda: require_value(of_zeta(0.52).return_period)),
+            printed(
+                ("T_R,C (ζ = 0.52, η = 1/0.49)", ""), "125.1", lambda: require_value(of_zeta(0.52).other_return_period)
+            ),
+            printed(("T_R,C (ζ = 0.75, η = 1/0.41)", ""), "235.5", lambda: require_value(of_zeta(0.75).return_period)),
         ),
         'T_(R,C) = T_(R,D) ("PGA"_C\\/"PGA"_D)^eta',
         comment=worded("a_g 0.26 g, S 1.2, T_R,D 475 years; both exponents, the shorter period is taken."),

@@ -25,7 +25,7 @@ from core.report.note.words import Words
 from core.solved.cases import Subject, cases_of
 from core.solved.shipped import SHIPPED
 from core.solved.solved import Answer, Kind, Sketch, Solved, worded
-from core.text.sentence import Sentence, numeral
+from core.text.sentence import Sentence, format_number
 from core.version import NAME, VERSION, commit, line
 
 NAME_OF_PDF, NAME_OF_JSON = "solved.pdf", "solved.json"
@@ -65,9 +65,9 @@ def written(answer: Answer, language: str) -> tuple[str, str, str]:
     first, second = (".7g", ".8g") if places is None else (f".{places}f", f".{places + 2 * (places > 0)}f")
     difference = answer.difference
     return (
-        numeral(answer.expected, first, language),
-        numeral(answer.found, second, language),
-        numeral(difference, ".0e", language) if difference else "0",
+        format_number(answer.expected, first, language),
+        format_number(answer.found, second, language),
+        format_number(difference, ".0e", language) if difference else "0",
     )
 
 
@@ -222,7 +222,7 @@ def _summary(cases: Sequence[Solved], say: _Say) -> Table:
                 say(KIND_TITLES[case.kind]),
                 str(len(case.answers)),
                 written(least, say.language)[2],
-                numeral(least.tolerance, ".0e", say.language),
+                format_number(least.tolerance, ".0e", say.language),
                 say.yes if case.agrees else say.no,
             )
         )
@@ -253,7 +253,7 @@ def _case(case: Solved, number: int, say: _Say) -> list[Part]:
     rows, tones = [], {}
     for k, one in enumerate(case.answers):
         expected, computed, difference = written(one, say.language)
-        room = numeral(one.tolerance, ".0e", say.language) if one.tolerance else "0"
+        room = format_number(one.tolerance, ".0e", say.language) if one.tolerance else "0"
         cells = (called(one, say.language), one.unit or "–", expected, computed, difference, room)
         rows.append((*cells, say.yes if one.agrees else say.no))
         tones[k, 6] = "good" if one.agrees else "bad"

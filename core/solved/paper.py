@@ -11,7 +11,7 @@ from core.codes.eq9 import inequality
 from core.errors import InputError
 from core.ground import records
 from core.ground.ground_motion import GroundMotion
-from core.known import known
+from core.known import require_value
 from core.rocking.methods import METHODS
 from core.solved.motion import BLOCK
 from core.solved.solved import Answer, Kind, Sketch, Solved, printed, worded
@@ -53,7 +53,7 @@ SPECTRUM_POINTS = (0.2, 0.5, 0.9, 1.4)
 
 def power_law() -> closed_forms.PowerLaw:
     """Fit the law to points that lie on 321 SI^-0.93."""
-    return known(
+    return require_value(
         closed_forms.fit_power_law(list(SPECTRUM_POINTS), [321.0 * (100.0 * si) ** -0.93 for si in SPECTRUM_POINTS])
     )
 
@@ -78,7 +78,7 @@ def q_of(record: GroundMotion, alpha: float, height: float, one_sided: bool, sig
     moving = rocking_model(block, one_sided, model, LAWS["rigid"])
     ground, step = record.acceleration, record.time_step
     ida = incremental_dynamic_analysis(ground, step, record.pga, sign, moving, METHODS["taylor"], Search(q_step=q_step))
-    return known(ida.q)
+    return require_value(ida.q)
 
 
 def el_centro(folder: Path) -> GroundMotion:
@@ -219,7 +219,7 @@ CASES: tuple[Solved, ...] = (
         (
             Answer("C_1", "", 321.0, 1e-9, lambda: power_law().c1),
             Answer("C_2", "", -0.93, 1e-9, lambda: power_law().c2),
-            Answer("R²", "", 1.0, 1e-9, lambda: known(power_law().r_squared)),
+            Answer("R²", "", 1.0, 1e-9, lambda: require_value(power_law().r_squared)),
         ),
         worded("Least squares of the logarithms of four points of 321 SI^-0.93."),
     ),

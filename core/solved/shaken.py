@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from core.report.note.parts import Heading, Paragraph, Part, Table
 from core.research.shake_table import AGREE, Found, Score
 from core.solved.solved import worded
-from core.text.sentence import Sentence, numeral
+from core.text.sentence import Sentence, format_number
 
 METHODS: dict[str, Sentence] = {
     "measured": worded("body as measured"),
@@ -111,8 +111,8 @@ def chapter(results: Sequence[Found], left_out: int, language: str) -> list[Part
             (
                 name.text(language),
                 ", ".join(map(str, score.fitted)) or "–",
-                numeral(100.0 * score.right, ".1f", language),
-                " – ".join(numeral(100.0 * end, ".1f", language) for end in score.interval),
+                format_number(100.0 * score.right, ".1f", language),
+                " – ".join(format_number(100.0 * end, ".1f", language) for end in score.interval),
                 f"{100.0 * score.missed:.0f}",
                 f"{100.0 * score.false:.0f}",
             )

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from core.codes.vertical_bending import mechanism, start_multiplier
-from core.known import known
+from core.known import require_value
 from core.rocking.history import History, history
 from core.rocking.outcome import COLLAPSED
 from core.solved.clauses import ROOF, loaded
@@ -142,10 +142,14 @@ def by_clauses(share: float, factor: float, state: str) -> tuple[Answer, ...]:
     return (
         Answer(f"α_0 ({state})", "", bare + held, 1e-9, lambda: asked.checked.alpha0),
         Answer(f"d_0 ({state})", "m", d0, 1e-9, lambda: asked.checked.d0),
-        Answer(f"d_{state}", "m", share * d0, 1e-9, lambda: known(asked.checked.d_limit)),
-        Answer(f"a(d_{state})", "m/s²", a, 1e-9, lambda: known(asked.checked.a_limit)),
+        Answer(f"d_{state}", "m", share * d0, 1e-9, lambda: require_value(asked.checked.d_limit)),
+        Answer(f"a(d_{state})", "m/s²", a, 1e-9, lambda: require_value(asked.checked.a_limit)),
         Answer(
-            f"T_{state}", "s", factor * math.pi * math.sqrt(share * d0 / a), 1e-9, lambda: known(asked.checked.period)
+            f"T_{state}",
+            "s",
+            factor * math.pi * math.sqrt(share * d0 / a),
+            1e-9,
+            lambda: require_value(asked.checked.period),
         ),
     )
 

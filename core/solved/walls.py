@@ -10,7 +10,7 @@ from core.case.wall import Wall
 from core.codes.demand import SeismicDemand
 from core.codes.floor_spectrum import FloorSpectrum
 from core.codes.kinematic import KinematicAnalysis, analyse_mechanism, check_linear
-from core.known import known
+from core.known import require_value
 from core.report.outlines import section_outlines
 from core.setting.check_input import make_rocking_model
 from core.setting.demand_input import read_demand
@@ -61,14 +61,14 @@ class Asked:
 
     @cached_property
     def demand(self) -> SeismicDemand:
-        return known(read_demand(self.case, Path()))
+        return require_value(read_demand(self.case, Path()))
 
     @cached_property
     def floor(self) -> FloorSpectrum | None:
         """Spectrum of the floor that moves the wall; there is none on the ground."""
         if self.case.building is None or not self.wall.above_ground:
             return None
-        return known(make_floor(self.wall, self.case.building, self.demand, ())).spectrum
+        return require_value(make_floor(self.wall, self.case.building, self.demand, ())).spectrum
 
     @cached_property
     def checked(self) -> KinematicAnalysis:
@@ -76,23 +76,23 @@ class Asked:
 
     def zeta_linear(self, q: float = 2.0) -> float:
         """zeta of the linear check with a behaviour factor q, which C8.7.1.2.1.7 takes as 2."""
-        return known(known(check_linear("linear_q_code", self.checked, self.demand, q)).zeta)
+        return require_value(require_value(check_linear("linear_q_code", self.checked, self.demand, q)).zeta)
 
     @property
     def zeta_displacement(self) -> float:
         """d_SLV over the demand, before a_g,SLD is counted."""
-        return known(self.checked.d_limit) / known(self.checked.s_de)
+        return require_value(self.checked.d_limit) / require_value(self.checked.s_de)
 
     def sketch(self) -> Sketch:
         """Its section with its loads."""
         wall = self.wall
-        height = known(wall.height_m)
+        height = require_value(wall.height_m)
         solids = [tuple(points) for points, _ in section_outlines(wall)]
-        thickness = known(wall.thickness)
+        thickness = require_value(wall.thickness)
         box: Outline = ((0.0, 0.0), (thickness, 0.0), (thickness, height), (0.0, height))
         loads = []
         for load in wall.load:
-            across = 0.0 if load.is_weight else 1.0 if load.is_tie or known(load.kn_m) < 0.0 else -1.0
+            across = 0.0 if load.is_weight else 1.0 if load.is_tie or require_value(load.kn_m) < 0.0 else -1.0
             loads.append((load.d_m or 0.0, load.h_m, across, -1.0 if load.is_weight else 0.0))
         outline, *others = solids or [box]
         return Sketch(outline, tuple(loads), others=tuple(others))

@@ -22,7 +22,7 @@ from core.rocking.outcome import COLLAPSED, STABLE
 from core.setting.plan import Plan, PlannedWall
 from core.units import G
 from core.version import line
-from core.wall.masonry import as_force
+from core.wall.masonry import load_to_force
 from core.wall.rocking_model import RockingModel, seen_from
 
 TEMPLATE = Path(__file__).resolve().parents[2] / "resources" / "templates" / "check_wall.py"
@@ -198,8 +198,8 @@ def _wall_lines(entry: PlannedWall) -> dict[str, Any]:
             f"({h!r}**2 + {t!r}**2) / 12",
         ]
     width = f"{2.0 * x!r}" if t is None else f"{t!r} - 2 * {u!r}"
-    forces = [as_force(load, wall, 1.0) for load in wall.loads if load.tie is None]
-    held = [as_force(load, wall, 1.0) for load in wall.loads if load.tie is not None]
+    forces = [load_to_force(load, wall, 1.0) for load in wall.loads if load.tie is None]
+    held = [load_to_force(load, wall, 1.0) for load in wall.loads if load.tie is not None]
     return {
         "WEIGHT": Expression(geometry[0]),
         "X, Z, INERTIA, WIDTH": Expression(", ".join([*geometry[1:], width])),

@@ -8,7 +8,7 @@ from core.case.schema import Case
 from core.codes.assumption import Assumption
 from core.codes.outcomes import worst_outcome
 from core.jit import native
-from core.known import known
+from core.known import require_value
 from core.setting.plan import longest_mechanism_period, make_plan, read_inputs
 from core.study.check_cache import CheckCache
 from core.study.journal import Journal, MemoryJournal
@@ -42,7 +42,7 @@ def run_wall(
     started = StartTime()
     native.ready()
     inputs = read_inputs(case, base_dir)
-    longest = longest_mechanism_period(case, known(inputs[0]))
+    longest = longest_mechanism_period(case, require_value(inputs[0]))
     plan = make_plan(single_wall_case(case, row), inputs, longest=longest, walls=len(case.wall))
     progress = Progress(task_costs(plan), lambda done, planned, left: None)
     return run_plan(plan, base_dir, Threads(jobs, cancelled), started, journal, progress)
@@ -61,7 +61,7 @@ def run_at_alternatives(
     journal : of the checks of that run, which are not made again
     Raises Cancelled.
     """
-    demand, keys = known(result.demand), {row.key for row in rows}
+    demand, keys = require_value(result.demand), {row.key for row in rows}
     plan = make_plan(result.case, (demand, list(result.motions), list(result.kinds)))
     evaluations = []
     for k, wall in enumerate(result.walls):

@@ -5,7 +5,7 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from typing import NamedTuple
 
-from core.capacity.accuracy import Accuracy, accuracy
+from core.capacity.accuracy import Accuracy, make_accuracy
 from core.capacity.ida import Ida, Run, incremental_dynamic_analyses
 from core.codes.demand import SeismicDemand
 from core.codes.record_compatibility import Compliance
@@ -239,4 +239,4 @@ def make_accuracy_statement(wall: WallResult, motions, method, search, cancelled
         return None
     motion = (wall.floor.motions if wall.floor else motions)[lowest.motion]
     other = next((r.ida.q for r in wall.runs if r.motion == lowest.motion and r.polarity != lowest.polarity), None)
-    return accuracy(motion, lowest.polarity, lowest.ida, other, wall.model, method, search, cancelled)
+    return make_accuracy(motion, lowest.polarity, lowest.ida, other, wall.model, method, search, cancelled)

@@ -96,7 +96,7 @@ class _Values(Mapping):
 
     def __getitem__(self, name: str):
         if name in self.values_of:
-            return in_words(self.values_of[name], self.language, self.form, self.comma)
+            return format_count(self.values_of[name], self.language, self.form, self.comma)
         if not self.keyed:
             raise KeyError(name)
         if name.startswith("section_"):
@@ -110,7 +110,7 @@ class _Values(Mapping):
         return len(self.values_of)
 
 
-def in_words(value, language: str, form: FormNames = FILE_NAMES, comma: bool = False):
+def format_count(value, language: str, form: FormNames = FILE_NAMES, comma: bool = False):
     """A value of a sentence: what is a sentence, a key, a quantity or several of these in words, else itself.
     comma : of a number, in the place of the decimal point"""
     if isinstance(value, Sentence):
@@ -119,12 +119,12 @@ def in_words(value, language: str, form: FormNames = FILE_NAMES, comma: bool = F
         return form.of(value)
     if isinstance(value, Quantity):
         factor, unit = form.scales.get(value.key, (1.0, ""))
-        number = in_words(value.value * factor, language, form, comma)
+        number = format_count(value.value * factor, language, form, comma)
         return f"{number:g} {unit}".strip()
     if isinstance(value, Number):
         return _written(value.value, value.form, comma)
     if isinstance(value, tuple):
-        return ", ".join(str(in_words(part, language, form, comma)) for part in value)
+        return ", ".join(str(format_count(part, language, form, comma)) for part in value)
     if isinstance(value, float) and comma:
         return CommaFloat(value)
     if isinstance(value, (str, Path)):  # no letter of a name moves the cursor or begins a line
@@ -132,7 +132,7 @@ def in_words(value, language: str, form: FormNames = FILE_NAMES, comma: bool = F
     return value
 
 
-def numeral(value: float | None, form: str, language: str) -> str:
+def format_number(value: float | None, form: str, language: str) -> str:
     """A number as it is written in a language, "–" for None; form : as of format()."""
     return _written(value, form, CATALOGUE.comma(language))
 

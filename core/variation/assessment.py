@@ -15,7 +15,7 @@ from core.codes.risk import Risk, risk_of_mechanism
 from core.codes.verdict import Verdict, make_verdict, passes_with_q2
 from core.codes.verdict_sentence import restraint_phrase
 from core.errors import InputError
-from core.ground.record_folder import is_doubted
+from core.ground.record_folder import is_doubtful
 from core.setting.check_input import CheckInput
 from core.setting.floors import LOW_CODE, building_notes
 from core.setting.plan import MANY_WALLS
@@ -165,7 +165,7 @@ def _of_life_and_records(evaluation: Evaluation) -> list[Sentence]:
         limits.append(_by_default(evaluation))
     elif dynamic and any(motion.format == GENERATED for motion in scene.ground):
         limits.append(sentence("reason", "generated_motions"))
-    if dynamic and (doubted := [motion.name for motion in scene.ground if is_doubted(motion)]):
+    if dynamic and (doubted := [motion.name for motion in scene.ground if is_doubtful(motion)]):
         limits.append(sentence("reason", "records_doubted", n=len(doubted), names=", ".join(doubted[:3])))
     return limits
 

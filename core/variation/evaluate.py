@@ -16,7 +16,7 @@ from core.codes.outcomes import FAILS, OPEN, PASSES, severity_key, worst_outcome
 from core.codes.verdict import find_outcome
 from core.codes.vertical_bending import bending, uplift_multiplier
 from core.errors import InputError
-from core.ground.record_folder import is_doubted
+from core.ground.record_folder import is_doubtful
 from core.setting.check_input import CheckInput
 from core.text.sentence import Sentence, sentence
 
@@ -100,7 +100,7 @@ class Evaluation:
             period_estimated=scene.period_taken or (floor is not None and floor.estimated),
             exact=scene.method.name in EXACT_METHODS,
             unbranched=self._unbranched(),
-            sound=len(counted_stations([motion for motion in motions if not is_doubted(motion)], demand)),
+            sound=len(counted_stations([motion for motion in motions if not is_doubtful(motion)], demand)),
             unchecked=scene.unchecked,
             hinges_asked=scene.hinges_asked,
         )

@@ -18,7 +18,7 @@ from core.codes.masonry_types import least_strength, moduli, weights
 from core.codes.verdict_sentence import CODE_Q
 from core.errors import InputError
 from core.ground.scattered import SPREAD
-from core.known import known
+from core.known import require_value
 from core.setting import demand_input
 from core.setting.check_input import CheckInput
 from core.setting.demand_input import default_motions, find_generation_settings
@@ -263,10 +263,10 @@ def _of_the_hinges(scene: CheckInput) -> Iterator[FavourableInput]:
     """A strength above the lowest of its masonry, by which the hinges of an arch lie nearer to the faces and its ends
     are crushed by a larger thrust."""
     wall = scene.wall
-    f, weakest = known(wall.compressive_strength_mpa), least_strength(wall.masonry)
+    f, weakest = require_value(wall.compressive_strength_mpa), least_strength(wall.masonry)
     if f <= weakest:
         return
-    there = known(replace(wall, compressive_strength_mpa=weakest).in_si.arch)
+    there = require_value(replace(wall, compressive_strength_mpa=weakest).in_si.arch)
     end = Alternative(wall_change(compressive_strength_mpa=weakest), weakest)
     said = {"given": f, "f": weakest, "cm": 100.0 * there.setback}
     yield single_alternative("compressive_strength_mpa", "lift_strength", wall.justification, f, end, **said)
@@ -362,7 +362,7 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[FavourableInput]:
         )
         end = Alternative(wall_change(return_wedges=None, solid=solids), NONE_WORD)
         yield single_alternative("return_wedges", "lift_return_wedges", wall.justification, GIVEN_WORD, end)
-    top = known(wall.top)
+    top = require_value(wall.top)
     if (
         mechanism == "one_sided"
         and MODELS[wall.restitution_model(mechanism)].one_sided

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 
-from core.boundary import Edge, edge
+from core.boundary import Boundary, find_boundary
 from core.case.held_top import move_top_loads
 from core.case.wall import Wall
 from core.errors import InputError
@@ -162,7 +162,9 @@ def _holds_at(
     return bool(there.satisfied.get(label)) if there.hinges else None
 
 
-def _searched(holds: Callable[[float, Precision | None], bool | None], key: str, given: float, dynamic: bool) -> Edge:
+def _searched(
+    holds: Callable[[float, Precision | None], bool | None], key: str, given: float, dynamic: bool
+) -> Boundary:
     """Search the value at which a check begins to hold. holds(value, precision) : whether it does; dynamic : it is that
     of the histories, which must hold in the run itself near what a glance finds"""
     falls = key == "ag_g"
@@ -175,7 +177,7 @@ def _searched(holds: Callable[[float, Precision | None], bool | None], key: str,
         # where it is refused it fails for another reason
         return held and all(holds(value * factor**sign, precision) is not False for factor in beyond)
 
-    boundary = edge(
+    boundary = find_boundary(
         lambda value: fine(value, COARSE_PRECISION if dynamic else None),
         given,
         ends,
@@ -189,7 +191,7 @@ def _searched(holds: Callable[[float, Precision | None], bool | None], key: str,
         value = _written(key, boundary.good * (1.0 + RETRY_STEP) ** (sign * k))
         if holds(value, FULL_PRECISION if dynamic else None):
             return boundary._replace(good=value)
-    return Edge(None, boundary.bad)
+    return Boundary(None, boundary.bad)
 
 
 def _written(key: str, value: float) -> float:

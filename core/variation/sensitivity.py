@@ -16,7 +16,7 @@ from core.codes.floor_spectrum import estimated_period
 from core.codes.outcomes import OUTCOMES, PASSES, min_if_all_known
 from core.codes.record_sample import RecordPeaks, leave_one_out_zetas
 from core.errors import InputError
-from core.known import known
+from core.known import require_value
 from core.setting.demand_input import rescale_ag
 from core.setting.floors import damaged_period_and_damping
 from core.setting.plan import FloorCache
@@ -114,7 +114,7 @@ def _of_wall(setting: WallContext, ranges: Ranges) -> Iterator[tuple[str, float 
         values = [wall.setback + added for added in ranges.setback_m if added]
         yield "setback_m", wall.setback, ends(values, lambda value: replace_setback(wall, value))
     if _may_lean(wall):
-        given, storeys = wall.out_of_plumb_m or 0.0, max(1.0, known(wall.height_m) / DEFAULT_HEIGHT)
+        given, storeys = wall.out_of_plumb_m or 0.0, max(1.0, require_value(wall.height_m) / DEFAULT_HEIGHT)
         values = [given + storeys * added for added in ranges.out_of_plumb_m if added]
         yield "out_of_plumb_m", given, ends(values, lambda value: replace(wall, out_of_plumb_m=value))
     if (given := wall.elastic_modulus_mpa) is not None:

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from core.boundary import edge, written_up
+from core.boundary import find_boundary, written_up
 from core.case.load_rules import carries
 from core.case.loads import Load
 from core.case.spans_between_ties import cut_span, find_bending_spans
@@ -25,7 +25,7 @@ from core.errors import InputError
 from core.setting.check_input import CheckInput, make_rocking_model
 from core.variation.evaluate import COARSE_PRECISION, FULL_PRECISION, Evaluation, Precision, evaluate
 from core.wall import ties
-from core.wall.masonry import as_force
+from core.wall.masonry import load_to_force
 
 FORCE_NAMES = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code", "linear_q_1", "thrust")
 """Names of the forces of a tie: those of the checks, with q = 1 in place of that of the code, and of the thrust at
@@ -249,7 +249,9 @@ def _largest(hinge: Hinge, height: float) -> float:
     """Force [N/m] up to which the part above a hinge turns about it as one block."""
     wall, above = hinge.scene.wall, hinge.raised(height)
     weight = wall.in_si.weight + wall.in_si.vertical_loads
-    limit = edge(lambda force: carries(add_tie(wall, force, above)), weight, (FORCE_DIGIT, MAX_FORCE), False, 2.0, 1e-9)
+    limit = find_boundary(
+        lambda force: carries(add_tie(wall, force, above)), weight, (FORCE_DIGIT, MAX_FORCE), False, 2.0, 1e-9
+    )
     return limit.good or 0.0
 
 
@@ -285,7 +287,7 @@ def _reaches(zeta: float | None, target: float) -> bool:
 def _thrust(hinge: Hinge, height: float) -> float:
     """Force at rest that balances the thrusts on the part above a hinge [N/m]."""
     wall = hinge.scene.wall
-    outward = [as_force(load, wall.in_si, 1.0) for load in wall.in_si.loads if load.kind == "thrust"]
+    outward = [load_to_force(load, wall.in_si, 1.0) for load in wall.in_si.loads if load.kind == "thrust"]
     return max(0.0, -sum(force.horizontal * force.height for force in outward) / hinge.raised(height))
 
 
@@ -298,7 +300,7 @@ def _least(name: str, hinge: Hinge, above: float, target: float) -> float | None
 
     if holds(0.0):
         return 0.0
-    return edge(holds, 1e3, (FORCE_DIGIT, MAX_FORCE), True, 2.0, FORCE_TOLERANCE).good
+    return find_boundary(holds, 1e3, (FORCE_DIGIT, MAX_FORCE), True, 2.0, FORCE_TOLERANCE).good
 
 
 def _held(hinge: Hinge, force: float, height: float, precision: Precision, cancelled) -> Evaluation:
@@ -325,7 +327,7 @@ def _of_histories(
         return all(_held(hinge, force, height, precision, cancelled).satisfied for hinge in below)
 
     start = min(others["linear_q_code"] or 1e4, largest)
-    candidate = edge(holds, start, (FORCE_DIGIT, largest), True, 2.0, FORCE_TOLERANCE_BY_HISTORIES).good
+    candidate = find_boundary(holds, start, (FORCE_DIGIT, largest), True, 2.0, FORCE_TOLERANCE_BY_HISTORIES).good
     while candidate is not None:
         candidate = written_up(candidate, FORCE_DIGIT)
         more = written_up(FORCE_MARGIN * candidate, FORCE_DIGIT)

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from core.jit.decorators import subkernel
-from core.wall.moment_rotation import FAR
+from core.wall.moment_rotation import NEVER_REACHED
 
 HEIGHT, STIFFNESS, YIELD, START, BREAK = range(5)
 """Columns of the array of bars: those of `Bar`."""
@@ -98,7 +98,7 @@ def forces(bar: TieBar, rotation: np.ndarray, residual: np.ndarray) -> np.ndarra
 @subkernel
 def angle_of(sine):
     """Rotation of this sine [rad]; FAR where no rotation has it."""
-    return math.asin(sine) if sine < 1.0 else FAR
+    return math.asin(sine) if sine < 1.0 else NEVER_REACHED
 
 
 @subkernel

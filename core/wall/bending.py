@@ -16,9 +16,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from core.known import known
+from core.known import require_value
 from core.units import G
-from core.wall.body import Body, cut_above, together
+from core.wall.body import Body, cut_above, sum_bodies
 from core.wall.masonry import Load, Masonry
 from core.wall.solids import Part, contact_at, faces_at, sum_of
 
@@ -105,7 +105,7 @@ def _held_faces(parts: tuple[Part, ...], height: float) -> tuple[float, float] |
 def _bodies(strip: Strip, h1: float) -> tuple[Body, Body]:
     """The solids below and above the hinge between, x and z of the wall."""
     cut = ((part, cut_above(part.polygon, h1)) for part in strip.parts)
-    above = _lifted(together(part._replace(polygon=tuple(polygon)).body for part, polygon in cut if polygon), h1)
+    above = _lifted(sum_bodies(part._replace(polygon=tuple(polygon)).body for part, polygon in cut if polygon), h1)
     return Body(*(all_of - of_upper for all_of, of_upper in zip(sum_of(strip.parts), above, strict=True))), above
 
 
@@ -203,7 +203,7 @@ def pressing(loads: tuple[Load, ...]) -> float:
 
 def strip_of(wall: Masonry) -> Strip:
     """A metre of length of a wall, of one that spans between transverse walls a metre of its height."""
-    height, thickness = known(wall.height), known(wall.thickness)
+    height, thickness = require_value(wall.height), require_value(wall.thickness)
     if wall.arch is not None:
         arch, per = wall.arch, wall.arch.spacing / spread_over(height)
         weight = wall.weight / height * arch.spacing + per * sum(load.force for load in wall.loads if load.pushes)
@@ -214,7 +214,7 @@ def strip_of(wall: Masonry) -> Strip:
     on_top = [load for load in wall.loads if abs(load.height - height) <= TOP_TOLERANCE * height]
     loads = tuple((load.force, load.depth) for load in on_top)
     below = tuple(Weight(load.force, load.depth, load.height, load.pushes) for load in wall.loads if load not in on_top)
-    length = known(wall.length) if wall.parts else 1.0
+    length = require_value(wall.length) if wall.parts else 1.0
     return Strip(height, thickness, wall.setback, wall.weight, loads, below, wall.parts, length)
 
 

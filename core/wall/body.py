@@ -93,7 +93,7 @@ def extruded(polygon: Polygon, ends: tuple[float, float], angle: float, start: f
     )
 
 
-def together(bodies: Iterable[Body]) -> Body:
+def sum_bodies(bodies: Iterable[Body]) -> Body:
     """Sum of several bodies as one."""
     return Body(*(math.fsum(parts) for parts in zip(*bodies, strict=True)))
 
@@ -122,7 +122,7 @@ def crossing(polygon: Polygon) -> tuple[int, int] | None:
     for i, one in enumerate(edges):
         for j in range(i + 1, len(edges)):
             beside = j == i + 1 or (i == 0 and j == len(edges) - 1)
-            if (_folds(one, edges[j]) if beside else meet(one, edges[j])) or one[0] == one[1]:
+            if (_folds(one, edges[j]) if beside else edges_touch(one, edges[j])) or one[0] == one[1]:
                 return i + 1, j + 1
     return None
 
@@ -139,7 +139,7 @@ def _folds(one, other) -> bool:
     return _turn(far, common, end) == 0.0 and dot > 0.0
 
 
-def meet(one, other) -> bool:
+def edges_touch(one, other) -> bool:
     """Whether two edges, each of two corners, have a point in common."""
     (a, b), (c, d) = one, other
     sides = [_turn(a, b, c), _turn(a, b, d), _turn(c, d, a), _turn(c, d, b)]
@@ -151,12 +151,12 @@ def meet(one, other) -> bool:
     )
 
 
-def holds(polygon: Polygon, point: tuple[float, float]) -> bool:
+def contains_point(polygon: Polygon, point: tuple[float, float]) -> bool:
     """Whether a point is in a polygon or on its edge."""
     s, z = point
     inside = False
     for one, other in zip(polygon, (*polygon[1:], polygon[0]), strict=True):
-        if meet((one, other), (point, point)):
+        if edges_touch((one, other), (point, point)):
             return True
         if (one[1] > z) != (other[1] > z) and s < one[0] + (other[0] - one[0]) * (z - one[1]) / (other[1] - one[1]):
             inside = not inside

@@ -213,7 +213,7 @@ class Masonry:
         if not held or self.bends:
             return UNLOADED, UNLOADED
         outward, inward = (
-            restoring_moment(about, self.moving_weight, [as_force(load, self, side) for load in held])
+            restoring_moment(about, self.moving_weight, [load_to_force(load, self, side) for load in held])
             for about, side in ((self.block, 1.0), (self.inner_block or self.block, -1.0))
         )
         # alike but for rounding: alike
@@ -360,7 +360,7 @@ def held_at(wall: Masonry) -> float:
     return max((most, *ends), key=lambda theta: sum(bar.height * bar.force_at(theta) for bar in bars))
 
 
-def as_force(load: Load, wall: Masonry, side: float, at_yield: bool = False) -> Force:
+def load_to_force(load: Load, wall: Masonry, side: float, at_yield: bool = False) -> Force:
     """A load about the hinge of this side, 1.0 the outer one [N/m, m]; its weight too where its mass moves. Of a tie
     what alpha_0 counts (C8.7.1.1): nothing of a slack one, else its force at `held_at`; none on a wall that turns
     inward. at_yield : of a tie its force at yield, slack or not"""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from core.errors import require
 from core.jit.decorators import subkernel
 
-FAR = 1e9
+NEVER_REACHED = 1e9
 """Upper end of the last branch of a law [rad]: never reached."""
 
 
@@ -59,7 +59,7 @@ def moment_branch(zone, model):
     phi2 = model.plateau_end
     restoring = model.restoring
     if zone == 2:
-        return phi2, FAR, restoring.sine, 0.0, 0.0, restoring.cosine
+        return phi2, NEVER_REACHED, restoring.sine, 0.0, 0.0, restoring.cosine
     # not of `restoring`, which depends on the side: the sine is taken once
     plateau = model.amplitude * math.sin(model.slenderness + model.lean - phi2)
     if zone == 1:

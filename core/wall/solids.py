@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from core.units import G
-from core.wall.body import Body, cut_above, directions, extruded, polygon_sums, spans, together
+from core.wall.body import Body, cut_above, directions, extruded, polygon_sums, spans, sum_bodies
 from core.wall.plan import area_of, cells_of, edge_reached, length_of, pieces_at, section_at
 
 MIN_BASE = 1e-6
@@ -89,7 +89,7 @@ def clipped(part: Part, thickness: float) -> Part | None:
 @lru_cache(maxsize=4096)
 def sum_of(parts: tuple[Part, ...]) -> Body:
     """The Body of solids."""
-    return together(part.body for part in parts)
+    return sum_bodies(part.body for part in parts)
 
 
 def top_of(parts: Iterable[Part]) -> float:
@@ -288,7 +288,7 @@ def sections_of(parts: tuple[Part, ...], length: float, count: int) -> tuple[Sec
     for z in np.linspace(0.0, top_of(parts), count + 1)[1:-1].tolist():
         faces = faces_at(parts, z)
         cut = [(part, cut_above(part.polygon, z)) for part in parts]
-        above = together(part._replace(polygon=tuple(polygon)).body for part, polygon in cut if polygon)
+        above = sum_bodies(part._replace(polygon=tuple(polygon)).body for part, polygon in cut if polygon)
         if faces is None or above.mass <= 0.0:
             continue
         x, lever = above.centroid

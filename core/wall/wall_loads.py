@@ -5,7 +5,7 @@ from dataclasses import replace
 from core.boundary import narrowed
 from core.units import G
 from core.wall.loads import RestoringMoment, restoring_moment
-from core.wall.masonry import Masonry, as_force, inner_of
+from core.wall.masonry import Masonry, inner_of, load_to_force
 
 SECTIONS_TRIED = 400
 """Sections of a wall between which a hinge inside it is looked for."""
@@ -18,7 +18,7 @@ def without_ties(wall: Masonry) -> Masonry:
 
 def restoring_with_ties(wall: Masonry) -> RestoringMoment:
     """a and c of a wall that turns outward, were each of its ties a force of its yield strength up to collapse."""
-    forces = [as_force(load, wall, 1.0, at_yield=True) for load in wall.loads if not load.pushes]
+    forces = [load_to_force(load, wall, 1.0, at_yield=True) for load in wall.loads if not load.pushes]
     return restoring_moment(wall.block, wall.moving_weight, forces)
 
 
@@ -33,7 +33,7 @@ def start_multiplier(weight: float, x: float, y: float, forces, pushed) -> float
 
 
 def start_moments(wall: Masonry, side: float) -> tuple[float, float, float, float, float, float]:
-    """W x, sum N d, sum F h, sum T h of the ties as `as_force` counts them, W y, sum Q h [N]: what alpha_0 of a wall
+    """W x, sum N d, sum F h, sum T h of the ties as `load_to_force` counts them, W y, sum Q h [N]: what alpha_0 of a wall
     with loads is made of (C8.7.1.1).
 
     side : 1.0 about the outer hinge, -1.0 about the inner one
@@ -42,8 +42,8 @@ def start_moments(wall: Masonry, side: float) -> tuple[float, float, float, floa
     if side < 0.0:
         bare = inner_of(wall, bare) or bare
     weight, (x, y) = wall.weight, bare.centroid
-    forces = [as_force(load, wall, side) for load in wall.loads if load.tie is None]
-    held = [as_force(load, wall, side) for load in wall.loads if load.tie is not None]
+    forces = [load_to_force(load, wall, side) for load in wall.loads if load.tie is None]
+    held = [load_to_force(load, wall, side) for load in wall.loads if load.tie is not None]
     return (
         weight * x,
         sum(force.vertical * force.distance for force in forces),
@@ -60,7 +60,7 @@ def hinge_inside(wall: Masonry, share: float = 1.0) -> float | None:
     At the acceleration that uplifts the wall the resultant of each section must stay inside it, by u = 2 N / (3 f)
     where the compressive strength f is given. share : of the force of the ties at yield
     """
-    forces = [as_force(load, wall, 1.0, at_yield=True) for load in wall.loads]
+    forces = [load_to_force(load, wall, 1.0, at_yield=True) for load in wall.loads]
     forces = [
         replace(force, horizontal=share * force.horizontal) if force.horizontal > 0.0 else force for force in forces
     ]

@@ -10,7 +10,7 @@ from shiboken6 import isValid
 
 from core.case.select import Select
 from core.case.site import Spectrum
-from core.known import known
+from core.known import require_value
 from core.study.run import run
 from core.text.sentence import word
 from tests.app.driving import settle, type_into
@@ -41,7 +41,7 @@ def shows_nothing(live) -> bool:
 
 
 def verdict_of(result):
-    return known(result.walls[result.verdicts[0].governing].assessment).verdict
+    return require_value(result.walls[result.verdicts[0].governing].assessment).verdict
 
 
 def test_that_the_spectra_stand_beside_the_records(opened, application):
@@ -62,7 +62,7 @@ def test_that_the_clauses_follow_a_key_and_the_verdict_the_hand_that_rests(live,
     type_into(field, "80")
     assert opened.session.case.wall[0].thickness_m == 0.8 and live.result is None
     settle(application, lambda: not live.at_once.isActive())
-    expected = run(known(opened.session.checked()), base_dir=opened.session.base_dir)
+    expected = run(require_value(opened.session.checked()), base_dir=opened.session.base_dir)
     clauses = {check.zeta for check in expected.walls[0].assessment.checks if check.name != "dynamic"}
     at_once = [rung.zeta for rung in live.ladder.rungs if rung.zeta is not None]
     assert at_once and set(at_once) <= clauses

@@ -9,7 +9,7 @@ import numpy as np
 
 from core.capacity.ida import Search, incremental_dynamic_analysis
 from core.ground import records
-from core.known import known
+from core.known import require_value
 from core.rocking.methods import METHODS
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
@@ -62,7 +62,7 @@ def survived(ground: np.ndarray, dt: float, model: RockingModel) -> np.ndarray:
     pga = float(np.abs(ground).max())
     found = incremental_dynamic_analysis(ground, dt, pga, 1, model, METHODS["taylor"], Search())
     threshold = 9.80665 * math.tan(model.slenderness)
-    return ground * (known(found.bracket)[0] * threshold / pga)
+    return ground * (require_value(found.bracket)[0] * threshold / pga)
 
 
 def scenes(small: bool = False) -> list[Scene]:

@@ -22,7 +22,7 @@ UNMET = Bounds(0.995, 1.005, 0.0, (1.0, 1.0))
 """Bounds that no set keeps: the mean spectrum of every exchange is made."""
 
 
-def seconds(count: int, bounds: Bounds) -> tuple[float, selection.Found]:
+def seconds(count: int, bounds: Bounds) -> tuple[float, selection.RankedSet]:
     """Time of the search among so many records, two a station and eight an event, and the best set."""
     ratios, number = ratios_of(count, 1, PERIODS), np.arange(count)
     start = time.perf_counter()
@@ -42,7 +42,7 @@ def above_best(folders: int, count: int, starts: int) -> list[float]:
     return more
 
 
-def _best(ratios: np.ndarray, number: np.ndarray, sets: int, starts: int) -> selection.Found:
+def _best(ratios: np.ndarray, number: np.ndarray, sets: int, starts: int) -> selection.RankedSet:
     with mock.patch.multiple(selection, MAX_SETS=sets, MAX_STARTS=starts):
         return nearest_sets(ratios, SIZE, number // 2, number // 8, (1, 2), FREE)[0][0]
 

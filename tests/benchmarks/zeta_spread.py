@@ -33,7 +33,7 @@ from core.ground import records
 from core.ground.artificial import compatible_motion
 from core.ground.ground_motion import GroundMotion
 from core.ground.records.grammar import Options
-from core.known import known
+from core.known import require_value
 from core.rocking.methods import AUTO
 from core.setting.check_input import make_rocking_model
 from core.setting.demand_input import read_demand
@@ -99,7 +99,7 @@ def draw(k: int, shelf: list[GroundMotion], small: bool = False):
             GroundMotion(f"{n}", compatible_motion(target, 7 * k + n), 0.01, format="generated") for n in range(7)
         ]
     signs = (1,) if mechanism == "two_sided" else (1, -1)
-    return make_rocking_model(case.wall[0], mechanism), motions, signs, known(read_demand(case, Path()))
+    return make_rocking_model(case.wall[0], mechanism), motions, signs, require_value(read_demand(case, Path()))
 
 
 def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
@@ -111,7 +111,7 @@ def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
     rough = search_zeta(work.failures, work.rest, 1.0)
     if rough.half is None or rough.half >= MAX_MULTIPLIER:
         return {}
-    low = math.floor(math.log(0.85 * min(known(rough.first), known(rough.sixteen))) / math.log1p(fine))
+    low = math.floor(math.log(0.85 * min(require_value(rough.first), require_value(rough.sixteen))) / math.log1p(fine))
     high = math.ceil(math.log(1.5 * rough.half) / math.log1p(fine))
     flags = np.concatenate(
         [work.failures((1.0 + fine) ** np.arange(start, min(start + 256, high)))[0] for start in range(low, high, 256)]
@@ -131,7 +131,7 @@ def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
         first_with_share(flags, half, ROBUST_SHARE),
         int(np.argmax(flags)),
     )
-    truth = np.array([(1.0 + fine) ** (low + known(place)) for place in places])
+    truth = np.array([(1.0 + fine) ** (low + require_value(place)) for place in places])
     found = {}
     for factor in STEPS:
         step = (1.0 + MULTIPLIER_STEP) ** factor - 1.0
@@ -139,8 +139,8 @@ def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
         found[factor] = [
             (
                 *(np.array([one.half, one.sixteen, one.first]) / truth - 1.0),
-                known(one.spread)[0] * (1.0 - step) <= truth[0] <= known(one.spread)[1] * (1.0 + step),
-                math.log(known(one.spread)[1] / known(one.spread)[0]),
+                require_value(one.spread)[0] * (1.0 - step) <= truth[0] <= require_value(one.spread)[1] * (1.0 + step),
+                math.log(require_value(one.spread)[1] / require_value(one.spread)[0]),
             )
             for one in tries
         ]

@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from core.boundary import Edge, edge, narrowed, written_up
+from core.boundary import Boundary, find_boundary, narrowed, written_up
 
 
 def test_that_a_bracket_is_narrowed_from_both_sides_as_closely_as_asked():
@@ -23,24 +23,26 @@ def test_that_the_nearest_boundary_is_found_wherever_the_search_starts(rises):
     draw = random.Random(4)
     for _ in range(200):
         start, limit = 10.0 ** draw.uniform(-2.0, 2.0), 10.0 ** draw.uniform(-2.0, 2.0)
-        found = edge(lambda value: (value >= limit) == rises, start, (1e-3, 1e3), rises, 1.5, 1e-3)  # noqa: B023
+        found = find_boundary(lambda value: (value >= limit) == rises, start, (1e-3, 1e3), rises, 1.5, 1e-3)  # noqa: B023
         assert (found.good >= limit) == rises and (found.bad >= limit) != rises and not found.refused
         assert abs(found.good / found.bad - 1.0) <= 1.1e-3
 
 
 def test_that_what_holds_everywhere_or_nowhere_has_one_side():
-    assert edge(lambda value: True, 1.0, (0.1, 10.0), True, 2.0, 1e-3) == Edge(0.1, None)
-    assert edge(lambda value: True, 1.0, (0.1, 10.0), False, 2.0, 1e-3) == Edge(10.0, None)
-    assert edge(lambda value: False, 1.0, (0.1, 10.0), True, 2.0, 1e-3) == Edge(None, 10.0)
-    assert edge(lambda value: None, 1.0, (0.1, 10.0), False, 2.0, 1e-3) == Edge(None, 0.1)
+    assert find_boundary(lambda value: True, 1.0, (0.1, 10.0), True, 2.0, 1e-3) == Boundary(0.1, None)
+    assert find_boundary(lambda value: True, 1.0, (0.1, 10.0), False, 2.0, 1e-3) == Boundary(10.0, None)
+    assert find_boundary(lambda value: False, 1.0, (0.1, 10.0), True, 2.0, 1e-3) == Boundary(None, 10.0)
+    assert find_boundary(lambda value: None, 1.0, (0.1, 10.0), False, 2.0, 1e-3) == Boundary(None, 0.1)
 
 
 def test_that_a_value_that_is_refused_is_told_from_one_that_fails():
     def holds(value):
         return None if value < 0.6 else value >= 0.5
 
-    assert edge(holds, 1.0, (0.1, 10.0), True, 1.25, 1e-4).refused
-    assert not edge(lambda value: None if value < 0.6 else value >= 0.8, 1.0, (0.1, 10.0), True, 1.25, 1e-4).refused
+    assert find_boundary(holds, 1.0, (0.1, 10.0), True, 1.25, 1e-4).refused
+    assert not find_boundary(
+        lambda value: None if value < 0.6 else value >= 0.8, 1.0, (0.1, 10.0), True, 1.25, 1e-4
+    ).refused
 
 
 def test_that_a_value_is_written_up_and_never_down():

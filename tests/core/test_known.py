@@ -2,10 +2,10 @@
 
 import pytest
 
-from core.known import known
+from core.known import require_value
 
 
 def test_that_what_is_there_is_itself_and_what_is_missing_is_a_fault():
-    assert known(0.0) == 0.0 and known("") == ""
+    assert require_value(0.0) == 0.0 and require_value("") == ""
     with pytest.raises(TypeError):
-        known(None)
+        require_value(None)

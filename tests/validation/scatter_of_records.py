@@ -18,7 +18,7 @@ import numpy as np
 from core.case.rules import parse_case
 from core.case.select import Select
 from core.errors import InputError
-from core.ground.record_folder import Candidate, Limits, files_in, one_of_each, read_file
+from core.ground.record_folder import Candidate, Limits, drop_duplicate_records, files_in, read_file
 from core.ground.response_spectrum import pseudo_acceleration_spectrum
 from core.setting.demand_input import read_demand
 from core.setting.plan import make_plan, read_inputs
@@ -50,7 +50,7 @@ def demand_table(ag: float, soil: str) -> dict:
 def usable(folder: Path) -> list[Candidate]:
     """The records of a folder that a selection takes, each motion once."""
     read = (one for path in files_in(folder) for one in read_file(path, PERIODS, Limits()))
-    return one_of_each([one for one in read if isinstance(one, Candidate)])[0]
+    return drop_duplicate_records([one for one in read if isinstance(one, Candidate)])[0]
 
 
 def halves(found: list[Candidate], seed: int, into: Path) -> tuple[Path, Path]:

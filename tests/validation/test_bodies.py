@@ -15,7 +15,7 @@ from core.rocking.methods import METHODS
 from core.rocking.outcome import STABLE
 from core.setting.check_input import make_rocking_model
 from core.study.run import run
-from core.wall.body import Body, extruded, polygon_sums, together
+from core.wall.body import Body, extruded, polygon_sums, sum_bodies
 from core.wall.masonry import base_length, inner_of
 from core.wall.rocking_model import OtherSide, RockingModel
 from core.wall.solids import clipped
@@ -159,7 +159,7 @@ def test_that_a_body_cut_in_two_is_the_whole_body():
         cut = random.uniform(0.3, 5.7)
         lower, upper = [(0, 0), (4, 0), (4, cut), (0, cut)], [(0, cut), (4, cut), (4, 6), (0, 6)]
         whole = extruded([(0, 0), (4, 0), (4, 6), (0, 6)], (0.0, 0.5), 0.5 * math.pi, 0.0, 1800.0)
-        parts = together(extruded(p, (0.0, 0.5), 0.5 * math.pi, 0.0, 1800.0) for p in (lower, upper))
+        parts = sum_bodies(extruded(p, (0.0, 0.5), 0.5 * math.pi, 0.0, 1800.0) for p in (lower, upper))
         assert tuple(parts) == pytest.approx(tuple(whole), rel=1e-14)
 
 
@@ -409,7 +409,7 @@ def test_that_the_part_above_a_hinge_is_the_body_cut_there():
     assert high.block.is_rectangle and high.wall.weight == pytest.approx(18e3 * 4.0 * 0.45 * 5.0, rel=1e-12)
     rest = extruded([(0, 0), (0.6, 0), (0.6, 2), (0, 2)], (0.0, 5.0), 0.0, 0.0, 18e3 / G)
     top = extruded([(0, 2), (0.45, 2), (0.45, 6), (0, 6)], (0.0, 5.0), 0.0, 0.0, 18e3 / G)
-    assert tuple(low.wall.in_si.body) == pytest.approx(tuple(together((rest, top))), rel=1e-13)
+    assert tuple(low.wall.in_si.body) == pytest.approx(tuple(sum_bodies((rest, top))), rel=1e-13)
     assert whole.q_set and low.q_set and high.q_set
 
 

@@ -14,7 +14,7 @@ from core.rocking.compared import comparison, stepped
 from core.rocking.events import leave_impact, uplift_side
 from core.rocking.methods import NO_TABLE
 from core.rocking.outcome import COLLAPSED, STABLE
-from core.wall.moment_rotation import FAR, moment, moment_branch
+from core.wall.moment_rotation import NEVER_REACHED, moment, moment_branch
 
 
 def variant(kernel, **replacements):
@@ -82,7 +82,7 @@ def _never_rests(speed, ground, model, thresholds):
 
 def _one_branch(zone, model):
     _, _, *branch = moment_branch(zone, model)
-    return 0.0, FAR, *branch
+    return 0.0, NEVER_REACHED, *branch
 
 
 def _rk4_through_kinks(code, phi, speed, beta, slope, h, model, zone, *rest):

@@ -17,7 +17,7 @@ from core.ground.records import plausible, samples
 from core.ground.records.container import MEMBER_SEPARATOR, is_zip, member_of, sheet_of
 from core.ground.records.cut import refuse_cut
 from core.ground.records.grammar import UNITS, Options, Parsed, decode, quoted
-from core.ground.records.placement import in_structure
+from core.ground.records.placement import structure_words
 from core.ground.records.signatures import refuse_signature
 from core.ooxml.package import is_workbook
 from core.regular_file import TooLarge, read_regular
@@ -152,7 +152,7 @@ def _of_lines(content: bytes, lines: list[str], path: Path, options: Options, sc
     _refuse_unused(options, title, parsed)
     if parsed.vertical:
         warnings.append(notice("vertical"))
-    words = in_structure(lines, parsed.channel) if parsed.standing is None else parsed.standing
+    words = structure_words(lines, parsed.channel) if parsed.standing is None else parsed.standing
     if words:
         warnings.append(notice("in_structure", words=quoted(words)))
     if not cells:

@@ -12,15 +12,15 @@ from core.ground.records.grammar import (
     UNITS,
     Options,
     Parsed,
-    agree_with_peak,
     block,
+    check_peak,
     numbers,
     quoted,
     to_count,
     to_float,
     whole,
 )
-from core.ground.records.placement import in_structure
+from core.ground.records.placement import structure_words
 from core.text.sentence import notice
 
 _V2 = re.compile(
@@ -165,7 +165,7 @@ def _channel(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
     size = int(width[1]) if width else _width(lines[place + 1] if place + 1 < end else "")
     parsed = whole(block(lines[place + 1 : end], place + 2, declared, size))
     parsed.unit = UNITS_OF[written]
-    parsed.standing = in_structure(head, "")
+    parsed.standing = structure_words(head, "")
     if _COSMOS.match(lines[place]):
         parsed.standing = parsed.standing or _cosmos_standing(head)
         parsed.time_step = _cosmos_step(head)
@@ -218,7 +218,7 @@ def _take_statements(parsed: Parsed, head: str) -> None:
     assert parsed.unit is not None
     peak, band = _PEAK.search(head), _BAND.search(head)
     ratio = UNITS[UNITS_OF[peak[2].lower()]] / UNITS[parsed.unit] if peak else 1.0
-    agree_with_peak(parsed, to_float(peak[1]) * ratio if peak else None)
+    check_peak(parsed, to_float(peak[1]) * ratio if peak else None)
     parsed.peak_time = to_float(peak[3]) if peak and peak[3] else None
     parsed.corner = to_float(band[1]) if band else None
 

@@ -8,8 +8,8 @@ import numpy as np
 from core.errors import RecordError
 from core.ground.records.california import GRID, PAIRS_A_LINE
 from core.ground.records.channels import Channel, chosen, is_vertical
-from core.ground.records.grammar import NUMBER, Options, Parsed, agree_with_peak, block, to_count, to_float, whole
-from core.ground.records.placement import in_structure
+from core.ground.records.grammar import NUMBER, Options, Parsed, block, check_peak, to_count, to_float, whole
+from core.ground.records.placement import structure_words
 from core.text.sentence import notice
 
 _BEGIN = re.compile(r"\s*UNCORRECTED ACCELEROGRAM DATA\s+PROCESSED", re.IGNORECASE)
@@ -57,7 +57,7 @@ def _pairs(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
     if abs(times[-1] - length) > max(0.1, 2.0 * steps.max()):
         raise RecordError("uneven_pairs")
     parsed.unit = "g"
-    parsed.standing = in_structure(head, "")
+    parsed.standing = structure_words(head, "")
     if np.ptp(steps) < 0.1 * GRID:
         parsed.values, parsed.time_step = samples * 0.1, float(round(steps.mean(), 6))
     else:
@@ -68,7 +68,7 @@ def _pairs(lines: list[str], place: int, end: int, head: list[str]) -> Parsed:
     stated = next((match for line in head if (match := _PEAK.search(line))), None)
     peak, read = to_float(stated[1]) if stated else None, float(np.abs(samples).max()) * 0.1
     if peak is not None:
-        agree_with_peak(parsed, read if abs(abs(peak) - read) <= PEAK_ROUNDING else peak)
+        check_peak(parsed, read if abs(abs(peak) - read) <= PEAK_ROUNDING else peak)
     parsed.warnings.append(notice("unprocessed"))
     titles = [line.strip() for line in head]
     parsed.details = (("event", titles[1]), ("station", titles[5]), ("date", titles[2]), ("processing", "none"))

@@ -6,8 +6,8 @@ from functools import partial
 
 from core.errors import RecordError
 from core.ground.records.channels import Channel, chosen, is_vertical
-from core.ground.records.grammar import NUMBER, Options, Parsed, agree_with_peak, block, to_float, whole
-from core.ground.records.placement import in_structure
+from core.ground.records.grammar import NUMBER, Options, Parsed, block, check_peak, to_float, whole
+from core.ground.records.placement import structure_words
 from core.text.sentence import notice
 
 _BEGIN = re.compile(r"(Unc|C)orrected accelerogram ")
@@ -61,13 +61,13 @@ def _component(lines: list[str], place: int, end: int, head: str) -> Parsed:
     parsed = whole(block(lines[start : start + rows], start + 1, declared, FIELD_WIDTH))
     parsed.time_step = to_float(stated)
     parsed.unit = "mm/s2"
-    parsed.standing = in_structure(head.splitlines(), "")
+    parsed.standing = structure_words(head.splitlines(), "")
     duration = _DURATION.search(head)
     covered = parsed.time_step * declared
     if duration and abs(to_float(duration[1]) - covered) > max(0.02 * covered, 1.0):
         raise RecordError("head_lacks", label="Duration")
     peak = _PEAK.search(head)
-    agree_with_peak(parsed, to_float(peak[1]) if peak else None)
+    check_peak(parsed, to_float(peak[1]) if peak else None)
     corner = _CORNER.search(head)
     parsed.corner = to_float(corner[1]) if corner else None
     if raw:

@@ -169,7 +169,7 @@ CONTRADICTION = 1.5
 """Ratio of the peak read to the one stated beyond which unit or scale is wrong; less is warned of."""
 
 
-def agree_with_peak(parsed: Parsed, stated: float | None) -> None:
+def check_peak(parsed: Parsed, stated: float | None) -> None:
     """Keep the peak a header states, in the unit of the samples; raise RecordError where they are of another size."""
     parsed.stated_peak = abs(stated) if stated else None
     peak = float(np.abs(parsed.values).max()) if parsed.values.size else 0.0

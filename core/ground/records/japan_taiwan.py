@@ -11,8 +11,8 @@ from core.ground.records.grammar import (
     NUMBER,
     Options,
     Parsed,
-    agree_with_peak,
     block,
+    check_peak,
     one_number,
     quoted,
     table_of,
@@ -58,7 +58,7 @@ def read_knet(lines: list[str], options: Options) -> Parsed:
     gal = parsed.values * (gals / counts)
     parsed.values = gal - gal.mean()
     parsed.time_step, parsed.unit = 1.0 / rate, "cm/s2"
-    agree_with_peak(parsed, one_number(header.get("Max. Acc. (gal)", ""), "Max. Acc. (gal)"))
+    check_peak(parsed, one_number(header.get("Max. Acc. (gal)", ""), "Max. Acc. (gal)"))
     direction = header.get("Dir.", "")
     parsed.channel = direction
     parsed.vertical = is_vertical(direction) or direction in ("3", "6")
@@ -118,7 +118,7 @@ def read_cwa(lines: list[str], options: Options) -> Parsed:
     def column(k: int) -> Parsed:
         parsed = Parsed(table[:, k + 1], 1.0 / rate, "cm/s2", counted=True)
         peak = _CWA_PEAK.fullmatch(header.get(f"AmplitudeMAX. {names[k]}", ""))
-        agree_with_peak(parsed, max(map(abs, map(to_float, peak.groups()))) if peak else None)
+        check_peak(parsed, max(map(abs, map(to_float, peak.groups()))) if peak else None)
         parsed.warnings.append(notice("unprocessed"))
         parsed.details = (
             ("event", next((header[key] for key in header if key.startswith("Origin Time")), "")),

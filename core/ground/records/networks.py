@@ -13,8 +13,8 @@ from core.ground.records.grammar import (
     NUMBER,
     Options,
     Parsed,
-    agree_with_peak,
     block,
+    check_peak,
     fixed_width,
     numbers,
     one_number,
@@ -100,7 +100,7 @@ def _channel(
 ) -> Parsed:
     """Read one column [cm/s2] of a table whose count was checked, raw. first : lines above it"""
     parsed = Parsed(np.asarray(values), step, "cm/s2", counted=True, details=details, told=(first, len(values)))
-    agree_with_peak(parsed, peak)
+    check_peak(parsed, peak)
     parsed.warnings += [*warnings, notice("unprocessed")]
     return parsed
 
@@ -192,7 +192,7 @@ def read_csmnc(lines: list[str], options: Options) -> Parsed:
     component = next((match[1] for line in head if (match := _CSMNC_COMPONENT.match(line))), "")
     parsed.time_step, parsed.unit = to_float(points[2]), "cm/s2"
     parsed.peak_time = to_float(peak[2]) if peak else None
-    agree_with_peak(parsed, to_float(peak[1]) if peak else None)
+    check_peak(parsed, to_float(peak[1]) if peak else None)
     parsed.channel, parsed.vertical = component, is_vertical(component)
     labels = _labels(head)
     standing = labels.get("OBSERVING POINT", "")

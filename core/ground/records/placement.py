@@ -22,7 +22,7 @@ HEAD_LINES = 60
 """Lines of a file in which its head says where the sensor stood."""
 
 
-def in_structure(lines: list[str], channel: str) -> str:
+def structure_words(lines: list[str], channel: str) -> str:
     """The words by which a head, or the name of a channel, places its sensor in a structure; "" where none does."""
     heads = [line for line in lines[:HEAD_LINES] if any(char.isalpha() for char in line)]
     for text in (channel, *heads):

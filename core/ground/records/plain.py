@@ -115,7 +115,7 @@ def read(lines: list[str], options: Options) -> Parsed:
         plain_head.refuse_column(said, table.shape[1], taken)
     parsed = Parsed(values, from_time, None, counted=declared is not None)
     take_unit(parsed, unit)
-    plain_head.agree(parsed, said, declared[1] if declared else None, options.time_step)
+    plain_head.apply_head_statements(parsed, said, declared[1] if declared else None, options.time_step)
     parsed.stated_peak = plain_head.stated_peak(said, parsed.unit or options.unit)
     parsed.told = len(content.head), len(content.places)
     parsed.details = tuple((f"line {k + 1}", text) for k, text in enumerate(content.head[:6]))

@@ -292,7 +292,7 @@ _DIRECTION = re.compile(r"(?:n-?s|e-?w|n-?o|u-?d|north|south|east|west|up|nord|s
 """A direction above a column."""
 
 
-def agree(parsed: Parsed, said: str, declared: float | None, given: float | None) -> None:
+def apply_head_statements(parsed: Parsed, said: str, declared: float | None, given: float | None) -> None:
     """Take over what a head says of the samples: time step, count and factor.
 
     parsed : with the step of the time column, None without one; declared : step of a line `npts dt` [s]; given : that

@@ -4,7 +4,7 @@ import re
 
 from core.errors import RecordError
 from core.ground.records.channels import is_vertical
-from core.ground.records.grammar import NUMBER, Options, Parsed, agree_with_peak, block, fixed_width, numbers, to_float
+from core.ground.records.grammar import NUMBER, Options, Parsed, block, check_peak, fixed_width, numbers, to_float
 from core.text.sentence import notice
 
 _KIND = re.compile(r"\s?([0-9]) ([A-Z]+)")
@@ -43,7 +43,7 @@ def read(lines: list[str], options: Options) -> Parsed:
     head = [line[:500] for line in lines[:TEXT_LINES]]
     peak = _PEAK.search(" ".join(head))
     if parsed.unit:
-        agree_with_peak(parsed, to_float(peak[1]) if peak else None)
+        check_peak(parsed, to_float(peak[1]) if peak else None)
         parsed.peak_time = _peak_time(reals)
     if kind == "UNCORRECTED":
         parsed.warnings.append(notice("unprocessed"))

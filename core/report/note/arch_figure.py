@@ -1,7 +1,7 @@
 """Figure of a wall that spans between transverse walls: its plan, both halves as they turn, and their three hinges."""
 
 from core.codes.vertical_bending import bending, outlines, shown_rotation
-from core.known import known
+from core.known import require_value
 from core.report.note.parts import Curve, Figure, Label, path
 from core.report.note.words import Words
 from core.study.results import WallResult
@@ -11,7 +11,7 @@ from core.wall.bending import hinges_of
 def drawing(wall: WallResult, words: Words) -> Figure:
     """The plan to scale, outside below: sizes, transverse walls, hinges at rest, the halves turned (dashed), and the
     thrust of the ends."""
-    mechanism, arch = bending(wall.wall.in_si), known(wall.wall.in_si.arch)
+    mechanism, arch = bending(wall.wall.in_si), require_value(wall.wall.in_si.arch)
     span, t, h1 = arch.spacing, mechanism.strip.thickness, mechanism.h1
     at, beyond = hinges_of(mechanism.strip, h1), 0.18 * span
 

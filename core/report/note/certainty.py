@@ -1,6 +1,6 @@
 """Part of a note beside the verdict of a wall: another sample of records, moved inputs, the rates of limit states."""
 
-from core.known import known
+from core.known import require_value
 from core.report import uncertainty_text
 from core.report.note.parts import Curve, Figure, Figures, Heading, Item, Part, Table, path
 from core.report.note.words import Words
@@ -30,7 +30,7 @@ def certainty(result: StudyResult, words: Words) -> list[Part]:
         if verdict.sensitivity:
             parts += _moved(result, verdict, words)
         if verdict.rates:
-            life = known(result.case.demand).nominal_life_years
+            life = require_value(result.case.demand).nominal_life_years
             rows = [uncertainty_text.rate_row(say, rate, language) for rate in verdict.rates]
             parts.append(Table(uncertainty_text.rate_heads(say, life), rows, (1.1, 1.4, 0.7, 2.0, 1.0, 1.2, 1.1, 1.6)))
         parts += [Item(line, "quiet") for line in uncertainty_text.rate_lines(say, result, verdict.rates)]
@@ -41,7 +41,7 @@ def _moved(result: StudyResult, verdict: WallVerdict, words: Words) -> list[Part
     """The inputs that move zeta: figure and table; what zeta required asks of thickness, ties and a_g."""
     say, language = words.say, words.language
     parts: list[Part] = []
-    sensitivity, target = known(verdict.sensitivity), result.demand_required.zeta_target
+    sensitivity, target = require_value(verdict.sensitivity), result.demand_required.zeta_target
     rows = uncertainty_text.moved_rows(sensitivity, language)
     if rows:
         cells = []

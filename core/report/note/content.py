@@ -4,7 +4,7 @@ from itertools import groupby
 
 from core.case.site import FULL_FACTOR
 from core.ground.provenance import provenance
-from core.known import known
+from core.known import require_value
 from core.report import assumption_table
 from core.report.confirmed import confirmation_codes
 from core.report.derived import cell_prefix
@@ -166,7 +166,7 @@ def _demand(result: StudyResult, words: Words) -> list[Part]:
 
 def _confidence(result: StudyResult, words: Words) -> str:
     """Why FC is what it is."""
-    demand = known(result.case.demand)
+    demand = require_value(result.case.demand)
     fc = words.number(demand.confidence_factor, ".2f")
     if demand.confidence_factor >= FULL_FACTOR:
         return words.say(
@@ -298,7 +298,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     kinematic, language = assessment.kinematic, words.language
     held = say("element free to vibrate") if kinematic.free_element else say("not free to vibrate")
     if kinematic.floor:
-        held = say("wall at {z:g} m, {kind}", z=float(known(wall.wall.demand_height_m)), kind=held)
+        held = say("wall at {z:g} m, {kind}", z=float(require_value(wall.wall.demand_height_m)), kind=held)
     parts.append(Paragraph(sentence_of(wall, language), tone_of(result, wall)))
     reasons = lines_of(result, wall, language)
     parts += [Item(line) for line in reasons[:MAX_REASON_LINES]]

@@ -11,7 +11,7 @@ from xml.sax.saxutils import escape
 
 from core.derivation.faces import ATOM, CONSTANTS, POWER, PRODUCT, SUM, Face
 from core.report.note.parts import Step
-from core.text.sentence import numeral
+from core.text.sentence import format_number
 
 NAMESPACE = "http://schemas.openxmlformats.org/officeDocument/2006/math"
 
@@ -162,7 +162,7 @@ class Equation(Face):
         return self.constant(self.known(name))
 
     def constant(self, value):
-        return [self.notation.run(numeral(float(value), "g", self.language))], ATOM
+        return [self.notation.run(format_number(float(value), "g", self.language))], ATOM
 
 
 MAX_LINE, MAX_WHOLE_LINE = 42, 77

@@ -7,7 +7,7 @@ import numpy as np
 
 from core.derivation.faces import Shown
 from core.derivation.quantity import Quantity
-from core.text.sentence import numeral
+from core.text.sentence import format_number
 
 
 @dataclass(frozen=True)
@@ -105,7 +105,7 @@ class Step:
         """Text of the result, "–" for None."""
         if self.result is None or isinstance(self.result, str):
             return self.result or "–"
-        return numeral(self.result, self.form, language)
+        return format_number(self.result, self.form, language)
 
 
 @dataclass(frozen=True)

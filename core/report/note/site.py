@@ -4,7 +4,7 @@ from core.case.loads import Load
 from core.case.wall import Wall
 from core.codes.floor_spectrum import PLATEAU_END, PLATEAU_START, estimated_period
 from core.ground.floor_motion import Mode
-from core.known import known
+from core.known import require_value
 from core.report.note.parts import Derivation, Heading, Paragraph, Part, Step, Table
 from core.report.note.words import Words
 from core.report.place_lines import place_of, states_of
@@ -20,7 +20,7 @@ def hazard(result: StudyResult, words: Words) -> list[Part]:
     demand = result.demand
     if demand is None or not demand.hazard:
         return []
-    shapes = {row.return_period_years: row for row in known(result.case.demand).hazard}
+    shapes = {row.return_period_years: row for row in require_value(result.case.demand).hazard}
     rows = []
     for years, ag in demand.hazard:
         row = shapes.get(years)

@@ -7,7 +7,7 @@ import numpy as np
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.capacity_curve import capacity_curve
 from core.codes.dynamic_check import model_and_scale_at_demand
-from core.known import known
+from core.known import require_value
 from core.report.load_arrows import arrows
 from core.report.note import arch_figure, bending_figure
 from core.report.note.parts import Curve, Figure, Label, path
@@ -165,7 +165,7 @@ def capacity(result: StudyResult, wall: WallResult, words: Words) -> Figure | No
     percent = words.number(100.0 * curve.damping, "g")
     along, across = zip(*curve.capacity, strict=True)
     a0 = max(across)
-    d, a, s_de, period = map(known, (mechanism.d_limit, mechanism.a_limit, mechanism.s_de, mechanism.period))
+    d, a, s_de, period = map(require_value, (mechanism.d_limit, mechanism.a_limit, mechanism.s_de, mechanism.period))
     curves = [
         Curve(words.say("demand {percent} %", percent=percent), curve.demand_d / CM, curve.demand_a / G, "bad"),
         Curve(words.say("capacity"), tuple(d / CM for d in along), tuple(a / G for a in across), "accent", width=1.8),
@@ -223,7 +223,7 @@ def forces_of_ties(result: StudyResult, wall: WallResult, words: Words) -> Figur
         return None
     worst, curves, last = deciding[0], [], 0.0
     weakened, _ = model_and_scale_at_demand(
-        wall.model, result.demand_required, known(wall.required_assessment.dynamic).confidence_on, worst.motion
+        wall.model, result.demand_required, require_value(wall.required_assessment.dynamic).confidence_on, worst.motion
     )
     of_bars = bar_histories(wall.wall, worst.history, wall.model.p2 / weakened.p2)
     for one, color in zip(of_bars, ("accent", "bad", "amber", "ink") * 9, strict=False):

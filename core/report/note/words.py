@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from core.text.sentence import Number, localized, numeral, sentence, word
+from core.text.sentence import Number, format_number, localized, sentence, word
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,7 @@ class Words:
 
     def number(self, value: float | None, form: str) -> str:
         """A number, "–" for None."""
-        return numeral(value, form, self.language)
+        return format_number(value, form, self.language)
 
     def short(self, check) -> str:
         """A check in a table: "time histories", "q = 2"."""

@@ -4,7 +4,7 @@ import math
 from typing import Any, NamedTuple
 
 from core.codes.eq9 import LABEL
-from core.known import known
+from core.known import require_value
 from core.report.stated.checks import AT_DEMAND, FLOOR, KINEMATIC, RISK, UNCERTAINTY, VERDICT_OF_HINGE
 from core.report.stated.quantity import (
     Quantity,
@@ -239,7 +239,7 @@ class WallResultSource(NamedTuple):
 
     @property
     def runs(self) -> list[RunSource]:
-        return [RunSource(run, self.wall, known(self.result)) for run in self.wall.runs]
+        return [RunSource(run, self.wall, require_value(self.result)) for run in self.wall.runs]
 
     @property
     def found(self) -> Any:
@@ -259,7 +259,7 @@ class OfAssessment:
 def _with_factor(of: WallResultSource) -> OfAssessment | None:
     if of.found is None or of.found.kinematic is None:
         return None
-    return OfAssessment(of.found, known(of.result).demand_required.confidence_factor)
+    return OfAssessment(of.found, require_value(of.result).demand_required.confidence_factor)
 
 
 WALL = (

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from core.capacity.accuracy import NOISES, PROMISED, TIMES_NOISE, accuracy, effect_of_noise, truth
+from core.capacity.accuracy import NOISES, PROMISED, TIMES_NOISE, effect_of_noise, make_accuracy, reference_history
 from core.capacity.ida import Search, incremental_dynamic_analysis
 from core.errors import Cancelled
 from core.ground.ground_motion import GroundMotion
@@ -25,7 +25,7 @@ def said(make_model, reference):
     model = make_model(height=4.0)
     search = Search(q_step=0.02)
     ida = incremental_dynamic_analysis(ground, 0.01, motion.pga, 1, model, METHODS["taylor"], search)
-    return ida, accuracy(motion, 1, ida, None, model, METHODS["taylor_6"], search)
+    return ida, make_accuracy(motion, 1, ida, None, model, METHODS["taylor_6"], search)
 
 
 @pytest.mark.shows("search.accuracy")
@@ -73,7 +73,7 @@ def test_that_a_wall_with_ties_has_the_bound_and_no_other_solver(make_model, ref
     bar = TieBar(3.5, 0.02, 5e-3, 0.0, 0.1).scaled(1.0)
     model = make_model(height=4.0, one_sided=True)._replace(bars=(bar,))
     ida = incremental_dynamic_analysis(ground, 0.01, motion.pga, 1, model, METHODS["taylor"], search)
-    found = accuracy(motion, 1, ida, None, model, METHODS["rk4"], search)
+    found = make_accuracy(motion, 1, ida, None, model, METHODS["rk4"], search)
     assert found.method == "taylor" and found.points == ()
     assert found.q_reference is found.solver_q_difference is found.history_difference is None
     assert found.history_bound >= PROMISED and found.noise_effect > 0.0
@@ -101,7 +101,7 @@ def test_that_the_independent_solver_ends_soon_after_a_cancel(make_model, refere
 
     model, ground = make_model(), reference("standard")[0]
     with pytest.raises(Cancelled):
-        truth(GroundMotion("long", ground, 0.01), 1.0, model, cancelled)
+        reference_history(GroundMotion("long", ground, 0.01), 1.0, model, cancelled)
     assert len(asked) == 4
 
 

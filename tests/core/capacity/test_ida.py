@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from core.capacity import bisection, ida
-from core.capacity.bisection import BRACKET, bisections
+from core.capacity.bisection import BRACKET, bisect_brackets
 from core.capacity.fragility import fragility
 from core.capacity.ida import (
     TRILINEAR_FLOOR,
@@ -146,7 +146,7 @@ def test_that_midpoints_at_once_give_the_bracket_of_one_after_the_other():
             (np.array([f(x) for x in q], bool), np.zeros(q.size, bool)) for f, q in zip(functions, points, strict=True)
         ]
 
-    assert bisections(brackets, flags) == expected
+    assert bisect_brackets(brackets, flags) == expected
 
 
 def test_that_an_unknown_midpoint_ends_its_own_bisection_only():
@@ -156,7 +156,7 @@ def test_that_an_unknown_midpoint_ends_its_own_bisection_only():
     def any_of(q):
         return q > 0.0
 
-    first, second = bisections([(1.0, 1.1), (1.0, 1.1)], flags)
+    first, second = bisect_brackets([(1.0, 1.1), (1.0, 1.1)], flags)
     assert first[0] <= 1.02 <= first[1] <= first[0] * (1.0 + BRACKET)
     assert second is None
 
@@ -319,9 +319,9 @@ def test_that_only_a_midpoint_a_bisection_needs_must_be_known():
     def failures(unknown_at):
         return lambda points: [(points[0] > 1.7, np.abs(points[0] - unknown_at) < 1e-9)]
 
-    assert bisections([(1.0, 2.0)], failures(1.5)) == [None]
-    assert bisections([(1.0, 2.0)], failures(1.625)) == [None]
-    ((low, high),) = bisections([(1.0, 2.0)], failures(1.25))  # 1.5 holds: 1.25 is not asked for
+    assert bisect_brackets([(1.0, 2.0)], failures(1.5)) == [None]
+    assert bisect_brackets([(1.0, 2.0)], failures(1.625)) == [None]
+    ((low, high),) = bisect_brackets([(1.0, 2.0)], failures(1.25))  # 1.5 holds: 1.25 is not asked for
     assert low <= 1.7 <= high and high / low - 1.0 <= 1e-4
 
 

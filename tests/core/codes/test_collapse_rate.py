@@ -11,7 +11,7 @@ from scipy.integrate import quad
 from scipy.stats import norm
 
 from core.codes.collapse_rate import STATION_DRAWS, exceedance_probability, mean_rate, state_rate, typical_rate
-from core.ground.provenance import draws
+from core.ground.provenance import bootstrap_counts
 from tests.conftest import ROOT
 
 HAZARD = [(30, 0.6), (50, 0.8), (72, 0.95), (101, 1.1), (140, 1.25), (201, 1.45), (475, 2.1), (975, 2.7), (2475, 3.7)]
@@ -112,7 +112,7 @@ def test_that_the_interval_is_nine_tenths_of_the_drawn_sets():
     """The rate of each set by itself: a record drawn twice is there twice."""
     capacities, names = np.array([2.0, 3.0, 2.5, 4.0, 3.3, 2.2, 2.8]), list("aabcdef")
     found = state_rate("SLV", capacities, names, HAZARD, 1.35, None)
-    rates = [typical_rate(np.repeat(capacities, row) / 1.35, HAZARD) for row in draws(names, STATION_DRAWS)]
+    rates = [typical_rate(np.repeat(capacities, row) / 1.35, HAZARD) for row in bootstrap_counts(names, STATION_DRAWS)]
     assert (found.low, found.high) == pytest.approx(np.quantile(rates, (0.05, 0.95)), rel=1e-12)
     assert found.rate == pytest.approx(typical_rate(capacities / 1.35, HAZARD), rel=1e-12)
 

@@ -16,7 +16,7 @@ from core.codes.verdict_sentence import check_sentence, hinge_phrase
 from core.ground.artificial import compatible_motion
 from core.setting.demand_input import read_demand
 from core.study import run as study
-from core.text.sentence import Number, apart, numeral, sentence
+from core.text.sentence import Number, apart, format_number, sentence
 from core.units import G
 
 SPECTRUM = {"code": "EN1998", "soil": "B", "type": 1}
@@ -382,7 +382,7 @@ def test_that_records_weaker_than_the_demand_give_no_pga_of_capacity(tmp_path, s
     ("value", "shown"), [(0.994, "0.99"), (0.9951, "0.995"), (0.99996, "0.9999"), (1.0, "1.00"), (1.004, "1.00")]
 )
 def test_that_a_zeta_below_one_does_not_read_as_one(value, shown):
-    assert numeral(apart(value, 1.0).value, apart(value, 1.0).form, "en") == shown
+    assert format_number(apart(value, 1.0).value, apart(value, 1.0).form, "en") == shown
 
 
 def test_that_a_spectrum_of_a_file_that_falls_limits_the_verdict(tmp_path):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from core.ground.record_folder import Limits, read_file
-from core.ground.records.placement import in_structure
+from core.ground.records.placement import structure_words
 
 PLACES = [
     ("Chan  3: Roof - East", True),
@@ -29,8 +29,8 @@ PLACES = [
 
 @pytest.mark.parametrize(("line", "inside"), PLACES)
 def test_that_the_words_of_a_place_in_a_structure_are_known(line, inside):
-    assert bool(in_structure(["# head", line, "0.1 0.2"], "")) == inside
-    assert bool(in_structure(["# head"], line)) == inside
+    assert bool(structure_words(["# head", line, "0.1 0.2"], "")) == inside
+    assert bool(structure_words(["# head"], line)) == inside
 
 
 @pytest.mark.parametrize(("place", "taken"), [("roof, 12 storeys", False), ("free field, garden", True)])

@@ -18,7 +18,7 @@ from core.codes.outcomes import OUTCOMES
 from core.codes.record_compatibility import check_compatibility
 from core.errors import Cancelled, InputError
 from core.ground.provenance import Provenance
-from core.ground.record_folder import SAME_MOTION, Candidate, LeftOut, Limits, one_of_each, read_file
+from core.ground.record_folder import SAME_MOTION, Candidate, ExcludedRecord, Limits, drop_duplicate_records, read_file
 from core.report.json_report import results
 from core.setting import plan, record_selection
 from core.setting.demand_input import read_demand
@@ -322,7 +322,7 @@ def test_that_of_a_recording_in_both_forms_the_processed_one_stays(tmp_path):
             (tmp_path / name).write_text(text)
     found = [one for path in tmp_path.iterdir() for one in read_file(path, np.array([0.1, 1.0]), Limits())]
     assert all(isinstance(one, Candidate) for one in found)
-    kept, left = one_of_each(found)
+    kept, left = drop_duplicate_records(found)
     assert {one.file.name for one in kept} == {"b.ASC", "c.ASC", "d raw.ASC", "e raw.ASC"}
     assert [(one.file.name, one.reason.code) for one in left] == [("a raw.ASC", "processed_beside")]
     assert "b.ASC" in left[0].reason.text()
@@ -345,7 +345,7 @@ def test_that_a_record_on_a_limit_is_within_it(limits, within, tmp_path):
     if within:
         assert isinstance(found, Candidate)
     else:
-        assert isinstance(found, LeftOut) and found.reason.code == "selected_beyond"
+        assert isinstance(found, ExcludedRecord) and found.reason.code == "selected_beyond"
 
 
 @pytest.mark.parametrize(("apart", "same"), [(SAME_MOTION, True), (1.01 * SAME_MOTION, False)])
@@ -355,6 +355,6 @@ def test_that_records_whose_spectra_differ_by_a_thousandth_are_still_one_motion(
         Candidate(Path(f"{k}.ASC"), "", "", str(k), str(k), said[k], 1.0, False, np.array([ordinate, 1.0]))
         for k, ordinate in enumerate((1.0, 1.0 + apart))
     )
-    kept, left = one_of_each([second, first])
+    kept, left = drop_duplicate_records([second, first])
     assert [one.file.name for one in kept] == (["0.ASC"] if same else ["0.ASC", "1.ASC"])
     assert [(one.file.name, one.reason.code) for one in left] == ([("1.ASC", "same_motion")] if same else [])

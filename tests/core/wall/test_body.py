@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from core.wall.body import crossing, holds, meet, shared_area
+from core.wall.body import contains_point, crossing, edges_touch, shared_area
 
 
 @pytest.mark.parametrize(
@@ -44,15 +44,15 @@ def test_that_two_edges_meet_where_they_have_a_point_in_common(one, other, answe
         one, other = (tuple((z, s) for s, z in edge) for edge in (one, other))
     for first in (one, one[::-1]):
         for second in (other, other[::-1]):
-            assert meet(first, second) == meet(second, first) == answer
+            assert edges_touch(first, second) == edges_touch(second, first) == answer
 
 
 def test_that_a_polygon_holds_its_edge_and_its_inside_alone():
     gable = [(0, 0), (6, 0), (6, 5), (3, 7), (0, 5)]
     for point in ((3, 1), (0, 2), (6, 5), (3, 7), (1.5, 6), (3, 0)):
-        assert holds(gable, point), point
+        assert contains_point(gable, point), point
     for point in ((-1, 2), (7, 2), (1, 6.5), (3, 7.1), (-1, 5), (3, -0.1)):
-        assert not holds(gable, point), point
+        assert not contains_point(gable, point), point
 
 
 @pytest.mark.parametrize("degrees", range(5, 360, 10))

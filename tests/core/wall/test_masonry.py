@@ -12,7 +12,7 @@ from core.study import run as study
 from core.units import G
 from core.wall.block import Block
 from core.wall.loads import UNLOADED, RestoringMoment
-from core.wall.masonry import Masonry, as_force, is_stable, period_share
+from core.wall.masonry import Masonry, is_stable, load_to_force, period_share
 from core.wall.solids import Part
 from tests.validation.test_loaded_walls import PUSHING, ROOF, THRUST, TIE, WALL, case_of
 
@@ -26,7 +26,7 @@ def test_that_a_tie_of_a_wall_that_turns_both_ways_holds_its_outward_side_alone(
     wall = case_of({**TIE, "kn_m": 2.0}, mechanism="two_sided").wall[0]
     wall = wall.in_si
     (tie,) = wall.loads
-    assert as_force(tie, wall, 1.0).horizontal == 2e3 and as_force(tie, wall, -1.0).horizontal == 0.0
+    assert load_to_force(tie, wall, 1.0).horizontal == 2e3 and load_to_force(tie, wall, -1.0).horizontal == 0.0
     assert wall.restoring == (UNLOADED, UNLOADED) and len(wall.bars) == 1
 
 
@@ -109,14 +109,14 @@ def test_that_a_block_with_its_masses_has_their_centroid_and_inertia():
 def test_that_a_load_is_a_force_at_its_place_seen_from_either_hinge():
     wall = wall_of(ROOF, TIE, THRUST, hinge_setback_m=0.05).in_si
     roof, tie, thrust = wall.loads
-    assert tuple(vars(as_force(roof, wall, 1.0)).values()) == pytest.approx((10e3, 0.0, 0.25, 3.0))
-    assert tuple(vars(as_force(roof, wall, -1.0)).values()) == pytest.approx((10e3, 0.0, 0.10, 3.0))
-    assert tuple(vars(as_force(tie, wall, 1.0)).values()) == pytest.approx((0.0, 5e3, -0.05, 2.8))
-    assert tuple(vars(as_force(thrust, wall, 1.0)).values()) == pytest.approx((0.0, -2e3, -0.05, 2.5))
-    assert tuple(vars(as_force(thrust, wall, -1.0)).values()) == pytest.approx((0.0, 2e3, 0.40, 2.5))
-    assert as_force(tie, wall, -1.0).horizontal == 0.0
+    assert tuple(vars(load_to_force(roof, wall, 1.0)).values()) == pytest.approx((10e3, 0.0, 0.25, 3.0))
+    assert tuple(vars(load_to_force(roof, wall, -1.0)).values()) == pytest.approx((10e3, 0.0, 0.10, 3.0))
+    assert tuple(vars(load_to_force(tie, wall, 1.0)).values()) == pytest.approx((0.0, 5e3, -0.05, 2.8))
+    assert tuple(vars(load_to_force(thrust, wall, 1.0)).values()) == pytest.approx((0.0, -2e3, -0.05, 2.5))
+    assert tuple(vars(load_to_force(thrust, wall, -1.0)).values()) == pytest.approx((0.0, 2e3, 0.40, 2.5))
+    assert load_to_force(tie, wall, -1.0).horizontal == 0.0
     inward = replace(thrust, force=-2e3)
-    assert tuple(vars(as_force(inward, wall, 1.0)).values()) == pytest.approx((0.0, 2e3, -0.05, 2.5))
+    assert tuple(vars(load_to_force(inward, wall, 1.0)).values()) == pytest.approx((0.0, 2e3, -0.05, 2.5))
 
 
 def test_that_a_and_c_count_the_weight_of_the_masses_that_move():

@@ -3,7 +3,7 @@
 import pytest
 
 from core.errors import InputError
-from core.wall.masonry import as_force
+from core.wall.masonry import load_to_force
 from core.wall.wall_loads import hinge_inside, largest_tie_share, start_moments, start_multiplier
 from tests.validation.test_loaded_walls import PUSHING, ROOF, THRUST, TIE, case_of
 
@@ -63,6 +63,6 @@ def test_that_the_start_multiplier_is_holding_over_pushing_moments():
     assert start_moments(wall, 1.0) == pytest.approx(held, rel=1e-13)
     inner = (24.3e3 * 0.225, 10e3 * 0.15, 2e3 * 2.5, 0.0, 24.3e3 * 1.5, 10e3 * 3.0)
     assert start_moments(wall, -1.0) == pytest.approx(inner, rel=1e-13)
-    forces = [as_force(load, wall, 1.0) for load in wall.loads]
+    forces = [load_to_force(load, wall, 1.0) for load in wall.loads]
     found = start_multiplier(24.3e3, 0.225, 1.5, forces, wall.masses)
     assert found == pytest.approx(sum(held[:4]) / sum(held[4:]), rel=1e-13)
