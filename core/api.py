@@ -231,7 +231,7 @@ def history(wall: Wall, ground: GroundMotion, scale: float = 1.0, mechanism: str
     """
     model = _model(wall, _of(GroundMotion, "ground", ground), mechanism)
     factor = _number("scale", scale, "-1e6 – 1e6", lambda one: abs(one) <= 1e6)
-    found = rocking.history(ground.acceleration, ground.time_step, factor, model)
+    found = rocking.integrate_history(ground.acceleration, ground.time_step, factor, model)
     if found.outcome not in (STABLE, COLLAPSED):
         raise InputError("api_no_outcome", wall=wall.title, outcome=OUTCOME_WORDS[found.outcome])
     time = ground.time_step * np.arange(found.rotation.size)

@@ -14,7 +14,7 @@ from core.ground.floor_motion import floor_motion
 from core.ground.ground_motion import GroundMotion
 from core.ground.selection import MAX_SETS, Bounds, nearest_sets
 from core.rocking.energy import energy_ratios
-from core.rocking.history import history, scan
+from core.rocking.history import integrate_history, scan_multipliers
 from core.rocking.methods import METHODS
 from core.wall.bars import Bar
 from core.wall.bending import Strip
@@ -39,8 +39,8 @@ def main() -> None:
     floor_motion(motion, [Mode(0.3, 0.05, 1.3)])
     for model in WALLS:
         for method in METHODS.values():
-            scan(method, GROUND, 0.01, np.array([0.5, -0.7]), model, np.zeros(2, np.int64), np.zeros(2))
-            energy_ratios(history(GROUND, 0.01, 1.0, model, method), model)
+            scan_multipliers(method, GROUND, 0.01, np.array([0.5, -0.7]), model, np.zeros(2, np.int64), np.zeros(2))
+            energy_ratios(integrate_history(GROUND, 0.01, 1.0, model, method), model)
     for count, size in ((6, 3), (40, 7)):
         ratios = np.exp(np.random.default_rng(1).normal(0.0, 0.2, (count, 12)))
         assert (math.comb(count, size) <= MAX_SETS) == (count == 6)  # each set, and the search

@@ -19,7 +19,7 @@ from app.views.runs import governing_run, run_name, title_of
 from core.capacity.fragility import fragility_curve
 from core.capacity.ida import grid_point, multiplier_of, threshold_of
 from core.known import require_value
-from core.rocking.history import scan
+from core.rocking.history import scan_multipliers
 from core.rocking.outcome import COLLAPSED, STABLE
 from core.study.results import Run, StudyResult, WallResult
 
@@ -216,5 +216,5 @@ def _peaks(result: StudyResult, wall: WallResult, run: Run) -> tuple[np.ndarray,
     q = q[q <= 1.6 * (run.ida.q or 5.0)]
     outcomes, peaks = np.zeros(q.size, np.int64), np.zeros(q.size)
     scales = run.polarity * multiplier_of(q, motion.pga, threshold_of(wall.model))
-    scan(result.method, motion.acceleration, motion.time_step, scales, wall.model, outcomes, peaks)
+    scan_multipliers(result.method, motion.acceleration, motion.time_step, scales, wall.model, outcomes, peaks)
     return q, np.where(outcomes == COLLAPSED, np.nan, peaks / wall.model.collapse_rotation)

@@ -18,7 +18,7 @@ from core.capacity.ida import multiplier_of, threshold_of
 from core.codes.dynamic_check import model_and_scale_at_demand
 from core.known import require_value
 from core.rocking.energy import energy_ratios
-from core.rocking.history import History, history
+from core.rocking.history import History, integrate_history
 from core.rocking.outcome import COLLAPSED
 from core.study.bar_histories import BarHistory, bar_histories, work_of_impacts
 from core.study.results import StudyResult, WallResult
@@ -295,7 +295,7 @@ class HistoriesTab(ResultTab):
         ground, dt = self.acceleration, self.motion.time_step
         # strength over FC is p^2 / FC under the ground times FC (core/codes/dynamic_check.py)
         model = weakened(wall.model, self.strength_factor)
-        self.history = history(ground, dt, self.strength_factor * scale, model, result.method)
+        self.history = integrate_history(ground, dt, self.strength_factor * scale, model, result.method)
         ratio = self.history.rotation / wall.model.collapse_rotation
         self.curve.setData(self.times[: ratio.size], ratio)
         felt = scale * ground / G  # multiplier and sign in use
@@ -342,7 +342,9 @@ class HistoriesTab(ResultTab):
             return
         run, motion = wall.runs[k], result.motion_of(wall, wall.runs[k].motion)
         factor = multiplier_of(self.q, self.motion.pga, threshold_of(wall.model)) * self.strength_factor
-        self.second = history(motion.acceleration, motion.time_step, run.polarity * factor, model, result.method)
+        self.second = integrate_history(
+            motion.acceleration, motion.time_step, run.polarity * factor, model, result.method
+        )
         self.second_step = motion.time_step
         ratio = self.second.rotation / wall.model.collapse_rotation
         times = np.arange(ratio.size) * motion.time_step

@@ -12,7 +12,7 @@ from core.capacity.ida import Ida, Search, incremental_dynamic_analysis, multipl
 from core.errors import Cancelled
 from core.ground.ground_motion import GroundMotion
 from core.packages import require
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.methods import METHODS, Method, resolve_auto
 from core.wall.impact import velocity_ratio
 from core.wall.rocking_model import RockingModel
@@ -149,11 +149,11 @@ def reference_history(motion: GroundMotion, scale: float, model: RockingModel, c
 def point(motion, scale, model, method: Method, theta: np.ndarray) -> MethodPoint:
     """Time and error of one method on one history."""
     ground, dt = motion.acceleration, motion.time_step
-    one = history(ground, dt, scale, model, method)
+    one = integrate_history(ground, dt, scale, model, method)
     seconds = []
     for _ in range(REPEATS):
         start = time.perf_counter()
-        history(ground, dt, scale, model, method)
+        integrate_history(ground, dt, scale, model, method)
         seconds.append(time.perf_counter() - start)
     name = method.name
     if method.name in ("newmark_events", "rk4") and method.option > 1:
@@ -168,9 +168,11 @@ def effect_of_noise(motion: GroundMotion, scale: float, model: RockingModel, met
     """Largest deviation of a history over theta_c by NOISES draws of NOISE on each sample [-]; infinite where one of
     them overturns the wall or takes it elsewhere for good."""
     ground, dt = motion.acceleration, motion.time_step
-    once, draw, largest = history(ground, dt, scale, model, method).rotation, np.random.default_rng(1), 0.0
+    once, draw, largest = integrate_history(ground, dt, scale, model, method).rotation, np.random.default_rng(1), 0.0
     for _ in range(NOISES):
-        moved = history(ground * (1.0 + NOISE * draw.uniform(-1.0, 1.0, ground.size)), dt, scale, model, method)
+        moved = integrate_history(
+            ground * (1.0 + NOISE * draw.uniform(-1.0, 1.0, ground.size)), dt, scale, model, method
+        )
         if moved.rotation.size < ground.size <= once.size:
             return math.inf
         both = min(once.size, moved.rotation.size)

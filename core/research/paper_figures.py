@@ -25,7 +25,7 @@ from core.research.paper_sets import (
 )
 from core.research.parametric import ParametricResult
 from core.research.set_means import MotionValue, SetMean, chosen, exact
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.units import CM, G
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
@@ -68,7 +68,7 @@ def free_rocking(say: Say) -> Figure:
     series = []
     for color, model in enumerate(("housner", "sorrentino_experimental")):
         rocking = rocking_model(block, False, restitution(block, model), LAWS["rigid"])
-        moved = history(still, dt, 1.0, rocking, start=(TUFF_START * block.slenderness, 0.0))
+        moved = integrate_history(still, dt, 1.0, rocking, start=(TUFF_START * block.slenderness, 0.0))
         ratio = moved.rotation / block.slenderness
         series.append(curve(f"Eq. {4 + color}", list(zip(dt * np.arange(ratio.size), ratio, strict=True)), LINE, color))
     title = say("Fig. 4: free rocking of the tuff block, 0.800 x 0.123 m")

@@ -43,7 +43,7 @@ def set_bar(held, j, residual, bar):
 
 
 @subkernel
-def pull_of(side, bars, held):
+def bar_pull(side, bars, held):
     """Pull of the bars on their branch; none on a wall that turns inward."""
     spring, constant, low, high, yields = 0.0, 0.0, 0.0, NEVER_REACHED, False
     if side > 0.0:
@@ -122,7 +122,7 @@ def all_broken(held):
 
 
 @subkernel
-def at_start(start, bars, held):
+def initial_state(start, bars, held):
     """BlockState at the start of a record, and the state of the bars, held. start : rotation [rad] and velocity
     [rad/s]"""
     zero = np.int64(0)
@@ -138,7 +138,7 @@ def at_start(start, bars, held):
 
 
 @subkernel
-def keep(trace, i, state, bars, held):
+def store_sample(trace, i, state, bars, held):
     """Rotation [rad], velocity [rad/s] and residual elongation of each bar at sample i, inf where it has gone."""
     trace[0, i] = state.side * state.phi if state.moving else 0.0
     trace[1, i] = state.side * state.speed if state.moving else 0.0

@@ -127,7 +127,7 @@ def leave_impact(arriving, side, ground, model, thresholds):
 
 
 @subkernel
-def land(arriving, side, ground, model, thresholds, hop, instant, impacts, impact_time, impact_velocity):
+def apply_impact(arriving, side, ground, model, thresholds, hop, instant, impacts, impact_time, impact_velocity):
     """Carry the block through an impact and write it down.
 
     arriving, side, ground, model, thresholds : of `leave_impact`
@@ -149,7 +149,7 @@ def land(arriving, side, ground, model, thresholds, hop, instant, impacts, impac
 
 
 @subkernel
-def carried(ratio, left, onward, other):
+def retained_energy_share(ratio, left, onward, other):
     """Share of the energy over I0 p2 that an impact leaves [-]. left, onward : RockingModel as the hinges see it, of
     which I0 p2 = m g R is the same, and p2, in a symmetric wall (other None)."""
     if other is None:
@@ -182,7 +182,7 @@ def end_of_record(phi, speed, peak, model):
         swing = model if model.one_sided != 0.0 else seen_from(model, side)
         impact_speed = math.sqrt(2.0 * left.p2 * energy)
         ratio, _ = velocity_ratio(impact_speed, left)
-        energy *= carried(ratio, left, swing, model.other)
+        energy *= retained_energy_share(ratio, left, swing, model.other)
         left = swing
         top = swing.slenderness + swing.restoring.lean
         if energy > potential(top, swing):

@@ -10,10 +10,10 @@ import numpy as np
 from core.jit.decorators import inner_kernel, kernel, subkernel, widest_vectors
 from core.rocking.events import uplift_thresholds
 from core.rocking.grounds import Grounds
-from core.rocking.held_top import after_record, parts_of, through_sample
+from core.rocking.held_top import outcome_after_record, split_model, through_sample
 from core.rocking.outcome import STABLE
 from core.rocking.side_functions import DEGREE, OVERLAP, PIECES, V, X, turned_by
-from core.rocking.side_series import about, moved, push_of, speed_of, surely_holds, terms_of
+from core.rocking.side_series import has_converged, moved, push_of, shift_polynomial, speed_of, terms_of
 from core.units import G
 from core.wall.rocking_model import RockingModel
 
@@ -53,7 +53,7 @@ def coefficients(first, k, state):
 
 
 @subkernel
-def plain_steps(lanes, dt, p2, outward, inward, state):
+def vector_step_held(lanes, dt, p2, outward, inward, state):
     """Take the plain steps of all lanes, and say in PLAIN which were; `one` as in `lanes.vector_step`.
 
     lanes : their number
@@ -75,7 +75,10 @@ def plain_steps(lanes, dt, p2, outward, inward, state):
             outward[2] if out else inward[2],
         )
         s, per = 2.0 * (y * pieces - piece) - 1.0, 2.0 * pieces
-        v, x = about(s, coefficients(FIRST_V, k, state)), about(s, coefficients(FIRST_X, k, state))
+        v, x = (
+            shift_polynomial(s, coefficients(FIRST_V, k, state)),
+            shift_polynomial(s, coefficients(FIRST_X, k, state)),
+        )
         terms = terms_of(speed, sign / G * (scale * ground), sign / G * slope, p2, per, v, x)
         added, after, pushed, bent = moved(terms, dt), speed_of(terms, dt), push_of(terms, dt), terms[1]
         reached = y + added
@@ -88,7 +91,7 @@ def plain_steps(lanes, dt, p2, outward, inward, state):
         swings = ((bent > 0.0) == (speed < 0.0)) & ((pushed > 0.0) != (bent > 0.0))
         turns = tops | (onward & ((abs(speed) > dt * steepest) | (not swings)))
         within = (abs(s + per * added) <= OVERLAP) & (reached > 0.0) & (reached <= end)
-        plain = turns & within & surely_holds(terms[7], dt, top)
+        plain = turns & within & has_converged(terms[7], dt, top)
         higher, y, speed, peak = max(peak, reached), one * y, one * speed, one * peak
         state[Y + k] = reached if plain else y
         state[SPEED + k] = after if plain else speed
@@ -108,7 +111,7 @@ def set_piece(k, piece, outward, inward, state):
 
 
 @subkernel
-def until_it_moves(k, moving, i, end, scale, ground, dt, model, thresholds, outward, inward, none, both, state):
+def advance_to_motion(k, moving, i, end, scale, ground, dt, model, thresholds, outward, inward, none, both, state):
     """Carry lane k through the sample i, and on while it rests at the end of one.
 
     k : lane
@@ -149,7 +152,7 @@ def until_it_moves(k, moving, i, end, scale, ground, dt, model, thresholds, outw
     state[PIECE_REACHED + k], state[PIECE_HELD + k] = min(np.floor(y * side.scale), PIECES - 1.0), -1.0
     over = outcome != STABLE or i >= end
     if over and outcome == STABLE:
-        outcome = after_record(y, speed, sign, moving, model, outward, inward, both)
+        outcome = outcome_after_record(y, speed, sign, moving, model, outward, inward, both)
     return i, over, outcome
 
 
@@ -184,7 +187,7 @@ def one_pass(
     outward, inward : Side
     numbers : room to work, int64, shape (3, MAX_HELD_LANES)
     both : room to work, shape (MAX_HELD_LANES, 2)
-    none : of `until_it_moves`, shape (0,)
+    none : of `advance_to_motion`, shape (0,)
     state : rows of this module, zeros, shape (ROWS * ROW,)
     outcomes : results, codes of outcome.py, int64, shape (m,)
     peaks : results, of theta [rad], shape (m,)
@@ -211,7 +214,7 @@ def one_pass(
             over, outcome = False, STABLE
             sample[k] += int(state[PLAIN + k])
             if state[PLAIN + k] == 0.0 or sample[k] >= end[k]:
-                sample[k], over, outcome = until_it_moves(
+                sample[k], over, outcome = advance_to_motion(
                     k,
                     not begins,
                     sample[k],
@@ -243,12 +246,12 @@ def one_pass(
             k += 1
         if lanes == 0:
             return
-        plain_steps(lanes, dt, model.p2, out, inn, state)
+        vector_step_held(lanes, dt, model.p2, out, inn, state)
 
 
 def scan(grounds: Grounds, which, scales, model: RockingModel, outcomes, peaks) -> np.ndarray:
     """`history.scan_records` of a wall held at its top; no velocity ratio is ever clamped."""
-    bare, outward, inward = parts_of(model)
+    bare, outward, inward = split_model(model)
     rows = np.zeros(ROWS * ROW + VECTOR)
     start = -rows.ctypes.data // rows.itemsize % VECTOR  # no vector lies in two lines of the processor's cache
     one_pass(

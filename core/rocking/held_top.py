@@ -10,16 +10,25 @@ import numpy as np
 
 from core.jit.decorators import kernel, subkernel
 from core.jit.fma import fma
-from core.rocking.events import IMPACTS_PER_SAMPLE, land, next_uplift, uplift_thresholds
+from core.rocking.events import IMPACTS_PER_SAMPLE, apply_impact, next_uplift, uplift_thresholds
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
-from core.rocking.side_functions import POTENTIAL, Side, rotation_at, sides_of, to_rotations, to_y, value, y_where
+from core.rocking.side_functions import (
+    POTENTIAL,
+    Side,
+    evaluate_side,
+    invert_side,
+    rotation_at,
+    sides_of,
+    to_rotations,
+    to_y,
+)
 from core.rocking.side_series import landing, series, speed_of, step_of
 from core.units import G
 from core.wall.rocking_model import RockingModel
 
 
 @subkernel
-def at_rest_again(y, speed, p2, side, other, ratio, peaks, here):
+def outcome_by_energy(y, speed, p2, side, other, ratio, peaks, here):
     """Decide by energy what the wall does once the ground is still; returns the outcome.
 
     y, speed : y [rad] and y' [rad/s] then
@@ -29,19 +38,19 @@ def at_rest_again(y, speed, p2, side, other, ratio, peaks, here):
     peaks : results, largest y of both, which grow with the free motion [rad], shape (2,)
     here : place of this side in them
     """
-    energy = 0.5 * speed * speed / p2 + value(POTENTIAL, y, side)
+    energy = 0.5 * speed * speed / p2 + evaluate_side(POTENTIAL, y, side)
     if (speed >= 0.0 and energy > side.barrier) or (y > side.top and energy <= side.barrier):
         return COLLAPSED
     if speed > 0.0:
-        peaks[here] = max(peaks[here], y_where(POTENTIAL, energy, side.top, side))
+        peaks[here] = max(peaks[here], invert_side(POTENTIAL, energy, side.top, side))
     energy *= ratio * ratio
     if energy > other.barrier:
         return COLLAPSED
-    peaks[1 - here] = max(peaks[1 - here], y_where(POTENTIAL, energy, other.top, other))
+    peaks[1 - here] = max(peaks[1 - here], invert_side(POTENTIAL, energy, other.top, other))
     energy *= ratio * ratio
     if energy > side.barrier:
         return COLLAPSED
-    peaks[here] = max(peaks[here], y_where(POTENTIAL, energy, side.top, side))
+    peaks[here] = max(peaks[here], invert_side(POTENTIAL, energy, side.top, side))
     return STABLE
 
 
@@ -94,7 +103,7 @@ def through_sample(
             arriving = max(-speed_of(terms, h), 0.0)
             t = t + h if h < dt - t else dt
             y, now = 0.0, fma(slope, t, ground0)
-            speed, sign, moving, _, stuck = land(
+            speed, sign, moving, _, stuck = apply_impact(
                 arriving, sign, now, model, thresholds, h, instant + t, impacts, impact_time, impact_velocity
             )
             t += 1e-12 * dt if stuck else 0.0
@@ -110,8 +119,8 @@ def through_sample(
 
 
 @subkernel
-def after_record(y, speed, sign, moving, model, outward, inward, peaks):
-    """`at_rest_again` of a wall that may rest already.
+def outcome_after_record(y, speed, sign, moving, model, outward, inward, peaks):
+    """`outcome_by_energy` of a wall that may rest already.
 
     y, speed, sign, moving : of `through_sample`, at the end of the record
     model, outward, inward : of `integrate`
@@ -120,8 +129,8 @@ def after_record(y, speed, sign, moving, model, outward, inward, peaks):
     if not moving:
         return STABLE
     if sign > 0.0:
-        return at_rest_again(y, speed, model.p2, outward, inward, model.ratio_at_rest, peaks, 0)
-    return at_rest_again(y, speed, model.p2, inward, outward, model.ratio_at_rest, peaks, 1)
+        return outcome_by_energy(y, speed, model.p2, outward, inward, model.ratio_at_rest, peaks, 0)
+    return outcome_by_energy(y, speed, model.p2, inward, outward, model.ratio_at_rest, peaks, 1)
 
 
 @kernel
@@ -174,7 +183,7 @@ def integrate(
             return outcome, impacts, i + 1
         rotation[i + 1] = sign * y if moving else 0.0
         velocity[i + 1] = sign * speed if moving else 0.0
-    return after_record(y, speed, sign, moving, model, outward, inward, peaks), impacts, ground.size
+    return outcome_after_record(y, speed, sign, moving, model, outward, inward, peaks), impacts, ground.size
 
 
 @kernel
@@ -183,18 +192,18 @@ def fill_energy(rotation, velocity, p2, outward, inward, ratios):
     for i in range(rotation.size):
         side, sign = (outward, 1.0) if rotation[i] >= 0.0 else (inward, -1.0)
         y, speed = to_y(sign * rotation[i], sign * velocity[i], side)
-        ratios[i] = (0.5 * speed * speed / p2 + value(POTENTIAL, y, side)) / side.barrier
+        ratios[i] = (0.5 * speed * speed / p2 + evaluate_side(POTENTIAL, y, side)) / side.barrier
 
 
 def energy_ratios(rotation: np.ndarray, velocity: np.ndarray, model: RockingModel) -> np.ndarray:
     """The ratios of core/rocking/energy.py for a wall held at its top."""
-    bare, outward, inward = parts_of(model)
+    bare, outward, inward = split_model(model)
     ratios = np.zeros(rotation.size)
     fill_energy(rotation, velocity, bare.p2, outward, inward, ratios)
     return ratios
 
 
-def parts_of(model: RockingModel) -> tuple[RockingModel, Side, Side]:
+def split_model(model: RockingModel) -> tuple[RockingModel, Side, Side]:
     """The model as the kernels take it, and its sides."""
     assert model.bending is not None
     alpha = model.slenderness
@@ -214,7 +223,7 @@ def history(ground, dt, scale, model, start, trace, impact_time, impact_velocity
     impact_time : results [s], up to its size
     impact_velocity : results, theta' just after each impact [rad/s], of the same shape
     """
-    bare, outward, inward = parts_of(model)
+    bare, outward, inward = split_model(model)
     sign = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
     y, speed = to_y(sign * start[0], sign * start[1], outward if sign > 0.0 else inward)
     begin = (sign * y, sign * speed)

@@ -14,7 +14,7 @@ from core.rocking.outcome import BAD_INPUT, MAX_GROUND
 from core.wall.rocking_model import RockingModel
 
 
-def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarray:
+def scan_multipliers(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarray:
     """Analyses of one record at many multipliers; returns the clamped velocity ratios of each, shape (m,).
 
     method : how the motion is integrated
@@ -29,13 +29,13 @@ def scan(method: Method, ground, dt, scales, model, outcomes, peaks) -> np.ndarr
     return scan_records(method, Grounds.of([ground], dt), which, scales, model, outcomes, peaks)
 
 
-def in_lanes(method: Method, model: RockingModel) -> bool:
+def uses_lanes(method: Method, model: RockingModel) -> bool:
     """Whether `scan_records` takes analyses side by side; others go one after another, and many at once only make a
     cancel wait."""
-    return method.code == TAYLOR or by_order_8(model) or model.bending is not None
+    return method.code == TAYLOR or requires_order_8(model) or model.bending is not None
 
 
-def by_order_8(model: RockingModel) -> bool:
+def requires_order_8(model: RockingModel) -> bool:
     """Whether analyses of a wall are by the series of order 8 whatever the method."""
     return model.other is not None or model.driven is not None or bool(model.bars)
 
@@ -66,7 +66,7 @@ def scan_records(method: Method, grounds: Grounds, which, scales, model, outcome
     MADE.add(scales.size)
     if model.bending is not None:
         return held_lanes.scan(grounds, which, scales, model, outcomes, peaks)
-    if by_order_8(model):
+    if requires_order_8(model):
         return lane_scheduler.scan(8, grounds, which, scales, model, outcomes, peaks)
     method = resolve_auto(method, model, grounds.dt)
     if method.code == TAYLOR:
@@ -115,7 +115,7 @@ class History:
     residual: np.ndarray
 
 
-def history(
+def integrate_history(
     ground: np.ndarray,
     dt: float,
     scale: float,
@@ -132,7 +132,7 @@ def history(
         none = np.zeros(0)
         return History(none, none, none, none, BAD_INPUT, 0.0, 0, none.reshape(0, 0))
     MADE.add(1)
-    method, of_order_8 = resolve_auto(method, model, dt), by_order_8(model)
+    method, of_order_8 = resolve_auto(method, model, dt), requires_order_8(model)
     trace = np.zeros((2 + len(model.bars), ground.size))
     rotation, velocity = trace[:2]
     times = np.zeros(4096)

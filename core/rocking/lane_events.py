@@ -33,7 +33,6 @@ from core.rocking.lane_state import (
     PEAK,
     PER_STEP,
     PHI,
-    PLAIN,
     RESTS,
     RISE,
     RISES,
@@ -41,6 +40,7 @@ from core.rocking.lane_state import (
     SAMPLE,
     SCALAR,
     SCALE,
+    SCRATCH,
     SECOND,
     SERIES,
     SIDE,
@@ -58,7 +58,7 @@ from core.rocking.lane_state import (
     set_pull,
 )
 from core.rocking.lanes import series_of
-from core.rocking.oscillator import branches_apart
+from core.rocking.oscillator import branch_stride
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.series_with_bars import bounds_held
 from core.rocking.short_series import SHORT_SERIES
@@ -86,7 +86,7 @@ def gather_falling(count, busy, bars, state):
         if FALLS <= kind < SCALAR:
             for row in range(FALL_ROWS):
                 state[FALL + ROW * row + falling] = state[PHI + ROW * row + k]
-            state[PLAIN + falling] = state[SIDE + k]
+            state[SCRATCH + falling] = state[SIDE + k]
             if bars is not None and kind != FALLS:
                 fall_to_end(k, falling, kind == RISES, state)
             falling += 1
@@ -98,7 +98,7 @@ def fall_to_end(k, j, rises, state):
     """Let the j-th of the falls be lane k on its way to an end of a branch of its bars, the upper one upside down:
     there it comes to zero. rises : whether to the upper one"""
     end, shift = state[(HIGH if rises else LOW) + k], FALL - PHI
-    state[PLAIN + j] = 0.0
+    state[SCRATCH + j] = 0.0
     state[shift + PEAK + j] = NEVER_REACHED
     state[shift + PHI + j] = end - state[PHI + k] if rises else state[PHI + k] - end
     if rises:
@@ -112,7 +112,7 @@ def scatter_end(k, j, bars, held, state):
     """Carry lane k beyond the end of a branch of its bars that it came to as the j-th of the falls; False if it was not
     located. Arguments as `scatter_impact`; bars not None."""
     kinks = state[KINKS + k] if state[KINK_SAMPLE + k] == state[SAMPLE + k] else 0.0
-    if state[PLAIN + j] == NOT_LOCATED or kinks >= IMPACTS_PER_SAMPLE:
+    if state[SCRATCH + j] == NOT_LOCATED or kinks >= IMPACTS_PER_SAMPLE:
         return False
     falls, shift = state[ACTION + k] == SINKS, FALL - PHI
     phi = state[(LOW if falls else HIGH) + k]
@@ -141,7 +141,7 @@ def scatter_impact(k, j, dt, model, constants, bars, held, state):
     """
     if bars is not None and state[ACTION + k] != FALLS:
         return scatter_end(k, j, bars, held, state)
-    after = state[PLAIN + j]
+    after = state[SCRATCH + j]
     if after == NOT_LOCATED:
         return False
     t = state[FALL - PHI + TIME + j]
@@ -255,7 +255,7 @@ def end_of_lane_step(k, block, v, start, part, t, dt, ground0, jump, branch, see
     if event.falls and branch[0] == 0.0:
         block, _ = impact(block, ground0 + jump * t, seen, constants)
         return block, t, AT_IMPACT
-    return cross_kink(block, event, branch, branches_apart(seen.driven)), t, AT_KINK
+    return cross_kink(block, event, branch, branch_stride(seen.driven)), t, AT_KINK
 
 
 @inner_kernel

@@ -13,7 +13,7 @@ from core.jit.decorators import inner_kernel, kernel
 from core.rocking.early_stop import LOOKAHEAD
 from core.rocking.events import IMPACTS_PER_SAMPLE, REST_FRACTION
 from core.rocking.lane_events import gather_falling, scalar_step, scatter_impact
-from core.rocking.lane_life import (
+from core.rocking.lane_lifecycle import (
     along_branch,
     check_finished,
     lane_chatter_ends,
@@ -46,8 +46,8 @@ from core.rocking.lanes import (
     lane_initial_terms,
     lane_taylor_coefficients,
     locate_impacts,
+    restore_partial_steps,
     shorten_steps,
-    stay_in_sample,
     vector_step,
 )
 from core.rocking.lanes_on_branch import SHARED_ROWS
@@ -56,7 +56,7 @@ from core.rocking.taylor_series import PER_G, wall_constants
 from core.wall.bars import bar_rows
 from core.wall.rocking_model import seen_from
 
-LONG_FOR = 4
+SHORTENING_PASSES = 4
 """Passes over the lanes in which steps are shortened, after one was: where each sample takes two parts, the second
 is whole."""
 
@@ -112,7 +112,7 @@ def make_lane_kernel(order):
         which : record of each analysis, int64, shape (m,)
         scales : multipliers [-], shape (m,), negative reverses the record
         model : RockingModel
-        slopes : of `lanes.branch_of`: the kernel is specialised at compile time for the rigid law
+        slopes : of `lanes.lane_branch`: the kernel is specialised at compile time for the rigid law
         bars, held : of `bar_rows`, shape (bars, 5), and their state in all lanes, shape (MAX_LANES, bars, 5), or None:
             the kernel is specialised at compile time for walls without
         numbers : room to work, int64, shape (3 * MAX_LANES,)
@@ -172,10 +172,10 @@ def make_lane_kernel(order):
             shorter = zero
             if long > 0:
                 shorter = shorten_steps(lanes, dt, constants, order, slopes, bars, state)
-                long = LONG_FOR if shorter > 0 else long - 1
+                long = SHORTENING_PASSES if shorter > 0 else long - 1
             vector_step(lanes, dt, constants, order, slopes, bars, state)
             if shorter > 0:
-                stay_in_sample(lanes, constants, state)
+                restore_partial_steps(lanes, constants, state)
             count = load_next_sample(lanes, ground, busy, state)
             falling = gather_falling(count, busy, bars, state)
             if falling > 0:
@@ -189,7 +189,7 @@ def make_lane_kernel(order):
                 if step >= FALLS:
                     falling -= int(step < SCALAR)
                     if step == LONG:
-                        long = LONG_FOR
+                        long = SHORTENING_PASSES
                     if step >= SCALAR or not scatter_impact(k, falling, dt, model, constants, bars, held, state):
                         outcome, clamps = scalar_step(k, dt, model, constants, order, zero, bars, held, state)
                         clamped[lane[k]] += clamps
@@ -234,7 +234,7 @@ LANE_KERNEL = {order: make_lane_kernel(order) for order in (6, 8)}
 
 
 def scan(order, grounds, which, scales, model, outcomes, peaks):
-    """`core.rocking.history.scan` by order 6 or 8. Outcomes and the peaks of stable blocks are those of whole
+    """`core.rocking.history.scan_multipliers` by order 6 or 8. Outcomes and the peaks of stable blocks are those of whole
     histories, bit for bit; the peak of a block that overturns is where its analysis ended.
     (Peaks below 1e-12 rad of chatter that outlives the record can differ by the rounding of an arccosine.)
 

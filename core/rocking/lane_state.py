@@ -34,7 +34,7 @@ PLAIN                     -               of such a lane: MOVES or RESTS after a
 """
 
 from core.jit.decorators import inner_kernel
-from core.rocking.bar_state import pull_of, thresholds_with
+from core.rocking.bar_state import bar_pull, thresholds_with
 from core.wall.moment_rotation import moment_branch
 from core.wall.rocking_model import seen_from
 
@@ -81,8 +81,8 @@ FALL_ROWS = 15
     SERIES + ROW * row for row in range(9, 20)
 )
 FALL = IMPACTS_BEFORE + ROW
-PLAIN = FALL + ROW * FALL_ROWS
-ROWS = PLAIN // ROW + 1
+SCRATCH = FALL + ROW * FALL_ROWS
+ROWS = SCRATCH // ROW + 1
 
 STEPPED, CHECK, FALLS, SINKS, RISES, SCALAR, LONG = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0
 """ACTION of a lane after a vector step: stepped; the same, and due to be checked for its end; falling to an
@@ -139,7 +139,7 @@ def lane_thresholds(k, constants, bars, held):
 def set_pull(k, bars, held, state):
     """Set the branch on which lane k is by its bars, if it has any. bars, held : as `lane_thresholds`"""
     if bars is not None:
-        pull = pull_of(state[SIDE + k], bars, held[k])
+        pull = bar_pull(state[SIDE + k], bars, held[k])
         state[LOW + k] = pull.low
         state[HIGH + k] = pull.high
         state[SLOPE + k] = pull.spring

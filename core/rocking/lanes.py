@@ -40,7 +40,6 @@ from core.rocking.lane_state import (
     PEAK,
     PER_STEP,
     PHI,
-    PLAIN,
     RESTS,
     RISE,
     RISES,
@@ -48,6 +47,7 @@ from core.rocking.lane_state import (
     SAMPLE,
     SCALAR,
     SCALE,
+    SCRATCH,
     SECOND,
     SERIES,
     SIDE,
@@ -79,7 +79,7 @@ from core.rocking.taylor_bounds import (
     shortened,
     turning_margin,
 )
-from core.rocking.taylor_polynomial import change, landing, shape, whole_step
+from core.rocking.taylor_polynomial import landing, speed_increment, step_shape, whole_step
 from core.rocking.taylor_series import InitialTerms, constants_seen
 from core.wall.moment_rotation import NEVER_REACHED
 
@@ -88,7 +88,7 @@ MAX_HALVINGS = 4
 
 
 @inner_kernel
-def branch_of(k, slopes, state):
+def lane_branch(k, slopes, state):
     """(factor, slope, constant, cosine factor) of the branch of lane k; slope and constant None for the rigid law.
 
     slopes : None for the rigid law, for which the loops are compiled without the terms of a slope, else 1.0
@@ -99,18 +99,18 @@ def branch_of(k, slopes, state):
 
 @inner_kernel
 def lower_end(k, slopes, state):
-    """Rotation at which the branch of lane k begins [rad]: that of the rigid law at 0. slopes : of `branch_of`"""
+    """Rotation at which the branch of lane k begins [rad]: that of the rigid law at 0. slopes : of `lane_branch`"""
     if slopes is None:
         return 0.0
     return state[LOW + k]
 
 
 @inner_kernel
-def nears_upper_end(k, slopes, upper, v, after, bend, reach, margin, bars, state):
+def may_reach_upper_end(k, slopes, upper, v, after, bend, reach, margin, bars, state):
     """Whether lane k may come to the end of its branch within the step; the rigid law has one.
 
     k : lane
-    slopes : of `branch_of`
+    slopes : of `lane_branch`
     upper : larger rotation of the ends of the step [rad]
     v, after : of `series_of`, and its speed at the end of the step [rad per step]
     bend : of `shape`; of walls without bars, which come there less often, it is left to the scalar step
@@ -128,7 +128,7 @@ def nears_upper_end(k, slopes, upper, v, after, bend, reach, margin, bars, state
 
 
 @inner_kernel
-def may_turn(k, slowest, margin, bars, state):
+def may_unload_yielding_bar(k, slowest, margin, bars, state):
     """Whether lane k may turn back within the step while a bar of it yields.
 
     k : lane
@@ -143,7 +143,7 @@ def may_turn(k, slowest, margin, bars, state):
 
 
 @inner_kernel
-def kind_of_scalar(k, v, after, x, upper, margin, bars, state):
+def classify_scalar_step(k, v, after, x, upper, margin, bars, state):
     """ACTION of lane k where its step is not plain: RISES or SINKS where it moves outward or inward all along, so that
     only an end of a branch of its bars can be what happens, else SCALAR.
 
@@ -179,7 +179,7 @@ def ratio_of(model, other, side):
 
 
 @inner_kernel
-def ratio_or_whole(model, bars, side, arriving):
+def impact_velocity_ratio(model, bars, side, arriving):
     """Velocity ratio of an impact at this speed [rad/s], 1 at an end of a branch of the bars, where side is 0.0. bars :
     their rows, or None"""
     ratio = ratio_of(model, model.other, side) - model.ratio_drop * arriving * arriving
@@ -189,7 +189,7 @@ def ratio_or_whole(model, bars, side, arriving):
 
 
 @inner_kernel
-def slowest_of(limits, other, side):
+def rest_speed(limits, other, side):
     """Speed below which it rests, of both sides, about the hinge of this one. other : as of `p2_of`"""
     if other is None:
         return limits[0]
@@ -204,7 +204,7 @@ def lane_initial_terms(lanes, dt, model, constants, slopes, bars, state):
     dt : the sample [s]
     model : RockingModel
     constants : WallConstants
-    slopes : of `branch_of`
+    slopes : of `lane_branch`
     bars : rows of the bars, or None
     state : of lane_state.py, shape (ROWS * ROW,)
     """
@@ -213,7 +213,7 @@ def lane_initial_terms(lanes, dt, model, constants, slopes, bars, state):
         second = state[SCALE + k] * state[SECOND + k]
         x = state[PHI + k]
         s, c = sine_and_cosine_short(x)
-        branch, side = branch_of(k, slopes, state), state[SIDE + k]
+        branch, side = lane_branch(k, slopes, state), state[SIDE + k]
         start = initial_terms_held(
             x,
             state[SPEED + k],
@@ -255,7 +255,7 @@ def set_higher_terms(k, v, order, state):
 
 @subkernel
 def lane_taylor_coefficients(lanes, constants, order, slopes, bars, state):
-    """The Taylor coefficients of each lane from its initial terms. slopes : of `branch_of`; bars : rows of the bars, or
+    """The Taylor coefficients of each lane from its initial terms. slopes : of `lane_branch`; bars : rows of the bars, or
     None"""
     widest_vectors()
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
@@ -269,7 +269,7 @@ def lane_taylor_coefficients(lanes, constants, order, slopes, bars, state):
             state[STEP_P2 + k],
             state[FORCING + k],
         )
-        branch = branch_of(k, slopes, state)
+        branch = lane_branch(k, slopes, state)
         own = bounds_held(constants, branch, bars)
         v, growth = taylor_coefficients_held(state[PHI + k], start, branch, own, order, bars)
         set_higher_terms(k, v, order, state)
@@ -302,7 +302,7 @@ def shorten_steps(lanes, dt, constants, order, slopes, bars, state):
     dt : the sample [s]
     constants : WallConstants
     order : of the series, 6 or 8
-    slopes : of `branch_of`
+    slopes : of `lane_branch`
     bars : rows of the bars, or None
     state : of lane_state.py, shape (ROWS * ROW,)
     Returns how many steps are not whole.
@@ -312,7 +312,7 @@ def shorten_steps(lanes, dt, constants, order, slopes, bars, state):
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
         v, growth, p2 = series_of(k, order, state), state[GROWTH + k], state[STEP_P2 + k]
         rise, forcing, t = state[RISE + k], state[FORCING + k], state[TIME + k]
-        branch = branch_of(k, slopes, state)
+        branch = lane_branch(k, slopes, state)
         own = bounds_held(constants_seen(constants, constants.other, state[SIDE + k]), branch, bars)
         omitted = neglected(v, growth, forcing, rise, p2, strength_with_springs(own, branch, bars), order)
         tolerance = constants.tolerance
@@ -342,7 +342,7 @@ def shorten_steps(lanes, dt, constants, order, slopes, bars, state):
 
 
 @subkernel
-def stay_in_sample(lanes, constants, state):
+def restore_partial_steps(lanes, constants, state):
     """Put the lanes that took a part of their sample back into it; `one` as in `vector_step`."""
     widest_vectors()
     one = constants.tolerance / constants.tolerance
@@ -363,7 +363,7 @@ def stay_in_sample(lanes, constants, state):
 @subkernel
 def vector_step(lanes, dt, constants, order, slopes, bars, state):
     """Take one step of each lane to the end of its sample by its series, where nothing else happens in it, and set
-    ACTION of each; of a shortened step, see `stay_in_sample`. (Initial terms, coefficients and step are three loops: in
+    ACTION of each; of a shortened step, see `restore_partial_steps`. (Initial terms, coefficients and step are three loops: in
     one the processor waits for each lane's results. A value that stays in its row is stored as `one * x`: x alone
     becomes a store under a mask, seven cycles each on AMD's processors.)
 
@@ -371,7 +371,7 @@ def vector_step(lanes, dt, constants, order, slopes, bars, state):
     dt : the sample [s]
     constants : WallConstants
     order : of the series, 6 or 8
-    slopes : of `branch_of`
+    slopes : of `lane_branch`
     bars : rows of the bars, or None
     state : of lane_state.py, shape (ROWS * ROW,)
     """
@@ -384,7 +384,7 @@ def vector_step(lanes, dt, constants, order, slopes, bars, state):
         p2, rise = state[STEP_P2 + k], state[RISE + k]
         forcing, growth = state[FORCING + k], state[GROWTH + k]
         x = state[PHI + k]
-        branch = branch_of(k, slopes, state)
+        branch = lane_branch(k, slopes, state)
         own = bounds_held(constants_seen(constants, constants.other, state[SIDE + k]), branch, bars)
         relative = relative_tolerance(x, v[0], forcing, p2, wall_alone(branch, bars), own)
         omitted = neglected(v, growth, forcing, rise, p2, strength_with_springs(own, branch, bars), order)
@@ -401,22 +401,22 @@ def vector_step(lanes, dt, constants, order, slopes, bars, state):
         reach = 0.125 * push
         margin = turning_margin(v[0], dv, rise, plus(forcing, branch[1]), p2, own.strength, push)
         after = v[0] + dv
-        bend, bulges, stays = shape(v, x - low, dphi, dv, 1.0)
+        bend, bulges, stays = step_shape(v, x - low, dphi, dv, 1.0)
         near = (min(x, y) - low <= reach) & (min(v[0], after) <= margin)
         falls = near & (not stays)
         tops = (v[0] > -2.0 * margin) & (after < 2.0 * margin) & (not bulges)
         scalar = (
-            nears_upper_end(k, slopes, upper, v, after, bend, reach, margin, bars, state)
+            may_reach_upper_end(k, slopes, upper, v, after, bend, reach, margin, bars, state)
             | (upper > SHORT_SERIES)
             | long
             | (falls & (low != 0.0))
             | (moving == 0.0)
-            | may_turn(k, min(v[0], after), margin, bars, state)
+            | may_unload_yielding_bar(k, min(v[0], after), margin, bars, state)
             | ((not falls) & tops & peak_may_grow(x, dphi, v[0], bend, reach, peak))
         )
         stays = scalar | falls
         check = (y > constants.collapse) | (left <= 0.0)
-        kind = kind_of_scalar(k, v, after, x, upper, margin, bars, state)
+        kind = classify_scalar_step(k, v, after, x, upper, margin, bars, state)
         state[ACTION + k] = (LONG if long else kind) if scalar else (FALLS if falls else (CHECK if check else STEPPED))
         state[SAMPLE + k] += 0.0 if stays else 1.0
         state[LEFT + k] = left + 1.0 if stays else left
@@ -449,17 +449,17 @@ def locate_impacts(falling, dt, model, rest_below, order, bars, state):
     shift = FALL - PHI
     for j in range((falling + VECTOR - 1) // VECTOR * VECTOR):
         k = shift + j
-        v, side = series_of(k, order, state), state[PLAIN + j]
+        v, side = series_of(k, order, state), state[SCRATCH + j]
         t = state[TIME + k]
         part, top, located = landing(v, state[PHI + k], 1.0)
-        speed = fma(change(v, part), state[PER_STEP + k], state[SPEED + k])
+        speed = fma(speed_increment(v, part), state[PER_STEP + k], state[SPEED + k])
         arriving = max(-speed, 0.0)
-        ratio = ratio_or_whole(model, bars, side, arriving)
+        ratio = impact_velocity_ratio(model, bars, side, arriving)
         speed = max(ratio, 0.0) * arriving
         t = fma(part * state[PART + k], 1.0 - t, t)
         plain = located & (top <= state[PEAK + k]) & (part < 1.0) & (t < 1.0) & (ratio >= 0.0)
-        after = RESTS if speed < slowest_of(rest_below, model.other, side) else MOVES
-        state[PLAIN + j] = after if plain else NOT_LOCATED
+        after = RESTS if speed < rest_speed(rest_below, model.other, side) else MOVES
+        state[SCRATCH + j] = after if plain else NOT_LOCATED
         state[SPEED + k] = speed
         state[TIME + k] = t
         state[PER_STEP + k] = 1.0 / (dt * (1.0 - t))

@@ -23,7 +23,7 @@ from core.rocking.lane_state import (
     TIME,
     set_lane,
 )
-from core.rocking.oscillator import SWING_FALLS, SWING_RISES, Swing, swing
+from core.rocking.oscillator import SWING_FALLS, SWING_RISES, Oscillation, advance_oscillation
 from core.rocking.outcome import IMPACT_LIMIT, STABLE
 from core.rocking.taylor import at_end, impact
 from core.wall.moment_rotation import NEVER_REACHED
@@ -58,7 +58,7 @@ def through_branch(ground0, ground1, t, model, constants, parts, before, block):
             if t >= 1.0:
                 break
             block = BlockState(side, 0.0, 0.0, True, 0, block.peak, block.impacts, block.clamped)
-        block, t, ended = swing(parts, block, ground0, jump, t)
+        block, t, ended = advance_oscillation(parts, block, ground0, jump, t)
         if ended == SWING_RISES:
             return block, t, True
         if ended == SWING_FALLS:
@@ -67,7 +67,7 @@ def through_branch(ground0, ground1, t, model, constants, parts, before, block):
 
 
 @subkernel
-def ride(k, block, i, t, end, dt, model, constants, ground, ahead, state):
+def follow_branch(k, block, i, t, end, dt, model, constants, ground, ahead, state):
     """Carry lane k along its branch until it leaves it or its analysis ends.
 
     k : lane, its rows SCALE, IMPACTS, KINKS, KINK_SAMPLE set
@@ -120,7 +120,7 @@ def ride(k, block, i, t, end, dt, model, constants, ground, ahead, state):
 
 
 @subkernel
-def begin(k, first, last, dt, model, constants, ground, ahead, zero, room, state):
+def start_on_branch(k, first, last, dt, model, constants, ground, ahead, zero, room, state):
     """Set lane k where it leaves its branch first; analyses of one record and sign one after another share their first
     part, where the wall rocks both ways and its impacts keep their share.
 
@@ -134,7 +134,7 @@ def begin(k, first, last, dt, model, constants, ground, ahead, zero, room, state
     zero : of int64
     room : to work, zeros at first, shape (SHARED_ROWS, longest record and one)
     state : of lane_state.py, shape (ROWS * ROW,)
-    Returns what `ride` does.
+    Returns what `follow_branch` does.
     """
     scale = state[SCALE + k]
     state[IMPACTS + k] = 0.0
@@ -145,7 +145,7 @@ def begin(k, first, last, dt, model, constants, ground, ahead, zero, room, state
             room[OWNER, 0], room[OWNER, 1] = last, -1.0 if scale < 0.0 else 1.0
             share_first_part(room[OWNER, 1], first, last, model, constants, ground, zero, room)
         block, i = shared_state(abs(scale), first, last, model, zero, room)
-    return ride(k, block, i, 0.0, last, dt, model, constants, ground, ahead, state)
+    return follow_branch(k, block, i, 0.0, last, dt, model, constants, ground, ahead, state)
 
 
 @subkernel
@@ -161,7 +161,7 @@ def share_first_part(sign, first, last, model, constants, ground, zero, room):
     room : of `begin`, but its last row
     """
     own = constants.swing
-    parts = Swing(own.rate, own.static, NEVER_REACHED, own.span, own.sine, own.versine)
+    parts = Oscillation(own.rate, own.static, NEVER_REACHED, own.span, own.sine, own.versine)
     block = BlockState(1.0, 0.0, 0.0, False, 0, 0.0, zero, zero)
     for n in range(last - first + 1):
         room[SIDES, n], room[MOVING_AT, n] = block.side, 1.0 if block.moving else 0.0

@@ -29,7 +29,7 @@ MAX_LAST_STEP = 1e-6
 """Newton's step [rad] after which the third-order one is exact to rounding."""
 
 
-class Swing(NamedTuple):
+class Oscillation(NamedTuple):
     """Constants of the branch that every sample needs.
 
     rate : omega [rad/s]
@@ -61,11 +61,11 @@ def swing_of(driven, model, dt):
     rate = math.sqrt(model.p2 * driven.stiffness)
     span = rate * dt
     sine, versine = sine_and_versine(min(span, MAX_SPAN))
-    return Swing(rate, driven.static, model.elastic_end, span, sine, versine)
+    return Oscillation(rate, driven.static, model.elastic_end, span, sine, versine)
 
 
 @inner_kernel
-def swings(driven, zone):
+def is_oscillating(driven, zone):
     """Whether a wall is on its branch in closed form. driven : of the model, which decides at compile time"""
     if driven is None:
         return False
@@ -74,10 +74,10 @@ def swings(driven, zone):
 
 @inner_kernel
 def swing_on(parts, state, ground, jump, t):
-    """`swing`; for a wall without a branch in closed form, which is never on it, the state as it is."""
+    """`advance_oscillation`; for a wall without a branch in closed form, which is never on it, the state as it is."""
     if parts is None:
         return state, t, SWING_ENDS
-    return swing(parts, state, ground, jump, t)
+    return advance_oscillation(parts, state, ground, jump, t)
 
 
 @inner_kernel
@@ -87,7 +87,7 @@ def state_on(state, zone):
 
 
 @inner_kernel
-def branches_apart(driven):
+def branch_stride(driven):
     """How far the number of a branch is from that of the next one: without a plateau there are two, 0 and 2."""
     return 1 if driven is None else 2
 
@@ -134,7 +134,7 @@ def falling_root(gap, u0, a0, f1, span):
 
 
 @subkernel
-def swing(parts, state, ground, jump, t):
+def advance_oscillation(parts, state, ground, jump, t):
     """Carry a wall on its branch to the next event, or to the end of the sample or of a part of it; returns
     (BlockState, t, SWING_ENDS, SWING_FALLS or SWING_RISES).
 

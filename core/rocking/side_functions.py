@@ -80,7 +80,7 @@ def side_of(motion: Motion, inertia: float, p2: float, collapse: float) -> Side:
 
 
 @subkernel
-def value(which, y, side):
+def evaluate_side(which, y, side):
     """One of the functions of y, continued beyond its ends. which : V, X, POTENTIAL or THETA; side : Side"""
     at = y * side.scale
     piece = min(max(int(at), 0), PIECES - 1)
@@ -91,7 +91,7 @@ def value(which, y, side):
 
 
 @subkernel
-def slope(which, y, side):
+def evaluate_side_slope(which, y, side):
     """The derivative of `value` by y."""
     at = y * side.scale
     piece = min(max(int(at), 0), PIECES - 1)
@@ -102,12 +102,12 @@ def slope(which, y, side):
 
 
 @subkernel
-def y_where(which, reached, end, side):
+def invert_side(which, reached, end, side):
     """y in [0, end] at which one of the functions, which grows there, reaches a value [rad]."""
     low, high = 0.0, end
     for _ in range(80):
         middle = 0.5 * (low + high)
-        if value(which, middle, side) < reached:
+        if evaluate_side(which, middle, side) < reached:
             low = middle
         else:
             high = middle
@@ -117,7 +117,7 @@ def y_where(which, reached, end, side):
 @subkernel
 def turned_by(y, side):
     """theta [rad] at y, zero exactly at rest."""
-    return max(value(THETA, y, side), 0.0) if y > 0.0 else 0.0
+    return max(evaluate_side(THETA, y, side), 0.0) if y > 0.0 else 0.0
 
 
 @kernel
@@ -125,15 +125,15 @@ def to_rotations(y, rate, outward, inward):
     """Turn y [rad] and y' [rad/s] into theta and theta' in place, shape (n,). outward, inward : Side"""
     for i in range(y.size):
         side, sign = (outward, 1.0) if y[i] >= 0.0 else (inward, -1.0)
-        rate[i] *= slope(THETA, sign * y[i], side)
+        rate[i] *= evaluate_side_slope(THETA, sign * y[i], side)
         y[i] = sign * turned_by(sign * y[i], side)
 
 
 @kernel
 def to_y(theta, speed, side):
     """y [rad] and y' [rad/s] of a rotation to this side. speed : theta' [rad/s]; side : Side"""
-    y = y_where(THETA, theta, side.end, side) if theta > 0.0 else 0.0
-    return y, speed / slope(THETA, y, side)
+    y = invert_side(THETA, theta, side.end, side) if theta > 0.0 else 0.0
+    return y, speed / evaluate_side_slope(THETA, y, side)
 
 
 @kernel

@@ -12,7 +12,7 @@ NEAREST, TINIEST = 1e-15, 1e-300
 
 
 @inner_kernel
-def about(s, c):
+def shift_polynomial(s, c):
     """Coefficients 0 to 6 of a polynomial of degree 7 about s. c : its own, from the lowest on"""
     c0 = c1 = c2 = c3 = c4 = c5 = c6 = 0.0
     for k in range(DEGREE, -1, -1):
@@ -69,7 +69,7 @@ def terms_of(speed, beta, slope, p2, per, v, x):
 
 
 @inner_kernel
-def surely_holds(last, h, top):
+def has_converged(last, h, top):
     """Whether a series holds for a time [s] by its last term, with a margin for what a root is rounded by.
 
     last : coefficient 8 of y; top : y of collapse [rad]
@@ -94,9 +94,9 @@ def series(y, speed, beta, slope, p2, side, h):
     at = y * side.scale
     piece = min(max(int(at), 0), PIECES - 1)
     s, per = 2.0 * (at - piece) - 1.0, 2.0 * side.scale
-    v, x = about(s, side.values[piece, V]), about(s, side.values[piece, X])
+    v, x = shift_polynomial(s, side.values[piece, V]), shift_polynomial(s, side.values[piece, X])
     terms = terms_of(speed, beta, slope, p2, per, v, x)
-    if not surely_holds(terms[7], h, side.top):
+    if not has_converged(terms[7], h, side.top):
         h = min(h, (SIDE_TOLERANCE * side.top / max(abs(terms[7]), TINIEST)) ** 0.125)
     return terms, h, s, per
 

@@ -12,7 +12,7 @@ from core.jit.decorators import inner_kernel, kernel, subkernel
 from core.jit.fma import fma
 from core.rocking.early_stop import cannot_recover
 from core.rocking.events import IMPACTS_PER_SAMPLE, BlockState, end_of_record, leave_impact, next_uplift
-from core.rocking.oscillator import SWING_FALLS, SWING_RISES, branches_apart, state_on, swing_on, swings
+from core.rocking.oscillator import SWING_FALLS, SWING_RISES, branch_stride, is_oscillating, state_on, swing_on
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.rocking.series_with_bars import (
     initial_terms_held,
@@ -31,14 +31,14 @@ from core.rocking.taylor_bounds import (
     turning_margin,
 )
 from core.rocking.taylor_polynomial import (
-    change,
     first_crossing,
     increment,
     interior_maximum,
     landing,
     mirrored,
     part_turning_once,
-    shape,
+    speed_increment,
+    step_shape,
     whole_step,
 )
 from core.rocking.taylor_series import InitialTerms, constants_seen, wall_constants
@@ -139,7 +139,7 @@ def first_event(v, start, phi, branch, constants, bars):
     crossing = -1.0
     bend, stays = 0.0, True
     if falls or rises:
-        bend, _, stays = shape(v, phi - low, dphi, dv, part)
+        bend, _, stays = step_shape(v, phi - low, dphi, dv, part)
     rises = rises and climbs(v[0], bend, high - phi)
     risen = False
     if bars is not None and rises and not falls and phi < high:
@@ -160,7 +160,7 @@ def first_event(v, start, phi, branch, constants, bars):
         part = crossing
     if crossing >= 0.0 or part < 1.0:
         dphi = increment(v, part)
-        dv = change(v, part)
+        dv = speed_increment(v, part)
     return Crossing(part, crossing, falls, margin, bend, reach, dphi, dv)
 
 
@@ -239,7 +239,7 @@ def through_sample(ground0, ground1, dt, model, constants, order, strongest, sta
             if t >= 1.0:
                 break
             state = BlockState(side, 0.0, 0.0, True, zone_of(0.0, model), state.peak, state.impacts, state.clamped)
-        if swings(model.driven, state.zone):
+        if is_oscillating(model.driven, state.zone):
             state, t, ended = swing_on(constants.swing, state, ground0, jump, t)
             if ended == SWING_FALLS:
                 state, hit = impact(state, ground0 + jump * t, seen_from(model, state.side), constants)
@@ -264,7 +264,7 @@ def through_sample(ground0, ground1, dt, model, constants, order, strongest, sta
         if event.falls and branch[0] == 0.0:
             state, hit = impact(state, ground0 + jump * t, seen, constants)
             break
-        state = cross_kink(state, event, branch, branches_apart(model.driven))
+        state = cross_kink(state, event, branch, branch_stride(model.driven))
         kinks += 1
         if kinks > IMPACTS_PER_SAMPLE:
             outcome = IMPACT_LIMIT

@@ -23,7 +23,7 @@ def increment(v, t):
 
 
 @inner_kernel
-def change(v, t):
+def speed_increment(v, t):
     """phi'(t) - phi'(0) [rad per step]."""
     square = t * t
     first = fma(square, fma(t, v[4], v[3]), fma(t, v[2], v[1]))
@@ -53,9 +53,9 @@ def curvature(v, t):
 def value_and_slope(v, gap, which, t):
     """gap + phi(t) - phi(0), phi'(t) or phi''(t), by `which`, and its slope."""
     if which == ROTATION:
-        return gap + increment(v, t), v[0] + change(v, t)
+        return gap + increment(v, t), v[0] + speed_increment(v, t)
     if which == RATE:
-        return v[0] + change(v, t), curvature(v, t)
+        return v[0] + speed_increment(v, t), curvature(v, t)
     tail = 20.0 * v[5] + t * (30.0 * v[6] + t * (42.0 * v[7] + t * (56.0 * v[8])))
     return curvature(v, t), 2.0 * v[2] + t * (6.0 * v[3] + t * (12.0 * v[4] + t * tail))
 
@@ -110,7 +110,7 @@ def part_turning_once(v, h):
 
 
 @inner_kernel
-def shape(v, gap, dphi, dv, h):
+def step_shape(v, gap, dphi, dv, h):
     """(upper bound of phi'' in [0, h], whether phi only rises, whether gap + phi(t) - phi(0) surely does not
     fall to zero in (0, h]); gap not negative, dphi, dv : of phi and phi' over [0, h].
 
@@ -169,7 +169,7 @@ def mirrored(v):
 def third_order_step(v, gap, time):
     """(time, Newton's step, third-order correction relative to it, slope) of one step to the root of gap + phi(t) -
     phi(0): Halley's correction expanded to first order (Chebyshev's method)."""
-    slope = v[0] + change(v, time)
+    slope = v[0] + speed_increment(v, time)
     inverse = 1.0 / slope if slope < 0.0 else 0.0
     step = (gap + increment(v, time)) * inverse
     bend = 0.5 * step * inverse * curvature(v, time)
@@ -190,14 +190,14 @@ def first_crossing(v, gap, sign, h):
     for half in range(2):
         stop = bend if half == 0 else h
         middle = stop
-        if (v[0] + change(v, start) < 0.0) != (v[0] + change(v, stop) < 0.0):
+        if (v[0] + speed_increment(v, start) < 0.0) != (v[0] + speed_increment(v, stop) < 0.0):
             middle = bracketed_root(v, 0.0, RATE, start, stop)
         for part in range(2):
             low = start if part == 0 else middle
             high = middle if part == 0 else stop
             if high > low and sign * (gap + increment(v, high)) <= 0.0:
                 if sign * (gap + increment(v, low)) <= 0.0:
-                    rises = sign * (v[0] + change(v, 0.5 * (low + high))) > 0.0
+                    rises = sign * (v[0] + speed_increment(v, 0.5 * (low + high))) > 0.0
                     return high if rises and low == 0.0 else low
                 return bracketed_root(v, gap, ROTATION, low, high)
         start = stop
@@ -212,11 +212,11 @@ def interior_maximum(v, h):
     bends_at_end = curvature(v, h)
     if bends_at_start < 0.0 and bends_at_end < 0.0:
         # concave: at most one turning point, and an error of its time counts squared
-        if v[0] <= 0.0 or v[0] + change(v, h) >= 0.0:
+        if v[0] <= 0.0 or v[0] + speed_increment(v, h) >= 0.0:
             return 0.0
         time = min(-v[0] / bends_at_start, h)
         for _ in range(60):
-            step = (v[0] + change(v, time)) / curvature(v, time)
+            step = (v[0] + speed_increment(v, time)) / curvature(v, time)
             time -= step
             if abs(step) <= 1e-9 * h:
                 break
@@ -228,7 +228,7 @@ def interior_maximum(v, h):
     start = 0.0
     for half in range(2):
         stop = bend if half == 0 else h
-        if (v[0] + change(v, start) < 0.0) != (v[0] + change(v, stop) < 0.0):
+        if (v[0] + speed_increment(v, start) < 0.0) != (v[0] + speed_increment(v, stop) < 0.0):
             highest = max(highest, increment(v, bracketed_root(v, 0.0, RATE, start, stop)))
         start = stop
     return highest

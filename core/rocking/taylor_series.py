@@ -11,7 +11,7 @@ from typing import NamedTuple
 from core.jit.decorators import inner_kernel, subkernel
 from core.jit.fma import fma
 from core.rocking.events import uplift_thresholds
-from core.rocking.oscillator import Swing, swing_of
+from core.rocking.oscillator import Oscillation, swing_of
 from core.rocking.taylor_bounds import SERIES_TOLERANCE, plus
 from core.units import G
 from core.wall.rocking_model import OtherSide, seen_from
@@ -41,7 +41,7 @@ class WallConstants(NamedTuple):
     sine_bound: float
     collapse: float
     other: OtherSide | None = None
-    swing: Swing | None = None
+    swing: Oscillation | None = None
 
 
 class InitialTerms(NamedTuple):
@@ -116,7 +116,7 @@ def largest_strength(restoring):
 
 
 @inner_kernel
-def with_slope(x, y, z, slope):
+def add_slope_term(x, y, z, slope):
     """x y + slope z; x y where the law has no slope (None)."""
     if slope is None:
         return x * y
@@ -132,7 +132,7 @@ def with_line(x, y, slope, rotation, constant):
 
 
 @inner_kernel
-def over_step(slope, p2):
+def slope_acceleration(slope, p2):
     """Slope term of the angular acceleration, -p2 slope [1/s2]; None where the law has no slope."""
     if slope is None:
         return slope
@@ -195,44 +195,44 @@ def series(speed, net, sine, cosine, beta, rise, p2, factor, slope, order):
     factor, slope : f and m of the branch of the moment law [-]; m None where the law has no slope
     order : of the series, 6 or 8
     """
-    factor, slope = -p2 * factor, over_step(slope, p2)
+    factor, slope = -p2 * factor, slope_acceleration(slope, p2)
     beta, rise = p2 * beta, p2 * rise
     v0 = speed
     v1 = -p2 * net
     s1 = -v0 * cosine
     k1 = v0 * sine
-    v2 = fma(beta, k1, fma(factor, s1, with_slope(rise, cosine, v0, slope)))
+    v2 = fma(beta, k1, fma(factor, s1, add_slope_term(rise, cosine, v0, slope)))
     s2 = fma(-v0, k1, -(v1 * cosine))
     k2 = fma(v0, s1, v1 * sine)
     twice = rise + rise
-    v3 = fma(beta, k2, fma(factor, s2, with_slope(twice, k1, v1, slope)))
+    v3 = fma(beta, k2, fma(factor, s2, add_slope_term(twice, k1, v1, slope)))
     double = v1 + v1
     s3 = fma(-v0, k2, -fma(v2, cosine, double * k1))
     k3 = fma(v0, s2, fma(v2, sine, double * s1))
     thrice = twice + rise
-    v4 = fma(beta, k3, fma(factor, s3, with_slope(thrice, k2, v2, slope)))
+    v4 = fma(beta, k3, fma(factor, s3, add_slope_term(thrice, k2, v2, slope)))
     a1, a2 = double + v1, 3.0 * v2
     s4 = fma(-v0, k3, -fma(v3, cosine, fma(a1, k2, a2 * k1)))
     k4 = fma(v0, s3, fma(v3, sine, fma(a1, s2, a2 * s1)))
     four = twice + twice
-    v5 = fma(beta, k4, fma(factor, s4, with_slope(four, k3, v3, slope)))
+    v5 = fma(beta, k4, fma(factor, s4, add_slope_term(four, k3, v3, slope)))
     a1, a2, a3 = double + double, 6.0 * v2, 4.0 * v3
     s5 = fma(-v0, k4, -fma(v4, cosine, fma(a3, k1, fma(a1, k3, a2 * k2))))
     k5 = fma(v0, s4, fma(v4, sine, fma(a3, s1, fma(a1, s3, a2 * s2))))
-    v6 = fma(beta, k5, fma(factor, s5, with_slope(four + rise, k4, v4, slope)))
+    v6 = fma(beta, k5, fma(factor, s5, add_slope_term(four + rise, k4, v4, slope)))
     w2, w3, w4, w5, w6 = 0.5 * v2, (1.0 / 6.0) * v3, (1.0 / 24.0) * v4, (1.0 / 120.0) * v5, (1.0 / 720.0) * v6
     if order == 6:
         return v0, v1, w2, w3, w4, w5, w6, 0.0, 0.0
     a1, a2, a3, a4 = 5.0 * v1, 10.0 * v2, 10.0 * v3, 5.0 * v4
     s6 = fma(-v0, k5, -fma(v5, cosine, fma(a4, k1, fma(a1, k4, fma(a3, k2, a2 * k3)))))
     k6 = fma(v0, s5, fma(v5, sine, fma(a4, s1, fma(a1, s4, fma(a3, s2, a2 * s3)))))
-    v7 = fma(beta, k6, fma(factor, s6, with_slope(thrice + thrice, k5, v5, slope)))
+    v7 = fma(beta, k6, fma(factor, s6, add_slope_term(thrice + thrice, k5, v5, slope)))
     a1, a2, a3, a4, a5 = 6.0 * v1, 15.0 * v2, 20.0 * v3, 15.0 * v4, 6.0 * v5
     s7 = fma(a4, k2, fma(a2, k4, a3 * k3))
     k7 = fma(a4, s2, fma(a2, s4, a3 * s3))
     s7 = fma(-v0, k6, -fma(v6, cosine, fma(a5, k1, fma(a1, k5, s7))))
     k7 = fma(v0, s6, fma(v6, sine, fma(a5, s1, fma(a1, s5, k7))))
-    v8 = fma(beta, k7, fma(factor, s7, with_slope(fma(4.0, rise, thrice), k6, v6, slope)))
+    v8 = fma(beta, k7, fma(factor, s7, add_slope_term(fma(4.0, rise, thrice), k6, v6, slope)))
     return v0, v1, w2, w3, w4, w5, w6, (1.0 / 5040.0) * v7, (1.0 / 40320.0) * v8
 
 

@@ -14,11 +14,11 @@ from core.rocking.bar_state import (
     BROKEN,
     PHASE,
     all_broken,
-    at_start,
+    bar_pull,
     cross_kinks,
-    keep,
-    pull_of,
+    initial_state,
     residual_of,
+    store_sample,
     thresholds_with,
     unload,
 )
@@ -32,10 +32,10 @@ from core.rocking.taylor_polynomial import (
     CURVATURE,
     RATE,
     bracketed_root,
-    change,
     curvature,
     increment,
     part_turning_once,
+    speed_increment,
 )
 from core.rocking.taylor_series import WallConstants, wall_constants
 from core.units import G
@@ -60,18 +60,18 @@ def until_turn(v, event):
     turn, low = -1.0, 0.0
     if v[0] <= 0.0 and v[1] <= 0.0:
         turn = 0.0
-    elif v[0] + change(v, part) < 0.0:
+    elif v[0] + speed_increment(v, part) < 0.0:
         if v[0] <= 0.0:  # it starts at rest, outward
             low = bracketed_root(v, 0.0, CURVATURE, 0.0, part)
         turn = bracketed_root(v, 0.0, RATE, low, part)
     elif v[1] < 0.0 < curvature(v, part):
         lowest = bracketed_root(v, 0.0, CURVATURE, 0.0, part)
-        if v[0] + change(v, lowest) < 0.0:
+        if v[0] + speed_increment(v, lowest) < 0.0:
             turn = bracketed_root(v, 0.0, RATE, 0.0, lowest)
     if turn < 0.0 and part >= event.part:
         return event, False
     end = turn if turn >= 0.0 else part
-    dphi, dv = increment(v, end), change(v, end)
+    dphi, dv = increment(v, end), speed_increment(v, end)
     return Crossing(end, -1.0, event.falls, event.margin, event.bend, event.reach, dphi, dv), turn >= 0.0
 
 
@@ -97,17 +97,17 @@ def end_of_step(state, v, begun, part, t, dt, ground0, jump, branch, yields, see
     state, t = advance(state, v, part, event, t, dt)
     if turns:
         unload(state.phi, bars, held)
-        return at_kink(state, state.phi, 0.0), t, 0.0, AT_KINK
+        return state_at_kink(state, state.phi, 0.0), t, 0.0, AT_KINK
     if event.crossing < 0.0:
         return state, t, 0.0, ON
     low, high, _, _, _, _ = branch
     if event.falls and low == 0.0:
-        there = with_thresholds(bounds, thresholds_with(bounds, bars, held))
+        there = replace_thresholds(bounds, thresholds_with(bounds, bars, held))
         state, hit = impact(state, ground0 + jump * t, seen, there)
         return state, t, hit, AT_IMPACT
     phi = low if event.falls else high
     cross_kinks(phi, event.falls, bars, held)
-    return at_kink(state, phi, state.speed), t, 0.0, AT_KINK
+    return state_at_kink(state, phi, state.speed), t, 0.0, AT_KINK
 
 
 @subkernel
@@ -134,7 +134,7 @@ def through_sample_with_bars(ground0, ground1, dt, model, constants, strongest, 
                 break
             state = BlockState(side, 0.0, 0.0, True, 2, state.peak, state.impacts, state.clamped)
         seen = seen_from(model, state.side)
-        pull = pull_of(state.side, bars, held)
+        pull = bar_pull(state.side, bars, held)
         wall = seen.restoring
         branch = (pull.low, pull.high, wall.sine, pull.spring, pull.constant, wall.cosine)
         bounds = bounds_held(constants, branch[2:], bars)
@@ -163,13 +163,13 @@ def cannot_recover_with_bars(state, strongest, model, held):
 
 
 @inner_kernel
-def at_kink(state, phi, speed):
+def state_at_kink(state, phi, speed):
     """BlockState at a kink of the bars, phi [rad], with this speed [rad/s]."""
     return BlockState(state.side, phi, speed, True, state.zone, max(state.peak, phi), state.impacts, state.clamped)
 
 
 @inner_kernel
-def with_thresholds(constants, thresholds):
+def replace_thresholds(constants, thresholds):
     """WallConstants with these thresholds of uplift [m/s2]."""
     return WallConstants(
         thresholds,
@@ -214,7 +214,7 @@ def settled_with_bars(state, push, model, bars, held):
 
 
 @subkernel
-def in_still_ground(dt, model, constants, state, bars, held):
+def integrate_after_record(dt, model, constants, state, bars, held):
     """(outcome, BlockState) once the record has ended: the wall is followed until it cannot reach its peak again. One
     that leans on its bars beyond theta_c, and stays there, has collapsed.
 
@@ -256,8 +256,8 @@ def integrate_with_bars(ground, dt, scale, model, start, bars, held, trace, impa
     Returns (outcome, peak rotation [rad], impacts, clamped ratios, samples done).
     """
     constants = wall_constants(model, dt)
-    state = at_start(start, bars, held)
-    keep(trace, 0, state, bars, held)
+    state = initial_state(start, bars, held)
+    store_sample(trace, 0, state, bars, held)
     for i in range(ground.size - 1):
         t, before = 0.0, state.impacts
         while t < 1.0:
@@ -272,12 +272,12 @@ def integrate_with_bars(ground, dt, scale, model, start, bars, held, trace, impa
                 outcome = IMPACT_LIMIT
             if outcome != STABLE:
                 return outcome, state.peak, state.impacts, state.clamped, i + 1
-        keep(trace, i + 1, state, bars, held)
-    outcome, after = in_still_ground(dt, model, constants, state, bars, held)
+        store_sample(trace, i + 1, state, bars, held)
+    outcome, after = integrate_after_record(dt, model, constants, state, bars, held)
     return outcome, after.peak, state.impacts, state.clamped, ground.size
 
 
-def with_bars_apart(model: RockingModel) -> tuple[RockingModel, np.ndarray, np.ndarray]:
+def separate_bars(model: RockingModel) -> tuple[RockingModel, np.ndarray, np.ndarray]:
     """(the wall without its bars, its bars as an array, room for their state), as the kernels take them."""
     bars = bar_rows(model.bars)
     return model._replace(bars=()), bars, np.zeros(bars.shape)
@@ -290,5 +290,5 @@ def integrate(ground, dt, scale, model, start, trace, impact_time, impact_veloci
     model : RockingModel
     impact_time, impact_velocity : as there
     """
-    bare, *bars = with_bars_apart(model)
+    bare, *bars = separate_bars(model)
     return integrate_with_bars(ground, dt, scale, bare, start, *bars, trace, impact_time, impact_velocity)

@@ -9,7 +9,7 @@ from core.case.reader import read_case
 from core.codes.kinematic import elastic_period
 from core.codes.kinematic_chain import return_wall_friction, sum_chain
 from core.known import require_value
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.setting.demand_input import read_demand
 from core.solved.shipped import SHIPPED
 from core.solved.solved import Answer, Head, Kind, Sketch, Solved, printed, row, worded
@@ -203,7 +203,9 @@ def with_loads(key: str, title, loads: tuple[dict, ...], values: str) -> Solved:
 
 def free_fall(loads: tuple[dict, ...], seconds: str) -> Answer:
     def found() -> float:
-        return float(history(np.zeros(2000), 0.005, 1.0, loaded(*loads).model, start=(0.06, 0.0)).impact_time[0])
+        return float(
+            integrate_history(np.zeros(2000), 0.005, 1.0, loaded(*loads).model, start=(0.06, 0.0)).impact_time[0]
+        )
 
     return printed((worded("time, with the roof") if loads else worded("time, without loads"), "s"), seconds, found)
 

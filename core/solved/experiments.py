@@ -5,7 +5,7 @@ from functools import partial
 
 import numpy as np
 
-from core.rocking.history import scan
+from core.rocking.history import scan_multipliers
 from core.rocking.methods import METHODS
 from core.rocking.outcome import STABLE
 from core.solved.solved import Answer, Kind, Sketch, Solved, told
@@ -41,7 +41,7 @@ def overturned(ground: np.ndarray, step: float, scales: np.ndarray, model: Rocki
     ground : [m/s2], shape (n,); step : [s]; scales : [-], shape (m,)
     """
     outcomes, peaks = np.zeros(scales.size, np.int64), np.zeros(scales.size)
-    scan(METHODS["taylor"], ground, step, scales, model, outcomes, peaks)
+    scan_multipliers(METHODS["taylor"], ground, step, scales, model, outcomes, peaks)
     return outcomes != STABLE
 
 

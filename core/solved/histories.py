@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from core.rocking.history import History, history
+from core.rocking.history import History, integrate_history
 from core.solved.solved import Answer, Kind, Sketch, Solved, worded
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
@@ -39,7 +39,9 @@ def found(name: str, one_sided: bool = False, law: str = "rigid", samples: int =
     """The history of the program: 7 m, 6.8°, the restitution of theory."""
     block = Block.rectangle(7.0, ALPHA)
     model = restitution(block, "one_sided_theoretical" if one_sided else "housner")
-    return history(ground_of(name)[:samples], SAMPLE_STEP, 1.0, rocking_model(block, one_sided, model, LAWS[law]))
+    return integrate_history(
+        ground_of(name)[:samples], SAMPLE_STEP, 1.0, rocking_model(block, one_sided, model, LAWS[law])
+    )
 
 
 def largest(motion: History) -> float:

@@ -10,7 +10,7 @@ from functools import cache
 
 import numpy as np
 
-from core.rocking.history import History, history
+from core.rocking.history import History, integrate_history
 from core.rocking.outcome import COLLAPSED
 from core.solved.solved import Answer, Kind, Sketch, Solved, printed, row, worded
 from core.units import G
@@ -60,12 +60,12 @@ def least(holds: Callable[[float], bool], low: float, high: float) -> float:
 
 
 def overturns(shape: np.ndarray, step: float, scale: float, model: RockingModel) -> bool:
-    return history(shape, step, scale, model).outcome == COLLAPSED
+    return integrate_history(shape, step, scale, model).outcome == COLLAPSED
 
 
 def released(share: float, alpha: float, height: float = BLOCK_HEIGHT, ratio: float = 1.0) -> History:
     """A block that is let go at a share of its slenderness."""
-    return history(np.zeros(20001), 0.001, 1.0, rocking(alpha, ratio, height), start=(share * alpha, 0.0))
+    return integrate_history(np.zeros(20001), 0.001, 1.0, rocking(alpha, ratio, height), start=(share * alpha, 0.0))
 
 
 def of_quarter_period(share: str) -> Answer:
@@ -96,7 +96,7 @@ def of_west(height: float, thickness: float) -> Answer:
     model = rocking(math.atan2(thickness, height), 0.9, height)
 
     def found() -> float:
-        return least(lambda a: history(np.full(50, a * G), 0.01, 1.0, model).peak > 0.0, 1e-3, 1.0)
+        return least(lambda a: integrate_history(np.full(50, a * G), 0.01, 1.0, model).peak > 0.0, 1e-3, 1.0)
 
     return Answer(f"a/g ({height:g} × {thickness:g} m)", "", thickness / height, 1e-9, found)
 
@@ -176,7 +176,7 @@ def of_periodic(amplitude: float, omega: float, halves: int, ratio: float) -> tu
         step = math.pi / (omega * p) / PULSE_SAMPLES
         phase = math.pi / PULSE_SAMPLES * np.arange(80 * PULSE_SAMPLES) + math.atan2(sine, cosine)
         ground = amplitude * G * math.tan(LINEAR_ALPHA) * np.cos(phase)
-        return history(ground, step, 1.0, rocking(ratio=ratio), start=(0.0, velocity * p * LINEAR_ALPHA))
+        return integrate_history(ground, step, 1.0, rocking(ratio=ratio), start=(0.0, velocity * p * LINEAR_ALPHA))
 
     case = f"(a = {amplitude:g} α g, ω = {omega:g} p, e = {ratio:g})"
     times = worded("periods between two impacts {case}", case=case)
@@ -428,7 +428,8 @@ CASES: tuple[Solved, ...] = (
                 1e-9,
                 lambda: least(
                     lambda v: (
-                        history(np.zeros(2), 0.01, 1.0, rocking(math.radians(6.8)), start=(0.0, v)).outcome == COLLAPSED
+                        integrate_history(np.zeros(2), 0.01, 1.0, rocking(math.radians(6.8)), start=(0.0, v)).outcome
+                        == COLLAPSED
                     ),
                     0.1,
                     0.3,

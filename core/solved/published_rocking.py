@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 
 from core.capacity.closed_forms import closed_form_q_eff
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.solved.experiments import first_overturning, overturned, section
 from core.solved.motion import least, overturns, rocking
 from core.solved.solved import Answer, Kind, Sketch, Solved, answer, printed, told
@@ -103,7 +103,7 @@ def _quarter_period() -> float:
     radius = math.hypot(0.2, 1.0)
     block = Block(math.atan2(0.2, 1.0), radius, 2.0 * radius**2)
     model = RockingModel(block.slenderness, block.p2, 0.0, 0.9, 0.0, 0.0, 0.0)
-    return history(np.zeros(2001), 1e-3, 1.0, model, start=(0.5 * block.slenderness, 0.0)).impact_time[0]
+    return integrate_history(np.zeros(2001), 1e-3, 1.0, model, start=(0.5 * block.slenderness, 0.0)).impact_time[0]
 
 
 def _rectangular_pulse() -> float:
@@ -156,7 +156,7 @@ def _least_sine(radius: float) -> float:
 def _energy_left(share: float, radius: float) -> float:
     """Energy over that of the fall as the sine of twice g tan alpha ends."""
     model = _of_size(radius, share)
-    motion = history(_sine(), PULSE / PULSE_SAMPLES, 2.0, model)
+    motion = integrate_history(_sine(), PULSE / PULSE_SAMPLES, 2.0, model)
     rotation, velocity = abs(float(motion.rotation[-1])), float(motion.velocity[-1])
     risen = math.cos(PULSE_ALPHA - rotation) - math.cos(PULSE_ALPHA)
     return (0.5 * velocity**2 / model.p2 + risen) / (1.0 - math.cos(PULSE_ALPHA))
@@ -187,7 +187,7 @@ def _least_push() -> float:
 def _peak_of_push(share: float) -> float:
     """Largest rotation [rad] under a share of the push printed."""
     shape, step = _plateau(1.0)
-    return history(shape, step, share * PUSH, _tipped()).peak
+    return integrate_history(shape, step, share * PUSH, _tipped()).peak
 
 
 def _of_open_programs() -> tuple[Solved, ...]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from core.codes.vertical_bending import mechanism, start_multiplier
 from core.known import require_value
-from core.rocking.history import History, history
+from core.rocking.history import History, integrate_history
 from core.rocking.outcome import COLLAPSED
 from core.solved.clauses import ROOF, loaded
 from core.solved.motion import SINE
@@ -76,7 +76,7 @@ def tied(one: Tied) -> Solved:
 
     @cache
     def motion(asked: Asked) -> History:
-        return history(sines(one.amplitude, one.period), SINE_STEP, 1.0, asked.model)
+        return integrate_history(sines(one.amplitude, one.period), SINE_STEP, 1.0, asked.model)
 
     def found() -> tuple[float, ...]:
         return motion(held).peak, 1e3 * one.level * motion(held).residual[0, -1], motion(bare).peak
@@ -86,7 +86,9 @@ def tied(one: Tied) -> Solved:
         block = held.wall.block()
         moment = 18e3 * one.height * one.thickness * block.radius
         bar = TieBar(one.level, 1e3 * one.force, 1e-9, 0.0, one.stands).scaled(moment)
-        return history(sines(one.amplitude, one.period), SINE_STEP, 1.0, held.model._replace(bars=(bar,))).peak
+        return integrate_history(
+            sines(one.amplitude, one.period), SINE_STEP, 1.0, held.model._replace(bars=(bar,))
+        ).peak
 
     answers = row(TIED_HEADS, one.values, found, 1.5)  # by as much the two integrators differ
     if one.rigid is not None:

@@ -16,7 +16,7 @@ from core.codes.kinematic import PERIOD_FACTOR, STATE_DAMPING
 from core.codes.kinematic_chain import sum_chain
 from core.codes.target_spectrum import CodeSpectrum
 from core.ground.ground_motion import GroundMotion
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.methods import AUTO
 from core.rocking.outcome import COLLAPSED, STABLE
 from core.setting.plan import Plan, PlannedWall
@@ -134,7 +134,7 @@ def _answer(
 ) -> Answer | None:
     """The largest rotation, with the free motion after the record; of a wall that overturns that at the last sample
     within theta_c, or at a given one. None where its outcome is not known."""
-    one = history(motion.acceleration if ground is None else ground, motion.time_step, scale, model, AUTO)
+    one = integrate_history(motion.acceleration if ground is None else ground, motion.time_step, scale, model, AUTO)
     if one.outcome != COLLAPSED:
         return Answer(False, 0, one.peak) if one.outcome == STABLE else None
     within = np.nonzero(np.abs(one.rotation) <= model.collapse_rotation)[0]

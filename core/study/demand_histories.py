@@ -7,7 +7,7 @@ import numpy as np
 
 from core.codes.dynamic_check import DemandRun, model_and_scale_at_demand
 from core.ground.ground_motion import GroundMotion
-from core.rocking.history import History, history
+from core.rocking.history import History, integrate_history
 from core.study.results import StudyResult, WallResult
 
 
@@ -52,7 +52,7 @@ def history_at_demand(result: StudyResult, wall: WallResult, run: DemandRun) -> 
     motion, demand, check = result.motion_of(wall, run.motion), result.demand, wall.required_assessment.dynamic
     assert demand is not None and check is not None
     model, factor = model_and_scale_at_demand(wall.governing_model, demand, check.confidence_on, motion)
-    return motion, history(motion.acceleration, motion.time_step, run.polarity * factor, model, result.method)
+    return motion, integrate_history(motion.acceleration, motion.time_step, run.polarity * factor, model, result.method)
 
 
 def control_displacement(wall: WallResult, rotation: np.ndarray) -> np.ndarray:

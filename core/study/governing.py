@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from core.capacity.ida import multiplier_of, threshold_of
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.study.results import CollapseHistories, Run, StudyResult, WallResult
 
 
@@ -27,6 +27,7 @@ def collapse_histories(result: StudyResult, wall: WallResult) -> CollapseHistori
     motion = result.motion_of(wall, lowest.motion)
     low, high = (lowest.polarity * multiplier_of(q, motion.pga, threshold_of(wall.model)) for q in lowest.ida.bracket)
     survived, collapsed = (
-        history(motion.acceleration, motion.time_step, scale, wall.model, result.method) for scale in (low, high)
+        integrate_history(motion.acceleration, motion.time_step, scale, wall.model, result.method)
+        for scale in (low, high)
     )
     return CollapseHistories(wall, motion, lowest.polarity, (low, high), (survived, collapsed))

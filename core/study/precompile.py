@@ -16,7 +16,7 @@ import numpy as np
 from core.jit import native
 from core.jit.cache import SECOND_PROCESS, TEMPORARY, folder
 from core.jit.stamp import stamp
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.methods import METHODS
 from core.rocking.taylor import through_sample
 from core.wall.rocking_model import RockingModel
@@ -89,7 +89,7 @@ def main() -> None:
     ground.flags.writeable = False  # as that of a record: another type for numba
     model = RockingModel(0.1, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0)
     for method in sys.argv[1:]:
-        history(ground, 0.01, 1.0, model, METHODS[method])
+        integrate_history(ground, 0.01, 1.0, model, METHODS[method])
 
 
 if __name__ == "__main__":

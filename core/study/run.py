@@ -19,7 +19,7 @@ from core.codes.record_compatibility import check_compatibility
 from core.ground.ground_motion import GroundMotion
 from core.jit import cache, native
 from core.rocking.analysis_count import MADE
-from core.rocking.history import history, scan
+from core.rocking.history import integrate_history, scan_multipliers
 from core.rocking.methods import AUTO, METHODS, resolve_auto
 from core.setting.check_input import make_rocking_model
 from core.setting.plan import Plan, make_plan, read_inputs, refuse_large, select_case_records
@@ -210,8 +210,8 @@ def warm_kernels(case: Case, motion: GroundMotion) -> tuple[str, ...]:
     _begin_compiling(method, [model], [motion])
     ground, dt = motion.acceleration, motion.time_step
     scales = np.full(16, multiplier_of(1.1, motion.pga, threshold_of(model)))
-    scan(method, ground, dt, scales, model, np.zeros(16, np.int64), np.zeros(16))
-    history(ground, dt, scales[0], model, method)
+    scan_multipliers(method, ground, dt, scales, model, np.zeros(16, np.int64), np.zeros(16))
+    integrate_history(ground, dt, scales[0], model, method)
     return find_kernel_order(method, model, dt)
 
 

@@ -19,7 +19,7 @@ from core.codes.spectrum_codes import en1998
 from core.ground.ground_motion import GroundMotion
 from core.jit import shipped
 from core.jit.native import has_numba
-from core.rocking.history import by_order_8, history, in_lanes
+from core.rocking.history import integrate_history, requires_order_8, uses_lanes
 from core.rocking.methods import METHODS, Method, resolve_auto
 from core.units import G
 from core.wall.block import Block
@@ -61,7 +61,7 @@ def compute_answers(method: str) -> dict[str, list[str]]:
         run = incremental_dynamic_analysis(ground, 0.01, pga, 1, model, by, Search(q_step=0.02, q_limit=10.0))
         doubles[f"{name}_q"] = [math.nan if value is None else value for value in (run.q, run.q_slv)]
         scale = float(multiplier_of(3.0, pga, threshold_of(model)))
-        doubles[f"{name}_history"] = list(history(ground, 0.01, scale, model, by).rotation[::40])
+        doubles[f"{name}_history"] = list(integrate_history(ground, 0.01, scale, model, by).rotation[::40])
     return {name: [float(value).hex() for value in values] for name, values in doubles.items()}
 
 
@@ -92,8 +92,8 @@ def numbers_are_right() -> bool:
 def find_kernel_order(method: Method, model: RockingModel, dt: float) -> tuple[str, ...]:
     """Find which of ORDERS names the kernels that analyses of a wall compile; none where they are others. dt : [s]"""
     resolved = resolve_auto(method, model, dt)
-    own = by_order_8(model) or model.bending is not None
-    return (resolved.name,) if in_lanes(resolved, model) and not own else ()
+    own = requires_order_8(model) or model.bending is not None
+    return (resolved.name,) if uses_lanes(resolved, model) and not own else ()
 
 
 def compare_answers(methods: Iterable[str] = ORDERS) -> Outcome:

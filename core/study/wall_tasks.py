@@ -9,7 +9,7 @@ from core.capacity.accuracy import Accuracy, make_accuracy
 from core.capacity.ida import Ida, Run, incremental_dynamic_analyses
 from core.codes.demand import SeismicDemand
 from core.codes.record_compatibility import Compliance
-from core.rocking.history import in_lanes
+from core.rocking.history import uses_lanes
 from core.setting.check_input import CheckInput
 from core.setting.plan import Plan
 from core.study.check_cache import CheckCache, run_key
@@ -143,7 +143,7 @@ class _Wall:
         for k, entry in self.entries.items():
             runs = [one for one in plan.runs_of(k) if one not in idas]
             longest = max((motion.acceleration.size for motion in entry.felt), default=1)
-            lanes = in_lanes(plan.method, entry.model)
+            lanes = uses_lanes(plan.method, entry.model)
             together = max(1, min(self.most, MAX_SAMPLES // longest)) if lanes else 1
             groups += [tuple(runs[n : n + together]) for n in range(0, len(runs), together)]
         yield Batch({group: search_of(group) for group in groups}, keep)

@@ -166,7 +166,7 @@ def ribalta(problem: dict):
     sys.path.insert(0, str(ROOT))
     import numpy as np
 
-    from core.rocking.history import history
+    from core.rocking.history import integrate_history
     from core.rocking.outcome import COLLAPSED
     from core.wall.rocking_model import RockingModel
 
@@ -176,7 +176,7 @@ def ribalta(problem: dict):
     model = RockingModel(block["slenderness"], block["p2"], sided, block["velocity_ratio"], 0.0, *kinks)
 
     def whole(ground, scale=1.0):
-        found = history(np.asarray(ground, float), problem["dt"], scale, model, start=tuple(problem["start"]))
+        found = integrate_history(np.asarray(ground, float), problem["dt"], scale, model, start=tuple(problem["start"]))
         return found.rotation, found.impact_time, found.outcome == COLLAPSED
 
     return whole

@@ -202,7 +202,7 @@ def test_that_a_file_that_is_no_record_is_said_in_the_dialog(opened, tmp_path):
 @pytest.mark.shows("window.slider")
 def test_that_the_slider_integrates_what_the_core_says(opened, application):
     from core.capacity.ida import threshold_of
-    from core.rocking.history import history
+    from core.rocking.history import integrate_history
 
     run(application, opened)
     opened.navigator.show_page("histories")
@@ -210,7 +210,9 @@ def test_that_the_slider_integrates_what_the_core_says(opened, application):
     tab.slider.setValue(700)
     motion = opened.session.result.motions[0]
     wall = opened.session.result.walls[0]
-    truth = history(motion.acceleration, motion.time_step, tab.q * threshold_of(wall.model) / motion.pga, wall.model)
+    truth = integrate_history(
+        motion.acceleration, motion.time_step, tab.q * threshold_of(wall.model) / motion.pga, wall.model
+    )
     assert np.array_equal(tab.history.rotation, truth.rotation)
 
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from core.capacity.ida import Run, Search, incremental_dynamic_analyses, incremental_dynamic_analysis
 from core.case.reader import read_case
-from core.rocking.history import history, scan
+from core.rocking.history import integrate_history, scan_multipliers
 from core.rocking.methods import METHODS
 from core.setting.plan import make_plan, read_inputs
 from core.wall.block import Block
@@ -86,7 +86,7 @@ def main(options: argparse.Namespace) -> None:
         scales = least * np.linspace(1.1, 6.0, n)
 
         def peaks_of(model, by, scales=scales):
-            scan(taylor, ground / by, dt, scales, model, outcomes, peaks)
+            scan_multipliers(taylor, ground / by, dt, scales, model, outcomes, peaks)
             return peaks.copy()
 
         moved = peaks_of(loaded, 1.0)
@@ -96,7 +96,9 @@ def main(options: argparse.Namespace) -> None:
         assert lifted.mean() > 0.5 and other < 1e-6, "not the same motion"
 
         def lanes(model, by, scales=scales):
-            return best_seconds(lambda: scan(taylor, ground / by, dt, scales, model, outcomes, peaks), repeats[0])
+            return best_seconds(
+                lambda: scan_multipliers(taylor, ground / by, dt, scales, model, outcomes, peaks), repeats[0]
+            )
 
         def search(model, by):
             pga = float(np.abs(ground).max()) / by
@@ -105,7 +107,7 @@ def main(options: argparse.Namespace) -> None:
             )
 
         def single(model, by, least=least):
-            return best_seconds(lambda: history(ground / by, dt, 2.0 * least, model, taylor), repeats[2])
+            return best_seconds(lambda: integrate_history(ground / by, dt, 2.0 * least, model, taylor), repeats[2])
 
         side = "one-sided" if one_sided else "two-sided"
         for name, call in (("lanes", lanes), ("search", search), ("history", single)):

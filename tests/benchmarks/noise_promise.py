@@ -21,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 
 from core.capacity.accuracy import NOISE, NOISES, PROMISED, TIMES_NOISE
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.methods import AUTO
 from core.rocking.taylor_bounds import RELATIVE_TOLERANCE, SERIES_TOLERANCE
 from core.wall.bars import TieBar
@@ -165,7 +165,9 @@ def effect_of_noise(case: Case, once: np.ndarray, draws: int, key: list[int]) ->
     rng, largest = np.random.default_rng(key), 0.0
     for _ in range(draws):
         moved = case.ground * (1.0 + NOISE * rng.uniform(-1.0, 1.0, case.ground.size))
-        largest = max(largest, distance(case.model, once, history(moved, case.dt, 1.0, case.model, AUTO).rotation))
+        largest = max(
+            largest, distance(case.model, once, integrate_history(moved, case.dt, 1.0, case.model, AUTO).rotation)
+        )
     return largest
 
 
@@ -176,7 +178,7 @@ def errors(seed: int) -> Found:
 
 def errors_of(case: Case, seed: int) -> Found:
     """Error and effect of noise of a case. seed : of the noise"""
-    once = history(case.ground, case.dt, 1.0, case.model, AUTO).rotation
+    once = integrate_history(case.ground, case.dt, 1.0, case.model, AUTO).rotation
     exact = double_double_walls.history(case.ground, case.dt, case.model)
     peak = float(np.minimum(np.abs(exact.rotation), case.model.collapse_rotation).max()) / case.model.collapse_rotation
     noise = effect_of_noise(case, once, NOISES, [seed, 1])
@@ -184,7 +186,7 @@ def errors_of(case: Case, seed: int) -> Found:
 
 
 def landings(case: Case, scale: float) -> int:
-    return history(case.ground, case.dt, scale, case.model, AUTO).impact_time.size
+    return integrate_history(case.ground, case.dt, scale, case.model, AUTO).impact_time.size
 
 
 def tangent_cases(seed: int) -> list[Case]:
@@ -226,7 +228,7 @@ def print_tangent(cases: int) -> None:
 def of_many_draws(seed: int) -> float:
     """Effect of noise on a case, over theta_c, by MANY draws."""
     case = case_of(seed)
-    once = history(case.ground, case.dt, 1.0, case.model, AUTO).rotation
+    once = integrate_history(case.ground, case.dt, 1.0, case.model, AUTO).rotation
     return effect_of_noise(case, once, MANY, [seed, 2])
 
 
@@ -252,7 +254,7 @@ def explain(seeds: list[int], found: np.ndarray) -> None:
     classes, left, others = Counter(), 0.0, 0
     for seed, (error, few, _, impacts), (exacter, *_) in zip(seeds, found[seeds], tighter, strict=True):
         case, noise, name = case_of(seed), of_many_draws(seed), KINDS[seed % len(KINDS)]
-        alike = history(case.ground, case.dt, 1.0, case.model, AUTO).impact_time.size == impacts
+        alike = integrate_history(case.ground, case.dt, 1.0, case.model, AUTO).impact_time.size == impacts
         bound = max(PROMISED, EXPLAINED * noise)
         reason = "few draws" if error <= bound else "tolerance" if exacter <= bound and alike else "unexplained"
         classes[reason, name] += 1

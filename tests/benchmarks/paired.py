@@ -59,13 +59,13 @@ def calls(small: bool) -> dict[str, Callable[[], None]]:
 
     try:
         from core.capacity.ida import Search, incremental_dynamic_analysis
-        from core.rocking.history import history, scan
+        from core.rocking.history import integrate_history, scan_multipliers
         from core.rocking.methods import METHODS
         from core.wall.rocking_model import RockingModel
     except ImportError:  # version 0.3.0
         from core.ida import Search, incremental_dynamic_analysis  # type: ignore
 
-        from core.rocking import METHODS, RockingModel, history, scan  # type: ignore
+        from core.rocking import METHODS, RockingModel  # type: ignore
     samples = SAMPLES // 5 if small else SAMPLES
     random = np.random.default_rng(2)
     walk = np.cumsum(random.normal(size=samples))
@@ -88,13 +88,13 @@ def calls(small: bool) -> dict[str, Callable[[], None]]:
         assert asked.q is not None, "a search without a number"
 
     def moved(model, method=taylor):
-        assert history(ground, TIME_STEP, 1.2, model, method).rotation.any(), "a wall at rest"
+        assert integrate_history(ground, TIME_STEP, 1.2, model, method).rotation.any(), "a wall at rest"
 
     for name, (one_sided, ratio, first, last) in walls.items():
         model = RockingModel(alpha, 2.0866, one_sided, ratio, 0.0, first * alpha, last * alpha)
 
         def lanes(model=model):
-            scan(taylor, ground, TIME_STEP, scales, model, outcomes, peaks)
+            scan_multipliers(taylor, ground, TIME_STEP, scales, model, outcomes, peaks)
             assert (peaks > 0.0).all(), "lanes at rest"
 
         found[f"lanes, {name}"] = lanes
@@ -106,7 +106,7 @@ def calls(small: bool) -> dict[str, Callable[[], None]]:
         unlike = RockingModel(alpha, 2.0866, 0.0, 0.979, 0.0, 0.0, 0.0, other=OtherSide.of(0.8 * alpha, 2.3, 0.985))
 
         def of_unlike_hinges():
-            scan(taylor, ground, TIME_STEP, scales, unlike, outcomes, peaks)
+            scan_multipliers(taylor, ground, TIME_STEP, scales, unlike, outcomes, peaks)
             assert (peaks > 0.0).all(), "lanes at rest"
 
         found["lanes, unlike hinges"] = of_unlike_hinges
@@ -119,7 +119,7 @@ def calls(small: bool) -> dict[str, Callable[[], None]]:
         tied = RockingModel(alpha, 2.0866, 1.0, 0.45, 0.0, 0.0, 0.0, bars=(bar,))
 
         def of_ties():
-            scan(taylor, ground, TIME_STEP, scales, tied, outcomes, peaks)
+            scan_multipliers(taylor, ground, TIME_STEP, scales, tied, outcomes, peaks)
             assert (peaks > 0.0).all(), "lanes at rest"
 
         found["lanes, ties"] = of_ties
@@ -132,7 +132,7 @@ def calls(small: bool) -> dict[str, Callable[[], None]]:
             element = with_branch(RockingModel(alpha, 12.0, one_sided, ratio, 0.0, 0.0, 0.0), 0.005)
 
             def on_branch(element=element):
-                scan(taylor, ground, TIME_STEP, scales, element, outcomes, peaks)
+                scan_multipliers(taylor, ground, TIME_STEP, scales, element, outcomes, peaks)
                 assert (peaks > 0.0).all(), "lanes at rest"
 
             found[f"lanes, branch, {name}"] = on_branch
@@ -146,11 +146,11 @@ def calls(small: bool) -> dict[str, Callable[[], None]]:
         held = model_of_bending(strip, strip, 1.5)
 
         def held_at_top():
-            scan(taylor, strong, TIME_STEP, scales, held, outcomes, peaks)
+            scan_multipliers(taylor, strong, TIME_STEP, scales, held, outcomes, peaks)
             assert (peaks > 0.0).all(), "lanes at rest"
 
         def one_held_at_top():
-            assert history(strong, TIME_STEP, 1.2, held).rotation.any(), "a wall at rest"
+            assert integrate_history(strong, TIME_STEP, 1.2, held).rotation.any(), "a wall at rest"
 
         found["lanes, held at the top"] = held_at_top
         found["search, held at the top"] = partial(searched, held)

@@ -24,7 +24,7 @@ def figures(small: bool) -> dict[str, float]:
     """Name -> turns of the loop of sin and cos for one sample, processor time. small : each call a few times"""
     import numpy as np
 
-    from core.rocking.history import Grounds, history, scan_records
+    from core.rocking.history import Grounds, integrate_history, scan_records
     from core.rocking.methods import METHODS
     from tests.benchmarks.speed import model_of, sine_cosine_loop
 
@@ -50,7 +50,7 @@ def figures(small: bool) -> dict[str, float]:
             scan_records(taylor, grounds, which, scales, wall, outcomes, peaks)
 
         def single(wall=wall):
-            assert history(ground, 0.01, 1.0, wall, taylor).impact_time.size > 0, "a wall at rest"
+            assert integrate_history(ground, 0.01, 1.0, wall, taylor).impact_time.size > 0, "a wall at rest"
 
         found[f"64 lanes, {law}"] = statistics.median(seconds(lanes, min(calls, 15))) / (samples * scales.size * turn)
         assert (peaks > 0.0).all()

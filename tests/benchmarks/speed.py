@@ -23,7 +23,7 @@ from core.capacity.ida import Search, incremental_dynamic_analysis
 from core.jit.decorators import kernel
 from core.jit.shipped import has_wide_vectors
 from core.rocking.grounds import Grounds
-from core.rocking.history import history, scan_records
+from core.rocking.history import integrate_history, scan_records
 from core.rocking.methods import AUTO, METHODS
 from core.threads import Threads
 from core.wall.block import Block
@@ -136,8 +136,8 @@ def main(options: argparse.Namespace) -> None:
             if label in ("taylor", "taylor_6"):
                 # many calls: the first ones find the processor's caches and branch predictor cold
                 calls = repeats if small else 400
-                seconds = median_seconds(lambda m=method, w=model: history(ground, 0.01, 1.0, w, m), calls)
-                assert history(ground, 0.01, 1.0, model, method).impact_time.size > 0
+                seconds = median_seconds(lambda m=method, w=model: integrate_history(ground, 0.01, 1.0, w, m), calls)
+                assert integrate_history(ground, 0.01, 1.0, model, method).impact_time.size > 0
                 each = seconds / (ground.size - 1)
                 name = f"{label}, one history at a time, standard, {law}"
                 line(name, each * 1e9, "ns per sample", each / yardstick)

@@ -26,7 +26,7 @@ from core.codes.spectrum_codes import en1998
 from core.ground.artificial import compatible_motion
 from core.ground.ground_motion import GroundMotion
 from core.research.parametric import natural_motions
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.methods import METHODS
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT
 from core.units import G
@@ -189,7 +189,7 @@ def pair_of(study: TieStudy, wall: TiedWall, motion: GroundMotion, sign: int) ->
 
     def held_by(force: float, length: float) -> Held:
         bar = study.bar(wall, force, length)
-        found = history(ground, dt, scale, wall.model(bar), taylor)
+        found = integrate_history(ground, dt, scale, wall.model(bar), taylor)
         overturns = found.outcome == COLLAPSED
         rotation = math.inf if overturns else found.peak / bare.collapse_rotation
         elongation = math.inf if overturns else 1e3 * wall.tie_height * math.sin(found.peak)

@@ -17,7 +17,7 @@ from pathlib import Path
 
 import numpy as np
 
-from core.rocking.history import history, scan
+from core.rocking.history import integrate_history, scan_multipliers
 from core.rocking.methods import METHODS, Method
 from tests.benchmarks import peers as peer_solvers
 from tests.benchmarks.scenes import Scene, scenes
@@ -105,7 +105,7 @@ def measure(scene: Scene, others: list[tuple[str, Solver]], small: bool) -> list
             continue
 
         def call(m=method):
-            return history(scene.ground, scene.dt, 1.0, scene.model, m)
+            return integrate_history(scene.ground, scene.dt, 1.0, scene.model, m)
 
         found = call().rotation / scene.model.slenderness
         rows.append(row(scene, method.name, method.option, error(found, scene), timed(call, small)))
@@ -137,7 +137,7 @@ def measure(scene: Scene, others: list[tuple[str, Solver]], small: bool) -> list
 def lanes(scene: Scene, method: Method) -> None:
     """The scene and LANES - 1 histories of other multipliers, in lanes."""
     outcomes, peaks = np.zeros(LANES, np.int64), np.zeros(LANES)
-    scan(method, scene.ground, scene.dt, np.linspace(1.0, 0.9, LANES), scene.model, outcomes, peaks)
+    scan_multipliers(method, scene.ground, scene.dt, np.linspace(1.0, 0.9, LANES), scene.model, outcomes, peaks)
     assert (peaks > 0.0).all(), "a wall that did not move"
 
 

@@ -10,7 +10,7 @@ from core.case.rules import parse_case
 from core.codes.kinematic import elastic_period
 from core.errors import InputError
 from core.report.outlines import elevation_outlines, section_outlines
-from core.rocking.history import history, scan
+from core.rocking.history import integrate_history, scan_multipliers
 from core.rocking.methods import METHODS
 from core.rocking.outcome import STABLE
 from core.setting.check_input import make_rocking_model
@@ -203,7 +203,7 @@ def test_that_a_body_turned_round_is_its_mirror():
         lean=one.slenderness + one.lean - far.slenderness,
         other=OtherSide.of(one.slenderness, one.p2, one.ratio_at_rest),
     )
-    first, second = history(ground, 0.01, 0.9, one), history(-ground, 0.01, 0.9, mirrored)
+    first, second = integrate_history(ground, 0.01, 0.9, one), integrate_history(-ground, 0.01, 0.9, mirrored)
     assert first.outcome == second.outcome and first.impact_time.size > 10
     assert np.array_equal(first.rotation, -second.rotation)
 
@@ -256,7 +256,7 @@ def test_that_histories_agree_with_a_solver_written_from_coordinates(wall, scale
     truth = loaded_walls.history(
         ground, 0.01, (lumps(wall), wall.thickness), (), one_sided, ratio, rest, moment=moment_of_lumps
     )
-    found = history(ground, 0.01, 1.0, model)
+    found = integrate_history(ground, 0.01, 1.0, model)
     assert found.outcome == STABLE and found.impact_time.size >= 2
     assert np.abs(found.rotation - truth).max() <= 1e-9 * model.slenderness
 
@@ -266,8 +266,8 @@ def test_that_many_analyses_are_single_histories():
     model = make_rocking_model(wall_of(STEPPED, 8.0, 0.6, 5.0, "two_sided"), "two_sided")
     scales = np.linspace(-1.5, 1.5, 61)
     outcomes, peaks = np.zeros(61, np.int64), np.zeros(61)
-    scan(METHODS["taylor"], motion(), 0.01, scales, model, outcomes, peaks)
-    whole = [history(motion(), 0.01, float(scale), model) for scale in scales]
+    scan_multipliers(METHODS["taylor"], motion(), 0.01, scales, model, outcomes, peaks)
+    whole = [integrate_history(motion(), 0.01, float(scale), model) for scale in scales]
     assert [one.outcome for one in whole] == outcomes.tolist()
     stable = outcomes == STABLE
     assert 10 < stable.sum() < 61
@@ -279,7 +279,7 @@ def test_that_energy_is_kept_between_impacts_and_angular_momentum_across_them():
     wall = wall_of([BATTERED], 5.0, 0.8, 1.0, "two_sided")
     model, body = make_rocking_model(wall, "two_sided"), wall.in_si.body
     still = np.zeros(400)
-    swing = history(still, 0.01, 1.0, model, start=(0.1, 0.0))
+    swing = integrate_history(still, 0.01, 1.0, model, start=(0.1, 0.0))
     outer = body.about(0.0)
     x, z = outer.centroid
     falling = int(np.argmax(swing.rotation <= 0.0)) - 1

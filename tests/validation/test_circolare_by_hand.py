@@ -6,7 +6,7 @@ import pytest
 
 from core.capacity.ida import incremental_dynamic_analysis, multiplier_of
 from core.codes.kinematic import CHECKS, check_displacement, check_linear
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.methods import AUTO
 from core.rocking.outcome import COLLAPSED
 from core.study import run as study
@@ -62,8 +62,8 @@ def test_that_q_and_its_multiplier_are_one_formula(designed):
     threshold = wall.block.threshold_acceleration
     low, high = (multiplier_of(q, motion.pga, threshold) for q in ida.bracket)
     assert wall.runs[0].scale == high
-    assert history(motion.acceleration, 0.01, high, wall.model, AUTO).outcome == COLLAPSED
-    assert history(motion.acceleration, 0.01, low, wall.model, AUTO).outcome != COLLAPSED
+    assert integrate_history(motion.acceleration, 0.01, high, wall.model, AUTO).outcome == COLLAPSED
+    assert integrate_history(motion.acceleration, 0.01, low, wall.model, AUTO).outcome != COLLAPSED
 
 
 @pytest.mark.shows("kinematic.alpha0")

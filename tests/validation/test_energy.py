@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.outcome import COLLAPSED
 from core.units import G
 from core.wall.rocking_model import RockingModel
@@ -31,7 +31,7 @@ def energy(rotation, velocity, model):
 def test_that_free_motion_keeps_its_energy_and_an_impact_takes_its_share(make_model, law, one_sided):
     model = make_model(one_sided=one_sided, law=law, ratio=0.93)
     start = (0.9 * model.slenderness, 0.0)
-    found = history(np.zeros(3001), 0.01, 1.0, model, start=start)
+    found = integrate_history(np.zeros(3001), 0.01, 1.0, model, start=start)
     expected = energy(*start, model)
     impacts = 0
     ratios = 0.93 ** (2 * np.arange(found.impact_time.size + 1))
@@ -60,8 +60,8 @@ def test_that_the_energy_decision_is_what_integrating_on_gives(make_model, law, 
     seen = set()
     for phi in np.linspace(0.02, 1.9, 14) * model.slenderness:
         for speed in np.linspace(-1.6, 1.6, 15) * p * model.slenderness:
-            decided = history(np.zeros(2), 1e-9, 1.0, model, start=(phi, speed))
-            integrated = history(np.zeros(6001), 0.01, 1.0, model, start=(phi, speed))
+            decided = integrate_history(np.zeros(2), 1e-9, 1.0, model, start=(phi, speed))
+            integrated = integrate_history(np.zeros(6001), 0.01, 1.0, model, start=(phi, speed))
             seen.add(decided.outcome)
             assert decided.outcome == integrated.outcome
             if decided.outcome == COLLAPSED:
@@ -80,7 +80,7 @@ def test_that_an_outcome_is_decided_just_below_and_above_the_separatrix(make_mod
         phi = 0.5 * model.slenderness
         edge = math.sqrt(2.0 * (barrier - energy(phi, 0.0, model)))
         outcomes = [
-            history(np.zeros(2), 1e-9, 1.0, model, start=(phi, edge * factor)).outcome
+            integrate_history(np.zeros(2), 1e-9, 1.0, model, start=(phi, edge * factor)).outcome
             for factor in (1 - 1e-9, 1 + 1e-9)
         ]
         assert outcomes == [0, 1]
@@ -92,7 +92,7 @@ def test_that_a_wall_that_falls_ends_at_a_right_angle(make_model, law):
     """The ground goes on; the history ends at the sample after theta = pi/2."""
     model = make_model(law=law)
     pushed = np.full(4000, 3.0 * G * math.tan(model.slenderness))
-    found = history(pushed, 0.01, 1.0, model)
+    found = integrate_history(pushed, 0.01, 1.0, model)
     assert found.outcome == COLLAPSED and found.rotation.size < 4000
     assert (np.abs(found.rotation[:-1]) <= 0.5 * math.pi).all() and found.peak >= 0.5 * math.pi
 
@@ -105,7 +105,7 @@ def test_that_every_velocity_ratio_ends_with_an_outcome(reference, ratio, one_si
     alpha = math.radians(6.8)
     model = RockingModel(alpha, 2.0866, float(one_sided), ratio, 0.0, kinks[0] * alpha, kinks[1] * alpha)
     for scale in (0.5, 1.0, 3.0):
-        found = history(ground, 0.01, scale, model)
+        found = integrate_history(ground, 0.01, scale, model)
         assert found.outcome in (0, 1)
         assert math.isfinite(found.peak)
         assert np.isfinite(found.rotation).all()

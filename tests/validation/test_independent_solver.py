@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from core.capacity import independent_solver
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from tests.validation import high_precision
 from tests.validation.test_loaded_walls import ROOF, wall_model
 
@@ -38,7 +38,7 @@ def test_that_dop853_gives_the_same_history(reference, make_model, one_sided, re
         return max(0.0, model.ratio_at_rest - model.ratio_drop * speed**2)
 
     truth, impacts = independent_solver.history(ground, 0.01, model.slenderness, model.p2, one_sided, ratio_of, kinks)
-    found = history(ground, 0.01, 1.0, model)
+    found = integrate_history(ground, 0.01, 1.0, model)
     assert found.impact_time.size == impacts
     size = min(found.rotation.size, truth.size)
     falls = np.abs(truth).max() > 0.5 * math.pi  # it ends with the first sample beyond, or before it
@@ -75,7 +75,7 @@ def test_that_a_small_stiff_wall_is_as_exact(reference, make_model, one_sided, l
         lambda v: mp.mpf(model.ratio_at_rest),
         (model.elastic_end, model.plateau_end),
     )
-    found = history(ground, 0.01, 1.0, model)
+    found = integrate_history(ground, 0.01, 1.0, model)
     difference = np.abs(found.rotation - np.array([float(value) for value in truth]))
     assert difference.max() / model.slenderness <= 1e-11
     assert found.impact_time.size == len(impacts) > 2
@@ -87,8 +87,8 @@ def test_that_strong_motion_of_a_small_wall_shortens_the_steps(reference, make_m
     model = make_model(height=0.2)
     ground = 60.0 * reference("standard")[0][160:200]
     fine = np.interp(np.arange(16 * 39 + 1) / 16, np.arange(40), ground)
-    coarse = history(ground, dt, 1.0, model)
-    finer = history(fine, dt / 16, 1.0, model)
+    coarse = integrate_history(ground, dt, 1.0, model)
+    finer = integrate_history(fine, dt / 16, 1.0, model)
     size = min(coarse.rotation.size, finer.rotation[::16].size) - 1
     assert size >= 2
     difference = np.abs(coarse.rotation[:size] - finer.rotation[::16][:size])
@@ -106,6 +106,6 @@ def test_that_dop853_gives_the_same_history_of_a_wall_with_a_roof(reference, mec
     truth, impacts = independent_solver.history(
         ground, 0.01, model.slenderness, model.p2, mechanism == "one_sided", lambda speed: 0.6, loads=sides
     )
-    found = history(ground, 0.01, 1.0, model)
+    found = integrate_history(ground, 0.01, 1.0, model)
     assert found.impact_time.size == impacts > 0
     assert np.abs(found.rotation - truth).max() / model.slenderness <= 1e-9

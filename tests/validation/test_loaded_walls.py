@@ -8,7 +8,7 @@ from scipy.integrate import quad
 
 from core.capacity.ida import Search, incremental_dynamic_analysis, multiplier_of
 from core.case.rules import parse_case
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.methods import METHODS
 from core.rocking.outcome import COLLAPSED, STABLE
 from core.setting.check_input import make_rocking_model
@@ -63,7 +63,7 @@ def test_that_the_free_fall_takes_the_time_of_the_energy_integral(loads):
         return 2.0 * x / math.sqrt(2.0 * model.p2 * drop)
 
     integral = quad(slowness, 1e-12, math.sqrt(0.06), epsabs=1e-13)[0]
-    fall = history(np.zeros(2000), 0.005, 1.0, model, start=(0.06, 0.0))
+    fall = integrate_history(np.zeros(2000), 0.005, 1.0, model, start=(0.06, 0.0))
     assert fall.impact_time[0] == pytest.approx(integral, rel=1e-10)
 
 
@@ -78,8 +78,8 @@ def test_that_a_load_on_the_ray_of_the_centroid_is_a_stronger_gravity(reference)
     loaded = rocking_model(block, True, free, LAWS["rigid"], (held, held))
     bare = rocking_model(block, True, free, LAWS["rigid"])
     bare = bare._replace(p2=held.sine * bare.p2)
-    one = history(ground, 0.01, 3.0, loaded)
-    other = history(ground / held.sine, 0.01, 3.0, bare)
+    one = integrate_history(ground, 0.01, 3.0, loaded)
+    other = integrate_history(ground / held.sine, 0.01, 3.0, bare)
     assert one.outcome == other.outcome == STABLE and one.impact_time.size > 3
     assert np.abs(one.rotation - other.rotation).max() < 1e-10 * block.slenderness
 
@@ -97,7 +97,7 @@ def test_that_free_motion_with_loads_keeps_its_energy(loads):
         return 0.5 * speed**2 + model.p2 * stored
 
     start = 0.9 * model.collapse_rotation
-    found = history(np.zeros(1500), 0.005, 1.0, model, start=(start, 0.0))
+    found = integrate_history(np.zeros(1500), 0.005, 1.0, model, start=(start, 0.0))
     impacts = np.searchsorted(found.impact_time, 0.005 * np.arange(1500))
     assert found.impact_time.size > 4
     for k in np.nonzero(found.rotation)[0]:
@@ -129,7 +129,7 @@ def test_that_histories_with_loads_are_those_of_the_loads_own_moment(reference, 
     scale = times * model.threshold / np.abs(ground).max()
     rest = 1e-6 * math.sqrt(model.p2) * model.slenderness
     truth = loaded_walls.history(scale * ground, 0.01, PARTS, forces, one_sided, 0.6, rest)
-    found = history(ground, 0.01, scale, model)
+    found = integrate_history(ground, 0.01, scale, model)
     assert np.abs(truth).max() > 0.01 * model.collapse_rotation
     assert found.impact_time.size > 3
     assert np.abs(found.rotation[:700] - truth).max() < 1e-8 * model.collapse_rotation
@@ -163,7 +163,7 @@ def test_that_q_with_loads_is_that_of_multipliers_one_after_another(reference, l
     q = 1.0
     while True:
         q_next = q * 1.02
-        one = history(ground, 0.01, multiplier_of(q_next, pga, model.threshold), model)
+        one = integrate_history(ground, 0.01, multiplier_of(q_next, pga, model.threshold), model)
         if one.outcome == COLLAPSED:
             break
         q = q_next
@@ -171,7 +171,7 @@ def test_that_q_with_loads_is_that_of_multipliers_one_after_another(reference, l
     low, high = found.bracket
     for value, outcome in ((low, STABLE), (high, COLLAPSED)):
         scale = multiplier_of(value, pga, model.threshold)
-        assert history(ground, 0.01, scale, model).outcome == outcome
+        assert integrate_history(ground, 0.01, scale, model).outcome == outcome
 
 
 def test_that_a_two_sided_wall_of_unlike_sides_takes_both_signs_and_does_not_care_from_where_it_is_drawn(tmp_path):
@@ -218,7 +218,7 @@ def test_that_the_compared_methods_take_loads(reference, loads, one_sided, name,
     model = wall_model(*loads, **two_or_one(one_sided))
     ground = reference("standard")[0][:700]
     scale = 1.3 * model.threshold / np.abs(ground).max()
-    exact = history(ground, 0.01, scale, model)
-    other = history(ground, 0.01, scale, model, METHODS[name])
+    exact = integrate_history(ground, 0.01, scale, model)
+    other = integrate_history(ground, 0.01, scale, model, METHODS[name])
     difference = np.abs(exact.rotation[: other.rotation.size] - other.rotation).max()
     assert difference < error * model.collapse_rotation

@@ -8,7 +8,7 @@ import pytest
 
 from core.rocking import taylor, taylor_series
 from core.rocking.compared import dormand_prince, stepped
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.methods import METHODS, Method
 from core.wall.rocking_model import RockingModel
 from tests.validation import high_precision
@@ -38,7 +38,7 @@ def taylor_step(order):
         v = taylor_series.series(
             SPEED * h, net, math.sin(lean), math.cos(lean), BETA, SLOPE * h, P2 * h * h, 1.0, 0.0, order
         )
-        return PHI + taylor.increment(v, 1.0), SPEED + taylor.change(v, 1.0) / h
+        return PHI + taylor.increment(v, 1.0), SPEED + taylor.speed_increment(v, 1.0) / h
 
     return step
 
@@ -104,8 +104,8 @@ def test_that_the_papers_integrator_is_of_order_one_through_its_impacts(make_mod
     errors = []
     for dt in steps:
         still = np.zeros(round(6.0 / dt) + 1)
-        exact = history(still, dt, 1.0, model, start=start).rotation
-        found = history(still, dt, 1.0, model, METHODS["newmark_paper"], start=start).rotation
+        exact = integrate_history(still, dt, 1.0, model, start=start).rotation
+        found = integrate_history(still, dt, 1.0, model, METHODS["newmark_paper"], start=start).rotation
         errors.append(np.abs(found - exact).max())
     slope = np.polyfit(np.log(steps), np.log(errors), 1)[0]
     assert slope == pytest.approx(1.0, abs=0.3)
@@ -117,6 +117,6 @@ def test_that_a_method_of_the_program_needs_no_more_steps_to_be_exact(reference,
     fine = np.interp(np.arange(8 * (ground.size - 1) + 1) / 8, np.arange(ground.size), ground)
     for law in ("rigid", "doherty"):
         model = make_model(law=law)
-        coarse = history(ground[:1200], 0.01, 1.0, model, Method("taylor", 0, 8, 8)).rotation
-        finer = history(fine[: 8 * 1199 + 1], 0.00125, 1.0, model).rotation[::8]
+        coarse = integrate_history(ground[:1200], 0.01, 1.0, model, Method("taylor", 0, 8, 8)).rotation
+        finer = integrate_history(fine[: 8 * 1199 + 1], 0.00125, 1.0, model).rotation[::8]
         assert np.abs(coarse - finer).max() / model.slenderness < 1e-11

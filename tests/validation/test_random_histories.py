@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from core.capacity.accuracy import PROMISED, TIMES_NOISE
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.methods import AUTO
 from core.units import G
 from core.wall.block import Block
@@ -56,7 +56,7 @@ def strays(model, dt, ground, rng) -> tuple[float, float]:
     """Largest difference of the rotation over alpha from the cut ground, and by noise of 1e-14 on the samples."""
     size = ground.size
     fine = np.interp(np.arange((size - 1) * CUT + 1) / CUT, np.arange(size), ground)
-    once = history(ground, dt, 1.0, model, AUTO).rotation
+    once = integrate_history(ground, dt, 1.0, model, AUTO).rotation
 
     def distance(other):
         both = min(once.size, other.size)
@@ -64,11 +64,11 @@ def strays(model, dt, ground, rng) -> tuple[float, float]:
         inside = (np.abs(first) < 0.5 * math.pi) & (np.abs(second) < 0.5 * math.pi)
         return float(np.abs(first - second)[inside].max(initial=0.0)) / model.slenderness
 
-    cut = distance(history(fine, dt / CUT, 1.0, model, AUTO).rotation[::CUT])
+    cut = distance(integrate_history(fine, dt / CUT, 1.0, model, AUTO).rotation[::CUT])
     noise = 0.0
     for _ in range(NOISES if cut > ALLOWED else 0):
         moved = ground * (1.0 + 1e-14 * rng.uniform(-1.0, 1.0, size))
-        noise = max(noise, distance(history(moved, dt, 1.0, model, AUTO).rotation))
+        noise = max(noise, distance(integrate_history(moved, dt, 1.0, model, AUTO).rotation))
     return cut, noise
 
 

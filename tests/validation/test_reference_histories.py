@@ -4,7 +4,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.methods import AUTO, METHODS, resolve_auto
 from tests.conftest import ROOT
 from tests.validation import high_precision
@@ -15,7 +15,7 @@ DT = 0.01
 def error(reference, make_model, name, method) -> float:
     ground, truth, _, _ = reference(name)
     model = make_model()
-    found = history(ground, DT, 1.0, model, method)
+    found = integrate_history(ground, DT, 1.0, model, method)
     return float(np.abs(found.rotation / model.slenderness - truth).max())
 
 
@@ -40,7 +40,7 @@ def test_that_auto_takes_order_eight_where_a_sample_is_long_for_the_wall(make_mo
 def test_that_impacts_have_the_reference_speeds(reference, make_model, name, tolerance):
     ground, _, _, before = reference(name)
     model = make_model()
-    found = history(ground, DT, 1.0, model)
+    found = integrate_history(ground, DT, 1.0, model)
     assert np.abs(found.impact_velocity - model.ratio_at_rest * before).max() <= tolerance
 
 

@@ -8,7 +8,7 @@ import pytest
 from core.case.loads import Load
 from core.case.wall import Wall
 from core.rocking.events import REST_FRACTION
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.outcome import COLLAPSED, STABLE
 from core.units import G
 from core.wall.bars import TieBar
@@ -82,7 +82,7 @@ def of_both(case, small=100, after=8.0):
     forces = np.array([[1e3 * load.kn_m, load.d_m, load.h_m] for load in loads]).reshape(-1, 3)
     held = [[b.height, b.strength / b.elongation_at_yield, b.strength, b.breaks_at, b.slack] for b in bars]
     arguments = (ground, dt, wall, forces, np.array(held), one_sided, ratio, rest)
-    return model, history(ground, dt, 1.0, model), tied_walls.run(*arguments, small, after)
+    return model, integrate_history(ground, dt, 1.0, model), tied_walls.run(*arguments, small, after)
 
 
 def differ(model, found, small_steps) -> str:
@@ -118,8 +118,8 @@ def test_the_work_of_a_bar_is_its_yield_force_times_its_plastic_elongation():
     model, bare = held_wall(3.0, 0.45, (), bars), held_wall(3.0, 0.45, (), [])
     alpha, moment = model.slenderness, 18e3 * 3.0 * 0.45 * math.hypot(1.5, 0.225)
     speed = 0.3
-    found = history(np.zeros(400), 1e-3, 0.0, model, start=(0.0, speed))
-    free = history(np.zeros(400), 1e-3, 0.0, bare, start=(0.0, speed))
+    found = integrate_history(np.zeros(400), 1e-3, 0.0, model, start=(0.0, speed))
+    free = integrate_history(np.zeros(400), 1e-3, 0.0, bare, start=(0.0, speed))
     assert found.peak < 0.9 * free.peak
 
     def lifted(theta):
@@ -139,20 +139,20 @@ def test_a_wall_and_its_time_scaled_together_are_the_same_wall():
     ground, dt, wall, loads, bars, one_sided, ratio = drawn(rng)
     model = held_wall(wall[0], wall[1], loads, bars, ratio, one_sided)
     slower = model._replace(p2=model.p2 / 4.0)
-    one, other = history(ground, dt, 1.0, model), history(ground, 2.0 * dt, 1.0, slower)
+    one, other = integrate_history(ground, dt, 1.0, model), integrate_history(ground, 2.0 * dt, 1.0, slower)
     assert other.peak == pytest.approx(one.peak, rel=1e-11)
     assert np.allclose(other.residual, one.residual, rtol=1e-10, atol=1e-14)
 
 
 def test_a_slack_bar_is_no_bar_and_a_second_motion_meets_a_slack_one():
     ground = sines(0.3, 0.6, 1e-3)
-    bare = history(ground, 1e-3, 1.0, held_wall(3.0, 0.45, (), []))
-    far = history(ground, 1e-3, 1.0, held_wall(3.0, 0.45, (), [TieBar(2.8, 1.5e3, AT_YIELD, 1.0, 2.0)]))
+    bare = integrate_history(ground, 1e-3, 1.0, held_wall(3.0, 0.45, (), []))
+    far = integrate_history(ground, 1e-3, 1.0, held_wall(3.0, 0.45, (), [TieBar(2.8, 1.5e3, AT_YIELD, 1.0, 2.0)]))
     assert np.abs(far.rotation - bare.rotation).max() < 1e-13
     ground = sines(0.25, 1.0, 1e-3)
     held = held_wall(7.0, 0.83, (), [TieBar(6.5, 4e3, AT_YIELD, 0.0, 0.60)])
-    once = history(ground, 1e-3, 1.0, held)
-    twice = history(np.concatenate([ground, np.zeros(4000), ground]), 1e-3, 1.0, held)
+    once = integrate_history(ground, 1e-3, 1.0, held)
+    twice = integrate_history(np.concatenate([ground, np.zeros(4000), ground]), 1e-3, 1.0, held)
     assert twice.peak > 3.0 * once.peak
 
 
@@ -164,5 +164,5 @@ def test_a_prestress_raises_the_ground_that_uplifts_the_wall_and_no_other_bar_do
         weight = 18e3 * 3.0 * 0.45
         uplift = still.threshold + held * 1.5e3 * 2.8 / (weight / G * 1.5)
         for factor in (0.999999, 1.000001):
-            found = history(np.full(50, factor * uplift), 1e-3, 1.0, model)
+            found = integrate_history(np.full(50, factor * uplift), 1e-3, 1.0, model)
             assert bool(found.peak > 0.0) == (factor > 1.0)

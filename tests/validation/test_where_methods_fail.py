@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from core.capacity.ida import Search, incremental_dynamic_analysis
 from core.jit.decorators import kernel
 from core.rocking.compared import stepped
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.methods import METHODS, Method
 from core.rocking.outcome import IMPACT_LIMIT, STABLE
 from core.units import G
@@ -45,7 +45,7 @@ def test_uplift_taken_at_the_next_sample(reference, make_model, name, wrong, rig
     truth = truth * model.slenderness
     late, _ = taylor_history(wrong_methods.uplift_at_next_sample, ground, DT, model)
     assert off(late, truth, model) > wrong
-    assert off(history(ground, DT, 1.0, model).rotation, truth, model) < right
+    assert off(integrate_history(ground, DT, 1.0, model).rotation, truth, model) < right
 
 
 @pytest.mark.long
@@ -59,7 +59,7 @@ def test_impact_at_the_end_of_the_step_does_not_converge_on_hard(reference, make
         late, _ = taylor_history(wrong_methods.impact_at_end_of_step, fine, DT / k, model)
         errors.append(off(late[::k], truth, model))
     assert min(errors) > 0.05
-    assert off(history(ground, DT, 1.0, model).rotation, truth, model) < 1e-11
+    assert off(integrate_history(ground, DT, 1.0, model).rotation, truth, model) < 1e-11
 
 
 @pytest.mark.shows("mechanics.double_crossing")
@@ -72,7 +72,7 @@ def test_an_interior_double_crossing_within_a_sample(make_model):
     dt = 0.1
     truth, impacts = high_precision.history(ground, dt, model.slenderness, model.p2, True, lambda v: mp.mpf(0.5))
     truth = np.array([float(value) for value in truth])
-    found = history(ground, dt, 1.0, model)
+    found = integrate_history(ground, dt, 1.0, model)
     assert found.impact_time.size == len(impacts)
     assert off(found.rotation, truth, model) < 1e-11
     missed, result = taylor_history(wrong_methods.double_crossing_missed, ground, dt, model)
@@ -87,7 +87,7 @@ def test_a_grazing_impact_is_continuous_from_both_sides(make_model):
     peaks = []
     for push in np.linspace(1.9, 2.1, 41):
         ground = threshold * np.concatenate([[0.0, push, 0.0], np.zeros(400)])
-        peaks.append(history(ground, 0.05, 1.0, model).peak)
+        peaks.append(integrate_history(ground, 0.05, 1.0, model).peak)
     steps = np.diff(peaks)
     assert (steps > 0).all() and steps.max() < 3.0 * steps.min()
 
@@ -106,8 +106,8 @@ def test_the_rotation_at_the_last_sample_is_wrong_near_the_separatrix(make_model
         late = wrong_methods.rotation_decides_at_the_end(
             still, 1e-6, 1.0, model, start, np.zeros(3), np.zeros(3), none, none
         )[0]
-        long = history(np.zeros(6001), 0.01, 1.0, model, start=start).outcome
-        assert history(still, 1e-6, 1.0, model, start=start).outcome == long
+        long = integrate_history(np.zeros(6001), 0.01, 1.0, model, start=start).outcome
+        assert integrate_history(still, 1e-6, 1.0, model, start=start).outcome == long
         wrong += late != long
     assert wrong == 4
 
@@ -119,10 +119,10 @@ def test_trilinear_kinks_ignored(reference, make_model, law, wrong):
     """Order 4 through a kink is order 1: some 1e-3 of alpha over 20 s, growing with time."""
     ground = 0.6 * reference("standard")[0]
     model = make_model(law=law)
-    found = history(ground, DT, 1.0, model).rotation
+    found = integrate_history(ground, DT, 1.0, model).rotation
     through, _ = stepped_history(wrong_methods.kinks_ignored, stepped.RK4, ground, DT, model)
     assert off(through, found, model) > wrong
-    located = history(ground, DT, 1.0, model, Method("rk4", stepped.RK4, 4, 4)).rotation
+    located = integrate_history(ground, DT, 1.0, model, Method("rk4", stepped.RK4, 4, 4)).rotation
     assert off(located, found, model) < 1e-3 * wrong
     truth, _ = high_precision.history(
         ground[:700],
@@ -143,7 +143,7 @@ def test_chatter_without_a_rest_rule_never_ends(make_model, one_sided, ratio):
     """Zeno: impacts shrink geometrically. With the rule a few dozen, without it as many as are allowed."""
     model = make_model(one_sided=one_sided, ratio=ratio)
     ground = np.concatenate([[0.0, 2.0 * G * math.tan(model.slenderness), 0.0], np.zeros(60)])
-    found = history(ground, 0.05, 1.0, model)
+    found = integrate_history(ground, 0.05, 1.0, model)
     assert found.outcome == STABLE
     assert 5 < found.impact_time.size < 60
     _, result = taylor_history(wrong_methods.no_rest, ground, 0.05, model)
@@ -183,8 +183,8 @@ def test_eq_8_as_printed_turns_eq_7_off():
 def test_eq_7_outside_its_range_is_held_at_zero_and_counted(reference, make_model):
     model = make_model(1.5, 3.0, one_sided=True, model="one_sided_experimental")
     ground = 4.0 * reference("standard")[0]
-    found = history(ground, DT, 1.0, model)
-    fast = history(np.zeros(200), DT, 1.0, model, start=(0.5 * model.slenderness, -0.3))
+    found = integrate_history(ground, DT, 1.0, model)
+    fast = integrate_history(np.zeros(200), DT, 1.0, model, start=(0.5 * model.slenderness, -0.3))
     assert fast.clamped == 1
     assert fast.outcome == STABLE and not fast.rotation[fast.rotation.size // 2 :].any()
     assert found.outcome in (0, 1)
@@ -204,7 +204,7 @@ def test_bisection_over_the_multiplier_is_unsafe_by_more_than_half(reference, ma
             while high / low - 1.0 > 1e-4:
                 middle = 0.5 * (low + high)
                 scale = middle * G * math.tan(model.slenderness) / pga
-                if history(ground, DT, scale, model).outcome == STABLE:
+                if integrate_history(ground, DT, scale, model).outcome == STABLE:
                     low = middle
                 else:
                     high = middle
@@ -233,9 +233,9 @@ def test_steps_from_1e_4_to_0_05_s_on_blocks_from_5_cm_to_45_m(make_model, dt, h
     rng = np.random.default_rng(7)
     size = 120
     ground = 2.0 * G * math.tan(model.slenderness) * rng.uniform(-1, 1, size)
-    coarse = history(ground, dt, 1.0, model)
+    coarse = integrate_history(ground, dt, 1.0, model)
     fine = np.interp(np.arange(2 * size - 1) / 2, np.arange(size), ground)
-    finer = history(fine, dt / 2, 1.0, model)
+    finer = integrate_history(fine, dt / 2, 1.0, model)
     assert coarse.outcome == finer.outcome
     both = min(coarse.rotation.size, finer.rotation[::2].size)
     difference = np.abs(coarse.rotation[:both] - finer.rotation[::2][:both])
@@ -249,7 +249,8 @@ def test_a_decimated_record_is_another_record(reference, make_model):
     ground = reference("standard")[0]
     model = make_model()
     difference = np.abs(
-        history(ground[::2], 2 * DT, 1.0, model).rotation - history(ground, DT, 1.0, model).rotation[::2]
+        integrate_history(ground[::2], 2 * DT, 1.0, model).rotation
+        - integrate_history(ground, DT, 1.0, model).rotation[::2]
     )
     # 5e-3 of alpha on this smooth motion of 20 s, 1e9 times the error of the method
     assert difference.max() / model.slenderness > 2e-3
@@ -266,7 +267,7 @@ def test_plastic_and_elastic_impacts(reference, make_model, ratio, samples, one_
         ground, DT, model.slenderness, model.p2, one_sided, lambda v: mp.mpf(ratio), digits=25
     )
     truth = np.array([float(value) for value in truth])
-    found = history(ground, DT, 1.0, model)
+    found = integrate_history(ground, DT, 1.0, model)
     assert off(found.rotation, truth, model) < 1e-8
     assert abs(found.impact_time.size - len(impacts)) <= 1
 
@@ -277,8 +278,8 @@ def test_a_million_samples(make_model, samples):
     rng = np.random.default_rng(3)
     model = make_model(one_sided=True)
     ground = 1.5 * G * math.tan(model.slenderness) * rng.uniform(-1, 1, samples)
-    long = history(ground, DT, 1.0, model)
-    short = history(ground[:10_000], DT, 1.0, model)
+    long = integrate_history(ground, DT, 1.0, model)
+    short = integrate_history(ground[:10_000], DT, 1.0, model)
     assert np.array_equal(long.rotation[:10_000], short.rotation)
     assert np.isfinite(long.rotation).all()
 
@@ -312,7 +313,7 @@ def test_no_wall_and_no_record_hangs_or_gives_nan(alpha, height, ratio, one_side
     block = Block.rectangle(height, math.radians(alpha))
     model = rocking_model(block, one_sided, restitution(block, "user", ratio), LAWS[law])
     threshold = block.threshold_acceleration
-    found = history(scale * threshold * ground, dt, 1.0, model, METHODS[method])
+    found = integrate_history(scale * threshold * ground, dt, 1.0, model, METHODS[method])
     assert found.outcome in (0, 1, 2)
     assert math.isfinite(found.peak)
     assert np.isfinite(found.rotation).all() and np.isfinite(found.velocity).all()
@@ -329,7 +330,7 @@ def test_very_small_and_very_large_blocks_follow_the_scale_of_time(reference):
     def run(height, dt):
         block = Block.rectangle(height, alpha)
         model = rocking_model(block, False, restitution(block, "housner"), LAWS["rigid"])
-        return history(ground, dt, 1.0, model, Method("taylor", 0, 8, 8)).rotation
+        return integrate_history(ground, dt, 1.0, model, Method("taylor", 0, 8, 8)).rotation
 
     small, large = run(0.004, 0.01 / 40), run(40.0, 0.01 * 2.5)
     assert np.abs(small - large).max() / alpha < 1e-10
@@ -343,8 +344,8 @@ def test_the_linearised_equation_errs_with_the_slenderness(reference):
         alpha = math.radians(degrees)
         model = RockingModel(alpha, 2.0866, 0.0, 0.97, 0.0, 0.0, 0.0)
         scaled = ground * math.tan(alpha) / math.tan(math.radians(6.8))
-        exact = history(scaled, DT, 1.0, model).rotation
-        linear = history(scaled, DT, 1.0, model, METHODS["linearised"]).rotation
+        exact = integrate_history(scaled, DT, 1.0, model).rotation
+        linear = integrate_history(scaled, DT, 1.0, model, METHODS["linearised"]).rotation
         errors.append(float(np.abs(exact - linear).max() / alpha))
     assert errors[0] < 1e-3
     assert errors == sorted(errors)

@@ -100,7 +100,7 @@ def make_comparison(paper):
 
     @kernel
     def scan(code, option, ground, dt, scales, model, outcomes, peaks, clamped, none, table):
-        """`history.scan` by the other methods.
+        """`history.scan_multipliers` by the other methods.
 
         code : of its `Method`
         option : of its `Method`

@@ -5,7 +5,7 @@ A crossing is seen at the end of a step; a dip and return within one step is mis
 
 from core.jit.decorators import inner_kernel, subkernel
 from core.rocking.compared import dormand_prince, linearised, newmark_events, rk4
-from core.rocking.events import IMPACTS_PER_SAMPLE, LAST_ROTATION, BlockState, land, next_uplift
+from core.rocking.events import IMPACTS_PER_SAMPLE, LAST_ROTATION, BlockState, apply_impact, next_uplift
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.units import G
 from core.wall.moment_rotation import moment_branch, zone_of
@@ -189,7 +189,7 @@ def through_sample(
             continue
         arriving = max(-speed, 0.0)
         now = ground0 + slope * t
-        speed, side, moving, clamp, stuck = land(
+        speed, side, moving, clamp, stuck = apply_impact(
             arriving, side, now, model, thresholds, h, start + t, impacts, impact_time, impact_velocity
         )
         clamped += clamp

@@ -10,7 +10,7 @@ from core.capacity.accuracy import NOISES, PROMISED, TIMES_NOISE, effect_of_nois
 from core.capacity.ida import Search, incremental_dynamic_analysis
 from core.errors import Cancelled
 from core.ground.ground_motion import GroundMotion
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.methods import METHODS
 from core.rocking.outcome import COLLAPSED, STABLE
 from core.units import G
@@ -48,7 +48,8 @@ def test_that_the_governing_history_is_the_last_that_the_search_survives(said, m
     by_hand = ida.bracket[0] * G * math.tan(model.slenderness) / np.abs(ground).max()
     assert found.scale == pytest.approx(by_hand, rel=1e-12) and found.method == "taylor_6"
     stands, falls = (
-        history(ground, 0.01, by_hand * q / ida.bracket[0], model, METHODS["taylor"]).outcome for q in ida.bracket
+        integrate_history(ground, 0.01, by_hand * q / ida.bracket[0], model, METHODS["taylor"]).outcome
+        for q in ida.bracket
     )
     assert stands == STABLE and falls == COLLAPSED
 
@@ -119,14 +120,14 @@ def test_that_a_history_next_to_collapse_has_no_bound(make_model, reference):
     motion = GroundMotion("r", ground, 0.01)
     stands, falls = 1.0, None
     for scale in np.arange(1.0, 60.0, 0.25):
-        if history(ground, 0.01, scale, model, METHODS["taylor"]).rotation.size < ground.size:
+        if integrate_history(ground, 0.01, scale, model, METHODS["taylor"]).rotation.size < ground.size:
             falls = float(scale)
             break
         stands = float(scale)
     assert falls is not None
     while stands < 0.5 * (stands + falls) < falls:
         middle = 0.5 * (stands + falls)
-        if history(ground, 0.01, middle, model, METHODS["taylor"]).rotation.size < ground.size:
+        if integrate_history(ground, 0.01, middle, model, METHODS["taylor"]).rotation.size < ground.size:
             falls = middle
         else:
             stands = middle

@@ -19,7 +19,7 @@ from core.capacity.ida import (
     incremental_dynamic_analysis,
 )
 from core.errors import Cancelled
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.methods import METHODS
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.units import G
@@ -33,7 +33,7 @@ from tests.core.capacity.searches import TAYLOR, scripted, search_of
 def brute(ground, model, q, sign=1):
     """Outcome and peak ratio at one q, one analysis at a time."""
     scale = sign * q * G * math.tan(model.slenderness) / np.abs(ground).max()
-    found = history(ground, 0.01, scale, model)
+    found = integrate_history(ground, 0.01, scale, model)
     return found.outcome, found.peak / model.slenderness
 
 
@@ -293,7 +293,7 @@ def test_that_a_real_wall_can_reach_the_impact_limit(make_model):
     """Elastic impacts pressed down by a steady ground: hops without end within a sample."""
     model = make_model(30.7, 1.747, one_sided=True, ratio=1.0)
     ground = np.full(3, -19.56)
-    found = history(ground, 0.00986, 1.0, model, start=(0.0, 2.62e-6))
+    found = integrate_history(ground, 0.00986, 1.0, model, start=(0.0, 2.62e-6))
     assert found.outcome == IMPACT_LIMIT
 
 

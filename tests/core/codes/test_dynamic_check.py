@@ -10,7 +10,7 @@ from core.capacity import independent_solver
 from core.codes import dynamic_check
 from core.codes.dynamic_check import DemandRuns, DynamicCheck, model_and_scale_at_demand, run_dynamic_check
 from core.ground.ground_motion import GroundMotion
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.methods import AUTO, METHODS
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.setting.check_input import make_rocking_model
@@ -49,7 +49,7 @@ def test_that_fc_on_the_strength_is_the_restoring_moment_over_fc(designed, one_s
     ground, dt = designed.motions[0].acceleration[:900], 0.01
     scale = 0.6 if not one_sided else 1.2
     theta = solved(scale * ground, dt, alpha, p2, one_sided, ratio, factor)
-    found = history(ground, dt, factor * scale, reduced(model), METHODS["taylor"])
+    found = integrate_history(ground, dt, factor * scale, reduced(model), METHODS["taylor"])
     assert np.abs(theta).max() > 0.02 * alpha and found.impact_time.size > 2
     assert np.abs(found.rotation - theta).max() < 1e-8 * alpha
 
@@ -105,7 +105,7 @@ def test_that_fc_acts_on_both_sides_of_a_body_that_is_not_symmetric(designed, co
         there, factor = model_and_scale_at_demand(model, designed.demand, confidence_on, motion)
         weaker = factor if confidence_on == "capacity" else 1.0
         assert there.other.p2 == model.other.p2 / weaker and there.p2 == model.p2 / weaker
-        found.append(history(motion.acceleration[:700], motion.time_step, 0.7 * sign * factor, there))
+        found.append(integrate_history(motion.acceleration[:700], motion.time_step, 0.7 * sign * factor, there))
     assert found[0].impact_time.size > 5
     assert found[0].rotation == pytest.approx(-found[1].rotation, abs=1e-9)
 
@@ -118,7 +118,7 @@ def test_that_the_dynamic_check_is_what_single_histories_say(designed):
     peaks = []
     for run, motion in zip(found.runs, designed.motions, strict=True):
         assert run.factor == 1.0
-        alone = history(motion.acceleration, motion.time_step, 1.35, reduced(wall.model), AUTO)
+        alone = integrate_history(motion.acceleration, motion.time_step, 1.35, reduced(wall.model), AUTO)
         assert run.exceeded == (alone.outcome == COLLAPSED or alone.peak > wall.block.slenderness)
         if run.peak_ratio is not None:
             assert run.peak_ratio == alone.peak / wall.block.slenderness
@@ -158,7 +158,7 @@ def rule_fails(designed, model, factor: float, points: range) -> np.ndarray:
     for k in points:
         peaks = []
         for motion in designed.motions:
-            alone = history(motion.acceleration, 0.01, factor * 1.0025**k, model, AUTO)
+            alone = integrate_history(motion.acceleration, 0.01, factor * 1.0025**k, model, AUTO)
             peaks.append(math.inf if alone.outcome == COLLAPSED else alone.peak / alpha)
             if peaks[-1] > 1.0:
                 break
@@ -310,7 +310,7 @@ def test_that_the_search_starts_where_the_first_record_begins_to_move_the_wall(d
 
     def peak(multiplier):
         wall = reduced(model) if confidence_on == "capacity" else model
-        return max(history(m.acceleration, m.time_step, 1.35 * multiplier, wall, AUTO).peak for m in motions)
+        return max(integrate_history(m.acceleration, m.time_step, 1.35 * multiplier, wall, AUTO).peak for m in motions)
 
     assert peak(0.999 * work.rest) == 0.0 < peak(1.001 * work.rest)
 

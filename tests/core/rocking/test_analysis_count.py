@@ -5,7 +5,7 @@ import numpy as np
 from core.case.reader import read_case
 from core.rocking import lane_scheduler
 from core.rocking.analysis_count import MADE, AnalysisCount
-from core.rocking.history import history, scan
+from core.rocking.history import integrate_history, scan_multipliers
 from core.rocking.methods import METHODS
 from core.study.run import run
 from core.threads import Threads
@@ -15,8 +15,8 @@ from tests.conftest import ROOT
 def test_that_each_multiplier_and_each_history_is_one_analysis(make_model):
     model = make_model()
     ground, before = np.sin(np.arange(200) * 0.05), MADE.total
-    scan(METHODS["taylor"], ground, 0.01, np.ones(7), model, np.zeros(7, np.int64), np.zeros(7))
-    history(ground, 0.01, 1.0, model)
+    scan_multipliers(METHODS["taylor"], ground, 0.01, np.ones(7), model, np.zeros(7, np.int64), np.zeros(7))
+    integrate_history(ground, 0.01, 1.0, model)
     assert MADE.total - before == 8
 
 

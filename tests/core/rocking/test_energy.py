@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from core.rocking.energy import energy_ratios
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.methods import AUTO
 from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
@@ -28,7 +28,7 @@ def test_that_free_motion_keeps_its_energy_and_an_impact_takes_its_share(law):
     pulse = np.concatenate(
         [(1.6 if law == "rigid" else 1.15) * math.tan(math.radians(7.0)) * G * np.ones(30), np.zeros(400)]
     )
-    moved = history(pulse, 0.01, 1.0, model, AUTO)
+    moved = integrate_history(pulse, 0.01, 1.0, model, AUTO)
     ratios = energy_ratios(moved, model)
     times = np.arange(ratios.size) * 0.01
     hits = [time for time in moved.impact_time if time > 0.35]
@@ -41,7 +41,7 @@ def test_that_free_motion_keeps_its_energy_and_an_impact_takes_its_share(law):
 
 def test_that_it_is_one_at_the_collapse_rotation_at_rest():
     model = model_of("rigid")
-    moved = history(np.zeros(3), 0.01, 1.0, model, AUTO)
+    moved = integrate_history(np.zeros(3), 0.01, 1.0, model, AUTO)
     there = np.array([0.0, model.collapse_rotation, -model.collapse_rotation])
     changed = type(moved)(
         there,

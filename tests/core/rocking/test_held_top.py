@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 from core.capacity.accuracy import HELD_TRIED, NOISE, NOISES, PROMISED, TIMES_NOISE
 from core.codes.vertical_bending import model_of_bending
 from core.rocking.grounds import Grounds
-from core.rocking.history import history, scan_records
+from core.rocking.history import integrate_history, scan_records
 from core.rocking.methods import METHODS
 from core.rocking.outcome import COLLAPSED, STABLE
 from core.rocking.side_functions import POTENTIAL, THETA, V, X, side_of, sides_of
@@ -171,7 +171,7 @@ def test_that_a_history_is_that_of_coordinates(wall, h1, amplitude, period):
     step = period / 2000.0
     times = np.arange(round((3.0 * period + 3.0) / step)) * step
     ground = np.where(times < 3.0 * period - 0.5 * step, strength * np.sin(omega * times), 0.0)
-    turned = history(ground, step, 1.0, model).rotation
+    turned = integrate_history(ground, step, 1.0, model).rotation
     tops = (
         np.nonzero((np.abs(turned[1:-1]) > np.abs(turned[:-2])) & (np.abs(turned[1:-1]) >= np.abs(turned[2:])))[0] + 1
     )
@@ -249,7 +249,7 @@ def test_that_random_walls_do_as_their_coordinates_do(count, steps):
     checked = 0
     for k, model in enumerate(models):
         ground = strength[k] * np.sin(2.0 * math.pi * instants / period[k])
-        found = history(ground, step / fine, 1.0, model, start=(begin[k], 0.0)).rotation[::fine]
+        found = integrate_history(ground, step / fine, 1.0, model, start=(begin[k], 0.0)).rotation[::fine]
         last = int(np.argmax(~np.isfinite(reached[:, k]))) or steps
         moved = np.nonzero(np.diff(reached[:, k]) == 0.0)[0]
         last = min(last, int(moved[0]) if moved.size else steps, found.size - 1)
@@ -304,7 +304,7 @@ def test_that_a_history_is_within_the_bound_that_its_accuracy_states(count):
         expected = by_another_solver(model, ground, dt, begin)
 
         def turned(samples, model=model, start=(begin, 0.0), n=expected.size):
-            return history(samples, dt, 1.0, model, start=start).rotation[:n]
+            return integrate_history(samples, dt, 1.0, model, start=start).rotation[:n]
 
         once = turned(ground)
         assert once.size == expected.size
@@ -352,7 +352,10 @@ def test_that_a_mirrored_wall_does_the_mirrored_thing():
         mirrored = model_of_bending(inward, outward, model.bending.h1)
         ground = model.threshold * rng.standard_normal(600) * np.hanning(600)
         for scale in (0.8, 1.5, 3.0):
-            one, other = history(ground, 0.01, scale, model), history(ground, 0.01, -scale, mirrored)
+            one, other = (
+                integrate_history(ground, 0.01, scale, model),
+                integrate_history(ground, 0.01, -scale, mirrored),
+            )
             assert one.outcome == other.outcome
             assert one.peak == pytest.approx(other.peak, rel=1e-6)
 
@@ -365,7 +368,7 @@ def test_that_energy_is_kept_between_impacts_and_lost_by_e_squared():
         collapse = alpha + model.restoring.lean, alpha + model.mirrored.lean
         sides = sides_of(model.bending, alpha, collapse)
         start = 0.5 * min(collapse)
-        found = history(np.zeros(4000), 0.002, 1.0, model, start=(start, 0.0))
+        found = integrate_history(np.zeros(4000), 0.002, 1.0, model, start=(start, 0.0))
         tops = [abs(found.rotation[:1]).max()]
         for first, last in itertools.pairwise(found.impact_time):
             span = found.rotation[round(first / 0.002) : round(last / 0.002) + 1]
@@ -402,7 +405,7 @@ def test_that_a_scan_is_its_histories_and_a_still_wall_rests(count):
         scan_records(METHODS["taylor"], grounds, which, scales, model, outcomes, peaks)
         assert (outcomes[0], peaks[0]) == (outcomes[1], peaks[1]) == (STABLE, 0.0) and COLLAPSED in outcomes
         for k, scale, outcome, peak in zip(which, scales, outcomes, peaks, strict=True):
-            one = history(records[k], dt, scale, model)
+            one = integrate_history(records[k], dt, scale, model)
             assert (one.outcome, one.peak) == (outcome, peak)
             if outcome == STABLE:
                 assert one.peak <= model.collapse_rotation * 2.5
@@ -412,8 +415,8 @@ def test_that_strength_over_a_factor_is_the_weights_over_it():
     """V'/F under the ground times one, as a wall F times as light on the ground times F."""
     pair, model = random_wall(np.random.default_rng(7))
     ground = 1.5 * model.threshold * np.sin(np.arange(400) * 0.1)
-    one = history(ground, 0.01, 1.2, weakened(model, 1.2))
-    slower = history(ground, 0.01 / math.sqrt(1.2), 1.2, model)  # time measured by 1/p
+    one = integrate_history(ground, 0.01, 1.2, weakened(model, 1.2))
+    slower = integrate_history(ground, 0.01 / math.sqrt(1.2), 1.2, model)  # time measured by 1/p
     assert one.rotation == pytest.approx(slower.rotation, abs=1e-9)
     assert near_rest(Motion(pair[0], model.bending.h1), model.slenderness)[0] == model.p2
 
@@ -421,7 +424,7 @@ def test_that_strength_over_a_factor_is_the_weights_over_it():
 def test_that_a_wall_pushed_to_its_collapse_falls_and_below_it_does_not():
     for start, outcome in ((0.999, STABLE), (1.001, COLLAPSED)):
         _, model = random_wall(np.random.default_rng(8))
-        found = history(
+        found = integrate_history(
             np.zeros(2000), 0.01, 1.0, model, start=(start * (model.slenderness + model.restoring.lean), 0.0)
         )
         assert found.outcome == outcome

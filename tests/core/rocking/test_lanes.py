@@ -8,7 +8,7 @@ import pytest
 from core.capacity.ida import Search, incremental_dynamic_analysis
 from core.ground.records import read
 from core.rocking.grounds import Grounds
-from core.rocking.history import history, scan, scan_records
+from core.rocking.history import integrate_history, scan_multipliers, scan_records
 from core.rocking.lane_state import MAX_LANES
 from core.rocking.methods import METHODS
 from core.rocking.outcome import BAD_INPUT, COLLAPSED, IMPACT_LIMIT
@@ -140,7 +140,7 @@ def test_that_lanes_equal_single_analyses_of_walls_held_by_bars(reference, seeds
         ground = shaken(rng, model, motions)
         scales = rng.uniform(0.3, 8.0, 24) * rng.choice([-1.0, 1.0], 24)
         seen |= set(assert_lanes_are_histories(ground, dt, scales, model))
-        residual = history(ground, dt, scales[0], model).residual
+        residual = integrate_history(ground, dt, scales[0], model).residual
         broke += int(np.isinf(residual).any())
         kept = residual[np.isfinite(residual).all(axis=1)]
         yielded += int((kept > kept[:, :1]).any())
@@ -184,19 +184,19 @@ def test_that_a_ground_that_is_no_number_ends_at_once_with_its_code(make_model):
                 for method in METHODS.values():
                     if method.name == "linearised" and law != "rigid":
                         continue
-                    found = history(ground, 0.01, 1.0, model, method)
+                    found = integrate_history(ground, 0.01, 1.0, model, method)
                     assert found.outcome == BAD_INPUT and found.rotation.size == 0
                     outcomes, peaks = np.zeros(3, np.int64), np.zeros(3)
-                    scan(method, ground, 0.01, np.array([0.5, -1.0, 2.0]), model, outcomes, peaks)
+                    scan_multipliers(method, ground, 0.01, np.array([0.5, -1.0, 2.0]), model, outcomes, peaks)
                     assert (outcomes == BAD_INPUT).all()
                     which, scales = np.array([0, 1, 1, 0]), np.array([1.0, 1.0, np.nan, 2.0])
                     both, some = Grounds.of([sound, ground], 0.01), np.zeros(4, np.int64)
                     scan_records(method, both, which, scales, model, some, np.zeros(4))
                     alone = np.zeros(2, np.int64)
-                    scan(method, sound, 0.01, scales[[0, 3]], model, alone, np.zeros(2))
+                    scan_multipliers(method, sound, 0.01, scales[[0, 3]], model, alone, np.zeros(2))
                     assert some.tolist() == [alone[0], BAD_INPUT, BAD_INPUT, alone[1]]
-    assert history(sound, 0.01, 1.0, model, start=(np.nan, 0.0)).outcome == BAD_INPUT
-    assert history(sound, 0.01, np.inf, model).outcome == BAD_INPUT
+    assert integrate_history(sound, 0.01, 1.0, model, start=(np.nan, 0.0)).outcome == BAD_INPUT
+    assert integrate_history(sound, 0.01, np.inf, model).outcome == BAD_INPUT
     search = incremental_dynamic_analysis(ground, 0.01, 1.0, 1, model, METHODS["taylor"], Search())
     assert search.status == "bad_input" and search.q is None
 
@@ -230,7 +230,7 @@ def test_that_lanes_of_several_records_run_together(reference, make_model):
         scan_records(method, Grounds.of(grounds, 0.01), which, scales, model, *found)
         for k in range(which.size):
             one = slice(k, k + 1)
-            scan(method, grounds[which[k]], 0.01, scales[one], model, alone[0][one], alone[1][one])
+            scan_multipliers(method, grounds[which[k]], 0.01, scales[one], model, alone[0][one], alone[1][one])
         stable = found[0] != COLLAPSED
         assert np.array_equal(found[0], alone[0]) and 0 < stable.sum() < which.size
         assert np.array_equal(found[1][stable], alone[1][stable])

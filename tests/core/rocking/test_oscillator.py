@@ -7,9 +7,9 @@ from scipy.integrate import solve_ivp
 
 from core.rocking import oscillator
 from core.rocking.events import BlockState
-from core.rocking.history import history, scan
+from core.rocking.history import integrate_history, scan_multipliers
 from core.rocking.methods import AUTO
-from core.rocking.oscillator import SWING_ENDS, SWING_FALLS, SWING_RISES, Swing
+from core.rocking.oscillator import SWING_ENDS, SWING_FALLS, SWING_RISES, Oscillation
 from core.units import G
 from core.wall.rocking_model import RockingModel, with_branch
 
@@ -47,9 +47,9 @@ def test_an_event_of_a_swing_is_where_50_digits_find_it():
                 speed = abs(speed) if phi == 0.0 else -abs(speed)
             first, jump = rng.normal(size=2)
             sine, versine = math.sin(span), 1.0 - math.cos(span)
-            parts = Swing(2.0, 0.7, end, span, sine, versine)
+            parts = Oscillation(2.0, 0.7, end, span, sine, versine)
             state = BlockState(1.0, phi, speed, True, 0, phi, 0, 0)
-            found, t, event = oscillator.swing.py_func(parts, state, first, jump, 0.0)
+            found, t, event = oscillator.advance_oscillation.py_func(parts, state, first, jump, 0.0)
             f0, f1 = mpmath.mpf(0.7) * first, mpmath.mpf(0.7) * jump / span
 
             def rotation(x, f0=f0, f1=f1, phi=phi, speed=speed):
@@ -116,7 +116,7 @@ def test_a_history_with_the_branch_is_that_of_an_independent_solver(seed):
     rng = np.random.default_rng(20 + seed)
     model = wall(rng, 0.0)
     record = np.append([0.0, 0.0], ground(rng, 300, rng.uniform(1.0, 4.0))[1:])
-    found = history(record, DT, 1.0, model)
+    found = integrate_history(record, DT, 1.0, model)
     times, rotations = independent(model, record, 12)
     there = np.round(times / DT).astype(int)
     assert times.size > 5
@@ -131,8 +131,8 @@ def test_many_multipliers_are_as_their_histories(one_sided):
         record = ground(rng, 400, 2.0)
         scales = np.concatenate([np.geomspace(0.01, 3.0, 20), -np.geomspace(0.01, 3.0, 20)])
         outcomes, peaks = np.zeros(40, np.int64), np.zeros(40)
-        scan(AUTO, record, DT, scales, model, outcomes, peaks)
-        alone = [history(record, DT, float(scale), model) for scale in scales]
+        scan_multipliers(AUTO, record, DT, scales, model, outcomes, peaks)
+        alone = [integrate_history(record, DT, float(scale), model) for scale in scales]
         assert outcomes.tolist() == [one.outcome for one in alone]
         stable = outcomes == 0
         single = [one.peak for one in alone if one.outcome == 0]
@@ -146,7 +146,7 @@ def test_on_the_branch_a_motion_is_proportional_to_its_ground():
     model, record = wall(rng, 0.0), ground(rng, 800, 1.0)
     scales = np.array([1e-4, 1e-3, 2e-3])
     peaks = np.zeros(3)
-    scan(AUTO, record, DT, scales, model, np.zeros(3, np.int64), peaks)
+    scan_multipliers(AUTO, record, DT, scales, model, np.zeros(3, np.int64), peaks)
     assert (peaks < model.elastic_end).all()
     assert peaks / scales == pytest.approx(peaks[0] / scales[0], rel=1e-12)
 
@@ -155,6 +155,6 @@ def test_a_branch_that_is_over_at_once_leaves_the_rigid_wall():
     rigid = RockingModel(0.1, 2.0, 0.0, 0.9, 0.0, 0.0, 0.0)
     model = with_branch(rigid, 1e-7)
     record = 0.12 * G * np.sin(2.0 * math.pi * 1.2 * DT * np.arange(300))
-    stiff, free = history(record, DT, 1.0, model), history(record, DT, 1.0, rigid)
+    stiff, free = integrate_history(record, DT, 1.0, model), integrate_history(record, DT, 1.0, rigid)
     assert stiff.outcome == free.outcome
     assert np.abs(stiff.rotation - free.rotation).max() < 0.02 * np.abs(free.rotation).max()

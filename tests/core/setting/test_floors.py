@@ -9,7 +9,7 @@ import pytest
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
 from core.report.verdict_words import names_in
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.rocking.methods import METHODS
 from core.setting import floors
 from core.study.run import run
@@ -49,7 +49,7 @@ def test_that_the_search_multiplies_the_ground_record(result):
         motion = felt[one.record]
         assert one.scale == pytest.approx(one.ida.q * wall.block.threshold_acceleration / motion.pga, rel=1e-12)
         scale = one.polarity * abs(one.scale) * (1.0 + 1e-9)
-        made = history(motion.acceleration, motion.time_step, scale, wall.model, METHODS["taylor"])
+        made = integrate_history(motion.acceleration, motion.time_step, scale, wall.model, METHODS["taylor"])
         assert made.outcome == 1
 
 

@@ -6,7 +6,7 @@ import pytest
 from core.case.loads import Load
 from core.case.wall import Wall
 from core.rocking.bar_state import BROKEN, SLACK, TAUT, YIELDING
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.setting.check_input import make_rocking_model
 from core.study.bar_histories import bar_histories, work_of_impacts
 from core.units import G
@@ -22,7 +22,7 @@ def found_of(wall, amplitude, period=1.0, rest=6000):
     t = np.arange(round(3000 * period)) * 1e-3
     ground = np.append(amplitude * G * np.sin(2.0 * np.pi * t / period), np.zeros(rest))
     model = make_rocking_model(wall, "one_sided")
-    return ground, model, history(ground, 1e-3, 1.0, model)
+    return ground, model, integrate_history(ground, 1e-3, 1.0, model)
 
 
 def test_that_a_bar_is_taut_yields_turns_back_and_is_slack():

@@ -53,12 +53,12 @@ def test_that_a_stored_answer_that_is_not_what_comes_out_is_named(monkeypatch, n
 
 
 def test_that_a_kernel_that_takes_another_loss_at_an_impact_is_seen(monkeypatch):
-    right = self_test.history
+    right = self_test.integrate_history
 
     def wrong_kernel(ground, dt, scale, model, method):
         return right(ground, dt, scale, model._replace(ratio_at_rest=model.ratio_at_rest - 1e-4), method)
 
-    monkeypatch.setattr(self_test, "history", wrong_kernel)
+    monkeypatch.setattr(self_test, "integrate_history", wrong_kernel)
     wrong, exact = self_test.compare_answers(["taylor"])
     assert set(wrong) == {"two_sided_history", "trilinear_history", "one_sided_history"} and not exact
 

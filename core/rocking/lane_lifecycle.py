@@ -1,7 +1,7 @@
 """How an analysis begins in its lane, rests, goes along an elastic branch, and ends."""
 
 from core.jit.decorators import inner_kernel, subkernel
-from core.rocking.bar_state import BROKEN, PHASE, YIELDS_AT, all_broken, at_start
+from core.rocking.bar_state import BROKEN, PHASE, YIELDS_AT, all_broken, initial_state
 from core.rocking.early_stop import (
     LOOKAHEAD,
     MAX_SETTLED_RATIO,
@@ -36,9 +36,9 @@ from core.rocking.lane_state import (
     set_lane,
     set_pull,
 )
-from core.rocking.lanes_on_branch import begin, ride
+from core.rocking.lanes_on_branch import follow_branch, start_on_branch
 from core.rocking.outcome import COLLAPSED, STABLE
-from core.rocking.taylor_with_bars import in_still_ground, settled_with_bars
+from core.rocking.taylor_with_bars import integrate_after_record, settled_with_bars
 from core.wall.moment_rotation import zone_of
 from core.wall.rocking_model import seen_from, unlike
 
@@ -117,7 +117,7 @@ def start_lane(k, scale, first, last, dt, model, constants, ground, ahead, zero,
     state[PEAK + k] = 0.0
     state[PART + k] = 1.0
     if room is not None:
-        return begin(k, first, last, dt, model, constants, ground, ahead, zero, room, state)
+        return start_on_branch(k, first, last, dt, model, constants, ground, ahead, zero, room, state)
     start_bars(k, bars, held)
     skip_to_uplift(k, first, last, dt, model, constants, ground, ahead, bars, held, state)
     return state[SAMPLE + k] >= last, STABLE, 0.0, zero
@@ -125,7 +125,7 @@ def start_lane(k, scale, first, last, dt, model, constants, ground, ahead, zero,
 
 @inner_kernel
 def along_branch(k, outcome, end, dt, model, constants, ground, ahead, zero, room, state):
-    """Carry lane k along its branch in closed form where it came onto it and goes on, see `ride`.
+    """Carry lane k along its branch in closed form where it came onto it and goes on, see `follow_branch`.
 
     k : lane
     outcome : so far
@@ -145,7 +145,9 @@ def along_branch(k, outcome, end, dt, model, constants, ground, ahead, zero, roo
     if outcome != STABLE or state[ZONE + k] != 0.0:
         return False, False, outcome, 0.0, zero
     block, i = block_of_lane(k, zero, state), int(state[SAMPLE + k])
-    over, outcome, peak, clamps = ride(k, block, i, state[TIME + k], end, dt, model, constants, ground, ahead, state)
+    over, outcome, peak, clamps = follow_branch(
+        k, block, i, state[TIME + k], end, dt, model, constants, ground, ahead, state
+    )
     return True, over, outcome, peak, clamps
 
 
@@ -235,7 +237,7 @@ def check_finished(k, end, dt, model, constants, ahead, zero, bars, held, state)
     if state[MOVING + k] == 0.0:
         return True, STABLE, peak
     if bars is not None:
-        outcome, after = in_still_ground(dt, model, constants, block_of_lane(k, zero, state), bars, held[k])
+        outcome, after = integrate_after_record(dt, model, constants, block_of_lane(k, zero, state), bars, held[k])
         return True, outcome, after.peak
     outcome, peak = end_of_record(phi, speed, peak, seen)
     return True, outcome, peak
@@ -260,7 +262,7 @@ def block_of_lane(k, zero, state):
 def start_bars(k, bars, held):
     """Set the bars of lane k as they are before the record. bars, held : as `check_finished`"""
     if bars is not None:
-        at_start((0.0, 0.0), bars, held[k])
+        initial_state((0.0, 0.0), bars, held[k])
 
 
 @inner_kernel
