@@ -85,7 +85,8 @@ def parse_entries(entries: Any) -> tuple[CaseFile, ...]:
             cells = [cell for row in rows or () for cell in row]
             if not all(isinstance(value, str) for value in (*texts, *values, *cells)):
                 raise ValueError("not a text")
-            files.append(CaseFile(*texts, notices, rows))
+            role, file, sha256 = texts
+            files.append(CaseFile(role, file, sha256, notices, rows))
     except (AttributeError, KeyError, TypeError) as error:
         raise ValueError("not a file of a case") from error
     return tuple(files)

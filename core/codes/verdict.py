@@ -100,7 +100,7 @@ class Verdict:
         return (*self.to_do, *self.limits, *self.notes)
 
     def text(self, language: str, subject: str = "", where: Sentence | str = "", form: FormNames = FILE_NAMES) -> str:
-        """The sentence in a language. subject : name of the wall; where : of `hinge_phrase`; form : words of the keys"""
+        """The sentence in a language. subject : name of the wall; where : `hinge_phrase`; form : words of the keys"""
         words = sentence("verdict", self.way, where=where, **dict(self.values)).text(language, form)
         return f"{subject}: {words}" if subject else words[:1].upper() + words[1:]
 

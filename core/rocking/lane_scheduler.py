@@ -234,8 +234,8 @@ LANE_KERNEL = {order: make_lane_kernel(order) for order in (6, 8)}
 
 
 def scan(order, grounds, which, scales, model, outcomes, peaks):
-    """`core.rocking.history.scan_multipliers` by order 6 or 8. Outcomes and the peaks of stable blocks are those of whole
-    histories, bit for bit; the peak of a block that overturns is where its analysis ended.
+    """`core.rocking.history.scan_multipliers` by order 6 or 8. Outcomes and the peaks of stable blocks are those of
+    whole histories, bit for bit; the peak of a block that overturns is where its analysis ended.
     (Peaks below 1e-12 rad of chatter that outlives the record can differ by the rounding of an arccosine.)
 
     order : of the series, 6 or 8

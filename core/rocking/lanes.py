@@ -255,8 +255,8 @@ def set_higher_terms(k, v, order, state):
 
 @subkernel
 def lane_taylor_coefficients(lanes, constants, order, slopes, bars, state):
-    """The Taylor coefficients of each lane from its initial terms. slopes : of `lane_branch`; bars : rows of the bars, or
-    None"""
+    """The Taylor coefficients of each lane from its initial terms. slopes : of `lane_branch`; bars : rows of the bars,
+    or None"""
     widest_vectors()
     for k in range((lanes + VECTOR - 1) // VECTOR * VECTOR):
         start = InitialTerms(
@@ -363,8 +363,8 @@ def restore_partial_steps(lanes, constants, state):
 @subkernel
 def vector_step(lanes, dt, constants, order, slopes, bars, state):
     """Take one step of each lane to the end of its sample by its series, where nothing else happens in it, and set
-    ACTION of each; of a shortened step, see `restore_partial_steps`. (Initial terms, coefficients and step are three loops: in
-    one the processor waits for each lane's results. A value that stays in its row is stored as `one * x`: x alone
+    ACTION of each; of a shortened step, see `restore_partial_steps`. (Initial terms, coefficients and step are three
+    loops: in one the processor waits for each lane's results. A value that stays in its row is stored as `one * x`: x alone
     becomes a store under a mask, seven cycles each on AMD's processors.)
 
     lanes : their number

@@ -72,7 +72,8 @@ NO_EVALUATION = WallEvaluation(())
 class WallContext:
     """Setting that stays the same while inputs of a wall move.
 
-    case : with that wall alone; inputs : of `read_inputs`; histories : `run_dynamic_check`, or one that keeps its results
+    case : with that wall alone; inputs : of `read_inputs`
+    histories : `run_dynamic_check`, or one that keeps its results
     """
 
     case: Case

@@ -33,8 +33,8 @@ def start_multiplier(weight: float, x: float, y: float, forces, pushed) -> float
 
 
 def start_moments(wall: Masonry, side: float) -> tuple[float, float, float, float, float, float]:
-    """W x, sum N d, sum F h, sum T h of the ties as `load_to_force` counts them, W y, sum Q h [N]: what alpha_0 of a wall
-    with loads is made of (C8.7.1.1).
+    """W x, sum N d, sum F h, sum T h of the ties as `load_to_force` counts them, W y, sum Q h [N]: what alpha_0 of a
+    wall with loads is made of (C8.7.1.1).
 
     side : 1.0 about the outer hinge, -1.0 about the inner one
     """

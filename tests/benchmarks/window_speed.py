@@ -355,7 +355,7 @@ def main(options: argparse.Namespace) -> None:
             run()
             settle(application, lambda: window.runner.job is None)
             longest = gaps.end()
-            assert window.session.result is not None and window.runner.finished_runs.analyses > 0
+            assert window.session.result is not None and window.session.result.analyses > 0
             print(f"{round_}: {longest}")
         window.preparation.begin()  # as the program does when it starts
         settle(application, lambda: window.preparation.job is None)

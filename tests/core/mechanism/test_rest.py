@@ -1,0 +1,127 @@
+"""Reactions of a wall at rest: worked values of a linear programme over slices, closed forms of one hold, monotony."""
+
+import math
+import random
+
+import pytest
+
+from core.mechanism.rest import (
+    Reach,
+    base_reaction,
+    greatest_reaction,
+    holds_at_rest,
+    least_reaction,
+    multiplier_at_rest,
+    simple_reactions,
+)
+from core.mechanism.sections import Sections
+from core.wall.block import Block
+from core.wall.masonry import Load, Masonry
+
+FREE = 1e7
+"""A strength that is never reached [N/m]."""
+
+SLICES = 2e-5
+"""Relative error of a linear programme over some hundred slices, which sees a section at each slice alone."""
+
+
+def wall(height, thickness, weight, loads=(), setback=0.0):
+    """Sections of a wall. weight : [kN/m3]; loads : (kN/m, depth, height)"""
+    on = tuple(Load("vertical", 1e3 * force, depth, level) for force, depth, level in loads)
+    block = Block.rectangle(height, math.atan2(thickness, height))
+    return Sections(
+        Masonry(
+            "w",
+            "one_sided",
+            block,
+            height=height,
+            thickness=thickness,
+            setback=setback,
+            unit_weight=1e3 * weight,
+            length=1.0,
+            loads=on,
+        )
+    )
+
+
+GROUND_FLOOR = wall(3.4, 0.5, 21.0, [(42.4, 0.25, 3.4)])
+TWO_FLOORS = wall(6.8, 0.5, 18.0, [(12.0, 0.33, 3.4), (8.0, 0.33, 6.7)])
+
+
+def test_that_the_reactions_of_one_hold_at_rest_are_the_worked_ones():
+    top = [Reach(3.4, FREE, 0.0)]
+    assert least_reaction(GROUND_FLOOR, top, 0, 0.157010) == 0.0
+    assert simple_reactions(GROUND_FLOOR, [3.4], 0.157010) == pytest.approx([2802.628], rel=1e-6)
+    assert greatest_reaction(GROUND_FLOOR, top, 0, 0.157010) == pytest.approx(8545.275, rel=1e-6)
+
+
+def test_that_a_hold_of_12_kn_carries_a_ground_floor_to_six_times_its_demand():
+    assert multiplier_at_rest(GROUND_FLOOR, [Reach(3.4, FREE)], friction=FREE) == pytest.approx(1.488557, rel=1e-6)
+    held = multiplier_at_rest(GROUND_FLOOR, [Reach(3.4, 12e3)], friction=FREE)
+    assert held == pytest.approx(0.993986, rel=1e-6) and held / 0.157010 == pytest.approx(6.33, abs=5e-3)
+
+
+def test_that_the_ranges_of_two_holds_are_the_worked_ones():
+    holds = [Reach(3.4, FREE), Reach(6.7, FREE)]
+    least = [least_reaction(TWO_FLOORS, holds, n, 0.3) for n in (0, 1)]
+    greatest = [greatest_reaction(TWO_FLOORS, holds, n, 0.3) for n in (0, 1)]
+    assert least == pytest.approx([1163.326, 1610.909], rel=SLICES)
+    assert greatest == pytest.approx([20685.561, 5458.014], rel=SLICES)
+    assert simple_reactions(TWO_FLOORS, [3.4, 6.7], 0.2) == pytest.approx([6027.273, 3152.727], rel=1e-6)
+
+
+def test_that_simple_spans_are_in_equilibrium():
+    """Forces sideways, and moments about the base."""
+    reactions, base = simple_reactions(TWO_FLOORS, [3.4, 6.7], 0.2), TWO_FLOORS.at(0.0)
+    assert base_reaction(TWO_FLOORS, reactions, 0.2) + sum(reactions) == pytest.approx(0.2 * base.pushed)
+    # the base takes no moment: what is pushed is held by the lever of the holds
+    assert reactions[0] * 3.4 + reactions[1] * 6.7 == pytest.approx(0.2 * base.push)
+
+
+def test_that_one_hold_has_the_closed_form_of_its_least_and_greatest_reaction():
+    """R_lo = max over z of (alpha S - M_o)/(h - z), R_hi = min over z of (alpha S + M_i)/(h - z)."""
+    draw = random.Random(1)
+    for _ in range(40):
+        height, thickness = draw.uniform(2.0, 6.0), draw.uniform(0.25, 0.8)
+        loads = [(draw.uniform(0.0, 30.0), draw.uniform(0.1, 0.9) * thickness, height)]
+        sections, alpha = wall(height, thickness, draw.uniform(14.0, 22.0), loads), draw.uniform(0.02, 0.3)
+        hold = [Reach(height, FREE, FREE)]
+        levels = [sections.at(height * n / 20000) for n in range(20000)]
+        arms = [height * (1.0 - n / 20000) for n in range(20000)]
+        low = max(section.least_moment(alpha) / arm for section, arm in zip(levels, arms, strict=True))
+        high = min(section.greatest_moment(alpha) / arm for section, arm in zip(levels, arms, strict=True))
+        if low < high:
+            assert least_reaction(sections, hold, 0, alpha) == pytest.approx(low, rel=1e-6, abs=1e-3)
+            assert greatest_reaction(sections, hold, 0, alpha) == pytest.approx(high, rel=1e-6)
+        else:
+            assert not holds_at_rest(sections, hold, alpha, friction=FREE)
+
+
+def test_that_a_stronger_or_an_added_hold_never_lowers_what_a_wall_stands_at_rest():
+    draw = random.Random(2)
+    for _ in range(60):
+        height = draw.uniform(4.0, 9.0)
+        loads = [(draw.uniform(0.0, 20.0), 0.25, level * height) for level in (0.5, 1.0)]
+        sections = wall(height, draw.uniform(0.3, 0.7), 18.0, loads)
+        holds = [Reach(draw.uniform(0.2, 1.0) * height, draw.uniform(0.0, 3e4), draw.uniform(0.0, 3e4)) for _ in "ab"]
+        plain = multiplier_at_rest(sections, holds)
+        stronger = [Reach(holds[0].height, 2.0 * holds[0].outward, holds[0].inward), holds[1]]
+        more = [*holds, Reach(draw.uniform(0.2, 1.0) * height, 1e4, 0.0)]
+        nothing = [*holds, Reach(0.5 * height, 0.0, 0.0)]
+        assert multiplier_at_rest(sections, stronger) >= plain * (1.0 - 1e-9)
+        assert multiplier_at_rest(sections, more) >= plain * (1.0 - 1e-9)
+        assert multiplier_at_rest(sections, nothing) == pytest.approx(plain, rel=1e-9)
+
+
+def test_that_without_a_hold_a_wall_turns_about_its_base_or_slides():
+    sections = wall(3.0, 0.6, 18.0)
+    assert multiplier_at_rest(sections, []) == pytest.approx(0.2, rel=1e-9)
+    assert multiplier_at_rest(wall(1.0, 0.6, 18.0), []) == pytest.approx(0.4, rel=1e-9)
+    assert multiplier_at_rest(wall(1.0, 0.6, 18.0), [], friction=FREE) == pytest.approx(0.6, rel=1e-9)
+
+
+def test_that_a_stocky_held_wall_slides_at_its_base_before_it_bends():
+    held = wall(3.0, 0.8, 18.0, [(20.0, 0.30, 3.0)])
+    assert multiplier_at_rest(held, [Reach(3.0, FREE)]) == pytest.approx(1.137492, rel=1e-6)
+    inward = wall(3.0, 0.8, 18.0, [(20.0, 0.50, 3.0)])
+    assert multiplier_at_rest(inward, [Reach(3.0, FREE)]) == pytest.approx(1.026870, rel=1e-6)
