@@ -143,7 +143,7 @@ def words_of(kind) -> list[str]:
 
 def written_of(signature, function) -> str:
     """Of each array "r" where LLVM knows that the function does not write it, else "w". function : of LLVM"""
-    attributes = [" ".join(map(bytes.decode, one.attributes)) for one in function.arguments][2:]
+    attributes = [" ".join(map(bytes.decode, argument.attributes)) for argument in function.arguments][2:]
     words = [word for kind in signature for word in words_of(kind)]
     assert len(words) == len(attributes)
     marks = [

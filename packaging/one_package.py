@@ -47,7 +47,7 @@ def outside(text: str) -> list[str]:
     names: list[str] = []
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Import):
-            names += [one.name for one in node.names]
+            names += [name.name for name in node.names]
         elif isinstance(node, ast.ImportFrom) and not node.level:
             names.append(node.module or "")
     return [name for name in names if name.split(".")[0] in PARTS]

@@ -395,7 +395,7 @@ BELOW_THE_CASE = ("wall", "codes", "ground", "capacity", "rocking")
 def test_that_the_mechanics_read_no_key_of_a_wall_of_the_case_and_take_nothing_untyped():
     """A wall in SI is built once, by core/case/wall.py: whoever reads a key below it sees a unit the types do not."""
     of_walls = (Wall, Load, Bars, ReturnWalls, Solid, Opening, Step, Wedges)
-    keys = {one.name for of in of_walls for one in fields(of) if one.metadata.get("unit")}
+    keys = {field.name for of in of_walls for field in fields(of) if field.metadata.get("unit")}
     found = []
     for path in (path for name in BELOW_THE_CASE for path in (ROOT / "core" / name).rglob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):

@@ -115,7 +115,7 @@ def test_that_the_numbers_of_the_building_come_out(shipped, name):
     said = [" | ".join(f"{one.assessment.verdict.zeta_e:.2f}" for one in pair) for pair in pairs]
     parapet = next(wall for wall in walls if wall.wall.name == "parapet").assessment
     said += [f"{parapet.verdict.zeta_e:.2f} "]
-    said += [f"{one.zeta:.2f} " for one in parapet.checks if one.name == "nonlinear"]
+    said += [f"{check.zeta:.2f} " for check in parapet.checks if check.name == "nonlinear"]
     forces = next(wall.assessment.tie for wall in walls if wall.assessment.tie).forces
     said += [f"{1e-3 * forces[name]:.2f}" for name in ("nonlinear", "linear_q_code", "linear_q_1")]
     assert forces["dynamic"] is None
@@ -141,7 +141,9 @@ def test_that_the_page_of_the_case_has_every_key_as_it_is():
     assert page == with_reference(page), "write it anew: .venv/bin/python -m tests.reference_of_keys"
     for name, section in sections().items():
         (rows,) = re.findall(rf"\n`{re.escape(name)}`\n\n(.*?)(?:\n\n|\Z)", page, re.S)
-        assert [row.split(" | ")[0] for row in rows.splitlines()[2:]] == [f"| {one.name}" for one in fields(section)]
+        assert [row.split(" | ")[0] for row in rows.splitlines()[2:]] == [
+            f"| {field.name}" for field in fields(section)
+        ]
     assert {"title", "walls"} <= names_in("resources/docs/case.md")
 
 

@@ -71,7 +71,22 @@ def public_names_in_several_modules():
     return [name for name, modules in places.items() if len(modules) > 1]
 
 
-LIMITS = {}
+LIMITS = {
+    "one": 1190,
+    "known": 335,
+    "asked": 603,
+    "there": 127,
+    "said": 280,
+    "made": 246,
+    "seen": 245,
+    "told": 81,
+    "other": 340,
+    "it": 0,
+    "functions_that_begin_with_a_preposition": 181,
+    "public_functions_that_end_in_of": 164,
+    "public_names_in_several_modules": 125,
+}
+"""Name of a pronoun or of a count -> the most there may be. In 0.32.0: one 1549, known 620, made 251; 256, 220, 172."""
 
 
 @pytest.mark.parametrize("pronoun", PRONOUNS)

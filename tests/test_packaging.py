@@ -298,7 +298,7 @@ def test_that_the_recipes_of_other_shops_are_of_this_release(monkeypatch, tmp_pa
     monkeypatch.setattr(sys, "argv", asked)
     assert recipes.main() == 0
     manifests = [yaml.safe_load(path.read_text()) for path in sorted((output / "winget").glob("*.yaml"))]
-    assert {one["ManifestType"] for one in manifests} == set(recipes.OF_WINGET) and len(manifests) == 3
+    assert {manifest["ManifestType"] for manifest in manifests} == set(recipes.OF_WINGET) and len(manifests) == 3
     for one in manifests:
         required = (*recipes.OF_WINGET[one["ManifestType"]], "ManifestType", "ManifestVersion")
         assert all(one.get(key) for key in required) and str(one["PackageVersion"]) == VERSION

@@ -194,7 +194,7 @@ class WallForm(WallEditor):
             button.setMinimumWidth(widest + 10)  # chosen it is bold
             button.clicked.connect(lambda _, name=name: self._mechanism_chosen(name))
             self.mechanisms[name] = button
-        in_a_row = 5 if sum(one.sizeHint().width() for one in self.mechanisms.values()) < IN_A_ROW else 3
+        in_a_row = 5 if sum(mechanism.sizeHint().width() for mechanism in self.mechanisms.values()) < IN_A_ROW else 3
         for k, button in enumerate(self.mechanisms.values()):
             grid.addWidget(button, *divmod(k, in_a_row))
         grid.setColumnStretch(in_a_row, 1)

@@ -69,9 +69,11 @@ def hinge_zetas(session: Session, k: int) -> list[tuple[float, float | None]]:
         heights = [0.0, *hinges_of(case.wall[k], case.building)]
         for hinge in heights if len(heights) > 1 else ():
             zetas = [
-                one.assessment.verdict.zeta_e
-                for one in (result.walls if result else ())
-                if (one.part.origin, one.part.hinge) == (k, hinge) and one.assessment and one.assessment.verdict.zeta_e
+                wall.assessment.verdict.zeta_e
+                for wall in (result.walls if result else ())
+                if (wall.part.origin, wall.part.hinge) == (k, hinge)
+                and wall.assessment
+                and wall.assessment.verdict.zeta_e
             ]
             by_hinge.append((hinge, min(zetas) if zetas else None))
     except (InputError, TypeError, ZeroDivisionError):  # work in progress
@@ -238,7 +240,7 @@ def contents_of(wall: Wall) -> dict[str, str]:
         if hinges is None
         else hinge_words()[hinges]
         if isinstance(hinges, str)
-        else "; ".join(number(one, "g") for one in hinges),
+        else "; ".join(number(hinge, "g") for hinge in hinges),
         "impact": f"{ratio or named_models().get(wall.restitution)}, {law}",
         "notes": ", ".join(filter(None, notes)),
     }

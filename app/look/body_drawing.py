@@ -27,7 +27,7 @@ def complete(wall: Wall) -> Wall:
     """A wall without what of its shape is still to be given."""
 
     def is_given(entry) -> bool:
-        values = [getattr(entry, one.name) for one in fields(entry)]
+        values = [getattr(entry, field.name) for field in fields(entry)]
         if isinstance(entry, Opening) and entry.diameter_m is None and None in (entry.width_m, entry.height_m):
             return False
         if isinstance(entry, Solid) and (
@@ -53,7 +53,7 @@ class BodyDrawing:
 
     def __init__(self, wall: Wall | None = None, half: float = 0.0):
         outlines = section_outlines(wall) if wall else []
-        self.section = [Outline([(half - x, z) for x, z in one.points], one.kind) for one in outlines]
+        self.section = [Outline([(half - x, z) for x, z in outline.points], outline.kind) for outline in outlines]
         self.elevation = [one for one in elevation_outlines(wall) if one.kind != "wedge"] if wall else []
         points = [point for one in self.section for point in one.points]
         self.ends = (min([-half, *(x for x, _ in points)]), max([half, *(x for x, _ in points)]))

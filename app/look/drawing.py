@@ -202,7 +202,7 @@ class WallDrawing(QWidget):
     def extent(self) -> tuple[float, float]:
         """Height and width of what is drawn [m]; a wall that rocks may lie down."""
         height, thickness, _ = self.size_of or (0.0, 0.0, 0.0)
-        top = max([height, self.body.top, *(y for one in self.arrows for _, y in one.points)])
+        top = max([height, self.body.top, *(y for arrow in self.arrows for _, y in arrow.points)])
         left, right = self.body.ends
         return top, right - left if self.with_sizes else max(thickness + 1.1 * height, 2.0 * max(right, -left))
 
@@ -294,8 +294,8 @@ class WallDrawing(QWidget):
             self.spots.append((area.adjusted(-CLICK_MARGIN, -CLICK_MARGIN, CLICK_MARGIN, CLICK_MARGIN), kind, k))
 
         half = 0.5 * thickness
-        for one in self.arrows:
-            around([(x - half, y) for x, y in one.points], "load", one.load)
+        for arrow in self.arrows:
+            around([(x - half, y) for x, y in arrow.points], "load", arrow.load)
         for k, (level, _) in enumerate(self.hinges or [(0.0, None)]):
             around([(half - setback, level)], "hinge", k)
         edge = self.body.ends[1]
@@ -338,19 +338,19 @@ class WallDrawing(QWidget):
         """The loads, each with its size; dashed what is still to be given."""
         half, taken = 0.5 * require_value(self.size_of)[1], []
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        for one in self.arrows:
-            style = Qt.PenStyle.SolidLine if one.words else Qt.PenStyle.DashLine
+        for arrow in self.arrows:
+            style = Qt.PenStyle.SolidLine if arrow.words else Qt.PenStyle.DashLine
             painter.setPen(QPen(QColor(theme.current.amber), 1.8, style))
-            corners = [place(QPointF(x - half, y)) for x, y in one.points]
+            corners = [place(QPointF(x - half, y)) for x, y in arrow.points]
             painter.drawPolyline(corners)
             if self.with_sizes:
                 painter.setPen(QColor(theme.current.ink))
                 metrics = painter.fontMetrics()
-                wide = metrics.horizontalAdvance(one.words or "?")
+                wide = metrics.horizontalAdvance(arrow.words or "?")
                 x = max(2.0, min(corners[0].x() - wide - 6.0, self.width() - wide - 2.0))
                 area = QRectF(x, corners[0].y() - 4.0 - metrics.ascent(), wide, metrics.height())
                 if not any(area.intersects(other) for other in taken):  # of loads close together the first
-                    painter.drawText(QPointF(x, corners[0].y() - 4.0), one.words or "?")
+                    painter.drawText(QPointF(x, corners[0].y() - 4.0), arrow.words or "?")
                     taken.append(area)
 
     def _draw_bars(self, painter, place) -> None:

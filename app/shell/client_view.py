@@ -84,11 +84,16 @@ def sides_of(result: StudyResult, wall: WallResult) -> list[Side]:
 
 def walls_beside(result: StudyResult, wall: WallResult) -> list[WallVerdict]:
     """The verdict of the wall a result is of, or both of the wall before and after."""
-    shown = next((one for one in result.verdicts if result.walls[one.governing].part.origin == wall.part.origin), None)
+    shown = next(
+        (verdict for verdict in result.verdicts if result.walls[verdict.governing].part.origin == wall.part.origin),
+        None,
+    )
     if shown is None:
         return []
     other = OTHER_VARIANT.get(shown.wall.variant or "")
-    pair = [one for one in result.verdicts if one.wall.name == shown.wall.name and one.wall.variant == other]
+    pair = [
+        verdict for verdict in result.verdicts if verdict.wall.name == shown.wall.name and verdict.wall.variant == other
+    ]
     return sorted([shown, *pair[: other is not None]], key=lambda one: one.wall.variant != AS_IS)
 
 

@@ -145,7 +145,7 @@ class Finder(QDialog):
 
     def _look(self, text: str) -> None:
         words = _plain(text).split()
-        self.fitting = [one for one in self.entries if _holds(one, words)]
+        self.fitting = [entry for entry in self.entries if _holds(entry, words)]
         self.fitting.sort(key=lambda one: _rank(one, _plain(text), words))
         del self.fitting[MAX_ENTRIES:]
         self.fitting += places_of(self.owner, text)

@@ -244,7 +244,7 @@ class LiveAnswer(FoldingSection):
             row for row in verdict.assumptions if row.key != ALL_TOGETHER_KEY and row.check in ("", verdict.governing)
         ]
         self._show_rows(told, verdict)
-        warnings = [one.text(language) for one in wall.warnings if one.code != "variant_alone"]
+        warnings = [warning.text(language) for warning in wall.warnings if warning.code != "variant_alone"]
         said = [*required_actions(result, wall, language), *verdict_limitations(result, wall, language, warnings)]
         if require_value(self.at)[0].sensitivity is not None:
             said.insert(0, tr("[sensitivity] is not in this answer: F5."))

@@ -198,7 +198,7 @@ class Navigator(QObject):
         if result is None:
             return {}
         if self._known_rows[0] is not result or self._known_rows[1] is not walls:
-            ordered = [k for one in result.verdicts for k in one.results] or range(len(result.walls))
+            ordered = [k for verdict in result.verdicts for k in verdict.results] or range(len(result.walls))
             by_row: dict[int, list[int]] = {}
             for k in ordered:
                 row = row_of(result, result.walls[k], walls)

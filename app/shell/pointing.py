@@ -59,5 +59,5 @@ def point_at_key(navigator: "Navigator", key: str, reason: bool = False) -> None
 
 def first_empty(fields: list[Field]) -> Field | None:
     """The first empty one of the fields that an error names, else the first."""
-    empty = (one for one in fields if isinstance(one.editor, QLineEdit) and not one.editor.text().strip())
+    empty = (field for field in fields if isinstance(field.editor, QLineEdit) and not field.editor.text().strip())
     return next(empty, fields[0] if fields else None)

@@ -92,7 +92,9 @@ def rows_of(state: State) -> list[Row]:
     walls = {wall_of(case, error) for error in state.problems}
 
     def mark(*names: str) -> tuple[str, str]:
-        return ("!", "amber") if any(one.startswith(name) for one in sections for name in names) else ("", "quiet")
+        return (
+            ("!", "amber") if any(section.startswith(name) for section in sections for name in names) else ("", "quiet")
+        )
 
     demand = f"{tr('Demand')}{ROW_SEPARATOR}{case.demand.limit_state}" if case.demand else tr("Demand: none")
     compliance = state.result.compliance if state.result and not state.stale else None

@@ -110,13 +110,13 @@ class MainWindow(QMainWindow):
         self.parts = CaseViews(
             self,
             self._show_state,
-            *(one.at_once for one in forms),
+            *(form.at_once for form in forms),
             self.records.show_case,  # it reads what it shows, whatever is in front
             self._show_stale,
             self._may_run,
             self.stages.input.live.follow,
             resting=(
-                *(one.at_rest for one in forms),
+                *(form.at_rest for form in forms),
                 self._show_note,
                 self._show_problem,
                 self._may_run,  # again: forms that followed hide and show fields

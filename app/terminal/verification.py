@@ -79,7 +79,7 @@ def compare_report(report: Path, records: Path | None = None, **how: Any) -> tup
         differences = list(itertools.islice(_compared(report, content, reported, result, folder), 10_000))
     except Unverifiable as reason:
         return EXIT_CANNOT, [terminal("{path}: cannot be verified: {reason}", path=report, reason=str(reason))]
-    lines = [_line(one) for one in differences[:MAX_DIFFERENCES_SHOWN]]
+    lines = [_line(difference) for difference in differences[:MAX_DIFFERENCES_SHOWN]]
     if len(differences) > MAX_DIFFERENCES_SHOWN:
         lines.append(terminal("… and {n} more", n=len(differences) - MAX_DIFFERENCES_SHOWN))
     if differences:

@@ -109,10 +109,10 @@ def assumption_rows(result: StudyResult, wall: WallResult, language: str) -> str
 def verdict_limitations(result: StudyResult, wall: WallResult, language: str, warnings: list[str]) -> list[str]:
     """What limits the result, what makes it indicative first; nothing twice. warnings : of demand and wall"""
     words = _words(result, wall, language, "limits")
-    for one in warnings:
-        if not any(one.rstrip(".") in line for line in words):
-            words.append(one)
-    extra = next((one.extra for one in result.verdicts if result.walls[one.governing] is wall), ())
+    for warning in warnings:
+        if not any(warning.rstrip(".") in line for line in words):
+            words.append(warning)
+    extra = next((verdict.extra for verdict in result.verdicts if result.walls[verdict.governing] is wall), ())
     return _linked(words, (*require_value(wall.assessment).verdict.limits, *extra), "limits", language)
 
 

@@ -370,7 +370,7 @@ class HistoriesTab(ResultTab):
             self.cursors.append(chart.level(0.0, "", "ink", vertical=True))
         del self.cursors[3:-2]
         lost = work_of_impacts(wall.wall, wall.model, history_now)
-        words = [tr("ties took {work} kJ/m", work=number(1e-3 * sum(one.work for one in bars), ".2f"))]
+        words = [tr("ties took {work} kJ/m", work=number(1e-3 * sum(bar.work for bar in bars), ".2f"))]
         if lost is not None:
             words.append(tr("impacts {work} kJ/m", work=number(1e-3 * lost, ".2f")))
         return tuple(words)

@@ -44,7 +44,7 @@ class Ladder(QWidget):
 
     def show_rungs(self, rungs: Sequence[Rung], target: float) -> None:
         self.rungs, self.target = list(rungs), target
-        said = [f"{one.name} ({one.clause}) ζ {_zeta_of(one)}, {one.values}" for one in self.rungs]
+        said = [f"{rung.name} ({rung.clause}) ζ {_zeta_of(rung)}, {rung.values}" for rung in self.rungs]
         self.setAccessibleName("; ".join([tr("Checks, ζ required {zeta:.2f}", zeta=target), *said]))
         self.setToolTip(escape_html("\n".join(said)))
         self.updateGeometry()

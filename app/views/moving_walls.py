@@ -96,7 +96,7 @@ class MovingWalls(QWidget):
         for drawing, film in zip(self.drawings, self.films, strict=False):
             sample = film.at(time)
             if drawing is self.drawings[0]:
-                drawing.bars = [(one.bar.height, int(one.phase[sample])) for one in self.bars]
+                drawing.bars = [(bar.bar.height, int(bar.phase[sample])) for bar in self.bars]
             drawing.set_rotation(float(np.clip(film.rotation[sample], -MAX_ROTATION_SHOWN, MAX_ROTATION_SHOWN)))
 
     def _again_from_here(self) -> None:

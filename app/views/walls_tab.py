@@ -128,8 +128,8 @@ class WallsTab(ResultTab):
         self.split.setVisible(True)
         self.words.setText(tr("Lowest ζ first. Click the name of a wall to open it."))
         rows, colors = [], []
-        verdicts = {one.governing: one for one in result.verdicts}
-        deciding = [one.governing for one in result.verdicts] or range(len(result.walls))
+        verdicts = {verdict.governing: verdict for verdict in result.verdicts}
+        deciding = [verdict.governing for verdict in result.verdicts] or range(len(result.walls))
         self.order = sorted(deciding, key=lambda k: self._rank(result.walls[k]), reverse=self.falling)
         for k in self.order:
             rows.append(self._row(result.walls[k], verdicts.get(k), result))
@@ -144,7 +144,7 @@ class WallsTab(ResultTab):
         self._show_plan(result)
         pairs = compare_walls(result.verdicts)
         self.below.setVisible(bool(pairs))
-        self.pairs.show_rows([self._pair(result, one) for one in pairs])
+        self.pairs.show_rows([self._pair(result, pair) for pair in pairs])
 
     def _show_plan(self, result: StudyResult) -> None:
         """The key plan, where walls have a place in one."""
@@ -200,7 +200,7 @@ class WallsTab(ResultTab):
         if self.shown is None:
             return None
         result = self.shown[0]
-        return next((one for one in result.verdicts if result.walls[one.governing] is wall), None)
+        return next((verdict for verdict in result.verdicts if result.walls[verdict.governing] is wall), None)
 
     def _sort(self, column: int) -> None:
         self.falling = not self.falling if column == self.by else False

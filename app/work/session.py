@@ -331,7 +331,7 @@ class Session:
     def _moved(case: Case, old: Path, new: Path) -> Case:
         """The case with its paths as seen from another folder."""
         seen = Session._seen
-        records = tuple(replace(one, file=seen(one.file, old, new)) for one in case.record)
+        records = tuple(replace(record, file=seen(record.file, old, new)) for record in case.record)
         demand, report, select = case.demand, case.report, case.select
         if select and select.folder:
             select = replace(select, folder=seen(select.folder, old, new))

@@ -74,7 +74,10 @@ def mirror_inward(wall: Wall) -> Wall:
     loads = tuple(replace(load, d_m=require_value(wall.thickness) - require_value(load.d_m)) for load in wall.load)
     steps = tuple(replace(step, flush=mirrored[step.flush]) for step in wall.steps)
     return replace(
-        wall, load=loads, steps=steps, solid=tuple(_mirrored(one, require_value(wall.thickness)) for one in wall.solid)
+        wall,
+        load=loads,
+        steps=steps,
+        solid=tuple(_mirrored(solid, require_value(wall.thickness)) for solid in wall.solid),
     )
 
 

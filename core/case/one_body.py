@@ -71,11 +71,11 @@ def check_short_forms(wall: Wall, here) -> None:
 def check_one_body(wall: Wall, parts: tuple[Part, ...], here) -> None:
     """Raise InputError for solids that share mass, are apart, or do not reach their outer hinge."""
     solids = [part for part in parts if part.weight > 0.0]
-    for one in solids:
+    for solid in solids:
         for other in solids:
-            if (one.plane, other.plane) == ("elevation", "section") and _reaches_into(other, one):
+            if (solid.plane, other.plane) == ("elevation", "section") and _reaches_into(other, solid):
                 raise InputError("planes_overlap", place=here, key="solid")
-            if one is not other and one.plane == "oblique" and one.angle != other.angle and _share(one, other):
+            if solid is not other and solid.plane == "oblique" and solid.angle != other.angle and _share(solid, other):
                 raise InputError("solids_overlap", place=here, key="solid")
     _check_pieces(wall, parts, here)
     _check_behind(wall, parts, here)

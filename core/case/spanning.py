@@ -82,7 +82,9 @@ def whole_courses(wall: Wall) -> float:
     """Height of the courses that go through from end to end of a wall, between its openings and below its gable [m]:
     bands of LEAST_COURSES at least."""
     eaves, left, z = wall.shoulder, 0.0, 0.0
-    spans = sorted((min(z for _, z in one.corners), max(z for _, z in one.corners)) for one in wall.openings)
+    spans = sorted(
+        (min(z for _, z in opening.corners), max(z for _, z in opening.corners)) for opening in wall.openings
+    )
     for low, high in [*spans, (eaves, eaves)]:
         band = min(low, eaves) - z
         left += band if band >= LEAST_COURSES else 0.0

@@ -206,14 +206,18 @@ def municipality(name: str, province: str = "") -> Municipality:
     """The one of a name, and of a province where it is not unique. Raises InputError."""
     namesakes = _by_name().get(normalise_name(name)) or _by_letters().get(_joined(normalise_name(name)), [])
     letters = province.strip().upper()
-    kept = [one for one in namesakes if not letters or letters in (one.province, one.province_name.upper())]
+    kept = [
+        namesake
+        for namesake in namesakes
+        if not letters or letters in (namesake.province, namesake.province_name.upper())
+    ]
     if len(kept) == 1:
         return kept[0]
     if kept:
         provinces = ", ".join(one.province for one in kept)
         raise InputError("municipality_of_two", key="municipality", name=name, provinces=provinces)
     if namesakes:
-        provinces = ", ".join(one.province for one in namesakes)
+        provinces = ", ".join(namesake.province for namesake in namesakes)
         raise InputError("municipality_elsewhere", key="province", name=name, found=province, provinces=provinces)
     if near := ", ".join(one.name for one in search_municipalities(name[:4], 3)):
         raise InputError("municipality_near", key="municipality", name=name, near=near)

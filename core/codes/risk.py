@@ -60,7 +60,7 @@ class Risk:
 
 def risk_of_wall(risks: Sequence[Risk | None]) -> Risk | None:
     """The capacity of a wall: the smallest of all its mechanisms, with the worst letter; None where one is unknown."""
-    known = [one for one in risks if one is not None]
+    known = [risk for risk in risks if risk is not None]
     if not known or len(known) < len(risks):
         return None
     letters = [letter for _, letter in CLASSES]

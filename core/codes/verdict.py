@@ -222,7 +222,7 @@ def _to_do(code: str, blocking: list[Sentence], assumed: tuple[Assumption, ...])
     codes = {words.code for words in blocking}
     mends = [to_do for why, to_do in TO_MEND.items() if why in codes]
     if code == "undetermined":
-        return [one for one in mends if one.code in ("to_building", "to_no_check", "to_weaker_records")]
+        return [mend for mend in mends if mend.code in ("to_building", "to_no_check", "to_weaker_records")]
     if code == "indicative":
         for row in assumed:
             if row.words in blocking and row.key == RESTRAINT and row.source == DECLARED:

@@ -173,8 +173,8 @@ class Bending:
         about the base, less the moments of the weights about its hinge, over H. The inertia of what stands on the top
         is not in it."""
         at, weights = hinges_of(self.strip, self.h1), [one for block in blocks_of(self.strip, self.h1) for one in block]
-        pushed = self.alpha0 * math.fsum(one.force * one.z for one in weights if one.pushed)
-        return (pushed - math.fsum(one.force * (one.x - at.base) for one in weights)) / self.strip.height
+        pushed = self.alpha0 * math.fsum(weight.force * weight.z for weight in weights if weight.pushed)
+        return (pushed - math.fsum(weight.force * (weight.x - at.base) for weight in weights)) / self.strip.height
 
     @property
     def highest(self) -> bool:

@@ -180,7 +180,7 @@ def _refuse_outside(said: Provenance, limits: Limits) -> None:
 def drop_duplicate_records(candidates: list[Candidate]) -> tuple[list[Candidate], list[ExcludedRecord]]:
     """Keep one record of each motion: (the records kept by the hash of their samples, those left out). Of one motion
     the first by name stays, whatever its scale; of a recording in both forms the processed one."""
-    ordered = sorted(candidates, key=lambda one: (str(one.file), one.channel))
+    ordered = sorted(candidates, key=lambda candidate: (str(candidate.file), candidate.channel))
     processed = {(one.station, one.event): one for one in reversed(ordered) if not one.raw}
     kept, left = [], []
     for one in ordered:
@@ -202,7 +202,7 @@ def _left_out(one: Candidate, error: RecordError) -> ExcludedRecord:
 
 def _copies(candidates: list[Candidate]) -> dict[int, int]:
     """Index of each record that is the motion of an earlier one -> index of that."""
-    shapes = np.array([one.spectrum / one.pga for one in candidates])
+    shapes = np.array([candidate.spectrum / candidate.pga for candidate in candidates])
     order = np.argsort(shapes[:, 0], kind="stable") if candidates else ()
     copies: dict[int, int] = {}
     for place, k in enumerate(order):

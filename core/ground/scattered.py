@@ -99,8 +99,8 @@ def scattered_set(target, count: int, seed: int, spread: float, band: tuple[floa
         matched = functools.partial(compatible_motion, rounds=SCALING_ROUNDS)
         motions = list(pool.map(matched, goals, range(seed, seed + count)))
     compared = np.geomspace(*band, 120)
-    mean = np.mean([pseudo_acceleration_spectrum(one, TIME_STEP, compared) for one in motions], axis=0)
+    mean = np.mean([pseudo_acceleration_spectrum(motion, TIME_STEP, compared) for motion in motions], axis=0)
     ratio = mean / target.acceleration(compared)
-    start = float(np.mean([np.abs(one).max() for one in motions])) / target.pga
+    start = float(np.mean([np.abs(motion).max() for motion in motions])) / target.pga
     factor = max(1.0 / float(ratio.mean()), MIN_MEAN / float(ratio.min()), 1.0 / start) * (1.0 + 1e-6)
-    return [factor * one for one in motions]
+    return [factor * motion for motion in motions]

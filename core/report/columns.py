@@ -104,7 +104,7 @@ def _eq9(k: int, source: str) -> Quantity:
 
 
 def _codes(sentences: Iterable[Sentence]) -> list[str]:
-    return [one.code for one in sentences]
+    return [sentence.code for sentence in sentences]
 
 
 def _limits(row: Row) -> list[str] | None:
@@ -179,8 +179,8 @@ BY_KEY = {column.key: column for column in COLUMNS}
 def columns_of(result: StudyResult, numbers: Sequence[int]) -> dict[str, list]:
     """The rows of a study by column. numbers : of its walls in the case, from 0. Raises ValueError for a number that is
     not finite."""
-    verdicts = {one.results[0]: one for one in result.verdicts}
-    by_wall = {k: one for one in result.verdicts for k in one.results}
+    verdicts = {verdict.results[0]: verdict for verdict in result.verdicts}
+    by_wall = {k: verdict for verdict in result.verdicts for k in verdict.results}
     rows = [
         Row(wall, numbers[wall.part.origin] + 1, by_wall.get(k), k in verdicts, result)
         for k, wall in enumerate(result.walls)

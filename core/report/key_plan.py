@@ -40,7 +40,7 @@ class Placed(NamedTuple):
 def key_plan(result: StudyResult) -> list[Placed]:
     """The walls that have a place in the plan, the worst first; of those at one place, as variants are, the worst."""
     placed: dict[tuple, Placed] = {}
-    decide = [(one.governing, one.zeta_least) for one in result.verdicts]
+    decide = [(verdict.governing, verdict.zeta_least) for verdict in result.verdicts]
     for k, zeta in decide:
         wall = result.walls[k]
         if (plan := wall.part.asked.plan) is None:

@@ -69,7 +69,7 @@ def summary(case: Case, result: StudyResult, tally: Tally, file: str) -> dict:
         "table": {
             "file": file,
             "rows": tally.rows,
-            "columns": [{"name": one.key, "kind": one.kind, "unit": one.unit or None} for one in COLUMNS],
+            "columns": [{"name": column.key, "kind": column.kind, "unit": column.unit or None} for column in COLUMNS],
         },
         "walls": tally.walls,
         "verdicts": dict(sorted(tally.verdicts.items())),

@@ -18,8 +18,10 @@ LAST_COLUMN = 11
 def has_risk(result: StudyResult) -> bool:
     """Whether a wall has a zeta, and something beside it that the Summary does not show."""
     assessments = [wall.assessment for wall in result.walls if wall.assessment]
-    beside = any(one.states or one.tie for one in assessments) or bool(compare_walls(result.verdicts))
-    return beside and any(one.risk for one in assessments)
+    beside = any(assessment.states or assessment.tie for assessment in assessments) or bool(
+        compare_walls(result.verdicts)
+    )
+    return beside and any(assessment.risk for assessment in assessments)
 
 
 def risk(book: Book, result: StudyResult) -> None:
@@ -137,16 +139,16 @@ def _variants(book: Book, sheet, result: StudyResult, row: int) -> int:
     heads = [say("Wall"), say("before"), "", "ζ", say("by"), say("after"), "", "ζ", say("by"), "", say("changed")]
     header(sheet, row + 1, heads, 1, 30)
     row += 1
-    for one in pairs:
+    for pair in pairs:
         row += 1
-        text(sheet, row, 1, one.name, wrap=True)
-        for column, verdict in ((2, one.before), (6, one.after)):
+        text(sheet, row, 1, pair.name, wrap=True)
+        for column, verdict in ((2, pair.before), (6, pair.after)):
             code, label = outcome_of(result, verdict)
             text(sheet, row, column, word(code, language), bold=True)
             number(sheet, row, column + 2, verdict.zeta_least, RATIO)
             text(sheet, row, column + 3, word(label, language) if label else "–")
-        keys = ", ".join(word(f"key_{key}", language) for key in one.changed) or say("nothing")
+        keys = ", ".join(word(f"key_{key}", language) for key in pair.changed) or say("nothing")
         text(sheet, row, 11, keys)
-        heighten(sheet, row, (one.name, 26))
+        heighten(sheet, row, (pair.name, 26))
         rule(sheet, row, 1, LAST_COLUMN)
     return row + 1

@@ -26,7 +26,7 @@ class MovedInputRow(NamedTuple):
 
 def verdict_of(result: StudyResult, wall: WallResult) -> WallVerdict | None:
     """The verdict a result decides, None of any other hinge."""
-    return next((one for one in result.verdicts if result.walls[one.governing] is wall), None)
+    return next((verdict for verdict in result.verdicts if result.walls[verdict.governing] is wall), None)
 
 
 def risk_of(result: StudyResult, wall: WallResult) -> Risk | None:
@@ -39,7 +39,7 @@ def risk_of(result: StudyResult, wall: WallResult) -> Risk | None:
 
 def has_certainty(result: StudyResult) -> bool:
     """Whether the site has a hazard, or inputs were moved."""
-    return any(one.rates or one.sensitivity for one in result.verdicts)
+    return any(verdict.rates or verdict.sensitivity for verdict in result.verdicts)
 
 
 def interval_line(say: Say, verdict: WallVerdict, language: str) -> str:

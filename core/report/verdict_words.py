@@ -60,9 +60,9 @@ def lines_of(
     extra = [one.extra for one in result.verdicts if result.walls[one.governing] is wall]
     said = (verdict.to_do, (*verdict.limits, *(extra[0] if extra else ())), verdict.notes)
     lines = [
-        f"{word(kind, language)}: {one.text(language, names_in(language))}"
+        f"{word(kind, language)}: {sentence.text(language, names_in(language))}"
         for kind, sentences in zip(LINE_KINDS, said, strict=True)
-        for one in sentences
+        for sentence in sentences
         if kind in kinds
     ]
     if "reason" not in kinds:

@@ -80,8 +80,10 @@ def find(named: NaturalSet, folder: Path) -> tuple[list[tuple[NamedRecord, Groun
             by_hash.setdefault(hashlib.sha256(read_regular(path, MAX_BYTES)).hexdigest(), path)
         except OSError:  # too large, or not readable: none of them
             continue
-    found = [(one, _read(one, by_hash[one.file_sha256])) for one in named.record if one.file_sha256 in by_hash]
-    return found, [one for one in named.record if one.file_sha256 not in by_hash]
+    found = [
+        (record, _read(record, by_hash[record.file_sha256])) for record in named.record if record.file_sha256 in by_hash
+    ]
+    return found, [record for record in named.record if record.file_sha256 not in by_hash]
 
 
 def _read(one: NamedRecord, path: Path) -> GroundMotion:

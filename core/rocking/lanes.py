@@ -364,8 +364,8 @@ def restore_partial_steps(lanes, constants, state):
 def vector_step(lanes, dt, constants, order, slopes, bars, state):
     """Take one step of each lane to the end of its sample by its series, where nothing else happens in it, and set
     ACTION of each; of a shortened step, see `restore_partial_steps`. (Initial terms, coefficients and step are three
-    loops: in one the processor waits for each lane's results. A value that stays in its row is stored as `one * x`: x alone
-    becomes a store under a mask, seven cycles each on AMD's processors.)
+    loops: in one the processor waits for each lane's results. A value that stays in its row is stored as `one * x`: x
+    alone becomes a store under a mask, seven cycles each on AMD's processors.)
 
     lanes : their number
     dt : the sample [s]

@@ -120,14 +120,14 @@ class Plan:
     @cached_property
     def variants(self) -> set[tuple[tuple[str, float, str], str | None]]:
         """(what it shares with its other variant, which of both it is) of each entry."""
-        return {(variant_key(one.part, one.mechanism), one.part.wall.variant) for one in self.entries}
+        return {(variant_key(entry.part, entry.mechanism), entry.part.wall.variant) for entry in self.entries}
 
     @property
     def longest_period(self) -> float:
         """Longest period of the mechanisms [s], 0 without one."""
         if self.longest is not None:
             return self.longest
-        counted = (one for one in self.entries if one.part.wall.mechanism != ARCHES)  # those have no histories
+        counted = (entry for entry in self.entries if entry.part.wall.mechanism != ARCHES)  # those have no histories
         return max((one.kinematic.period or 0.0 for one in counted if one.kinematic), default=0.0)
 
 

@@ -123,7 +123,7 @@ def select_records(
     far = _far(candidates, target, demand.pga, asked)
     left += far
     gone = {(one.file, one.channel) for one in far}
-    candidates = [one for one in candidates if (one.file, one.channel) not in gone]
+    candidates = [candidate for candidate in candidates if (candidate.file, candidate.channel) not in gone]
     if len(candidates) < asked.count:
         why = tuple({one.reason.code: one.reason for one in left}.values())[:3]
         stated = {"found": len(candidates), "count": asked.count, "files": len(files)}
@@ -132,8 +132,8 @@ def select_records(
         raise InputError("select_too_few", place=(here,), why=why, **stated)
     if len(candidates) > MAX_CANDIDATES:
         raise InputError("select_too_many", place=(here,), found=len(candidates), most=MAX_CANDIDATES)
-    pga = np.array([one.pga for one in candidates]) / demand.pga
-    ratios = np.column_stack([np.array([one.spectrum for one in candidates]) / target, pga])
+    pga = np.array([candidate.pga for candidate in candidates]) / demand.pga
+    ratios = np.column_stack([np.array([candidate.spectrum for candidate in candidates]) / target, pga])
     factors, common = _factors(ratios[:, :-1], asked)
     bounds = natural_bounds(demand)
     low, high, start = bounds
@@ -145,7 +145,10 @@ def select_records(
             raise Cancelled
         return False
 
-    stations, events = _numbered([one.station for one in candidates]), _numbered([one.event for one in candidates])
+    stations, events = (
+        _numbered([candidate.station for candidate in candidates]),
+        _numbered([candidate.event for candidate in candidates]),
+    )
     limits = (asked.per_station, asked.per_event)
     scaled = ratios * factors[:, None]
     sets, every = nearest_sets(scaled, asked.count, stations, events, limits, asked_bounds, searched)
@@ -201,10 +204,10 @@ def _factors(ratios: np.ndarray, asked: Select) -> tuple[np.ndarray, tuple[float
 def _far(candidates: list[Candidate], target: np.ndarray, pga: float, asked: Select) -> list[ExcludedRecord]:
     """The candidates that no allowed factor brings within `OWN_FIT` of the target and to `OWN_PGA` of its PGA.
     target, pga : [m/s2]"""
-    ratios = np.array([one.spectrum for one in candidates]).reshape(-1, target.size) / target
+    ratios = np.array([candidate.spectrum for candidate in candidates]).reshape(-1, target.size) / target
     factors, common = _factors(ratios, asked)
     means = factors * ratios.mean(axis=1)
-    peaks = factors * np.array([one.pga for one in candidates]) / pga
+    peaks = factors * np.array([candidate.pga for candidate in candidates]) / pga
     least, most = own_factors(means, peaks, common).T
     limits = {"low": OWN_FIT[0], "high": OWN_FIT[1], "least": OWN_PGA}
     far = []

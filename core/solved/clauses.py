@@ -325,7 +325,7 @@ CASES: tuple[Solved, ...] = (
         Kind.CLOSED_FORM,
         worded("Period of an element free to vibrate"),
         "Circolare 7/2019, C8.7.1.7",
-        tuple(free_period(*one) for one in FREE_PERIODS),
+        tuple(free_period(*period) for period in FREE_PERIODS),
         "T_0 = 6.2 L/t L sqrt(w/(E g))",
         Asked({"height_m": 1.2, "thickness_m": 0.25}, None).sketch,
         worded("κ 6.2 of a cantilever; w is the unit weight. Beam theory has 6.190."),

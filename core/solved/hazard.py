@@ -294,7 +294,7 @@ INTENSITY = (
 
 CASES: tuple[Solved, ...] = (
     *(of_site(*one) for one in SITES),
-    *(of_island(*one) for one in ISLANDS),
+    *(of_island(*island) for island in ISLANDS),
     Solved(
         "return_periods",
         Kind.HAND,

@@ -99,16 +99,16 @@ def as_json(cases: Sequence[Solved]) -> bytes:
                 "case_toml": input_of(case) or None,
                 "answers": [
                     {
-                        "name_en": called(one, "en"),
-                        "name_it": called(one, "it"),
-                        "unit": one.unit,
-                        "expected": one.expected,
-                        "found": one.found if math.isfinite(one.found) else None,
-                        "difference": one.difference if math.isfinite(one.difference) else None,
-                        "tolerance": one.tolerance,
-                        "agrees": one.agrees,
+                        "name_en": called(answer, "en"),
+                        "name_it": called(answer, "it"),
+                        "unit": answer.unit,
+                        "expected": answer.expected,
+                        "found": answer.found if math.isfinite(answer.found) else None,
+                        "difference": answer.difference if math.isfinite(answer.difference) else None,
+                        "tolerance": answer.tolerance,
+                        "agrees": answer.agrees,
                     }
-                    for one in case.answers
+                    for answer in case.answers
                 ],
             }
             for case in cases

@@ -76,9 +76,9 @@ def _said(name: Sentence, one: Score) -> Sentence:
 def lines(results: Sequence[Found], left_out: int, language: str) -> list[str]:
     """What was found, in words. left_out : tests of no use"""
     text = []
-    for one in results:
-        text.append(_title(one).text(language))
-        under = [*(_said(name, score) for name, score in _scores(one)), *_remarks(one)]
+    for result in results:
+        text.append(_title(result).text(language))
+        under = [*(_said(name, score) for name, score in _scores(result)), *_remarks(result)]
         text += [f"  {sentence.text(language)}" for sentence in under]
     return text + [sentence.text(language) for sentence in _left_out(left_out)]
 
@@ -106,7 +106,7 @@ def chapter(results: Sequence[Found], left_out: int, language: str) -> list[Part
             worded("False [%]"),
         )
     ]
-    for one in results:
+    for result in results:
         rows = [
             (
                 name.text(language),
@@ -116,8 +116,8 @@ def chapter(results: Sequence[Found], left_out: int, language: str) -> list[Part
                 f"{100.0 * score.missed:.0f}",
                 f"{100.0 * score.false:.0f}",
             )
-            for name, score in _scores(one)
+            for name, score in _scores(result)
         ]
-        parts += [Heading(_title(one).text(language), 3), Table(heads, rows, (4.0, 2.6, 1.3, 2.2, 1.4, 1.3))]
-        parts += [Paragraph(remark.text(language)) for remark in _remarks(one)]
+        parts += [Heading(_title(result).text(language), 3), Table(heads, rows, (4.0, 2.6, 1.3, 2.2, 1.4, 1.3))]
+        parts += [Paragraph(remark.text(language)) for remark in _remarks(result)]
     return parts + [Paragraph(remark.text(language), "quiet") for remark in _left_out(left_out)]

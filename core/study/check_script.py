@@ -203,9 +203,9 @@ def _wall_lines(entry: PlannedWall) -> dict[str, Any]:
     return {
         "WEIGHT": Expression(geometry[0]),
         "X, Z, INERTIA, WIDTH": Expression(", ".join([*geometry[1:], width])),
-        "LOADS": [(one.vertical, one.horizontal, one.distance, one.height) for one in forces],
+        "LOADS": [(force.vertical, force.horizontal, force.distance, force.height) for force in forces],
         "TIES": [(one.horizontal, one.height) for one in held],
-        "MASSES": [(one.mass * G, one.distance, one.height) for one in wall.masses],
+        "MASSES": [(mass.mass * G, mass.distance, mass.height) for mass in wall.masses],
         "TWO_SIDED": entry.mechanism == "two_sided",
     }
 

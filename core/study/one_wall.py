@@ -72,4 +72,4 @@ def run_at_alternatives(
         if there is None:
             return None
         evaluations.append(there)
-    return worst_outcome(evaluations, lambda one: (one.outcome, one.zeta, demand.zeta_target))
+    return worst_outcome(evaluations, lambda evaluation: (evaluation.outcome, evaluation.zeta, demand.zeta_target))

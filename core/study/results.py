@@ -255,7 +255,7 @@ class StudyResult:
 
     def split_by_wall(self) -> Iterator["StudyResult"]:
         """The results of each wall of the case alone, in its order."""
-        verdicts = {one.governing: one for one in self.verdicts}
+        verdicts = {verdict.governing: verdict for verdict in self.verdicts}
         for _, group in groupby(enumerate(self.walls), lambda entry: entry[1].part.origin):
             places, walls = zip(*group, strict=True)
             own_verdicts = tuple(verdicts[k].moved(-places[0]) for k in places if k in verdicts)

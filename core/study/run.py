@@ -134,7 +134,7 @@ def run_plan(
             walls, own_verdicts = wall
             first = len(results)
             results.extend(walls)
-            verdicts.extend(one.moved(first) for one in own_verdicts)
+            verdicts.extend(verdict.moved(first) for verdict in own_verdicts)
             on_finished(head.of_wall(walls, own_verdicts, first))
 
         # of a group of walls the rows alone are kept, without what is beside the verdict

@@ -56,8 +56,8 @@ class WallComparison:
 
 def compare_walls(verdicts: tuple[WallVerdict, ...]) -> tuple[WallComparison, ...]:
     """The walls of a study as they are beside as they are designed, in its order; empty without a demand."""
-    after = {one.wall.name: one for one in verdicts if one.wall.variant == DESIGNED}
-    before = [one for one in verdicts if one.wall.variant == AS_IS and one.wall.name in after]
+    after = {verdict.wall.name: verdict for verdict in verdicts if verdict.wall.variant == DESIGNED}
+    before = [verdict for verdict in verdicts if verdict.wall.variant == AS_IS and verdict.wall.name in after]
     pairs = [(one, after[one.wall.name]) for one in before]
     return tuple(WallComparison(a.wall.name, a, b, changed_keys(a.wall, b.wall)) for a, b in pairs)
 

@@ -103,7 +103,7 @@ def _with_sensitivity(
     kept = CheckCache(journal) if journal else run_dynamic_check
     setting = make_wall_context(plan.case, origin, base_dir, (demand, plan.motions, plan.kinds), kept)
     hinges = [results[k] for k in verdict.results]
-    known = [one.assessment for one in hinges if one.assessment is not None]
+    known = [hinge.assessment for hinge in hinges if hinge.assessment is not None]
     if min_if_all_known(one.verdict.zeta_e for one in known) is None:
         progress.done(("sensitivity", origin))
         return replace(verdict, sensitivity=Sensitivity(None, (), (), ()))
@@ -122,7 +122,7 @@ def _with_sensitivity(
     progress.done(("sensitivity", origin))
     moved = summarise_sensitivity(setting, ranges, made, [done["move", m] for m in range(len(made))], known)
     moved = replace(moved, reach=tuple(done["reach", key] for key in turned))
-    turning = tuple(describe_swing_end(one, one.turning) for one in moved.swings if one.key in moved.turning)
+    turning = tuple(describe_swing_end(swing, swing.turning) for swing in moved.swings if swing.key in moved.turning)
     extra = (sentence("reason", "turned", moves=turning),) if turning else ()
     return replace(verdict, sensitivity=moved, extra=(*verdict.extra, *extra))
 
@@ -200,9 +200,9 @@ def _worst_rates(
 ) -> tuple[StateRate, ...]:
     """How often each limit state is exceeded, of the hinge where that is most often; empty without hazard and records,
     and where a hinge has no number. ag : of `make_ag_function`"""
-    if not demand.hazard or not all(one.runs for one in hinges):
+    if not demand.hazard or not all(hinge.runs for hinge in hinges):
         return ()
-    by_hinge = [record_capacities(one, _felt(plan, one), demand, plan.search.q_limit, ag) for one in hinges]
+    by_hinge = [record_capacities(hinge, _felt(plan, hinge), demand, plan.search.q_limit, ag) for hinge in hinges]
     known = [one for one in by_hinge if one is not None]
     names = [station_of(motion, k) for k, motion in enumerate(_felt(plan, hinges[0]))]
     if len(known) < len(by_hinge) or len(set(names)) < MIN_STATIONS:

@@ -62,10 +62,10 @@ demand."""
 def wall_tasks(given: StudyContext, jobs: int, wait_for: Callable[[int], None] | None = None) -> Iterator[Work]:
     """The work of each wall of a case, which returns Finished. wait_for : as `result_of` takes it"""
     plan, known = given.plan, {}
-    for one in plan.runs:
-        ida = dataclass_from_json(Ida, given.journal.get(search_key(plan, one))) if given.journal else None
+    for run in plan.runs:
+        ida = dataclass_from_json(Ida, given.journal.get(search_key(plan, run))) if given.journal else None
         if ida is not None:
-            known[one] = ida
+            known[run] = ida
     given.progress.known(known)
     most = (len(plan.runs) - len(known)) // (MIN_TASKS * jobs)
     for span in plan.spans:

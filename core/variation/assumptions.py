@@ -130,7 +130,9 @@ def _outcome(end: Evaluation | None, evaluation: Evaluation, touched: bool) -> s
         return "not_verified"
     if touched:
         return end.outcome
-    checks = tuple((end.made(one.name) or one) if one.name == "linear_q_code" else one for one in evaluation.checks)
+    checks = tuple(
+        (end.made(check.name) or check) if check.name == "linear_q_code" else check for check in evaluation.checks
+    )
     return find_outcome(evaluation.evidence._replace(checks=checks))
 
 

@@ -153,7 +153,7 @@ def evaluate(
     """
     if readings := scene.period_alternatives:
         return worst_outcome(
-            (evaluate(one, precision, other, cancelled) for one in readings),
+            (evaluate(reading, precision, other, cancelled) for reading in readings),
             lambda one: (one.outcome, one.zeta, one.scene.demand.zeta_target),
         )
     if (threshold := uplift_multiplier(scene.wall.in_si, scene.mechanism)) <= 0.0:  # of no case, but of a value moved

@@ -104,7 +104,7 @@ def _of_weights_that_may_go(scene: CheckInput) -> Iterator[FavourableInput]:
             lambda there: there.replace_parts(wall=replace(there.wall, load=permanent)), sentence("word", "permanent")
         )
         yield single_alternative("load", "lift_variable", reasons, GIVEN_WORD, end)
-    if any(map(_is_carried, wall.load)) and _may_be(scene, tuple(one for one in wall.load if not _is_carried(one))):
+    if any(map(_is_carried, wall.load)) and _may_be(scene, tuple(load for load in wall.load if not _is_carried(load))):
         yield single_alternative("load", "lift_carried", reasons, GIVEN_WORD, Alternative(carried, NONE_WORD))
 
 

@@ -79,7 +79,7 @@ def list_input_moves(setting: WallContext, ranges: Ranges) -> list[InputMove]:
 def leave_one_out_moves(peaks: Sequence[RecordPeaks]) -> list[InputMove]:
     """The wall without the record that lowers zeta most, and without the one that raises it most: their places are the
     values. peaks : of all its hinges"""
-    top = [one.multipliers[-1] for one in peaks]
+    top = [peak.multipliers[-1] for peak in peaks]
     without = np.array([np.minimum(leave_one_out_zetas(one), last) for one, last in zip(peaks, top, strict=True)]).min(
         axis=0
     )
@@ -200,7 +200,7 @@ def summarise_sensitivity(
     made : of `list_input_moves` and `leave_one_out_moves`; walls : what the task of each gave
     hinges : of all its hinges and mechanisms
     """
-    base = min_if_all_known(one.verdict.zeta_e for one in hinges)
+    base = min_if_all_known(hinge.verdict.zeta_e for hinge in hinges)
     if base is None:
         return Sensitivity(None, (), (), ())
     names = [motion.name for motion in setting.inputs[1]]
@@ -217,8 +217,8 @@ def summarise_sensitivity(
         swings[move.key] = replace(known, ends=(*known.ends, end))
     if ranges.restraint_lost and (lost := _restraint_lost(hinges)) is not None:
         swings["restraint_lost"] = Swing("restraint_lost", None, (lost,))
-    moving = [one for one in swings.values() if any(_differs(e.zeta, base) for e in one.ends)]
-    satisfied = all(OUTCOMES[one.verdict.code].judgement == PASSES for one in hinges)
+    moving = [swing for swing in swings.values() if any(_differs(e.zeta, base) for e in swing.ends)]
+    satisfied = all(OUTCOMES[hinge.verdict.code].judgement == PASSES for hinge in hinges)
     return Sensitivity(
         base,
         tuple(sorted(moving, key=lambda one: -one.width(base))),
@@ -236,13 +236,13 @@ def _differs(zeta: float | None, base: float | None) -> bool:
 
 def _restraint_lost(hinges: Sequence[Assessment]) -> SwingEnd | None:
     """The wall where nothing holds it from behind, or at its top; None where nothing does now."""
-    if all(one.verdict.lower_bound is None for one in hinges):
+    if all(hinge.verdict.lower_bound is None for hinge in hinges):
         return None
     zeta = min_if_all_known(
-        one.verdict.zeta_e if (bound := one.verdict.lower_bound) is None else bound for one in hinges
+        hinge.verdict.zeta_e if (bound := hinge.verdict.lower_bound) is None else bound for hinge in hinges
     )
     passing = [
-        OUTCOMES[one.verdict.code].judgement == PASSES if one.bound_passes is None else one.bound_passes
-        for one in hinges
+        OUTCOMES[hinge.verdict.code].judgement == PASSES if hinge.bound_passes is None else hinge.bound_passes
+        for hinge in hinges
     ]
     return SwingEnd(None, zeta, all(passing))

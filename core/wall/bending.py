@@ -302,11 +302,11 @@ class Motion:
 
 def _sums(weights: tuple[Weight, ...], masses: tuple[Mass, ...], x_of: Callable[[float], float], z: float) -> Sums:
     """Sums over a block. x_of : x from its hinge; z : height of the hinge [m]"""
-    forces = [(one.lifted, x_of(one.x), one.z - z) for one in weights]
-    pushed = [(one.force, x_of(one.x), one.z - z) for one in weights if one.pushed]
-    moving = [(one.mass, x_of(one.x), one.z - z) for one in masses]
+    forces = [(weight.lifted, x_of(weight.x), weight.z - z) for weight in weights]
+    pushed = [(weight.force, x_of(weight.x), weight.z - z) for weight in weights if weight.pushed]
+    moving = [(mass.mass, x_of(mass.x), mass.z - z) for mass in masses]
     each = [math.fsum(value) for rows in (forces, pushed, moving) for value in _moments(rows)]
-    inertia = math.fsum(m * (x * x + y * y) for m, x, y in moving) + math.fsum(one.own for one in masses)
+    inertia = math.fsum(m * (x * x + y * y) for m, x, y in moving) + math.fsum(mass.own for mass in masses)
     return Sums._make([*each, inertia])
 
 

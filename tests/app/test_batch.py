@@ -327,7 +327,7 @@ def test_that_a_wall_that_fails_is_code_0(case):
     case.write_text(CASE.replace("0.2", "0.9"))
     assert call("--batch", case, "--quiet") == 0
     verdicts = json.loads(case.with_suffix(".json").read_text())["verdicts"]
-    assert [one["code"] for one in verdicts] == ["not_verified"]
+    assert [verdict["code"] for verdict in verdicts] == ["not_verified"]
 
 
 @pytest.mark.shows("batch.jobs")

@@ -77,7 +77,7 @@ def test_that_a_gable_openings_steps_and_wedges_are_typed_and_said_in_the_head(o
     assert body.steps.list.item(0).text() == "35 cm from z 3 m"
     body.openings.list.setCurrentRow(0)
     body.openings.delete_button.click()
-    assert [one.diameter_m for one in opened.session.case.wall[0].openings] == [0.8]
+    assert [opening.diameter_m for opening in opened.session.case.wall[0].openings] == [0.8]
     while opened.session.past:
         opened.session.undo()
     assert not opened.session.case.wall[0].openings and head_of(opened) == "rectangle"

@@ -116,7 +116,9 @@ class Typed:
     def field(self, window):
         forms = {"wall": window.walls, "demand": window.demand, "analysis": window.analysis}
         fields = forms[self.of].fields
-        return next(one for one in (fields.values() if isinstance(fields, dict) else fields) if one.key == self.key)
+        return next(
+            field for field in (fields.values() if isinstance(fields, dict) else fields) if field.key == self.key
+        )
 
 
 WALKED = (

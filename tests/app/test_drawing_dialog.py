@@ -133,7 +133,7 @@ def test_that_the_unit_is_asked_for_where_the_drawing_says_none(dialog, tmp_path
         shown.fields["unit"].edited.emit(unit)
         wait()
         assert words in shown.words.text()
-    assert ok(shown).isEnabled() and sum(one.opening for one in shown.made.solid) == 4
+    assert ok(shown).isEnabled() and sum(solid.opening for solid in shown.made.solid) == 4
 
 
 def test_that_a_section_lies_from_its_outer_face_and_open_outlines_are_said(dialog, tmp_path):

@@ -300,7 +300,7 @@ def test_that_the_capacity_chart_shows_the_points_of_the_search(opened, applicat
     step = opened.session.result.search.q_step
     assert q[0] / (1.0 + step) < ida.q <= q[0] * (1.0 + 1e-12)
     _, places, outcomes = tab.strips.data[0]
-    assert "".join(str(int(one)) for one in outcomes) == ida.outcomes
+    assert "".join(str(int(outcome)) for outcome in outcomes) == ida.outcomes
     assert places[0] == pytest.approx(ida.q_start * (1.0 + step) ** ida.first_index, rel=1e-9)
 
 

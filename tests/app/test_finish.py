@@ -78,7 +78,7 @@ def test_that_the_overview_is_first_sorts_and_opens_a_wall(walls):
 def test_that_the_overview_sorts_by_the_values_of_the_results_not_by_their_words(walls, falling):
     """A return period beyond what is known is shown as "> 2475"."""
     tab = walls.pages["walls"].content
-    result, verdicts = tab.shown[0], {one.governing: one for one in tab.shown[0].verdicts}
+    result, verdicts = tab.shown[0], {verdict.governing: verdict for verdict in tab.shown[0].verdicts}
     tab.by = len(KEYS)  # no column: the first one asked for rises
     for column, key in enumerate(KEYS):
         for _ in range(1 + falling):

@@ -241,7 +241,7 @@ def test_that_every_kind_of_load_is_in_the_menu_and_in_the_list(opened):
 
 
 def test_that_every_method_is_in_the_form(opened):
-    method = next(one for one in opened.analysis.of_analysis if one.key == "method")
+    method = next(analysi for analysi in opened.analysis.of_analysis if analysi.key == "method")
     assert set(method.words) == {"auto", *METHODS}
     for name in METHODS:
         opened.session.edit_section("analysis", method=name)

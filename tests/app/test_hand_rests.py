@@ -9,7 +9,7 @@ from tests.app.driving import run, settle, type_into
 def texts(window) -> tuple:
     """What the parts that wait show."""
     rules = tuple(field.rule for field in window.stages.fields)
-    return [row.text for row in window.tree.rows], [one.words for one in window.missing.problems], rules
+    return [row.text for row in window.tree.rows], [problem.words for problem in window.missing.problems], rules
 
 
 def typed(window, text: str) -> None:
@@ -112,7 +112,7 @@ def test_that_a_form_behind_that_hides_or_shows_a_red_text_decides_whether_the_c
     opened.navigator.show_stage("answer")
     application.processEvents()
     opened.session.undo()  # and no event after it
-    stopped = any(one.stops for one in opened.missing.problems)
+    stopped = any(problem.stops for problem in opened.missing.problems)
     assert stopped == modulus.wrong == hidden_first, opened.missing.text()
     assert opened.run_action.isEnabled() == opened.run_button.isEnabled() == (not stopped)
     opened.run()

@@ -275,7 +275,7 @@ def test_that_an_interval_that_is_not_known_is_no_missing_demand(asked):
     from app.views.sure_tab import SureTab
 
     result = asked.session.result
-    silent = tuple(replace(one, interval=None, rates=()) for one in result.verdicts)
+    silent = tuple(replace(verdict, interval=None, rates=()) for verdict in result.verdicts)
     tab = SureTab("en")
     tab.show_wall(replace(result, verdicts=silent), result.walls[0])
     assert "No demand" not in tab.words.text() and tab.words.text()

@@ -40,7 +40,7 @@ def twice(drawing, kind: str, k: int = 0) -> InPlaceEditor:
 
 
 def test_that_loads_have_their_size_and_what_is_to_be_given_is_dashed(drawing):
-    assert [(one.load, one.words) for one in drawing.arrows] == [(0, "12.5 kN/m"), (1, "30 kN/m"), (2, "")]
+    assert [(arrow.load, arrow.words) for arrow in drawing.arrows] == [(0, "12.5 kN/m"), (1, "30 kN/m"), (2, "")]
 
 
 @pytest.mark.shows("window.drawing")

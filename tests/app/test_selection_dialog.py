@@ -50,7 +50,7 @@ def test_that_a_search_is_stopped_and_what_cannot_be_chosen_is_said(base, applic
 
 def test_that_the_records_of_the_set_take_the_place_of_those_there(base, opened, application, monkeypatch):
     found = select_case_records(case(), base)[1]
-    taken = tuple(replace(one, file=str((base / one.file).resolve())) for one in found.chosen.records)
+    taken = tuple(replace(record, file=str((base / record.file).resolve())) for record in found.chosen.records)
 
     def accepted(dialog) -> int:
         dialog.found = replace(found, sets=(replace(found.chosen, records=taken),))

@@ -122,7 +122,7 @@ def test_that_a_variant_is_one_click_and_the_client_sees_before_and_after(opened
     opened.navigator.pick(0)
     sides = client_view.sides_of(opened.session.result, opened.navigator.wall)
     verdicts = [wall.assessment.verdict for wall in opened.session.result.walls]
-    assert [side.share for side in sides] == [one.zeta_e / one.zeta_target for one in verdicts]
+    assert [side.share for side in sides] == [verdict.zeta_e / verdict.zeta_target for verdict in verdicts]
     view = client_view.ClientView(opened, "title", sides)
     view.resize(700, 500)
     view.write(tmp_path / "v.png")

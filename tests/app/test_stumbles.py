@@ -275,7 +275,7 @@ def test_that_what_limits_a_verdict_says_nothing_of_the_law_of_research(opened, 
     opened.records.take(motions, ask=False)
     settle(application, lambda: len(opened.records.motions) == 3)
     run(application, opened)
-    assert {one.code for one in opened.navigator.wall.warnings} & {"no_power_law", "narrow_si"}
+    assert {warning.code for warning in opened.navigator.wall.warnings} & {"no_power_law", "narrow_si"}
     content = opened.pages["check"].content
     assert "q_eff" not in content.important.text() + content.others.text()
     assert "q_eff" in content.reasons.text()

@@ -137,7 +137,7 @@ def test_that_the_form_asks_all_that_is_asked_with_the_result(tmp_path):
     }
     case = parse_case({"wall": [wall], "demand": {"ag_g": 0.2}})
     result = run_study(case, base_dir=tmp_path)
-    asked = {one.code for one in result.walls[0].warnings} & set(ASKED_AT)
+    asked = {warning.code for warning in result.walls[0].warnings} & set(ASKED_AT)
     assert asked == set(ASKED_AT) - {"odd_strength"}  # which is a question of the form alone
     assert set(input_questions(case.wall[0])) == {ASKED_AT[code] for code in asked}
 

@@ -241,7 +241,7 @@ class Walk:
 
 def shown(window) -> dict:
     """What is said of the case as it stands, and whether it may run."""
-    problems = [(one.words, one.stops) for one in window.missing.problems]
+    problems = [(problem.words, problem.stops) for problem in window.missing.problems]
     fields = {f"{k} {one.key}": (one.isHidden(), one.rule, one.wrong) for k, one in enumerate(window.stages.fields)}
     may = window.run_action.isEnabled(), window.run_button.isEnabled()
     rows = {str(k): row.text for k, row in enumerate(window.tree.rows)}
@@ -253,7 +253,7 @@ def check_shown(window, application) -> None:
     application.processEvents()
     window.parts.flush_pending()
     before = shown(window)
-    stopped = any(one.stops for one in window.missing.problems)
+    stopped = any(problem.stops for problem in window.missing.problems)
     assert before["may run"] == (not stopped, not stopped) and window.missing.can_run() != stopped
     window.refresh()
     after = shown(window)

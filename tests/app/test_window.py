@@ -384,7 +384,7 @@ def test_that_a_wall_of_a_result_is_found_by_what_it_is_and_not_by_its_name(tmp_
     walls = result.case.wall
 
     def rows(now):
-        return [row_of(result, one, now) for one in result.walls]
+        return [row_of(result, wall, now) for wall in result.walls]
 
     assert rows(walls) == [0, 0, 1]
     assert rows(walls[::-1]) == [1, 1, 0]

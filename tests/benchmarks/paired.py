@@ -300,10 +300,10 @@ def main(options: argparse.Namespace) -> None:
         for name in trees[1].took:
             if name in PROBES:
                 continue
-            if any(name not in one.took for one in trees):
+            if any(name not in tree.took for tree in trees):
                 print(f"{name:24} not in the other tree")
                 continue
-            count = max(1, round(turn / max(one.took[name] for one in trees)))
+            count = max(1, round(turn / max(tree.took[name] for tree in trees)))
             times: list[list[float]] = []
             for k in range(pairs):
                 order = [(k + shift) % 3 for shift in range(3)]

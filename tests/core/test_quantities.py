@@ -51,7 +51,7 @@ def two_hundred_units() -> list[str]:
     """Units of every dimension, and texts that are none."""
     lengths = ("m", "cm", "mm", "dm", "ft", "in", "piedi")
     forces = ("N", "kN", "daN", "kg", "kgf", "t", "q", "lb", "kip")
-    found = [*BASES, *(f"{force}/{one}" for force in forces for one in lengths)]
+    found = [*BASES, *(f"{force}/{length}" for force in forces for length in lengths)]
     found += [f"{force}/{one}{power}" for force, one, power in itertools.product(forces, ("m", "cm", "mm"), "23²")]
     return [*found, "MN/m", "(SLU)", "circa", "t/m al piede", "x", "1/m", "m/s2"]
 

@@ -148,7 +148,7 @@ def computed(scene: dict, digits: int, order: int, samples) -> dict:
         grounds = [samples(scene["ground"], seed) for seed in range(1, scene["ask"]["seeds"] + 1)]
         overturned, chosen = ranked(scene, grounds)
         rotations = [motion(scene, grounds[k], order).rotations for k in chosen]
-        return {"overturned": overturned, "peaks": [max(abs(phi) for phi in one) for one in rotations]}
+        return {"overturned": overturned, "peaks": [max(abs(phi) for phi in rotation) for rotation in rotations]}
 
 
 def numbers(answer: dict) -> list:

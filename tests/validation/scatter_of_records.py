@@ -89,7 +89,9 @@ def spread_of(folder: Path) -> list[float]:
     found = []
     for ag, soil in SITES:
         for motions in natural_sets(folder, ag, soil, 3):
-            spectra = [pseudo_acceleration_spectrum(one.acceleration, one.time_step, PERIODS) for one in motions]
+            spectra = [
+                pseudo_acceleration_spectrum(motion.acceleration, motion.time_step, PERIODS) for motion in motions
+            ]
             ratio = np.log(np.array(spectra) / np.mean(spectra, axis=0))
             found.append(float(np.sqrt(ratio.var(axis=0, ddof=1).mean())))
     return found

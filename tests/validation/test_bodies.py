@@ -481,12 +481,12 @@ def test_that_wedges_and_a_low_restraint_are_shown_with_zeta_without_them():
     (wall,) = study_of({**PLAIN_WALL, "return_wedges": wedges, "hinge_heights": "base"}).walls
     (bare,) = study_of({**PLAIN_WALL, "hinge_heights": "base"}).walls
     # of histories it is searched on a coarser grid
-    reason = next(one for one in wall.assessment.verdict.limits if one.code == "lift_return_wedges")
+    reason = next(limit for limit in wall.assessment.verdict.limits if limit.code == "lift_return_wedges")
     assert dict(reason.values)["zeta"].value == pytest.approx(bare.assessment.verdict.zeta_e, rel=0.05)
     gabled = {**PLAIN_WALL, "length_m": 6.0, "thickness_m": 0.5, "hinge_heights": "base"}
     (low,) = study_of({**gabled, "height_m": 5.0, "solid": [GABLED]}).walls
     (high,) = study_of({**gabled, "height_m": 7.0, "solid": [GABLED]}).walls
-    reason = next(one for one in low.assessment.verdict.limits if one.code == "lift_contact")
+    reason = next(limit for limit in low.assessment.verdict.limits if limit.code == "lift_contact")
     assert dict(reason.values)["zeta"].value == pytest.approx(high.assessment.verdict.zeta_e, rel=0.05)
 
 
@@ -505,12 +505,14 @@ def test_that_a_body_whose_eq_6_exceeds_1_loses_nothing_and_says_so_and_that_it_
     table = {**PLAIN_WALL, "height_m": 3.0, "thickness_m": 0.5, "length_m": 4.0, "hinge_heights": "base"}
     table |= {"solid": [RECTANGLE, {**heavy, "unit_weight_kn_m3": 36.0}]}
     (free,) = study_of(table).walls
-    assert free.restitution.ratio_at_rest == 1.0 and "eq6_above_one" in {one.code for one in free.warnings}
+    assert free.restitution.ratio_at_rest == 1.0 and "eq6_above_one" in {warning.code for warning in free.warnings}
     (one,) = study_of(table | {"velocity_ratio": 1.0}).walls
     assert one.assessment.verdict.zeta_e == free.assessment.verdict.zeta_e
     (less,) = study_of(table | {"velocity_ratio": 0.8}).walls
-    codes = {one.code for one in less.assessment.verdict.limits}
-    assert {"leans_inward", "lift_velocity_ratio"} <= codes and "odd_weight" in {one.code for one in less.warnings}
+    codes = {limit.code for limit in less.assessment.verdict.limits}
+    assert {"leans_inward", "lift_velocity_ratio"} <= codes and "odd_weight" in {
+        warning.code for warning in less.warnings
+    }
 
 
 @pytest.mark.parametrize("seed", [*range(10), *(pytest.param(k, marks=pytest.mark.long) for k in range(10, 20))])

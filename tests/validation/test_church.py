@@ -36,6 +36,6 @@ def test_that_a_velocity_ratio_of_one_s_own_is_shown_with_what_theory_makes_of_i
     derived = result.walls[0]
     assert found.verdict.zeta_e > 1.0 > derived.assessment.verdict.zeta_e
     assert found.verdict.code == "indicative"
-    said = {one.code: dict(one.values) for one in found.verdict.limits}["lift_velocity_ratio"]
+    said = {limit.code: dict(limit.values) for limit in found.verdict.limits}["lift_velocity_ratio"]
     assert said["theory"] == derived.restitution.ratio_at_rest
     assert said["zeta_theory"].value == pytest.approx(derived.assessment.verdict.zeta_e, rel=0.03)

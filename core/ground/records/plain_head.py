@@ -199,11 +199,11 @@ def _widest(statements: list[Statement], others: list[Statement] | tuple = ()) -
     """Matches that are no part of another one."""
     spans = _by_line([*statements, *others])
     return [
-        one
-        for one in statements
+        statement
+        for statement in statements
         if not any(
-            first <= one.span[1] and one.span[2] <= last and (first, last) != one.span[1:]
-            for first, last in spans[one.span[0]]
+            first <= statement.span[1] and statement.span[2] <= last and (first, last) != statement.span[1:]
+            for first, last in spans[statement.span[0]]
         )
     ]
 
@@ -211,8 +211,8 @@ def _widest(statements: list[Statement], others: list[Statement] | tuple = ()) -
 def _by_line(statements: Iterable[Statement]) -> dict[int, list[tuple[int, int]]]:
     """(start, end) of the statements of each line."""
     spans = defaultdict(list)
-    for one in statements:
-        spans[one.span[0]].append(one.span[1:])
+    for statement in statements:
+        spans[statement.span[0]].append(statement.span[1:])
     return spans
 
 

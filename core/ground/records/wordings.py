@@ -51,7 +51,7 @@ def words(table: str) -> tuple[str, ...]:
 def any_of(wordings: Iterable[str]) -> str:
     """A pattern of any of these wordings, the longest first; a blank in one is a blank, `_`, `-`, a point or nothing,
     a * at the end any letters."""
-    ordered = (re.escape(one) for one in sorted(wordings, key=len, reverse=True))
+    ordered = (re.escape(wording) for wording in sorted(wordings, key=len, reverse=True))
     parts = (one.replace(r"\ ", "[ _.-]{0,2}+").replace(r"\*", r"\w*+") for one in ordered)
     return "(?:" + "|".join(parts) + ")"
 

@@ -316,7 +316,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
         *certainty_line(result, wall, words),
         *(line for line in reasons[MAX_REASON_LINES:] if line not in tabled),
         *tie_lines(wall, language),
-        *(one.text(language) for one in wall.warnings),
+        *(warning.text(language) for warning in wall.warnings),
     ]
     if rest:
         parts.append(Heading(say("What else is to be read"), 3))

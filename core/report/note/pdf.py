@@ -100,7 +100,7 @@ class Note:
             "alone": False,
         }
         self.data: dict[str, Any] = legible(data)
-        self.attachments = [vars(one) | {"type": one.mime} for one in attachments]
+        self.attachments = [vars(attachment) | {"type": attachment.mime} for attachment in attachments]
         self.lock = threading.Lock()
 
     def pdf(self, standard: str = "a-3a") -> bytes:
@@ -194,7 +194,7 @@ class Note:
                 short = all(step.quantity is None or not step.formula for step in part.steps)
                 return given | {"steps": [self._step(step) for step in part.steps], "short": short}
             case Figures():
-                return given | {"figures": [laid_out(one, self.words, len(part.figures)) for one in part.figures]}
+                return given | {"figures": [laid_out(figure, self.words, len(part.figures)) for figure in part.figures]}
             case Beside():
                 drawn = None if part.figure is None else laid_out(part.figure, self.words, ABREAST_OF_TEXT)
                 return given | {"parts": [self._part(one) for one in part.parts], "figure": drawn}

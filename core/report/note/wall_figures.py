@@ -138,7 +138,7 @@ def _sizes_of_loads(wall: WallResult, words: Words) -> list[Label]:
     for load, points in zip(wall.wall.load, arrows(wall.wall, h, wall.thickness), strict=True):
         x, y = min(points) if not load.is_weight else points[0]
         x, y = (x, y + 0.05 * high) if load.is_weight else (x - 0.15 * high, y)
-        while any(abs(x - one.x) < 0.3 * high and abs(y - one.y) < 0.055 * high for one in labels):
+        while any(abs(x - label.x) < 0.3 * high and abs(y - label.y) < 0.055 * high for label in labels):
             y += (-0.03 if load.is_tie else 0.03) * high
         labels.append(Label(f"{words.number(1e-3 * load.in_si(wall.wall.length_m).force, '.2f')} kN/m", x, y))
     return labels

@@ -89,10 +89,12 @@ def _pairs(result: StudyResult) -> list[Pair] | None:
     pairs: list[Any]
     if result.verdicts:
         pairs = list(compare_walls(result.verdicts))
-        sides = [[VariantSummary.of(VerdictSource(side, result)) for side in (one.before, one.after)] for one in pairs]
+        sides = [
+            [VariantSummary.of(VerdictSource(side, result)) for side in (pair.before, pair.after)] for pair in pairs
+        ]
     else:
         pairs = list(compare_results(result.walls))
-        sides = [[VariantSummary(q_set=side.q_set) for side in (one.before, one.after)] for one in pairs]
+        sides = [[VariantSummary(q_set=side.q_set) for side in (pair.before, pair.after)] for pair in pairs]
     return [Pair(one.name, one.changed, *both) for one, both in zip(pairs, sides, strict=True)] or None
 
 

@@ -54,7 +54,7 @@ def test_that_cracks_half_as_long_are_a_row_and_turn_what_rests_on_them():
         table["demand"] = {"ag_g": 0.12, "spectrum": spectrum}
         result = run(clauses_alone(table), base_dir=Path())
         verdict = result.walls[0].required_assessment.verdict
-        (row,) = [one for one in verdict.assumptions if one.key == "corner"]
+        (row,) = [assumption for assumption in verdict.assumptions if assumption.key == "corner"]
         assert row.zeta < verdict.zeta_e and row.reason == (reason or "")
         assert all("ζ" in row.words.text(language) for language in ("en", "it"))
 

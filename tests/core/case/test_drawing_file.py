@@ -96,7 +96,10 @@ def test_that_area_and_centroid_are_those_of_shapely(tmp_path, name):
 
 def test_that_a_ring_within_an_opening_and_a_frame_within_a_window_count_once(tmp_path):
     openings = {name: read_case(written(tmp_path, name)[0]).wall[0].solid for name in ("church", "palace")}
-    assert {name: sum(one.opening for one in solids) for name, solids in openings.items()} == {"church": 4, "palace": 4}
+    assert {name: sum(solid.opening for solid in solids) for name, solids in openings.items()} == {
+        "church": 4,
+        "palace": 4,
+    }
 
 
 @pytest.mark.shows("bodies.drawing")

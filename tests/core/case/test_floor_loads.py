@@ -63,7 +63,7 @@ def test_that_floors_bear_where_a_slider_moved_them():
     case = case_of(NORTH, SOUTH | {"load": [own]})
     wall = case.wall[1]
     loaded = add_floor_loads(wall, case.building)
-    moved = replace(loaded, load=tuple(replace(one, d_m=one.d_m and one.d_m + 0.05) for one in loaded.load))
+    moved = replace(loaded, load=tuple(replace(load, d_m=load.d_m and load.d_m + 0.05) for load in loaded.load))
     building = infer_floor_supports(case.building, wall, moved)
     assert add_floor_loads(wall, building).load == moved.load
     assert add_floor_loads(case.wall[0], building) == add_floor_loads(case.wall[0], case.building)

@@ -33,7 +33,7 @@ def judged(table: dict, folder: Path = Path()):
             found.append((hinge, error.code))
             continue
         sides = [block, part.in_si.inner_block or block]
-        numbers = [x for one in sides for x in (one.slenderness, one.radius, one.inertia_over_mass)]
+        numbers = [x for side in sides for x in (side.slenderness, side.radius, side.inertia_over_mass)]
         share = period_share(part.in_si) if part.parts else 1.0
         found.append((hinge, *numbers, part.thickness, base, part.weight, share))
     return found

@@ -50,7 +50,7 @@ def outcome(result):
 def test_that_cross_walls_without_their_spacing_give_no_more_than_an_indication():
     bare = study()
     verdict = outcome(bare).required_assessment.verdict
-    assert verdict.code == "indicative" and [one.code for one in verdict.limits][:1] == ["no_arch"]
+    assert verdict.code == "indicative" and [limit.code for limit in verdict.limits][:1] == ["no_arch"]
     assert "[wall.arch]" in verdict.to_do[0].text("en")
     assert outcome(study(back_restraint="tied_floors")).required_assessment.verdict.code == "verified"
     assert (
@@ -80,7 +80,7 @@ def test_that_a_thrust_without_a_reason_is_no_more_than_an_indication_and_its_ro
     verdict = outcome(study(arch={"spacing_m": 4.0, **TIE})).required_assessment.verdict
     (row,) = [row for row in verdict.assumptions if row.key == "arch"]
     assert verdict.code == "indicative" and row.turns and row.zeta == 0.0 and not row.has_switch
-    thrust = next(one for one in verdict.limits if one.code == "arch_thrust").text("en")
+    thrust = next(limit for limit in verdict.limits if limit.code == "arch_thrust").text("en")
     assert "H = 30.0 kN" in thrust and "the ties along the wall" in thrust
 
 
@@ -229,9 +229,9 @@ def test_that_a_wall_said_to_span_shows_the_wall_that_overturns():
     )
     nameless = run(clauses_alone({"wall": [{k: v for k, v in {**WALL, **table}.items() if k != "back_restraint"}],
                                   "demand": DEMAND, "building": BUILDING}), base_dir=Path())  # fmt: skip
-    assert "no_end_restraint" in [one.code for one in nameless.walls[0].required_assessment.verdict.limits]
+    assert "no_end_restraint" in [limit.code for limit in nameless.walls[0].required_assessment.verdict.limits]
     floors = study(**table, back_restraint="tied_floors")  # a floor does not hold the ends of a wall
-    assert "no_end_restraint" in [one.code for one in floors.walls[0].required_assessment.verdict.limits]
+    assert "no_end_restraint" in [limit.code for limit in floors.walls[0].required_assessment.verdict.limits]
 
 
 def test_that_a_lighter_unit_weight_is_a_row_of_its_own():
@@ -249,7 +249,7 @@ def test_that_a_lighter_unit_weight_is_a_row_of_its_own():
 )
 def test_that_no_wording_of_cross_walls_passes_by_their_spacing(said):
     verdict = outcome(study(back_restraint=said)).required_assessment.verdict
-    assert "no_arch" in [one.code for one in verdict.limits] and verdict.code == "indicative"
+    assert "no_arch" in [limit.code for limit in verdict.limits] and verdict.code == "indicative"
 
 
 def test_that_a_wall_that_also_bends_between_ties_across_it_has_both_with_its_note():
@@ -270,7 +270,7 @@ def test_that_a_tie_that_breaks_early_takes_nothing_from_the_masonry_beyond():
     def zeta_of(arch):
         result = study(arch={"spacing_m": 5.0, **arch}, justification=SHOWN)
         assert note(result, "en")
-        return next(one.zeta for one in result.walls[1].required_assessment.checks if one.name == "nonlinear")
+        return next(check.zeta for check in result.walls[1].required_assessment.checks if check.name == "nonlinear")
 
     assert zeta_of(brittle) == pytest.approx(zeta_of(BEYOND), rel=1e-9)
     lasting = {**brittle, "tie_elongation_m": 0.5}

@@ -116,7 +116,7 @@ def test_that_what_shows_the_cross_walls_does_not_show_the_tie():
     for reason in ({}, {"justification": {"anchorage_kn": "plates and masonry, calculation 12"}}):
         table = {"wall": [{**FACADE, "thickness_m": 0.6, "load": [{**ROOF, "d_m": 0.3}, TIE], **reason}], **gentle}
         walls = run(clauses_alone(table), base_dir=Path()).walls
-        (stretch,) = (one for one in walls if one.part.top is not None)
+        (stretch,) = (wall for wall in walls if wall.part.top is not None)
         assert stretch.wall.restraint_evidence == ("drawing" if reason else None)
         codes[bool(reason)] = stretch.assessment.verdict
     row = next(row for row in codes[False].assumptions if row.key == "back_restraint")
@@ -137,7 +137,7 @@ def test_that_more_steel_gives_no_lower_zeta_by_a_jump():
     zetas = []
     for force in (6.0, 8.0, 9.0, 10.0, 10.5, 11.0, 11.4, 15.0):
         tie = {"kind": "tie", "kn_m": force, "h_m": 6.5, "bar_length_m": 8.0, "elongation": 0.05}
-        zetas.append(min(one.assessment.verdict.zeta_e for one in study(ROOF, tie).walls))
+        zetas.append(min(wall.assessment.verdict.zeta_e for wall in study(ROOF, tie).walls))
     assert all(later >= earlier * (1.0 - 0.02) for earlier, later in itertools.pairwise(zetas)), zetas
 
 
@@ -188,7 +188,7 @@ def boxes_of(wall, low, high, slices=400):
     for k in range(slices):
         z = low + (k + 0.5) * (high - low) / slices
         wide = wall.length_m * min(1.0, (wall.height_m - z) / wall.gable_m)
-        wide -= sum(one.width_m for one in wall.openings if one.z_m < z < one.z_m + one.height_m)
+        wide -= sum(opening.width_m for opening in wall.openings if opening.z_m < z < opening.z_m + opening.height_m)
         outer, thick = (face, step.thickness_m) if z > step.from_z_m else (0.0, t)
         found.append((18e3 * wide * thick * (high - low) / slices / wall.length_m, outer + 0.5 * thick, z))
     return found

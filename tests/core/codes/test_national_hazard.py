@@ -124,7 +124,7 @@ def test_that_each_group_of_islands_has_its_row_of_table_2(name):
     found = hazard_at(*PLACES[name])
     if name == "Vulcano" and not found.island:
         pytest.skip("nodes of the grid surround it")
-    group = next(one for one in ISLANDS if name in one.name)
+    group = next(island for island in ISLANDS if name in island.name)
     assert found.island == group.name and not found.nodes
     assert tuple(found.at(475.0)) == pytest.approx((0.1 * group.ag[6], group.f0[6], group.tc[6]), rel=1e-14)
 

@@ -216,7 +216,7 @@ def test_that_a_case_takes_it_from_file_to_verdict():
     result = run(clauses_alone({"wall": [WALL], "demand": {"ag_g": 0.23, "spectrum": SPAIN}}), base_dir=Path())
     assert math.isfinite(result.verdicts[0].zeta_least)
     assert demand.target.name == "AN/UNE-EN 1998-1, C, v_s,30 300 m/s, K 1.1"
-    assert any(one.code == "annex_unseen" for one in result.walls[0].required_assessment.verdict.limits)
+    assert any(limit.code == "annex_unseen" for limit in result.walls[0].required_assessment.verdict.limits)
 
 
 @pytest.mark.parametrize(

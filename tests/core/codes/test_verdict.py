@@ -248,7 +248,7 @@ def test_that_an_input_that_turns_the_outcome_is_indicative_until_it_is_justifie
 
 def test_that_failing_neighbours_of_a_demand_that_is_met_are_counted():
     found = said(1.05, q2=1.1, check={"zeta_16": 0.97, "share_failing_at_demand": 0.31})
-    (words,) = [one for one in found.limits if one.code == "share"]
+    (words,) = [limit for limit in found.limits if limit.code == "share"]
     assert found.code == "verified" and "31% of the multipliers" in words.text("en")
     assert "31% non soddisfa" in words.text("it")
     assert "share" not in codes(said(1.05, q2=1.1, check={"zeta_16": 1.0}).limits)
@@ -258,9 +258,11 @@ def test_that_another_target_than_one_is_said():
     check = {"zeta_16": 0.78, "share_failing_at_demand": 0.2}
     found = said(0.85, q2=0.9, zeta_target=0.8, check=check)
     assert "ζ 0.85 (required 0.8)" in found.text("en")
-    assert any("20% of the multipliers within 10 % of 0.8 times the demand fail" in one.text() for one in found.limits)
+    assert any(
+        "20% of the multipliers within 10 % of 0.8 times the demand fail" in limit.text() for limit in found.limits
+    )
     whole = said(1.1, q2=1.2, zeta_target=0.8, check={"holds": False})
-    assert any("fails at the demand itself" in one.text() for one in whole.limits)
+    assert any("fails at the demand itself" in limit.text() for limit in whole.limits)
 
 
 @pytest.mark.shows("demand.natural")
@@ -372,7 +374,7 @@ def test_that_records_weaker_than_the_demand_give_no_pga_of_capacity(tmp_path, s
     # histories that are not at the demand decide nothing: the displacement check does
     assert verdict.governing == ("nonlinear" if scale < 0.3 else "dynamic")
     if scale < 0.3:
-        assert verdict.zeta_e == next(one.zeta for one in found.checks if one.name == "nonlinear")
+        assert verdict.zeta_e == next(check.zeta for check in found.checks if check.name == "nonlinear")
         assert verdict.code == "not_verified" and found.checks[-1].zeta is None
     elif scale < 1.0:
         assert verdict.code == "indicative"

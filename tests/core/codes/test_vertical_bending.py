@@ -250,7 +250,7 @@ def sliced(wall, h1: float, theta: float):
     for n in range(slices):
         z = (n + 0.5) * h / slices
         outer, inner = thick[max(level for level in thick if level <= z)]
-        hole = sum(one.width_m for one in wall.openings if one.z_m <= z < one.z_m + one.height_m)
+        hole = sum(opening.width_m for opening in wall.openings if opening.z_m <= z < opening.z_m + opening.height_m)
         share = (wall.length_m - hole) / wall.length_m
         found.append((18e3 * (inner - outer) * share * h / slices, 0.5 * (outer + inner), z, True))
     found += [(1e3 * load.kn_m, load.d_m, load.h_m, load.pushes and load.h_m < h) for load in wall.load]

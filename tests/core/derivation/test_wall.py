@@ -290,7 +290,7 @@ def test_that_every_description_gives_the_number_of_the_program_and_none_is_of_n
                 seen |= {line.quantity.function.__name__ for line in lines if getattr(line, "quantity", None)}
                 seen |= {line.shown_by.function.__name__ for line in lines if getattr(line, "shown_by", None)}
         assert len(found) > 0.6 * walls and compared > 15 * len(found), which
-    branches = {one.function.__name__ for one in (*checks.SE_BRANCHES, *checks.S_DE_BRANCHES)}
+    branches = {branch.function.__name__ for branch in (*checks.SE_BRANCHES, *checks.S_DE_BRANCHES)}
     assert described - seen - branches == set()
     assert {one.line for _, one in walk_quantities(WALL) if one.line} - told == OF_RECORDS
 

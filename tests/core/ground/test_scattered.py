@@ -43,17 +43,17 @@ def test_that_the_deviations_of_a_set_have_no_mean_and_the_spread_and_correlatio
 @pytest.mark.shows("demand.scattered")
 def test_that_the_mean_of_a_set_is_compatible_and_its_motions_scatter(motions):
     periods = np.geomspace(*BAND, 90)
-    spectra = np.array([pseudo_acceleration_spectrum(one, TIME_STEP, periods) for one in motions])
+    spectra = np.array([pseudo_acceleration_spectrum(motion, TIME_STEP, periods) for motion in motions])
     ratio = spectra.mean(axis=0) / TARGET.acceleration(periods)
     assert ratio.min() >= MIN_MEAN * (1.0 - 1e-3) and ratio.mean() < 1.25
-    assert np.mean([np.abs(one).max() for one in motions]) >= TARGET.pga
+    assert np.mean([np.abs(motion).max() for motion in motions]) >= TARGET.pga
     assert np.log(spectra).std(axis=0, ddof=1).mean() == pytest.approx(SPREAD, abs=0.1)
 
 
 def test_that_each_motion_ends_at_rest_and_a_seed_gives_the_same_bits(motions):
-    for one in motions:
-        velocity = np.cumsum(one) * TIME_STEP
-        assert abs(velocity[-1]) < 0.02 * np.abs(velocity).max() and one[-1] == pytest.approx(0.0, abs=1e-6)
+    for motion in motions:
+        velocity = np.cumsum(motion) * TIME_STEP
+        assert abs(velocity[-1]) < 0.02 * np.abs(velocity).max() and motion[-1] == pytest.approx(0.0, abs=1e-6)
     again = scattered_set(TARGET, 14, 1, SPREAD, BAND)
-    assert [one.tobytes() for one in again] == [one.tobytes() for one in motions]
+    assert [one.tobytes() for one in again] == [motion.tobytes() for motion in motions]
     assert scattered_set(TARGET, 14, 2, SPREAD, BAND)[0].tobytes() != motions[0].tobytes()

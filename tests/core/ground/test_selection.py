@@ -142,9 +142,9 @@ def test_that_records_of_one_factor_fit_with_that_factor():
     """0.12 and 6.0 times the target fit with the factors 2 and 0.5, and with no factor of both."""
     ratios = np.array([[0.12] * 10 + [1.0], [6.0] * 11, [1.0] * 11])
     pairs = nearest_sets(ratios, 2, alone(3), alone(3), (1, 1), FREE)[0]
-    assert {one.members for one in pairs} == {(0, 2), (1, 2)}
-    for one in pairs:
-        assert all(OWN_FIT[0] <= one.factor * ratios[k, 0] <= OWN_FIT[1] for k in one.members)
+    assert {pair.members for pair in pairs} == {(0, 2), (1, 2)}
+    for pair in pairs:
+        assert all(OWN_FIT[0] <= pair.factor * ratios[k, 0] <= OWN_FIT[1] for k in pair.members)
 
 
 def test_that_the_mean_peak_counts_where_the_code_asks_for_it():

@@ -80,7 +80,7 @@ def test_that_a_result_without_hazard_and_moves_has_neither_section_nor_sheet(re
 @pytest.mark.parametrize("share, is_said", [(0.051, True), (0.049, False)])
 def test_that_what_the_hazard_does_not_hold_is_said_from_a_twentieth_on(result, share, is_said):
     """What is counted as failure beyond its rows; what is not counted below them, where the rate is too low."""
-    rates = [replace(one, beyond=0.0, weaker=0.0) for one in result.verdicts[0].rates]
+    rates = [replace(rate, beyond=0.0, weaker=0.0) for rate in result.verdicts[0].rates]
 
     def lines(*changed):
         return rate_lines(lambda text, **values: text.format(**values), result, changed)

@@ -78,7 +78,7 @@ def test_that_the_file_says_it_is_pdf_a_3a_and_pdf_ua_1(file):
 @pytest.mark.shows("note.standards")
 def test_that_every_font_is_within_the_file_and_nothing_leads_out_of_it(file):
     fonts = [one for one in objects(file) if one.get("/Type") == "/FontDescriptor"]
-    assert fonts and all(set(one) & {"/FontFile", "/FontFile2", "/FontFile3"} for one in fonts)
+    assert fonts and all(set(font) & {"/FontFile", "/FontFile2", "/FontFile3"} for font in fonts)
     for one in objects(file):
         action = one.get("/S")
         assert action not in ("/URI", "/Launch", "/GoToR", "/JavaScript", "/SubmitForm", "/ImportData")
@@ -93,7 +93,7 @@ def test_that_figures_and_formulas_have_words_and_headings_follow_one_another(fi
         if element["/S"] in ("/Figure", "/Formula"):
             assert str(element.get("/Alt", "")).strip(), element["/S"]
     words = [str(element["/Alt"]) for element in found if element["/S"] == "/Formula"]
-    assert any(re.match(r"a_0\* = α0/\(e\* FC\) = [\d.]+/\([\d.]+ · 1.35\) = [\d.]+ g$", one) for one in words)
+    assert any(re.match(r"a_0\* = α0/\(e\* FC\) = [\d.]+/\([\d.]+ · 1.35\) = [\d.]+ g$", word) for word in words)
 
 
 @pytest.mark.shows("note.standards")
@@ -102,7 +102,7 @@ def test_that_a_checker_of_pdf_ua_finds_nothing(content, tmp_path):
     pdfua = pytest.importorskip("pdfua")
     (tmp_path / "n.pdf").write_bytes(content)
     report = pdfua.validate(tmp_path / "n.pdf")
-    assert [f"{one.rule_id}: {one.message}" for one in report.findings] == []
+    assert [f"{finding.rule_id}: {finding.message}" for finding in report.findings] == []
 
 
 @pytest.mark.shows("note.walls")

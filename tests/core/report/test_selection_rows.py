@@ -36,8 +36,8 @@ def test_that_the_note_lists_and_draws_the_chosen(chosen):
     heads = [part for part in parts if isinstance(part, Table) and "".join(part.heads[:1]) == "Accelerogramma"]
     assert len(heads[-1].rows) == 3
     assert any("Scelti da recs" in part.text for part in parts if isinstance(part, Paragraph))
-    figures = [one for part in parts if isinstance(part, Figures) for one in part.figures]
-    drawn = next(one for one in figures if one.caption.startswith("Spettri al 5 %"))
+    figures = [figure for part in parts if isinstance(part, Figures) for figure in part.figures]
+    drawn = next(figure for figure in figures if figure.caption.startswith("Spettri al 5 %"))
     assert [curve.name for curve in drawn.curves if curve.name] == ["spettro", "media"]
     assert len(drawn.curves) == 3 + 2 + 2
 

@@ -21,7 +21,7 @@ AT2 = "PEER\nEVENT, STATION, {name}\nACCELERATION TIME SERIES IN UNITS OF G\nNPT
 def record(seed):
     """A record of the form of PEER."""
     values = np.random.default_rng(seed).normal(0.0, 0.1, 200).cumsum() * 0.05
-    return (AT2.format(name=seed) + "\n".join(f"{one:.7E}" for one in values)).encode()
+    return (AT2.format(name=seed) + "\n".join(f"{value:.7E}" for value in values)).encode()
 
 
 def named(contents):

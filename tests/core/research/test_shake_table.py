@@ -43,7 +43,7 @@ def invented(folder, truth=TRUE, wrong=()):
     body = Block(truth, GRANITE[0].radius, GRANITE[0].inertia_over_mass)
     strengths = [(event, s) for event in range(8) for s in np.linspace(0.1, 0.5, 9)]
     sines = [pulse(s, 0.35 + 0.06 * event) for event, s in strengths]
-    fell, _ = Computed([G * one for one in sines]).of(body)
+    fell, _ = Computed([G * sine for sine in sines]).of(body)
     for k, ((event, s), motion, fallen) in enumerate(zip(strengths, sines, fell, strict=True)):
         name = f"{k + 1}"
         motions[f"t{name}"] = motion
@@ -73,7 +73,7 @@ def test_that_a_body_that_does_what_the_model_says_is_found_with_its_slenderness
     tests = read_tests(whole)
     assert tests.left_out == ("3",) and tests.overturned.shape == (1, 71)  # its PGA was measured half as large again
     (found,) = compared(tests)
-    scores = {one.method: one for one in found.scores}
+    scores = {score.method: score for score in found.scores}
     assert scores["slenderness"].right >= 0.97 and scores["slenderness"].fitted == pytest.approx((8.0, 8.0), abs=0.4)
     # a setback of 10 degrees to 8: tan(8)/tan(10) of the half width is left
     assert found.setback[0] == pytest.approx(0.5 * (1.0 - math.tan(TRUE) / math.tan(math.radians(10.0))), abs=0.02)

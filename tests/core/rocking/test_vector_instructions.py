@@ -35,7 +35,7 @@ CASES = (
 )
 """Loop, order of the series, whether the law has slopes, whether the wall has two hinges or bars or is held at its
 top."""
-FEW = [one for one in CASES if one[1] == 8 and (one[2] or one[3] != "one body")]
+FEW = [case for case in CASES if case[1] == 8 and (case[2] or case[3] != "one body")]
 """Of one body those of most terms."""
 SCALAR = re.compile(r"\sv?(?:add|sub|mul|min|max|fn?m(?:add|sub)\d+|u?comi|cmp\w*)sd\s.*")
 """Sums, products and comparisons of one double."""
@@ -156,7 +156,7 @@ def assembly(monkeypatch):
 @pytest.mark.skipif(platform.machine().lower() not in ("x86_64", "amd64"), reason="reads assembly of x86-64")
 @pytest.mark.parametrize(
     "name, order, slopes, wall",
-    [*FEW, *(pytest.param(*one, marks=pytest.mark.long) for one in CASES if one not in FEW)],
+    [*FEW, *(pytest.param(*case, marks=pytest.mark.long) for case in CASES if case not in FEW)],
 )
 def test_that_a_loop_over_lanes_is_packed_and_no_longer_than_it_needs_on_every_processor(
     assembly, name, order, slopes, wall

@@ -179,7 +179,7 @@ def test_that_a_run_takes_the_chosen_as_records_written_by_hand(folder):
     other = study.run(by_hand, base_dir=folder)
     assert chosen.walls[0].q_set == other.walls[0].q_set
     assert chosen.walls[0].assessment.verdict == other.walls[0].assessment.verdict
-    assert [one.file_sha256 for one in chosen.motions] == [one.file_sha256 for one in other.motions]
+    assert [motion.file_sha256 for motion in chosen.motions] == [motion.file_sha256 for motion in other.motions]
     assert chosen.selection and other.selection is None and "selection" not in results(other)
     assert json.loads(json.dumps(content["selection"]))["left_out"][0]["reason"]
 
@@ -262,7 +262,7 @@ def test_that_silent_records_written_by_hand_verify_nothing(tmp_path):
     assert len(found.dynamic.not_counted) == 4 and alone.dynamic.not_counted == ()
     assert eight.compliance.stations == four.compliance.stations == 4
     said = [reason.code for reason in found.verdict.limits[: found.verdict.blocking]]
-    assert "too_weak" in said and "too_weak" not in [one.code for one in alone.verdict.limits]
+    assert "too_weak" in said and "too_weak" not in [limit.code for limit in alone.verdict.limits]
     assert OUTCOMES[found.verdict.code].tone != "good"
 
 
@@ -297,7 +297,7 @@ q_step = 0.05
     found = result.selection
     assert found.chosen.fits and result.compliance.compatible and result.compliance.stations == 7
     assert result.walls[0].assessment.dynamic.not_counted == ()
-    assert not any(warning.code in ("vertical", "borehole") for one in result.motions for warning in one.warnings)
+    assert not any(warning.code in ("vertical", "borehole") for motion in result.motions for warning in motion.warnings)
     reasons = {reason.code: n for reason, n in found.reasons}
     assert found.candidates + reasons["doubted_record"] + reasons["selected_far"] > 30
     places = {str(one.file) for one in found.left_out}

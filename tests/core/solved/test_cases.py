@@ -25,7 +25,7 @@ def each(cases):
 
 def differing(case):
     """(answer, expected, found) of each that does not agree."""
-    return [(called(one, "en"), one.expected, one.found) for one in case.answers if not one.agrees]
+    return [(called(answer, "en"), answer.expected, answer.found) for answer in case.answers if not answer.agrees]
 
 
 @pytest.mark.shows("paper.eq_1", "paper.eq_8")

@@ -147,7 +147,7 @@ def test_that_the_numbers_are_those_of_the_same_walls_in_a_small_case(table, sma
         assert all(row[f"zeta_{check['check']}"] == check["zeta"] for check in checks)
         assert row["pga_c_g"] == keys.get("risk", {"pga_c_g": None})["pga_c_g"]
         assert row["alpha0"] == keys["kinematic_check"]["alpha0"]
-        assert row["warnings"] == [one.code for one in wall.warnings]
+        assert row["warnings"] == [warning.code for warning in wall.warnings]
         ratios = [row[name] for name in row if name.startswith("eq9_")]
         stated = [one["ratio"] for one in keys["code_check"]]
         assert ratios == (stated or [None] * len(ratios))
@@ -174,7 +174,7 @@ def test_that_what_is_said_of_a_wall_is_said_of_all_its_hinges_and_variants(tabl
 def test_that_the_summary_counts_the_verdicts_and_names_the_worst(table, small, case):
     told = json.loads(table.with_suffix(".json").read_text())
     assert told["walls"] == 8 and told["table"]["rows"] == len(small.walls)
-    codes = [small.walls[one.governing].assessment.verdict.code for one in small.verdicts]
+    codes = [small.walls[verdict.governing].assessment.verdict.code for verdict in small.verdicts]
     assert told["verdicts"] == {code: codes.count(code) for code in sorted(set(codes))}
     worst = [row["zeta_e"] for row in told["worst"]]
     assert worst == sorted(worst) and len(worst) == 8

@@ -50,7 +50,7 @@ def test_that_a_wall_run_alone_is_judged_as_beside_all_others(case):
     for row, verdict in enumerate(whole.verdicts):
         alone = run_wall(case, row, ROOT, None)
         beside = [whole.walls[k].assessment for k in sorted(verdict.results)]
-        assert repr([(one.assessment.checks, one.assessment.verdict) for one in alone.walls]) == repr(
+        assert repr([(wall.assessment.checks, wall.assessment.verdict) for wall in alone.walls]) == repr(
             [(one.checks, one.verdict) for one in beside]
         )
         assert alone.verdicts[0].governing == verdict.governing - min(verdict.results)

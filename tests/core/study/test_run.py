@@ -300,7 +300,7 @@ def test_that_names_of_files_and_walls_change_no_number_of_the_workbook(renamed)
     for result in renamed[:2]:
         book = whole_workbook.build(result, [collapse_histories(result, result.walls[0])])
         cells = [cell.value for sheet in book.workbook for row in sheet for cell in row]
-        found.append([one for one in cells if not isinstance(one, str) or one.startswith("=")])
+        found.append([cell for cell in cells if not isinstance(cell, str) or cell.startswith("=")])
     assert len(found[0]) > 1000 and found.count(found[0]) == len(found)
 
 

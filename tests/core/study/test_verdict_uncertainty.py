@@ -63,8 +63,8 @@ def test_that_the_rates_are_of_the_capacities_of_the_searches(result):
     true = [follows(one / (0.2 * G)) for one in by_hand]
     expected = state_rate("collapse", true, [f"file {k}" for k in range(14)], hazard, 1.35, 50.0)
     assert verdict.rates[-1].rate == pytest.approx(expected.rate, rel=1e-12)
-    assert [one.state for one in verdict.rates] == ["SLD", "SLV", "SLC", "collapse"]
-    rates = [one.rate for one in verdict.rates]
+    assert [rate.state for rate in verdict.rates] == ["SLD", "SLV", "SLC", "collapse"]
+    rates = [rate.rate for rate in verdict.rates]
     assert rates == sorted(rates, reverse=True)
 
 
@@ -97,7 +97,7 @@ def test_that_a_cancel_during_the_moves_ends_the_run(case):
         seen.append((done, planned))
 
     (verdict,) = run(asked, base_dir=CASES, on_progress=on_progress).verdicts
-    assert "record_left_out" in [one.key for one in verdict.sensitivity.swings]
+    assert "record_left_out" in [swing.key for swing in verdict.sensitivity.swings]
     assert seen[-1][0] == seen[-1][1]
     calls = iter(range(10**9))
     with pytest.raises(Cancelled):

@@ -71,7 +71,7 @@ def test_that_seven_files_of_four_stations_take_the_minimum_in_every_check(tmp_p
     assert check.peak_ratio == max(run.peak_ratio for run in check.runs)
     (linear,) = (one for one in wall.assessment.checks if one.name == "linear_q_slv")
     assert linear.q == wall.q_slv_safe_set <= min(wall.q_slv_low_set, wall.q_slv_robust_set)
-    (said,) = (one for one in wall.warnings if one.code == "few_stations")
+    (said,) = (warning for warning in wall.warnings if warning.code == "few_stations")
     assert "7 records" in said.text("en") and "4 station" in said.text("en")
     assert "4 stazioni" in said.text("it")
 
@@ -81,7 +81,7 @@ def test_that_seven_stations_take_the_mean_in_every_check(tmp_path, reference):
     wall = of_stations(tmp_path, reference, "ABCDEFG").walls[0]
     assert (wall.set_rule, wall.assessment.dynamic.set_rule) == ("mean", "mean")
     assert wall.q_slv_set == pytest.approx(np.mean([entry.q_slv for entry in wall.per_record]))
-    assert not [one for one in wall.warnings if one.code == "few_stations"]
+    assert not [warning for warning in wall.warnings if warning.code == "few_stations"]
 
 
 def test_that_a_station_without_a_collapse_does_not_count(tmp_path, reference):
@@ -91,14 +91,14 @@ def test_that_a_station_without_a_collapse_does_not_count(tmp_path, reference):
     wall = of_stations(tmp_path, reference, "ABCDEFG", analysis=limit).walls[0]
     assert 1 <= [run.ida.status for run in wall.runs].count("no_collapse_found") <= 4
     assert free.set_rule == "mean" and wall.set_rule == "minimum" and wall.q_set == free.q_min
-    assert any(one.code == "no_collapse" for one in wall.warnings)
+    assert any(warning.code == "no_collapse" for warning in wall.warnings)
 
 
 def test_that_the_stations_are_counted_where_no_spectrum_is_given(tmp_path, reference):
     """Three files of one station: fewer than three stations, said as such."""
     demand = {"ag_g": 0.1, "soil_factor": 1.2}
     wall = of_stations(tmp_path, reference, "AAA", demand=demand).walls[0]
-    (said,) = (one for one in wall.assessment.verdict.reasons if one.code == "few_records")
+    (said,) = (reason for reason in wall.assessment.verdict.reasons if reason.code == "few_records")
     assert said.text("en").startswith("1 station")
 
 
@@ -162,8 +162,8 @@ def test_that_the_linear_check_takes_the_lower_q_slv_and_says_where_that_decides
     def at(ag: float):
         demand = {"ag_g": ag, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
         wall = of_stations(tmp_path, reference, "ABC", demand=demand).walls[0]
-        (linear,) = (one for one in wall.assessment.checks if one.name == "linear_q_slv")
-        said = [one for one in wall.assessment.verdict.reasons if one.code == "lower_q_slv"]
+        (linear,) = (check for check in wall.assessment.checks if check.name == "linear_q_slv")
+        said = [reason for reason in wall.assessment.verdict.reasons if reason.code == "lower_q_slv"]
         return wall, linear, said
 
     wall, linear, _ = at(0.1)
@@ -219,7 +219,7 @@ def test_that_records_alike_in_their_measure_end_no_study(tmp_path, alike):
     (wall,) = result.walls
     given = wall.power_law is not None
     assert alike == "pga" or not given
-    assert ("no_power_law" in {one.code for one in wall.warnings}) == (not given)
+    assert ("no_power_law" in {warning.code for warning in wall.warnings}) == (not given)
     assert json_report.dumps(result) and whole_workbook.build(result, [])
 
 

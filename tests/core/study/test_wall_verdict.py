@@ -128,8 +128,10 @@ def test_that_another_state_that_fails_is_in_limits_and_never_in_code():
     result = made({"thickness_m": 1.5, "height_m": 6.0}, building=None, **SITE)
     wall = result.walls[0]
     failing = [
-        replace(one, zeta=0.6, code="not_verified") if one.state == "SLD" else replace(one, zeta=1.5, code="verified")
-        for one in wall.assessment.states
+        replace(state, zeta=0.6, code="not_verified")
+        if state.state == "SLD"
+        else replace(state, zeta=1.5, code="verified")
+        for state in wall.assessment.states
     ]
     changed = replace(wall, assessment=replace(wall.assessment, states=tuple(failing)))
     (found,) = wall_verdicts(result.case, (changed,))

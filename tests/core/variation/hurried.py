@@ -116,7 +116,7 @@ def _ways():
     yield Way("records of the examples", "facade", {"record": MOTIONS}, "bundled")
     yield Way("one record", "facade", {"record": MOTIONS[:1]}, "few_records")
     yield Way("the same record seven times", "facade", {"record": MOTIONS[:1] * 7})
-    weaker = [one | {"scale": 0.2, "kind": "natural"} for one in MOTIONS]
+    weaker = [motion | {"scale": 0.2, "kind": "natural"} for motion in MOTIONS]
     yield Way("weak records as natural ones", "facade", {"record": weaker}, "weaker_records")
     one_way = {"record": MOTIONS, "analysis": {"polarity": "as_recorded"}}
     yield Way("records one way", "facade", one_way, "one_sign")

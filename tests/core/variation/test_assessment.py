@@ -25,7 +25,7 @@ BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
 
 def limits(found):
     """Code of a limit -> what it says."""
-    return {one.code: dict(one.values) for one in found.verdict.limits}
+    return {limit.code: dict(limit.values) for limit in found.verdict.limits}
 
 
 def judged(zeta, wall=WALL, demand=SOIL, **values):

@@ -262,7 +262,7 @@ def made(wall=None, demand=None, records=True, building=None, **rest):
 
 
 def lift(found, code):
-    said = {one.code: dict(one.values) for one in found.verdict.limits}
+    said = {limit.code: dict(limit.values) for limit in found.verdict.limits}
     return said.get(code)
 
 
@@ -422,7 +422,7 @@ def test_that_a_one_sided_wall_declared_free_is_shown_held_where_that_is_less():
     """T_0 of a slender wall of small E lies beyond the plateau: S_e(T_0) is less than a_g S."""
     wall = {"height_m": 7.0, "thickness_m": 0.45, "elastic_modulus_mpa": 250.0}
     found = made({**wall, "free_element": True}, {"ag_g": 0.07}, records=False)
-    held = next(one for one in made(wall, {"ag_g": 0.07}, records=False).checks if one.name == "linear_q_code")
+    held = next(check for check in made(wall, {"ag_g": 0.07}, records=False).checks if check.name == "linear_q_code")
     assert lift(found, "lift_one_sided_free")["zeta"].value == pytest.approx(held.zeta)
     stiff = made({**wall, "free_element": True, "elastic_modulus_mpa": 2000.0}, {"ag_g": 0.07}, records=False)
     assert lift(stiff, "lift_one_sided_free") is None
@@ -458,7 +458,9 @@ def test_that_inputs_that_turn_the_outcome_together_alone_are_indicative():
 def test_that_q_2_does_not_agree_by_an_fc_below_1_35_alone():
     wall = {"compressive_strength_mpa": 10.0}
     found, full = (made(wall, {"ag_g": 0.13, **more}, records=False) for more in (TESTED, {}))
-    (q_found,), (q_full,) = ([one for one in each.checks if one.name == "linear_q_code"] for each in (found, full))
+    (q_found,), (q_full,) = (
+        [check for check in each.checks if check.name == "linear_q_code"] for each in (found, full)
+    )
     assert q_found.passed and not q_full.passed
     assert found.verdict.code == full.verdict.code == "verified_refined"
     assert lift(found, "q_rests_on") is not None and lift(full, "q_rests_on") is None

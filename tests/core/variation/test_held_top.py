@@ -42,7 +42,7 @@ def study(*walls, base_dir=Path(), **more):
 
 
 def codes(wall):
-    return [one.code for one in wall.assessment.verdict.limits]
+    return [limit.code for limit in wall.assessment.verdict.limits]
 
 
 @pytest.mark.shows("held.demand")
@@ -174,8 +174,8 @@ def test_that_every_limit_state_has_its_zeta():
     hazard = [{"return_period_years": years, "ag_g": ag} for years, ag in ((30, 0.08), (475, 0.26), (2475, 0.45))]
     demand = DEMAND | {"ag_g": 0.26, "nominal_life_years": 50, "use_class_factor": 1.0, "hazard": hazard}
     (wall,) = study(WALL, demand=demand).walls
-    assert [one.state for one in wall.assessment.states] == ["SLD", "SLV", "SLC"]
-    assert [one.check for one in wall.assessment.states] == ["linear_sld", "nonlinear", "nonlinear"]
+    assert [state.state for state in wall.assessment.states] == ["SLD", "SLV", "SLC"]
+    assert [state.check for state in wall.assessment.states] == ["linear_sld", "nonlinear", "nonlinear"]
     assert replace(wall).assessment.risk is not None
 
 
@@ -190,7 +190,7 @@ def test_that_a_wall_to_be_held_at_its_top_is_compared_with_the_wall_that_overtu
     (one,) = compare_results(result.walls)
     assert (one.before.mechanism, one.after.mechanism) == ("one_sided", "vertical_bending")
     assert one.after.assessment.verdict.lower_bound == pytest.approx(one.before.assessment.verdict.zeta_e)
-    assert all("variant_alone" not in [one.code for one in wall.warnings] for wall in result.walls)
+    assert all("variant_alone" not in [warning.code for warning in wall.warnings] for wall in result.walls)
 
 
 def test_that_a_spectrum_too_short_for_the_overturning_leaves_the_wall_its_verdict(tmp_path):
@@ -228,7 +228,7 @@ def test_that_what_holds_the_top_is_a_strength_and_no_word():
     with_strength = study(shown, **small).walls[0].assessment.verdict
     word = {key: value for key, value in shown.items() if key != "restraint_kn_m"}
     without = study(word, **small).walls[0].assessment.verdict
-    assert "no_hold_strength" not in [one.code for one in with_strength.limits]
+    assert "no_hold_strength" not in [limit.code for limit in with_strength.limits]
     assert without.code == "indicative" and without.limits[0].code == "no_hold_strength"
     assert without.to_do[0].code == "to_no_hold_strength" and "restraint_kn_m" in without.to_do[0].text("en")
     assert with_strength.zeta_e == without.zeta_e  # the number changes what may be said, not what was counted
@@ -237,9 +237,9 @@ def test_that_what_holds_the_top_is_a_strength_and_no_word():
     with pytest.raises(InputError, match=rf"holds less than the {pushes:.2f} kN/m"):
         parse_case({"wall": [WALL | {"restraint_kn_m": 0.999 * pushes}]})
     tight = study(WALL | {"restraint_kn_m": 1.02 * pushes}, **small).walls[0].assessment.verdict
-    (row,) = [one for one in tight.assumptions if one.key == "unit_weight_kn_m3"]
+    (row,) = [assumption for assumption in tight.assumptions if assumption.key == "unit_weight_kn_m3"]
     assert row.zeta is None and row.outcome == "not_verified"  # a heavier wall pushes what holds it away
-    assert "top_force_held" in [one.code for one in tight.limits]
+    assert "top_force_held" in [limit.code for limit in tight.limits]
     with pytest.raises(InputError, match="held at its top"):
         parse_case({"wall": [{**WALL, "mechanism": "one_sided"}]})
 
@@ -249,6 +249,6 @@ def test_that_a_move_that_pushes_the_hold_away_is_a_bar_that_fails():
     pushes = 1e-3 * bending(parse_case({"wall": [WALL]}).wall[0].in_si).top_force
     small = {"demand": {"ag_g": 0.1, "spectrum": EN_B}, "sensitivity": {"unit_weight_factor": [0.9, 1.1]}}
     found = study(WALL | {"restraint_kn_m": 1.02 * pushes}, **small).verdicts[0].sensitivity
-    (heavy,) = [one for one in found.swings if one.key == "unit_weight_factor"]
+    (heavy,) = [swing for swing in found.swings if swing.key == "unit_weight_factor"]
     assert {end.value: end.zeta is None for end in heavy.ends} == {16.2: False, 19.8: True}
     assert "unit_weight_factor" not in dict(found.refused)

@@ -165,9 +165,9 @@ def test_that_every_reason_reads_in_both_languages(fine):
     said = set()
     for records, state in ((False, "SLV"), (True, "SLV"), (False, "SLD")):
         found = found_of(*loads, records=records, demand={"ag_g": 0.1, "limit_state": state})
-        for one in found.verdict.reasons:
-            said.add(one.code)
-            assert all("{" not in one.text(language) for language in ("en", "it"))
+        for reason in found.verdict.reasons:
+            said.add(reason.code)
+            assert all("{" not in reason.text(language) for language in ("en", "it"))
     of_ties = {"lift_brittle", "lift_slack", "lift_anchorage", "lift_prestress", "lift_inward", "slack_not_counted"}
     assert of_ties | {"ties_at_sld"} <= said
 

@@ -174,12 +174,12 @@ def test_that_a_state_asked_for_has_its_time_histories(tmp_path):
         "limit_states": ["SLC", "SLD"],
     }
     table = {"wall": [wall], "generate": {"scatter": 0.0, "count": 3}, "analysis": {"q_step": 0.05}, "demand": demand}
-    found = {one.state: one for one in run(parse_case(table), base_dir=tmp_path).walls[0].assessment.states}
+    found = {state.state: state for state in run(parse_case(table), base_dir=tmp_path).walls[0].assessment.states}
     assert found["SLC"].check == "dynamic" and found["SLC"].zeta is not None
     assert found["SLD"].check == "linear_sld" and found["SLV"].check == "dynamic"
     del demand["limit_states"]
     without = run(parse_case(table), base_dir=tmp_path).walls[0].assessment
-    plain = {one.state: one for one in without.states}
+    plain = {state.state: state for state in without.states}
     assert plain["SLC"].check == "nonlinear"
     # at the state of the demand it is the verdict itself
     assert plain["SLV"].checks == without.checks and plain["SLV"].code == without.verdict.code

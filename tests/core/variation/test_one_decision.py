@@ -50,11 +50,13 @@ def test_that_a_wall_has_the_worst_outcome_of_its_hinges_and_the_least_zeta(wall
         (wall,) = result.verdicts
         hinges = [result.walls[k].assessment.verdict for k in wall.results]
         code = result.walls[wall.governing].assessment.verdict.code
-        assert rank(code) == min(rank(one.code) for one in hinges)
-        alike = [one.zeta_e for one in hinges if one.code == code]
+        assert rank(code) == min(rank(hinge.code) for hinge in hinges)
+        alike = [hinge.zeta_e for hinge in hinges if hinge.code == code]
         assert None in alike or hinges[0].zeta_e == min(alike)
-        assert wall.zeta_least == min_if_all_known(one.zeta_e for one in hinges)
-        milder += any(one.zeta_e is not None and hinges[0].zeta_e and one.zeta_e < hinges[0].zeta_e for one in hinges)
+        assert wall.zeta_least == min_if_all_known(hinge.zeta_e for hinge in hinges)
+        milder += any(
+            hinge.zeta_e is not None and hinges[0].zeta_e and hinge.zeta_e < hinges[0].zeta_e for hinge in hinges
+        )
         if wall.risk is not None:
             assert wall.risk.pga == pytest.approx(wall.zeta_least * result.demand.pga)
     assert milder >= walls // 40  # the hinge with the lowest zeta is not always the one that decides
@@ -193,7 +195,7 @@ def test_that_a_tie_that_breaks_early_does_not_lower_the_displacement_check():
         tied, bare = zeta_with_and_without_ties(assessment.kinematic, found.demand)
         check = next(one for one in assessment.checks if one.name == "nonlinear")
         assert check.zeta == max(tied, bare)
-        said = [one.text("en") for one in assessment.verdict.limits if one.code == "ties_displacement"]
+        said = [limit.text("en") for limit in assessment.verdict.limits if limit.code == "ties_displacement"]
         assert len(said) == 1 if tied < bare else len(said) <= 1
         assert all(f"{tied:.2f}" in one and f"{bare:.2f}" in one for one in said)
         lowered += tied < bare
@@ -225,7 +227,7 @@ def test_that_the_sheet_risk_has_each_state_in_its_own_column():
     demand |= {"nominal_life_years": 50.0, "use_class_factor": 1.0}
     wall = {key: value for key, value in TIED.items() if not key.startswith("tie_")}
     result = made({"wall": [wall | {"height_m": 6.0, "thickness_m": 0.5}], "demand": demand})
-    zetas = {one.state: one.zeta for one in result.walls[0].assessment.states}
+    zetas = {state.state: state.zeta for state in result.walls[0].assessment.states}
     assert list(zetas) == ["SLV", "SLC"]
     sheet = load_workbook(io.BytesIO(workbook_bytes(result)))["Risk"]
     heads = next(row for row in sheet.iter_rows(values_only=True) if row and "ζ SLD" in row)
@@ -268,5 +270,5 @@ def test_that_histories_take_a_tie_as_it_is_and_say_where_zeta_is_lower_with_it(
     tied = made({**table, "wall": [wall | {"load": [tie]}]}).walls[0].assessment
     bare = made({**table, "wall": [wall | {"unloaded_confirmed": True}]}).walls[0].assessment
     assert tied.verdict.zeta_e == tied.dynamic.zeta < bare.dynamic.zeta
-    (said,) = [dict(one.values) for one in tied.verdict.limits if one.code == "ties_histories"]
+    (said,) = [dict(limit.values) for limit in tied.verdict.limits if limit.code == "ties_histories"]
     assert (said["tied"].value, said["bare"].value) == (tied.dynamic.zeta, bare.dynamic.zeta)

@@ -176,7 +176,7 @@ def test_that_a_wall_that_no_longer_stands_has_no_zeta_and_turns():
     """Thrust at rest: a tenth of the thickness less, and it falls without an earthquake."""
     wall = {**LOADED, "load": [{"kind": "thrust", "kn_m": 1.8, "h_m": 5.0, "mass": "none"}]}
     found, _ = sensitivity(case_of(wall, demand={"ag_g": 0.02}), thickness_factor=[0.5, 1.0])
-    (end,) = next(one for one in found.sensitivity.swings if one.key == "thickness_factor").ends
+    (end,) = next(swing for swing in found.sensitivity.swings if swing.key == "thickness_factor").ends
     assert end.zeta is None and not end.sure
     assert found.sensitivity.swings[0].key == "thickness_factor"  # as wide as any
 
@@ -242,7 +242,7 @@ def test_that_what_is_refused_is_named_and_turns_nothing():
     building = {"height_m": 6.0, "storeys": 2, "period_s": 0.2}
     found, _ = sensitivity(case_of(wall, demand={"ag_g": 0.02}, building=building), thickness_factor=[1.0, 1.05])
     assert "thickness_factor" in dict(found.sensitivity.refused)
-    assert "thickness_factor" not in {one.key for one in found.sensitivity.swings}
+    assert "thickness_factor" not in {swing.key for swing in found.sensitivity.swings}
     assert not found.extra or "thickness" not in found.extra[0].text("en")
 
 
@@ -294,10 +294,10 @@ def test_that_each_move_of_a_building_with_modes_is_the_run_of_the_changed_case(
 
 def test_that_what_does_not_act_is_not_moved_or_is_still():
     found, _ = sensitivity(case_of(LOADED))
-    keys = {one.key for one in found.sensitivity.swings} | set(found.sensitivity.still)
+    keys = {swing.key for swing in found.sensitivity.swings} | set(found.sensitivity.still)
     assert "velocity_ratio_factor" not in keys  # no records
     assert "modulus_factor" in found.sensitivity.still  # on the ground nothing asks for T_0
-    (loads,) = [one for one in found.sensitivity.swings if one.key == "load_factor"]
+    (loads,) = [swing for swing in found.sensitivity.swings if swing.key == "load_factor"]
     assert loads.given == 1.0 and [end.value for end in loads.ends] == [0.8, 1.2]
     table = case_of(LOADED, demand={"ag_g": 0.3})
     assert zeta_of(table) < 1.0

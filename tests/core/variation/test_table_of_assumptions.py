@@ -104,7 +104,7 @@ def test_that_a_default_the_circolare_permits_leaves_the_outcome_and_its_sentenc
     for ag in np.arange(0.03, 0.2, 0.001):
         demand = {"ag_g": float(round(ag, 3)), "soil_factor": 1.2}
         verdict = found_of(wall, demand).walls[0].assessment.verdict
-        row = next(one for one in verdict.assumptions if one.key == "hinge_setback_m")
+        row = next(assumption for assumption in verdict.assumptions if assumption.key == "hinge_setback_m")
         if row.turns:
             assert verdict.code == "verified" and OUTCOMES[row.outcome].judgement != PASSES
             assert "hinge setback" in verdict.text("en") or "hinge_setback_m" in verdict.text("en")
@@ -127,7 +127,7 @@ def test_that_a_masonry_gives_its_unit_weight_and_questions_what_is_unlike_it():
     soft = parse_case({"wall": [bare | {"masonry": "regular_soft_stone"}]})
     assert soft.wall[0].unit_weight_kn_m3 is None  # the table has a range
     odd = found_of(WALL | {"masonry": "disordered_rubble", "elastic_modulus_mpa": 3000.0}, {"ag_g": 0.1})
-    assert "unlike_masonry" in {one.code for one in odd.walls[0].warnings}
+    assert "unlike_masonry" in {warning.code for warning in odd.walls[0].warnings}
 
 
 # the elastic branch
@@ -159,8 +159,8 @@ def test_that_a_free_element_rocks_less_well_with_its_branch_and_that_the_worse_
     assert zetas["rigid"] == pytest.approx(1.354, abs=0.002)
     scene = scene_of(PARAPET, demand, generate=generate)
     both = [
-        scene.histories(one.of(scene.model), scene.motions, scene.signs, scene.demand, scene.method, 1, False).zeta
-        for one in scene.branches
+        scene.histories(branch.of(scene.model), scene.motions, scene.signs, scene.demand, scene.method, 1, False).zeta
+        for branch in scene.branches
     ]
     assert min(both) == zetas["auto"]
 
@@ -209,7 +209,7 @@ def test_that_histories_switched_off_are_a_row_and_turn_what_they_would_not_pass
     for ag in (0.2, 0.19, 0.21, 0.22, 0.23, 0.18, 0.24):
         demand = {"ag_g": float(round(ag, 2)), "spectrum": NTC}
         found = found_of(wall, demand, parse=rules.parse_case, **off).walls[0].assessment.verdict
-        row = next((one for one in found.assumptions if one.key == "histories"), None)
+        row = next((assumption for assumption in found.assumptions if assumption.key == "histories"), None)
         if row is not None and row.turns:
             assert found.code == "indicative" and found.governing == "nonlinear"
             reason = demand | {"justification": {"histories": "records of the site were run elsewhere"}}
@@ -236,7 +236,7 @@ def test_that_a_milder_demand_is_a_row_whose_reason_lifts_it(key, demand):
     for ag in np.arange(0.04, 0.4, 0.004):
         asked = demand | {"ag_g": float(round(ag, 3))}
         found = found_of(wall, asked).walls[0].assessment.verdict
-        row = next((one for one in found.assumptions if one.key == key), None)
+        row = next((assumption for assumption in found.assumptions if assumption.key == key), None)
         if row is not None and row.turns:
             assert found.code == "indicative" and not row.reason
             reasons = {key: "clause and works stated in the report"}
@@ -605,9 +605,9 @@ def test_that_a_floor_below_the_lower_half_is_asked_about():
 
 def test_that_a_short_life_without_the_hazard_is_a_limit():
     demand = {"ag_g": 0.1, "spectrum": NTC, "nominal_life_years": 10.0, "use_class_factor": 0.7}
-    limits = [one.code for one in found_of(LONE, demand).walls[0].assessment.verdict.limits]
+    limits = [limit.code for limit in found_of(LONE, demand).walls[0].assessment.verdict.limits]
     assert "short_life" in limits
-    assert "short_life" not in [one.code for one in found_of(LONE, NTC_AG).walls[0].assessment.verdict.limits]
+    assert "short_life" not in [limit.code for limit in found_of(LONE, NTC_AG).walls[0].assessment.verdict.limits]
 
 
 @pytest.mark.shows("verdict.empty_reason")
@@ -696,7 +696,9 @@ def test_that_records_which_are_doubted_are_a_limit_of_the_verdict(fine, tmp_pat
     def said(*names: str) -> list[str]:
         records = [{"file": f"{name}.txt"} for name in names]
         found = run(parse_case({"wall": [LONE], "demand": NTC_AG, "record": records}), base_dir=tmp_path)
-        return [one.text("en") for one in found.walls[0].assessment.verdict.limits if one.code == "records_doubted"]
+        return [
+            limit.text("en") for limit in found.walls[0].assessment.verdict.limits if limit.code == "records_doubted"
+        ]
 
     assert said("sound") == []
     (words,) = said("sound", "roof", "twice")

@@ -448,7 +448,7 @@ def test_that_a_tie_beyond_one_block_is_named_where_the_wall_holds_as_it_bends()
             made = {key: value for key, value in asked.items() if not key.startswith("tie_")}
             case = {"wall": [made | {"load": [*asked["load"], bar]}], "demand": demand, "building": building}
             walls = study.run(parse_case(case), base_dir=Path()).walls
-            bends = [one.assessment.verdict.zeta_e for one in walls if one.part.top is not None]
+            bends = [wall.assessment.verdict.zeta_e for wall in walls if wall.part.top is not None]
             assert min(bends) == pytest.approx(tie.bending, rel=1e-12)
             assert min(walls[0].assessment.verdict.zeta_e, tie.bending) >= 1.0 - 1e-3
         seen.add((beyond, tie.force is None))

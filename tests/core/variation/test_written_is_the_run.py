@@ -120,7 +120,7 @@ def check_moves(table):
         (verdict,) = result.verdicts
         assert same(found.zeta, verdict.zeta_least), move.key
         hinges = [OUTCOMES[wall.assessment.verdict.code].judgement for wall in result.walls]
-        assert found.sure == all(one == PASSES for one in hinges), move.key
+        assert found.sure == all(hinge == PASSES for hinge in hinges), move.key
         count += 1
     return count
 
@@ -252,10 +252,10 @@ STRONGER = {
         replace(wall, thickness_m=round(factor * wall.thickness_m, 4)) for factor in (1.05, 1.3)
     ],
     "yield": lambda wall: [
-        replace(wall, load=tuple(replace(one, kn_m=1.3 * one.kn_m) if one.is_tie else one for one in wall.load))
+        replace(wall, load=tuple(replace(load, kn_m=1.3 * load.kn_m) if load.is_tie else load for load in wall.load))
     ],
     "elongation": lambda wall: [
-        replace(wall, load=tuple(replace(one, elongation=share) if one.is_tie else one for one in wall.load))
+        replace(wall, load=tuple(replace(load, elongation=share) if load.is_tie else load for load in wall.load))
         for share in (0.08, 0.15)
     ],
 }
