@@ -352,7 +352,7 @@ def study(path: str | os.PathLike = PAPER, quick: bool = False, jobs: int | None
         ``mechanism``, ``slenderness_deg``, ``height_m``, ``restitution``, ``law``, ``spectrum`` ("" of a natural
         record), ``motion``, ``polarity``, ``intensity_m``, ``pga_m_s2``, ``q``, ``q_slv``, None where there is none.
     """
-    from core.research import parametric
+    from core.lab.research import parametric
 
     asked, digest = read_study(_path(path))
     asked = quick_study(asked) if quick else asked

@@ -46,7 +46,7 @@ def test_that_no_function_is_longer_than_a_step_of_the_calculation(source):
 ONE_STEP, ORDER = "tests/validation/test_one_step.py", "tests/validation/test_method_order.py"
 WORKBOOK, RUN = "tests/core/report/test_workbook.py", "tests/core/study/test_run.py"
 STATED = "tests/core/report/stated/test_study.py"
-LAW, LARGE = "tests/core/research/test_law_study.py", "tests/core/study/test_large_case.py"
+LAW, LARGE = "tests/core/lab/research/test_law_study.py", "tests/core/study/test_large_case.py"
 STUDY = "tests/app/test_study.py"
 SELECTION = "tests/core/setting/test_record_selection.py"
 SENTENCES = "tests/core/text/test_catalogue.py"
@@ -54,7 +54,7 @@ DIALECTS = "tests/core/ground/test_dialects.py"
 REFUSALS = "tests/core/ground/test_record_refusals.py"
 BODIES = "tests/validation/test_bodies.py"
 
-SOLVED = "tests/core/solved/test_cases.py"
+SOLVED = "tests/core/lab/solved/test_cases.py"
 
 SHOWN_BY = {
     "codes/annex": "tests/core/codes/test_spectrum_codes.py",
@@ -70,7 +70,7 @@ SHOWN_BY = {
         "tests/core/rocking/test_held_top.py",
     ),
     **{
-        f"solved/{name}": SOLVED
+        f"lab/solved/{name}": SOLVED
         for name in (
             "solved",
             "walls",
@@ -95,8 +95,8 @@ SHOWN_BY = {
     "report/note/spectra_figure": "tests/core/report/test_selection_rows.py",
     "case/note_file": "tests/core/report/test_pdf.py",
     "report/note/document_subject": "tests/app/test_verification.py",
-    "research/pack": "tests/app/test_study.py",
-    "research/motion_archive": "tests/core/research/test_shake_table.py",
+    "lab/research/pack": "tests/app/test_study.py",
+    "lab/research/motion_archive": "tests/core/lab/research/test_shake_table.py",
     "report/case_text": "tests/app/test_verification.py",
     "case/case_files": "tests/app/test_verification.py",
     "case/variant_names": "tests/core/case/test_variant_of.py",
@@ -174,10 +174,10 @@ SHOWN_BY = {
     "rocking/taylor_series": ORDER,
     "capacity/scale_free_law": LAW,
     "report/floor_sheet": "tests/core/report/test_workbook.py",
-    "research/law_fit": LAW,
-    "research/set_means": "tests/core/research/test_parametric.py",
+    "lab/research/law_fit": LAW,
+    "lab/research/set_means": "tests/core/lab/research/test_parametric.py",
     **{
-        f"research/{name}": STUDY
+        f"lab/research/{name}": STUDY
         for name in (
             "figures",
             "paper_claims",

@@ -18,7 +18,7 @@ from app.terminal import batch
 from tests.benchmarks import bench
 from tests.benchmarks.small import small_case
 from tests.conftest import ROOT
-from tests.core.research.test_shake_table import invented
+from tests.core.lab.research.test_shake_table import invented
 
 DOCUMENTS = [
     ROOT / "README.md",
@@ -248,8 +248,10 @@ def test_that_a_documented_command_runs(command, place):
             page.write_text("# The case file\n", encoding="utf-8")
             tried((sys.executable, "-P", "-m", "tests.reference_of_keys", str(page)), place)
             assert page.read_text(encoding="utf-8").startswith("# The case file\n\n## Every key\n")
-        case [".venv/bin/python", "-m", "core.research.page"]:  # elsewhere than in the documents
-            into = "from pathlib import Path; from core.research import page; page.PAGE = Path('p.md'); page.main([])"
+        case [".venv/bin/python", "-m", "core.lab.research.page"]:  # elsewhere than in the documents
+            into = (
+                "from pathlib import Path; from core.lab.research import page; page.PAGE = Path('p.md'); page.main([])"
+            )
             tried((sys.executable, "-P", "-c", into), place)
             assert (place / "p.md").read_bytes() == (ROOT / "resources" / "docs" / "paper.md").read_bytes()
         case [".venv/bin/python", "-m", "tests.reference_of_results"]:

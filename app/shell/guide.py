@@ -106,8 +106,8 @@ def show_validation(window: "MainWindow") -> None:
     name = QFileDialog.getExistingDirectory(window, tr("Folder with tests.csv and records.npz"))
     if not name:
         return
-    from core.research.shake_table import compared, read_tests
-    from core.solved.shaken import lines
+    from core.lab.research.shake_table import compared, read_tests
+    from core.lab.solved.shaken import lines
 
     language = current_language()
 
@@ -130,7 +130,7 @@ def save_solved_cases(window: "MainWindow") -> None:
     if path is None:
         return
     from core import atomic_write
-    from core.solved import cases, pack
+    from core.lab.solved import cases, pack
 
     language = current_language()
 

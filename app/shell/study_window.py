@@ -34,8 +34,8 @@ from app.views.study_tabs import claims_table, figure_chart, table_view
 from app.work.runner import progress_word
 from app.work.worker import Job
 from core.known import require_value
-from core.research import parametric
-from core.research.study_report import report_of
+from core.lab.research import parametric
+from core.lab.research.study_report import report_of
 
 
 class StudyWindow(QDialog):

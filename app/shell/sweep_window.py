@@ -45,7 +45,7 @@ from core.case.values import check_value, field_of
 from core.case.wall import Wall
 from core.errors import InputError
 from core.known import require_value
-from core.research.figures import DASHED, LINE_POINTS, Figure, Series, Table
+from core.lab.research.figures import DASHED, LINE_POINTS, Figure, Series, Table
 from core.study.sweep import MAX_VALUES, SweepKey, SweepPoint, sweep, sweep_keys, value_at
 from core.text.sentence import Number, sentence
 

@@ -8,14 +8,14 @@ from app.look.language import current_language
 from app.terminal.batch import say
 from core import atomic_write
 from core.errors import InputError
+from core.lab.research.shake_table import as_json as as_json_of_tests
+from core.lab.research.shake_table import compared, read_tests
+from core.lab.solved import shaken
+from core.lab.solved.cases import cases_of, solve, subjects
+from core.lab.solved.pack import NAME_OF_JSON, NAME_OF_PDF, as_json, called, pdf, summary, written
+from core.lab.solved.solved import Solved, worded
 from core.packages import require
 from core.regular_file import first_bytes
-from core.research.shake_table import as_json as as_json_of_tests
-from core.research.shake_table import compared, read_tests
-from core.solved import shaken
-from core.solved.cases import cases_of, solve, subjects
-from core.solved.pack import NAME_OF_JSON, NAME_OF_PDF, as_json, called, pdf, summary, written
-from core.solved.solved import Solved, worded
 
 NAME_OF_TESTS = "validation.json"
 

@@ -25,13 +25,13 @@ from core.case.study_file import Study, quick_study, read_record_list, read_stud
 from core.errors import Cancelled, InputError, place
 from core.file_names import shown
 from core.ground import records as accelerograms
+from core.lab.research import pack, parametric
+from core.lab.research.figures import StudyReport
+from core.lab.research.parametric import ParametricResult
+from core.lab.research.study_files import CSV_COLUMNS
+from core.lab.research.study_report import report_of
 from core.packages import require
 from core.regular_file import first_bytes
-from core.research import pack, parametric
-from core.research.figures import StudyReport
-from core.research.parametric import ParametricResult
-from core.research.study_files import CSV_COLUMNS
-from core.research.study_report import report_of
 from core.study.journal import Journal
 
 MAX_NAMED = 20
@@ -209,8 +209,8 @@ def write(
     """All files of a study. check : called at every part, to cancel; ready : when all is made and nothing written yet;
     tell(done, planned) : how far it is; source : the file of the study and the records given, of which an archive is
     made too. Raises OutputError; what a figure raises, when the other files are written."""
+    from core.lab.research import study_files, study_workbook
     from core.report.steps import Steps
-    from core.research import study_files, study_workbook
 
     steps = Steps(check, tell)
     steps.take(0)

@@ -6,8 +6,8 @@ from app.look.labels import PlainLabel
 from app.look.language import number, tr
 from app.views.chart import Chart
 from app.views.table import Table
-from core.research.figures import DASHED, LINE_POINTS, POINTS, Claim, Figure, marker_of
-from core.research.figures import Table as StudyTable
+from core.lab.research.figures import DASHED, LINE_POINTS, POINTS, Claim, Figure, marker_of
+from core.lab.research.figures import Table as StudyTable
 
 SYMBOLS = ("o", "s", "t", "d")
 MIN_SERIES_BESIDE = 7

@@ -216,7 +216,7 @@ def law_of(one_sided: bool, law: MomentLaw, quantity: str) -> ScaleFreeLaw | Non
 
 
 RESULTS = Path(__file__).resolve().parents[2] / "resources" / "studies" / "law.results.json"
-"""What `--study law` found (core/research/page.py keeps it)."""
+"""What `--study law` found (core/lab/research/page.py keeps it)."""
 
 TRILINEAR_TO = 3.8
 """Lambda beyond which the fits of trilinear walls that rock to both sides fail: q may be below the plateau."""

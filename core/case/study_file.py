@@ -87,8 +87,8 @@ class Study:
     """A parametric study.
 
     count : motions generated for each spectrum
-    natural : file of the named set of natural records (core/research/natural_set.py) that is looked for in a folder of
-        records; without it every record of the folder is taken
+    natural : file of the named set of natural records (core/lab/research/natural_set.py) that is looked for in a folder
+        of records; without it every record of the folder is taken
     """
 
     title: str = text_key("Ribalta")

@@ -15,9 +15,9 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
 from app.look import theme
+from core.lab.research.study_files import PALETTE
 from core.report import cells
 from core.report.note.document import COLORS
-from core.research.study_files import PALETTE
 from tests.app.driving import run
 from tests.conftest import ROOT
 

@@ -14,7 +14,7 @@ from app.shell import guide, menus
 from core.study import self_test
 from core.text.catalogue import CATALOGUE
 from tests.app.driving import settle
-from tests.core.research.test_shake_table import invented
+from tests.core.lab.research.test_shake_table import invented
 
 
 def contrast(one: QColor, other: QColor) -> float:
@@ -94,7 +94,7 @@ def test_that_the_help_tells_what_the_model_says_of_tests_on_a_shake_table(appli
 
 
 def test_that_the_help_saves_the_solved_cases_and_opens_them(application, opened, tmp_path, monkeypatch):
-    from core.solved import cases
+    from core.lab.solved import cases
 
     few = cases.SUBJECTS[0]._replace(cases=cases.SUBJECTS[0].cases[:2])
     monkeypatch.setattr(cases, "SUBJECTS", (few,))

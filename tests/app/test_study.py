@@ -19,10 +19,10 @@ from openpyxl import load_workbook
 from app.terminal import study
 from core.capacity import scale_free_law
 from core.capacity.regression import agreement
-from core.research.law_fit import columns, set_columns
-from core.research.page import kept
-from core.research.set_means import motion_values
-from core.research.study_report import report_of
+from core.lab.research.law_fit import columns, set_columns
+from core.lab.research.page import kept
+from core.lab.research.set_means import motion_values
+from core.lab.research.study_report import report_of
 from core.version import commit
 from tests.app.driving import settle
 from tests.app.test_batch import call, start, waited
@@ -67,7 +67,7 @@ def small(tmp_path):
 @pytest.fixture
 def undrawn(monkeypatch):
     """Figures without their pictures: to draw them takes longer than the study."""
-    monkeypatch.setattr("core.research.study_files.figure_files", lambda _: {})
+    monkeypatch.setattr("core.lab.research.study_files.figure_files", lambda _: {})
 
 
 def content(folder, stem="small"):
@@ -403,14 +403,16 @@ def test_that_a_figure_that_fails_takes_no_number_along(small, tmp_path, monkeyp
     def fails(figure):
         raise RuntimeError("no font")
 
-    monkeypatch.setattr("core.research.study_files.figure_files", fails)
+    monkeypatch.setattr("core.lab.research.study_files.figure_files", fails)
     assert call("--study", small, "--output", tmp_path / "out", "--quiet") == 4
     said = capsys.readouterr().err
     assert f"workbook, JSON and CSV are written: {tmp_path / 'out' / 'small'}" in said
     assert content(tmp_path / "out") == content(tmp_path / "right")
     load_workbook(tmp_path / "out" / "small.xlsx")
     monkeypatch.undo()  # finished runs are used again, so that the figures cost no second run
-    monkeypatch.setattr("core.research.parametric.incremental_dynamic_analysis", lambda *_: pytest.fail("run again"))
+    monkeypatch.setattr(
+        "core.lab.research.parametric.incremental_dynamic_analysis", lambda *_: pytest.fail("run again")
+    )
     assert call("--study", small, "--output", tmp_path / "out", "--resume", "--quiet") == 0
     assert len(list((tmp_path / "out" / "small_figures").iterdir())) == 8
 

@@ -25,7 +25,7 @@ from core.case.study_file import Study
 from core.codes.spectrum_codes import en1998
 from core.ground.artificial import compatible_motion
 from core.ground.ground_motion import GroundMotion
-from core.research.parametric import natural_motions
+from core.lab.research.parametric import natural_motions
 from core.rocking.history import integrate_history
 from core.rocking.methods import METHODS
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT

@@ -16,7 +16,7 @@ from tests.validation.circolare import HELD, case, mechanism_of
 @pytest.mark.shows("kinematic.sld_floor")
 def test_that_zeta_is_capacity_over_demand_and_counts_a_g_sld_for_slv():
     """1.0 x 0.20 m, a_g 0.26 g, EN 1998-1 type 1, ground B: a_g,SLV against a_g, in g; clause .8. The other numbers of
-    these checks are solved cases (core/solved/clauses.py)."""
+    these checks are solved cases (core/lab/solved/clauses.py)."""
     found, demand = mechanism_of(case({"height_m": 1.0, "thickness_m": 0.20, **HELD}))
     check = check_linear("linear_q_code", found, demand, 2.0)
     assert check.q == 2.0 and check.demand == pytest.approx(0.26, rel=1e-12)

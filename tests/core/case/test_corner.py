@@ -7,7 +7,7 @@ import pytest
 
 from core.case.rules import parse_case
 from core.errors import InputError
-from core.solved.bodies import corner_of
+from core.lab.solved.bodies import corner_of
 from core.study.run import run
 from tests.clauses_alone import parse_case as clauses_alone
 

@@ -100,7 +100,7 @@ def test_that_a_list_of_records_holds_records_and_nothing_else(tmp_path):
 
 
 def test_that_the_shapes_of_the_paper_are_different_and_spread_in_every_group():
-    from core.research.parametric import spectra_of
+    from core.lab.research.parametric import spectra_of
     from core.units import CM, G
 
     study = parse_study(tomllib.loads((ROOT / "resources" / "studies" / "paper.toml").read_text()))

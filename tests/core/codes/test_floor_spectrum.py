@@ -1,4 +1,4 @@
-"""What a floor spectrum is at its ends and at its modes; its worked values are solved cases (core/solved/floors.py)."""
+"""What a floor spectrum is at its ends and at its modes; worked values are solved cases (core/lab/solved/floors.py)."""
 
 import numpy as np
 import pytest

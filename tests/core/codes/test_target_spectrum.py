@@ -37,7 +37,7 @@ def by_hand(t, ag_s, eta, f0, tb, tc, td):
 @pytest.mark.parametrize("soil", ts.SOILS)
 def test_that_every_branch_of_en1998_is_its_formula(kind, soil, damping):
     target = en1998(A_G, kind, soil)
-    s, tb, tc, td = target.soil, target.t_b, target.t_c, target.t_d  # by the print: core/solved/hazard.py
+    s, tb, tc, td = target.soil, target.t_b, target.t_c, target.t_d  # by the print: core/lab/solved/hazard.py
     eta = max(math.sqrt(10.0 / (5.0 + 100.0 * damping)), 0.55)
     periods = [0.0, 0.5 * tb, tb, 0.5 * (tb + tc), tc, 0.5 * (tc + td), td, 3.0 * td]
     found = target.acceleration(periods, damping)

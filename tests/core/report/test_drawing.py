@@ -7,11 +7,11 @@ import pytest
 
 from core.case.solids import Opening
 from core.case.wall import Wall
+from core.lab.research import figures, study_files
 from core.report.note import document
 from core.report.note.parts import Curve, Figure
 from core.report.note.wall_figures import elevation
 from core.report.note.words import Words
-from core.research import figures, study_files
 
 mpl = pytest.importorskip("matplotlib")
 

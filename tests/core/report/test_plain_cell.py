@@ -8,9 +8,9 @@ import pytest
 
 from core.case.study_file import Cell
 from core.ground.ground_motion import GroundMotion
+from core.lab.research.parametric import ParametricResult, Row, StudyMotion
+from core.lab.research.study_files import csv_text
 from core.report.plain_cell import plain_cell
-from core.research.parametric import ParametricResult, Row, StudyMotion
-from core.research.study_files import csv_text
 
 
 @pytest.mark.shows("files.no_formula_of_a_user")

@@ -9,15 +9,15 @@ import pytest
 from openpyxl import Workbook
 
 from app import __main__ as program
+from core.lab.research.figures import LINE
+from core.lab.research.figures import Figure as StudyFigure
+from core.lab.research.figures import Series as StudySeries
+from core.lab.research.study_files import figure_files
 from core.ooxml.sheet import Limits, read_sheet
 from core.report.cells import Book, text
 from core.report.note.document import document
 from core.report.note.parts import Curve, Figure, Figures, Heading, Paragraph, Table
 from core.report.xml_text import escape_for_cell, escape_for_xml
-from core.research.figures import LINE
-from core.research.figures import Figure as StudyFigure
-from core.research.figures import Series as StudySeries
-from core.research.study_files import figure_files
 
 HOSTILE = "a\ufffe\uffff_x0041_\x0b\ud800\U0001ffff è <&>"
 SHOWN = "a\\ufffe\\uffff_x0041_"

@@ -18,8 +18,8 @@ from core.codes.kinematic import CHECKS
 from core.codes.outcomes import OUTCOMES
 from core.errors import InputError, place, section
 from core.ground.records.signatures import BEGINNINGS
+from core.lab.solved.cases import SUBJECTS, cases_of
 from core.packages import PACKAGES
-from core.solved.cases import SUBJECTS, cases_of
 from core.text.catalogue import CATALOGUE, FOLDER, GROUPS, Catalogue
 from core.text.sentence import FormNames, Key, Quantity, capital, localized, sentence
 from core.variation.tie_design import FORCE_NAMES as FORCES
@@ -58,15 +58,15 @@ OF_NO_SENTENCE = {
         "what each key of the results is: its page and its schema are in English, as the keys are",
     ),
     "core/capacity/regression.py": "errors of whoever fits a law",
-    "core/research/pack.py": "an archive to deposit is in English",
-    "core/research/page.py": "a page of the documents is in English",
-    "core/research/study_files.py": "what the columns of its CSV are",
+    "core/lab/research/pack.py": "an archive to deposit is in English",
+    "core/lab/research/page.py": "a page of the documents is in English",
+    "core/lab/research/study_files.py": "what the columns of its CSV are",
     "core/study/check_script.py": "a script is in English, as programs are",
     "core/derivation/faces.py": "errors of whoever describes a quantity",
     "core/derivation/quantity.py": "errors of whoever describes a quantity",
-    **dict.fromkeys(["core/solved/bodies.py", "core/solved/floors.py"], "formulas"),
+    **dict.fromkeys(["core/lab/solved/bodies.py", "core/lab/solved/floors.py"], "formulas"),
     **dict.fromkeys(
-        [f"core/solved/{name}.py" for name in ("experiments", "published", "published_rocking")], "citations"
+        [f"core/lab/solved/{name}.py" for name in ("experiments", "published", "published_rocking")], "citations"
     ),
     "core/variation/evaluate.py": "how the first line of a bundled motion begins",
     "core/ground/records/california.py": "patterns of heads of files",

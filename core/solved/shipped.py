@@ -1,5 +1,0 @@
-"""The cases that come with the program."""
-
-from pathlib import Path
-
-SHIPPED = Path(__file__).resolve().parents[2] / "resources" / "cases"
