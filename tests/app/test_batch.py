@@ -102,7 +102,7 @@ def test_that_an_italian_terminal_is_spoken_to_in_italian(child):
         f"errore: {folder / 'none.toml'}: questo file di caso non esiste\n1",
         f'errore: {folder / "high.toml"}: parete "w": height_m = 500.0 non ? ammesso: da 0.1 a 60 m\n1',
     ]
-    assert "parete" in shown and "serie" in shown and shown.endswith("\n0") and "Traceback" not in last
+    assert "parete" in shown and "analisi in" in shown and shown.endswith("\n0") and "Traceback" not in last
 
 
 @pytest.mark.shows("batch.batch")
@@ -128,7 +128,7 @@ def test_that_a_case_gives_workbook_and_json_beside_it(case, capsys):
     assert shown.err == ""
     content = json.loads((case.parent / "case.json").read_text())
     assert list(content) == [
-        *("program", "started_utc", "case", "case_toml", "case_sha256", "demand", "records", "verdicts", "walls")
+        *("program", "started_utc", "case", "case_toml", "case_sha256", "files", "demand", "records", "verdicts", "walls")
     ]
     run = content["walls"][0]["runs"][0]
     for key in (

@@ -32,7 +32,7 @@ def test_that_every_dialog_of_the_program_is_asked_once():
         held = {
             id(node)
             for one in ast.walk(tree)
-            if isinstance(one, ast.With) and any("once(" in ast.unparse(item) for item in one.items)
+            if isinstance(one, ast.With) and any("delete_after_use(" in ast.unparse(item) for item in one.items)
             for node in ast.walk(one)
         }
         for node in ast.walk(tree):

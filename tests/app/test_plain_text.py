@@ -61,7 +61,7 @@ BOXES = ("warning", "critical", "question", "information")
 
 @pytest.mark.shows("doors.markup")
 def test_that_message_boxes_and_tips_take_no_name_as_markup():
-    """What they say is a text of the program without values, or goes through `plain`."""
+    """What they say is a text of the program without values, or goes through `escape_html`."""
     import ast
 
     bare, seen = [], 0
@@ -74,7 +74,7 @@ def test_that_message_boxes_and_tips_take_no_name_as_markup():
                 continue
             said, seen = node.args[2] if of_box else node.args[-1], seen + 1
             made = ast.unparse(said.func) if isinstance(said, ast.Call) else ""
-            if not (isinstance(said, ast.Constant) or made == "plain" or (made == "tr" and not said.keywords)):
+            if not (isinstance(said, ast.Constant) or made == "escape_html" or (made == "tr" and not said.keywords)):
                 bare.append(f"{path.name}: {ast.unparse(node)}")
     assert seen > 40 and bare == []
 

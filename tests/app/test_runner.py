@@ -167,7 +167,7 @@ def test_that_the_accuracy_statement_survives_a_save(opened, application, monkey
     from core.study import wall_tasks
 
     run(application, opened)
-    held = Held(monkeypatch, wall_tasks, "accuracy_of", lambda *_: accuracy)
+    held = Held(monkeypatch, wall_tasks, "make_accuracy_statement", lambda *_: accuracy)
     opened.runner.state_accuracy(opened.navigator.shown)
     held.await_call()
     opened.files.save()
@@ -208,7 +208,6 @@ def test_that_the_memory_of_runs_is_bounded_and_takes_many_threads():
         thread.start()
     for thread in threads:
         thread.join()
-    assert memory.analyses == 8000
     assert memory.size == 30 * len(memory.found) <= 1000
 
 

@@ -88,7 +88,7 @@ def test_that_a_sweep_is_cancelled_with_what_is_finished_and_closes_while_it_run
 ):
     from core.study import sweep
 
-    held = Held(monkeypatch, sweep, "point_of")
+    held = Held(monkeypatch, sweep, "make_sweep_point")
     choose(asked, Wall, "thickness_m", "40", "60")
     asked.run()
     held.await_call()

@@ -8,7 +8,7 @@ import pytest
 
 from core.codes.vertical_bending import lowest_hinge, mechanism, model_of_bending
 from core.mechanism.bending_reactions import MovingStrip, impulse, kept_rate, reactions_of_history, spring_force
-from core.rocking.history import history
+from core.rocking.history import integrate_history
 from core.units import G
 from core.wall.bending import Motion, Strip, kept_at_impact
 
@@ -119,7 +119,7 @@ def test_that_no_history_exceeds_the_bound_of_a_moving_hold(seed):
         alpha, period = draw.uniform(1.1, 1.8) * outward.multiplier(), draw.uniform(0.15, 0.5)
         time = np.arange(0.0, 4.0 * period, 0.005)
         ground = alpha * G * np.sin(2.0 * math.pi * time / period) * (time < 3.0 * period)
-        motion = history(ground, 0.005, 1.0, model)
+        motion = integrate_history(ground, 0.005, 1.0, model)
         if motion.peak > 0.8 * strip.thickness / strip.height:
             continue
         pulled, pushed = reactions_of_history(outward, inward, motion, ground / G, 0.005)

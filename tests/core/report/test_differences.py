@@ -46,5 +46,5 @@ def test_that_numbers_texts_and_formulas_of_cells_are_compared_and_sheets_by_nam
 
 def test_that_the_case_within_a_workbook_is_read_line_by_line():
     lines = {"A1": "title", "A3": "The case as it was run", "A4": "[[wall]]", "A6": 'name = "w"'}
-    assert case_of_workbook(book_of(title="Input", **lines)) == '[[wall]]\n\nname = "w"\n'
-    assert case_of_workbook(book_of(A1=1)) == ""
+    assert case_of_workbook(book_of(title="Input", **lines)) == ('[[wall]]\n\nname = "w"\n', [])
+    assert case_of_workbook(book_of(A1=1)) == ("", [])

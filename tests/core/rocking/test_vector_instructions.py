@@ -47,10 +47,10 @@ BUDGET = {
     "lane_initial_terms": {"x86-64-v3": (66, 15), "x86-64-v4": (66, 0)},
     "lane_taylor_coefficients": {"x86-64-v3": (210, 78), "x86-64-v4": (153, 18)},
     "shorten_steps": {"x86-64-v3": (186, 49), "x86-64-v4": (143, 9)},
-    "stay_in_sample": {"x86-64-v3": (27, 0), "x86-64-v4": (24, 0)},
+    "restore_partial_steps": {"x86-64-v3": (27, 0), "x86-64-v4": (24, 0)},
     "vector_step": {"x86-64-v3": (305, 97), "x86-64-v4": (214, 35)},
     "locate_impacts": {"x86-64-v3": (324, 97), "x86-64-v4": (273, 37)},
-    "plain_steps": {"x86-64-v3": (423, 115), "x86-64-v4": (339, 41)},
+    "vector_step_held": {"x86-64-v3": (423, 115), "x86-64-v4": (339, 41)},
 }
 WITH_BARS = {
     "lane_initial_terms": {"x86-64-v3": (60, 14), "x86-64-v4": (60, 0)},

@@ -141,7 +141,7 @@ def use(monkeypatch, executor) -> None:
 
 
 @pytest.mark.shows("batch.scheduler")
-@pytest.mark.parametrize("name, task, walls", [("few", "wall_alone", 3), ("many", "group_alone", 3)])
+@pytest.mark.parametrize("name, task, walls", [("few", "run_wall_task", 3), ("many", "run_group_task", 3)])
 def test_that_ctrl_c_keeps_what_came_and_a_resume_hands_out_the_rest(
     folder, whole, tmp_path, few, monkeypatch, capsys, name, task, walls
 ):
@@ -174,7 +174,7 @@ def test_that_a_lost_worker_costs_its_group(folder, whole, tmp_path, few, monkey
 
     monkeypatch.setattr(large_batch, "group_results", here)
     assert batch.run(folder / "many.toml", tmp_path, 1, True, False, scheduler="tcp://h:1") == batch.DONE
-    assert made == [1] and pool.tasks["group_alone"] == 3
+    assert made == [1] and pool.tasks["run_group_task"] == 3
     equal(tmp_path, whole)
 
 

@@ -43,7 +43,7 @@ def made(*walls, **demand):
 
 def fake(zeta, code="not_verified", target=1.0):
     verdict = SimpleNamespace(zeta_e=zeta, code=code, zeta_target=target)
-    return SimpleNamespace(assessed=SimpleNamespace(verdict=verdict))
+    return SimpleNamespace(required_assessment=SimpleNamespace(verdict=verdict))
 
 
 @pytest.mark.shows("verdict.worst")

@@ -133,7 +133,7 @@ CONDITION = {
     "loads_contradict": "if they do not exist",
     "low_confidence_factor": "investigated",
     "corner_pushed_over": "if the wall that spans",
-    "leaf_held": "write the leaf as a wall of its own",
+    "leaf_held": "model the leaf as a separate wall",
     "modes_or_period": "state their period",
     "no_check": "for an element free to vibrate",
     "restitution_one_sided": "is for",

@@ -49,7 +49,8 @@ OF_NO_SENTENCE = {
     "app/terminal/command_line.py": "what argparse says, and the texts of the terminal for it",
     "core/case/back_restraint.py": "words of older texts, in both languages",
     "core/case/wall_columns.py": "heads of columns, in both languages",
-    "core/case/wall.py": "the values of a key",
+    "core/case/case_files.py": "errors of what no program wrote",
+    "core/case/variant_names.py": "the values of a key",
     **dict.fromkeys(
         [
             "core/report/columns.py",

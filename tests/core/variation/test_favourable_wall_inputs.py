@@ -144,7 +144,7 @@ def set_rows(zeta=1.2, demand=SOIL, by_default=False, ground=None, **asked):
 
 def asked_at(row):
     """The set at the other end of a row."""
-    return row.ends[0].change(SimpleNamespace(generated_as=lambda asked: asked))
+    return row.ends[0].change(SimpleNamespace(regenerate_motions=lambda asked: asked))
 
 
 @pytest.mark.shows("lifts.motions")
