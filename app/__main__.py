@@ -16,7 +16,7 @@ from app.terminal.command_line import parse, refuse_missing
 from app.terminal.display import refuse_without_display
 from core.errors import InputError
 from core.file_names import shown
-from core.jit import trial
+from core.jit import cache, trial
 from core.packages import way_to_get
 from core.text.start import system_language
 from core.version import line
@@ -109,6 +109,8 @@ def main(arguments: list[str] | None = None) -> int:
     with contextlib.suppress(OSError, AttributeError, RuntimeError):  # no stderr: ribaltaw, a test
         if not faulthandler.is_enabled():  # whoever started it may be told of faults elsewhere
             faulthandler.enable()
+    cache.own_process()
+    os.environ.setdefault("OPENPYXL_LXML", "False")  # else a workbook is written in another way where lxml is installed
     set_language(system_language())
     trial.self_test[:] = [_machine_code_is_right]
     for stream in (sys.stdout, sys.stderr):

@@ -13,6 +13,7 @@ from core.codes.vertical_bending import model_of_bending
 from core.ground.floor_motion import floor_motion
 from core.ground.ground_motion import GroundMotion
 from core.ground.selection import MAX_SETS, Bounds, nearest_sets
+from core.jit import cache
 from core.rocking.energy import energy_ratios
 from core.rocking.history import integrate_history, scan_multipliers
 from core.rocking.methods import METHODS
@@ -35,6 +36,7 @@ WALLS = (
 
 
 def main() -> None:
+    cache.own_process()
     motion = GroundMotion("sine", GROUND, 0.01)
     floor_motion(motion, [Mode(0.3, 0.05, 1.3)])
     for model in WALLS:

@@ -158,7 +158,7 @@ def written_of(signature, function) -> str:
 def compiled(wanted: dict[Kernel, list], level: str, target: Path) -> dict[str, dict[str, list[str]]]:
     """Compile kernels with these signatures for a level, which is that of this process, as a shared library in a
     folder; returns the names of the kernels in it, as `shipped.Library` has them."""
-    cache.configure_numba()
+    cache.own_process()
     import llvmlite.binding as llvm
     from numba import config, njit
 

@@ -12,8 +12,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import core  # noqa: F401  (before openpyxl, whose way of reading it sets)
+from core.jit import cache
 
+cache.own_process()  # the tests are a program
+os.environ["OPENPYXL_LXML"] = "False"
 for name in ("LC_ALL", "LC_MESSAGES", "LANG"):
     os.environ[name] = "C.UTF-8"  # the tests read the program's words in English
 

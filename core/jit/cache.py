@@ -151,15 +151,21 @@ def close() -> None:
         shutil.rmtree(folder(), ignore_errors=True)
 
 
-def configure_numba() -> None:
-    """Before numba compiles its first kernel: it asks this cache, and optimises at level 2 for a processor with vectors
-    of 512 bits and their 32 registers, else at level 1: with 16 registers level 2 spills more than it saves, and a
-    cold start is longer (resources/docs/speed.md)."""
-    os.environ.setdefault(
-        "NUMBA_CACHE_LOCATOR_CLASSES",
-        f"{__package__}.numba_extensions.Locator,InTreeCacheLocator,UserWideCacheLocator,IPythonCacheLocator",
-    )
+_owned = [False]
+
+
+def own_process() -> None:
+    """Set up numba for this whole process, before it is imported: by the program, whose process it is, and never by the
+    library, whose process is somebody else's. It optimises at level 2 for a processor with vectors of 512 bits and
+    their 32 registers, else at level 1: with 16 registers level 2 spills more than it saves, and a cold start is longer
+    (resources/docs/speed.md)."""
+    _owned[0] = True
     os.environ.setdefault("NUMBA_OPT", "2" if shipped.has_wide_vectors() else "1")
     if shipped.FORCED_LEVEL in os.environ:
         os.environ.setdefault("NUMBA_CPU_NAME", os.environ[shipped.FORCED_LEVEL])
         os.environ.setdefault("NUMBA_CPU_FEATURES", "")
+
+
+def owns_process() -> bool:
+    """Whether this process is the program's."""
+    return _owned[0]

@@ -3,14 +3,13 @@ start."""
 
 import functools
 
-from core.jit import cache, native
+from core.jit import native
 from core.jit.kernel import Kernel, widest_vectors
 
 __all__ = ["Kernel", "inner_kernel", "kernel", "subkernel", "widest_vectors"]
 
 
 def _compiled(function, inlined: bool, python_wrapper: bool):
-    cache.configure_numba()
     from core.jit.numba_extensions import compiled
 
     return compiled(function, inlined, python_wrapper)

@@ -3,12 +3,12 @@
 import contextlib
 import gc
 import hashlib
+import sys
 from pathlib import Path
 
 import numba
 from numba import njit, types
-from numba.core import config
-from numba.core.caching import Cache, _CacheLocator
+from numba.core.caching import CompileResultCacheImpl, FunctionCache, _CacheLocator
 from numba.extending import lower_builtin, type_callable, typeof_impl
 
 from core.jit import cache
@@ -17,17 +17,13 @@ from core.jit.kernel import Kernel, value_unless_none, widest_vectors
 from core.jit.stamp import stamp
 from core.known_internals import internals_known
 
-config.reload_config()
-"""numba may have been imported by somebody else, before `cache.configure_numba` set its variables."""
-
 
 def compiled(function, inlined: bool, python_wrapper: bool):
     """numba's dispatcher of a kernel's function: compiled once per machine; no lock held while it runs; never
     fastmath, never parallel. Kernels allocate nothing (_nrt), so that no array handed on is counted: that took
     a fifth of a pass. An option not set here would be inherited from the kernel whose compilation asks
     for this one."""
-    return njit(  # type: ignore[call-overload]  # options numba has and does not declare
-        cache=True,
+    dispatcher = njit(  # type: ignore[call-overload]  # options numba has and does not declare
         nogil=True,
         error_model="numpy",
         _nrt=False,
@@ -35,6 +31,8 @@ def compiled(function, inlined: bool, python_wrapper: bool):
         no_cpython_wrapper=not python_wrapper,
         no_cfunc_wrapper=not python_wrapper,
     )(function)
+    dispatcher._cache = KernelCache(function)  # as its `enable_caching` does with the cache of numba
+    return dispatcher
 
 
 CORE = __name__.removesuffix(".jit.numba_extensions")
@@ -60,45 +58,36 @@ class Locator(_CacheLocator):
     def get_disambiguator(self):
         return self._place
 
-    @classmethod
-    def from_function(cls, py_func, py_file):
-        ours = py_func.__module__.startswith((f"{CORE}.", "tests."))
-        return cls(py_func) if ours else None
+
+class KernelCacheFiles(CompileResultCacheImpl):
+    """Where the cache of a kernel lies: in the folder of kernels, whatever numba's own settings say."""
+
+    def __init__(self, py_func):
+        self._lineno = py_func.__code__.co_firstlineno
+        self._locator = Locator(py_func)
+        self._filename_base = self.get_filename_base(
+            f"{Path(py_func.__code__.co_filename).stem}.{py_func.__qualname__}", getattr(sys, "abiflags", "")
+        )
 
 
-_types_of_call = types.Function.get_call_type
-_known: dict = {}
+class KernelCache(FunctionCache):
+    """The cache of one kernel. numba's own, and the functions of others in this process, are left as they are."""
 
+    _impl_class = KernelCacheFiles
 
-def _once(function, context, arguments, keywords):
-    """numba tries dozens of rules, some with an error's text, for each `a * b` of numbers. The same call has the same
-    types: a tenth of a cold start (resources/docs/speed.md)."""
-    if keywords or not all(isinstance(argument, types.Number) for argument in arguments):
-        return _types_of_call(function, context, arguments, keywords)
-    call = function, arguments
-    if call not in _known:
-        _known[call] = _types_of_call(function, context, arguments, keywords)
-    return _known[call]
+    def load_overload(self, sig, target_context):
+        """Load machine code. numba first imports what it needs to compile, a seventh of a run of one wall
+        (resources/docs/speed.md): code from the cache needs none of it, and the compiler asks for it by itself."""
+        if not internals_known(numba):
+            return super().load_overload(sig, target_context)
+        with self._guard_against_spurious_io_errors():
+            return self._load_overload(sig, target_context)
 
-
-def _load_overload(cached, signature, context):
-    """numba first imports what it needs to compile, a seventh of a run of one wall (resources/docs/speed.md). Machine
-    code from the cache needs none of it; where there is none, the compiler itself asks for it."""
-    with cached._guard_against_spurious_io_errors():
-        return cached._load_overload(signature, context)
-
-
-def _save_overload(cached, signature, compiled):
-    """Save an overload without the listing of the source with its types, which names folders of this machine. A full
-    disk must not end a run: what was compiled is of this process alone then."""
-    with contextlib.suppress(OSError):
-        cached._save_overload(signature, compiled._replace(type_annotation=""))
-
-
-if internals_known(numba):
-    types.Function.get_call_type = _once  # type: ignore[method-assign]
-    Cache.load_overload = _load_overload  # type: ignore[method-assign]
-    Cache.save_overload = _save_overload  # type: ignore[method-assign]
+    def save_overload(self, sig, data):
+        """Save machine code without the listing of the source with its types, which names folders of this machine. A
+        full disk must not end a run: what was compiled is of this process alone then."""
+        with contextlib.suppress(OSError):
+            super().save_overload(sig, data._replace(type_annotation=""))
 
 
 @typeof_impl.register(Kernel)
@@ -143,6 +132,7 @@ def _mark_function(context, builder, signature, arguments):
     return context.get_dummy_value()
 
 
-gc.freeze()
-"""What numba's import made stays to the end: the collector need not look through it while kernels compile, 4 to 6 % of
-a cold start (resources/docs/speed.md)."""
+if cache.owns_process():
+    gc.freeze()
+    """What numba's import made stays to the end: the collector need not look through it while kernels compile, 4 to 6 %
+    of a cold start (resources/docs/speed.md)."""

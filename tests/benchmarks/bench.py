@@ -38,6 +38,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
+from core.jit import cache  # noqa: E402
+
 BENCHMARKS = {
     "work_precision": "work_precision",
     "q_error": "q_error",
@@ -88,6 +90,7 @@ def options_of(words: list[str]) -> argparse.Namespace:
 
 def main(words: list[str]) -> None:
     """Measure what the words ask for."""
+    cache.own_process()
     options = options_of(words)
     chosen = next((BENCHMARKS[word] for word in BENCHMARKS if getattr(options, word)), "speed")
     importlib.import_module(f"tests.benchmarks.{chosen}").main(options)

@@ -20,7 +20,7 @@ import sys, time
 from core.jit import cache
 from core.study import precompile
 precompile.start = lambda methods: None
-cache.configure_numba()
+cache.own_process()
 from numba.core import event
 class Nested(event.Listener):
     def __init__(self):

@@ -82,7 +82,7 @@ def loops_of(text):
 
 
 def optimisation_level(features):
-    """As `cache.configure_numba` sets it for a processor."""
+    """As `cache.own_process` sets it for a processor."""
     return 2 if "avx512vl" in features else 1
 
 
@@ -107,7 +107,7 @@ def processors(own):
 @pytest.fixture
 def assembly(monkeypatch):
     """A loop's assembly for several processors: it is compiled once, and optimised for each as numba would do there."""
-    cache.configure_numba()
+    cache.own_process()
     from numba import njit, typeof, types
     from numba.core import codegen, config
 
