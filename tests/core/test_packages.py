@@ -34,7 +34,7 @@ def test_that_the_way_out_fits_the_installation(monkeypatch, tmp_path):
     assert "start the program with python3 run.py" in refusal("study", monkeypatch)
     monkeypatch.setattr(packages, "__file__", str(tmp_path / "core" / "packages.py"))
     said = refusal("study", monkeypatch)
-    assert said.endswith("the program (pipx inject ribalta matplotlib)")
+    assert said.endswith("the program (pipx inject ribalta-rocking matplotlib)")
     assert "run.py" not in said + refusal("study", monkeypatch, "it")
     monkeypatch.setattr(packages, "build", lambda: {"commit": "x"})
     assert refusal("accuracy", monkeypatch, "it").endswith("installare di nuovo il programma")
