@@ -89,7 +89,11 @@ def build(output: Path) -> int:
 def main() -> int:
     words = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     words.add_argument("--output", type=Path, default=ROOT / "dist" / "pages")
-    return build(words.parse_args().output)
+    output = words.parse_args().output
+    if code := build(output):
+        return code
+    print(f"the site: {(output / 'index.html').resolve()}")
+    return 0
 
 
 if __name__ == "__main__":

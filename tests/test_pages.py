@@ -33,6 +33,7 @@ def site(tmp_path_factory):
     command = [sys.executable, "-P", ROOT / "packaging" / "pages.py", "--output", output]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
+    assert done.stdout.split("\n")[-2] == f"the site: {(output / 'index.html').resolve()}"  # where to look
     return output
 
 
