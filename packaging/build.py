@@ -8,7 +8,6 @@ What packaging/README.md says of each step. The frozen program is then tried by 
 
 import argparse
 import json
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -68,7 +67,8 @@ def make_parts() -> None:
 
 
 def freeze() -> None:
-    shutil.rmtree(DIST, ignore_errors=True)
+    """Let PyInstaller make dist/ribalta, without what an earlier build left."""
+    products.remove_former()
     subprocess.run(
         [
             sys.executable,

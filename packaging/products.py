@@ -20,6 +20,21 @@ MACHINE = {"AMD64": "x86_64", "x86_64": "x86_64", "arm64": "arm64", "aarch64": "
 SYSTEM = f"{ {'win32': 'windows', 'darwin': 'macos'}.get(sys.platform, 'linux') }-{MACHINE}"
 
 
+MADE = ("ribalta", "Ribalta.app", *(f"ribalta-*-{SYSTEM}{end}" for end in (".zip", ".tar", ".tar.zst", ".tar.xz")))
+"""Patterns of what `make` leaves in dist on this system, beside the Debian package. Wheels, the site and recipes, which
+stand there too, are of other commands."""
+
+
+def remove_former() -> None:
+    """Remove from dist what an earlier build made there, of any version, and nothing else."""
+    for pattern in (*MADE, debian_name("*")):
+        for place in DIST.glob(pattern):
+            if place.is_dir() and not place.is_symlink():
+                shutil.rmtree(place)
+            else:
+                place.unlink()
+
+
 def make() -> list[Path]:
     """All of this system; the files."""
     made = [archive()]
@@ -87,9 +102,14 @@ def _needed_packages() -> str:
     return ", ".join(sorted((names - {"libc6"}) | {oldest}))
 
 
+def debian_name(version: str) -> str:
+    """Name of the Debian package of a version."""
+    return f"ribalta_{version}_{SYSTEM.split('-')[1].replace('x86_64', 'amd64')}.deb"
+
+
 def debian_package() -> Path:
     """A package of Debian and Ubuntu: the program below /opt, its command, menu entry, icon and kind of file."""
-    target = DIST / f"ribalta_{VERSION}_{SYSTEM.split('-')[1].replace('x86_64', 'amd64')}.deb"
+    target = DIST / debian_name(VERSION)
     with tempfile.TemporaryDirectory() as name:
         root = Path(name)
         root.chmod(0o755)
