@@ -45,7 +45,11 @@ def main() -> None:
             energy_ratios(integrate_history(GROUND, 0.01, 1.0, model, method), model)
     for count, size in ((6, 3), (40, 7)):
         ratios = np.exp(np.random.default_rng(1).normal(0.0, 0.2, (count, 12)))
-        assert (math.comb(count, size) <= MAX_SETS) == (count == 6)  # each set, and the search
+        if (math.comb(count, size) <= MAX_SETS) != (count == 6):
+            raise SystemExit(
+                f"{size} of {count} motions no longer take the way they stand for (of 6 each set, of 40 a search): "
+                f"choose other counts in packaging/exercise.py, for MAX_SETS = {MAX_SETS}"
+            )
         nearest_sets(ratios, size, np.arange(count), np.arange(count), (1, 2), Bounds(0.9, 1.3, 0.0, (0.5, 2.0)))
 
 

@@ -19,7 +19,8 @@ MILLION = 1_000_000
 def whole(text: str) -> int:
     """A decimal number in millionths, exact."""
     value = round(float(text) * MILLION)
-    assert abs(value / MILLION - float(text)) < 1e-12, text
+    if not abs(value / MILLION - float(text)) < 1e-12:
+        raise SystemExit(f"{text} in the tables has more than six decimals: italy.npz holds millionths")
     return value
 
 

@@ -20,8 +20,9 @@ import subprocess
 import sys
 import tempfile
 import zipfile
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT), str(ROOT / "packaging")]
@@ -43,6 +44,23 @@ WHEEL = "Wheel-Version: 1.0\nGenerator: ribalta\nRoot-Is-Purelib: false\nTag: {t
 
 NAMES = "names.json"
 """File of the names of the kernels beside the machine code of a level."""
+
+Names = dict[str, dict[str, list[str]]]
+"""Names of the kernels of a level, as `shipped.Library` has them."""
+
+
+class Overload(NamedTuple):
+    """A kernel for the types of its arguments.
+
+    types : as `core.jit.native` spells them, whether an array may be written or not
+    signature : types of numba, of arrays that may be written
+    readonly : of each array, whether a caller hands one on that may not be written
+    """
+
+    kernel: Kernel
+    types: str
+    signature: tuple
+    readonly: list[bool]
 
 
 def listed(folder: Path) -> Path:
@@ -72,27 +90,49 @@ def _overloads(index: Path) -> set[tuple]:
         return set(pickle.loads(stream.read())[1])
 
 
-def wanted_of(folder: Path) -> dict[Kernel, list]:
-    """Kernel that Python calls -> the signatures it has in a cache. Raises LookupError where a kernel of it is not
-    found."""
+def wanted_of(folder: Path) -> list[Overload]:
+    """The overloads of kernels that Python calls, in a cache, in the order of their names and types: the list is the
+    same in every process. Ends the build, with one sentence, where a kernel of it is not found."""
     for file in stamp.kernel_sources(stamp.CORE):
         if file.parent.name != "jit":
             importlib.import_module(".".join(file.relative_to(ROOT).with_suffix("").parts))
-    known = [thing for thing in gc.get_objects() if isinstance(thing, Kernel) and thing.python_wrapper]
+    # the collector lists objects by age, and their age depends on when it ran
+    kernels = sorted(
+        (thing for thing in gc.get_objects() if isinstance(thing, Kernel) and thing.python_wrapper),
+        key=lambda kernel: kernel.name,
+    )
     left = {file.name: _overloads(file) for file in folder.glob("*.nbi")}
-    wanted: dict[Kernel, list] = {}
-    for kernel in known:
+    signatures: list[tuple[Kernel, tuple]] = []
+    for kernel in kernels:
         own = kernel.dispatcher._cache
         name = own._cache_file._index_name
         for key in sorted(left.get(name, ()), key=repr):
             signature, _, code = key
             if code == own._index_key(signature, kernel.dispatcher.targetctx.codegen())[2]:
-                wanted.setdefault(kernel, []).append(signature)
+                signatures.append((kernel, signature))
                 left[name].remove(key)
-    names = {kernel.dispatcher._cache._cache_file._index_name for kernel in known}
-    if lost := {name: keys for name, keys in left.items() if name in names and keys}:
-        raise LookupError(lost)
-    return wanted
+    names = {kernel.dispatcher._cache._cache_file._index_name for kernel in kernels}
+    if lost := sorted(name for name, keys in left.items() if name in names and keys):
+        raise SystemExit(
+            f"the cache in {folder} has machine code of no kernel of these sources ({', '.join(lost)}): build again, "
+            f"with sources that nobody changes meanwhile"
+        )
+    if not signatures:
+        raise SystemExit(f"the cache in {folder} has no kernel that Python calls: the examples compiled nothing")
+    return merged(signatures)
+
+
+def merged(signatures: Iterable[tuple[Kernel, tuple]]) -> list[Overload]:
+    """Overloads in the order of names and types. An array that may be written and one that may not are spelled alike,
+    and are one overload: that of arrays that may be written, which serves both where the kernel writes none."""
+    found: dict[tuple[str, str], Overload] = {}
+    for kernel, signature in signatures:
+        types, readonly = "".join(map(spelled, signature)), [not may for may in may_write(signature)]
+        former = found.get((kernel.name, types))
+        if former is not None:
+            readonly = [one or other for one, other in zip(former.readonly, readonly, strict=True)]
+        found[kernel.name, types] = Overload(kernel, types, tuple(map(writable, signature)), readonly)
+    return [found[key] for key in sorted(found)]
 
 
 BARE: dict[str, Any] = {"_nrt": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
@@ -130,6 +170,17 @@ def may_write(signature) -> list[bool]:
     return found
 
 
+def writable(kind):
+    """A type of numba with arrays that may be written in the place of those that may not."""
+    from numba.core import types
+
+    if isinstance(kind, types.Array):
+        return kind.copy(readonly=False)
+    if isinstance(kind, types.BaseTuple):
+        return types.BaseTuple.from_types([*map(writable, parts_of(kind))], getattr(kind, "instance_class", None))
+    return kind
+
+
 def words_of(kind) -> list[str]:
     """The words of an argument of a type, of an array "a" for its address."""
     from numba.core import types
@@ -141,52 +192,66 @@ def words_of(kind) -> list[str]:
     return ["."]
 
 
-def written_of(signature, function) -> str:
-    """Of each array "r" where LLVM knows that the function does not write it, else "w". function : of LLVM"""
+def written_of(overload: Overload, function) -> str:
+    """Of each array "r" where LLVM knows that the function does not write it, else "w". Ends the build, with one
+    sentence, where it does not know it of an array that a caller hands on and that may not be written.
+
+    function : of LLVM
+    """
     attributes = [" ".join(map(bytes.decode, argument.attributes)) for argument in function.arguments][2:]
-    words = [word for kind in signature for word in words_of(kind)]
-    assert len(words) == len(attributes)
+    words = [word for kind in overload.signature for word in words_of(kind)]
+    if len(words) != len(attributes):
+        raise SystemExit(
+            f"{overload.kernel.name}({overload.types}): numba lays its arguments out as {len(attributes)} words, "
+            f"words_of in packaging/kernels.py as {len(words)}: make that, and spell in core/jit/native.py, as numba is"
+        )
     marks = [
         "r" if "readonly" in a or "readnone" in a else "w"
         for word, a in zip(words, attributes, strict=True)
         if word == "a"
     ]
-    assert all(may or mark == "r" for may, mark in zip(may_write(signature), marks, strict=True)), function.name
+    for k, (kept, mark) in enumerate(zip(overload.readonly, marks, strict=True)):
+        if kept and mark == "w":
+            raise SystemExit(
+                f"{overload.kernel.name}({overload.types}): its array {k} is called with one that may not be written, "
+                f"and LLVM does not know that the kernel only reads it: without numba the call would be of the Python "
+                f"function, slow; hand on an array that may be written, or let the kernel plainly only read it"
+            )
     return "".join(marks)
 
 
-def compiled(wanted: dict[Kernel, list], level: str, target: Path) -> dict[str, dict[str, list[str]]]:
-    """Compile kernels with these signatures for a level, which is that of this process, as a shared library in a
-    folder; returns the names of the kernels in it, as `shipped.Library` has them."""
+def letters_of(overload: Overload, kind) -> str:
+    """The letters of the result of a kernel, of this type of numba. Ends the build, with one sentence, where
+    core.jit.native does not unpack it."""
+    letters = re.sub(r"^\((.*)\)$", r"\1", spelled(kind)).replace("n", "")
+    if not re.fullmatch(r"[dq?]*", letters):
+        raise SystemExit(
+            f"{overload.kernel.name}({overload.types}) returns {kind}, and core/jit/native.py unpacks numbers and "
+            f"tuples of numbers alone: let a kernel that Python calls return those"
+        )
+    return letters
+
+
+def compiled(wanted: list[Overload], level: str, target: Path) -> Names:
+    """Compile kernels for a level, which is that of this process, as a shared library in a folder; returns their names
+    in it."""
     cache.own_process()
     import llvmlite.binding as llvm
     from numba import config, njit
 
     importlib.import_module("core.jit.numba_extensions")
-    whole, names = None, dict[str, dict[str, list[str]]]()
-    for kernel, signatures in wanted.items():
-        for signature in signatures:
-            made = njit(nogil=True, error_model="numpy", **BARE)(kernel.py_func)
-            made.compile(signature)
-            result: Any = made.overloads[tuple(signature)]
-            module = llvm.parse_assembly(str(result.library._final_module))
-            types = "".join(map(spelled, signature))
-            if types in names.setdefault(kernel.name, {}):  # of an array that may be written and one that may not
-                assert all(
-                    may or mark == "r"
-                    for may, mark in zip(may_write(signature), names[kernel.name][types][2], strict=True)
-                )
-                continue
-            symbol = f"kernel_{sum(map(len, names.values()))}"
-            module.get_function(result.fndesc.llvm_func_name).name = symbol
-            letters = re.sub(r"^\((.*)\)$", r"\1", spelled(result.fndesc.restype)).replace("n", "")
-            assert re.fullmatch(r"[dq?]*", letters), letters  # core.jit.native unpacks nothing else
-            names[kernel.name][types] = [symbol, letters, written_of(signature, module.get_function(symbol))]
-            if whole is None:
-                whole = module
-            else:
-                whole.link_in(module)
-    assert whole is not None
+    whole, names = llvm.parse_assembly(""), Names()
+    for number, overload in enumerate(wanted):
+        made = njit(nogil=True, error_model="numpy", **BARE)(overload.kernel.py_func)
+        made.compile(overload.signature)
+        result: Any = made.overloads[overload.signature]
+        module = llvm.parse_assembly(str(result.library._final_module))
+        symbol = f"kernel_{number}"
+        module.get_function(result.fndesc.llvm_func_name).name = symbol
+        marks = written_of(overload, module.get_function(symbol))
+        letters = letters_of(overload, result.fndesc.restype)
+        names.setdefault(overload.kernel.name, {})[overload.types] = [symbol, letters, marks]
+        whole.link_in(module)
     machine = llvm.Target.from_default_triple().create_target_machine(
         cpu=level, features="", opt=int(vars(config)["OPT"]), reloc="pic", codemodel="default"
     )
@@ -194,6 +259,30 @@ def compiled(wanted: dict[Kernel, list], level: str, target: Path) -> dict[str, 
     symbols = [symbol for types in names.values() for symbol, *_ in types.values()]
     link(target / f"{level}.o", target / shipped.file_name(level), symbols)
     return names
+
+
+def agreed(lists: dict[str, Names]) -> Names:
+    """The one list of a library. Levels are optimised differently, and LLVM may know at one that an array is only read
+    where it does not at another: it is "r" where every level says so. Ends the build, with one sentence, where levels
+    differ in anything else.
+
+    lists : level -> names of its kernels
+    """
+    keys = {(name, types) for names in lists.values() for name, of_types in names.items() for types in of_types}
+    whole = Names()
+    for name, types in sorted(keys):
+        rows = {level: names.get(name, {}).get(types, ["none", "", ""]) for level, names in lists.items()}
+        if len({(symbol, letters, len(marks)) for symbol, letters, marks in rows.values()}) > 1:
+            each = "; ".join(f"{level}: {' '.join(row).strip()}" for level, row in rows.items())
+            raise SystemExit(
+                f"{name}({types}) is not the same kernel at every level (its name in the library, letters of its "
+                f"result, marks of its arrays; {each}): every level is to compile the same list in the same order, see "
+                f"wanted_of and compiled in packaging/kernels.py"
+            )
+        symbol, letters, _ = next(iter(rows.values()))
+        of_arrays = zip(*(marks for *_, marks in rows.values()), strict=True)
+        whole.setdefault(name, {})[types] = [symbol, letters, "".join(map(max, of_arrays))]  # "w" comes after "r"
+    return whole
 
 
 def link(made: Path, target: Path, symbols: list[str]) -> None:
@@ -212,19 +301,19 @@ def link(made: Path, target: Path, symbols: list[str]) -> None:
 def write(target: Path, user: Path, numbers: list[str], of: list[str]) -> None:
     """A library in a folder. user : cache whose kernels it has; numbers : of the self-test; of : levels"""
     target.mkdir(parents=True, exist_ok=True)
-    hashes, names = {}, []
+    hashes, names = {}, dict[str, Names]()
     with tempfile.TemporaryDirectory() as name:
         place = Path(name)
         for level in of:
             own = smoke.variables(place, **{shipped.FORCED_LEVEL: level})
-            subprocess.run([sys.executable, "-P", __file__, user, place], check=True, env=own)
+            if subprocess.run([sys.executable, "-P", __file__, user, place], env=own).returncode:
+                raise SystemExit(f"no machine code was made for {level}: what was said before this says why")
             content = (place / shipped.file_name(level)).read_bytes()
             (target / shipped.file_name(level)).write_bytes(content)
             hashes[level] = hashlib.sha256(content).hexdigest()
-            names.append(json.loads((place / NAMES).read_text(encoding="ascii")))
-            print(f"{level}: {sum(map(len, names[-1].values()))} kernels, {len(content) / 1e6:.1f} MB", flush=True)
-    assert all(one == names[0] for one in names)
-    content = {"made_for": shipped.made_for(), "levels": hashes, "self_test": numbers, "kernels": names[0]}
+            names[level] = json.loads((place / NAMES).read_text(encoding="ascii"))
+            print(f"{level}: {sum(map(len, names[level].values()))} kernels, {len(content) / 1e6:.1f} MB", flush=True)
+    content = {"made_for": shipped.made_for(), "levels": hashes, "self_test": numbers, "kernels": agreed(names)}
     (target / shipped.INDEX).write_bytes(shipped.index_of(content))
 
 

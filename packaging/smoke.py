@@ -28,6 +28,12 @@ CASES = sorted((ROOT / "resources" / "cases").glob("*.toml"))
 NOBODY = 65534
 
 
+def refuse(wrong: bool, said: str) -> None:
+    """End the trial with a sentence, where something is wrong: what, and where to look."""
+    if wrong:
+        raise SystemExit(f"the trial failed: {said}")
+
+
 def program_of(folder: Path) -> Path:
     return folder / ("ribalta.exe" if os.name == "nt" else "ribalta")
 
@@ -85,10 +91,22 @@ def window(program: Path, folder: Path, environment: dict, before: tuple = (), c
     with display() as shown:
         asked = {"RIBALTA_SMOKE": str(left), "RIBALTA_SMOKE_CASE": str(case), "RIBALTA_SMOKE_START": str(time.time())}
         done = subprocess.run([*before, program], cwd=left, env=environment | screen(shown) | asked | more, timeout=300)
-    assert done.returncode == code, f"the window ended with code {done.returncode}"
-    assert (left / "window.xlsx").stat().st_size > 10_000 and (left / "window.json").exists()
-    assert any(left.glob("*.png"))
+    refuse(done.returncode != code, f"the window ended with code {done.returncode}, not {code}: its output is above")
+    workbook = left / "window.xlsx"
+    whole = workbook.exists() and workbook.stat().st_size > 10_000 and (left / "window.json").exists()
+    refuse(not whole, "the window exported no workbook of more than 10 kB with its JSON: see drive in window_smoke.py")
+    refuse(not any(left.glob("*.png")), "the window left no picture: see drive in window_smoke.py")
     return json.loads((left / "times.json").read_text(encoding="ascii"))
+
+
+def first_difference(own: object, right: object, place: str = "") -> str:
+    """Where the results of the frozen program first differ from those of the source tree, "" where they do not."""
+    if isinstance(own, dict) and isinstance(right, dict) and own.keys() == right.keys():
+        return next(filter(None, (first_difference(own[key], right[key], f"{place}/{key}") for key in own)), "")
+    if isinstance(own, list) and isinstance(right, list) and len(own) == len(right):
+        pairs = enumerate(zip(own, right, strict=True))
+        return next(filter(None, (first_difference(*pair, f"{place}/{k}") for k, pair in pairs)), "")
+    return "" if own == right else f"{str(own)[:100]} at {place or '/'}, the source tree {str(right)[:100]}"
 
 
 def same_as_the_source(program: Path, folder: Path) -> None:
@@ -99,7 +117,8 @@ def same_as_the_source(program: Path, folder: Path) -> None:
     for case in CASES:
         frozen, first = batch(program, case, folder / "frozen", mine)
         again = batch(program, case, folder / "frozen", mine)[1]
-        assert frozen == batch(source, case, folder / "of_source", theirs)[0], f"{case.name}: other numbers"
+        right = batch(source, case, folder / "of_source", theirs)[0]
+        refuse(frozen != right, f"{case.name} has {first_difference(frozen, right)}")
         print(f"{case.name}: equal to the source tree's; {first:.2f} s the first time, then {again:.2f} s")
 
 
@@ -124,7 +143,10 @@ def first_start(program: Path, folder: Path) -> None:
     seconds = batch(program, case, folder / "first", variables(folder))[1]
     print(f"first result of a new user: {seconds:.2f} s")
     made = {file.name.partition("-")[0] for file in (folder / "cache").glob("kernels-*/*")}
-    assert made == {"passed", "manifest.json"}, f"its machine code did not pass its trial: {made}"
+    refuse(
+        made != {"passed", "manifest.json"},
+        f"the machine code did not pass its self-test (core/jit/trial.py): the cache of a new user has {sorted(made)}",
+    )
 
 
 def statement_of_accuracy(program: Path, folder: Path) -> None:
@@ -138,7 +160,8 @@ def statement_of_accuracy(program: Path, folder: Path) -> None:
     batch(program, case, folder / "results", variables(folder))
     with zipfile.ZipFile(folder / "results" / "case.xlsx") as book:
         sheets = [book.read(name) for name in book.namelist() if name.startswith("xl/worksheets/sheet")]
-    assert any(b"DOP853" in sheet for sheet in sheets), "no statement of accuracy"
+    lacks = not any(b"DOP853" in sheet for sheet in sheets)
+    refuse(lacks, "the workbook has no statement of accuracy: scipy as packed (second_solver.py) fails")
     print("the statement of accuracy: there")
 
 
@@ -152,12 +175,13 @@ def inspection(program: Path, folder: Path) -> None:
         env=variables(folder),
         check=True,
     )
-    assert "noise_1" in words.stdout
+    refuse("noise_1" not in words.stdout, f"--inspect does not name the record noise_1: {words.stdout}")
     drawing = folder / "circle.dxf"
     tags = ["0", "SECTION", "2", "ENTITIES", "0", "CIRCLE", "8", "A", "10", "0", "20", "0", "40", "3", "0", "ENDSEC"]
     drawing.write_text("\n".join([*tags, "0", "EOF", ""]))
     words = subprocess.run([program, "--inspect", drawing], capture_output=True, text=True, env=variables(folder))
-    assert words.returncode == 0 and "28.2" in words.stdout.replace(",", "."), words.stderr
+    read = words.returncode == 0 and "28.2" in words.stdout.replace(",", ".")
+    refuse(not read, f"--inspect does not find the area 28.2 of a circle in a drawing: {words.stdout}{words.stderr}")
     print("--inspect reads a record and a drawing")
 
 
@@ -181,19 +205,22 @@ def other_products(program: Path, folder: Path) -> None:
         version = subprocess.run([*words, "--version"], check=True, capture_output=True, text=True, env=mine)
         built = version.stdout.split()[-1]  # the commit, or the version where there is none
         said.append((re.sub(rf"<[^>]*>|20\d\d-\d\d-\d\d[T ][\d:]+|{built}\w*", "", text), pictures))
-    assert said[0] == said[1], "another note than the source tree's"
+    refuse(said[0][0] != said[1][0], "the text of the calculation note is not that of the source tree's")
+    refuse(said[0][1] != said[1][1], "the pictures of the calculation note are not those of the source tree's")
     signed, mine = folder / "note.pdf", variables(folder)
     asked: list[str | Path] = [program, "--batch", case, "--output", folder / "signed", "--quiet", "--report", signed]
     subprocess.run(asked, check=True, env=mine, cwd=folder)
     subprocess.run([program, "--extract", signed, "--output", folder / "within"], check=True, env=mine)
-    assert {file.name for file in (folder / "within").iterdir()} == {"case.toml", "results.json", "records.csv"}
+    within = {file.name for file in (folder / "within").iterdir()}
+    refuse(within != {"case.toml", "results.json", "records.csv"}, f"--extract of a note gives {sorted(within)}")
     subprocess.run(
         [program, "--study", "paper", "--quick", "--output", folder / "study", "--quiet"],
         check=True,
         env=variables(folder),
     )
     kinds = {file.suffix for file in (folder / "study").rglob("*")}
-    assert {".xlsx", ".json", ".csv", ".png", ".svg"} <= kinds, kinds
+    lacking = {".xlsx", ".json", ".csv", ".png", ".svg"} - kinds
+    refuse(bool(lacking), f"--study paper left no {', '.join(sorted(lacking))}")
     if shutil.which("script"):
         command = shlex.join(map(str, [program, "--batch", case, "--output", folder / "terminal"]))
         subprocess.run(
@@ -218,9 +245,10 @@ def crash_log(program: Path, folder: Path) -> None:
     window(program, folder, mine, code=fault, RIBALTA_SMOKE_FAULT="1")
     log = next((folder / "home").rglob("crash-*.log"))
     text = log.read_text(encoding="utf-8")
-    assert "window_smoke.py" in text and "drive" in text, text
+    refuse("window_smoke.py" not in text or "drive" not in text, f"the log does not say where the fault was: {text}")
     window(program, folder, mine)
-    assert log.with_suffix(".txt").exists() and not log.exists()
+    named = log.with_suffix(".txt").exists() and not log.exists()
+    refuse(not named, f"the next start did not put {log.name} away as .txt, as it does after naming it")
     print(f"a fault leaves a log: {text.splitlines()[0]}")
 
 
@@ -235,7 +263,8 @@ def upgrade(program: Path, folder: Path) -> None:
     old.mkdir(mode=0o700)
     (old / "kernel.nbi").write_bytes(b"of another version")
     window(program, folder, mine)
-    assert "theme=dark" in settings.read_text(encoding="utf-8") and (old / "kernel.nbi").exists()
+    refuse("theme=dark" not in settings.read_text(encoding="utf-8"), "a setting of an older version was not kept")
+    refuse(not (old / "kernel.nbi").exists(), "the machine code of another version was deleted")
     print("settings of an older version are kept, its machine code stays apart")
 
 
@@ -261,7 +290,7 @@ def elsewhere(program: Path, folder: Path) -> None:
         os.chmod(temporary, 0o777)
         homeless |= {"TMPDIR": temporary}
         found, seconds = batch(moved, case, open_to_all, homeless, nobody)
-        assert found == right, "other numbers elsewhere"
+        refuse(found != right, f"as nobody, in a read-only folder, {case.name} has {first_difference(found, right)}")
         times = window(moved, open_to_all, homeless, nobody)
     print(
         "read-only folder, spaces and accents, nobody without a home: "
@@ -289,7 +318,8 @@ def closed_streams(program: Path, folder: Path) -> None:
     case = next(case for case in CASES if case.stem == "verdict")
     right = batch(program, case, folder / "open", variables(folder))[0]
     before = ("sh", "-c", 'exec "$@" <&- >&- 2>&-', "sh")
-    assert batch(program, case, folder / "closed", variables(folder), before)[0] == right
+    found = batch(program, case, folder / "closed", variables(folder), before)[0]
+    refuse(found != right, f"with its streams closed {case.name} has {first_difference(found, right)}")
     print("with its streams closed: the same results")
 
 
@@ -307,7 +337,8 @@ def full_cache(program: Path, folder: Path) -> None:
         found = batch(program, case, folder / "of_full", mine)[0]
     finally:
         subprocess.run(["umount", full], check=True)
-    assert found == batch(program, case, folder / "of_whole", variables(folder))[0]
+    right = batch(program, case, folder / "of_whole", variables(folder))[0]
+    refuse(found != right, f"with a full cache {case.name} has {first_difference(found, right)}")
     print("with a full cache: the same results")
 
 

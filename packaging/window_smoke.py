@@ -75,7 +75,7 @@ def main(folder: str) -> int:
     def shown(window) -> None:
         show(window)
         application = QApplication.instance()
-        assert application is not None
+        assert application is not None, "no application of Qt shows the window: see show in app/shell/start.py"
         application.processEvents()
         times["window"] = time.time() - float(os.environ["RIBALTA_SMOKE_START"])
         QTimer.singleShot(0, lambda: _or_end(drive, application, window, Path(folder), times))
