@@ -17,6 +17,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT), str(ROOT / "packaging")]
 import contents  # noqa: E402
 import icon  # noqa: E402
+import icu  # noqa: E402
 import kernels  # noqa: E402
 import libraries  # noqa: E402
 import licences  # noqa: E402
@@ -122,6 +123,7 @@ def main() -> int:
     freeze()
     libraries.refuse_missing(INTERNAL)
     libraries.strip(INTERNAL)
+    icu.shorten_in(INTERNAL)
     qt = "_internal/PySide6/Qt/lib" if sys.platform != "win32" else "_internal/PySide6"
     found = licences.gather(WORK / "ribalta", FOLDER / "licences", VERSION, qt)
     contents.refuse_foreign(part.name for part in found)

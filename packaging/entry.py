@@ -3,6 +3,10 @@
 import os
 import sys
 
+import no_opengl
+
+if getattr(sys, "frozen", False):
+    no_opengl.stand_in()
 if sys.platform.startswith("linux"):  # plugins of the desktop's own Qt are of another build
     os.environ.pop("QT_PLUGIN_PATH", None)
     # of the platforms only these two are packed

@@ -12,7 +12,12 @@ from pathlib import Path
 
 LINUX = sys.platform.startswith("linux")
 TOOLS = {
-    "linux": {"objdump": "binutils", "strip": "binutils", "ldd": "libc-bin", "tar": "tar", "patchelf": "patchelf"},
+    "linux": {
+        **dict.fromkeys(("objdump", "strip", "as", "ld"), "binutils"),
+        "ldd": "libc-bin",
+        "tar": "tar",
+        "patchelf": "patchelf",
+    },
     "darwin": {"codesign": "the command line tools of Xcode", "ditto": "the command line tools of Xcode"},
 }
 """Programs the build calls -> the package that has them, of Debian and Ubuntu on Linux."""

@@ -29,7 +29,8 @@ QT = """Exchanging Qt
 =============
 Ribalta uses Qt {qt} and PySide6 {qt} under the GNU Lesser General Public License, version 3 (LGPL-3.0.txt, with
 GPL-3.0.txt which it refers to). Both are linked dynamically and are the files of the wheels PySide6-Essentials and
-shiboken6 {qt} of the Python Package Index, unchanged.
+shiboken6 {qt} of the Python Package Index, unchanged; of ICU, which is not part of Qt, the data (libicudata) hold the
+order of words alone.
 
 To use a Qt of your own, build it (its sources: download.qt.io, those of PySide6: code.qt.io/pyside/pyside-setup) with
 the same major and minor version and put its libraries in the place of those in {place}; no part of Ribalta has to be
