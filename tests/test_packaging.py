@@ -1,11 +1,15 @@
 """What is made beside the frozen program: licences of its parts, and one kind of file on three systems."""
 
+import ast
 import hashlib
 import importlib.metadata
 import importlib.util
+import itertools
 import json
 import os
 import re
+import shutil
+import struct
 import subprocess
 import sys
 import tomllib
@@ -18,6 +22,7 @@ import pytest
 from core.jit.stamp import stamp
 from core.version import VERSION
 from tests.conftest import ROOT
+from tests.trees import nodes_of
 
 PACKAGING = ROOT / "packaging"
 
@@ -134,7 +139,7 @@ def test_that_a_missing_tool_ends_the_build_with_one_sentence_before_anything_is
         [sys.executable, "-P", PACKAGING / "build.py"], capture_output=True, text=True, env={"PATH": str(tmp_path)}
     )
     assert found.returncode == 1 and found.stderr.count("\n") == 1
-    assert re.match(r"the build needs objdump, strip, ldd.*: install binutils, ", found.stderr)
+    assert re.match(r"the build needs objdump, strip, as, ld, ldd.*: install binutils, ", found.stderr)
     assert sorted(ROOT.iterdir()) == before
 
 
@@ -209,6 +214,221 @@ def test_that_the_classifiers_are_those_of_the_table():
     for row in platforms.SYSTEMS:
         assert row["system"].lower() in systems.lower()
     assert project["authors"] and project["keywords"]
+
+
+@pytest.mark.shows("install.licences")
+def test_that_the_list_of_parts_of_others_is_what_the_frozen_program_holds(monkeypatch):
+    contents = of_packaging("contents", monkeypatch)
+    text = (ROOT / "THIRD_PARTY.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (?!part \|)(\w.*?) \|", text, re.MULTILINE)
+    named = {contents.plain(name) for row in rows for name in row.partition(", with ")[0].split(", ")}
+    assert named == contents.allowed() | {"python", "qt 6"}
+    (beside,) = re.findall(r"to compile the kernels, not in the frozen program.*?:(.*?)\n\n", text, re.DOTALL)
+    assert set(re.findall(r"(\w+)\s\(", beside)) == set(contents.NOT_PACKED)
+
+
+def test_that_no_text_names_the_package_of_somebody_else():
+    """`ribalta` on the package index is another's: ours is `ribalta-rocking`."""
+    own = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["name"]
+    assert own == "ribalta-rocking"
+    asks = re.compile(
+        r"\b(?:pip|pipx|uv|tool|uvx)\s+(?:install|inject|add|run --with)\s+(?:-\S+\s+)*[\"'`]?(ribalta[\w-]*)"
+    )
+    assert asks.search("(pipx inject ribalta {packages})")[1] == "ribalta"
+    named = dict[str, str]()
+    for folder in ("app", "core", "packaging", "resources", "tests", ".github", ".ci"):
+        for file in (ROOT / folder).rglob("*"):
+            if file.suffix in (".py", ".md", ".json", ".toml", ".yml", ".ipynb", ".txt", "") and file.is_file():
+                found = asks.findall(file.read_text(encoding="utf-8", errors="replace"))
+                named |= {name: file.name for name in found if file != Path(__file__)}
+    for file in ROOT.glob("*.*"):
+        if file.suffix in (".md", ".py", ".toml"):
+            named |= dict.fromkeys(asks.findall(file.read_text(encoding="utf-8")), file.name)
+    assert set(named) == {own}, named
+
+
+def test_that_each_assertion_of_the_build_has_words():
+    without = [
+        f"{file.name}:{node.lineno}"
+        for file in PACKAGING.rglob("*.py")
+        for node in nodes_of(file)
+        if isinstance(node, ast.Assert) and not isinstance(node.msg, ast.Constant | ast.JoinedStr)
+    ]
+    assert not without
+
+
+def test_that_a_build_removes_what_a_build_made_and_nothing_else(monkeypatch, tmp_path):
+    monkeypatch.syspath_prepend(str(PACKAGING))
+    of_packaging("second_solver", monkeypatch)
+    of_packaging("licences", monkeypatch)
+    of_packaging("icon", monkeypatch)
+    products = of_packaging("products", monkeypatch)
+    monkeypatch.setattr(products, "DIST", tmp_path)
+    products.remove_former()  # of nothing
+    archive = f"ribalta-0.1.0-{products.SYSTEM}"
+    own = [
+        "ribalta/ribalta",
+        "Ribalta.app/Contents",
+        *(archive + end for end in (".zip", ".tar", ".tar.xz", ".tar.zst")),
+    ]
+    own += [products.debian_name("0.1.0"), products.debian_name(VERSION)]
+    others = [
+        f"ribalta_kernels-{VERSION}+0123-py3-none-any.whl",
+        "wheel/ribalta_rocking-0.1.0-py3-none-any.whl",
+        "pages/index.html",
+        "recipes/conda-forge/recipe.yaml",
+        f"{archive}.exe",  # of Inno Setup
+        "ribalta-0.1.0-another-machine.zip",
+        "notes.txt",
+    ]
+    for name in own + others:
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(name)
+    products.remove_former()
+    assert sorted(file.relative_to(tmp_path).as_posix() for file in tmp_path.rglob("*") if file.is_file()) == sorted(
+        others
+    )
+    assert "rmtree" not in (PACKAGING / "build.py").read_text()
+
+
+NAMES = {"energy.0": {"d1C": ["kernel_0", "d", "r"]}, "history.0": {"dd1C1C": ["kernel_1", "dq", "rw"]}}
+
+
+def names_with(name, types, *row):
+    return NAMES | {name: {types: list(row)}}
+
+
+def test_that_an_array_is_only_read_where_every_level_says_so(monkeypatch):
+    kernels = of_packaging("kernels", monkeypatch)
+    other_marks = names_with("history.0", "dd1C1C", "kernel_1", "dq", "wr")
+    lists = {"v4": NAMES, "v3": dict(reversed(NAMES.items())), "znver3": other_marks}
+    assert kernels.agreed({"v4": NAMES}) == kernels.agreed({"v4": NAMES, "v3": lists["v3"]}) == NAMES
+    for order in (lists, dict(reversed(lists.items()))):
+        whole = kernels.agreed(order)
+        assert whole == names_with("history.0", "dd1C1C", "kernel_1", "dq", "ww") and list(whole) == sorted(NAMES)
+    assert NAMES["history.0"]["dd1C1C"][2] == "rw"
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        {"history.0": NAMES["history.0"]},
+        names_with("energy.0", "q1C", "kernel_0", "d", "r"),
+        names_with("energy.0", "d1C", "kernel_7", "d", "r"),
+        names_with("energy.0", "d1C", "kernel_0", "dd", "r"),
+        names_with("energy.0", "d1C", "kernel_0", "d", "rr"),
+    ],
+)
+@pytest.mark.parametrize("turned", [False, True])
+def test_that_levels_that_differ_end_the_build_and_are_named(monkeypatch, other, turned):
+    kernels = of_packaging("kernels", monkeypatch)
+    lists = {"x86-64-v4": NAMES, "znver3": other}
+    with pytest.raises(SystemExit) as ended:
+        kernels.agreed(dict(reversed(lists.items())) if turned else lists)
+    assert re.match(r"energy\.0\([dq]1C\) is not the same kernel at every level ", str(ended.value))
+    found = {level: lists[level].get("energy.0", {}).get("d1C", ["none"]) for level in lists}
+    assert all(f"{level}: {' '.join(row)}" in str(ended.value) for level, row in found.items())
+
+
+def test_that_arrays_that_may_be_written_and_those_that_may_not_are_one_overload_in_any_order(monkeypatch):
+    numba = pytest.importorskip("numba")
+    kernels = of_packaging("kernels", monkeypatch)
+    writable = numba.float64[::1]
+    readonly = numba.types.Array(numba.float64, 1, "C", readonly=True)
+    pair = numba.types.Tuple([numba.float64, readonly])
+    energy, history = (types.SimpleNamespace(name=name) for name in ("energy.0", "history.0"))
+    asked = [
+        (history, (numba.float64, writable, readonly)),
+        (history, (numba.float64, readonly, writable)),
+        (energy, (pair,)),
+        (history, (numba.int64, writable, writable)),
+    ]
+    for order in itertools.permutations(asked):
+        assert kernels.merged(order) == [
+            (energy, "(dd1C)", (numba.types.Tuple([numba.float64, writable]),), [True]),
+            (history, "dd1Cd1C", (numba.float64, writable, writable), [True, True]),
+            (history, "qd1Cd1C", (numba.int64, writable, writable), [False, False]),
+        ]
+
+
+def data_of_icu(icu, items):
+    """Data of ICU with these items."""
+    header = struct.pack("<H2s8x4s", 32, icu.START, icu.PACKAGE).ljust(32, b"\0")
+    return icu.written(header, items)
+
+
+def test_that_data_of_icu_are_read_as_written_each_item_in_its_place(monkeypatch):
+    icu = of_packaging("icu", monkeypatch)
+    items = {"icudt1l/unit/it.res": b"u" * 50, "icudt1l/coll/it.res": b"c" * 33, "icudt1l/root.res": b"root"}
+    content = data_of_icu(icu, items)
+    header, found = icu.read(content)
+    assert list(found) == sorted(items) and len(header) == 32
+    assert all(found[name].rstrip(b"\0") == item for name, item in items.items())
+    assert all((content.rindex(item) - len(header)) % 16 == 0 for item in items.values())
+    assert set(icu.kept(found)) == {"icudt1l/coll/it.res", "icudt1l/root.res"}
+    with pytest.raises(ValueError, match="ICU"):
+        icu.read(b"\0" * 64)
+
+
+ORDER = """import sys
+from PySide6.QtCore import QCollator, QLocale
+words = ["zeta", "Zoe", "élan", "eta", "Ähre", "ahoi", "öl", "ola", "10", "9", "ñu", "nube", "chico", "cosa", "震"]
+for place in ("it_IT", "en_GB", "sv_SE", "es_ES", "cs_CZ", "zh_CN", "ja_JP"):
+    order = QCollator(QLocale(place))
+    print(place, ascii(sorted(words, key=order.sortKey)))
+with open("/proc/self/maps") as maps:
+    print(*{line.split()[-1] for line in maps if "icudata" in line}, file=sys.stderr)
+"""
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="Qt has ICU on Linux")
+def test_that_names_are_in_the_order_they_have_with_all_data_of_icu(monkeypatch, tmp_path):
+    core = pytest.importorskip("PySide6.QtCore", reason="Qt cannot start here", exc_type=ImportError)
+    icu = of_packaging("icu", monkeypatch)
+    whole = next((Path(core.__file__).parent / "Qt" / "lib").glob("libicudata.so.*"))
+    if not all(map(shutil.which, ("as", "ld", "objdump"))):
+        pytest.skip("binutils are missing")
+    own = tmp_path / "ribalta" / whole.name
+    own.parent.mkdir()
+    shutil.copy(whole, own)
+    (tmp_path / "ribalta" / "libicudata.so").symlink_to(own)
+    icu.shorten_in(tmp_path)
+    assert own.stat().st_size < whole.stat().st_size / 5
+    said = []
+    for variables in ({}, {"LD_PRELOAD": str(own)}):
+        command = [sys.executable, "-c", ORDER]
+        asked = subprocess.run(command, env=os.environ | variables, capture_output=True, text=True, check=True)
+        said.append((asked.stdout, Path(asked.stderr.strip())))
+    assert said[0][0] == said[1][0] and len({line[6:] for line in said[0][0].splitlines()}) > 3
+    assert (said[0][1].resolve(), said[1][1]) == (whole.resolve(), own)
+
+
+CHART = """import sys
+if sys.argv[1] == "without":
+    import no_opengl
+    no_opengl.stand_in()
+import pyqtgraph
+from PySide6.QtWidgets import QApplication
+application = QApplication([])
+chart = pyqtgraph.PlotWidget()
+chart.plot([0.0, 1.0, 2.0], [1.0, 3.0, 2.0], pen="r", symbol="o")
+chart.addItem(pyqtgraph.TextItem("theta"))
+chart.resize(300, 200)
+chart.grab().save(sys.argv[2])
+print(any("QtOpenGL.abi3" in (getattr(module, "__file__", "") or "") for module in list(sys.modules.values())))
+"""
+
+
+def test_that_a_chart_is_the_same_without_the_modules_of_opengl(tmp_path):
+    pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
+    said = {}
+    for kind in ("with", "without"):
+        variables = {"PYTHONPATH": str(PACKAGING), "QT_QPA_PLATFORM": "offscreen"}
+        command = [sys.executable, "-c", CHART, kind, tmp_path / f"{kind}.png"]
+        asked = subprocess.run(command, env=os.environ | variables, capture_output=True, text=True, check=True)
+        said[kind] = asked.stdout.strip()
+    assert (tmp_path / "with.png").read_bytes() == (tmp_path / "without.png").read_bytes()
+    assert said["without"] == "False" and (said["with"] == "True" or not sys.platform.startswith("linux"))
 
 
 @pytest.mark.shows("install.contents")
