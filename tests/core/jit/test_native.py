@@ -61,10 +61,13 @@ def library(tmp_path_factory):
     place = tmp_path_factory.mktemp("library")
     patch = pytest.MonkeyPatch()
     kernels = of_packaging("kernels", patch)
-    wanted = {
-        every_kind: [tuple(map(typeof, arguments())), tuple(map(typeof, arguments(nothing=1.5)))],
-        one_number: [(typeof(arguments()[0]),)],
-    }
+    wanted = kernels.merged(
+        [
+            (every_kind, tuple(map(typeof, arguments()))),
+            (every_kind, tuple(map(typeof, arguments(nothing=1.5)))),
+            (one_number, (typeof(arguments()[0]),)),
+        ]
+    )
     names = kernels.compiled(wanted, "x86-64" if shipped.levels_of(["x86-64"]) else shipped.OF_ARM, place)
     patch.undo()
     return ctypes.CDLL(str(next(place.glob(shipped.file_name("*"))))), names
