@@ -39,6 +39,8 @@ CANTILEVER_KAPPA = 6.2
 SLD_CLAUSE = "C8.7.1.2.1.5"
 Q_CLAUSE = "C8.7.1.2.1.7"
 DISPLACEMENT_CLAUSE = "C8.7.1.2.1.8"
+HOLD_CLAUSE = "C8.7.1.2.1"
+"""That the connections are effective is what the clauses of local mechanisms start from."""
 
 ZETA_ROUNDING = 1e-12
 """What zeta may miss of the one required by rounding alone [-]."""
@@ -48,7 +50,7 @@ ZETA_ROUNDING = 1e-12
 class Check:
     """One row of the table of methods.
 
-    name : dynamic, nonlinear, linear_q_slv, linear_q_code; clause
+    name : dynamic, nonlinear, linear_q_slv, linear_q_code, hold; clause
     capacity, demand : in `unit`, None where the row has none
     zeta : of the check; passed iff zeta >= zeta_target
     q : of the row
@@ -346,8 +348,9 @@ def zeta_with_and_without_ties(mechanism: KinematicAnalysis, demand: SeismicDema
     return _not_below_sld(own, mechanism, demand), _not_below_sld(bare.ratio, mechanism, demand)
 
 
-CHECKS = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code")
-"""Names of the checks, the most refined first; the time histories are made by dynamic_check."""
+CHECKS = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code", "hold")
+"""Names of the checks, the most refined first; the time histories are made by dynamic_check, and what holds a wall is
+beside them all."""
 
 
 def make_kinematic_checks(

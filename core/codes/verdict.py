@@ -60,11 +60,6 @@ TO_MEND = {
 """What makes a verdict indicative, or is missing, and the designer can mend -> what to do; the first two are said."""
 
 
-TAKEN = ("no_soil_factor", "period_estimated", "annex_unseen")
-"""Reasons for which the motion itself rests on a value left out or not seen in print: no wall is said to stay at rest
-under it."""
-
-
 @dataclass(frozen=True)
 class Verdict:
     """The verdict of a wall about one hinge.
@@ -120,11 +115,11 @@ def find_outcome(seen: Evidence, unfounded: Sequence[Sentence] = (), q_unfounded
     """
     if missing_input_remark(seen) is not None:
         return "undetermined"
-    taken = any(words.code in TAKEN for words in indicative_reasons(seen))
-    if not unfounded and not taken and not _activated(seen, _threshold(seen)):
+    blocked = bool(unfounded or indicative_reasons(seen) or unconfirmed_remark(seen))  # one gate for all that passes
+    if not blocked and not _activated(seen, _threshold(seen)):
         return "not_activated"
     agrees = not q_unfounded and passes_with_q2(seen.made("linear_q_code"), seen.demand.zeta_target)
-    return _code(seen, bool(unfounded or indicative_reasons(seen) or unconfirmed_remark(seen)), agrees)
+    return _code(seen, blocked, agrees)
 
 
 def _threshold(seen: Evidence) -> float:

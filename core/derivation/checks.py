@@ -34,6 +34,10 @@ DYNAMIC_ZETA = Given("dynamic_zeta", "ζ_E", "–", 3, clause="C8.7.1.2.1.9")
 ZETA_16 = Given("zeta_16", "ζ_16", "–", 3)
 ZETA_OTHER = Given("zeta_other", "ζ_E", "–", 3)
 
+HOLD_ASKED = Given("hold_asked", "R_d", "kN/m", 2, "0.00", label="R_d, of the hold that gives way first")
+HOLD_STANDS = Given("hold_stands", "R_u", "kN/m", 2, "0.00", label="R_u, what it stands")
+HOLD_ZETA = Given("hold_zeta", "ζ_R", "–", 3, clause="C8.7.1.2.1")
+
 MODES = {"mode.t": "T", "mode.xi": "ξ", "mode.part": "γψ", "mode.se": "S_e(T, ξ)"}
 """Columns of the table of modes, with their symbols."""
 

@@ -276,6 +276,20 @@ def dynamic(wall: WallResult) -> Section:
     return Section(title, lines)
 
 
+def hold(wall: WallResult) -> Section:
+    """Section of what holds a wall that bends."""
+    title = "What holds the wall"
+    check = next((check for check in wall.required_assessment.checks if check.name == "hold"), None)
+    if check is None:
+        return Section(title, [])
+    lines: list[Line | Columns] = [
+        Line(checks.HOLD_ASKED, check.demand, RUN, VALUE),
+        Line(checks.HOLD_STANDS, check.capacity, RUN, VALUE),
+        Line(checks.HOLD_ZETA, check.zeta, RUN, VALUE, passed=check.passed),
+    ]
+    return Section(title, lines)
+
+
 def _centroid_at_collapse(wall: WallResult) -> Line:
     """Displacement of the centroid where nothing holds the wall any more."""
     bare, model = wall.wall.in_si.bare, wall.model
@@ -320,4 +334,11 @@ def deciding(wall: WallResult, demand) -> str:
 
 def checks_of(result: StudyResult, wall: WallResult) -> list[Section]:
     """The sections of a wall after its block."""
-    return [chain(wall), linear(result, wall), displacement(result, wall), dynamic(wall), risk(result, wall)]
+    return [
+        chain(wall),
+        linear(result, wall),
+        displacement(result, wall),
+        dynamic(wall),
+        hold(wall),
+        risk(result, wall),
+    ]

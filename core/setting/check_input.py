@@ -1,5 +1,6 @@
 """A wall about one hinge, by one mechanism, under one demand: all that its checks follow from."""
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -8,19 +9,25 @@ from typing import Any
 from core.case.held_top import mirror_inward
 from core.case.schema import Generate
 from core.case.site import Building, Demand
-from core.case.wall import ARCHES, Wall
+from core.case.wall import ARCHES, BENDS, Wall
 from core.codes.demand import SeismicDemand, complete_with_records
 from core.codes.dynamic_check import run_dynamic_check
 from core.codes.elastic_branch import Branch, branches_of, wants_branch
 from core.codes.floor_spectrum import estimated_period
 from core.codes.kinematic import KinematicAnalysis, analyse_mechanism
 from core.codes.record_compatibility import Compliance, check_compatibility
-from core.codes.vertical_bending import HingeAt, hinges_in_histories, model_of_bending
+from core.codes.vertical_bending import HingeAt, hinges_in_histories, lowest_hinge, model_of_bending
 from core.ground.ground_motion import GroundMotion
+from core.mechanism.bending_reactions import MovingStrip
+from core.mechanism.holds import BASE, ENDS, HoldLimit, limit_of_ends, limits_of_bending, reaction_of_top
+from core.mechanism.rest import base_reaction
+from core.mechanism.sections import Sections
 from core.rocking.methods import Method
 from core.setting.demand_input import find_generation_settings, generate_requested_motions
 from core.setting.floors import Floor, make_floor
+from core.wall.arch import MIN_THRUST
 from core.wall.bending import strip_of
+from core.wall.masonry import Masonry
 from core.wall.rocking_model import RockingModel, rocking_model
 
 ESTIMATES = 0.5, 1.0, 2.0
@@ -106,6 +113,38 @@ class CheckInput:
         if not wants_branch(self.wall.in_si, self.mechanism) or not self.wall.moment_law().is_rigid:
             return ()
         return branches_of(self.wall.in_si, self.mechanism, self.model)
+
+    @cached_property
+    def _moving(self) -> dict[str, tuple[Masonry, MovingStrip]]:
+        """Side -> the wall that bends to it, and its strip with the hinge of the least multiplier."""
+        walls = {"outward": self.wall.in_si}
+        if self.wall.mechanism == BENDS:
+            walls["inward"] = mirror_inward(self.wall).in_si
+        strips = {side: strip_of(wall) for side, wall in walls.items()}
+        return {side: (wall, MovingStrip(strips[side], lowest_hinge(strips[side]))) for side, wall in walls.items()}
+
+    @cached_property
+    def hold_limits(self) -> tuple[HoldLimit, ...]:
+        """Limits of what holds a wall that bends; none of what has no strength, or one that is looked at elsewhere."""
+        masonry = self.wall.in_si
+        if not self.wall.bends:
+            return ()
+        if masonry.arch is not None:
+            return (limit_of_ends(*self._moving["outward"]),) if masonry.arch.thrust > MIN_THRUST else ()
+        strength = masonry.declared.strength
+        if strength is None or math.isinf(strength) or not self.wall.back_restraint:
+            return ()
+        return tuple(
+            limit for side, (wall, moving) in self._moving.items() for limit in limits_of_bending(wall, moving, side)
+        )
+
+    def reaction_of(self, limit: HoldLimit, alpha: float) -> float:
+        """What a hold takes [N/m] under pushes up to alpha [-]."""
+        wall, moving = self._moving[limit.side]
+        if limit.hold == ENDS:
+            return 0.5 * (alpha + moving.strip.pressed) * moving.strip.weight
+        held = reaction_of_top(Sections(wall), moving, alpha)
+        return base_reaction(Sections(wall), [held], alpha) if limit.hold == BASE else held
 
     @property
     def signs(self) -> tuple[int, ...]:

@@ -16,6 +16,7 @@ from core.codes.verdict import Verdict, make_verdict, passes_with_q2
 from core.codes.verdict_sentence import restraint_phrase
 from core.errors import InputError
 from core.ground.record_folder import is_doubtful
+from core.mechanism.holds import BASE, ENDS, TOP
 from core.setting.check_input import CheckInput
 from core.setting.floors import LOW_CODE, building_notes
 from core.setting.plan import MANY_WALLS
@@ -127,6 +128,7 @@ def assess(scene: CheckInput, cancelled: Callable[[], bool] = lambda: False) -> 
     if ratio is not None and ratio < LOW_CODE:
         limits.append(sentence("reason", "code_below_records", ratio=ratio))
     limits += _of_life_and_records(evaluation)
+    limits += _hold_remark(evaluation)
     limits += [*_of_bending(kinematic, scene.wall, dynamic is not None), *_of_ties_not_counted(evaluation)]
     limits += _of_ties_that_lower(evaluation, cancelled)
     limits += _of_a_thicker_wall(evaluation)
@@ -263,15 +265,26 @@ def _of_bending(kinematic: KinematicAnalysis, wall: Wall, with_histories: bool) 
             parted = moved.parted(moved.rotation(kinematic.d_limit))
             limits.append(sentence("reason", "arch_parts", mm=1e3 * parted, stands=1e3 * arch.stands))
         return limits
-    force, stands = 1e-3 * mechanism.top_force, wall.restraint_kn_m
-    if stands is None or math.isinf(stands):
-        limits.append(sentence("reason", "top_force", force=force))
-    else:
-        limits.append(sentence("reason", "top_force_held", force=force, stands=stands))
+    if wall.restraint_kn_m is None or math.isinf(wall.restraint_kn_m):
+        limits.append(sentence("reason", "top_force", force=1e-3 * mechanism.top_force))
     moved = kinematic.moved.bending or mechanism
     if mechanism.highest or moved.highest:
         limits.append(sentence("reason", "hinge_highest", height=mechanism.h1))
     return limits
+
+
+HOLD_REMARKS = {TOP: "hold_top", BASE: "hold_base", ENDS: "hold_ends"}
+"""Hold -> code of its sentence."""
+
+
+def _hold_remark(evaluation: Evaluation) -> list[Sentence]:
+    """What the weakest of the holds takes at the demand, what it stands, and from which demand on it gives way."""
+    check = evaluation.made("hold")
+    if check is None:
+        return []
+    weakest = min(evaluation.scene.hold_limits, key=lambda limit: limit.push)
+    values = {"asked": check.demand, "stands": check.capacity, "share": check.zeta}
+    return [sentence("reason", HOLD_REMARKS[weakest.hold], **values)]
 
 
 def _of_ties_not_counted(evaluation: Evaluation) -> list[Sentence]:

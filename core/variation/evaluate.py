@@ -10,15 +10,24 @@ from core.codes.demand import MIN_SHARE_OF_DEMAND
 from core.codes.dynamic_check import DynamicCheck
 from core.codes.elastic_branch import can_have_branch, wants_branch
 from core.codes.evidence import Circumstances, Evidence, governing_check
-from core.codes.kinematic import Check, KinematicAnalysis, check_linear, make_kinematic_checks
+from core.codes.kinematic import (
+    HOLD_CLAUSE,
+    ZETA_ROUNDING,
+    Check,
+    KinematicAnalysis,
+    check_linear,
+    make_kinematic_checks,
+)
 from core.codes.limits import counted_stations
 from core.codes.outcomes import FAILS, OPEN, PASSES, severity_key, worst_outcome
 from core.codes.verdict import find_outcome
-from core.codes.vertical_bending import bending, uplift_multiplier
+from core.codes.vertical_bending import uplift_multiplier
 from core.errors import InputError
 from core.ground.record_folder import is_doubtful
+from core.known import require_value
 from core.setting.check_input import CheckInput
 from core.text.sentence import Sentence, sentence
+from core.units import G
 
 EXACT_METHODS = ("auto", "taylor", "taylor_6", "dormand_prince")
 """Methods whose result a verdict may rest on; the others are for comparison."""
@@ -158,7 +167,6 @@ def evaluate(
         )
     if (threshold := uplift_multiplier(scene.wall.in_si, scene.mechanism)) <= 0.0:  # of no case, but of a value moved
         raise InputError("unstable_under_loads", threshold=threshold)
-    _refuse_weak_hold(scene)
     kinematic = scene.kinematic
     if kinematic is None:
         return Evaluation(scene, None, None, (), precision)
@@ -166,18 +174,39 @@ def evaluate(
     made = make_kinematic_checks(kinematic, scene.demand, _counted(kinematic, scene.q_slv[0]))
     checks = _with_histories(made, dynamic, scene)
     evaluation = Evaluation(scene, kinematic, dynamic, checks, precision)
-    return replace(evaluation, checks=_worse_first(evaluation)) if scene.by_default else evaluation
+    ordered = _worse_first(evaluation) if scene.by_default else checks
+    return replace(evaluation, checks=_place_hold(ordered, _check_of_holds(scene, kinematic, dynamic)))
 
 
-def _refuse_weak_hold(scene: CheckInput) -> None:
-    """Raise InputError where a wall pushes more on what holds its top than that stands: of no case, but of a value
-    moved."""
-    wall, strength = scene.wall.in_si, scene.wall.in_si.declared.strength
-    if not wall.bends or wall.arch is not None or strength is None or not scene.wall.back_restraint:
-        return
-    pushes = bending(wall).top_force
-    if strength < pushes * (1.0 - 1e-9):
-        raise InputError("hold_too_weak", key="restraint_kn_m", found=1e-3 * strength, least=1e-3 * pushes)
+def _check_of_holds(scene: CheckInput, kinematic: KinematicAnalysis, dynamic: DynamicCheck | None) -> Check | None:
+    """The check of what holds a wall that bends: of all that hold it the one that gives way first, under the largest
+    push of the clauses and of the motions. None of a wall whose holds have no strength, and none where no push is
+    known."""
+    limits = scene.hold_limits
+    pushes = [] if kinematic.acceleration_demand is None else [kinematic.acceleration_demand]
+    if dynamic is not None:
+        pushes += [scene.demand.scaling(motion) * motion.pga for motion in scene.motions]
+    if not limits or not pushes:
+        return None
+    alpha, demand = max(pushes) / G, scene.demand
+    limit = min(limits, key=lambda limit: limit.push)
+    zeta = limit.share(alpha)
+    asked = 1e-3 * scene.reaction_of(limit, alpha)
+    return Check(
+        "hold", HOLD_CLAUSE, "kN/m", 1e-3 * limit.stands, asked, zeta, zeta >= demand.zeta_target - ZETA_ROUNDING
+    )
+
+
+def _place_hold(checks: tuple[Check, ...], hold: Check | None) -> tuple[Check, ...]:
+    """The checks with that of the holds: it decides where it has the lower zeta, or fails where the first passes."""
+    if hold is None:
+        return checks
+    first = checks[0] if checks else None
+    zeta = None if first is None else first.zeta
+    decides = (
+        first is None or (zeta is None and not hold.passed) or (zeta is not None and require_value(hold.zeta) < zeta)
+    )
+    return (hold, *checks) if decides else (*checks, hold)
 
 
 def _with_histories(made: tuple[Check, ...], dynamic: DynamicCheck | None, scene: CheckInput) -> tuple[Check, ...]:

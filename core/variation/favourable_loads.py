@@ -140,7 +140,7 @@ def _moved_weights(wall: Wall, by: float) -> tuple[Load, ...]:
     return tuple(there(load) for load in wall.load)
 
 
-UNSTABLE = ("unstable_under_loads", "bending_unstable", "arch_unstable", "body_falls", "hold_too_weak")
+UNSTABLE = ("unstable_under_loads", "bending_unstable", "arch_unstable", "body_falls")
 """Codes of the errors of a wall that does not stand: the worst that another end can say."""
 
 

@@ -39,7 +39,7 @@ DAMPINGS = (0.01, 0.30)
 DEFAULT_HEIGHT = 3.0
 """Height [m] for which the default of [sensitivity] leans by 2 cm."""
 
-FALLS_AT_REST = "unstable_under_loads", "hold_too_weak", "arch_unstable", "bending_unstable"
+FALLS_AT_REST = "unstable_under_loads", "arch_unstable", "bending_unstable"
 """Errors of a wall that falls without an earthquake, or pushes away what holds it: it has no zeta. What is refused for
 another reason is not moved."""
 

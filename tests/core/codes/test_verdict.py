@@ -134,7 +134,7 @@ def codes(sentences) -> list[str]:
         ("verified_refined", {"nonlinear": 1.015, "q2": 0.9}),
         ("undetermined", {"dynamic": 1.2, "q2": 1.1, "wall": {"base_z_m": 4.0}}),
         ("not_activated", {"dynamic": 3.0, "q2": 3.0, "ag": 0.05}),
-        ("not_activated", {"dynamic": 3.0, "q2": 3.0, "ag": 0.05, "compatible": False}),
+        ("indicative", {"dynamic": 3.0, "q2": 3.0, "ag": 0.05, "compatible": False}),  # one gate for all that passes
         ("indicative", {"dynamic": 1.2, "q2": 1.1, "circumstances": {"both_signs": False}}),
         ("indicative", {"dynamic": 1.2, "q2": 1.1, "circumstances": {"exact": False}}),
         ("verified", {"dynamic": 1.2, "q2": 1.1, "ag": 0.05, "circumstances": {"strongest": 1.0}}),

@@ -144,10 +144,25 @@ def test_that_every_check_has_its_zeta_in_the_note_and_on_the_check_sheet(verdic
     steps = {step.cell for step in steps_of(note(verdict, "en"))}
     names = set(whole_workbook.build(verdict, []).workbook.defined_names)
     for wall in verdict.walls:
-        assert {check.name for check in wall.assessment.checks} == set(CHECKS)
+        assert {check.name for check in wall.assessment.checks} == set(CHECKS) - {"hold"}
         for check in wall.assessment.checks:
             cell = f"{cell_prefix(verdict, wall)}{check.name}_zeta"
             assert cell in steps and cell in names, check.name
+
+
+def test_that_what_holds_a_wall_has_its_lines_in_the_note_and_on_the_check_sheet():
+    bends = HELD | {"mechanism": "vertical_bending", "height_m": 3.0, "thickness_m": 0.4, "restraint_kn_m": 10.0}
+    bends |= {"unit_weight_kn_m3": 18.0}
+    bends = {key: value for key, value in bends.items() if key not in ("restitution", "velocity_ratio")}
+    building = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
+    held = case(bends | {"back_restraint": "tied_floors"}, {}, analysis={"histories": False}, building=building)
+    made = run(held, base_dir=ROOT)
+    names = set(whole_workbook.build(made, []).workbook.defined_names)
+    steps = {step.cell: step.result for step in steps_of(note(made, "en"))}
+    (check,) = [check for check in made.walls[0].assessment.checks if check.name == "hold"]
+    for cell, value in (("hold_asked", check.demand), ("hold_stands", 10.0), ("hold_zeta", check.zeta)):
+        (found,) = [name for name in steps if name and name.endswith(cell)]
+        assert found in names and steps[found] == pytest.approx(value)
 
 
 @pytest.mark.shows("kinematic.sld_shown")

@@ -226,9 +226,15 @@ def test_that_an_odd_building_is_questioned(building, codes):
 
 
 def test_that_a_wall_at_rest_is_told_the_acceleration_of_its_floor():
-    keys = {"height_m": 1.0, "thickness_m": 0.4}
+    keys = {"height_m": 1.0, "thickness_m": 0.35, "mechanism": "two_sided", "free_element": False}
     wall = parse_case(
-        {**TABLE, "wall": [{**WALL, **keys, "base_z_m": 6.0}], "building": BUILDING, "demand": {**DEMAND, "ag_g": 0.01}}
+        {
+            **{key: value for key, value in TABLE.items() if key != "record"},
+            "wall": [{**WALL, **keys, "base_z_m": 6.0}],
+            "building": BUILDING,
+            "demand": {**DEMAND, "ag_g": 0.01},
+            "analysis": {"histories": False},
+        }
     )
     found = run(wall, base_dir=ROOT)
     verdict = found.walls[0].assessment.verdict

@@ -1,0 +1,81 @@
+"""Up to which push what holds a wall holds: its top, the bed joint at its base, its ends between transverse walls.
+
+A reaction is never divided by q, and a moving one takes no confidence factor: a stronger wall pushes harder.
+"""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from core.boundary import narrowed
+from core.known import require_value
+from core.mechanism.bending_reactions import MovingStrip
+from core.mechanism.rest import BISECTIONS, SLIDING, Reach, greatest_reaction, multiplier_at_rest, simple_reactions
+from core.mechanism.sections import Sections
+from core.wall.arch import FRICTION
+from core.wall.masonry import Masonry
+
+TOP, BASE, ENDS = "top", "base", "ends"
+"""What holds a wall."""
+
+UNLIMITED = 1e9
+"""Strength that no wall reaches [N/m]."""
+
+
+class HoldLimit(NamedTuple):
+    """A hold that a push may overcome.
+
+    hold : TOP, BASE or ENDS; stands : [N/m], of ENDS across each of them, per metre of height
+    push : alpha up to which it holds [-]; side : the motion that asks most of it, "outward" or "inward"
+    """
+
+    hold: str
+    stands: float
+    push: float
+    side: str
+
+    def share(self, alpha: float) -> float:
+        """n_F: multiple of a demand of largest push alpha [-] up to which it holds."""
+        return self.push / alpha
+
+
+def reaction_of_top(sections: Sections, moving: MovingStrip, alpha: float) -> float:
+    """Largest reaction [N/m] of a stiff hold at the top under pushes up to alpha [-]: at rest the lesser of the simple
+    beam and of what pulls the wall in over its inner edge, from the start of the mechanism on the bound of what
+    moves."""
+    if alpha >= moving.multiplier():
+        return moving.bound(alpha)
+    height = require_value(sections.wall.height)
+    most = greatest_reaction(sections, [Reach(height, UNLIMITED)], 0, alpha)
+    simple = simple_reactions(sections, [height], alpha)[0]
+    return max(0.0, simple if most is None else min(simple, most))
+
+
+def limits_of_bending(wall: Masonry, moving: MovingStrip, side: str) -> Iterator[HoldLimit]:
+    """Limits of a wall that bends to one of its sides: of what holds its top, and of the joint at its base where that
+    slides before the wall bends.
+
+    wall : as it moves outward, or mirrored; moving : its strip with the hinge of the least multiplier
+    """
+    sections, strength = Sections(wall), require_value(wall.declared.strength)
+    height, alpha0 = require_value(wall.height), float(moving.multiplier())
+    if strength >= moving.start:
+        yield HoldLimit(TOP, strength, moving.largest_push(strength), side)
+    else:
+        push, _, _ = narrowed(
+            lambda alpha: reaction_of_top(sections, moving, alpha) <= strength, 0.0, alpha0, steps=BISECTIONS
+        )
+        yield HoldLimit(TOP, strength, push, side)
+    slides = multiplier_at_rest(sections, [Reach(height, UNLIMITED, UNLIMITED)])
+    if slides < alpha0 * (1.0 - 1e-6):
+        yield HoldLimit(BASE, SLIDING * sections.at(0.0).weight, slides, side)
+
+
+def limit_of_ends(wall: Masonry, moving: MovingStrip) -> HoldLimit:
+    """Limit of the ends of a wall that spans between transverse walls: each stands the friction of its thrust across
+    it, V = (alpha W + what presses the wall)/2.
+
+    moving : the strip that lies, a metre of its height
+    """
+    arch, strip = require_value(wall.arch), moving.strip
+    stands = FRICTION * arch.thrust
+    return HoldLimit(ENDS, stands, max(0.0, 2.0 * stands / strip.weight - strip.pressed), "outward")
