@@ -48,6 +48,19 @@ def find_bending_spans(wall: Wall) -> tuple[tuple[float, float], ...]:
     )
 
 
+def leaves_stretches_out(wall: Wall) -> bool:
+    """Whether a wall may bend between its base and a tie, and that is not looked at: beside a thrust, a slack tie,
+    friction of return walls or solids at an angle. The engineer may set it aside with a reason for `hinge_heights`."""
+    if wall.mechanism != "one_sided" or wall.thickness is None:
+        return False
+    if wall.justification and wall.justification.hinge_heights:
+        return False
+    least = MIN_SLENDERNESS * wall.thickness
+    if not any(load.is_tie and load.h_m >= least for load in wall.load):
+        return False
+    return has_load_below_tie(wall) or wall.return_walls is not None or not _is_one_sheet(wall)
+
+
 def has_load_below_tie(wall: Wall) -> bool:
     """Whether something acts below the highest tie of a wall that no stretch is looked at with, or a tie has slack."""
     highest = max((load.h_m for load in wall.load if load.is_tie), default=0.0)

@@ -33,6 +33,7 @@ class Circumstances:
     sound : stations of records that nothing doubts, -1 where nobody looked
     unchecked : heights above the base at which a mechanism may start too, and that nobody looks at [m]
     hinges_asked : the engineer says which are looked at
+    stretches_left_out : it may bend between its base and a tie, and nobody looks at that
     """
 
     stations: int
@@ -45,6 +46,7 @@ class Circumstances:
     sound: int = -1
     unchecked: tuple[float, ...] = ()
     hinges_asked: bool = False
+    stretches_left_out: bool = False
 
 
 def governing_check(checks: tuple[Check, ...]) -> Check | None:
@@ -229,6 +231,8 @@ def indicative_reasons(seen: Evidence) -> list[Sentence]:
         keys = {"building": Key("[building]"), "key": Key("hinge_heights")}
         code = "hinges_as_asked" if circumstances.hinges_asked else "heights_left_out"
         reasons.append(reason(code, heights=heights, **keys))
+    if circumstances.stretches_left_out:
+        reasons.append(reason("stretches_left_out", key=Key("hinge_heights"), reasons=Key("justification")))
     if seen.dynamic:
         if compliance is None:
             reasons.append(reason("no_spectrum"))

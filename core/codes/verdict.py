@@ -41,6 +41,9 @@ TO_MEND = {
     "hinges_as_asked": Sentence(
         "reason", "give_reason", (("key", Key("hinge_heights")), ("reasons", Key("justification")))
     ),
+    "stretches_left_out": Sentence(
+        "reason", "give_reason", (("key", Key("hinge_heights")), ("reasons", Key("justification")))
+    ),
     "few_sound_records": Sentence("reason", "to_sound_records"),
     "no_spectrum": Sentence("reason", "to_no_spectrum"),
     "not_compatible": Sentence("reason", "to_not_compatible"),

@@ -77,7 +77,7 @@ class CheckInput:
     q_slv : of the searches of this very wall, the one its linear check takes and itself; None where none was made
     histories : `run_dynamic_check`, or one that keeps its results
     period_taken : the period of the building is none that is given, but the worst of those it may have
-    unchecked, hinges_asked : of `Circumstances`
+    unchecked, hinges_asked, stretches_left_out : of `Circumstances`
     """
 
     wall: Wall
@@ -98,6 +98,7 @@ class CheckInput:
     period_taken: bool = False
     unchecked: tuple[float, ...] = ()
     hinges_asked: bool = False
+    stretches_left_out: bool = False
 
     @cached_property
     def model(self) -> RockingModel:

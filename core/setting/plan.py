@@ -11,6 +11,7 @@ from core.capacity.ida import Search
 from core.case.hinges import WallPart, count_wall_parts, find_unchecked_hinges, make_wall_parts, variant_key
 from core.case.schema import Case
 from core.case.site import Building
+from core.case.spans_between_ties import leaves_stretches_out
 from core.case.wall import ARCHES, Wall
 from core.codes.demand import SeismicDemand
 from core.codes.dynamic_check import run_dynamic_check
@@ -94,6 +95,7 @@ class Plan:
             histories=histories,
             unchecked=find_unchecked_hinges(entry.part, self.case.building),
             hinges_asked=entry.part.body.hinge_heights is not None,
+            stretches_left_out=entry.part.is_whole and leaves_stretches_out(entry.part.body),
         )
 
     @property

@@ -112,6 +112,7 @@ class Evaluation:
             sound=len(counted_stations([motion for motion in motions if not is_doubtful(motion)], demand)),
             unchecked=scene.unchecked,
             hinges_asked=scene.hinges_asked,
+            stretches_left_out=scene.stretches_left_out,
         )
         parts = (self.checks, self.dynamic, self.kinematic, scene.compliance, circumstances)
         return Evidence(scene.wall.in_si, scene.mechanism, demand, *parts)

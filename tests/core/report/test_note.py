@@ -160,7 +160,7 @@ def test_that_what_holds_a_wall_has_its_lines_in_the_note_and_on_the_check_sheet
     names = set(whole_workbook.build(made, []).workbook.defined_names)
     steps = {step.cell: step.result for step in steps_of(note(made, "en"))}
     (check,) = [check for check in made.walls[0].assessment.checks if check.name == "hold"]
-    for cell, value in (("hold_asked", check.demand), ("hold_stands", 10.0), ("hold_zeta", check.zeta)):
+    for cell, value in (("hold_asked", check.demand), ("hold_stands", check.capacity), ("hold_zeta", check.zeta)):
         (found,) = [name for name in steps if name and name.endswith(cell)]
         assert found in names and steps[found] == pytest.approx(value)
 
