@@ -23,6 +23,9 @@ SLENDER_ABOVE = 3.0
 """Without `hinge_heights` a hinge is looked at where the wall above it has at least this H/t: a lower part of a wall is
 a parapet's or a sill's, which turns as a block of its own."""
 
+MIN_FREE_HEIGHT = 0.3
+"""What stands higher than this above what holds a wall is looked at as a part of its own [m]."""
+
 SAME_HINGE = 0.05
 """A load or a floor nearer than this to a step, or to another one, has no hinge of its own [m]."""
 
@@ -164,26 +167,63 @@ def make_wall_parts(k: int, asked: Wall, building: Building | None) -> list[Wall
     transverse walls, its outer leaf alone, and in its other directions."""
     whole = add_floor_loads(asked, building)
     of = None if whole is asked else whole
-    made = _of_ties(WallPart(k, asked, 0.0, whole, of=of), turning_hinges(whole, building))
+    made = _of_ties(WallPart(k, asked, 0.0, whole, of=of), turning_hinges(whole, building), building)
     if spans(whole):
         made.append(WallPart(k, asked, 0.0, make_spanning_part(whole), whole.height_m, of=of))
     if whole.leaf is not None:
         leaf = make_leaf_wall(whole)
         part = WallPart(k, asked, 0.0, leaf, None, leaf_label(whole.leaf), leaf)
-        made += _of_ties(part, _hinges_of_leaf(leaf, building))
+        made += _of_ties(part, _hinges_of_leaf(leaf, building), building)
     for aspect, turned in directions_of(whole):
-        made += _of_ties(WallPart(k, asked, 0.0, turned, None, aspect, turned), turning_hinges(turned, building))
+        part = WallPart(k, asked, 0.0, turned, None, aspect, turned)
+        made += _of_ties(part, turning_hinges(turned, building), building)
     return made
 
 
-def _of_ties(part: WallPart, hinges: Sequence[float]) -> list[WallPart]:
+def _of_ties(part: WallPart, hinges: Sequence[float], building: Building | None) -> list[WallPart]:
     """A wall about its base and these hinges, and as it bends between its ties. part : the whole of it"""
     whole = part.wall
-    turning = [
-        replace(part, hinge=hinge, wall=add_corner_thrust(cut_above_hinge(whole, hinge))) for hinge in (0.0, *hinges)
-    ]
+    held_to = None if part.aspect else highest_hold(whole, building)
+    turning = []
+    for hinge in (0.0, *hinges):
+        above = add_corner_thrust(cut_above_hinge(whole, hinge))
+        free = held_to is not None and hinge >= held_to - SAME_HINGE
+        turning.append(replace(part, hinge=hinge, wall=make_free(above) if free else above))
     spans = _spans_of_leaf(whole) if part.aspect else find_bending_spans(whole)
     return turning + [replace(part, hinge=low, wall=cut_span(whole, low, high), top=high) for low, high in spans]
+
+
+def highest_hold(wall: Wall, building: Building | None) -> float | None:
+    """Height above the base of a one-sided wall up to which something holds it [m]: the top of its building, or a tie
+    above that. What stands above is free, and rocks to both sides (C8.7.1.2.1.3: porzioni svettanti). None of a wall
+    that does not reach higher by more than it is thick there, which does not rock, that begins there, or whose building
+    is not known."""
+    if building is None or wall.mechanism != "one_sided" or wall.height_m is None or wall.corner is not None:
+        return None
+    height = building.height_m - (wall.base_z_m or 0.0)
+    if height <= 0.0:
+        return None
+    held = max([height, *(load.h_m for load in wall.load if load.is_tie)])
+    faces = contact_at(wall.parts, held) if wall.parts and held < wall.height_m else None
+    thickness = faces[1] - faces[0] if faces else wall.thickness or 0.0
+    return held if wall.height_m - held > max(MIN_FREE_HEIGHT, thickness) else None
+
+
+def make_free(wall: Wall) -> Wall:
+    """The part of a wall above what holds it, which rocks to both sides; itself where its loads let it stand to one
+    side alone."""
+    free = replace(
+        wall,
+        mechanism="two_sided",
+        restitution=None,
+        velocity_ratio=None,
+        law="auto",
+        free_element=None,
+        back_restraint=None,
+        restraint_evidence=None,
+        restraint_note="",
+    )
+    return free if free.in_si.rocks_both_ways else wall
 
 
 MOST_ROWS, MOST_SPANS = 8, 6
@@ -233,6 +273,9 @@ def turning_hinges(asked: Wall, building: Building | None) -> Sequence[float]:
     """Heights of the hinges about which a wall turns, with what is brought to it; above a tie below which it bends it
     may, whatever is asked."""
     hinges = hinges_of(asked, building)
+    held_to = highest_hold(asked, building)
+    if held_to is not None and all(abs(held_to - hinge) > SAME_HINGE for hinge in hinges):
+        hinges = sorted([*hinges, held_to])
     ties = {high for _, high in find_bending_spans(asked)}
     if not ties:
         return hinges
