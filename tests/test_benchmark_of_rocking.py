@@ -105,6 +105,20 @@ def test_that_an_answer_comes_out_anew_within_its_interval(name):
     assert counts.items() <= scene["answer"].items()
 
 
+@pytest.mark.parametrize(("samples", "impacts"), [(4, 0), (301, 1)])
+def test_that_impacts_stop_at_the_last_sample_and_overturns_goes_on(samples, impacts):
+    """A leaning wall thrown back over its base: 4 samples end before the impact after which it falls."""
+    scene = scene_of("decay")
+    scene = scene | {"start": [0.06, -0.4], "ground": scene["ground"] | {"samples": samples}}
+    scene |= {"ask": {"impacts": True, "overturns": True}}
+    asked = RUNNER.problem(scene)
+    with mp.workdps(30):
+        assert benchmark_answers.single(scene, asked["ground"], 24) == {"impacts": impacts, "overturns": True}
+    for program in (PROGRAMS.ribalta, PROGRAMS.scipy):
+        answer = PROGRAMS.answer(asked, program(asked))
+        assert (answer["impacts"], answer["overturns"]) == (impacts, True)
+
+
 @pytest.mark.parametrize("name", ["quarter_period", "quarter_period_upright"])
 def test_that_a_quarter_period_is_an_elliptic_integral(name):
     scene = scene_of(name)

@@ -16,7 +16,7 @@ import pytest
 from app import __main__ as program
 from app.terminal import batch
 from tests.benchmarks import bench
-from tests.benchmarks.small import small_case
+from tests.benchmarks.short_case import short_case
 from tests.conftest import ROOT
 from tests.core.lab.research.test_shake_table import invented
 
@@ -36,7 +36,7 @@ LONG = ("bench", "mutate", "robustness")
 """Commands that measure, start pytest or a second study, two minutes together: with `-m long` they are tried, in every
 run their words are read."""
 
-WINDOWED = ("window", "screenshots", "records")
+WINDOWED = ("window", "screenshots", "pictures", "records")
 """Benchmarks that open a window: each in a process of its own."""
 
 STUDY = """title = "Small"
@@ -85,7 +85,7 @@ COMMANDS = sorted(
 def place(tmp_path_factory) -> Path:
     """A folder with a small case, a small study and a record, to which every result goes."""
     folder = tmp_path_factory.mktemp("commands")
-    small_case(folder)
+    short_case(folder)
     (folder / "study.toml").write_text(STUDY)
     (folder / "records").mkdir()
     (folder / "tests").mkdir()
@@ -204,7 +204,7 @@ def test_that_the_words_of_a_long_command_are_read(command):
     assert script.is_file() and words[0] in script.stem
     small = small_words(tuple(words), ROOT)
     if words[0] == "bench":
-        assert bench.options_of(small[1:]).small
+        assert bench.options_of(small[1:]).few("ab") == "a"
         chosen = words[1].removeprefix("--").replace("-", "_") if words[1:] else "speed"
         assert callable(importlib.import_module(f"tests.benchmarks.{bench.BENCHMARKS.get(chosen, chosen)}").main)
     assert small[0] == words[0]
@@ -222,7 +222,7 @@ def test_that_a_documented_command_runs(command, place):
     words = shlex.split(re.sub(r"[\[\]…]", "", command).replace("\\", "/"))
     match words:
         case ["python3" | "python" | "py", "run.py", *rest] | ["run.py", *rest]:
-            if {"--window", "--screenshots", "--records"} & {*rest}:
+            if {f"--{word}" for word in WINDOWED} & {*rest}:
                 pytest.importorskip("PySide6.QtWidgets", reason="no Qt", exc_type=ImportError)
             if rest and rest[-1] == "--batch":  # "py run.py --batch …": the line above it again
                 rest += ["CASE"]

@@ -14,7 +14,7 @@
     python3 run.py bench --window                           # start of the window, redraws, event loop, keys
     python3 run.py bench --window --against OTHER_TREE [--pairs N] # the starts of two trees in turn
     python3 run.py bench --screenshots [--output DIR]       # every tab, both themes and languages
-    python3 run.py bench --screenshots --guide [--output DIR] # the pictures of the guides
+    python3 run.py bench --pictures [--output DIR]          # the pictures of README and guides, see pictures.py
     python3 run.py bench --records                          # a million samples read, 200 files previewed
     python3 run.py bench --noise [--cases N]                # errors of histories beside the effect of noise
     python3 run.py bench --noise --explain [--cases N]      # what each error is that eight draws do not explain
@@ -26,8 +26,8 @@
     python3 run.py bench --sure                             # moves of the inputs, sliders of What if
     python3 run.py bench --ties [LIST.toml]                 # what q = 2 is worth for a tie, see tie_study.py
 
-With --small it does little of it, as in the tests: what it prints then says nothing. Every benchmark asserts that
-what it measures happened.
+With --small it takes fewer of the same inputs, as in the tests (inputs.py): what it prints then says nothing. Every
+benchmark asserts that what it measures happened.
 """
 
 import argparse
@@ -39,6 +39,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
 from core.jit import cache  # noqa: E402
+from tests.benchmarks.inputs import Command  # noqa: E402  (of this tree, which the line above puts on the path)
 
 BENCHMARKS = {
     "work_precision": "work_precision",
@@ -52,6 +53,7 @@ BENCHMARKS = {
     "scale": "cost_per_wall",
     "window": "window_speed",
     "screenshots": "screenshots",
+    "pictures": "pictures",
     "records": "record_speed",
     "ties": "tie_study",
     "noise": "noise_promise",
@@ -65,8 +67,8 @@ BENCHMARKS = {
 """Word of the command -> module of this folder, whose `main(options)` measures and prints."""
 
 
-def options_of(words: list[str]) -> argparse.Namespace:
-    """The words of the command: small, pairs, output, guide, against, and those of BENCHMARKS, one or none of them."""
+def options_of(words: list[str]) -> Command:
+    """The words of the command: pairs, cases, walls, output, ..., and those of BENCHMARKS, one or none of them."""
     parser = argparse.ArgumentParser(prog="run.py bench")
     asked = parser.add_mutually_exclusive_group()
     for word in BENCHMARKS:
@@ -76,16 +78,15 @@ def options_of(words: list[str]) -> argparse.Namespace:
             asked.add_argument("--ties", type=Path, metavar="LIST.toml", nargs="?", const=True)
         else:
             asked.add_argument(f"--{word.replace('_', '-')}", action="store_true")
-    parser.add_argument("--small", action="store_true")
+    parser.add_argument("--small", action="store_true", dest="_small")
     parser.add_argument("--pairs", type=int, help="25 of --paired, else 7")
     parser.add_argument("--cases", type=int, default=1000)
     parser.add_argument("--walls", type=int)
     parser.add_argument("--against", type=Path, metavar="OTHER_TREE")
-    parser.add_argument("--guide", action="store_true")
     parser.add_argument("--explain", action="store_true")
     parser.add_argument("--tangent", action="store_true")
-    parser.add_argument("--output", type=Path, default=Path("work_precision"))
-    return parser.parse_args(words)
+    parser.add_argument("--output", type=Path)
+    return parser.parse_args(words, namespace=Command())
 
 
 def main(words: list[str]) -> None:

@@ -1,7 +1,6 @@
 """What a history of a parapet with its elastic branch costs, in closed form and by the series:
 `python3 run.py bench --branch`."""
 
-import argparse
 import time
 
 import numpy as np
@@ -13,6 +12,7 @@ from core.rocking.history import scan_records
 from core.rocking.methods import AUTO
 from core.units import G
 from core.wall.rocking_model import RockingModel, with_branch
+from tests.benchmarks.inputs import Command
 
 RIGID = RockingModel(0.2054, 12.0, 0.0, 0.9376, 0.0, 0.0, 0.0)
 LIMIT = 0.001
@@ -21,21 +21,21 @@ LIMIT = 0.001
 ROUNDS = 5
 
 
-def main(options: argparse.Namespace) -> None:
-    """Print microseconds a history, of both by turns, the least of ROUNDS."""
+def main(options: Command) -> None:
+    """Print microseconds of the processor a history, of both by turns, the least of ROUNDS."""
     motions = scattered_set(ntc2018(0.13 * G, 2.4, 0.33, "B", "T1"), 7, 3, SPREAD, (0.15, 2.0))
     grounds = Grounds.of(motions, 0.01)
     closed = with_branch(RIGID, LIMIT)
     models = {"rigid": RIGID, "closed form": closed, "series": closed._replace(driven=None)}
-    for low, high in ((0.2, 0.5), (0.5, 0.8), (0.8, 1.2)):
+    for low, high in options.few(((0.2, 0.5), (0.5, 0.8), (0.8, 1.2))):
         scales = np.tile(np.linspace(low, high, 64), len(motions))
         which = np.repeat(np.arange(len(motions)), 64)
         taken = dict.fromkeys(models, np.inf)
-        for _ in range(2 if options.small else ROUNDS + 1):  # the first compiles
+        for _ in range(1 + options.number(ROUNDS, 1)):  # the first compiles
             for name, model in models.items():
                 codes, peaks = np.zeros(scales.size, np.int64), np.zeros(scales.size)
-                start = time.perf_counter()
+                start = time.thread_time()
                 scan_records(AUTO, grounds, which, scales, model, codes, peaks)
-                taken[name] = min(taken[name], (time.perf_counter() - start) / scales.size)
+                taken[name] = min(taken[name], (time.thread_time() - start) / scales.size)
         said = ", ".join(f"{name} {1e6 * seconds:.0f} us" for name, seconds in taken.items())
         print(f"multipliers {low} to {high}: {said}", flush=True)

@@ -3,14 +3,14 @@
 python3 run.py bench --compile
 """
 
-import argparse
 import os
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-from tests.benchmarks.small import ROOT, small_case
+from tests.benchmarks.inputs import Command
+from tests.conftest import ROOT
 
 LEAST = 0.05
 """Kernels that take less are summed [s]."""
@@ -44,11 +44,11 @@ for name, seconds in sorted(listener.own.items(), key=lambda one: -one[1]):
 """
 
 
-def main(options: argparse.Namespace) -> None:
+def main(options: Command) -> None:
     """Print the table."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        case = small_case(folder) if options.small else ROOT / "resources" / "cases" / "example.toml"
+        case = ROOT / "resources" / "cases" / "example.toml"
         command = [sys.executable, "-P", "-c", MEASURED, str(case), str(folder / "out")]
         empty = os.environ | {"RIBALTA_CACHE": str(folder / "cache"), "PYTHONPATH": str(ROOT)}
         done = subprocess.run(command, cwd=ROOT, env=empty, check=True, capture_output=True, text=True)

@@ -8,11 +8,12 @@ the check of all walls, the journal and the file are in all of them, and in the 
 many walls.
 """
 
-import argparse
 import csv
 import tempfile
 from pathlib import Path
 
+from tests.benchmarks.inputs import Command
+from tests.benchmarks.made_by import save_chart
 from tests.benchmarks.memory import AS_TABLE, table, walls
 
 FIRST_GROUP_ALONE = """
@@ -84,15 +85,15 @@ def chart(rows: list[dict], path: Path) -> None:
         axis.grid(True, which="major", color="0.92")
     time.legend(frameon=False)
     figure.tight_layout()
-    figure.savefig(path, dpi=90)
+    save_chart(figure, path)
 
 
-def main(options: argparse.Namespace) -> None:
+def main(options: Command) -> None:
     """Print the rows; write them and their chart."""
-    rows = measure(3 if options.small else options.walls or MOST)
-    options.output.mkdir(parents=True, exist_ok=True)
-    with open(options.output / "cost_per_wall.csv", "w", newline="") as stream:
+    rows = measure(options.number(options.walls or MOST, 3))
+    folder = options.folder()
+    with open(folder / "cost_per_wall.csv", "w", newline="") as stream:
         writer = csv.DictWriter(stream, list(rows[0]))
         writer.writeheader()
         writer.writerows(rows)
-    chart(rows, options.output / "cost_per_wall.png")
+    chart(rows, folder / "cost_per_wall.png")

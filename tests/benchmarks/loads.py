@@ -8,7 +8,6 @@ its two sides differently; its motion is its own, and the time is per analysed s
 facade of resources/cases/building.toml with its tie over the same without, about each of its hinges, in turn.
 """
 
-import argparse
 import math
 import statistics
 import time
@@ -25,9 +24,10 @@ from core.wall.loads import Force, restoring_moment
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
+from tests.benchmarks.inputs import MOVING, Command
 from tests.benchmarks.paired import best_seconds
 from tests.benchmarks.scenes import reference
-from tests.benchmarks.small import ROOT, SAMPLES
+from tests.conftest import ROOT
 
 
 def pairs_of(one_sided: bool):
@@ -44,23 +44,24 @@ def pairs_of(one_sided: bool):
     return held.sine, bare, loaded, unlike
 
 
-def ties(pairs: int, small: bool) -> None:
-    """Print the times of the searches of a facade without and with its tie. small : of the last hinge, coarse"""
+def ties(options: Command) -> None:
+    """Print the times of the searches of a facade without and with its tie."""
     path = ROOT / "resources" / "cases" / "building.toml"
     case = read_case(path)
     plan = make_plan(case, read_inputs(case, path.parent))
-    facade = [entry for entry in plan.entries if entry.part.wall.variant]
-    bare, tied = ([entry for entry in facade if bool(entry.model.bars) == held] for held in (False, True))
+    bare = [entry for entry in plan.entries if entry.part.wall.variant == "stato di fatto"]
+    tied = [entry for entry in plan.entries if entry.model.bars]
     assert len(bare) == len(tied) == 3
-    search = Search(q_step=0.1) if small else plan.search
     print(f"{'searches with the tie over without':32} {'median':>7} {'range':>15}   an analysis, and over without")
-    for free, held in list(zip(bare, tied, strict=True))[2 if small else 0 :]:
+    pairs = options.number(options.pairs or 7, 1)
+    for free, held in options.few(list(zip(bare, tied, strict=True)), first=2):
         times: dict[bool, list[float]] = {False: [], True: []}
         done = {}
         for entry in (free, held) * (pairs + 1):
             runs = [Run(one.acceleration, one.time_step, one.pga, sign) for one in entry.felt for sign in entry.signs]
+            runs = options.few(runs)
             start = time.thread_time()
-            found = incremental_dynamic_analyses(runs, entry.model, plan.method, search, lambda: False)
+            found = incremental_dynamic_analyses(runs, entry.model, plan.method, plan.search, lambda: False)
             times[bool(entry.model.bars)].append(time.thread_time() - start)
             done[bool(entry.model.bars)] = sum(ida.analyses for ida in found)
         ratios = sorted(one / other for one, other in list(zip(times[True], times[False], strict=True))[1:])
@@ -71,19 +72,19 @@ def ties(pairs: int, small: bool) -> None:
         )
 
 
-def main(options: argparse.Namespace) -> None:
+def main(options: Command) -> None:
     """Print the tables."""
-    ties(options.pairs or 7, options.small)
-    ground, dt, taylor, n = reference("standard"), 0.01, METHODS["taylor"], 256
-    pairs, repeats = (options.pairs or 7), (5, 3, 20)
-    if options.small:
-        ground, n, pairs, repeats = ground[SAMPLES].copy(), 8, 1, (1, 1, 1)
-    outcomes, peaks = np.zeros(n, np.int64), np.zeros(n)
+    ties(options)
+    dt, taylor, pairs = 0.01, METHODS["taylor"], options.number(options.pairs or 7, 1)
+    ground = np.ascontiguousarray(options.few(reference("standard"), *MOVING))
+    repeats = [options.number(count, 1) for count in (5, 3, 20)]
+    multiples = options.few(np.linspace(1.1, 6.0, 256), 8, 128)
+    outcomes, peaks = np.zeros(multiples.size, np.int64), np.zeros(multiples.size)
     print(f"{'time with loads over without':32} {'median':>7} {'range':>15}")
     for one_sided in (False, True):
         factor, bare, loaded, unlike = pairs_of(one_sided)
         least = bare.threshold * factor / np.abs(ground).max()
-        scales = least * np.linspace(1.1, 6.0, n)
+        scales = least * multiples
 
         def peaks_of(model, by, scales=scales):
             scan_multipliers(taylor, ground / by, dt, scales, model, outcomes, peaks)

@@ -4,7 +4,6 @@ python3 run.py bench --memory
 python3 run.py bench --memory --walls N     # so many walls, 10 000 or not, as a Parquet file, one thread
 """
 
-import argparse
 import json
 import os
 import random
@@ -14,6 +13,8 @@ import tempfile
 import time
 from pathlib import Path
 from typing import NamedTuple
+
+from tests.benchmarks.inputs import Command
 
 ROOT = Path(__file__).resolve().parents[2]
 DEMAND = """[demand]
@@ -116,15 +117,16 @@ def long_record(folder: Path, count: int) -> Path:
     return case
 
 
-def main(options: argparse.Namespace) -> None:
+def main(options: Command) -> None:
     """Print the table."""
     if options.walls:
-        count = 12 if options.small else options.walls
+        count = options.number(options.walls, 12)
         with tempfile.TemporaryDirectory() as name:
             seconds, _, megabytes = table(walls(Path(name), count, 0), count, "--jobs", "1")
         print(f"{f'{count} walls x 1 record of 3 s, Parquet':40} {seconds:8.1f} s {megabytes:8.0f} MB", flush=True)
         return
-    many, motions, samples = ((2,), 1, 2000) if options.small else ((500, 1000), 7, 1_000_000)
+    many = [options.number(count, 2) for count in options.few((500, 1000))]
+    motions, samples = options.number(7, 1), options.number(1_000_000, 2000)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for label, case, number in (

@@ -5,12 +5,11 @@ The error is against a Taylor solver of order 24 in double-double arithmetic tha
 
 python3 run.py bench --noise [--explain | --tangent] [--cases N]
 
---explain names each case whose error is beyond EXPLAINED times that effect, and what its error is. --tangent builds of
-each case without ties the two motions, a last digit apart, of which one lands once more: between them a landing is
-tangent, where an error of the last digit becomes its square root.
+--explain names each case whose error is beyond EXPLAINED times that effect, and the worst of all, and what its error
+is. --tangent builds of each case without ties the two motions, a last digit apart, of which one lands once more:
+between them a landing is tangent, where an error of the last digit becomes its square root.
 """
 
-import argparse
 import functools
 import math
 import tempfile
@@ -28,6 +27,7 @@ from core.wall.bars import TieBar
 from core.wall.loads import RestoringMoment
 from core.wall.rocking_model import RockingModel
 from tests.benchmarks import tolerance_sweep
+from tests.benchmarks.inputs import Command
 from tests.conftest import ROOT
 from tests.validation import double_double_walls
 from tests.validation.test_random_histories import drawn
@@ -250,7 +250,7 @@ def explain(seeds: list[int], found: np.ndarray) -> None:
     as the exact motion; unexplained : a branch of the motion taken the other way, or a fault
     """
     with tempfile.TemporaryDirectory() as cache:
-        tighter = tolerance_sweep.measured(TIGHTER, seeds, cache, False)["found"]
+        tighter = tolerance_sweep.errors_with(TIGHTER, seeds, cache)
     classes, left, others = Counter(), 0.0, 0
     for seed, (error, few, _, impacts), (exacter, *_) in zip(seeds, found[seeds], tighter, strict=True):
         case, noise, name = case_of(seed), of_many_draws(seed), KINDS[seed % len(KINDS)]
@@ -268,9 +268,9 @@ def explain(seeds: list[int], found: np.ndarray) -> None:
         print(f"{reason:12} {name:26} {count}")
 
 
-def main(options: argparse.Namespace) -> None:
+def main(options: Command) -> None:
     """Print the table."""
-    cases = 2 * len(KINDS) if options.small else options.cases
+    cases = options.number(options.cases, 2 * len(KINDS))
     if options.tangent:
         print_tangent(cases)
         return
@@ -289,9 +289,8 @@ def main(options: argparse.Namespace) -> None:
     quiet = noise < 1e-11
     print(f"noise below 1e-11: {int(quiet.sum())} cases, worst error {error[quiet].max(initial=0.0):.1e} theta_c")
     if options.explain:
-        chosen = [0, 1, 2, 3] if options.small else np.nonzero(beyond(found, EXPLAINED))[0].tolist()
-        if chosen:
-            explain(chosen, found)
+        worst = int(np.argmax(error / np.maximum(noise, PROMISED / EXPLAINED)))
+        explain(sorted({worst, *np.nonzero(beyond(found, EXPLAINED))[0].tolist()}), found)
         return
     for seed in np.nonzero(beyond(found, 100.0))[0]:
         print(

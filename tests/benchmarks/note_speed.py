@@ -3,10 +3,9 @@ the preview; of one wall and of twelve.
 
     python3 run.py bench --note
 
-The least of five; small: of two walls, once.
+The least of five.
 """
 
-import argparse
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -16,6 +15,7 @@ from core.report.note.archive import note_attachments, note_of
 from core.report.note.content import note
 from core.study.results import StudyResult
 from core.study.run import run
+from tests.benchmarks.inputs import Command
 from tests.conftest import ROOT
 
 WALL = {
@@ -40,10 +40,10 @@ def result_of(count: int) -> StudyResult:
     return run(parse_case(table), base_dir=ROOT)
 
 
-def main(options: argparse.Namespace) -> None:
-    for count in (2,) if options.small else (1, 12):
+def main(options: Command) -> None:
+    for count in options.few((1, 12)):
         result, rows = result_of(count), []
-        for _ in range(1 if options.small else 5):
+        for _ in range(options.number(5, 1)):
             again = replace(result, started_utc="")
             start = time.perf_counter()
             note(again, "en")

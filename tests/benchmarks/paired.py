@@ -13,7 +13,6 @@ products and sums (throughput), and one of more code than the processor keeps de
 do not carry to loops of the other kinds: a neighbour on the sibling thread slows them differently.
 """
 
-import argparse
 import contextlib
 import json
 import math
@@ -27,6 +26,10 @@ import time
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:  # a process of the comparison has the other tree on its path
+    from tests.benchmarks.inputs import Command
 
 ROOT = Path(__file__).resolve().parents[2]
 SAMPLES, TIME_STEP, MULTIPLIERS = 2000, 0.01, 256
@@ -48,30 +51,35 @@ def best_seconds(call, repeats: int) -> float:
     return min(times)
 
 
-def figures(small: bool) -> dict[str, float]:
-    """Name -> smallest time [s] of `calls`. small : of each call twice"""
-    return {name: best_seconds(call, 1 if small else 9) for name, call in calls(small).items()}
+def figures(samples: int, repeats: int) -> dict[str, float]:
+    """Name -> smallest time [s] of so many `calls`. samples : of the record, at most SAMPLES"""
+    return {name: best_seconds(call, repeats) for name, call in calls(samples).items()}
 
 
-def calls(small: bool) -> dict[str, Callable[[], None]]:
-    """Name -> what is measured, of the tree that is first on the path. small : a fifth of the record"""
+def calls(samples: int) -> dict[str, Callable[[], None]]:
+    """Name -> what is measured, of the tree that is first on the path. samples : those in the middle of the record, at
+    most SAMPLES"""
     import numpy as np
 
     try:
         from core.capacity.ida import Search, incremental_dynamic_analysis
-        from core.rocking.history import integrate_history, scan_multipliers
         from core.rocking.methods import METHODS
         from core.wall.rocking_model import RockingModel
     except ImportError:  # version 0.3.0
         from core.ida import Search, incremental_dynamic_analysis  # type: ignore
 
         from core.rocking import METHODS, RockingModel  # type: ignore
-    samples = SAMPLES // 5 if small else SAMPLES
+    try:
+        from core.rocking.history import integrate_history, scan_multipliers
+    except ImportError:  # up to 0.32
+        from core.rocking.history import history as integrate_history  # type: ignore
+        from core.rocking.history import scan as scan_multipliers  # type: ignore
     random = np.random.default_rng(2)
-    walk = np.cumsum(random.normal(size=samples))
-    walk -= np.linspace(0.0, walk[-1], samples)
-    walk *= 2.5 / np.abs(walk).max() * np.sin(np.arange(samples) * np.pi / samples)
-    ground = np.ascontiguousarray(6.0 * np.diff(walk, append=0.0) + 0.3 * walk)
+    walk = np.cumsum(random.normal(size=SAMPLES))
+    walk -= np.linspace(0.0, walk[-1], SAMPLES)
+    walk *= 2.5 / np.abs(walk).max() * np.sin(np.arange(SAMPLES) * np.pi / SAMPLES)
+    first = (SAMPLES - samples) // 2
+    ground = np.ascontiguousarray((6.0 * np.diff(walk, append=0.0) + 0.3 * walk)[first : first + samples])
     pga, alpha = float(np.abs(ground).max()), math.radians(6.8)
     found: dict[str, Callable[[], None]] = {}
     walls = {
@@ -197,11 +205,11 @@ def probes() -> dict[str, Callable[[], None]]:
     return dict(zip(PROBES, loops, strict=True))
 
 
-def work(small: bool) -> None:
+def work(samples: int) -> None:
     """A process of the comparison: of each line "name count" it prints the processor time of so many calls [s]."""
     with contextlib.suppress(AttributeError, OSError):
         os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
-    known = calls(small) | (probes() if "--probes" in sys.argv else {})
+    known = calls(samples) | (probes() if "--probes" in sys.argv else {})
     took = {}
     for name, call in known.items():
         call()
@@ -249,13 +257,13 @@ class Worker:
 
 
 @contextlib.contextmanager
-def workers(other: Path, small: bool) -> Iterator[tuple[Worker, Worker, Worker]]:
+def workers(options: "Command") -> Iterator[tuple[Worker, Worker, Worker]]:
     """Those of the other tree, of this one, and of the other once more."""
-    words = ["--small"] if small else []
+    other, samples = options.paired.resolve(), str(options.number(SAMPLES, SAMPLES // 5))
     with tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as stack:
         made = []
         for tree, more in ((other, []), (ROOT, ["--probes"]), (other, [])):
-            one = Worker(tree, None if small else f"{folder}/{tree is ROOT}", *words, *more)
+            one = Worker(tree, options.kernels(f"{folder}/{tree is ROOT}"), samples, *more)
             stack.callback(one.end)
             made.append(one)
         yield made[0], made[1], made[2]
@@ -288,13 +296,13 @@ def machine() -> list[str]:
     return [f"{name}, Python {platform.python_version()}", *said]
 
 
-def main(options: argparse.Namespace) -> None:
+def main(options: "Command") -> None:
     """Print the tables."""
-    pairs, turn = (2, 0.0) if options.small else (options.pairs or 25, TURN)
+    pairs = options.number(options.pairs or 25, 2)
     for line in machine():
         print(line)
     waited: dict[str, list[float]] = {name: [] for name in PROBES}
-    with workers(options.paired.resolve(), options.small) as trees:
+    with workers(options) as trees:
         heads = ("ratio", 7), ("19 of 20", 15), ("control", 8), ("19 of 20", 15), ("time", 12)
         print(f"\n{'this tree over the other':24} " + " ".join(f"{head:>{width}}" for head, width in heads))
         for name in trees[1].took:
@@ -303,14 +311,14 @@ def main(options: argparse.Namespace) -> None:
             if any(name not in tree.took for tree in trees):
                 print(f"{name:24} not in the other tree")
                 continue
-            count = max(1, round(turn / max(tree.took[name] for tree in trees)))
+            count = max(1, round(TURN / max(one.took[name] for one in trees)))
             times: list[list[float]] = []
             for k in range(pairs):
                 order = [(k + shift) % 3 for shift in range(3)]
                 found = {place: trees[place].seconds(name, count) for place in order}
                 times.append([found[place] for place in range(3)])
                 probe = PROBES[sum(map(len, waited.values())) % 3]
-                waited[probe].append(trees[1].seconds(probe, max(1, round(0.1 * turn / trees[1].took[probe]))))
+                waited[probe].append(trees[1].seconds(probe, max(1, round(0.1 * TURN / trees[1].took[probe]))))
             mine, same = (interval([row[place] / row[0] for row in times]) for place in (1, 2))
             least = min(row[1] for row in times)
             print(
@@ -329,4 +337,4 @@ if __name__ == "__main__":
 
     given = core.__path__[0]
     assert Path(given).resolve().is_relative_to(sys.argv[1]), f"{given} is measured in place of {sys.argv[1]}"
-    work("--small" in sys.argv)
+    work(int(sys.argv[2]))

@@ -9,12 +9,10 @@ the steps is the default at 0.05 %. A verdict changes where Eq. 9 with this q pa
 does not, or the other way round, at a demand of 0.2 g.
 """
 
-import argparse
 import csv
 import math
 import statistics
 import time
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -26,6 +24,8 @@ from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import restitution
 from core.wall.rocking_model import RockingModel, rocking_model
+from tests.benchmarks.inputs import Command
+from tests.benchmarks.made_by import save_chart
 from tests.benchmarks.scenes import wall
 from tests.benchmarks.step_study import motions
 
@@ -80,13 +80,18 @@ def chart(rows: list[dict], path: Path) -> None:
             axis.plot([x, x], [low, high], color="0.6")
             axis.loglog([x], [low], "o", color="#2B5C8A")
             axis.annotate(entry["name"], (x, low), fontsize=7, xytext=(4, 3), textcoords="offset points")
+        low, high = axis.get_xlim()
+        ticks = [tick for tick in (5, 10, 20, 50, 100, 200, 500, 1000, 2000) if low < tick < high]
+        axis.set_xticks(ticks, [f"{tick}" for tick in ticks])
+        axis.minorticks_off()
+        axis.margins(x=0.15)
         axis.set_xlabel("time per search [ms]")
         axis.grid(True, color="0.92")
     axes[0].set_ylabel("error of q [%], median to 90 %")
     axes[0].set_title("methods, q_step 0.5 %", fontsize=10)
     axes[1].set_title("steps, taylor 8", fontsize=10)
     figure.tight_layout()
-    figure.savefig(path, dpi=90)
+    save_chart(figure, path)
 
 
 SLENDERNESS = (2.0, 4.0, 6.8, 10.0, 15.0, 20.0, 30.0)
@@ -118,23 +123,20 @@ def linearised_by_slenderness(records: list, slendernesses: tuple[float, ...]) -
     return rows
 
 
-def main(options: argparse.Namespace) -> None:
+def main(options: Command) -> None:
     """Print the rows; write them and their chart."""
-    folder, records, grid, fine_step = options.output, motions(), 0.005, FINEST
-    steps, heights, slendernesses = STEPS, HEIGHTS, SLENDERNESS
-    if options.small:
-        records = [replace(records[0], acceleration=records[0].acceleration[:400])]
-        grid, fine_step, steps = 0.05, 0.02, (0.05,)
-        heights, slendernesses = (3.0,), (6.8,)
-    models = [(m, wall(one, height=h)) for m in records for h in heights for one in (False, True)]
+    folder, records, grid = options.folder(), options.few(motions()), 0.005
+    models = [
+        (m, wall(one, height=h)) for m in records for h in options.few(HEIGHTS) for one in options.few((False, True))
+    ]
     only = [model for _, model in models]
     truth = [search(m, w, METHODS["taylor"], grid) for m, w in models]
     rows = [row("method", "taylor 8", truth, truth, only)]
     for method in (AUTO, *list(METHODS.values())[1:]):
         found = [search(m, w, method, grid) for m, w in models]
         rows.append(row("method", method.name, found, truth, only))
-    fine = [search(m, w, METHODS["taylor"], fine_step) for m, w in models]
-    for step in steps:
+    fine = [search(m, w, METHODS["taylor"], FINEST) for m, w in models]
+    for step in options.few(STEPS):
         found = [search(m, w, METHODS["taylor"], step) for m, w in models]
         rows.append(row("step", f"{100 * step:g} %", found, fine, only))
     for entry in rows:
@@ -144,13 +146,12 @@ def main(options: argparse.Namespace) -> None:
             f"{entry['robust_median_percent']:7.3f} {entry['robust_p90_percent']:7.2f} %  verdicts "
             f"{entry['verdicts_changed_percent']:5.1f} %"
         )
-    folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "q_error.csv", "w", newline="") as stream:
         writer = csv.DictWriter(stream, list(rows[0]))
         writer.writeheader()
         writer.writerows(rows)
     chart(rows, folder / "q_error.png")
-    alphas = linearised_by_slenderness(records, slendernesses)
+    alphas = linearised_by_slenderness(records, options.few(SLENDERNESS))
     with open(folder / "linearised.csv", "w", newline="") as stream:
         writer = csv.DictWriter(stream, list(alphas[0]))
         writer.writeheader()

@@ -3,7 +3,6 @@
 python3 run.py bench --records
 """
 
-import argparse
 import os
 import shutil
 import tempfile
@@ -14,6 +13,7 @@ import numpy as np
 
 from core.ground import records
 from core.ground.records.grammar import Options
+from tests.benchmarks.inputs import Command
 from tests.conftest import ROOT, shelf_folder
 
 SAMPLES, FILES = 1_000_000, 200
@@ -61,9 +61,9 @@ def longest_pause(folder_of_records: Path, count: int) -> float:
     return longest
 
 
-def main(options: argparse.Namespace) -> None:
+def main(options: Command) -> None:
     """Print the table and the pause."""
-    samples, count = (10_000, 14) if options.small else (SAMPLES, FILES)
+    samples, count = options.number(SAMPLES, 10_000), options.number(FILES, 14)
     print(f"{'file':14} {'MB':>6} {'s':>8}   ({samples} samples)")
     for name, (content, said) in files(samples).items():
         start = time.perf_counter()
@@ -71,6 +71,5 @@ def main(options: argparse.Namespace) -> None:
         seconds = time.perf_counter() - start
         assert motion.acceleration.size == samples
         print(f"{name:14} {len(content) / 1e6:6.1f} {seconds:8.2f}")
-    folder = ROOT / "tests" / "motions" if options.small else shelf_folder()
-    if folder:
-        print(f"longest pause while {count} files are previewed: {longest_pause(folder, count):.2f} s")
+    folder = shelf_folder() or ROOT / "tests" / "motions"
+    print(f"longest pause while {count} files are previewed: {longest_pause(folder, count):.2f} s")

@@ -1,6 +1,7 @@
 """Scenes of the work-precision chart, and their truth in 30 digits by an independent program."""
 
 import math
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,7 +16,7 @@ from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import restitution
 from core.wall.rocking_model import RockingModel, rocking_model
-from tests.benchmarks.small import SAMPLES
+from tests.benchmarks.inputs import MOVING, Command
 from tests.conftest import shelf_folder
 from tests.validation import high_precision
 
@@ -65,28 +66,21 @@ def survived(ground: np.ndarray, dt: float, model: RockingModel) -> np.ndarray:
     return ground * (require_value(found.bracket)[0] * threshold / pga)
 
 
-def scenes(small: bool = False) -> list[Scene]:
-    """All scenes; the real record only where the shelf is. small : three, of fifty samples"""
-    standard, hard = reference("standard"), reference("hard")
-    two = wall()
-    if small:
-        few = standard[SAMPLES].copy()
-        return [
-            _scene("standard", few, 0.01, two),
-            _scene("one-sided, Eq. 6", 2.0 * standard[400:450], 0.01, wall(True)),
-            _scene("trilinear, D1 0.02", 0.6 * few, 0.01, wall(law="al_shawa")),
-        ]
-    made = [
-        _scene("standard", standard, 0.01, two),
-        _scene("hard", hard, 0.01, two),
-        _scene("one-sided, Eq. 6", 2.0 * standard, 0.01, wall(True)),
-        _scene("one-sided, Hogan", 0.7 * standard, 0.01, wall(True, "housner")),
-        _scene("trilinear, D1 0.02", 0.6 * standard, 0.01, wall(law="al_shawa")),
-        _scene("near collapse", survived(standard, 0.01, two), 0.01, two),
-        _scene("small wall, 0.5 m", 0.6 * standard, 0.01, wall(height=0.5)),
+def scenes(options: Command) -> Iterator[Scene]:
+    """All scenes; the real record only where the shelf is."""
+    standard, hard, two = reference("standard"), reference("hard"), wall()
+    made: list[tuple[str, Callable[[], np.ndarray], RockingModel]] = [
+        ("standard", lambda: standard, two),
+        ("one-sided, Eq. 6", lambda: 2.0 * standard, wall(True)),
+        ("trilinear, D1 0.02", lambda: 0.6 * standard, wall(law="al_shawa")),
+        ("hard", lambda: hard, two),
+        ("one-sided, Hogan", lambda: 0.7 * standard, wall(True, "housner")),
+        ("near collapse", lambda: survived(standard, 0.01, two), two),
+        ("small wall, 0.5 m", lambda: 0.6 * standard, wall(height=0.5)),
     ]
+    for name, ground, model in options.few(made, 3):
+        yield _scene(name, options.few(ground(), *MOVING), 0.01, model)
     shelf = shelf_folder()
     if shelf:
         record = records.read(shelf / "PEER_AT2" / "elCentro_variant_noheader4.AT2")
-        made.append(_scene("El Centro 1940", 0.8 * record.acceleration, record.time_step, two))
-    return made
+        yield _scene("El Centro 1940", options.few(0.8 * record.acceleration, 100, 100), record.time_step, two)

@@ -1,17 +1,15 @@
 """Pictures of every tab, light and dark, Italian and English, at 1280x800 and 1920x1080.
 
 python3 run.py bench --screenshots [--output DIR]
-
-`--guide` beside it makes the pictures of resources/docs/guide and resources/docs/guida instead.
 """
 
-import argparse
+import io
 import os
-import tempfile
 import time
 from pathlib import Path
 
-from tests.benchmarks.small import small_case
+from tests.benchmarks.inputs import Command
+from tests.benchmarks.made_by import save_picture
 
 ROOT = Path(__file__).resolve().parents[2]
 CASES = ROOT / "resources" / "cases"
@@ -56,86 +54,38 @@ def end(window) -> None:
     window.close()
 
 
-def picture(widget, path: Path) -> None:
-    """Save what a widget shows."""
-    shown = widget.grab().toImage()
-    points = ((x, y) for x in range(0, shown.width(), 7) for y in range(0, shown.height(), 7))
-    assert len({shown.pixel(*point) for point in points}) > 10, f"{path.name} shows nothing"
-    assert shown.save(str(path)), path
+def image_of(widget):
+    """What a widget shows, an image of PIL."""
+    from PIL import Image
+    from PySide6.QtCore import QBuffer, QIODevice
+
+    content = QBuffer()
+    content.open(QIODevice.OpenModeFlag.WriteOnly)
+    assert widget.grab().save(content, "PNG"), "no picture"
+    image = Image.open(io.BytesIO(content.data().data())).convert("RGB")
+    assert len(image.getcolors(image.width * image.height) or ()) > 10, "the picture shows nothing"
+    return image
 
 
-def main(options: argparse.Namespace) -> None:
-    """Write the pictures. small : of one wall, in one language, theme and size"""
-    options.output.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory() as name:
-        small = small_case(Path(name)) if options.small else None
-        (guide if options.guide else tabs)(options.output, small)
-
-
-def tabs(folder: Path, small: Path | None) -> None:
-    """Pictures of every tab. small : a case in place of the example"""
+def main(options: Command) -> None:
+    """Write pictures of every tab."""
     from app.views.note_tab import NoteTab
 
+    folder = options.folder()
     application, window = begin()
-    run(application, window, small or CASES / "verdict.toml")
-    if not small:
-        window.runner.state_accuracy(window.navigator.shown)
-        settle(application, lambda: window.runner.job is None)
-    for language in ("en",) if small else ("it", "en"):
+    run(application, window, CASES / "verdict.toml")
+    window.runner.state_accuracy(window.navigator.shown)
+    settle(application, lambda: window.runner.job is None)
+    for language in options.few(("en", "it")):
         window.set_choice("language", language)
-        for theme in ("light",) if small else ("light", "dark"):
+        for theme in options.few(("light", "dark")):
             window.set_choice("theme", theme)
             settle(application, lambda: window.records.motions)
-            for width, height in SIZES[: 1 if small else 2]:
+            for width, height in options.few(SIZES):
                 window.resize(width, height)
                 for name in (*window.stages.input.areas, *window.pages):
                     window.navigator.show_page(name) if name in window.pages else window.navigator.show_input(name)
                     note = window.pages["note"].made
                     settle(application, lambda note=note: not (isinstance(note, NoteTab) and note.is_setting))
-                    picture(window, folder / f"{name}_{language}_{theme}_{width}.png")
-    end(window)
-
-
-GUIDE = (
-    (
-        "verdict.toml",
-        0,
-        (
-            ("facade_wall", "wall"),
-            ("facade_demand", "demand"),
-            ("facade_overview", "walls"),
-            ("facade_check", "check"),
-            ("facade_histories", "histories"),
-            ("facade_capacity", "capacity"),
-        ),
-    ),
-    ("building.toml", -1, (("parapet_wall", "wall"), ("parapet_check", "check"), ("parapet_spectra", "spectra"))),
-    ("facade.toml", -1, (("body_wall", "wall"),)),
-)
-"""(case, wall, pictures: (name, page or form)) of the guides."""
-
-
-def guide(folder: Path, small: Path | None) -> None:
-    """Pictures of the guides in both languages, light, in 128 colours. small : a case in place of the first example"""
-    from PIL import Image
-
-    application, window = begin()
-    window.set_choice("theme", "light")
-    for case, wall, pictures in GUIDE[: 1 if small else None]:
-        run(application, window, small or CASES / case)
-        for language in ("en",) if small else ("it", "en"):
-            window.set_choice("language", language)
-            window.resize(1280, 800)
-            settle(application, lambda: window.records.motions and not window.records.pending)
-            window.navigator.pick(wall % len(window.session.result.walls))
-            for name, page in pictures:
-                window.navigator.show_page(page) if page in window.pages else window.navigator.show_input(page)
-                for key, section in window.walls.sections.items():  # of a body its shape
-                    section.head.setChecked(key == "body" if name == "body_wall" else key in ("geometry", "mechanism"))
-                live = window.stages.input.live
-                live.unfold()
-                settle(application, lambda page=page, live=live: page != "wall" or live.result is not None)
-                path = folder / f"{name}_{language}.png"
-                picture(window, path)
-                Image.open(path).convert("RGB").quantize(128).save(path, optimize=True)
+                    save_picture(image_of(window), folder / f"{name}_{language}_{theme}_{width}.png")
     end(window)

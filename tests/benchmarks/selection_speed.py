@@ -3,7 +3,6 @@
 python3 run.py bench --selection
 """
 
-import argparse
 import tempfile
 import time
 from pathlib import Path
@@ -14,6 +13,7 @@ import numpy as np
 from core.ground import selection
 from core.ground.record_folder import Limits, files_in, read_file
 from core.ground.selection import Bounds, nearest_sets
+from tests.benchmarks.inputs import Command
 from tests.core.ground.test_selection import EN, FREE, NTC, ratios_of
 from tests.core.study.folder_of_records import write_esm
 
@@ -47,20 +47,16 @@ def _best(ratios: np.ndarray, number: np.ndarray, sets: int, starts: int) -> sel
         return nearest_sets(ratios, SIZE, number // 2, number // 8, (1, 2), FREE)[0][0]
 
 
-def main(options: argparse.Namespace) -> None:
+def main(options: Command) -> None:
     """Print the table."""
-    with mock.patch.object(selection, "MAX_WORK", 10**7 if options.small else selection.MAX_WORK):
-        _table(options)
-
-
-def _table(options: argparse.Namespace) -> None:
-    count, few, folders, files = (60, 28, 2, 3) if options.small else (RECORDS, 44, 20, 200)
-    most = (50,) if options.small else (1000, selection.MAX_STARTS)
+    count, few = options.number(RECORDS, 60), options.number(44, 28)
+    folders, files = options.number(20, 2), options.number(200, 3)
     seconds(60, NTC)  # compiled
-    for name, bounds in (("NTC, unscaled", NTC), ("NTC, one factor", FREE), ("EN, one factor", EN), ("unmet", UNMET)):
+    every = (("NTC, unscaled", NTC), ("NTC, one factor", FREE), ("EN, one factor", EN), ("unmet", UNMET))
+    for name, bounds in options.few(every):
         took, best = seconds(count, bounds)
         print(f"{count} records, {name:16} {took:5.1f} s, deviation {100 * best.deviation:.2f} %, miss {best.miss:.4f}")
-    for starts in most:
+    for starts in options.few((1000, selection.MAX_STARTS)):
         more = above_best(folders, few, starts)
         same = sum(one == 0.0 for one in more)
         print(

@@ -6,7 +6,6 @@ Whole batches are timed as processes; the loop of sin and cos is measured in the
 machines compare by the last column. Last come kernels compiled for the narrower vectors this processor has too.
 """
 
-import argparse
 import math
 import os
 import platform
@@ -30,8 +29,8 @@ from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
-from tests.benchmarks.processes import measured
-from tests.benchmarks.small import SAMPLES, small_case
+from tests.benchmarks.inputs import MOVING, Command
+from tests.benchmarks.processes import Amount, measured
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLE = ROOT / "resources" / "cases" / "example.toml"
@@ -87,19 +86,18 @@ FIRST = """
 import sys
 from pathlib import Path
 from core.case.reader import read_case
-from core.setting.record_input import read_records
-from core.setting.scene import model_of
+from core.setting.plan import make_plan, read_inputs
 from core.rocking.history import history
 path = Path(sys.argv[1])
 case = read_case(path)
-motions, _ = read_records(case, path.parent)
-wall = model_of(case.wall[0], "two_sided")
-assert history(motions[0].acceleration, motions[0].time_step, 1.0, wall).rotation.any()
+entry = make_plan(case, read_inputs(case, path.parent)).entries[0]
+motion = entry.felt[0]
+assert integrate_history(motion.acceleration, motion.time_step, 3.0, entry.model).rotation.any()
 """
 
 
 def first_analysis_seconds(case: Path, cache: str | None) -> float:
-    """Start of the process to the end of the first analysis, warm kernels [s]."""
+    """Start of the process to the end of the first analysis of a case, its motions made, warm kernels [s]."""
     return process(cache, "-c", FIRST, case)
 
 
@@ -107,16 +105,15 @@ def line(label: str, value: float, unit: str, loops: float) -> None:
     print(f"{label:58} {value:12.4g} {unit:22} {loops:10.4g}")
 
 
-def main(options: argparse.Namespace) -> None:
+def main(options: Command) -> None:
     """Print the table."""
-    small = options.small
-    repeats, turns = (1, 1000) if small else (7, LOOP)
+    repeats, turns = options.number(7, 1), options.number(LOOP, 1000)
     yardstick = median_seconds(lambda: sine_cosine_loop(turns), repeats) / turns
     print(f"{platform.processor() or platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}")
     print(f"{'measured':58} {'value':>12} {'unit':22} {'in loops':>10}")
     line("loop of sin and cos", yardstick * 1e9, "ns per turn", 1.0)
     data = np.loadtxt(ROOT / "resources/reference/standard_record.csv", delimiter=",", skiprows=1)
-    ground = np.ascontiguousarray(data[SAMPLES if small else slice(None), 1])
+    ground = np.ascontiguousarray(options.few(data[:, 1], *MOVING))
     pga = float(np.abs(ground).max())
     # spread as a search has them: with one multiplier all lanes would fall together
     scales, outcomes, peaks = np.linspace(0.8, 1.2, 64), np.zeros(64, np.int64), np.zeros(64)
@@ -135,7 +132,7 @@ def main(options: argparse.Namespace) -> None:
             line(f"{label}, standard, {law}", each * 1e9, "ns per sample", each / yardstick)
             if label in ("taylor", "taylor_6"):
                 # many calls: the first ones find the processor's caches and branch predictor cold
-                calls = repeats if small else 400
+                calls = options.number(400, 7)
                 seconds = median_seconds(lambda m=method, w=model: integrate_history(ground, 0.01, 1.0, w, m), calls)
                 assert integrate_history(ground, 0.01, 1.0, model, method).impact_time.size > 0
                 each = seconds / (ground.size - 1)
@@ -164,23 +161,20 @@ def main(options: argparse.Namespace) -> None:
         return seconds
 
     # in turn: the machine's pace changes
-    pairs = [(searches(1), searches(2)) for _ in range(1 if small else 15)]
+    pairs = [(searches(1), searches(2)) for _ in range(options.number(15, 1))]
     ratio = statistics.median(one / two for one, two in pairs)
     line("16 searches: time of one thread over that of two", ratio, "times", min(pairs)[0] / yardstick)
     with tempfile.TemporaryDirectory() as folder:
-        case, cache = (small_case(Path(folder)), None) if small else (EXAMPLE, folder)
-        if cache:
-            cold = batch_seconds(case, cache)
-            line("example batch, cold kernels", cold, "s", cold / yardstick)
-        times = 1 if small else 5
-        warm = statistics.median(batch_seconds(case, cache) for _ in range(times))
+        cache, times = options.kernels(folder), options.number(5, 1)
+        cold = batch_seconds(EXAMPLE, cache)
+        line("example batch, cold kernels", cold, "s", cold / yardstick)
+        warm = statistics.median(batch_seconds(EXAMPLE, cache) for _ in range(times))
         line("example batch, warm kernels", warm, "s", warm / yardstick)
-        if cache:
-            first_analysis_seconds(case, cache)
-        first = statistics.median(first_analysis_seconds(case, cache) for _ in range(times))
+        first_analysis_seconds(EXAMPLE, cache)  # it compiles what a batch does not use
+        first = statistics.median(first_analysis_seconds(EXAMPLE, cache) for _ in range(times))
         line("start to first analysis, warm kernels", first, "s", first / yardstick)
         if has_wide_vectors():
             level = "x86-64-v3"
-            measured(cache, level, small)  # it compiles
-            for name, turns in measured(cache, level, small).items():
+            measured(cache, level, Amount.of(options))  # it compiles
+            for name, turns in measured(cache, level, Amount.of(options)).items():
                 line(f"{name}, code for {level}", turns * yardstick * 1e9, "ns per sample", turns)

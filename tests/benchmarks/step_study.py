@@ -5,13 +5,11 @@
 One map at 0.02 % a pair; coarser grids are its every k-th point, so that nothing but the step differs.
 """
 
-import argparse
 import contextlib
 import csv
 import math
 import os
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -25,6 +23,8 @@ from core.wall.block import Block
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
+from tests.benchmarks.inputs import Command
+from tests.benchmarks.made_by import save_chart
 from tests.conftest import shelf_folder
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -120,24 +120,20 @@ def robust(flags: np.ndarray, every: int, fine: float) -> float:
     return int(hits[0]) * every * math.log1p(fine) if hits.size else math.nan
 
 
-def main(options: argparse.Namespace) -> None:
+def main(options: Command) -> None:
     """Print the tables; write them and their charts."""
-    if options.small:
-        one = motions()[0]
-        few = [replace(one, acceleration=one.acceleration[:400])]
-        table(options.output, few, WALLS[:1], "q_step", 0.01, (1, 5))
-        return
-    table(options.output, motions(), WALLS, "q_step")
+    table(options, motions(), WALLS, "q_step")
     if shelf_folder():
-        table(options.output, motions_apart(), WALLS_APART, "q_step_apart")
+        table(options, motions_apart(), WALLS_APART, "q_step_apart")
 
 
-def table(folder: Path, records_of, walls, name: str, fine=FINE, multiples=EVERY) -> None:
-    """One table of these records and walls, as CSV and picture. fine : the finest step; multiples of it are tried"""
+def table(options: Command, records_of, walls, name: str) -> None:
+    """One table of these records and walls, as CSV and picture."""
+    folder, fine = options.folder(), FINE
     pairs = [
         (motion, height, alpha, one_sided, fine)
-        for motion in records_of
-        for height, alpha in walls
+        for motion in options.few(records_of)
+        for height, alpha in options.few(walls)
         for one_sided in (False, True)
     ]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -150,7 +146,7 @@ def table(folder: Path, records_of, walls, name: str, fine=FINE, multiples=EVERY
     )
     print(f"{'step':>7} {'first collapse':>40} {'q_robust':>40}")
     finest = [(first_collapse(flags, 1, fine), robust(flags, 1, fine)) for flags in maps]
-    for every in multiples:
+    for every in EVERY:
         row = {"step_percent": 100 * fine * every, "pairs": len(maps)}
         for k, (kind, rule) in enumerate((("first", first_collapse), ("robust", robust))):
             moved = np.array([rule(f, every, fine) - base[k] for f, base in zip(maps, finest, strict=True)])
@@ -168,7 +164,6 @@ def table(folder: Path, records_of, walls, name: str, fine=FINE, multiples=EVERY
                 for n in ("first", "robust")
             )
         )
-    folder.mkdir(parents=True, exist_ok=True)
     with open(folder / f"{name}.csv", "w", newline="") as stream:
         writer = csv.DictWriter(stream, list(rows[0]))
         writer.writeheader()
@@ -195,4 +190,4 @@ def chart(rows: list[dict], path: Path) -> None:
         axis.grid(True, color="0.92")
     axes[0].legend(fontsize=8)
     figure.tight_layout()
-    figure.savefig(path, dpi=90)
+    save_chart(figure, path)

@@ -3,7 +3,6 @@
 python3 run.py bench --sure
 """
 
-import argparse
 import functools
 import os
 import statistics
@@ -19,30 +18,22 @@ from core.study.journal import MemoryJournal
 from core.study.run import UNLIMITED, run
 from core.variation.evaluate import COARSE_PRECISION, Precision
 from core.variation.wall_evaluation import evaluate_wall, make_wall_context
+from tests.benchmarks.inputs import Command
 
 CASES = Path(__file__).resolve().parents[2] / "resources" / "cases"
 
 
-def _book(known: MemoryJournal, _: str) -> MemoryJournal:
-    return known
-
-
-def beside(case: Case, repeats: int) -> float:
-    """Seconds that [sensitivity] adds to a run whose searches and checks are known, on all cores: the median."""
+def beside(case: Case) -> float:
+    """Seconds that [sensitivity] adds to a run whose searches and checks are known, on all cores."""
     book = MemoryJournal(UNLIMITED)
     run_with = functools.partial(run, base_dir=CASES, jobs=os.cpu_count() or 1)
     plain = replace(case, sensitivity=None)
     run_with(plain, journal=lambda _: book)
-    found = []
-    for _ in range(repeats):
-        start = time.perf_counter()
-        run_with(plain, journal=lambda _: book)
-        middle = time.perf_counter()
-        known = MemoryJournal(UNLIMITED)
-        known.found |= book.found
-        run_with(replace(plain, sensitivity=Ranges()), journal=functools.partial(_book, known))
-        found.append(time.perf_counter() - middle - (middle - start))
-    return statistics.median(found)
+    start = time.perf_counter()
+    run_with(plain, journal=lambda _: book)
+    middle = time.perf_counter()
+    run_with(replace(plain, sensitivity=Ranges()), journal=lambda _: book)
+    return time.perf_counter() - middle - (middle - start)
 
 
 def under_the_hand(case: Case, repeats: int) -> tuple[float, float]:
@@ -57,9 +48,9 @@ def under_the_hand(case: Case, repeats: int) -> tuple[float, float]:
     return statistics.median(times[None][1:]), statistics.median(times[COARSE_PRECISION][1:])
 
 
-def main(options: argparse.Namespace) -> None:
+def main(options: Command) -> None:
     """Print the table."""
-    repeats = 1 if options.small else 5
+    repeats = options.number(5, 1)
     print(f"{'one wall, seven records':44} {'moves [s]':>10} {'clauses [ms]':>13} {'histories [ms]':>15}", flush=True)
     walls = (
         ("building.toml", 3, "parapet on a floor, two-sided"),
@@ -67,9 +58,11 @@ def main(options: argparse.Namespace) -> None:
         ("building.toml", 0, "three storeys, three hinges, loads"),
         ("building.toml", 1, "the same with a tie"),
     )
-    for name, k, label in walls[:1] if options.small else walls:
+    for name, k, label in options.few(walls):
         case = read_case(CASES / name)
         nothing: dict = dict.fromkeys(("tie_height_m", "tie_bar_length_m", "tie_elongation_m", "tie_spacing_m"))
-        case = replace(case, wall=(replace(case.wall[k], **nothing),))
-        moves, (clauses, histories) = beside(case, repeats), under_the_hand(case, repeats)
+        assert case.generate is not None
+        made = replace(case.generate, count=options.number(case.generate.count, 1))
+        case = replace(case, wall=(replace(case.wall[k], **nothing),), generate=made)
+        moves, (clauses, histories) = beside(case), under_the_hand(case, repeats)
         print(f"{label:44} {moves:10.2f} {1e3 * clauses:13.1f} {1e3 * histories:15.0f}", flush=True)

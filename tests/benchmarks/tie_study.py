@@ -9,7 +9,6 @@ Motions of both signs: the natural records of LIST.toml ([[record]] tables), wit
 spectrum.
 """
 
-import argparse
 import math
 import tomllib
 from concurrent.futures import ThreadPoolExecutor
@@ -36,6 +35,7 @@ from core.wall.moment_rotation import LAWS
 from core.wall.restitution import restitution
 from core.wall.rocking_model import RockingModel, rocking_model
 from core.wall.ties import STEEL_MODULUS
+from tests.benchmarks.inputs import Command
 from tests.benchmarks.zeta_spread import LONGEST
 
 DATA = Path(__file__).with_name("tie_study.toml")
@@ -143,15 +143,13 @@ class TieStudy:
     forces: np.ndarray
 
     @classmethod
-    def read(cls, small: bool) -> "TieStudy":
-        """Of tie_study.toml. small : one wall, one length, two q, few forces"""
+    def read(cls, options: Command) -> "TieStudy":
+        """Of tie_study.toml."""
         table = tomllib.loads(DATA.read_text(encoding="utf-8"))
         walls = tuple(TiedWall(wall["height_m"], wall["thickness_m"]) for wall in table["wall"])
-        lengths, factors = tuple(table["lengths_m"]), tuple(table["q"])
+        lengths, factors = options.few(tuple(table["lengths_m"])), options.few(tuple(table["q"]), 2)
         steel = 1e6 * table["fy_mpa"], table["elongation"]
-        if small:
-            return cls(walls[:1], lengths[:1], *steel, factors[:3:2], FORCES[9::10])
-        return cls(walls, lengths, *steel, factors, FORCES)
+        return cls(options.few(walls), lengths, *steel, factors, options.few(FORCES, 6, FORCES.size - 6))
 
     def bar(self, wall: TiedWall, force: float, length: float) -> TieBar | None:
         """The bar of this force [N/m] and length [m]; None where no force is needed."""
@@ -292,10 +290,10 @@ def print_pairs(study: TieStudy, pairs: list[Pair], planned: int) -> None:
     print(f"Histories with too many impacts, left out: {sum(not held.known for held in all_held)} of {len(all_held)}")
 
 
-def main(options: argparse.Namespace) -> None:
+def main(options: Command) -> None:
     """Print the tables. ties : the list of natural records, True without one"""
-    study, listed = TieStudy.read(options.small), options.ties is not True
-    motions = listed_motions(options.ties) if listed else generated_motions(1 if options.small else GENERATED)
+    study, listed = TieStudy.read(options), options.ties is not True
+    motions = listed_motions(options.ties) if listed else generated_motions(options.number(GENERATED, 1))
     assert motions, "no motion"
     planned = [(wall, motion, sign) for wall in study.walls for motion in motions for sign in (1, -1)]
     print(f"{len(study.walls)} walls, {len(motions)} {'natural' if listed else 'generated'} motions")

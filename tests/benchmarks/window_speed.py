@@ -6,7 +6,6 @@ python3 run.py bench --window
 python3 run.py bench --window --against OTHER_TREE     # the starts of both trees in turn
 """
 
-import argparse
 import os
 import statistics
 import subprocess
@@ -15,8 +14,9 @@ import tempfile
 import time
 from pathlib import Path
 
+from tests.benchmarks.inputs import Command
 from tests.benchmarks.screenshots import settle
-from tests.benchmarks.small import small_case
+from tests.benchmarks.short_case import short_case
 from tests.xvfb import display
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -184,7 +184,7 @@ WALLS = (1, 200)
 
 def case_of_walls(folder: Path, count: int) -> Path:
     """So many walls at a place, under one motion of 6 s."""
-    path = small_case(folder)
+    path = short_case(folder)
     walls = (
         f'[[wall]]\nname = "w{k}"\nheight_m = {4.0 + 0.01 * k:.2f}\nthickness_m = 0.4\nlength_m = 4.0\n'
         f'base_z_m = 0.0\nmechanism = "two_sided"\n'
@@ -262,16 +262,15 @@ def print_typed(application, window, words: str, keys: int) -> None:
         print(f"a key typed, {words}, {name} in front: {said(*spent)}; the hand rests: {said(*rests)}")
 
 
-def print_many_records(application, window, small: bool) -> None:
-    """Run a case of forty records, then type."""
+def print_many_records(application, window, count: int, keys: int) -> None:
+    """Run a case of so many records, then type."""
     with tempfile.TemporaryDirectory() as folder:
-        count = 2 if small else RECORDS
         window.session.open(case_of_many_records(Path(folder), count))
         settle(application, lambda: len(window.records.motions) == count and not window.records.pending)
         window.run()
         settle(application, lambda: window.runner.job is None)
         assert window.session.result is not None
-        print_typed(application, window, f"{count} records", 1 if small else 10)
+        print_typed(application, window, f"{count} records", keys)
 
 
 def print_walls(application, window, count: int, keys: int) -> None:
@@ -309,22 +308,21 @@ def print_walls(application, window, count: int, keys: int) -> None:
         window.session.undo()
 
 
-def main(options: argparse.Namespace) -> None:
+def main(options: Command) -> None:
     """Print the figures."""
     if options.against is not None:
         start_against(
             options.against.resolve(),
             dict(os.environ, QT_QPA_PLATFORM="offscreen"),
-            1 if options.small else options.pairs,
+            options.number(options.pairs or 7, 1),
         )
         return
-    times_started = 1 if options.small else 6
-    if not options.small:
-        with display() as variables:
-            if isinstance(variables, str):
-                print(f"Xvfb: {variables}")
-            else:
-                start_times("Xvfb", variables, times_started)
+    times_started = options.number(6, 1)
+    with display() as variables:
+        if isinstance(variables, str):
+            print(f"Xvfb: {variables}")
+        else:
+            start_times("Xvfb", variables, times_started)
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     start_times("offscreen", dict(os.environ), times_started)
     print(f"a turn of the loop, in brackets below: a million additions in Python, {1e3 * turn():.0f} ms")
@@ -340,7 +338,7 @@ def main(options: argparse.Namespace) -> None:
     application, window = program.make([])
     program.show(window)
     with tempfile.TemporaryDirectory() as folder:
-        window.session.open(small_case(Path(folder)) if options.small else program.EXAMPLE)
+        window.session.open(program.EXAMPLE)
         settle(application, lambda: window.records.motions and not window.records.pending)
         gaps = Gaps()
 
@@ -369,10 +367,8 @@ def main(options: argparse.Namespace) -> None:
         count, seconds = len(list(folder_of_figures.iterdir())), time.perf_counter() - began
         assert count >= 5, "the figures were not written"
         print(f"{count} figures of 300 dpi exported in {seconds:.1f} s: {longest}")
-        each = drag(application, window, 5 if options.small else 120)
+        each = drag(application, window, options.number(120, 5))
         print(f"dragged multiplier: {1.0 / each:.0f} histories integrated and drawn per second")
-        if options.small:  # else it may be over before it is cancelled
-            window.session.edit_section("analysis", q_step=1e-4)
         for _ in range(9):
             run()
             job = window.runner.job
@@ -388,8 +384,8 @@ def main(options: argparse.Namespace) -> None:
         ended = time.perf_counter() - start
         assert window.session.result is None, "it was not cancelled"
         print(f"cancelled after {1e3 * free:.0f} ms, its thread ended after {1e3 * ended:.0f} ms")
-        print_many_records(application, window, options.small)
-        for count in (1, 3) if options.small else WALLS:
-            print_walls(application, window, count, 1 if options.small else 5)
+        print_many_records(application, window, options.number(RECORDS, 2), options.number(10, 1))
+        for count in WALLS:
+            print_walls(application, window, options.number(count, 3), options.number(5, 1))
         window.session.saved = window.session.case
         window.close()

@@ -6,7 +6,6 @@ Truth is the 30-digit solver of tests/validation/high_precision.py, never a meth
 Failing points are drawn: an error above 1 alpha stands at the top.
 """
 
-import argparse
 import csv
 import platform
 import statistics
@@ -20,6 +19,8 @@ import numpy as np
 from core.rocking.history import integrate_history, scan_multipliers
 from core.rocking.methods import METHODS, Method
 from tests.benchmarks import peers as peer_solvers
+from tests.benchmarks.inputs import Command
+from tests.benchmarks.made_by import save_chart
 from tests.benchmarks.scenes import Scene, scenes
 
 OWN = (
@@ -45,22 +46,21 @@ EXACT_SOLVERS = ("taylor", "scipy DOP853 restarted", "heyoka", "diffrax")
 Solver = Callable[[Scene], np.ndarray]
 
 
-def peers(small: bool = False) -> list[tuple[str, Solver]]:
-    """(label, solver) of what imports; what does not is named. small : of each kind one"""
+def peers(options: Command) -> list[tuple[str, Solver]]:
+    """(label, solver) of what imports; what does not is named."""
     found: list[tuple[str, Solver]] = [("scipy DOP853 restarted", peer_solvers.scipy_restarted)]
     found += [
-        (f"scipy DOP853 naive {r:g}", partial(peer_solvers.scipy_naive, rtol=r))
-        for r in (1e-6, 1e-10)[: 1 if small else 2]
+        (f"scipy DOP853 naive {r:g}", partial(peer_solvers.scipy_naive, rtol=r)) for r in options.few((1e-6, 1e-10))
     ]
     try:
-        for tolerance in TOLERANCES[: 1 if small else None]:
+        for tolerance in options.few(TOLERANCES):
             name = f"{tolerance or 'eps'}"
             found.append((f"heyoka {name}", peer_solvers.Heyoka(tolerance)))
             found.append((f"heyoka batch of 8 {name}", peer_solvers.Heyoka(tolerance, 8)))
     except ImportError:
         print("heyoka is not installed: left out")
     try:
-        for parts in (4, 1)[: 1 if small else 2]:
+        for parts in options.few((4, 1)):
             found.append((f"diffrax dt/{parts}", peer_solvers.Diffrax(parts)))
             found.append((f"diffrax vmap of 8 dt/{parts}", peer_solvers.Diffrax(parts, 8)))
     except ImportError:
@@ -72,13 +72,11 @@ def peers(small: bool = False) -> list[tuple[str, Solver]]:
     return found
 
 
-def timed(call, small: bool, least: float = 0.02, most: int = 5) -> float:
-    """Median time of a call [s], fewer repeats for slow ones. small : called once"""
+def timed(call, most: int, least: float = 0.02) -> float:
+    """Median time of a call [s]. most : repeats, fewer for slow ones"""
     start = time.perf_counter()
     call()
     once = time.perf_counter() - start
-    if small:
-        return once
     repeats = 1 if once > 1.0 else most
     inner = max(1, int(least / max(once, 1e-7)))
     times = []
@@ -97,7 +95,7 @@ def error(found: np.ndarray, scene: Scene) -> float:
     return float(np.abs(found - scene.truth).max())
 
 
-def measure(scene: Scene, others: list[tuple[str, Solver]], small: bool) -> list[dict]:
+def measure(scene: Scene, others: list[tuple[str, Solver]], repeats: int) -> list[dict]:
     """Rows of a scene."""
     rows: list[dict] = []
     for method in OWN:
@@ -108,9 +106,9 @@ def measure(scene: Scene, others: list[tuple[str, Solver]], small: bool) -> list
             return integrate_history(scene.ground, scene.dt, 1.0, scene.model, m)
 
         found = call().rotation / scene.model.slenderness
-        rows.append(row(scene, method.name, method.option, error(found, scene), timed(call, small)))
+        rows.append(row(scene, method.name, method.option, error(found, scene), timed(call, repeats)))
         if method.name.startswith("taylor"):
-            seconds = timed(lambda m=method: lanes(scene, m), small) / LANES
+            seconds = timed(lambda m=method: lanes(scene, m), repeats) / LANES
             rows.append(row(scene, f"{LANES} lanes", method.option, rows[-1]["error_alpha"], seconds))
     for label, solver in others:
         if label.startswith(("heyoka", "diffrax")) and scene.model.plateau_end > 0.0:
@@ -120,7 +118,7 @@ def measure(scene: Scene, others: list[tuple[str, Solver]], small: bool) -> list
         start = time.perf_counter()
         found = solver(scene)
         once = time.perf_counter() - start
-        seconds = once if once > 0.5 else timed(lambda s=solver: s(scene), small)
+        seconds = once if once > 0.5 else timed(lambda s=solver: s(scene), repeats)
         rows.append(row(scene, label, "", error(found, scene), seconds))
         if isinstance(solver, (peer_solvers.Heyoka, peer_solvers.Diffrax)):
             # of its batch the first history is the scene, the others are of other multipliers
@@ -192,7 +190,7 @@ def chart(rows: list[dict], path: Path) -> None:
         axis.axis("off")
     list(axes.flat)[-1].legend(handles, labels, fontsize=8, loc="center", frameon=False)
     figure.tight_layout()
-    figure.savefig(path, dpi=90)
+    save_chart(figure, path)
 
 
 def family(name: str) -> str:
@@ -231,20 +229,18 @@ def exact_table(rows: list[dict]) -> list[str]:
     return lines
 
 
-def main(options: argparse.Namespace) -> None:
+def main(options: Command) -> None:
     """Print the rows and the table of exact methods; write them and their chart."""
-    folder, small = options.output, options.small
-    others = peers(small)
+    folder, repeats, others = options.folder(), options.number(5, 1), peers(options)
     rows: list[dict] = []
-    for scene in scenes(small):
-        rows += measure(scene, others, small)
+    for scene in scenes(options):
+        rows += measure(scene, others, repeats)
         print(f"{scene.name}: {scene.ground.size} samples, {scene.impacts} impacts")
         for r in rows:
             if r["scene"] == scene.name:
                 print(
                     f"  {r['method']:46} {r['option']!s:3} {r['error_alpha']:10.2e} alpha {1e6 * r['seconds']:12.1f} us"
                 )
-    folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "work_precision.csv", "w", newline="") as stream:
         writer = csv.DictWriter(stream, list(rows[0]))
         writer.writeheader()

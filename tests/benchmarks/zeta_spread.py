@@ -7,11 +7,9 @@ from seven starts, so that nothing but the step and its place differs. 60 sets o
 and 60 of seven generated motions; walls, mechanisms and laws drawn by chance.
 """
 
-import argparse
 import math
 import random
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -38,7 +36,8 @@ from core.rocking.methods import AUTO
 from core.setting.check_input import make_rocking_model
 from core.setting.demand_input import read_demand
 from core.units import G
-from tests.conftest import ROOT, shelf_folder
+from tests.benchmarks.inputs import Command
+from tests.conftest import shelf_folder
 
 FINER = 20
 STARTS = (0, 3, 6, 9, 12, 15, 18)
@@ -50,17 +49,20 @@ STEPS = {1: "0.25 %", 2: "0.5 %", 4: "1 %"}
 """Multiples of the step of the program that are tried."""
 
 
-def real_motions() -> list[GroundMotion]:
+def real_motions(options: Command) -> list[GroundMotion]:
     """Recorded accelerograms of the shelf that state their unit, but for scaled and matched ones."""
     shelf, found = shelf_folder(), {}
     if shelf is None:
         return []
-    for path in sorted(shelf.rglob("*")):
+    paths = [
+        path
+        for path in sorted(shelf.rglob("*"))
+        if (path.parent.name in ("PEER_AT2", "SIGMA_ITACA_acc", "ESM_ASCII") or path.name.startswith("P695"))
+        and "Matched" not in path.name
+        and not path.name.startswith("Oak")
+    ]
+    for path in options.few(paths, 30):
         named = path.name.startswith("P695")
-        if path.parent.name not in ("PEER_AT2", "SIGMA_ITACA_acc", "ESM_ASCII") and not named:
-            continue
-        if "Matched" in path.name or path.name.startswith("Oak"):
-            continue
         try:
             motion = records.read(path, Options("g" if named else None, None, None, None))
         except InputError:
@@ -70,8 +72,8 @@ def real_motions() -> list[GroundMotion]:
     return list(found.values())
 
 
-def draw(k: int, shelf: list[GroundMotion], small: bool = False):
-    """(model, motions, signs, demand) of set k. small : of bundled motions"""
+def draw(k: int, shelf: list[GroundMotion]):
+    """(model, motions, signs, demand) of set k."""
     chance = random.Random(k)
     height = chance.uniform(2.5, 12.0)
     mechanism = chance.choice(("two_sided", "one_sided"))
@@ -89,10 +91,6 @@ def draw(k: int, shelf: list[GroundMotion], small: bool = False):
     case = parse_case({"wall": [wall], "demand": demand})
     if real:
         motions = chance.sample(shelf, 7)
-    elif small:
-        folder = ROOT / "tests" / "motions"
-        motions = [records.read(folder / f"noise_{n}.txt") for n in (1, 2)]
-        motions = [replace(motion, acceleration=motion.acceleration[:600]) for motion in motions]
     else:
         target = en1998(0.25 * G, 1, str(spectrum["soil"]))
         motions = [
@@ -102,10 +100,10 @@ def draw(k: int, shelf: list[GroundMotion], small: bool = False):
     return make_rocking_model(case.wall[0], mechanism), motions, signs, require_value(read_demand(case, Path()))
 
 
-def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
+def spread(k: int, shelf) -> dict[int, list[tuple]]:
     """Of set k relative errors of zeta_E, zeta_16, zeta_first against the fine grid, whether the spread holds
     the zeta_E of that grid, and its width in ln; by multiple of the step."""
-    model, motions, signs, demand = draw(k, shelf, small)
+    model, motions, signs, demand = draw(k, shelf)
     work = DemandRuns(model, motions, signs, demand, "capacity", AUTO, lambda: False)
     fine = (1.0 + MULTIPLIER_STEP) ** (1.0 / FINER) - 1.0
     rough = search_zeta(work.failures, work.rest, 1.0)
@@ -147,13 +145,12 @@ def spread(k: int, shelf, small: bool = False) -> dict[int, list[tuple]]:
     return found
 
 
-def main(options: argparse.Namespace) -> None:
+def main(options: Command) -> None:
     """Print the table."""
-    small = options.small
-    shelf = [] if small else real_motions()
+    shelf = real_motions(options)
     print(f"{len(shelf)} real records" if shelf else "no shelf: generated sets only")
     with ThreadPoolExecutor(2) as pool:
-        sets = pool.map(lambda k: spread(k, shelf, small), range(1 if small else 2 * SETS))
+        sets = pool.map(lambda k: spread(k, shelf), options.few(range(2 * SETS)))
         found = [part for part in sets if part]
     assert found, "no set with a zeta"
     print(f"{len(found)} sets, {len(STARTS)} starts each; |error| against a grid {FINER} times finer")

@@ -1,14 +1,10 @@
-"""The small form of a benchmark: one wall, one record of a few seconds, fifty samples of a reference record."""
+"""A case of one wall under one record of a few seconds."""
 
 from pathlib import Path
 
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-
-SAMPLES = slice(150, 200)
-"""Samples of resources/reference/standard_record.csv in which walls of either kind and either law lift off and fall
-back several times."""
 
 CASE = """title = "Small"
 [[wall]]
@@ -30,8 +26,8 @@ soil_factor = 1.2
 """
 
 
-def small_case(folder: Path) -> Path:
-    """A case of one wall under one record of 6 s, written in this folder."""
+def short_case(folder: Path) -> Path:
+    """A case of one wall under one record of 6 s, written in this folder as small.toml."""
     data = np.loadtxt(ROOT / "resources/reference/standard_record.csv", delimiter=",", skiprows=1)
     lines = [f"{value / 9.80665:.8f}" for value in data[:600, 1]]
     (folder / "motion.txt").write_text("\n".join([*lines, ""]))
