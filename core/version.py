@@ -4,7 +4,7 @@ import functools
 import json
 from pathlib import Path
 
-VERSION = "0.32.0"
+VERSION = "0.33.0"
 NAME = "Ribalta"
 
 
