@@ -9,7 +9,15 @@ from typing import NamedTuple
 from core.boundary import narrowed
 from core.known import require_value
 from core.mechanism.bending_reactions import MovingStrip
-from core.mechanism.rest import BISECTIONS, SLIDING, Reach, greatest_reaction, multiplier_at_rest, simple_reactions
+from core.mechanism.rest import (
+    BISECTIONS,
+    SLIDING,
+    Reach,
+    greatest_reaction,
+    holds_at_rest,
+    multiplier_at_rest,
+    simple_reactions,
+)
 from core.mechanism.sections import Sections
 from core.wall.arch import FRICTION
 from core.wall.masonry import Masonry
@@ -65,9 +73,9 @@ def limits_of_bending(wall: Masonry, moving: MovingStrip, side: str) -> Iterator
             lambda alpha: reaction_of_top(sections, moving, alpha) <= strength, 0.0, alpha0, steps=BISECTIONS
         )
         yield HoldLimit(TOP, strength, push, side)
-    slides = multiplier_at_rest(sections, [Reach(height, UNLIMITED, UNLIMITED)])
-    if slides < alpha0 * (1.0 - 1e-6):
-        yield HoldLimit(BASE, SLIDING * sections.at(0.0).weight, slides, side)
+    held = [Reach(height, UNLIMITED, UNLIMITED)]
+    if not holds_at_rest(sections, held, alpha0 * (1.0 - 1e-6)):  # it slides before it bends
+        yield HoldLimit(BASE, SLIDING * sections.at(0.0).weight, multiplier_at_rest(sections, held), side)
 
 
 def limit_of_ends(wall: Masonry, moving: MovingStrip) -> HoldLimit:
