@@ -74,11 +74,11 @@ def public_names_in_several_modules():
 LIMITS = {
     "one": 1190,
     "known": 335,
-    "asked": 603,
+    "asked": 599,
     "there": 127,
     "said": 280,
     "made": 246,
-    "seen": 245,
+    "seen": 244,
     "told": 81,
     "other": 340,
     "it": 0,

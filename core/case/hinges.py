@@ -98,6 +98,8 @@ def find_unchecked_hinges(part: WallPart, building: Building | None) -> tuple[fl
     if part.hinge > 0.0 or not part.turns or (wall.justification and wall.justification.hinge_heights):
         return ()
     asked = wall.hinge_heights
+    if building is not None and building.modes and (free := highest_hold(wall, building)) is not None:
+        return (free,)  # the participation of the modes is known at one height alone
     if asked is None:
         return () if building else default_hinges(wall, None)
     looked = turning_hinges(wall, building)
@@ -183,7 +185,7 @@ def make_wall_parts(k: int, asked: Wall, building: Building | None) -> list[Wall
 def _of_ties(part: WallPart, hinges: Sequence[float], building: Building | None) -> list[WallPart]:
     """A wall about its base and these hinges, and as it bends between its ties. part : the whole of it"""
     whole = part.wall
-    held_to = None if part.aspect else highest_hold(whole, building)
+    held_to = None if part.aspect or (building and building.modes) else highest_hold(whole, building)
     turning = []
     for hinge in (0.0, *hinges):
         above = add_corner_thrust(cut_above_hinge(whole, hinge))
@@ -269,17 +271,17 @@ def count_wall_parts(asked: Wall, building: Building | None) -> int:
     return turning + len(find_bending_spans(asked)) + spans(asked)
 
 
-def turning_hinges(asked: Wall, building: Building | None) -> Sequence[float]:
+def turning_hinges(wall: Wall, building: Building | None) -> Sequence[float]:
     """Heights of the hinges about which a wall turns, with what is brought to it; above a tie below which it bends it
     may, whatever is asked."""
-    hinges = hinges_of(asked, building)
-    held_to = highest_hold(asked, building)
+    hinges = hinges_of(wall, building)
+    held_to = None if building is None or building.modes else highest_hold(wall, building)
     if held_to is not None and all(abs(held_to - hinge) > SAME_HINGE for hinge in hinges):
         hinges = sorted([*hinges, held_to])
-    ties = {high for _, high in find_bending_spans(asked)}
+    ties = {high for _, high in find_bending_spans(wall)}
     if not ties:
         return hinges
-    more = [height for height in default_hinges(asked, building) if height in ties and height not in hinges]
+    more = [height for height in default_hinges(wall, building) if height in ties and height not in hinges]
     return sorted([*hinges, *more]) if more else hinges
 
 

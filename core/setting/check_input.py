@@ -139,7 +139,7 @@ class CheckInput:
             limit for side, (wall, moving) in self._moving.items() for limit in limits_of_bending(wall, moving, side)
         )
 
-    def reaction_of(self, limit: HoldLimit, alpha: float) -> float:
+    def find_reaction(self, limit: HoldLimit, alpha: float) -> float:
         """What a hold takes [N/m] under pushes up to alpha [-]."""
         wall, moving = self._moving[limit.side]
         if limit.hold == ENDS:

@@ -192,9 +192,9 @@ def _check_of_holds(scene: CheckInput, kinematic: KinematicAnalysis, dynamic: Dy
     alpha, demand = max(pushes) / G, scene.demand
     limit = min(limits, key=lambda limit: limit.push)
     zeta = limit.share(alpha)
-    asked = 1e-3 * scene.reaction_of(limit, alpha)
+    reaction = 1e-3 * scene.find_reaction(limit, alpha)
     return Check(
-        "hold", HOLD_CLAUSE, "kN/m", 1e-3 * limit.stands, asked, zeta, zeta >= demand.zeta_target - ZETA_ROUNDING
+        "hold", HOLD_CLAUSE, "kN/m", 1e-3 * limit.stands, reaction, zeta, zeta >= demand.zeta_target - ZETA_ROUNDING
     )
 
 

@@ -51,7 +51,7 @@ def test_that_the_wall_of_the_design_shows_its_disagreement(designed):
 
 
 def test_that_every_check_is_made_the_most_refined_first(designed):
-    assert [check.name for check in designed.walls[0].assessment.checks] == list(CHECKS)
+    assert [check.name for check in designed.walls[0].assessment.checks] == [name for name in CHECKS if name != "hold"]
 
 
 @pytest.mark.shows("paper.eq_10")

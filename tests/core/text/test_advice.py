@@ -125,6 +125,7 @@ LOWERS = {
 """What they advise lowers zeta or leaves it: less is counted, the file decides, the spectrum does."""
 
 CONDITION = {
+    "stretches_left_out": "why it cannot",
     "bending_tie": "where it holds the top",
     "to_no_top_restraint": "and how",
     "confidence_needs_strength": "whose alpha includes",
