@@ -82,23 +82,9 @@ def batch_seconds(case: Path, cache: str | None) -> float:
         return seconds
 
 
-FIRST = """
-import sys
-from pathlib import Path
-from core.case.reader import read_case
-from core.setting.plan import make_plan, read_inputs
-from core.rocking.history import history
-path = Path(sys.argv[1])
-case = read_case(path)
-entry = make_plan(case, read_inputs(case, path.parent)).entries[0]
-motion = entry.felt[0]
-assert integrate_history(motion.acceleration, motion.time_step, 3.0, entry.model).rotation.any()
-"""
-
-
 def first_analysis_seconds(case: Path, cache: str | None) -> float:
     """Start of the process to the end of the first analysis of a case, its motions made, warm kernels [s]."""
-    return process(cache, "-c", FIRST, case)
+    return process(cache, "-m", "tests.benchmarks.first_analysis", case)
 
 
 def line(label: str, value: float, unit: str, loops: float) -> None:

@@ -69,7 +69,9 @@ def motions_apart():
     shelf, found = shelf_folder(), {}
     if shelf is None:
         return []
-    for row in csv.DictReader((shelf / "INDEX.csv").open(encoding="utf-8")):
+    with (shelf / "INDEX.csv").open(encoding="utf-8") as stream:
+        rows = list(csv.DictReader(stream))
+    for row in rows:
         path = shelf / row["file"]
         if not row["pga_g"] or path.stem in REAL:
             continue
