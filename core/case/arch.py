@@ -16,6 +16,7 @@ class Between:
     tie_kn_m : yield force of the ties along the wall, per metre of its height
     tie_bar_length_m, tie_elongation_m : length of a bar, and the elongation it stands
     shoulder_length_m, shoulder_thickness_m : of the masonry beyond the last transverse wall, along it and across
+    out_kn_m : what holds each end across the wall beside the friction of its thrust, per metre of height
     corner_wall : wall of the case with a [wall.corner] that stands there, and takes that thrust
     """
 
@@ -25,6 +26,7 @@ class Between:
     tie_elongation_m: float | None = number_key(0.0, 10.0, unit="m")
     shoulder_length_m: float | None = number_key(0.05, 50.0, unit="m")
     shoulder_thickness_m: float | None = number_key(0.05, 20.0, unit="m", form_unit="cm")
+    out_kn_m: float | None = number_key(0.0, 10000.0, unit="kN/m", exclusive=True)
     corner_wall: str = text_key()
 
     @property
@@ -53,4 +55,5 @@ class Between:
             sizes = self.shoulder_length_m, self.shoulder_thickness_m
             parted = arch.parted_flat(self.spacing_m, thickness)
             shoulder = arch.thrust_of_shoulder(*sizes, height, unit_weight, parted)
-        return arch.arch_of(self.spacing_m, thickness, strength, tie, shoulder, presses)
+        made = arch.arch_of(self.spacing_m, thickness, strength, tie, shoulder, presses)
+        return made._replace(across=1e3 * (self.out_kn_m or 0.0))

@@ -80,10 +80,10 @@ def limits_of_bending(wall: Masonry, moving: MovingStrip, side: str) -> Iterator
 
 def limit_of_ends(wall: Masonry, moving: MovingStrip) -> HoldLimit:
     """Limit of the ends of a wall that spans between transverse walls: each stands the friction of its thrust across
-    it, V = (alpha W + what presses the wall)/2.
+    it and what is said to hold it, against V = (alpha W + what presses the wall)/2.
 
     moving : the strip that lies, a metre of its height
     """
     arch, strip = require_value(wall.arch), moving.strip
-    stands = FRICTION * arch.thrust
+    stands = FRICTION * arch.thrust + arch.across
     return HoldLimit(ENDS, stands, max(0.0, 2.0 * stands / strip.weight - strip.pressed), "outward")

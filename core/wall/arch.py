@@ -36,6 +36,7 @@ class Arch(NamedTuple):
     by : TIE, SHOULDER or CRUSHING; shoulder : H of the masonry beyond alone [N/m]
     tied : whether H is that of a tie, which pulls only once the ends have parted
     stands : by how much the ends may part before that tie breaks [m]; strength : f of the masonry [Pa]
+    across : what holds each end across the wall beside the friction of its thrust [N/m]
     """
 
     spacing: float
@@ -46,6 +47,7 @@ class Arch(NamedTuple):
     tied: bool = False
     stands: float = math.inf
     strength: float = math.inf
+    across: float = 0.0
 
     @property
     def without_tie(self) -> "Arch":

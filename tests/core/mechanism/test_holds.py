@@ -128,6 +128,13 @@ def test_that_the_ends_of_an_arch_slip_where_friction_no_longer_holds_them():
     assert wall.assessment.verdict.code in ("not_verified", "q2_unsafe")
 
 
+def test_that_what_holds_the_ends_across_is_added_to_their_friction():
+    table = SPANNING.replace("shoulder_thickness_m = 0.45", "shoulder_thickness_m = 0.45, out_kn_m = 1.0")
+    (wall,) = run(case_of_text(table, ROOT / "spanning.toml"), base_dir=ROOT).walls
+    check = next(check for check in wall.assessment.checks if check.name == "hold")
+    assert check.capacity == pytest.approx(3.592, rel=1e-3) and check.passed
+
+
 @pytest.mark.shows("held.reaction")
 def test_that_a_wall_is_verified_to_where_its_hold_gives_way_and_no_further():
     table = {"demand": {"ag_g": 0.3, "soil_factor": 1.0}, "analysis": {"histories": False}, "building": None}
