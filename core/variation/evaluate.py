@@ -1,5 +1,6 @@
 """The only way from a wall to its checks: what each says, and the outcome they come to."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from enum import Enum
@@ -24,7 +25,6 @@ from core.codes.verdict import find_outcome
 from core.codes.vertical_bending import uplift_multiplier
 from core.errors import InputError
 from core.ground.record_folder import is_doubtful
-from core.known import require_value
 from core.setting.check_input import CheckInput
 from core.text.sentence import Sentence, sentence
 from core.units import G
@@ -175,8 +175,9 @@ def evaluate(
     made = make_kinematic_checks(kinematic, scene.demand, _counted(kinematic, scene.q_slv[0]))
     checks = _with_histories(made, dynamic, scene)
     evaluation = Evaluation(scene, kinematic, dynamic, checks, precision)
-    ordered = _worse_first(evaluation) if scene.by_default else checks
-    return replace(evaluation, checks=_place_hold(ordered, _check_of_holds(scene, kinematic, dynamic)))
+    if scene.by_default:
+        evaluation = replace(evaluation, checks=_worse_first(evaluation))
+    return replace(evaluation, checks=_place_hold(evaluation, _check_of_holds(scene, kinematic, dynamic)))
 
 
 def _check_of_holds(scene: CheckInput, kinematic: KinematicAnalysis, dynamic: DynamicCheck | None) -> Check | None:
@@ -198,16 +199,18 @@ def _check_of_holds(scene: CheckInput, kinematic: KinematicAnalysis, dynamic: Dy
     )
 
 
-def _place_hold(checks: tuple[Check, ...], hold: Check | None) -> tuple[Check, ...]:
-    """The checks with that of the holds: it decides where it has the lower zeta, or fails where the first passes."""
+def _place_hold(evaluation: Evaluation, hold: Check | None) -> tuple[Check, ...]:
+    """The checks with that of the holds: it decides where it is the worse of itself and of the one that would, by what
+    each says, among alike by zeta. A hold that stands never covers a wall that falls."""
+    checks, first = evaluation.checks, evaluation.decides
     if hold is None:
         return checks
-    first = checks[0] if checks else None
-    zeta = None if first is None else first.zeta
-    decides = (
-        first is None or (zeta is None and not hold.passed) or (zeta is not None and require_value(hold.zeta) < zeta)
-    )
-    return (hold, *checks) if decides else (*checks, hold)
+
+    def place(check: Check) -> tuple[int, float]:
+        said = evaluation.judgement(check)
+        return (FAILS, AT_LIMIT, OPEN, PASSES).index(said), math.inf if check.zeta is None else check.zeta
+
+    return (hold, *checks) if first is None or place(hold) < place(first) else (*checks, hold)
 
 
 def _with_histories(made: tuple[Check, ...], dynamic: DynamicCheck | None, scene: CheckInput) -> tuple[Check, ...]:

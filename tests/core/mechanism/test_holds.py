@@ -10,11 +10,13 @@ import pytest
 from core.case.held_top import mirror_inward
 from core.case.reader import case_of_text
 from core.case.rules import parse_case
+from core.codes.kinematic import Check
 from core.codes.vertical_bending import lowest_hinge
 from core.mechanism.bending_reactions import MovingStrip
 from core.mechanism.holds import BASE, ENDS, TOP, limit_of_ends, limits_of_bending, reaction_of_top
 from core.mechanism.sections import Sections
 from core.study.run import run
+from core.variation.evaluate import Evaluation, _place_hold
 from core.wall.bending import strip_of
 from tests.conftest import ROOT
 
@@ -153,3 +155,22 @@ def test_that_a_wall_is_verified_to_where_its_hold_gives_way_and_no_further():
     assert zetas == sorted(zetas, reverse=True) and zetas[-1] < zetas[0]
     bare = parse_case(table | {"wall": [HELD | {"thickness_m": 0.4}]}).wall[0]
     assert replace(bare, restraint_kn_m=None).in_si.declared.strength is None
+
+
+@pytest.mark.shows("held.reaction")
+@pytest.mark.parametrize(
+    ("first", "hold", "decides"),
+    [
+        ((1.2, True), (1.1, True), "hold"),
+        ((1.2, True), (0.9, False), "hold"),
+        ((1.2, False), (1.1, True), "nonlinear"),  # it falls at the demand itself, above which it stands
+        ((0.8, False), (0.9, False), "nonlinear"),
+        ((0.8, False), (0.7, False), "hold"),
+        ((None, None), (1.1, True), "nonlinear"),
+        ((None, None), (0.9, False), "hold"),
+    ],
+)
+def test_that_a_hold_that_stands_never_covers_a_wall_that_falls(first, hold, decides):
+    checks = [Check(name, "", "", 1.0, 1.0, *said) for name, said in (("nonlinear", first), ("hold", hold))]
+    evaluation = Evaluation(None, None, None, (checks[0],))
+    assert _place_hold(evaluation, checks[1])[0].name == decides
