@@ -12,6 +12,7 @@ from core.case.wall import ARCHES, Wall
 from core.errors import InputError, place, section
 from core.known import require_value
 from core.text.sentence import Key
+from core.wall.arch import MIN_THRUST
 
 
 def add_floor_loads(wall: Wall, building: Building | None) -> Wall:
@@ -166,6 +167,9 @@ class WallSetChecker:
 
 
 def _on_corner(wall: Wall) -> float:
-    """H that the ends of a wall push with [kN/m]; none where ties along it take it."""
+    """H that the ends of a wall push with [kN/m]. Ties along it pull only as the ends part: before, and after one
+    breaks, the masonry beyond carries the arch, and the corner takes what that gives; nothing where there is none."""
     arch = require_value((make_spanning_part(wall) if wall.mechanism != ARCHES else wall).in_si.arch)
-    return 0.0 if arch.tied else 1e-3 * arch.thrust
+    if not arch.tied:
+        return 1e-3 * arch.thrust
+    return 1e-3 * arch.shoulder if arch.shoulder > MIN_THRUST else 0.0
