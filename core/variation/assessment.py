@@ -283,7 +283,9 @@ def _hold_remark(evaluation: Evaluation) -> list[Sentence]:
     if check is None:
         return []
     weakest = min(evaluation.scene.hold_limits, key=lambda limit: limit.push)
-    values = {"asked": check.demand, "stands": check.capacity, "share": check.zeta}
+    values: dict[str, object] = {"asked": check.demand, "stands": check.capacity, "share": check.zeta}
+    if weakest.hold == ENDS:
+        values["across"] = Key("out_kn_m")
     return [sentence("reason", HOLD_REMARKS[weakest.hold], **values)]
 
 
