@@ -55,5 +55,5 @@ class Between:
             sizes = self.shoulder_length_m, self.shoulder_thickness_m
             parted = arch.parted_flat(self.spacing_m, thickness)
             shoulder = arch.thrust_of_shoulder(*sizes, height, unit_weight, parted)
-        made = arch.arch_of(self.spacing_m, thickness, strength, tie, shoulder, presses)
-        return made._replace(across=1e3 * (self.out_kn_m or 0.0))
+        by_ends = arch.arch_of(self.spacing_m, thickness, strength, tie, shoulder, presses)
+        return by_ends._replace(across=1e3 * (self.out_kn_m or 0.0))
