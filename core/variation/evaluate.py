@@ -207,8 +207,8 @@ def _place_hold(evaluation: Evaluation, hold: Check | None) -> tuple[Check, ...]
         return checks
 
     def place(check: Check) -> tuple[int, float]:
-        said = evaluation.judgement(check)
-        return (FAILS, AT_LIMIT, OPEN, PASSES).index(said), math.inf if check.zeta is None else check.zeta
+        rank = (FAILS, AT_LIMIT, OPEN, PASSES).index(evaluation.judgement(check))
+        return rank, math.inf if check.zeta is None else check.zeta
 
     return (hold, *checks) if first is None or place(hold) < place(first) else (*checks, hold)
 
