@@ -7,7 +7,7 @@ import pytest
 
 from core.version import NAME, VERSION
 from tests.benchmarks.made_by import KEY
-from tests.benchmarks.pictures import FOLDER, SHOWN
+from tests.benchmarks.pictures import FOLDER, SHOWN, first_page_of
 from tests.conftest import ROOT
 
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "resources" / "docs").rglob("*.md"))]
@@ -71,3 +71,9 @@ def test_that_a_chart_is_of_the_version_its_page_names(name):
     of_pages = [text.partition(f"pictures/{name}.png)")[2] for text in shown()[f"{name}.png"]]
     said = [re.match(r"\n+Made by (\d+\.\d+)\.\d+ with\s`python3 run.py bench --", text) for text in of_pages]
     assert [found[1] for found in said if found] == [version_of(name)]
+
+
+def test_that_the_page_of_a_wall_is_its_own_and_not_that_of_the_contents():
+    contents = [(4, 80.0, "gable – two-sided ......... 5"), (4, 90.0, "parapet – two-sided ......... 8")]
+    headings = [(page, 50.0, f"{name} – two-sided") for page, name in ((5, "gable"), (8, "parapet"))]
+    assert [first_page_of(name, contents + headings) for name in ("gable", "parapet")] == [5, 8]

@@ -82,6 +82,14 @@ def show(application, window, name: str, page: str) -> None:
     settle(application, lambda: page != "wall" or live.result is not None)
 
 
+def first_page_of(name: str, lines: list[tuple[int, float, str]]) -> int:
+    """Page, from 1, whose heading is the wall of this name; the line of the contents, above it, ends with its number.
+
+    lines : (page, y [pt], text) of a note, in order
+    """
+    return next(page for page, _, text in lines if text.startswith(f"{name} – ") and not text.rstrip()[-1].isdigit())
+
+
 def image_of_note(result, name: str):
     """Of the note of a result side by side: its first page, and the first two of the wall of this name."""
     from PIL import Image
@@ -89,8 +97,7 @@ def image_of_note(result, name: str):
     from core.report.note.archive import note_of
 
     note = note_of(result, Path(), within=False)
-    first = next(page for page, _, text in note.lines() if text.startswith(f"{name} – "))  # counted from 1
-    made = note.pages(DPI)
+    first, made = first_page_of(name, note.lines()), note.pages(DPI)
     pages = [Image.open(io.BytesIO(made[page])).convert("RGB") for page in (0, first - 1, first)]
     width, height = pages[0].size
     image = Image.new("RGB", (len(pages) * (width + MARGIN) + MARGIN, height + 2 * MARGIN), GROUND)
