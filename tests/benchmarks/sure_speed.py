@@ -51,7 +51,7 @@ def under_the_hand(case: Case, repeats: int) -> tuple[float, float]:
 def main(options: Command) -> None:
     """Print the table."""
     repeats = options.number(5, 1)
-    print(f"{'one wall, seven records':44} {'moves [s]':>10} {'clauses [ms]':>13} {'histories [ms]':>15}", flush=True)
+    print(f"{'motions of its case':44} {'moves [s]':>10} {'clauses [ms]':>13} {'histories [ms]':>15}", flush=True)
     walls = (
         ("building.toml", 3, "parapet on a floor, two-sided"),
         ("facade.toml", 0, "facade with openings, on the ground"),
