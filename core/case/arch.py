@@ -17,7 +17,8 @@ class Between:
     tie_bar_length_m, tie_elongation_m : length of a bar, and the elongation it stands
     shoulder_length_m, shoulder_thickness_m : of the masonry beyond the last transverse wall, along it and across
     out_kn_m : what holds each end across the wall beside the friction of its thrust, per metre of height
-    corner_wall : wall of the case with a [wall.corner] that stands there, and takes that thrust
+    corner_wall : wall of the case with a [wall.corner] that stands there, and takes that thrust; corner_side : which of
+        its two walls the one that spans goes on from, 1 or 2
     """
 
     spacing_m: float = number_key(0.3, 50.0, MISSING, unit="m")
@@ -28,6 +29,7 @@ class Between:
     shoulder_thickness_m: float | None = number_key(0.05, 20.0, unit="m", form_unit="cm")
     out_kn_m: float | None = number_key(0.0, 10000.0, unit="kN/m", exclusive=True)
     corner_wall: str = text_key()
+    corner_side: int | None = number_key(1, 2, whole=True)
 
     @property
     def with_tie(self) -> bool:

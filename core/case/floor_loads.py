@@ -1,12 +1,12 @@
 """What the rest of a building brings to a wall: the loads of its floors, the thrust of walls that span to a corner."""
 
-import math
 from collections.abc import Iterator
 from dataclasses import replace
 
 from core.case.loads import Load
 from core.case.schema import Case
 from core.case.site import Building, FloorLoad
+from core.case.solids import Corner
 from core.case.spanning import make_spanning_part
 from core.case.wall import ARCHES, Wall
 from core.errors import InputError, place, section
@@ -59,19 +59,18 @@ def isolate_wall(case: Case, k: int) -> Case:
     if building is not None and building.floors:
         case = replace(case, building=replace(building, floors=()))
     if wall.arch is not None and wall.arch.corner_wall:
-        wall = replace(wall, arch=replace(wall.arch, corner_wall=""))
+        wall = replace(wall, arch=replace(wall.arch, corner_wall="", corner_side=None))
     return replace(case, wall=(wall,))
 
 
 def add_corner_thrust(wall: Wall) -> Wall:
-    """A corner, or a part of one above a hinge, with the thrust along its walls as a load: over its height, in the
-    direction in which it turns."""
+    """A corner, or a part of one above a hinge, with what pushes it along and across its walls as a load: over its
+    height, in the direction in which it turns."""
     if (corner := wall.corner) is None or not corner.is_pushed:
         return wall
-    angle, height = math.radians(corner.angle_deg), require_value(wall.height_m)
-    along = corner.thrust_1_kn_m * math.cos(angle) + corner.thrust_2_kn_m * math.sin(angle)
-    load = Load("thrust", along * height / require_value(wall.length_m), 0.5 * height)
-    plain = replace(corner, thrust_1_kn_m=0.0, thrust_2_kn_m=0.0)
+    height = require_value(wall.height_m)
+    load = Load("thrust", corner.outward_push * height / require_value(wall.length_m), 0.5 * height)
+    plain = replace(corner, thrust_1_kn_m=0.0, thrust_2_kn_m=0.0, across_1_kn_m=0.0, across_2_kn_m=0.0)
     return replace(wall, corner=plain, load=(*wall.load, load), unloaded_confirmed=False)
 
 
@@ -126,21 +125,22 @@ def floor_at(wall: Wall, building: Building | None, number: int) -> FloorLoad | 
 
 class WallSetChecker:
     """What the walls of a case are to each other: floors name walls of it, and a wall that spans to a corner pushes it
-    with no more than the corner is checked with. `saw` of each wall, then `check`."""
+    with no more than the corner is checked with, along the wall it goes on from and across it. `saw` of each wall, then
+    `check`."""
 
     def __init__(self, building: Building | None):
         self.building = building
         floors = building.floors if building else ()
         self.unseen = {name for floor in floors for name in (floor.from_wall, floor.to_wall) if name}
         self.pushed: list[tuple[Wall, str]] = []
-        self.corners: dict[str, list[tuple[float, float]]] = {}
+        self.corners: dict[str, list[Corner]] = {}
 
     def saw(self, wall: Wall) -> None:
         """One more wall of the case."""
         self.unseen.discard(wall.name)
         corner, arch = wall.corner, wall.arch
         if corner is not None:
-            self.corners.setdefault(wall.name, []).append((corner.thrust_1_kn_m, corner.thrust_2_kn_m))
+            self.corners.setdefault(wall.name, []).append(corner)
         if arch is not None and arch.corner_wall:
             self.pushed.append((wall, arch.corner_wall))
 
@@ -150,26 +150,33 @@ class WallSetChecker:
             for key, name in (("from_wall", floor.from_wall), ("to_wall", floor.to_wall)):
                 if name in self.unseen:
                     raise InputError("wall_not_there", place=here, key=key, found=name)
-        thrusts: dict[str, dict[str, float]] = {}
+        pushes: dict[tuple[str, int], dict[str, tuple[float, float]]] = {}
         for wall, name in self.pushed:
             here = (place("wall", name=wall.title), place("arch"))
             if name not in self.corners:
                 said = {"found": name, "corner": Key("[wall.corner]")}
                 raise InputError("corner_not_there", place=here, key="corner_wall", **said)
-            of_corner = thrusts.setdefault(name, {})
-            of_corner[wall.name] = max(of_corner.get(wall.name, 0.0), _on_corner(wall))  # its variants are one wall
-            least, whole = max(of_corner.values()), sum(of_corner.values())
-            given = min(self.corners[name], key=max)
-            together = min(map(sum, self.corners[name]))
-            if least > max(given) + 1e-9 or whole > together + 1e-9:
-                said = {"found": together, "least": whole, "corner": name, "one": Key("thrust_1_kn_m")}
-                raise InputError("corner_thrust", place=here, key="corner_wall", other=Key("thrust_2_kn_m"), **said)
+            side = require_value(require_value(wall.arch).corner_side)
+            of_corner = pushes.setdefault((name, side), {})
+            before = of_corner.get(wall.name, (0.0, 0.0))  # its variants are one wall
+            of_corner[wall.name] = tuple(map(max, before, _on_corner(wall)))  # type: ignore[assignment]
+            thrust, across = map(sum, zip(*of_corner.values(), strict=True))
+            given = [
+                min(pushes) for pushes in zip(*(corner.pushes[side - 1] for corner in self.corners[name]), strict=True)
+            ]
+            if thrust > given[0] + 1e-9 or across > given[1] + 1e-9:
+                said = {"corner": name, "thrust": thrust, "across": across, "given": given[0], "given_across": given[1]}
+                keys = {"one": Key(f"thrust_{side}_kn_m"), "other": Key(f"across_{side}_kn_m")}
+                raise InputError("corner_thrust", place=here, key="corner_wall", **said, **keys)
 
 
-def _on_corner(wall: Wall) -> float:
-    """H that the ends of a wall push with [kN/m]. Ties along it pull only as the ends part: before, and after one
-    breaks, the masonry beyond carries the arch, and the corner takes what that gives; nothing where there is none."""
+def _on_corner(wall: Wall) -> tuple[float, float]:
+    """(H, V) that the ends of a wall push with along and across it [kN/m]. Ties along it pull only as the ends part:
+    before, and after one breaks, the masonry beyond carries the arch, and the corner takes what that gives; nothing
+    where there is none. V : all that holds an end across, of which the corner is asked"""
     arch = require_value((make_spanning_part(wall) if wall.mechanism != ARCHES else wall).in_si.arch)
-    if not arch.tied:
-        return 1e-3 * arch.thrust
-    return 1e-3 * arch.shoulder if arch.shoulder > MIN_THRUST else 0.0
+    if arch.tied:
+        if arch.shoulder <= MIN_THRUST:
+            return 0.0, 0.0
+        arch = arch.without_tie
+    return 1e-3 * arch.thrust, 1e-3 * arch.held_across

@@ -98,7 +98,7 @@ class Corner:
     length_1_m, length_2_m : of each at the top, to its crack, which begins at the base; thickness_2_m : of the second
     angle_deg : in plan, between the first wall and the direction in which the corner turns
     thrust_1_kn_m, thrust_2_kn_m : with which what spans in each wall beyond its crack pushes the corner outward, along
-        that wall, per metre of its height
+        that wall, per metre of its height; across_1_kn_m, across_2_kn_m : across it
     """
 
     length_1_m: float = number_key(0.1, 30.0, MISSING, unit="m")
@@ -107,11 +107,25 @@ class Corner:
     angle_deg: float = number_key(10.0, 80.0, 45.0, unit="deg")
     thrust_1_kn_m: float = number_key(0.0, 10000.0, 0.0, unit="kN/m")
     thrust_2_kn_m: float = number_key(0.0, 10000.0, 0.0, unit="kN/m")
+    across_1_kn_m: float = number_key(0.0, 10000.0, 0.0, unit="kN/m")
+    across_2_kn_m: float = number_key(0.0, 10000.0, 0.0, unit="kN/m")
+
+    @property
+    def pushes(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """(along, across) [kN/m] with which what spans in its first and in its second wall pushes it."""
+        return (self.thrust_1_kn_m, self.across_1_kn_m), (self.thrust_2_kn_m, self.across_2_kn_m)
 
     @property
     def is_pushed(self) -> bool:
         """Whether something that spans to it pushes it."""
-        return self.thrust_1_kn_m > 0.0 or self.thrust_2_kn_m > 0.0
+        return any(max(push) > 0.0 for push in self.pushes)
+
+    @property
+    def outward_push(self) -> float:
+        """What pushes it in the direction in which it turns, per metre of its height [kN/m]: the second wall stands at
+        a right angle to the first."""
+        angle, ((along_1, across_1), (along_2, across_2)) = math.radians(self.angle_deg), self.pushes
+        return (along_1 + across_2) * math.cos(angle) + (across_1 + along_2) * math.sin(angle)
 
 
 @dataclass(frozen=True)

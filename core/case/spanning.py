@@ -123,8 +123,8 @@ def check_arch(wall: Wall) -> None:
     if not whole_courses(wall):
         raise InputError("arch_openings", place=inside, least=LEAST_COURSES)
     tied = ("tie_kn_m", "tie_bar_length_m"), ("tie_kn_m", "tie_elongation_m")
-    for key, other in (*tied, ("shoulder_length_m", "shoulder_thickness_m")):
-        if (getattr(given, key) is None) != (getattr(given, other) is None):
+    for key, other in (*tied, ("shoulder_length_m", "shoulder_thickness_m"), ("corner_side", "corner_wall")):
+        if (getattr(given, key) in (None, "")) != (getattr(given, other) in (None, "")):
             raise InputError("arch_pair", place=inside, key=key, other=Key(other))
     if given.with_tie:
         _check_along(given, inside)

@@ -19,7 +19,6 @@ from core.mechanism.rest import (
     simple_reactions,
 )
 from core.mechanism.sections import Sections
-from core.wall.arch import FRICTION
 from core.wall.masonry import Masonry
 
 TOP, BASE, ENDS = "top", "base", "ends"
@@ -85,5 +84,5 @@ def limit_of_ends(wall: Masonry, moving: MovingStrip) -> HoldLimit:
     moving : the strip that lies, a metre of its height
     """
     arch, strip = require_value(wall.arch), moving.strip
-    stands = FRICTION * arch.thrust + arch.across
+    stands = arch.held_across
     return HoldLimit(ENDS, stands, max(0.0, 2.0 * stands / strip.weight - strip.pressed), "outward")

@@ -50,6 +50,11 @@ class Arch(NamedTuple):
     across: float = 0.0
 
     @property
+    def held_across(self) -> float:
+        """What each end stands across the wall [N/m]: the friction of its thrust and what is said to hold it."""
+        return FRICTION * self.thrust + self.across
+
+    @property
     def without_tie(self) -> "Arch":
         """The arch by the masonry beyond alone, as it is before its ends have parted."""
         thrust = max(self.shoulder, MIN_THRUST)

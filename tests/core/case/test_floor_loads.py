@@ -139,36 +139,96 @@ def test_that_a_floor_that_bears_nowhere_is_refused(change, code):
 CORNER = NORTH | {"name": "NE", "thickness_m": 0.6, "length_m": round(4.8 / math.sqrt(2.0), 3)}
 CORNER |= {"corner": {"length_1_m": 2.4, "length_2_m": 2.4, "thickness_2_m": 0.6}, "height_m": 6.0}
 ARCH = {"spacing_m": 5.0, "shoulder_length_m": 0.6, "shoulder_thickness_m": 0.4, "corner_wall": "NE"}
+ARCH |= {"corner_side": 2}
 SPANS = NORTH | {"name": "spans", "arch": ARCH, "compressive_strength_mpa": 2.0}
+
+
+def multiplier_of(corner: dict, length: float, **keys) -> float:
+    """alpha_0 of a corner that is pushed, about its base."""
+    table = CORNER | {"corner": corner, "length_m": length, "hinge_heights": "base"} | keys
+    wall = case_of(table, building=BARE).wall[0]
+    return sum_chain(make_wall_parts(0, wall, None)[0].wall.in_si, False).start[0]
 
 
 @pytest.mark.shows("bodies.corner")
 def test_that_a_corner_is_pushed_by_what_spans_to_it_over_its_height():
-    """alpha_0 by moments about the base: the thrust acts in the middle of the height, along its wall."""
+    """alpha_0 by moments about the base: what pushes it acts in the middle of the height, along its wall and across
+    it."""
     rng = np.random.default_rng(4)
     for _ in range(20):
-        first, second, angle = rng.uniform(0.0, 0.6), rng.uniform(0.0, 0.6), rng.uniform(30.0, 60.0)
-        corner = CORNER["corner"] | {"angle_deg": angle, "thrust_1_kn_m": first, "thrust_2_kn_m": second}
+        pushes, angle = rng.uniform(0.0, 0.3, 4), rng.uniform(30.0, 60.0)
+        keys = ("thrust_1_kn_m", "across_1_kn_m", "thrust_2_kn_m", "across_2_kn_m")
+        corner = CORNER["corner"] | {"angle_deg": angle} | dict(zip(keys, map(float, pushes), strict=True))
         length = 2.4 * (math.sin(math.radians(angle)) + math.cos(math.radians(angle)))
-        table = CORNER | {"corner": corner, "length_m": length}
-        wall = case_of(table | {"hinge_heights": "base"}, building=BARE).wall[0]
-        pushed, body = make_wall_parts(0, wall, None)[0].wall, wall.in_si.body
-        moment = 1e3 * (first * math.cos(math.radians(angle)) + second * math.sin(math.radians(angle))) * 6.0 * 3.0
+        body = case_of(CORNER | {"corner": corner, "length_m": length}, building=BARE).wall[0].in_si.body
+        first = np.array([math.cos(math.radians(angle)), math.sin(math.radians(angle))])  # along it and across it
+        moment = 1e3 * (pushes[:2] @ first + pushes[2:] @ first[::-1]) * 6.0 * 3.0
         x, z = body.centroid
         weight = 9.80665 * body.mass
-        assert sum_chain(pushed.in_si, False).start[0] == pytest.approx((weight * x - moment) / (weight * z), rel=1e-9)
+        assert multiplier_of(corner, length) == pytest.approx((weight * x - moment) / (weight * z), rel=1e-9)
 
 
-def test_that_the_thrust_of_the_ends_is_in_the_verdict_of_the_corner():
-    with pytest.raises(InputError) as refused:
-        case_of(SPANS, CORNER, building=BARE)
-    assert refused.value.code == "corner_thrust"
-    least = refused.value.values["least"]
-    corner = CORNER | {"corner": CORNER["corner"] | {"thrust_2_kn_m": least}}
-    assert case_of(SPANS, corner, building=BARE)
+NARROW = {"length_1_m": 3.0, "length_2_m": 3.0, "thickness_2_m": 0.5, "angle_deg": 15.0}
+"""A corner of 6 m, 0.5 m thick, that turns nearly along its first wall."""
+
+
+@pytest.mark.parametrize(
+    ("push", "found"),
+    [({}, 0.205153), ({"thrust_1_kn_m": 6.606471}, 0.002838), ({"thrust_2_kn_m": 6.606471}, 0.150943)],
+)
+def test_that_it_matters_which_wall_of_a_corner_pushes(push, found):
+    """Computed twice, by formula and by quadrature."""
+    length = 3.0 * math.sqrt(1.5)
+    assert multiplier_of(NARROW | push, length, thickness_m=0.5) == pytest.approx(found, abs=6e-7)
+
+
+@pytest.mark.parametrize(("walls", "found"), [((1,), 0.136989), ((2,), 0.096983), ((1, 2), 0.078514)])
+def test_a_corner_beside_walls_that_span_and_are_at_rest(walls, found):
+    """Under alpha along the motion each wall of 5 m, 45 kN and b = 0.495596 m is pushed across by its share of alpha,
+    and hands on H = alpha W L/(8 b) along and alpha W/2 across it: the multiplier is the alpha that gives itself."""
+    share = {1: math.sin(math.radians(15.0)), 2: math.cos(math.radians(15.0))}
+    push = {}
+    for side in walls:
+        push[f"thrust_{side}_kn_m"] = found * share[side] * 45.0 * 5.0 / (8.0 * 0.495596)
+        push[f"across_{side}_kn_m"] = 0.5 * found * share[side] * 45.0
+    assert multiplier_of(NARROW | push, 3.0 * math.sqrt(1.5), thickness_m=0.5) == pytest.approx(found, abs=2e-6)
+
+
+def needed(*walls, corner=None) -> dict[str, float]:
+    """What a corner must be checked with for these walls, as the refusals say."""
+    found: dict[str, float] = {}
+    for _ in range(5):
+        try:
+            case_of(*walls, CORNER | {"corner": CORNER["corner"] | (corner or {}) | found}, building=BARE)
+        except InputError as refused:
+            assert refused.code == "corner_thrust"
+            said = refused.values
+            found |= {said["one"]: said["thrust"], said["other"]: said["across"]}
+        else:
+            return found
+    raise AssertionError(found)
+
+
+def test_that_what_the_ends_push_with_is_in_the_verdict_of_the_corner():
+    """Along the wall they go on from, and across it what holds them: 0.4 of their thrust and what is said to."""
+    found = needed(SPANS)
+    assert set(found) == {"thrust_2_kn_m", "across_2_kn_m"}
+    assert found["across_2_kn_m"] == pytest.approx(0.4 * found["thrust_2_kn_m"])
+    more = needed(SPANS | {"arch": ARCH | {"out_kn_m": 0.2}})
+    assert more["across_2_kn_m"] == pytest.approx(found["across_2_kn_m"] + 0.2)
+    other = needed(SPANS | {"arch": ARCH | {"corner_side": 1}}, corner=found)
+    assert sorted(other.values()) == pytest.approx(sorted(found.values())) and "thrust_1_kn_m" in other
     with pytest.raises(InputError) as refused:
         case_of(SPANS, CORNER | {"name": "SE"}, building=BARE)
     assert refused.value.code == "corner_not_there"
+
+
+@pytest.mark.parametrize("missing", ["corner_side", "corner_wall"])
+def test_that_a_wall_that_spans_to_a_corner_says_which_of_its_walls_it_goes_on_from(missing):
+    arch = {key: value for key, value in ARCH.items() if key != missing}
+    with pytest.raises(InputError) as refused:
+        case_of(SPANS | {"arch": arch}, CORNER, building=BARE)
+    assert refused.value.code == "arch_pair" and "corner_side" in str(refused.value)
 
 
 def test_that_a_corner_that_does_not_stand_the_thrust_says_so():
@@ -183,32 +243,21 @@ def test_that_a_tie_along_the_wall_takes_what_a_corner_then_does_not_but_no_thru
     """Before the ends have parted, and after the tie breaks, the masonry beyond carries the arch."""
     alone = {key: value for key, value in ARCH.items() if not key.startswith("shoulder")}
     tie = {"tie_kn_m": 40.0, "tie_bar_length_m": 5.0, "tie_elongation_m": 0.1}
-    assert case_of(SPANS | {"arch": alone | tie}, CORNER, building=BARE)
-    assert case_of(SPANS | {"arch": alone | tie | {"tie_kn_m": 3000.0}}, CORNER, building=BARE)  # hinges are crushed
-    thrusts = []
-    for arch in (ARCH, ARCH | tie):
-        with pytest.raises(InputError) as refused:
-            case_of(SPANS | {"arch": arch}, CORNER, building=BARE)
-        assert refused.value.code == "corner_thrust"
-        thrusts.append(refused.value.values["least"])
-    assert thrusts[0] == pytest.approx(thrusts[1])
+    assert not needed(SPANS | {"arch": alone | tie})
+    assert not needed(SPANS | {"arch": alone | tie | {"tie_kn_m": 3000.0}})  # hinges are crushed
+    assert needed(SPANS | {"arch": ARCH | tie}) == pytest.approx(needed(SPANS))
 
 
 def test_that_two_walls_that_span_to_a_corner_both_push_it_in_every_variant():
-    with pytest.raises(InputError) as refused:
-        case_of(SPANS, CORNER, building=BARE)
-    least = refused.value.values["least"]
-    pushed = {"corner": CORNER["corner"] | {"thrust_1_kn_m": least}}
-    assert case_of(SPANS, CORNER | pushed, building=BARE)
-    with pytest.raises(InputError) as refused:
-        case_of(SPANS, SPANS | {"name": "other"}, CORNER | pushed, building=BARE)
-    assert refused.value.code == "corner_thrust" and refused.value.values["least"] == pytest.approx(2.0 * least)
-    both = {"corner": CORNER["corner"] | {"thrust_1_kn_m": least, "thrust_2_kn_m": least}}
-    assert case_of(SPANS, SPANS | {"name": "other"}, CORNER | both, building=BARE)
+    other, one = SPANS | {"name": "other"}, needed(SPANS)
+    assert needed(SPANS, other) == pytest.approx({key: 2.0 * value for key, value in one.items()})
+    apart = needed(SPANS, other | {"arch": ARCH | {"corner_side": 1}})
+    assert apart == pytest.approx(one | {key.replace("2", "1"): value for key, value in one.items()})
+    pushed = {"corner": CORNER["corner"] | one}
     variants = [CORNER | {"variant": "stato di fatto"}, CORNER | pushed | {"variant": "progetto"}]
-    for one, other in (variants, variants[::-1]):
+    for before, after in (variants, variants[::-1]):
         with pytest.raises(InputError) as refused:
-            case_of(SPANS, one, other, building=BARE)
+            case_of(SPANS, before, after, building=BARE)
         assert refused.value.code == "corner_thrust"
 
 
